@@ -17,13 +17,12 @@ version := $(call manifest,version)
 abi     := $(basename $(version))
 release := $(or $(CARGO_TARGET_DIR),target)/$(PROFILE)
 stage   := $(CURDIR)/build/stage
-# Build folder of the program, and its CMake flags. An installation includes the program if it was built; the stage
-# does not.
+# Folder of the program. An installation includes the program if it was built; the stage does not.
 program  = build/cli
-program_flags =
 cli      = $(shell test -x '$(program)/gusset' && echo yes)
 archive := $(CURDIR)/build/dist/gusset-$(version)-linux-$(shell uname -m).tar.gz
 openmfx := $(abspath $(release))/libgusset_openmfx.so
+files   := $(abspath $(release))/libgusset_files.so
 libdir   = $(DESTDIR)$(LIBDIR)
 incdir   = $(DESTDIR)$(PREFIX)/include
 docdir   = $(DESTDIR)$(DOCDIR)
@@ -31,20 +30,19 @@ docdir   = $(DESTDIR)$(DOCDIR)
 notices  = packaging/debian/copyright
 
 build_packages := cmake g++ pkg-config
-cli_packages   := $(build_packages) libcli11-dev libtinygltf-dev libtinyobjloader-dev nlohmann-json3-dev
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev libtinyobjloader-dev
 docs_packages  := doxygen
 # A browser without a window: takes the pictures of the demo, and reads pages in tests.
 browser_packages := chromium chromium-driver python3-selenium
-test_packages  := $(host_packages) $(cli_packages) $(docs_packages) $(browser_packages) assimp-utils python3-pil fish groff-base zsh doctest-dev libeigen3-dev valgrind clang abigail-tools python3-venv
+test_packages  := $(host_packages) $(docs_packages) $(browser_packages) assimp-utils python3-pil fish groff-base zsh doctest-dev libeigen3-dev valgrind clang abigail-tools python3-venv
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libcgal-demo libeigen3-dev libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
 cargo_c_packages := $(build_packages) libssl-dev
-deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
+deb_packages   := debhelper dpkg-dev lintian $(build_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages) libegl1 nlohmann-json3-dev python3-venv
 figures_packages := $(host_packages)
 
-.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx test test-units test-programs test-hosts test-rust check mutants lint lint-prose lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx files test test-units test-programs test-hosts test-rust check mutants lint lint-prose lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-program install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -135,7 +133,7 @@ build/interface.json:
 # The unit tests of all crates in a plain build, with checks of overflow, and the example of the crate's first page.
 units := --workspace --exclude gusset-tests --exclude gusset-fuzz
 test-units:
-	CARGO_INCREMENTAL=0 $(CARGO) test --locked $(units) --lib
+	CARGO_INCREMENTAL=0 $(CARGO) test --locked $(units) --lib --bins
 	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset $(features) --doc
 
 # Tests the released library from outside. No second one is compiled if both select equal features of all packages.
@@ -162,33 +160,37 @@ mutants:
 openmfx:
 	$(CARGO) build -p gusset-openmfx --profile $(PROFILE) --locked $(released)
 
+# Readers and writers of files, for tests of the Python package. `make wheel` links them into the library of the package.
+files:
+	$(CARGO) build -p gusset-files --profile $(PROFILE) --locked $(released)
+
 # Runs both sides at once, because each keeps only one core busy at times.
 test:
 	@scripts/install-packages.sh $(test_packages)
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line test-hosts test-rust
 
-# The tests have their own program and archive. This program compiles in a third of the time of `make cli`.
+# The tests have their own program and archive.
 test_folder   := $(CURDIR)/build/test
-test_program  := pack_level=1 program='$(test_folder)/cli' program_flags='-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=100' archive='$(test_folder)/dist/$(notdir $(archive))'
-test-hosts: openmfx build/interface.json
+test_program  := pack_level=1 program='$(test_folder)/cli' archive='$(test_folder)/dist/$(notdir $(archive))'
+test-hosts: openmfx files build/interface.json
 	@$(MAKE) --no-print-directory dist $(test_program)
-	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX='$(openmfx)' -DGUSSET_ARCHIVE='$(test_folder)/dist/$(notdir $(archive))' -DGUSSET_CLI='$(test_folder)/cli'
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX='$(openmfx)' -DGUSSET_FILES='$(files)' -DGUSSET_ARCHIVE='$(test_folder)/dist/$(notdir $(archive))' -DGUSSET_CLI='$(test_folder)/cli'
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error --parallel 2 || \
 	    { echo 'FAILED. The same tests once more, to see whether they fail again:'; ctest --test-dir build/cpp --rerun-failed --output-on-failure; exit 1; }
 
 # Tests that need VTK, MPI, PyVista or Dask.
-test-hosts-all: stage build/interface.json
+test-hosts-all: stage files build/interface.json
 	@scripts/install-packages.sh $(test_packages) libopenmpi-dev libvtk9-dev openmpi-bin
-	cmake -S cpp_tests -B build/cpp-all -DGUSSET_PREFIX='$(stage)' -DGUSSET_ALL_HOSTS=ON
+	cmake -S cpp_tests -B build/cpp-all -DGUSSET_PREFIX='$(stage)' -DGUSSET_FILES='$(files)' -DGUSSET_ALL_HOSTS=ON
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp-all --parallel 2 --target all_hosts
 	ctest --test-dir build/cpp-all -R '^(vtk|tiles|python)' --output-on-failure --no-tests=error --parallel 2
 
-# `cmake --install build/cli --prefix PREFIX` installs it.
+# Compiles the program against the release library, which it loads. build/cli has it with its manual, its completions and a
+# link to the library; `make install` installs it.
 cli: stage
-	@scripts/install-packages.sh $(cli_packages)
-	cmake -S tools/gusset -B '$(program)' -DGUSSET_PREFIX='$(stage)' $(program_flags)
-	env -u MAKELEVEL -u MAKEFLAGS cmake --build '$(program)' --parallel 2
+	$(CARGO) build -p gusset-cli --no-default-features --features gusset/reserve --profile $(PROFILE) --locked $(released)
+	@scripts/program.sh '$(release)/gusset' '$(stage)/lib' '$(program)'
 
 scans: cli
 	@python3 scripts/scans.py build/cli/gusset '$(FOLDER)' '$(or $(OUT),scans.ply)'
@@ -258,7 +260,14 @@ bench: stage
 strip_shared = --strip-unneeded
 strip_static = --strip-debug
 install: install-library install-data
-	$(if $(cli),DESTDIR='$(DESTDIR)' cmake --install '$(program)' --prefix '$(PREFIX)')
+	@$(if $(cli),$(MAKE) --no-print-directory -s install-program)
+
+install-program:
+	install -D -m 755 '$(program)/gusset' $(DESTDIR)$(PREFIX)/bin/gusset
+	install -D -m 644 '$(program)/gusset.1' $(DESTDIR)$(PREFIX)/share/man/man1/gusset.1
+	install -D -m 644 '$(program)/gusset.bash' $(DESTDIR)$(PREFIX)/share/bash-completion/completions/gusset
+	install -D -m 644 '$(program)/_gusset' $(DESTDIR)$(PREFIX)/share/zsh/vendor-completions/_gusset
+	install -D -m 644 '$(program)/gusset.fish' $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/gusset.fish
 
 install-library: build
 	install -d $(libdir)

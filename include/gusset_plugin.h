@@ -45,7 +45,7 @@ GUSSET_PLUGIN_API GUSSET_PLUGIN_MUST_USE const struct gusset_plugin *gusset_plug
 
 /// Vertices.
 #define GUSSET_PLUGIN_VERTICES 0
-/// Corners, in the order of face_corners.
+/// Corners, as in face_corners.
 #define GUSSET_PLUGIN_CORNERS 1
 /// Faces.
 #define GUSSET_PLUGIN_FACES 2
@@ -59,24 +59,24 @@ GUSSET_PLUGIN_API GUSSET_PLUGIN_MUST_USE const struct gusset_plugin *gusset_plug
 #define GUSSET_PLUGIN_VALUE_U16 4
 /// 32-bit unsigned integers.
 #define GUSSET_PLUGIN_VALUE_U32 5
-/// Weighted mean, as for colours; integers are rounded.
+/// Weighted mean; integers are rounded.
 #define GUSSET_PLUGIN_RULE_LINEAR 0
 /// Directions of three floats: mean on the sphere, of length 1. Directions of faces that were turned over are negated.
 #define GUSSET_PLUGIN_RULE_NORMAL 1
-/// Skin weights: weighted mean. The max_influences largest are kept, scaled to sum 1 or an integer type's largest
+/// Skin weights: weighted mean; the max_influences largest are kept, scaled to sum 1 or an integer type's largest
 /// value.
 #define GUSSET_PLUGIN_RULE_SKIN_WEIGHTS 2
-/// Value of the source with the largest weight, as for materials and ids.
+/// Value of the source with the largest weight.
 #define GUSSET_PLUGIN_RULE_NEAREST 3
-/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart. Otherwise each side's chart
+/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart; else each side's chart
 /// continues to a seam in the middle.
 #define GUSSET_PLUGIN_RULE_TEXTURE 4
 
-/// Type of values, and rule that combines them. An element with one source keeps its value bit for bit. Without valued
-/// sources, it gets 0.
+/// Type of values, and rule that combines them. A single source's value stays bit for bit. Without valued sources,
+/// elements get 0.
 typedef struct gusset_plugin_channel {
     size_t struct_size;
-    /// GUSSET_PLUGIN_VERTICES, GUSSET_PLUGIN_CORNERS or GUSSET_PLUGIN_FACES.
+    /// GUSSET_PLUGIN_VERTICES, _CORNERS or _FACES.
     uint32_t domain;
     /// GUSSET_PLUGIN_VALUE_...; 0 is invalid.
     uint32_t value_type;
@@ -91,9 +91,9 @@ typedef struct gusset_plugin_channel {
 
 /// Values of one input's elements.
 typedef struct gusset_plugin_channel_values {
-    /// Components of each element, at each stride; NULL with count 0 if the input lacks them.
+    /// Components of each element at each stride; NULL with count 0 if lacking.
     const void *values;
-    /// Number of vertices, corners or faces of the input.
+    /// Vertices, corners or faces of the input.
     size_t count;
     /// Stride of elements.
     size_t stride;
@@ -103,14 +103,14 @@ typedef struct gusset_plugin_channel_values {
 typedef struct gusset_plugin_origins {
     size_t struct_size;
     size_t count;
-    /// count + 1 entries: element k has sources and weights offsets[k] to offsets[k + 1] - 1, if any.
+    /// Element k has sources and weights offsets[k] to offsets[k + 1] - 1, if any.
     const uint32_t *offsets;
     /// Elements, numbered through all inputs.
     const uint32_t *sources;
-    /// Weight of each source, above 0, with sum 1 for each element.
+    /// Weight of each source, above 0, sum 1.
     const double *weights;
     size_t input_count;
-    /// input_count + 1 entries: input i has sources starts[i] to starts[i + 1] - 1.
+    /// Input i has sources starts[i] to starts[i + 1] - 1.
     const uint32_t *starts;
 } gusset_plugin_origins;
 
@@ -120,19 +120,19 @@ struct gusset_host;
 
 struct gusset_outputs;
 
-/// extension("attributes/1"): transfers attributes to the outputs of runs with gusset_host.origins.
+/// extension("attributes/1"): transfers attributes to outputs of runs with gusset_host.origins.
 typedef struct gusset_plugin_attributes {
     size_t struct_size;
-    /// Returns 1 if the output has origins, otherwise 0.
+    /// Returns 1 if the output has origins, else 0.
     uint32_t (*has_origins)(const struct gusset_outputs *outputs, uint32_t index);
-    /// Gets the origins of the output's vertices, corners or faces, as domain says.
+    /// Gets the origins of the output's elements of a domain.
     int32_t (*origins)(const struct gusset_outputs *outputs,
                        uint32_t index,
                        uint32_t domain,
                        struct gusset_plugin_origins *origins);
     /// Writes the values of the output's elements in O(elements and sources). host: as for run. inputs: one for each
     /// input of the run, in order. values: room for count elements, at least the output's; no overlap with the inputs'
-    /// values. failure: receives the reason of a failure, with a static message; may be NULL.
+    /// values. failure: receives the reason, with a static message; may be NULL.
     int32_t (*apply)(const struct gusset_outputs *outputs,
                      uint32_t index,
                      const struct gusset_host *host,
@@ -152,7 +152,7 @@ typedef struct gusset_plugin_attributes {
 
 /// Success.
 #define GUSSET_PLUGIN_DONE 0
-/// A parameter is outside its range, or an input has the wrong kind.
+/// A parameter is outside its range, or an input of the wrong kind.
 #define GUSSET_PLUGIN_OUT_OF_RANGE 5
 /// Memory ran out.
 #define GUSSET_PLUGIN_OUT_OF_MEMORY 2000
@@ -187,28 +187,28 @@ typedef struct gusset_plugin_attributes {
 #define GUSSET_PARAM_DIRECTION 8
 /// Plane a x + b y + c z = d: a, b, c (not all 0), d.
 #define GUSSET_PARAM_PLANE 9
-/// The first output replaces the first input. Without this flag, outputs are new.
+/// The first output replaces the first input, else outputs are new.
 #define GUSSET_FILTER_REPLACES 1
-/// The first output, a mesh, has elements of the inputs, so extension("attributes/1") transfers attributes.
+/// The first output, a mesh, has elements of the inputs; extension("attributes/1") transfers attributes.
 #define GUSSET_FILTER_ORIGINS 2
 /// No input or parameter.
 #define GUSSET_PLUGIN_NONE UINT32_MAX
 
-/// Polygon mesh, with the layout and rules of gusset_mesh_view in gusset.h. Input arrays are not copied.
+/// Polygon mesh, with the layout and rules of gusset_mesh_view in gusset.h. Inputs are not copied.
 typedef struct gusset_plugin_mesh {
     size_t struct_size;
     /// x, y, z at each stride; finite at vertices of faces.
     const void *positions;
     /// Stride of positions.
     size_t position_stride;
-    /// Number of vertices, 1 to 2^32 - 2.
+    /// 1 to 2^32 - 2.
     size_t vertex_count;
     /// face_count + 1 entries from 0: face f has corners face_offsets[f] to face_offsets[f + 1] - 1. NULL with
-    /// face_size, never in outputs.
+    /// face_size, not in outputs.
     const void *face_offsets;
     /// Vertex of each corner, face by face.
     const void *face_corners;
-    /// Number of faces, at least 1 in an input.
+    /// At least 1 in an input.
     size_t face_count;
     /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64; 0 is invalid.
     uint32_t scalar;
@@ -218,31 +218,31 @@ typedef struct gusset_plugin_mesh {
     uint32_t face_size;
     uint32_t reserved;
     /// Representative of each vertex, itself or one that represents itself; NULL: all are separate. Vertices with one
-    /// representative are one, so seams of textures or normals are not borders.
+    /// representative are one, so seams are not borders.
     const void *merge;
 } gusset_plugin_mesh;
 
-/// Polylines. Curve c has points offsets[c] to offsets[c + 1] - 1. A closed curve also joins the last to the first.
+/// Polylines. Curve c has points offsets[c] to offsets[c + 1] - 1; if closed, the last joins the first.
 typedef struct gusset_plugin_curves {
     size_t struct_size;
     /// Finite x, y, z at each stride. Outputs are packed 64-bit floats.
     const void *points;
     /// Stride of points.
     size_t point_stride;
-    /// Number of points, at most 2^32 - 2.
+    /// At most 2^32 - 2.
     size_t point_count;
     /// curve_count + 1 32-bit entries, nondecreasing from 0 to point_count; may be NULL without curves.
     const void *offsets;
     /// For each curve 0 (open) or 1 (closed); NULL: all open.
     const uint8_t *closed;
-    /// Number of curves, at most 2^32 - 2.
+    /// At most 2^32 - 2.
     size_t curve_count;
     /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64.
     uint32_t scalar;
     uint32_t reserved;
 } gusset_plugin_curves;
 
-/// Input of a filter. All inputs of a call have the same struct_size.
+/// Input of a filter. All inputs of a call have one struct_size.
 typedef struct gusset_input {
     size_t struct_size;
     /// A gusset_plugin_mesh or gusset_plugin_curves.
@@ -253,20 +253,20 @@ typedef struct gusset_input {
 } gusset_input;
 
 /// Callbacks and settings of a call. Callbacks run on the calling thread. They must not throw, or pass the call's
-/// outputs to the plugin. Their texts are valid during the callback.
+/// outputs to the plugin. Texts are valid during the callback.
 typedef struct gusset_host {
     size_t struct_size;
     /// First argument of the callbacks.
     void *user;
-    /// Receives the part done, 0 to 1, nondecreasing, and the current work; may be NULL. If the run succeeds, the last
-    /// part is 1. A nonzero return cancels: run ends within 0.1 s for 1,000,000 input and output faces or points.
-    /// Freeing more memory takes longer.
+    /// Receives the part done, 0 to 1, nondecreasing, at last 1 if the run succeeds, and the current work; may be NULL.
+    /// A nonzero return cancels: run ends within 0.1 s for 1,000,000 input and output faces or points; freeing more
+    /// memory takes longer.
     int32_t (*progress)(void *user, double fraction, const char *stage);
     /// Receives remarks that are not failures; may be NULL.
     void (*log)(void *user, const char *message);
     /// 0: all threads of the machine; 1: the calling thread. Results do not depend on it.
     uint32_t threads;
-    /// 1: outputs get origins, if the filter has GUSSET_FILTER_ORIGINS. 0 saves time and memory.
+    /// 1: outputs get origins, if the filter has GUSSET_FILTER_ORIGINS; 0 saves time and memory.
     uint32_t origins;
 } gusset_host;
 
@@ -281,7 +281,7 @@ typedef struct gusset_choice {
 /// Parameter of a filter.
 typedef struct gusset_param_info {
     size_t struct_size;
-    /// Identifier for scripts and stored projects.
+    /// Identifier for scripts and projects.
     const char *id;
     /// Dialog text.
     const char *label;
@@ -289,11 +289,11 @@ typedef struct gusset_param_info {
     const char *help;
     /// GUSSET_PARAM_...
     uint32_t kind;
-    /// Number of values: 3 for points and directions, 4 for planes, otherwise 1.
+    /// 3 for points and directions, 4 for planes, else 1.
     uint32_t arity;
-    /// Smallest value of each component.
+    /// Least value of each component.
     double min;
-    /// Largest value of each component.
+    /// Greatest value of each component.
     double max;
     /// arity values; suggest adapts them to the inputs.
     const double *default_values;
@@ -302,11 +302,11 @@ typedef struct gusset_param_info {
     /// choice_count choices; NULL unless kind is GUSSET_PARAM_CHOICE.
     const struct gusset_choice *choices;
     uint32_t choice_count;
-    /// Index of its first value among the filter's values.
+    /// Its first value among the filter's values.
     uint32_t first_value;
 } gusset_param_info;
 
-/// Filter of the plugin. Its functions take this struct as filter.
+/// Filter. Its functions take this struct.
 typedef struct gusset_filter {
     size_t struct_size;
     /// Identifier, for hosts to store.
@@ -325,30 +325,30 @@ typedef struct gusset_filter {
     const uint32_t *input_kinds;
     /// GUSSET_KIND_... of each output.
     const uint32_t *output_kinds;
-    /// Number of input_kinds; 0 for filters without inputs.
+    /// 0 for filters without inputs.
     uint32_t input_kind_count;
-    /// Smallest number of inputs.
+    /// Least inputs.
     uint32_t min_inputs;
-    /// Largest number of inputs.
+    /// Most inputs.
     uint32_t max_inputs;
     uint32_t output_count;
     /// GUSSET_FILTER_... or 0.
     uint32_t flags;
     uint32_t param_count;
-    /// Number of values of all parameters, in their order.
+    /// Values of all parameters, in order.
     uint32_t value_count;
     uint32_t reserved;
     /// Returns a parameter by its index.
     const struct gusset_param_info *(*param)(const struct gusset_filter *filter, uint32_t index);
-    /// Writes value_count defaults that suit the inputs, in O(size of the inputs). After a failure, writes the plain
-    /// defaults; run with the same inputs tells the reason.
+    /// Writes value_count defaults that suit the inputs, in O(size of the inputs). After a failure, writes plain
+    /// defaults; run tells the reason.
     int32_t (*suggest)(const struct gusset_filter *filter,
                        const struct gusset_input *inputs,
                        uint32_t input_count,
                        double *values);
-    /// Runs the filter. host: NULL for no callbacks and all threads. values: the first value_count values; suggest
-    /// gives the rest. outputs: receives the outputs, or the reason of a failure; call output_free in both cases.
-    /// *outputs is NULL only if memory ran out.
+    /// Runs the filter. host: NULL for no callbacks and all threads. values: the first value_count; suggest gives the
+    /// rest. outputs: receives the outputs or the reason of a failure; call output_free in both cases. *outputs is NULL
+    /// only if memory ran out.
     int32_t (*run)(const struct gusset_filter *filter,
                    const struct gusset_host *host,
                    const struct gusset_input *inputs,
@@ -365,20 +365,19 @@ typedef struct gusset_failure {
     const char *message;
     /// Status of the run.
     int32_t status;
-    /// Index of the parameter outside its range, or GUSSET_PLUGIN_NONE.
+    /// Parameter outside its range, or GUSSET_PLUGIN_NONE.
     uint32_t param;
-    /// Index of the faulty input, or GUSSET_PLUGIN_NONE.
+    /// Faulty input, or GUSSET_PLUGIN_NONE.
     uint32_t input;
-    /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4 entry of an array of
-    /// offsets, 5 place in a loop, 6 none (index is a number of elements or bytes), 7 point of all curves, 8 constraint
-    /// on an outline, 9 place on a curve or surface, 12 section or plane, 13 net node by rows, 14 net link (twice its
-    /// first node, plus 1 if vertical), 15 net cell by rows, 16 seam, 17 bridge, 18 scene entry, 19 stream byte, 20
-    /// place along a net side, 21 other given item, 30 knot, 31 row of a net of curves, 32 edge of a winged-edge table.
-    /// Later versions may add kinds.
+    /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4 offset, 5 place in a
+    /// loop, 6 none (index is a count), 7 point of all curves, 8 constraint on an outline, 9 place on a curve or
+    /// surface, 12 section or plane, 13 net node by rows, 14 net link (twice its first node, plus 1 if vertical), 15
+    /// net cell by rows, 16 seam, 17 bridge, 18 scene entry, 19 stream byte, 20 place along a net side, 21 other given
+    /// item, 30 knot, 31 row of a net of curves, 32 edge of a winged-edge table. Later versions may add kinds.
     uint32_t element;
     /// First faulty element.
     uint64_t index;
-    /// Value of that element, if it has one.
+    /// Its value, if any.
     double value;
 } gusset_failure;
 
@@ -404,32 +403,32 @@ typedef struct gusset_plugin {
     const struct gusset_filter *(*filter)(uint32_t index);
     /// Returns a filter by its id.
     const struct gusset_filter *(*find)(const char *id);
-    /// Returns the filter's output_count after success, otherwise 0.
+    /// Returns the filter's output_count after success, else 0.
     uint32_t (*output_count)(const struct gusset_outputs *outputs);
-    /// Returns GUSSET_KIND_...; 0 if the output does not exist.
+    /// Returns GUSSET_KIND_..., or 0.
     uint32_t (*output_kind)(const struct gusset_outputs *outputs, uint32_t index);
     /// Lends the arrays of an output mesh.
     int32_t (*output_mesh)(const struct gusset_outputs *outputs, uint32_t index, struct gusset_plugin_mesh *mesh);
     /// Lends the arrays of output curves.
     int32_t (*output_curves)(const struct gusset_outputs *outputs, uint32_t index, struct gusset_plugin_curves *curves);
-    /// Returns the text, or NULL if the output is not a text.
+    /// Returns the text, or NULL.
     const char *(*output_text)(const struct gusset_outputs *outputs, uint32_t index);
     /// Gets the reason of the run's failure.
     int32_t (*output_failure)(const struct gusset_outputs *outputs, struct gusset_failure *failure);
     /// Frees outputs; NULL is allowed.
     void (*output_free)(struct gusset_outputs *outputs);
-    /// Returns a gusset_plugin_values for "values/1", a gusset_plugin_attributes for "attributes/1".
+    /// Returns gusset_plugin_values for "values/1", gusset_plugin_attributes for "attributes/1".
     const void *(*extension)(const char *name);
 } gusset_plugin;
 
 /// extension("values/1"): named numbers of a text output.
 typedef struct gusset_plugin_values {
     size_t struct_size;
-    /// Returns how many numbers the text has; 0 for other outputs.
+    /// Returns the number of numbers; 0 for other outputs.
     uint32_t (*count)(const struct gusset_outputs *outputs, uint32_t index);
-    /// Returns the name of number which, in snake_case and the same in all versions.
+    /// Returns the name of number which, in snake_case, equal in all versions.
     const char *(*name)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
-    /// Returns number which; NaN if it does not exist. Flags are 0 or 1.
+    /// Returns number which, or NaN; flags are 0 or 1.
     double (*value)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
 } gusset_plugin_values;
 

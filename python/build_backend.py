@@ -23,7 +23,7 @@ def declarations(header):
             elif all(taken) and re.fullmatch(r"#define GUSSET_\w+ -?\d+", line):
                 kept.append(line)
         elif all(taken) and not line.lstrip().startswith("///"):
-            kept.append(re.sub(r"\bGUSSET_(PLUGIN_)?(API|MUST_USE)\b", "", line))
+            kept.append(re.sub(r"\bGUSSET_(FILES_|PLUGIN_)?(API|MUST_USE)\b", "", line))
     return "\n".join(kept) + "\n"
 
 
@@ -31,7 +31,7 @@ def all_declarations():
     include = ROOT / "include"
     parts = re.findall(r'#include "(gusset/\w+\.h)"', (include / "gusset.h").read_text("utf-8"))
     parts.remove("gusset/views.h")  # functions with bodies
-    return "".join(declarations((include / name).read_text("utf-8")) for name in [*parts, "gusset_plugin.h"])
+    return "".join(declarations((include / name).read_text("utf-8")) for name in [*parts, "gusset_plugin.h", "gusset_files.h"])
 
 
 def prepare():
@@ -57,16 +57,21 @@ def __getattr__(name):
     return getattr(maturin, name)
 
 
-def native(library, folder):
-    """Writes the package _native as maturin does, for a library that is built already."""
+def native(library, folder, files_library=None):
+    """Writes the package _native as maturin does, for a library that is built already.
+
+    If the library was built without the feature `files`, readers and writers of files come from files_library.
+    """
     import cffi
     from cffi import recompiler
-    library, folder = pathlib.Path(library).absolute(), pathlib.Path(folder) / "_native"
+    libraries = {"lib": library, **({"files": files_library} if files_library else {})}
+    folder = pathlib.Path(folder) / "_native"
     folder.mkdir(parents=True, exist_ok=True)
     ffi = cffi.FFI()
     ffi.cdef(all_declarations())
     recompiler.make_py_source(ffi, "ffi", str(folder / "ffi.py"))
-    (folder / "__init__.py").write_text(f"from .ffi import ffi\n\nlib = ffi.dlopen({str(library)!r})\n", "utf-8")
+    opened = "".join(f"{name} = ffi.dlopen({str(pathlib.Path(path).absolute())!r})\n" for name, path in libraries.items())
+    (folder / "__init__.py").write_text(f"from .ffi import ffi\n\n{opened}", "utf-8")
 
 
 if __name__ == "__main__":

@@ -54,6 +54,10 @@
 
 pub mod capi;
 
+// Exports `gusset_files_entry` from the shared library.
+#[cfg(feature = "files")]
+extern crate gusset_files as _;
+
 pub use glam;
 pub use gusset_attributes as attributes;
 pub use gusset_base::{Element, Error, Job, PairFault, Progress, Result, Side, error, job};
@@ -67,4 +71,4 @@ pub use gusset_surface as surface;
 /// The allocator of the libraries for C.
 #[cfg(feature = "reserve")]
 #[global_allocator]
-static ALLOCATOR: gusset_base::reserve::Backed = gusset_base::reserve::Backed;
+static ALLOCATOR: gusset_base::reserve::ReserveBackedAllocator = gusset_base::reserve::ReserveBackedAllocator;

@@ -29,26 +29,28 @@ function layout(given, kinds) {
 }
 
 function tables() {
-  const library = JSON.parse(read("../build/interface.json")), plugin = library.plugin;
+  const library = JSON.parse(read("../build/interface.json")), { plugin, files } = library;
   const kinds = Object.fromEntries([...library.choices, ...plugin.choices].map((choice) => [choice.name, choice.type]));
   plugin.callbacks.forEach((callback) => { kinds[callback.name] = "callback"; });
   const word = (constant, prefix) => constant.name.slice(prefix.length).toLowerCase();
   const words = (constants, prefix) => constants.filter((one) => one.name.startsWith(prefix)).map((one) => [word(one, prefix), one.value]);
   const named = (constants, prefix) => Object.fromEntries(words(constants, prefix).map(([name, value]) => [value, name]));
   const valuesOf = (choice) => library.choices.find((one) => one.name === choice).values;
-  const structs = Object.fromEntries(plugin.structs.map((struct) => [struct.name, layout(struct.fields, kinds)]));
+  const structs = Object.fromEntries([...plugin.structs, ...files.structs].map((struct) => [struct.name, layout(struct.fields, kinds)]));
   const value = (constant) => constant.value === "UINT32_MAX" ? 0xffffffff : constant.value;
-  const constants = Object.fromEntries(plugin.constants.map((constant) => [constant.name.slice("GUSSET_".length), value(constant)]));
+  const constants = Object.fromEntries([...plugin.constants, ...files.constants].map((constant) => [constant.name.slice("GUSSET_".length), value(constant)]));
   const statuses = named(library.enums.find((one) => one.name === "gusset_status").values, "GUSSET_ERROR_");
+  const fileStatuses = named(files.constants.filter((one) => one.type === "int32_t" && one.value !== 0), "GUSSET_FILES_");
   const elements = named(valuesOf("gusset_element"), "GUSSET_ELEMENT_");
   // The plugin's numbers are the library's.
   const domains = Object.fromEntries(words(valuesOf("gusset_domain"), "GUSSET_DOMAIN_"));
   const rules = Object.fromEntries(words(valuesOf("gusset_rule"), "GUSSET_RULE_"));
   constants.ERROR_PANIC = Number(Object.keys(statuses).find((status) => statuses[status] === "panic"));
   const lines = (name, comment, of) => `\n/** ${comment} */\nexport const ${name} = {\n${Object.entries(of).map(([key, value]) => `  ${key}: ${JSON.stringify(value)},\n`).join("")}};\n`;
-  return "// Layouts and constants of the plugin's table, on 32 bits. Written by generate.mjs; do not edit.\n"
+  return "// Layouts and constants of the tables of filters and files, on 32 bits. Written by generate.mjs; do not edit.\n"
     + lines("structs", "The size of each struct; the offset of each field, and how DataView reads it.", structs) + lines("constants", "Without GUSSET_.", constants)
-    + lines("statuses", "Names of statuses.", statuses) + lines("elements", "Elements that failures name.", elements)
+    + lines("statuses", "Names of statuses.", statuses)
+    + lines("fileStatuses", "Names of statuses of the table of files.", fileStatuses) + lines("elements", "Elements that failures name.", elements)
     + lines("kinds", "Kinds of inputs and outputs.", named(plugin.constants, "GUSSET_KIND_"))
     + lines("paramKinds", "Kinds of parameters.", named(plugin.constants, "GUSSET_PARAM_"))
     + lines("domains", "Numbers of the domains of values.", domains) + lines("rules", "Numbers of the rules that combine values.", rules);
@@ -94,7 +96,8 @@ async function types() {
       + one.params.map((param) => `${comment(`${param.label}. ${param.help}${param.choices.length || param.kind === "bool" ? "" : ` From ${param.min} to ${param.max}.`}`, "  ")}  ${param.id}?: ${typeOf(param)};\n`).join("") + "}\n";
     members += `${comment(`${one.help}${one.reference ? ` Source: ${one.reference}` : ""}`, "  ")}  readonly ${one.scriptName}: Filter<${inputs}, ${results.length === 1 ? results[0] : `[${results.join(", ")}]`}, ${name}>;\n`;
   }
-  const words = union("ErrorCode", "The name of a status.", Object.values(tables.statuses))
+  const fileCodes = Object.values(tables.fileStatuses).filter((code) => code.startsWith("bad_"));
+  const words = union("ErrorCode", "The name of a status.", [...Object.values(tables.statuses), ...fileCodes])
     + union("ElementKind", "The kind of element that the index of an error counts.", Object.values(tables.elements))
     + union("Kind", "The kind of an input or output of a filter.", Object.values(tables.kinds)) + union("ParamKind", "The kind of a parameter.", Object.values(tables.paramKinds))
     + union("Domain", "The kind of elements with values.", Object.keys(tables.domains)) + union("Rule", "How the values of several sources become one.", Object.keys(tables.rules));

@@ -7,10 +7,12 @@
 import { errorFor } from "./errors.js";
 import { given, isInput } from "./inputs.js";
 import { Library } from "./library.js";
+import { compiled } from "./loading.js";
 import { failed, Outputs } from "./outputs.js";
 import { constants, kinds, paramKinds } from "./tables.js";
 
-export { Cancelled, GussetError, InputError, OutOfMemory, Stopped } from "./errors.js";
+export { Cancelled, FileError, GussetError, InputError, OutOfMemory, Stopped } from "./errors.js";
+export { loadFiles, read, write } from "./files.js";
 export { Curves, Mesh } from "./inputs.js";
 export { Outputs, Report } from "./outputs.js";
 
@@ -120,34 +122,11 @@ function filterOf(library, pointer) {
   return filter;
 }
 
-/** The bytes of the library, as they are given or found beside this file. */
-async function moduleOf(source) {
-  if (source instanceof WebAssembly.Module) {
-    return source;
-  }
-  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
-    return WebAssembly.compile(source);
-  }
-  if (typeof Response !== "undefined" && source instanceof Response) {
-    return WebAssembly.compile(await source.arrayBuffer());
-  }
-  // In these words bundlers find the file that they must bring along.
-  const address = source ? new URL(source, import.meta.url) : new URL("gusset.wasm", import.meta.url);
-  if (address.protocol === "file:") {
-    // They would look for a module that is named, and browsers have none of that name.
-    const files = "node:fs/promises", { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ files);
-    return WebAssembly.compile(await readFile(address));
-  }
-  const answer = await fetch(address);
-  if (!answer.ok) {
-    throw new Error(`${address}: ${answer.status} ${answer.statusText}`);
-  }
-  return WebAssembly.compile(await answer.arrayBuffer());
-}
-
 /** Loads the library. Each call gives one with memory of its own. */
 export async function load(source) {
-  const library = new Library(await WebAssembly.instantiate(await moduleOf(await source), {}));
+  // Bundlers recognise these words, and bring the file along.
+  const module = await compiled(await source || new URL("gusset.wasm", import.meta.url));
+  const library = new Library(await WebAssembly.instantiate(module, {}));
   const table = library.table, filters = {};
   for (let k = 0; k < table.filter_count; k++) {
     const filter = filterOf(library, library.call(table.filter, k));

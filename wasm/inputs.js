@@ -4,7 +4,7 @@ import { isTyped } from "./library.js";
 import { constants } from "./tables.js";
 
 /** Coordinates as the library reads them: 32- or 64-bit floats; the same array where it can be. */
-function coordinates(values, what) {
+export function coordinates(values, what) {
   if (values instanceof Float32Array || values instanceof Float64Array) {
     return values;
   }
@@ -26,7 +26,7 @@ function coordinates(values, what) {
 }
 
 /** Whole numbers as 32-bit ones without a sign. */
-function indices(values, what) {
+export function indices(values, what) {
   if (values instanceof Uint32Array) {
     return values;
   }
@@ -39,7 +39,7 @@ function indices(values, what) {
   return Uint32Array.from(given);
 }
 
-function packedOf(values, what) {
+export function packedOf(values, what) {
   if (values.length % 3 !== 0) {
     throw new TypeError(`${what} are ${values.length} numbers: x, y, z of each belong together`);
   }
@@ -126,7 +126,8 @@ export function isInput(one) {
   return Array.isArray(one) || isTyped(one) || one instanceof Mesh || one instanceof Curves || one?.positions !== undefined || one?.points !== undefined;
 }
 
-function meshOf(one) {
+/** A mesh, or what is converted to one. */
+export function meshOf(one) {
   if (one instanceof Mesh) {
     return one;
   }
@@ -136,7 +137,8 @@ function meshOf(one) {
   return new Mesh(one.positions, one.faces, one);
 }
 
-function curvesOf(one) {
+/** Curves, or what is converted to them. */
+export function curvesOf(one) {
   if (one instanceof Curves) {
     return one;
   }

@@ -1,13 +1,16 @@
-// The library in memory of its own: structs by their fields, texts, room, and functions by their places in its table.
+// A module in memory of its own: structs by their fields, texts, room, and functions by their places in its table.
 
 import { errorFor } from "./errors.js";
 import { constants, structs } from "./tables.js";
 
-const utf8 = new TextDecoder();
+const utf8 = new TextDecoder("utf-8", { ignoreBOM: true }), encoder = new TextEncoder();
+
+/** Types of WebAssembly. */
+export const i32 = 0x7f, f64 = 0x7c;
 
 /**
  * A module that hands on one imported function. Only functions exported by WebAssembly may be in function tables.
- * parameters, results: of the types 0x7f (i32) and 0x7c (f64).
+ * parameters, results: types.
  */
 function handedOn(parameters, results, called) {
   const type = [0x60, parameters.length, ...parameters, results.length, ...results];
@@ -20,55 +23,42 @@ function handedOn(parameters, results, called) {
   return new WebAssembly.Instance(new WebAssembly.Module(new Uint8Array(bytes)), { e: { f: called } }).exports.f;
 }
 
-export class Library {
-  constructor(instance) {
-    const { memory, __indirect_function_table: functions, gusset_plugin_entry: entry } = instance.exports;
+export class Module {
+  /**
+   * entry: the exported function that leads to a table of functions, whose struct is `table`; abi: its version; name:
+   * the module in messages.
+   */
+  constructor(instance, entry, abi, table, name) {
+    const { memory, __indirect_function_table: functions } = instance.exports;
     this.exports = instance.exports;
     this.memory = memory;
     this.functions = functions;
+    this.name = name;
     this.stopped = null;
-    this.told = new Map();
-    const table = this.guarded(() => entry(constants.PLUGIN_ABI));
-    if (!table) {
-      throw new Error("the library has no table of this version");
+    const pointer = this.guarded(() => instance.exports[entry](abi));
+    if (!pointer) {
+      throw new Error(`${name} has no table of this version`);
     }
-    this.table = this.struct("gusset_plugin", table);
-    const i32 = 0x7f, f64 = 0x7c;
-    this.progress = this.placed(handedOn([i32, f64, i32], [i32], (user, fraction, stage) => this.tell(user, "progress", fraction, this.text(stage))));
-    this.log = this.placed(handedOn([i32, i32], [], (user, message) => void this.tell(user, "log", this.text(message))));
+    this.table = this.struct(table, pointer);
   }
 
-  /** The place in the table of functions that a function gets. */
-  placed(called) {
+  /** Adds a function to the table of functions. Returns its place. parameters, results: types. */
+  placed(parameters, results, called) {
     const place = this.functions.grow(1);
-    this.functions.set(place, called);
+    this.functions.set(place, handedOn(parameters, results, called));
     return place;
   }
 
-  /** Calls what a run was given. Once that throws, or says stop, the run is cancelled. */
-  tell(user, name, ...values) {
-    const run = this.told.get(user);
-    if (run.thrown) {
-      return 1;
-    }
-    try {
-      return run[name]?.(...values) === false ? 1 : 0;
-    } catch (thrown) {
-      run.thrown = { thrown };
-      return 1;
-    }
-  }
-
-  /** A call into the library. After a trap, the content of its memory is unknown. */
+  /** A call into the module. After a trap, the content of its memory is unknown. */
   guarded(call) {
     if (this.stopped) {
-      throw errorFor(constants.ERROR_PANIC, "the library has stopped: load it again");
+      throw errorFor(constants.ERROR_PANIC, `${this.name} has stopped: load it again`);
     }
     try {
       return call();
     } catch (thrown) {
       this.stopped = thrown;
-      const error = errorFor(constants.ERROR_PANIC, `the library has stopped: ${thrown.message}; please report it, and load it again`);
+      const error = errorFor(constants.ERROR_PANIC, `${this.name} has stopped: ${thrown.message}; please report it, and load it again`);
       error.cause = thrown;
       throw error;
     }
@@ -90,7 +80,7 @@ export class Library {
     return start ? utf8.decode(bytes.subarray(start, bytes.indexOf(0, start))) : "";
   }
 
-  /** A copy of an array of the library's. */
+  /** A copy of an array of the module's. */
   copied(kind, pointer, length) {
     try {
       return pointer ? new kind(this.memory.buffer, pointer, length).slice() : new kind(length);
@@ -102,7 +92,7 @@ export class Library {
 
   /** A struct at an address: its fields as properties. */
   struct(name, at) {
-    const layout = structs[name], library = this, pointer = at >>> 0; // WebAssembly gives addresses above 2 GB as negative.
+    const layout = structs[name], module = this, pointer = at >>> 0; // WebAssembly gives addresses above 2 GB as negative.
     const access = (field) => {
       const found = layout.fields[field];
       if (!found) {
@@ -116,11 +106,11 @@ export class Library {
           return own[field];
         }
         const [offset, kind] = access(field);
-        return library.view[`get${kind}`](pointer + offset, true);
+        return module.view[`get${kind}`](pointer + offset, true);
       },
       set(own, field, value) {
         const [offset, kind] = access(field);
-        library.view[`set${kind}`](pointer + offset, value, true);
+        module.view[`set${kind}`](pointer + offset, value, true);
         return true;
       },
     });
@@ -128,7 +118,7 @@ export class Library {
 
   /** Calls `use` with somewhere to allocate what lives as long as it runs. */
   withRoom(use) {
-    const blocks = [], library = this;
+    const blocks = [], module = this;
     const allocate = (size) => {
       // A size beyond the address space would wrap modulo 2^32.
       const block = size && size < 2 ** 32 && this.guarded(() => this.exports.gusset_memory_allocate(size)) >>> 0;
@@ -143,12 +133,12 @@ export class Library {
       /** Zeros. */
       cleared(size) {
         const block = allocate(size);
-        new Uint8Array(library.memory.buffer, block, size).fill(0);
+        new Uint8Array(module.memory.buffer, block, size).fill(0);
         return block;
       },
       /** A struct of zeros that knows its size, if it begins with that. */
       struct(name) {
-        const made = library.struct(name, room.cleared(structs[name].size));
+        const made = module.struct(name, room.cleared(structs[name].size));
         if (structs[name].fields.struct_size) {
           made.struct_size = structs[name].size;
         }
@@ -157,8 +147,12 @@ export class Library {
       /** A copy of a typed array. */
       array(values) {
         const block = allocate(values.byteLength);
-        new values.constructor(library.memory.buffer, block, values.length).set(values);
+        new values.constructor(module.memory.buffer, block, values.length).set(values);
         return block;
+      },
+      /** A text that ends with NUL. */
+      text(text) {
+        return room.array(encoder.encode(`${text}\0`));
       },
     };
     try {
@@ -167,6 +161,30 @@ export class Library {
       if (!this.stopped) {
         blocks.forEach(([block, size]) => this.exports.gusset_memory_free(block, size));
       }
+    }
+  }
+}
+
+/** The library: filters, with callbacks for their runs. */
+export class Library extends Module {
+  constructor(instance) {
+    super(instance, "gusset_plugin_entry", constants.PLUGIN_ABI, "gusset_plugin", "the library");
+    this.told = new Map();
+    this.progress = this.placed([i32, f64, i32], [i32], (user, fraction, stage) => this.tell(user, "progress", fraction, this.text(stage)));
+    this.log = this.placed([i32, i32], [], (user, message) => void this.tell(user, "log", this.text(message)));
+  }
+
+  /** Calls what a run was given. Once that throws, or says stop, the run is cancelled. */
+  tell(user, name, ...values) {
+    const run = this.told.get(user);
+    if (run.thrown) {
+      return 1;
+    }
+    try {
+      return run[name]?.(...values) === false ? 1 : 0;
+    } catch (thrown) {
+      run.thrown = { thrown };
+      return 1;
     }
   }
 }

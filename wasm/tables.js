@@ -1,4 +1,4 @@
-// Layouts and constants of the plugin's table, on 32 bits. Written by generate.mjs; do not edit.
+// Layouts and constants of the tables of filters and files, on 32 bits. Written by generate.mjs; do not edit.
 
 /** The size of each struct; the offset of each field, and how DataView reads it. */
 export const structs = {
@@ -16,6 +16,8 @@ export const structs = {
   gusset_failure: {"size":40,"fields":{"struct_size":[0,"Uint32"],"message":[4,"Uint32"],"status":[8,"Int32"],"param":[12,"Uint32"],"input":[16,"Uint32"],"element":[20,"Uint32"],"index":[24,"BigUint64"],"value":[32,"Float64"]}},
   gusset_plugin: {"size":76,"fields":{"struct_size":[0,"Uint32"],"abi":[4,"Uint32"],"filter_count":[8,"Uint32"],"id":[12,"Uint32"],"name":[16,"Uint32"],"version":[20,"Uint32"],"vendor":[24,"Uint32"],"description":[28,"Uint32"],"license":[32,"Uint32"],"filter":[36,"Uint32"],"find":[40,"Uint32"],"output_count":[44,"Uint32"],"output_kind":[48,"Uint32"],"output_mesh":[52,"Uint32"],"output_curves":[56,"Uint32"],"output_text":[60,"Uint32"],"output_failure":[64,"Uint32"],"output_free":[68,"Uint32"],"extension":[72,"Uint32"]}},
   gusset_plugin_values: {"size":16,"fields":{"struct_size":[0,"Uint32"],"count":[4,"Uint32"],"name":[8,"Uint32"],"value":[12,"Uint32"]}},
+  gusset_files_folder: {"size":12,"fields":{"struct_size":[0,"Uint32"],"user":[4,"Uint32"],"load":[8,"Uint32"]}},
+  gusset_files: {"size":32,"fields":{"struct_size":[0,"Uint32"],"read":[4,"Uint32"],"write":[8,"Uint32"],"part_count":[12,"Uint32"],"part_name":[16,"Uint32"],"part_bytes":[20,"Uint32"],"message":[24,"Uint32"],"free":[28,"Uint32"]}},
 };
 
 /** Without GUSSET_. */
@@ -55,6 +57,15 @@ export const constants = {
   FILTER_REPLACES: 1,
   FILTER_ORIGINS: 2,
   PLUGIN_NONE: 4294967295,
+  FILES_ABI: 1,
+  FILES_DONE: 0,
+  FILES_BAD_ARGUMENT: 1,
+  FILES_BAD_FILE: 2,
+  FILES_OUT_OF_MEMORY: 3,
+  FILES_INTERNAL: 4,
+  FILES_JOINED: 1,
+  FILES_TEXT: 1,
+  FILES_LOSSY: 2,
   ERROR_PANIC: 9999,
 };
 
@@ -115,6 +126,14 @@ export const statuses = {
   2000: "out_of_memory",
   2001: "cancelled",
   9999: "panic",
+};
+
+/** Names of statuses of the table of files. */
+export const fileStatuses = {
+  1: "bad_argument",
+  2: "bad_file",
+  3: "out_of_memory",
+  4: "internal",
 };
 
 /** Elements that failures name. */

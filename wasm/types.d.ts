@@ -71,6 +71,11 @@ export class GussetError extends Error {
 }
 /** The input cannot be used; names its first offending element. */
 export class InputError extends GussetError {}
+/**
+ * A file or document breaks a rule, or the format is unknown or cannot hold the document. The message names the file
+ * and the line, byte or element. `code` is "bad_file" or "bad_argument".
+ */
+export class FileError extends GussetError {}
 /** Memory ran out. */
 export class OutOfMemory extends GussetError {}
 /** The call was cancelled. */
@@ -158,3 +163,176 @@ export interface Gusset {
 
 /** Loads the library from gusset.wasm beside this file, or from the argument. */
 export function load(source?: string | URL | BufferSource | WebAssembly.Module | Response | PromiseLike<Response>): Promise<Gusset>;
+
+/** Bytes of a file. */
+export type FileBytes = ArrayBuffer | ArrayBufferView;
+
+/** Files beside the one that is read or written, by the names in it: material libraries, buffers, images, scans. */
+export type Folder = Readonly<Record<string, FileBytes>> | ReadonlyMap<string, FileBytes> | ((name: string) => FileBytes | null | undefined);
+
+/** Vectors at vertices, or at corners face by face. A vector whose first number is NaN is missing. */
+export interface Attribute {
+  domain: "vertices" | "corners";
+  values: Float64Array;
+}
+
+/** A named number for each vertex or face. */
+export interface Property {
+  name: string;
+  domain: "vertices" | "faces";
+  /** The type in a PLY file. */
+  kind: "i8" | "u8" | "i16" | "u16" | "i32" | "u32" | "f32" | "f64";
+  values: Float64Array;
+}
+
+/** Attributes of a mesh in a file. */
+export interface MeshAttributes {
+  /** The name of the object; may be empty. */
+  name: string;
+  /** x, y, z of each vector. */
+  normals: Attribute | null;
+  /** u, v of each vector; 0, 0 is the lower left of the image. */
+  texcoords: Attribute | null;
+  /** sRGB and opacity of each vertex, 0 to 1. */
+  vertexColours: Float32Array | null;
+  /** sRGB and opacity of each face, 0 to 1. */
+  faceColours: Float32Array | null;
+  /** For each face an index into the materials of the document, or 0xffffffff for none. */
+  faceMaterials: Uint32Array | null;
+  /** Further numbers. */
+  properties: Property[];
+}
+
+/** A mesh of a file, which every filter accepts. */
+export interface FileMesh extends Mesh, MeshAttributes {}
+
+/** Points without faces. */
+export interface Points {
+  positions: Float32Array | Float64Array;
+  normals: Float64Array | null;
+  /** sRGB and opacity of each point, 0 to 1. */
+  colours: Float32Array | null;
+}
+
+/** A mesh in the scene. */
+export interface Placement {
+  name: string;
+  /** The index of the mesh. */
+  mesh: number;
+  /** The rows of the 3 x 4 matrix that takes the mesh into the scene. */
+  transform: Float64Array;
+}
+
+/** A material of faces. */
+export interface Material {
+  name: string;
+  /** Base colour: sRGB and opacity, 0 to 1. */
+  colour: ArrayLike<number>;
+  /** The index of the image of the base colour. */
+  image: number | null;
+  /** All that the format says: lines of an MTL library, or a glTF material as JSON text. */
+  native: { mtl: string[] } | { gltf: string; textures: [sampler: string, image: number | null][] } | null;
+}
+
+/** An image: the name of a file, or its bytes. */
+export interface FileImage {
+  name: string;
+  /** "image/png", "image/jpeg", or empty if unknown. */
+  mediaType: string;
+  file?: string;
+  bytes?: Uint8Array;
+}
+
+/** The content of a file. */
+export interface FileDocument {
+  meshes: FileMesh[];
+  placements: Placement[];
+  /** All polylines. */
+  curves: Curves | null;
+  /** All points without faces. */
+  points: Points | null;
+  materials: Material[];
+  images: FileImage[];
+  /** Metres for each unit of length, if the file says so. */
+  metresPerUnit: number | null;
+  /** Deviations from the format that the reader accepted, and content that it left out. */
+  notes: { text: string; line?: number; byte?: number }[];
+}
+
+/** An attribute to write; its domain is "vertices" by default. */
+export interface AttributeLike {
+  domain?: "vertices" | "corners";
+  values: ArrayLike<number>;
+}
+
+/** A mesh to write. */
+export type FileMeshLike = MeshLike & {
+  name?: string;
+  normals?: AttributeLike | null;
+  texcoords?: AttributeLike | null;
+  vertexColours?: ArrayLike<number> | null;
+  faceColours?: ArrayLike<number> | null;
+  faceMaterials?: ArrayLike<number> | null;
+  properties?: readonly { name: string; domain?: "vertices" | "faces"; kind?: Property["kind"]; values: ArrayLike<number> }[];
+};
+
+/** A document to write. Absent members are empty. Without placements, each mesh is placed once, unmoved. */
+export interface DocumentLike {
+  meshes?: readonly FileMeshLike[];
+  placements?: readonly { name?: string; mesh: number; transform: ArrayLike<number> }[] | null;
+  curves?: CurvesLike | null;
+  points?: PointsLike | null;
+  materials?: readonly Partial<Material>[];
+  images?: readonly Partial<FileImage>[];
+  metresPerUnit?: number | null;
+}
+
+/** Points to write. */
+export interface PointsLike {
+  positions: Coordinates;
+  normals?: ArrayLike<number> | null;
+  colours?: ArrayLike<number> | null;
+}
+
+export interface ReadOptions {
+  folder?: Folder | null;
+  /** Keeps the meshes of a scene and their placements. Otherwise they are joined to one mesh. */
+  scene?: boolean;
+}
+
+export interface WriteOptions {
+  /** Gives the images that the document names. */
+  folder?: Folder | null;
+  /** Writes PLY and STL files as text. */
+  text?: boolean;
+  /** Permits rounding that moves points by more than a thousandth of the mean edge. */
+  lossy?: boolean;
+}
+
+/** A file and the files beside it by their names, and what the format does not hold. */
+export interface Written {
+  /** The file has the name that was given, and comes first. */
+  files: Map<string, Uint8Array>;
+  losses: string[];
+}
+
+/** The module for files, with memory of its own. */
+export interface FileModule {
+  read(name: string, bytes: FileBytes, options?: ReadOptions): FileDocument;
+  write(name: string, document: DocumentLike | FileMeshLike | CurvesLike | PointsLike, options?: WriteOptions): Written;
+  /** Bytes of the module's memory, which grows and never shrinks. */
+  readonly memory: WebAssembly.Memory;
+}
+
+/** Loads the module for files from gusset_files.wasm beside this file, or from the argument. */
+export function loadFiles(source?: string | URL | BufferSource | WebAssembly.Module | Response | PromiseLike<Response>): Promise<FileModule>;
+
+/** Reads a file, in the format of the extension of its name. The first call of `read` or `write` loads the module. */
+export function read(name: string, bytes: FileBytes, options?: ReadOptions): Promise<FileDocument>;
+
+/** Writes a document, mesh, curves or points, in the format of the extension of the name. */
+export function write(
+  name: string,
+  document: DocumentLike | FileMeshLike | CurvesLike | PointsLike,
+  options?: WriteOptions,
+): Promise<Written>;

@@ -62,13 +62,13 @@ class Commands(unittest.TestCase):
         self.expect(DONE, "check", "oriented.off", says="manifold, oriented\n")
 
     def test_what_comes_out_needs_a_file(self):
-        for command in ("stitch", "fill", "assemble", "weld", "orient"):
+        for command in ("stitch", "fill", "join", "weld", "orient"):
             done = self.expect(USAGE, command, "low.obj", says=f"{command} makes a mesh: name the file with -o")
             self.assertEqual(done.stdout, "")
             self.expect(DONE, command, "low.obj", "--dry-run")
         self.expect(USAGE, "run", "weld", "low.obj", says="run makes a mesh: name the file with -o")
         self.expect(USAGE, "run", "curve_resample", "low.obj", says="run makes curves: name the file with -o")
-        self.expect(USAGE, "convert", "low.obj", says="name its file with -o")
+        self.expect(USAGE, "convert", "low.obj", says="convert writes one file, named with -o")
         self.expect(DONE, "run", "boundary_loops", "low.obj", says="2 boundary loops, 24 edges")
         before = sorted(self.program.folder.iterdir())
         self.expect(DONE, "weld", "low.obj", "-n", "-o", "never.off", says="0 vertices welded")
@@ -80,7 +80,11 @@ class Commands(unittest.TestCase):
         self.expect(USAGE, "stitch", "low.obj", "high.obj", "low.obj", "-o", "a.obj")
         self.expect(USAGE, "weld", "low.obj", "-o", "a.obj", "-o", "b.obj")
         self.expect(USAGE, "stitch", "low.obj", "high.obj", "--rows", "many", "-o", "a.obj",
-                    says='parameter rows takes "None", "By mean edge" or "Given number", not "many"')
+                    says="[possible values: none, by-mean-edge, given-number]")
+        self.expect(USAGE, "run", "stitch", "low.obj", "high.obj", "-p", "rows=by-mean-edgy", "-n",
+                    says='parameter rows takes none, by-mean-edge or given-number, not "by-mean-edgy"; did you mean by-mean-edge?')
+        self.expect(USAGE, "run", "stich", "low.obj", "-n", says="there is no filter stich; did you mean stitch?")
+        self.expect(USAGE, "stich", "low.obj", says="stitch")
         self.expect(USAGE, "fill", "low.obj", "--loops", "2", "-o", "a.obj", says="--loops")
         self.expect(USAGE, "fill", "low.obj", "--threads", "few", "-o", "a.obj")
         self.expect(REFUSED, "weld", "low.obj", "--tolerance", "-2", "-o", "a.obj", says="parameter tolerance)")
@@ -90,10 +94,10 @@ class Commands(unittest.TestCase):
             return json.loads(self.expect(status, *arguments, "--json").stdout)
 
         found = told(DONE, "stitch", "low.obj", "high.obj", "--rows", "by-mean-edge", "-o", "joined.off")
-        self.assertEqual(list(found), ["command", "filter", "inputs", "parameters", "outputs", "report", "values"])
+        self.assertEqual(set(found), {"command", "filter", "inputs", "parameters", "outputs", "report", "values"})
         self.assertEqual((found["command"], found["filter"]), ("stitch", "stitch"))
-        self.assertEqual(found["inputs"][1], {"file": "high.obj", "kind": "mesh", "vertices": 18, "faces": 9, "attributes": []})
-        self.assertEqual((found["parameters"]["rows"], found["parameters"]["loop_a"]), ("By mean edge", -1))
+        self.assertEqual(found["inputs"][1], {"file": "high.obj", "kind": "mesh", "vertices": 18, "faces": 9, "attributes": [], "notes": []})
+        self.assertEqual((found["parameters"]["rows"], found["parameters"]["loop_a"]), ("by-mean-edge", -1))
         made = found["outputs"][0]
         self.assertEqual((made["vertices"], made["faces"]), meshes.counts(self.at("joined.off")))
         self.assertEqual((found["values"]["boundary_loops"], found["values"]["rim_vertices_a"]), (2, 12))
@@ -105,7 +109,7 @@ class Commands(unittest.TestCase):
         wrong = told(REFUSED, "weld", "low.obj", "--tolerance", "-2", "-n")
         self.assertEqual((wrong["command"], wrong["error"]["exit"], wrong["error"]["parameter"]), ("weld", 4, "tolerance"))
         self.at("bad.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n")
-        self.assertIn("bad.off:5: vertex number 2 from 0", told(FILE, "check", "bad.off")["error"]["message"])
+        self.assertIn("bad.off:5: vertex 2", told(FILE, "check", "bad.off")["error"]["message"])
         listed = told(DONE, "filters")
         self.assertIn({"id": "weld", "name": "Weld vertices", "category": "Repair", "inputs": ["mesh"], "min_inputs": 1,
                        "max_inputs": 1, "outputs": ["mesh", "text"]}, listed)
@@ -171,7 +175,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(done.stderr, "")
         before, after = (read_obj(self.at(name))[0] for name in ("low.obj", "shifted.obj"))
         self.assertTrue(all(b[0] == a[0] + 2 for a, b in zip(before, after, strict=True)))
-        self.expect(USAGE, *plugin, "weld", "low.obj", "-o", "a.obj", says="there is no filter weld")
+        self.expect(USAGE, *plugin, "weld", "low.obj", "-o", "a.obj", says="has no filter for weld")
         # No numbers by names, and no refusal of them.
         report = json.loads(self.expect(DONE, *plugin, "run", "shift", "low.obj", "-n", "--json").stdout)
         self.assertEqual((report["report"], "values" in report), (["shifted 24 vertices"], False))

@@ -5,22 +5,22 @@ set -eu
 #! [first]
 gusset check left.obj
 gusset stitch left.obj right.obj -o joined.ply
-gusset fill joined.ply --inside refined-and-fair -o whole.glb
+gusset fill joined.ply --smooth -o whole.glb
 #! [first]
 
 #! [smooth]
-gusset stitch left.obj right.obj --finish blend -o smooth.obj
+gusset stitch left.obj right.obj --smooth -o smooth.obj
 #! [smooth]
 
 #! [run]
 gusset filters
 gusset filters stitch left.obj right.obj
 gusset run boundary_loops left.obj -o rim.obj
-gusset run stitch left.obj right.obj -p finish=Blend -o joined.obj
+gusset run stitch left.obj right.obj -p finish=blend -o joined.obj
 #! [run]
 
 #! [scans]
-gusset assemble left.obj right.obj --align --overlaps trim --holes fill -o model.ply
+gusset join left.obj right.obj --align --overlaps trim --holes fill -o model.ply
 #! [scans]
 
 #! [json]

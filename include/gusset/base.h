@@ -30,7 +30,7 @@ extern "C" {
 #endif
 
 /* ---- Statuses: Results of functions. 1 to 999 are mistakes of the caller, 1000 to 1999 faults of the data, 2000 to */
-/* 2999 failures of the environment. A number never changes its meaning. */
+/* 2999 failures of the environment. Numbers never change their meaning. */
 
 /// Status that a function returns.
 enum gusset_status
@@ -42,7 +42,7 @@ enum gusset_status
     GUSSET_OK = 0,
     /// A pointer that must not be NULL is NULL.
     GUSSET_ERROR_NULL_ARGUMENT = 1,
-    /// A pointer to a struct, a handle or an output is misaligned. Element arrays may have any alignment.
+    /// A pointer to a struct, a handle or an output is misaligned.
     GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
     /// struct_size is smaller than the first version of the struct.
     GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
@@ -62,8 +62,8 @@ enum gusset_status
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
     /// An output array overlaps another array.
     GUSSET_ERROR_OVERLAP = 11,
-    /// A handle is of the wrong kind or was destroyed. Detection ends when its memory is used again; other invalid
-    /// pointers are not detected.
+    /// A handle is of the wrong kind or was destroyed. Undetected if its memory was used again, as are other invalid
+    /// pointers.
     GUSSET_ERROR_WRONG_HANDLE = 12,
     /// The number of inputs, or of elements of an array, is wrong.
     GUSSET_ERROR_COUNT_DIFFERS = 13,
@@ -79,8 +79,8 @@ enum gusset_status
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
     /// A vertex index is out of range.
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
-    /// A number is NaN or infinite. It is a coordinate of a used vertex, a point, a tangent, a query or a node, or a
-    /// value of a channel.
+    /// A number is NaN or infinite. It is a coordinate of a used vertex, point, tangent, query or node, or a channel's
+    /// value.
     GUSSET_ERROR_NOT_FINITE = 1006,
     /// A later mesh or piece has 64-bit positions and the first has 32-bit positions.
     GUSSET_ERROR_MIXED_SCALARS = 1007,
@@ -106,7 +106,7 @@ enum gusset_status
     GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
     /// Every strip through the first meridian would repeat an edge of the mesh.
     GUSSET_ERROR_NO_STRIP = 1107,
-    /// The planes through the loops' centres do not show which vertices face each other. Join these loops whole.
+    /// The planes through the loops' centres do not show which vertices face each other. Join whole loops.
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
     /// Consecutive vertices of a cut are not connected by edges.
     GUSSET_ERROR_CUT_NOT_CONNECTED = 1109,
@@ -161,7 +161,7 @@ typedef int32_t gusset_status;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-/// Kind of element that the index of a report counts.
+/// Element that a report's index counts.
 typedef uint32_t gusset_element;
 /// The index means nothing.
 #define GUSSET_ELEMENT_NONE 0
@@ -171,19 +171,19 @@ typedef uint32_t gusset_element;
 #define GUSSET_ELEMENT_FACE 2
 /// Half-edge: a position in face_corners.
 #define GUSSET_ELEMENT_HALF_EDGE 3
-/// Entry of an array of offsets, such as face_offsets or cut_offsets.
+/// Entry of an array of offsets.
 #define GUSSET_ELEMENT_OFFSET 4
-/// Position in a loop that the caller gave. The `input` field of the report is the loop's number.
+/// Position in a given loop. Its number is the report's input.
 #define GUSSET_ELEMENT_LOOP_PLACE 5
 /// Number of elements or bytes.
 #define GUSSET_ELEMENT_COUNT 6
-/// Point of an outline or a curve, counted over all outlines.
+/// Point of an outline or a curve, over all outlines.
 #define GUSSET_ELEMENT_POINT 7
 /// Constraint on an outline: its place or tangent.
 #define GUSSET_ELEMENT_CONSTRAINT 8
 /// Given place on a curve or a surface.
 #define GUSSET_ELEMENT_PLACE 9
-/// Section of a frame, or plane, from 0. The value is the column or the number of points.
+/// Section of a frame, or plane. The value is the column or the number of points.
 #define GUSSET_ELEMENT_SECTION 12
 /// Node of a net, row after row.
 #define GUSSET_ELEMENT_NODE 13
@@ -210,41 +210,40 @@ typedef uint32_t gusset_element;
 /// Edge of a winged-edge table.
 #define GUSSET_ELEMENT_EDGE 32
 
-/// Describes a status in a few English words.
-/// @param status any number; an unknown one gives "unknown status".
+/// Describes a status in English.
+/// @param status an unknown one gives "unknown status".
 /// @return a static string, never NULL.
 /// @complexity O(1).
 GUSSET_API const char *gusset_status_text(int32_t status);
 
-/// Describes a value of a choice in an English sentence, such as the reason why a hole is left open.
-/// @param choice the name of the type, such as "gusset_hole_status".
-/// @param value one of its constants.
+/// Describes a value of a choice in an English sentence.
+/// @param choice name of the type, such as "gusset_hole_status".
+/// @param value its constant.
 /// @return a static UTF-8 string, never NULL: the first sentence of the constant's comment, or "unknown value".
 /// @complexity O(number of choices).
 GUSSET_API const char *gusset_choice_text(const char *choice, uint32_t value);
 
-/* ---- Contexts: Threads, progress, cancellation, log, and the report of the last error. */
+/* ---- Contexts: Settings and outcomes of calls. */
 
-/// Threads, progress, cancellation, log, and the outcome of the last call. One thread uses it at a time, but any thread
-/// may call gusset_context_cancel, gusset_context_reset and gusset_context_get_progress.
+/// Threads, progress, cancellation, log, and the outcome of the last call. Only one thread uses it at a time; any
+/// thread may call gusset_context_cancel, gusset_context_reset and gusset_context_get_progress.
 typedef struct gusset_context gusset_context;
 
-/// Receives the progress of long work, on the calling thread. A nonzero return cancels this call only, unlike
-/// gusset_context_cancel. The callback must not throw or longjmp, or use the context, except gusset_context_cancel and
-/// gusset_context_get_progress.
-/// - fraction: the part done, 0 to 1, never decreasing. If the call succeeds, the last report is 1.
+/// Receives the progress of long work, on the calling thread. A nonzero return cancels this call only. The callback
+/// must not throw, longjmp, or use the context, except gusset_context_cancel and gusset_context_get_progress.
+/// - fraction: the part done, 0 to 1, never decreasing; 1 at the end of a successful call.
 /// - stage: the current work; valid during the callback.
 typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage);
 
-/// Receives remarks that are not errors, under the rules of gusset_progress_fn. Programs read the same from results;
-/// the sentences may change. Stitching, filling and joining remark that
-/// - the second piece of a stitch, or component of its loops, was turned over to agree with the first;
-/// - a closed component was inside out and was turned over;
+/// Receives remarks that are not errors, under the rules of gusset_progress_fn. Sentences may change; programs read
+/// results. Stitching, filling and joining remark that
+/// - the second piece or component of a stitch was turned over to agree with the first;
+/// - a closed component was inside out, and was turned over;
 /// - fairing was requested without new vertices;
-/// - rows, cells or fairing were requested with a blend, which ignores them;
-/// - a strip replaces a blend with too many vertices or more intersections;
-/// - loops stay open near others: near_loops_left of gusset_join_report is not 0;
-/// - a closed component encloses no volume: zero_volume of gusset_join_report is not empty.
+/// - rows, cells or fairing were requested with a blend;
+/// - a strip replaces a blend;
+/// - near_loops_left of gusset_join_report is not 0;
+/// - zero_volume of gusset_join_report is not empty.
 typedef void (*gusset_log_fn)(void *user, const char *message);
 
 /// Report of the last error.
@@ -255,9 +254,9 @@ typedef struct gusset_error_report {
     gusset_element element;
     /// First offending element.
     uint64_t index;
-    /// Value of the element, if any: a coordinate, a vertex index, an exceeded limit.
+    /// Its value, if any: a coordinate, a vertex index, an exceeded limit.
     double value;
-    /// Mesh, input or loop of the element, from 0.
+    /// Mesh, piece, input or loop of the element.
     uint32_t input;
     uint32_t reserved;
 } gusset_error_report;
@@ -276,14 +275,14 @@ GUSSET_API gusset_status gusset_context_set_threads(struct gusset_context *conte
 
 /// Sets the progress callback.
 /// @param progress NULL: none.
-/// @param user passed to the callback unchanged.
+/// @param user passed to the callback.
 /// @complexity O(1).
 GUSSET_API gusset_status gusset_context_set_progress(struct gusset_context *context, gusset_progress_fn progress,
     void *user);
 
 /// Sets the log callback.
 /// @param log NULL: none.
-/// @param user passed to the callback unchanged.
+/// @param user passed to the callback.
 /// @complexity O(1).
 GUSSET_API gusset_status gusset_context_set_log(struct gusset_context *context, gusset_log_fn log, void *user);
 
@@ -297,31 +296,31 @@ GUSSET_API void gusset_context_cancel(const struct gusset_context *context);
 /// @threads From any thread; NULL is allowed.
 GUSSET_API void gusset_context_reset(const struct gusset_context *context);
 
-/// Returns the part of the running or last call that is done.
+/// Returns the done part of the running or last call.
 /// @return 0 to 1; 0 for NULL.
 /// @complexity O(1).
 GUSSET_API double gusset_context_get_progress(const struct gusset_context *context);
 
-/// Explains the error of the last call in an English sentence.
-/// @return a NUL-terminated UTF-8 string, never NULL, valid until the next call with the context; empty after a
-///     success, during a call, and for NULL.
+/// Explains the last call's error in an English sentence.
+/// @return a UTF-8 string, never NULL, valid until the next call with the context; empty after a success, during a
+///     call, and for NULL.
 /// @complexity O(1).
 GUSSET_API const char *gusset_context_get_message(const struct gusset_context *context);
 
-/// Copies the report of the last call; it is cleared after a success.
+/// Copies the report of the last call, cleared after a success.
 /// @complexity O(1).
 GUSSET_API gusset_status gusset_context_get_report(const struct gusset_context *context,
     struct gusset_error_report *report);
 
 /* ---- Affine maps: Maps of points, as three rows of four numbers. */
 
-/// Affine map: four numbers for each of x, y, z, the last one the translation.
+/// Affine map of points.
 typedef struct gusset_transform {
     /// x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
     double rows[12];
 } gusset_transform;
 
-/* ---- Versions: The version of the library and of its binary interface. */
+/* ---- Versions: Versions of the library and its binary interface. */
 
 /// Returns the version of the library, "major.minor.patch".
 /// @return a static string, never NULL.
@@ -329,7 +328,7 @@ typedef struct gusset_transform {
 GUSSET_API const char *gusset_version(void);
 
 /// Returns the number of the binary interface.
-/// It changes when programs built against older headers could break: until 1.0, with each minor version.
+/// It changes when older programs could break: until 1.0, with each minor version.
 /// @return the number.
 /// @complexity O(1).
 GUSSET_API uint32_t gusset_abi(void);

@@ -118,10 +118,10 @@ enum class CorrespondenceRule : uint32_t {
 /// Direction in which nodes move. See ::gusset_offset_direction.
 enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
 
-/// The type of coordinates. See ::gusset_scalar.
+/// Type of coordinates. See ::gusset_scalar.
 enum class Scalar : uint32_t { f32 = GUSSET_F32, f64 = GUSSET_F64 };
 
-/// The type of indices. See ::gusset_index.
+/// Type of indices. See ::gusset_index.
 enum class Index : uint32_t { u32 = GUSSET_U32, u64 = GUSSET_U64 };
 
 /// Treatment of coincident borders. See ::gusset_welding.
@@ -181,10 +181,10 @@ enum class StripStart : uint32_t {
     given = GUSSET_START_GIVEN
 };
 
-/// The positions of new vertices. See ::gusset_fairing.
+/// Positions of new vertices. See ::gusset_fairing.
 enum class Fairing : uint32_t { none = GUSSET_FAIRING_NONE, thin_plate = GUSSET_FAIRING_THIN_PLATE };
 
-/// The treatment of faces that intersect each other. See ::gusset_intersections.
+/// Treatment of intersecting faces. See ::gusset_intersections.
 enum class Intersections : uint32_t {
     automatic = GUSSET_INTERSECTIONS_AUTO,
     ignore = GUSSET_INTERSECTIONS_IGNORE,
@@ -228,7 +228,7 @@ enum class ToleranceMode : uint32_t {
     exact = GUSSET_TOLERANCE_EXACT
 };
 
-/// The side that closed components of a result face. See ::gusset_outward.
+/// Side that closed components face. See ::gusset_outward.
 enum class Outward : uint32_t {
     automatic = GUSSET_OUTWARD_AUTO,
     keep = GUSSET_OUTWARD_KEEP,
@@ -310,7 +310,7 @@ enum class AlignedReason : uint32_t {
     trusted_by_none = GUSSET_ALIGNED_TRUSTED_BY_NONE
 };
 
-/// Treatment of edges with three or more faces. See ::gusset_non_manifold.
+/// Treatment of non-manifold edges. See ::gusset_non_manifold.
 enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
 
 /// Part of the mesh that is checked. See ::gusset_survey.
@@ -383,7 +383,7 @@ enum class GluingKind : uint32_t {
     type = GUSSET_GLUING_TYPE
 };
 
-/// Local gluing (Deryagin, Fig. See ::gusset_gluing_type.
+/// Local gluing of Deryagin's figure 4. See ::gusset_gluing_type.
 enum class GluingType : uint32_t {
     none = GUSSET_TYPE_NONE,
     horizontal = GUSSET_TYPE_HORIZONTAL,
@@ -409,7 +409,7 @@ enum class GluingType : uint32_t {
 /// Element that has a local gluing. See ::gusset_gluing_place.
 enum class GluingPlace : uint32_t { node = GUSSET_GLUING_PLACE_NODE, cell = GUSSET_GLUING_PLACE_CELL };
 
-/// Standard shape, the measures that it reads, the least rows x columns. See ::gusset_net_shape.
+/// Standard shape, its measures, the least rows x columns. See ::gusset_net_shape.
 enum class NetShape : uint32_t {
     plane = GUSSET_NET_PLANE,
     sphere = GUSSET_NET_SPHERE,
@@ -481,13 +481,13 @@ enum class NetFaces : uint32_t {
     triangles_fixed = GUSSET_NET_TRIANGLES_FIXED
 };
 
-/// Faces by which the given mesh represents each cell of the grid. See ::gusset_grid_cells.
+/// Faces of a cell of the given grid. See ::gusset_grid_cells.
 enum class GridCells : uint32_t { quads = GUSSET_GRID_QUADS, triangles = GUSSET_GRID_TRIANGLES };
 
 /// Direction within a net. See ::gusset_direction.
 enum class Direction : uint32_t { right = GUSSET_DIRECTION_RIGHT, down = GUSSET_DIRECTION_DOWN };
 
-/// Rows or columns replicated to enlarge a net. See ::gusset_replication.
+/// Replicated rows or columns. See ::gusset_replication.
 enum class Replication : uint32_t {
     uniform = GUSSET_REPLICATE_UNIFORM,
     first = GUSSET_REPLICATE_FIRST,
@@ -568,7 +568,7 @@ enum class Visibility : uint32_t {
     hide = GUSSET_VISIBILITY_HIDE
 };
 
-/// Kind of element that the index of a report counts. See ::gusset_element.
+/// Element that a report's index counts. See ::gusset_element.
 enum class Element : uint32_t {
     none = GUSSET_ELEMENT_NONE,
     vertex = GUSSET_ELEMENT_VERTEX,

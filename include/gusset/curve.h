@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/* ---- Curves: Curves of Bezier segments, and places on them. Input arrays may have any alignment. */
+/* ---- Curves: Curves of Bezier segments, and places on them. */
 
 /// A curve of Bézier segments.
 typedef struct gusset_curve gusset_curve;
@@ -26,19 +26,19 @@ typedef struct gusset_place {
 /// Lent arrays of a curve.
 typedef struct gusset_curve_view {
     size_t struct_size;
-    /// x, y, z of control points; z is 0 for a plane curve.
+    /// Control points; z is 0 for a plane curve.
     const double *controls;
     size_t control_count;
-    /// 0, then the index of each segment's last control point: segment k has the control points ends[k] to ends[k + 1].
+    /// Segment k has the control points ends[k] to ends[k + 1].
     struct gusset_indices ends;
-    /// 1: the curve is closed. @flag
+    /// 1 if closed. @flag
     uint32_t closed;
     uint32_t reserved;
 } gusset_curve_view;
 
 /// Makes a curve from its control points.
-/// Segments have degree 1 to 64. Coordinates are finite.
-/// @param controls x, y or x, y, z of each control point, packed.
+/// Segments have degree 1 to 64; coordinates are finite.
+/// @param controls x, y or x, y, z of each control point.
 /// @param control_count at most 2^30; 0: no segments, and ends is {0}.
 /// @param dimension 2 or 3.
 /// @param ends 0, then the rising index of each segment's last control point; the last is control_count - 1.
@@ -54,7 +54,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_create(const struct gusset
 GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
 
 /// Lends the control points.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_get_view(const struct gusset_curve *curve,
     struct gusset_curve_view *view);
 
@@ -64,8 +63,8 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_get_view(const struct guss
 typedef uint32_t gusset_curve_kind;
 /// Quadratic segments, G1, one control point for each point.
 #define GUSSET_CURVE_KIND_COMPOSITE 0
-/// One Bézier curve, for up to about 20 points. Its degree is n through n + 1 points, plus 1 for each end tangent, and
-/// n + 2 through n points of a closed outline, whose seam is smooth. Above degree 64, a composite curve is made.
+/// One Bézier curve, for up to about 20 points. Its degree is n through n + 1 points, plus 1 an end tangent. Through n
+/// points of a closed outline it is n + 2, with a smooth seam. Above degree 64, it is composite.
 #define GUSSET_CURVE_KIND_SINGLE 1
 /// Cubic segments that blend adjacent sections linearly: C1 in the knots of the method's exponent, G1 with
 /// GUSSET_METHOD_NORMAL. GUSSET_METHOD_BISECTOR gives the centripetal Catmull-Rom spline.
@@ -79,18 +78,18 @@ typedef uint32_t gusset_curve_kind;
 #define GUSSET_CURVE_KIND_CHAIN 5
 
 /// Guide of a section's control point.
-/// A section is the quadratic through a point and its two neighbours. Its guide is a line from the point to the
-/// neighbours' chord. With GUSSET_LOCK_DATA_GUIDE, and for separate sections, the control point lies on the guide.
-/// Other locks use only the parameter that the guide defines.
+/// A section is the quadratic through a point and its two neighbours, its guide a line from the point to their chord.
+/// With GUSSET_LOCK_DATA_GUIDE, and for separate sections, the control point lies on the guide. Other locks use only
+/// the parameter that it defines.
 typedef uint32_t gusset_section_method;
-/// The bisector of the angle at the point. Always defined.
+/// The bisector of the angle at the point; always defined.
 #define GUSSET_METHOD_BISECTOR 0
-/// The median. Always defined.
+/// The median; always defined.
 #define GUSSET_METHOD_MEDIAN 1
-/// The normal of the chord. If its foot is outside the chord, the bisector applies, or the nearer end of the chord with
+/// The normal of the chord. If its foot is outside the chord, the bisector applies, or the chord's nearer end with
 /// GUSSET_LOCK_SELF_CONSISTENT.
 #define GUSSET_METHOD_NORMAL 2
-/// The symmedian. Always defined.
+/// The symmedian; always defined.
 #define GUSSET_METHOD_SYMMEDIAN 3
 /// Parameter a^alpha / (a^alpha + b^alpha) for the distances a, b from the neighbours: median at alpha = 0, bisector at
 /// 1/2, symmedian at 1.
@@ -98,12 +97,11 @@ typedef uint32_t gusset_section_method;
 
 /// Rule for the parameters of points.
 typedef uint32_t gusset_parameter_lock;
-/// The method's parameter on the triangle of the given points. Always solvable. Control points are near the guides.
+/// The method's parameter on the triangle of the given points. Always solvable, with control points near the guides.
 #define GUSSET_LOCK_PARAMETER 0
-/// The method's parameter on the section's own triangle. With the normal, several solutions may exist; the solver
-/// determines which is found.
+/// The method's parameter on the section's own triangle. With the normal, solutions depend on the solver.
 #define GUSSET_LOCK_SELF_CONSISTENT 1
-/// Control points on the guides of the given points' triangles, where possible. Points of outlines that are not planar
+/// Control points on the guides of the given points' triangles, where possible. Unless the outline is planar, points
 /// get GUSSET_POINT_OUT_OF_PLANE and GUSSET_LOCK_PARAMETER.
 #define GUSSET_LOCK_DATA_GUIDE 2
 
@@ -114,7 +112,7 @@ typedef uint32_t gusset_joint_parameter;
 /// From chords to the power of the method's exponent: the quadratic B-spline in these knots, C1.
 #define GUSSET_JOINT_PARAMETER_KNOT 1
 /// Continuous curvature, by cubic segments in the triangles of the quadratics; 0 at inflections of the control polygon.
-/// If the outline is not planar, curvatures agree in magnitude only, and points get GUSSET_POINT_OUT_OF_PLANE.
+/// Unless the outline is planar, curvatures agree in magnitude only, and points get GUSSET_POINT_OUT_OF_PLANE.
 #define GUSSET_JOINT_PARAMETER_G2 2
 
 /// Method of solution.
@@ -130,9 +128,9 @@ typedef uint32_t gusset_outline_ends;
 #define GUSSET_ENDS_FREE 0
 /// Perpendicular to the first chord (first to third point) and to the last.
 #define GUSSET_ENDS_PERPENDICULAR 1
-/// Parallel to the x-axis, in the sense of the first and last legs.
+/// Parallel to the x-axis, in the sense of first and last legs.
 #define GUSSET_ENDS_LEVEL 2
-/// Parallel to the y-axis, in the sense of the first and last legs.
+/// Parallel to the y-axis, in the sense of first and last legs.
 #define GUSSET_ENDS_UPRIGHT 3
 /// Level or upright, whichever is nearer to GUSSET_ENDS_PERPENDICULAR.
 #define GUSSET_ENDS_LEVEL_OR_UPRIGHT 4
@@ -206,26 +204,26 @@ typedef struct gusset_outline_options {
     /// For composite curves and chains.
     gusset_joint_parameter joint;
     gusset_outline_solver solver;
-    /// For open outlines and parts between corners. A constraint on the end tangent takes precedence.
+    /// For open outlines and parts between corners; constraints take precedence.
     gusset_outline_ends ends;
     /// 0 to 1.
     /// @when method GUSSET_METHOD_ALPHA
     double alpha;
-    /// Composite parameters are clamped to this and 1 minus this: 0.001 to 1/2; 0: 1/6.
+    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 1/6.
     double parameter_limit;
-    /// Largest distance of neighbours that are merged, below 1; 0: 1e-12. 1e-300 merges equal points only.
+    /// Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.
     double repeat_tolerance;
-    /// Points where the polygon turns by more are corners. At least 0; 0, or pi and more: none.
+    /// Points where the polygon turns by more are corners; at least 0; 0, or pi and more: none.
     double corner_angle;
     /// Iterations end when no move exceeds it; below 1; 0: 1e-12.
     double tolerance;
-    /// Maximum sweeps or iterations between two corners; 0: 200.
+    /// Most sweeps or iterations between corners; 0: 200.
     uint32_t max_sweeps;
-    /// Maximum steps at a point in a sweep; 0: 20,000.
+    /// Most steps at a point in a sweep; 0: 20,000.
     uint32_t max_steps;
 } gusset_outline_options;
 
-/* ---- Outlines: Curves through given points: the inverse problem of Bezier curves. */
+/* ---- Outlines: Curves through given points. */
 
 /// Demand on a curve at a point.
 typedef uint32_t gusset_constraint_kind;
@@ -241,24 +239,23 @@ typedef struct gusset_constraint {
     /// Index of the point over all outlines.
     uint32_t point;
     gusset_constraint_kind kind;
-    /// x, y, z (z = 0 for plane outlines), or an angle, 0, 0.
+    /// A vector (z = 0 for plane outlines), or an angle, 0, 0.
     double tangent[3];
 } gusset_constraint;
 
-/// Outlines in arrays of the caller, borrowed without a copy, at any alignment.
+/// Outlines in arrays of the caller.
 typedef struct gusset_outlines {
     size_t struct_size;
-    /// Doubles x, y or x, y, z at the start of every point_stride bytes; finite.
+    /// Doubles x, y or x, y, z at every stride; finite.
     const void *points;
     /// Bytes from point to point; 0: no gaps.
     size_t point_stride;
     /// Points of all outlines, at most 2^30.
     size_t point_count;
-    /// outline_count + 1 offsets of outlines into points, from 0, not decreasing. NULL with outline_count 0: one
-    /// outline of all points.
+    /// outline_count + 1 offsets into points, from 0, not decreasing. NULL with outline_count 0: one outline.
     const uint32_t *offsets;
     size_t outline_count;
-    /// Ascending by point, at most one for each; or NULL. The first of merged points counts.
+    /// Ascending by point, at most one each; or NULL. The first of merged points counts.
     const struct gusset_constraint *constraints;
     size_t constraint_count;
     /// 2 or 3.
@@ -277,16 +274,15 @@ typedef struct gusset_outline gusset_outline;
 typedef struct gusset_outline_view {
     size_t struct_size;
     size_t outline_count;
-    /// Points of all outlines.
     size_t point_count;
-    /// x, y, z of each control point; z = 0 for plane outlines.
+    /// Control points; z = 0 for plane outlines.
     const double *controls;
     size_t control_count;
     /// Ends of segments.
     struct gusset_indices ends;
     /// 2 outline_count + 2 offsets.
     const size_t *starts;
-    /// Segment of each point, in its curve.
+    /// Segment of each point.
     struct gusset_indices segments;
     /// Parameter of each point in its segment, 0 to 1.
     const double *parameters;
@@ -298,7 +294,7 @@ typedef struct gusset_outline_view {
 typedef struct gusset_outline_report {
     size_t struct_size;
     gusset_fit_status fit;
-    /// Largest number of sweeps or iterations between corners, at most max_sweeps; 0 if none are needed.
+    /// Most sweeps or iterations between corners, at most max_sweeps.
     uint32_t iterations;
     /// Steps of GUSSET_SOLVER_STEP.
     uint64_t steps;
@@ -308,23 +304,22 @@ typedef struct gusset_outline_report {
     double max_residual;
     /// Largest sine of the angle between tangents at a smooth joint.
     double max_joint_sine;
-    /// GUSSET_JOINT_PARAMETER_G2: largest difference of curvatures at a joint, relative to the larger, or to 1 / size
-    /// if both are less. Else 0.
+    /// GUSSET_JOINT_PARAMETER_G2: largest difference of curvatures at a joint, relative to the larger, at least to 1 /
+    /// size. Else 0.
     double max_curvature_gap;
     /// Largest move of a control point in the last iteration.
     double last_move;
-    /// Points with a status other than GUSSET_POINT_OK.
+    /// Points that are not GUSSET_POINT_OK.
     uint32_t not_ok_count;
     uint32_t reserved;
 } gusset_outline_report;
 
 /// Fits a Bézier curve through the points of each outline.
-/// If a constraint at a point cannot be met, the point's status says so. The curve still passes through the point if
-/// possible.
+/// If a constraint cannot be met, the point's status says so; the curve still passes through the point if possible.
 /// @errors OUT_OF_RANGE (an option or the dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE, NOT_FINITE (point),
-///     NO_SUCH_ELEMENT (constraint: its point does not exist or is out of order)
-/// @complexity O(points) for composite, blended and cubic curves. With GUSSET_JOINT_PARAMETER_G2, takes about 1,500
-///     bytes for each point of the largest outline, besides the result.
+///     NO_SUCH_ELEMENT (constraint: no such point, or out of order)
+/// @complexity O(points) for composite, blended and cubic curves. GUSSET_JOINT_PARAMETER_G2 takes about 1,500 bytes a
+///     point of the largest outline, besides the result.
 /// @source T. Nadopta (see the README).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_create(const struct gusset_context *context,
     const struct gusset_outlines *outlines, const struct gusset_outline_options *options,
@@ -334,35 +329,31 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_create(const struct guss
 GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
 
 /// Lends the curves.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_get_view(const struct gusset_outline *outline,
     struct gusset_outline_view *view);
 
 /// Reports on one outline.
-/// @param index an outline, from 0.
+/// @param index an outline.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_get_report(const struct gusset_outline *outline, size_t index,
     struct gusset_outline_report *report);
 
-/// Copies the curve of one outline, for example for gusset_curve_measure.
-/// @param index an outline, from 0.
+/// Copies the curve of one outline.
+/// @param index an outline.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(segments).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_curve_create(const struct gusset_context *context,
     const struct gusset_outline *outline, size_t index, struct gusset_curve **curve);
 
-/// Finds the section of each point: the quadratic through it and its neighbours with its control point on the method's
-/// guide.
-/// A tangent constraint sets the section's direction at its point; at the end of an open outline, the direction of the
-/// neighbour's section there. If it fails, the method applies; if the normal fails, the bisector. The status says so.
-/// @param options method, alpha and solver are read; tolerance and max_steps with GUSSET_SOLVER_STEP. All must be
+/// Finds the section of each point, with its control point on the method's guide.
+/// A tangent constraint sets the section's direction at its point; at the end of an open outline, of the neighbour's
+/// section there. If it fails, the method applies; if the normal fails, the bisector. The status says so.
+/// @param options only method, alpha and solver, and with GUSSET_SOLVER_STEP tolerance and max_steps; all must be
 ///     valid.
-/// @param controls receives x, y, z of each section's control point; ends of open outlines receive their own point. May
-///     be NULL.
-/// @param parameters receives each point's parameter on its section; 0 and 1 at ends of open outlines. May be NULL.
-/// @param statuses receives the gusset_point_status of each point; may be NULL.
-/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections; may be NULL.
+/// @param controls receives the control points, at ends of open outlines their own points; may be NULL.
+/// @param parameters receives each point's parameter on its section, 0 and 1 at ends of open outlines; may be NULL.
+/// @param statuses receives the gusset_point_status of each point, or NULL.
+/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections, or NULL.
 /// @errors as gusset_outline_create
 /// @complexity O(n); no memory.
 /// @source Nadopta; B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
@@ -399,34 +390,34 @@ typedef uint32_t gusset_curve_measure_flags;
 /// Measures of a curve. A chord closes open curves.
 typedef struct gusset_curve_measures {
     size_t struct_size;
-    /// Measures that are present; all other fields are 0.
+    /// Present measures; all else is 0.
     gusset_curve_measure_flags defined;
     uint32_t reserved;
     /// Arc length without the chord.
     double length;
-    /// Least x, y, z of the bounding box.
+    /// Low corner of the bounding box.
     double low[3];
-    /// Greatest x, y, z of the bounding box.
+    /// High corner.
     double high[3];
     /// Mean of the points by arc length.
     double centre[3];
-    /// Half the integral of r x dr. In the plane z = 0 it is (0, 0, signed area), negative for clockwise curves.
+    /// Half the integral of r x dr; in the plane z = 0, (0, 0, signed area), negative if clockwise.
     double area_vector[3];
     /// Length of area_vector: area of the largest shadow.
     double area;
-    /// Centroid of the enclosed region; the curve's start if the area is 0.
+    /// Centroid of the region; the start if the area is 0.
     double centroid[2];
-    /// Integrals of x x, x y and y y about the centroid, with the area's sign.
+    /// Integrals of x x, x y and y y about it, with the area's sign.
     double second[3];
 } gusset_curve_measures;
 
 /// Computes points, derivatives, tangents and curvatures at places.
 /// NULL outputs are not computed. After an error, nothing is written.
 /// @param order highest derivative, 0 to 64; read only with `derivatives`.
-/// @param derivatives receives 3 (order + 1) count numbers: for each place the point x, y, z, then the derivatives by t
-///     in order; 0 beyond the degree.
-/// @param tangents receives 3 count numbers: unit tangents x, y, z; 0 on a segment without extent.
-/// @param curvatures receives count numbers, 1 / radius. On plane segments, positive if turning from x to y. Infinite
+/// @param derivatives receives 3 (order + 1) count numbers: for each place the point, then derivatives by t in order; 0
+///     beyond the degree.
+/// @param tangents receives count unit tangents; 0 on a segment without extent.
+/// @param curvatures receives count numbers, 1 / radius, on plane segments positive if turning from x to y. Infinite
 ///     where the first derivative is 0.
 /// @errors NO_SUCH_ELEMENT (place), OUT_OF_RANGE (order)
 /// @complexity O(degree^2) a place and output.
@@ -434,32 +425,32 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_evaluate(const struct guss
     const struct gusset_curve *curve, const struct gusset_place *places, size_t count, uint32_t order,
     double *derivatives, double *tangents, double *curvatures);
 
-/// Finds the nearest point of a curve for each given point.
-/// @param points x, y, z of each point, packed, finite.
-/// @param out receives count results.
+/// Finds the nearest point for each given point.
+/// @param points finite.
+/// @param out receives count answers.
 /// @errors EMPTY_CURVE, NOT_FINITE, TOO_LARGE
 /// @complexity About O(log segments + degree^2) a point, parallel.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_nearest(const struct gusset_context *context,
     const struct gusset_curve *curve, const double *points, size_t count, struct gusset_curve_nearest_point *out);
 
-/// Computes the arc lengths from the start of a curve to places.
+/// Computes arc lengths from the start to places.
 /// @param out receives count lengths.
 /// @errors NO_SUCH_ELEMENT (place)
 /// @complexity O(points) in all.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
     const struct gusset_curve *curve, const struct gusset_place *places, size_t count, double *out);
 
-/// Finds the places at arc lengths from the start of a curve, clamped to its ends.
+/// Finds the places at arc lengths from the start, clamped to the ends.
 /// @param out receives count places.
-/// @param lengths count arc lengths from the start.
+/// @param lengths arc lengths.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
 /// @complexity O(points + count log segments).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_places_at(const struct gusset_context *context,
     const struct gusset_curve *curve, const double *lengths, size_t count, struct gusset_place *out);
 
 /// Measures a curve.
-/// `defined` lacks the flag of an undefined measure. The length is accurate to 1e-13, the centre is computed from 16
-/// chords a segment. All others, and lengths up to degree 2, are exact except for rounding.
+/// `defined` lacks undefined measures. The length is accurate to 1e-13, the centre comes from 16 chords a segment. All
+/// others, and lengths up to degree 2, are exact up to rounding.
 /// @param flags 0: all.
 /// @complexity O(points) for length and bounds, otherwise O(sum of degree^2).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_measure(const struct gusset_context *context,
@@ -467,26 +458,26 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_measure(const struct gusse
 
 /* ---- Intersections of curves: Intersections, tangency points and samples. */
 
-/// Places on a curve, or on two curves.
+/// Places on one or two curves.
 typedef struct gusset_places gusset_places;
 
 /// Lent places.
 typedef struct gusset_places_view {
     size_t struct_size;
-    /// The places, ordered along the first curve.
+    /// Places, ordered along the first curve.
     const struct gusset_place *places;
     size_t count;
-    /// x, y, z at each place.
+    /// Points at the places.
     const double *points;
-    /// Intersections: places on the second curve, or later places on the same curve. Else NULL.
+    /// Intersections: places on the second curve, or later ones on the same curve. Else NULL.
     const struct gusset_place *others;
-    /// Common parts, four places each: start and end on the first curve, the same on the second. For tangent angles:
-    /// start and end, twice.
+    /// Common parts, four places each: start and end on the first curve, then on the second. For tangent angles: start
+    /// and end, twice.
     const struct gusset_place *overlaps;
     size_t overlap_count;
-    /// Segments that lie entirely in the plane or line.
+    /// Segments in the plane or line.
     struct gusset_indices inside;
-    /// 1: a pair of segments was not resolved, because they agree within rounding over a long part. @flag
+    /// 1: segments that agree within rounding over a long part were not resolved. @flag
     uint32_t undecided;
     uint32_t reserved;
 } gusset_places_view;
@@ -497,39 +488,39 @@ typedef uint32_t gusset_sample_rule;
 #define GUSSET_SAMPLE_COUNT 0
 /// A point every `amount` of arc length, and the end of an open curve.
 #define GUSSET_SAMPLE_STEP 1
-/// Chords within `amount` of the curve. Each segment is halved at most 20 times, to 1e-12 of its size.
+/// Chords within `amount` of the curve. Segments are halved at most 20 times, to 1e-12 of their size.
 #define GUSSET_SAMPLE_CHORD 2
 
 /// Finds where a curve crosses or touches a plane.
-/// For the line through `point` along (x, y) in the plane z = 0, use the normal (-y, x, 0).
-/// @param point x, y, z of a point of the plane.
-/// @param normal x, y, z, not 0.
+/// For a line along (x, y) in the plane z = 0, the normal is (-y, x, 0).
+/// @param point a point of the plane.
+/// @param normal not 0.
 /// @errors OUT_OF_RANGE (normal), NOT_FINITE
 /// @complexity O(points + degree^2 crossings).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *context,
     const struct gusset_curve *curve, const double *point, const double *normal, struct gusset_places **places);
 
-/// Finds where two curves meet or come within a distance, or where a plane curve meets itself.
-/// If within is 0 and both curves are plane, the result has crossings and touches. Otherwise it has the local minima of
-/// the distance, each once. Joints of adjacent segments are not self-intersections.
+/// Finds where two curves meet or come within a distance, or a plane curve meets itself.
+/// If within is 0 and both curves are plane, the result has crossings and touches, else the local minima of the
+/// distance, each once. Joints are not self-intersections.
 /// @param other NULL: self-intersections.
 /// @param within a length, finite, 0 if other is NULL; in space raised to 1e-12 of the curves' size.
-/// @param places overlaps are parts that are common, stay within the distance, or cannot be separated.
+/// @param places overlaps are common, stay within the distance, or cannot be separated.
 /// @errors OUT_OF_RANGE (within), CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within is not 0)
 /// @complexity Bounded for each pair of segments whose boxes are within the distance.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_create(const struct gusset_context *context,
     const struct gusset_curve *curve, const struct gusset_curve *other, double within, struct gusset_places **places);
 
-/// Finds all points where the tangent of a curve makes an angle with a direction.
-/// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, tangents of both segments,
-/// not those between. Angles within 1e-7 of 0, pi / 2 and pi are set to them. Tangents are parallel to the direction,
-/// or opposite, to 1e-9.
-/// @param direction x, y, z, not 0.
+/// Finds all points where a curve's tangent makes an angle with a direction.
+/// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, of both segments, not
+/// between. Angles within 1e-7 of 0, pi / 2 and pi are set to them. Tangents are parallel to the direction, or
+/// opposite, to 1e-9.
+/// @param direction not 0.
 /// @param angle 0 to pi.
-/// @param places overlaps are parts with a constant angle, such as straight segments.
+/// @param places overlaps have a constant angle.
 /// @errors OUT_OF_RANGE (direction, angle), NOT_FINITE (direction)
 /// @complexity O(points + degree^2 places).
-/// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
+/// @source Leus, task b, for curves.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_tangent_angle_create(const struct gusset_context *context,
     const struct gusset_curve *curve, const double *direction, double angle, struct gusset_places **places);
 
@@ -544,7 +535,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_sample_create(const struct
 GUSSET_API void gusset_places_destroy(struct gusset_places *places);
 
 /// Lends the places.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_places_get_view(const struct gusset_places *places,
     struct gusset_places_view *view);
 
@@ -555,7 +545,7 @@ typedef struct gusset_offset_options {
     size_t struct_size;
     /// Wanted deviation, above 0.
     double tolerance;
-    /// No segment is halved at this number of segments; 0: 65536.
+    /// Halving stops at this many segments; 0: 65536.
     size_t max_segments;
     /// Degree of segments, 2 or 3; 0: 3.
     uint32_t degree;
@@ -565,18 +555,18 @@ typedef struct gusset_offset_options {
 /// Accuracy of an offset.
 typedef struct gusset_offset_report {
     size_t struct_size;
-    /// Largest distance from the true offset, sampled at 16 places in each segment.
+    /// Largest distance from the true offset at 16 places a segment.
     double deviation;
     /// Corners of the original, bridged by straight segments.
     size_t corners;
     /// 1: the deviation is within the tolerance. @flag
     uint32_t reached;
-    /// 1: a radius of curvature is at most the distance; the offset has cusps or runs backwards there. @flag
+    /// 1: a radius of curvature is at most the distance: there are cusps, or the offset runs backwards. @flag
     uint32_t tight;
 } gusset_offset_report;
 
 /// Cuts an open part out of a curve.
-/// On a closed curve the part may pass the start, and goes round once if from equals to. A curve of n segments ends at
+/// On a closed curve the part may pass the start; if from equals to, it is the whole. A curve of n segments ends at
 /// segment n - 1, t = 1.
 /// @errors NO_SUCH_ELEMENT (0: from, 1: to), OUT_OF_RANGE (to precedes from on an open curve), TOO_LARGE
 /// @complexity O(points).
@@ -588,22 +578,22 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_part_create(const struct g
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
     const struct gusset_curve *curve, struct gusset_curve **reversed);
 
-/// Raises and lowers the degrees of a curve's segments.
+/// Raises and lowers degrees of segments.
 /// Raising is exact. Lowering is a least-squares fit with fixed ends.
 /// @param lowest least degree, 1 to 64.
 /// @param highest greatest degree, lowest to 64.
-/// @param tolerance a segment with a greater deviation is not lowered; at least 0, or INFINITY.
-/// @param deviations receives a bound of each segment's deviation; for a segment not lowered, the deviation that
-///     lowering would cause. May be NULL.
+/// @param tolerance largest deviation of lowered segments; at least 0, or INFINITY.
+/// @param deviations receives a bound of each segment's deviation; if it is not lowered, the deviation that lowering
+///     would cause. May be NULL.
 /// @errors OUT_OF_RANGE (degree, tolerance), TOO_LARGE
-/// @complexity O(degree) a new control point of raised segments, O(degree^3) a lowered segment.
+/// @complexity O(degree) a control point of raised segments, O(degree^3) a lowered segment.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_change_degree_create(const struct gusset_context *context,
     const struct gusset_curve *curve, uint32_t lowest, uint32_t highest, double tolerance, double *deviations,
     struct gusset_curve **changed);
 
 /// Fits the offset of a plane curve by segments with common tangents.
 /// Self-intersections are not removed.
-/// @param distance to the left, or to the right if negative; finite.
+/// @param distance to the left; right if negative; finite.
 /// @param options required; its tolerance must be set.
 /// @param report may be NULL.
 /// @errors CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE
@@ -618,27 +608,26 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_offset_create(const struct
 typedef uint32_t gusset_curve_format;
 /// SVG path data (M, L, Q, C, Z), for plane curves up to degree 3. Numbers are exact; y is not flipped.
 #define GUSSET_CURVE_FORMAT_SVG 0
-/// TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the middle between two
-/// of them.
+/// TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the middle of two.
 #define GUSSET_CURVE_FORMAT_CONTOUR 1
-/// Clamped B-spline, for curves of one degree n. A joint with one tangent becomes a knot of multiplicity n - 1 without
-/// a control point.
+/// Clamped B-spline, for curves of one degree n. Smooth joints become knots of multiplicity n - 1 without control
+/// points.
 #define GUSSET_CURVE_FORMAT_SPLINE 2
 
 /// An exported curve.
 typedef struct gusset_curve_form gusset_curve_form;
 
-/// Lent parts of an exported curve; parts of other formats are empty.
+/// Lent parts of an exported curve; other formats' are empty.
 typedef struct gusset_curve_form_view {
     size_t struct_size;
     /// SVG path, zero-terminated.
     const char *text;
     /// Length without the final 0.
     size_t text_length;
-    /// x, y, z of contour points or control points of a spline.
+    /// Contour points, or control points of a spline.
     const double *points;
     size_t point_count;
-    /// Contour: 1 for a point on the curve, 0 for a point off it. @flag
+    /// Contour: 1 for a point on the curve. @flag
     const uint8_t *on_curve;
     /// Spline: point_count + degree + 1 knots.
     const double *knots;
@@ -649,7 +638,7 @@ typedef struct gusset_curve_form_view {
 
 /// Exports a curve.
 /// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: distance from the middle within which a joint is omitted, at least
-///     0. Rounding is always allowed.
+///     0, besides rounding.
 /// @errors CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for SVG), OUT_OF_RANGE
 ///     (tolerance; degree, see gusset_curve_change_degree_create)
 /// @complexity O(points).
@@ -660,7 +649,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_export_create(const struct
 GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
 
 /// Lends the parts.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
     struct gusset_curve_form_view *view);
 
@@ -671,14 +659,14 @@ typedef uint32_t gusset_correspondence_rule;
 /// By index; all sections have the same number of points.
 #define GUSSET_CORRESPONDENCE_GIVEN 0
 /// Equal arc lengths of each section, or between corners common to all. Closed sections start where the twist is least,
-/// and are reversed if oriented opposite to the first. Open sections run from first to last point.
+/// and are reversed if opposite to the first; open ones run from first to last point.
 #define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
-/// Half-planes at equal angles round the axis, straight or bent; the farthest of several crossings.
+/// Half-planes at equal angles round the axis; the farthest of several crossings.
 #define GUSSET_CORRESPONDENCE_ANGLE 2
 /// Landmarks of each section, and equal arc lengths between them.
 #define GUSSET_CORRESPONDENCE_LANDMARKS 3
 
-/// A grid of nodes on a body, with a curve across through each row and a curve along through each column.
+/// A grid of nodes on a body, with a curve across each row and along each column.
 typedef struct gusset_frame gusset_frame;
 
 /// Direction in which nodes move.
@@ -693,8 +681,7 @@ typedef uint32_t gusset_offset_direction;
 typedef struct gusset_frame_options {
     size_t struct_size;
     gusset_correspondence_rule correspondence;
-    /// Number of columns. With ARC_LENGTH and ANGLE, nodes in each section. With LANDMARKS, parts between two
-    /// consecutive landmarks.
+    /// ARC_LENGTH, ANGLE: nodes in each section. LANDMARKS: parts between two landmarks.
     uint32_t columns;
     /// 1: the first section follows the last. @flag
     uint32_t ring;
@@ -707,21 +694,21 @@ typedef struct gusset_frame_options {
     uint32_t reserved;
     /// ANGLE: a point of the axis.
     double axis_point[3];
-    /// ANGLE: direction of the axis; seen against it angles grow counter-clockwise.
+    /// ANGLE: direction of the axis; seen against it, angles grow counter-clockwise.
     double axis_direction[3];
     /// ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
     double reference[3];
-    /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis follows
-    /// circles through three consecutive points; the reference does not rotate about it. NULL: straight.
+    /// ANGLE: a point of a bent axis for each section, in place of axis_point and axis_direction. The axis follows
+    /// circles through three points each; the reference does not rotate about it. NULL: straight.
     const double *axis_points;
     size_t axis_point_count;
-    /// LANDMARKS: for each section the same number of indices into its own points, in order.
+    /// LANDMARKS: for each section the same number of indices of its points, in order.
     struct gusset_indices landmarks;
-    /// Options of the curves across; NULL: defaults.
+    /// Options of the curves across.
     const struct gusset_outline_options *across;
-    /// Options of the curves along; NULL: defaults.
+    /// Options of the curves along.
     const struct gusset_outline_options *along;
-    /// GIVEN: indices of missing points over all sections, in any order. Their coordinates are not read. Each is
+    /// GIVEN: indices of missing points over all sections, in any order; their coordinates are not read. Each is
     /// interpolated by a Catmull-Rom curve through up to two nodes before and after it in the column, with centripetal
     /// parameters from adjacent columns.
     struct gusset_indices missing;
@@ -730,19 +717,19 @@ typedef struct gusset_frame_options {
 /// Lent nodes, row by row, and curves of a frame.
 typedef struct gusset_frame_view {
     size_t struct_size;
-    /// Number of sections.
+    /// Sections.
     size_t rows;
-    /// Number of nodes in a section.
+    /// Nodes in a section.
     size_t columns;
-    /// x, y, z of each node.
+    /// Nodes.
     const double *nodes;
-    /// Unit tangent of the curve across at each node, x, y, z; 0 if undefined.
+    /// Unit tangent of the curve across at each node; 0 if undefined.
     const double *across;
     /// Unit tangents of the curves along.
     const double *along;
-    /// One curve for each section, owned by the frame. Node i of row k is its point k columns + i.
+    /// A curve for each section, owned by the frame. Node i of row k is its point k columns + i.
     const struct gusset_outline *curves_across;
-    /// One curve for each column, owned by the frame. Node i of row k is its point i rows + k.
+    /// A curve for each column, owned by the frame. Node i of row k is its point i rows + k.
     const struct gusset_outline *curves_along;
     /// By section: 1 if it was reversed. @flag
     const uint8_t *turned;
@@ -750,9 +737,9 @@ typedef struct gusset_frame_view {
     struct gusset_indices ambiguous;
     /// Nodes that are corners of the curve across, ascending.
     struct gusset_indices corners;
-    /// Largest rotation of a closed section's nodes relative to the previous section; 0 for open sections.
+    /// Largest rotation of a closed section's nodes from the previous section; 0 for open ones.
     double max_twist;
-    /// Largest distance between the two curves at a node, relative to the nodes' box.
+    /// Largest distance between two curves at a node, relative to the nodes' box.
     double max_gap;
     /// Smallest sine of the angle between two curves at a node.
     double min_sine;
@@ -763,26 +750,26 @@ typedef struct gusset_frame_view {
 /// Makes the frame of consecutive sections.
 /// @param sections at least 2, for a ring 3.
 /// @errors as gusset_outline_create, OUT_OF_RANGE (sections, columns, landmarks, axis; missing points without GIVEN),
-///     NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (names section and column: half-plane misses the
-///     section; section is not a curve; no node before or after a missing one)
-/// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3); with more corners,
-///     none is common.
+///     NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (section and column: half-plane misses the section; no
+///     curve; no node before or after a missing one)
+/// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3); with more, none is
+///     common.
 /// @source Nadopta, introduction.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_create(const struct gusset_context *context,
     const struct gusset_outlines *sections, const struct gusset_frame_options *options, struct gusset_frame **frame);
 
 /// Makes the offset of a frame.
-/// Directions come from circles through neighbouring nodes. Offsets of planes, spheres, and round cylinders with
-/// perpendicular sections are exact. Curves have the options of the original.
+/// Directions come from circles through neighbouring nodes, exact for planes, spheres, and round cylinders with
+/// perpendicular sections. Curves have the original's options.
 /// Each node moves by its distance:
 /// - Closed sections: outwards, or inwards if negative.
-/// - Open sections: along D x d, the derivatives from section to section and within a section; with
-///   GUSSET_OFFSET_IN_SECTION, away from the chord of the section's ends.
+/// - Open sections: along D x d, the derivatives across and within sections; with GUSSET_OFFSET_IN_SECTION, away from
+///   the chord of the ends.
 /// - Nodes without a direction stay.
 /// @param distances finite lengths.
-/// @param distance_count 1: one for all; rows: one for each section; rows x columns: one for each node, row by row.
+/// @param distance_count 1: for all; rows: for each section; rows x columns: for each node, row by row.
 /// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance), as gusset_frame_create (new nodes)
-/// @complexity O(nodes), plus the curves.
+/// @complexity O(nodes), plus curves.
 /// @source Nadopta, introduction.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_offset_create(const struct gusset_context *context,
     const struct gusset_frame *frame, const double *distances, size_t distance_count, gusset_offset_direction direction,
@@ -792,17 +779,15 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_offset_create(const struct
 GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
 
 /// Lends nodes and curves.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
     struct gusset_frame_view *view);
 
 /// Cuts the curves along by a plane, and makes a new section through the crossings.
-/// The section has the options of the curves across. Point i is the first crossing of column i.
-/// @param point x, y, z.
-/// @param normal x, y, z, not 0.
+/// The section has the options of the curves across; point i is the first crossing of column i.
+/// @param point of the plane.
+/// @param normal not 0.
 /// @param section receives one outline.
-/// @errors as gusset_outline_create, OUT_OF_RANGE (normal), NOT_FINITE, NO_NODE (value: the column that the plane does
-///     not cross)
+/// @errors as gusset_outline_create, OUT_OF_RANGE (normal), NOT_FINITE, NO_NODE (value: column not crossed)
 /// @complexity O(segments).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_slice_create(const struct gusset_context *context,
     const struct gusset_frame *frame, const double *point, const double *normal, struct gusset_outline **section);

@@ -20,21 +20,21 @@ struct OutlineOptions {
     JointParameter joint = JointParameter::half;
     /// Method of solution.
     OutlineSolver solver = OutlineSolver::fast;
-    /// For open outlines and parts between corners. A constraint on the end tangent takes precedence.
+    /// For open outlines and parts between corners; constraints take precedence.
     OutlineEnds ends = OutlineEnds::free;
     /// 0 to 1. A value sets method to GUSSET_METHOD_ALPHA.
     std::optional<double> alpha;
-    /// Composite parameters are clamped to this and 1 minus this: 0.001 to 1/2; 0: 1/6.
+    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 1/6.
     double parameter_limit = 0.0;
-    /// Largest distance of neighbours that are merged, below 1; 0: 1e-12. 1e-300 merges equal points only.
+    /// Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.
     double repeat_tolerance = 0.0;
-    /// Points where the polygon turns by more are corners. At least 0; 0, or pi and more: none.
+    /// Points where the polygon turns by more are corners; at least 0; 0, or pi and more: none.
     double corner_angle = 0.0;
     /// Iterations end when no move exceeds it; below 1; 0: 1e-12.
     double tolerance = 0.0;
-    /// Maximum sweeps or iterations between two corners; 0: 200.
+    /// Most sweeps or iterations between corners; 0: 200.
     uint32_t max_sweeps = 0;
-    /// Maximum steps at a point in a sweep; 0: 20,000.
+    /// Most steps at a point in a sweep; 0: 20,000.
     uint32_t max_steps = 0;
 };
 
@@ -42,7 +42,7 @@ struct OutlineOptions {
 struct OffsetOptions {
     /// Wanted deviation, above 0.
     double tolerance = 0.0;
-    /// No segment is halved at this number of segments; 0: 65536.
+    /// Halving stops at this many segments; 0: 65536.
     std::size_t max_segments = 0;
     /// Degree of segments, 2 or 3; 0: 3.
     uint32_t degree = 0;
@@ -52,8 +52,7 @@ struct OffsetOptions {
 struct FrameOptions {
     /// Correspondence of points between sections.
     CorrespondenceRule correspondence = CorrespondenceRule::given;
-    /// Number of columns. With ARC_LENGTH and ANGLE, nodes in each section. With LANDMARKS, parts between two
-    /// consecutive landmarks.
+    /// ARC_LENGTH, ANGLE: nodes in each section. LANDMARKS: parts between two landmarks.
     uint32_t columns = 0;
     /// 1: the first section follows the last.
     bool ring = false;
@@ -65,20 +64,20 @@ struct FrameOptions {
     bool smooth_corners = false;
     /// ANGLE: a point of the axis.
     Point3 axis_point{};
-    /// ANGLE: direction of the axis; seen against it angles grow counter-clockwise.
+    /// ANGLE: direction of the axis; seen against it, angles grow counter-clockwise.
     Point3 axis_direction{};
     /// ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
     Point3 reference{};
-    /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis follows
-    /// circles through three consecutive points; the reference does not rotate about it. NULL: straight.
+    /// ANGLE: a point of a bent axis for each section, in place of axis_point and axis_direction. The axis follows
+    /// circles through three points each; the reference does not rotate about it. NULL: straight.
     std::vector<Point3> axis_points;
-    /// LANDMARKS: for each section the same number of indices into its own points, in order.
+    /// LANDMARKS: for each section the same number of indices of its points, in order.
     std::vector<uint32_t> landmarks;
-    /// Options of the curves across; NULL: defaults.
+    /// Options of the curves across.
     OutlineOptions across;
-    /// Options of the curves along; NULL: defaults.
+    /// Options of the curves along.
     OutlineOptions along;
-    /// GIVEN: indices of missing points over all sections, in any order. Their coordinates are not read. Each is
+    /// GIVEN: indices of missing points over all sections, in any order; their coordinates are not read. Each is
     /// interpolated by a Catmull-Rom curve through up to two nodes before and after it in the column, with centripetal
     /// parameters from adjacent columns.
     std::vector<uint32_t> missing;

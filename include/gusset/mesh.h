@@ -8,20 +8,21 @@
 extern "C" {
 #endif
 
-/* ---- Meshes: Views of polygon meshes in memory of the caller or of a result. */
+/* ---- Meshes: Polygon meshes in memory of the caller or of a result. An edge with one face is a boundary edge, with */
+/* three or more a non-manifold edge. Memory is linear unless stated. */
 
-/// The type of coordinates.
+/// Type of coordinates.
 typedef uint32_t gusset_scalar;
 /// 32-bit floats.
 #define GUSSET_F32 1
 /// 64-bit floats.
 #define GUSSET_F64 2
 
-/// The type of indices.
+/// Type of indices.
 typedef uint32_t gusset_index;
 /// 32-bit unsigned integers.
 #define GUSSET_U32 0
-/// Reserved; returns GUSSET_ERROR_UNKNOWN_VALUE.
+/// Reserved: GUSSET_ERROR_UNKNOWN_VALUE.
 #define GUSSET_U64 1
 
 /// Array of indices.
@@ -31,18 +32,18 @@ typedef struct gusset_indices {
     size_t count;
 } gusset_indices;
 
-/// Polygon mesh in the caller's arrays (input), or in the arrays of a result (output). Input arrays may have any
-/// alignment, and must not change during the call; their lengths are not checked. Counts are checked before elements.
-/// An output has packed positions, face_offsets, and face_size 0. An input has
-/// - at least one vertex and one face (EMPTY_MESH),
+/// Polygon mesh in arrays of the caller (input) or of a result (output). Input arrays must not change during the call;
+/// their lengths are not checked. Counts are checked before elements. Outputs have packed positions, face_offsets, and
+/// face_size 0. Inputs have
+/// - a vertex and a face (EMPTY_MESH),
 /// - at most 2^32 - 2 vertices, and as many corners (TOO_LARGE),
-/// - at least 3 corners in each face (FACE_TOO_SMALL),
+/// - at least 3 corners a face (FACE_TOO_SMALL),
 /// - indices below vertex_count (INDEX_OUT_OF_RANGE),
 /// - finite coordinates at vertices of faces (NOT_FINITE),
 /// - a valid layout (BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS, BAD_MERGE).
 typedef struct gusset_mesh_view {
     size_t struct_size;
-    /// x, y, z at the start of each stride.
+    /// x, y, z at each stride.
     const void *positions;
     /// Bytes from one position to the next; 0 if packed.
     size_t position_stride;
@@ -58,36 +59,37 @@ typedef struct gusset_mesh_view {
     /// Corners of every face, or 0 with face_offsets.
     uint32_t face_size;
     uint32_t reserved;
-    /// Representative of each vertex, itself or another vertex; or NULL. Vertices with the same representative are one
-    /// vertex of the surface, so texture seams are not borders; see gusset_mesh_find_merge. A representative represents
-    /// itself, and its position counts. Results list representatives; their faces keep the given vertices.
+    /// Representative of each vertex, or NULL. Vertices with one representative are one vertex of the surface, so
+    /// texture seams are not borders; see gusset_mesh_find_merge. A representative represents itself, and its position
+    /// counts. Results list representatives; their faces keep the given vertices.
     const void *merge;
 } gusset_mesh_view;
 
 /* ---- Results: The mesh that an operation makes, with the report of the operation. */
 
-/// Mesh made by an operation, such as gusset_join, with its report, such as gusset_result_get_join lends.
+/// Mesh made by an operation, and its report. Only the getter of this report accepts it; the others return
+/// WRONG_HANDLE.
 typedef struct gusset_result gusset_result;
 
-/// Quality of the new faces of a stitch or a filling, and of the whole result.
+/// Quality of new faces and the result.
 typedef struct gusset_quality_report {
     size_t struct_size;
-    /// Smallest angle of new triangles, in radians; 0 if one is degenerate.
+    /// Smallest angle of new triangles; 0 if one is degenerate.
     double min_angle;
     /// Largest aspect ratio of new triangles, longest side / (2 sqrt(3) inradius): 1 if equilateral, infinite if
     /// degenerate.
     double max_aspect;
-    /// Longest edge of new faces, in the unit of the positions.
+    /// Longest edge of new faces.
     double max_edge;
-    /// Area of new faces, in the square of that unit.
+    /// Area of new faces.
     double area;
     /// New triangles of area 0.
     uint32_t degenerate_faces;
     /// Boundary loops of the result.
     uint32_t loops_left;
-    /// Edges of the result with three or more faces.
+    /// Non-manifold edges of the result.
     uint32_t non_manifold_edges;
-    /// Edges of the result whose two faces disagree in orientation.
+    /// Edges whose two faces disagree in orientation.
     uint32_t orientation_conflicts;
 } gusset_quality_report;
 
@@ -95,31 +97,27 @@ typedef struct gusset_quality_report {
 GUSSET_API void gusset_result_destroy(struct gusset_result *result);
 
 /// Lends the mesh.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_mesh(const struct gusset_result *result,
     struct gusset_mesh_view *view);
 
-/// Reports the quality of a result of gusset_stitch or gusset_fill.
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// Reports the quality of a stitch or filling.
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_quality(const struct gusset_result *result,
     struct gusset_quality_report *report);
 
 struct gusset_origins;
 
-/// Finds the sources of the vertices, corners and faces of a result. The inputs are the meshes, pieces, net or sheet of
-/// the operation, in order:
+/// Finds the sources of a result's vertices, corners and faces in the operation's meshes, pieces, net or sheet:
 /// - A strip has two polylines; its corners and faces lack sources.
 /// - A corner that gusset_sew added on an edge has the corners of its face at both ends.
-/// - A vertex of a development comes from one vertex; its corners and faces are the ones of the surface.
-/// - A vertex of the mesh of a net has the first of its nodes, a face its cell. A corner has the node of its own cell,
-///   so both sides of a seam differ.
-/// - A sheet has (rows + 1) * (columns + 1) nodes between its cells, row by row. Vertices and corners have the nodes of
-///   their cell, by parameters; faces have their cells. Where the sheet closes, corners have the nodes on the side of
-///   their face.
+/// - Corners and faces of a development are the surface's; each vertex has one source.
+/// - In the mesh of a net, a vertex has its first node, a face its cell, a corner its own cell's node: both sides of a
+///   seam differ.
+/// - A sheet has (rows + 1) * (columns + 1) nodes, row by row. Vertices and corners have the nodes of their cell, by
+///   parameters; faces have their cells. Where the sheet closes, corners have the nodes on their face's side.
 /// @errors TOO_LARGE
-/// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and face (sheet: 52
-///     for each vertex and corner), plus linear in n.
+/// @complexity O(H log n) for n corners of new faces; 16 bytes an element (sheet: 52 a vertex or corner), plus linear
+///     in n.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_origins_create(const struct gusset_context *context,
     const struct gusset_result *result, struct gusset_origins **origins);
 
@@ -127,28 +125,24 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_origins_create(const stru
 
 struct gusset_join_options;
 
-/// Joins open pieces into one mesh. As the options say, sews coincident borders, orients components, joins facing loops
-/// by strips, fills holes, and turns closed components outwards. A pair that cannot be joined is not an error; see the
-/// outcome of each joint.
-/// The result has the vertices of pieces, strips, then patches; faces likewise. Positions have the scalar type of the
-/// first piece; old ones keep their bits. Unless overlaps says so, overlapping pieces are not trimmed; strips then
-/// enclose the overlap.
+/// Joins open pieces into one mesh: sews coincident borders, orients components, joins facing loops by strips, fills
+/// holes, and turns closed components outwards, as the options say.
+/// The result has the vertices of pieces, strips, then patches; faces likewise. Positions have the first piece's scalar
+/// type; old ones keep their bits. Strips enclose overlaps that are not trimmed.
 /// Facing loops of different components are joined, by the best one-to-one choice:
-/// - Whole loops, if the conormals (tangents off the surface) of each point to the other, with no much nearer loop
+/// - Whole loops, if the conormals (tangents off the surface) of each point to the other, without a much nearer loop
 ///   between.
 /// - Whole loops, if 9/10 of the vertices of each are nearest to the other, at similar distances or once round it.
 ///   Similar: the ninth decile is at most 4 times the first, or the vertex spacing.
 /// - Else runs of mutually nearest vertices, by open strips.
-/// @param pieces at least one, each of one or more components; struct_size of the first holds for all.
-/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces), MIXED_SCALARS (a piece
-///     has f64 positions and the first f32), OUT_OF_RANGE (a tolerance, max_gap, or an entry of pairs or excluded: the
-///     report has its number as index, 0 or 1 for its loop as input, and the missing piece, else the vertex, as value.
-///     The piece or vertex does not exist; or in pairs, no vertex is named, no or several joinable loops pass it, or
-///     its loop is named before), TOO_LARGE
-/// @complexity O(H log d + V log V) for H half-edges, at most d edges at a vertex and V vertices on loops, plus
-///     gusset_stitch for each strip, gusset_fill for each hole, and a pass over all faces for each strip faired or
-///     tested for intersections. Memory linear.
-/// @source Nesterenko for a single gap; the rest is our own.
+/// @param pieces at least one; struct_size of the first holds for all.
+/// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, OUT_OF_RANGE (a tolerance, max_gap, or an entry of pairs or
+///     excluded: index is the entry, input its loop 0 or 1, value the missing piece, else the vertex. The piece or
+///     vertex does not exist. In pairs, also: no vertex, no or several joinable loops at it, or a loop named before),
+///     TOO_LARGE
+/// @complexity O(H log d + V log V) for V vertices on loops, gusset_stitch for each strip, gusset_fill for each hole, a
+///     pass over all faces for each strip faired or tested for intersections.
+/// @source Nesterenko for a single gap.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_join(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_join_options *options,
     struct gusset_result **result);
@@ -156,17 +150,16 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_join(const struct gusset_context
 struct gusset_join_report;
 
 /// Lends the report of a join.
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_join(const struct gusset_result *result,
     struct gusset_join_report *report);
 
 /* ---- Options of stitching: How a strip is chosen, subdivided and smoothed. */
 
-/// Rule for the meridians. A meridian is an edge of the strip from rim A to rim B.
+/// Rule for the meridians. A meridian is a strip's edge from rim A to rim B.
 typedef uint32_t gusset_meridians;
 /// Triangle strip that best continues both surfaces. It bends little, above all along the rims, and follows the tangent
-/// planes there. The default search stays near the strip of least area. In gusset_strip it is the strip of least area.
+/// planes there. The default search stays near the strip of least area, which gusset_strip makes.
 #define GUSSET_MERIDIANS_CONTINUATION 0
 /// Vertices paired in proportion to their indices, O(N + M); suits evenly spaced rims.
 #define GUSSET_MERIDIANS_INDEX 1
@@ -181,40 +174,40 @@ typedef uint32_t gusset_meridians;
 /// Triangle strip of least bend: the sum, over its edges and rims, of length * (1 - cos(angle between normals)).
 #define GUSSET_MERIDIANS_SMOOTH 5
 /// Least sum of squared meridian lengths (dynamic time warping): quads where both rims advance, else triangles. Suits
-/// strips with interior rows.
+/// interior rows.
 #define GUSSET_MERIDIANS_QUAD 6
 /// Triangle strip of least area through the first meridian.
 #define GUSSET_MERIDIANS_MIN_AREA 7
 
 /// Search effort.
 typedef uint32_t gusset_strip_search;
-/// Exact up to 2^21 pairs of vertices. Beyond that coarse to fine, in nearly linear time and linear memory, usually
-/// within 0.1 % of the optimum.
+/// Exact up to 2^21 pairs of vertices. Beyond, coarse to fine in nearly linear time and linear memory, usually within
+/// 0.1 % of the optimum.
 #define GUSSET_SEARCH_AUTO 0
 /// Exact, in O(N M) time; gusset_stitch states the memory.
 #define GUSSET_SEARCH_EXACT 1
 
 /// First meridian of a closed strip.
 typedef uint32_t gusset_strip_start;
-/// The closest pair of vertices, or the closest one after rotating rim B along rim A to the best fit. The better strip
-/// is kept.
+/// The better strip from the closest pair of vertices, or from the closest after rotating rim B along rim A to the best
+/// fit.
 #define GUSSET_START_AUTO 0
 /// The closest pair of vertices.
 #define GUSSET_START_CLOSEST 1
 /// The first points; gusset_strip only.
 #define GUSSET_START_GIVEN 2
 
-/// The positions of new vertices.
+/// Positions of new vertices.
 typedef uint32_t gusset_fairing;
 /// New vertices divide the meridians of a strip evenly, or lie on the first triangulation of a patch.
 #define GUSSET_FAIRING_NONE 0
-/// The new surface bends like a thin plate and meets the old one smoothly. The sum of squared Laplacians over new
-/// vertices and rims is least. Rims and ends of an open strip stay fixed.
+/// The new surface bends like a thin plate and meets the old one smoothly: least sum of squared Laplacians over new
+/// vertices and rims. Rims and ends of an open strip stay fixed.
 #define GUSSET_FAIRING_THIN_PLATE 1
 
-/// The treatment of faces that intersect each other.
+/// Treatment of intersecting faces.
 typedef uint32_t gusset_intersections;
-/// Intersections of the strip are found, and reduced in these cases:
+/// Finds intersections of the strip, and reduces them:
 /// - A triangle strip without rows by GUSSET_MERIDIANS_CONTINUATION is rerouted; the best strip tried is kept.
 /// - Faired rows move back locally, at most 12 times; straight rows are kept if they intersect less.
 /// - Blends move back likewise, then get less fairing. The best blend is kept, or the strip if every blend intersects
@@ -228,8 +221,8 @@ typedef uint32_t gusset_intersections;
 /// Treatment of opposite orientations.
 typedef uint32_t gusset_orientation;
 /// If the component of rim B is oriented against rim A, it is reversed, whichever is inside out. Within one component
-/// nothing is reversed. Whole rims are compared as curves. If both face the same way, as in a U-bend, the sides of
-/// their surfaces decide. An inconclusive comparison reverses nothing.
+/// nothing is reversed. Whole rims are compared as curves. If both face one way, the sides of their surfaces decide. An
+/// inconclusive comparison reverses nothing.
 #define GUSSET_ORIENTATION_FIX 0
 /// Opposite orientations return GUSSET_ERROR_ORIENTATION_CONFLICT.
 #define GUSSET_ORIENTATION_REFUSE 1
@@ -259,7 +252,7 @@ typedef uint32_t gusset_facing_run;
 typedef uint32_t gusset_centres;
 /// Mean of the vertices.
 #define GUSSET_CENTRES_VERTICES 0
-/// Mean along the curve, independent of the vertex spacing.
+/// Mean along the curve, independent of vertex spacing.
 #define GUSSET_CENTRES_LENGTH 1
 
 /// Number of interior rows.
@@ -282,25 +275,25 @@ typedef uint32_t gusset_strip_cells;
 typedef uint32_t gusset_finish;
 /// Strip of meridians, with interior rows.
 #define GUSSET_FINISH_STRIP 0
-/// Smooth joint, tangent to both pieces. Its triangles are about as fine as along the rims, graded in between, without
-/// sharp angles where the rims allow. It follows a strip without rows, and smooths its ridges. A tube closes a gap in a
-/// tube, within some per cent of the radius across a few radii. Meridians and matrix describe the strip, not edges of
-/// the result. The options rows, cells and fairing are ignored, with a log message if set.
-/// The strip is kept, with a log message, if every blend intersects more or needs too many vertices. The limit is about
-/// 50,000 new vertices, or 16 for each rim vertex if more. To meet it, edges grow up to twice as long.
+/// Smooth joint, tangent to both pieces. Triangles are about as fine as along the rims, graded between, without sharp
+/// angles where the rims allow. It smooths the ridges of a strip without rows. A tube closes a gap in a tube, within
+/// some per cent of the radius across a few radii. Meridians and matrix describe the strip, not edges of the result.
+/// Ignores rows, cells and fairing.
+/// The strip is kept if every blend intersects more, or exceeds about 50,000 new vertices, or 16 a rim vertex if more.
+/// To meet that limit, edges grow up to twice as long.
 #define GUSSET_FINISH_BLEND 1
 
 /// Source of the tolerance.
 typedef uint32_t gusset_tolerance_mode;
-/// Uses the rounding error of the coordinates. For facing vertices this is at most 2^-16 (32-bit positions) or 2^-45
-/// (64-bit positions) times the largest coordinate of the loops. For welding, see gusset_weld_options.
+/// Uses the rounding error of the coordinates. For facing vertices: at most 2^-16 (32-bit) or 2^-45 (64-bit) times the
+/// loops' largest coordinate. For welding, see gusset_weld_options.
 #define GUSSET_TOLERANCE_AUTO 0
 /// Uses the given tolerance.
 #define GUSSET_TOLERANCE_GIVEN 1
 /// Uses tolerance 0; welding then requires equal positions.
 #define GUSSET_TOLERANCE_EXACT 2
 
-/// The side that closed components of a result face.
+/// Side that closed components face.
 typedef uint32_t gusset_outward;
 /// GUSSET_OUTWARD_CLOSED in gusset_join, else GUSSET_OUTWARD_KEEP.
 #define GUSSET_OUTWARD_AUTO 0
@@ -316,9 +309,8 @@ typedef struct gusset_stitch_options {
     size_t struct_size;
     gusset_meridians meridians;
     gusset_orientation orientation;
-    /// Shift of the first meridian along rim B, in vertices, from the closest pair that no edge joins. Counted in the
-    /// direction of rim A, modulo the length of rim B. If not 0, no other start is tried. Must be 0 if arcs are joined
-    /// (OUT_OF_RANGE).
+    /// Shift of the first meridian along rim B from the closest pair that no edge joins. Counted in vertices in the
+    /// direction of rim A, modulo rim B. If not 0, no other start is tried. 0 for arcs (OUT_OF_RANGE).
     int64_t twist;
     gusset_stitch_extent extent;
     gusset_facing_run run;
@@ -328,12 +320,10 @@ typedef struct gusset_stitch_options {
     uint32_t row_count;
     gusset_strip_cells cells;
     gusset_tolerance_mode tolerance_mode;
-    /// Facing vertices are farther than this from the plane of their loop. In the unit of the positions; finite, at
-    /// least 0.
+    /// Facing vertices are farther than this from the plane of their loop; finite, at least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     double tolerance;
-    /// First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and
-    /// may pass its end.
+    /// First index on loop A as given, and number of vertices, 1 to the loop's length. The arc may pass the loop's end.
     /// @when extent GUSSET_EXTENT_ARCS
     uint32_t arc_a[2];
     /// As arc_a, for loop B.
@@ -341,7 +331,7 @@ typedef struct gusset_stitch_options {
     uint32_t arc_b[2];
     gusset_strip_search search;
     gusset_strip_start start;
-    /// Positions of interior rows; ignored without rows, with a log message if set.
+    /// Positions of interior rows; ignored without rows.
     gusset_fairing fairing;
     gusset_intersections intersections;
     gusset_centres centres;
@@ -350,7 +340,7 @@ typedef struct gusset_stitch_options {
     uint32_t reserved;
 } gusset_stitch_options;
 
-/* ---- Options of joining: Which borders are joined, and how. */
+/* ---- Options of joining: Which borders are joined. */
 
 /// Treatment of coincident borders.
 typedef uint32_t gusset_welding;
@@ -363,13 +353,11 @@ typedef uint32_t gusset_welding;
 
 /// Widest gap to close.
 typedef uint32_t gusset_gap;
-/// Limits by size. The width of a gap is the mean distance from a loop to the nearest points of the other, the larger
-/// of both.
-/// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean radius if more. The mean
-///   radius is the mean distance of the vertices from their centre. The only two loops, on two pieces, are always
-///   joined.
+/// The width of a gap is the larger mean distance from either loop to the nearest points of the other.
+/// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean radius (mean distance
+///   from the loop's centre) if more. The only two loops, on two pieces, are always joined.
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
-/// - Slits (see gusset_joint): half the mean radius, and at most one mean edge.
+/// - Slits: half the mean radius, and at most one mean edge.
 /// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 #define GUSSET_GAP_AUTO 0
 /// max_gap.
@@ -379,8 +367,8 @@ typedef uint32_t gusset_gap;
 typedef uint32_t gusset_overlaps;
 /// Overlapping pieces stay unchanged.
 #define GUSSET_OVERLAPS_KEEP 0
-/// One piece of each overlap is kept, as by gusset_trim_create, and the gaps are closed. Strips that would intersect
-/// other faces are left to hole filling.
+/// One piece of each overlap is kept, as by gusset_trim_create, and gaps are closed. Strips that would intersect other
+/// faces are left to hole filling.
 #define GUSSET_OVERLAPS_TRIM 1
 
 /// Two loops of the pieces.
@@ -401,8 +389,8 @@ struct gusset_weld_options;
 typedef struct gusset_join_options {
     size_t struct_size;
     gusset_welding weld;
-    /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against the ones that
-    /// they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
+    /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against those that they
+    /// face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
     /// @values GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP
     gusset_orientation orientation;
     gusset_gap gap;
@@ -412,29 +400,28 @@ typedef struct gusset_join_options {
     uint32_t within_components;
     /// 1 fills the remaining holes. @flag
     uint32_t fill;
-    /// Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none.
+    /// Widest gap to close, finite, at least 0; 0 closes none.
     /// @when gap GUSSET_GAP_GIVEN
     double max_gap;
-    /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit twice (see
-    /// gusset_joint). No loop is in two pairs.
+    /// Pairs of whole loops to join at any distance, or NULL. A pair is two loops, or a slit twice (see gusset_joint).
+    /// No loop is in two pairs.
     const struct gusset_loop_pair *pairs;
     size_t pair_count;
-    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
+    /// Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding exclude nothing.
     const struct gusset_loop_pair *excluded;
     size_t excluded_count;
-    /// Options of welding; NULL for the defaults.
+    /// Options of welding.
     const struct gusset_weld_options *weld_options;
-    /// Options of strips; NULL for the defaults. Only meridians, search, start, rows, row_count, cells, fairing,
-    /// intersections and finish are used; all must be valid.
+    /// Options of strips: only meridians, search, start, rows, row_count, cells, fairing, intersections and finish are
+    /// used; all must be valid.
     const struct gusset_stitch_options *strip_options;
-    /// Options of filling; NULL for the defaults. groups, outward and plan_only are ignored, but outward and plan_only
-    /// must be valid. GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
+    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    /// GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
     const struct gusset_fill_options *fill_options;
-    /// Side that closed components face, by default outwards, walls of cavities included. Other components mostly keep
-    /// the orientation of the first piece.
+    /// Closed components face outwards by default. Others mostly keep the first piece's orientation.
     gusset_outward outward;
     gusset_overlaps overlaps;
-    /// Options of trimming; NULL for the defaults.
+    /// Options of trimming.
     /// @when overlaps GUSSET_OVERLAPS_TRIM
     const struct gusset_trim_options *trim_options;
 } gusset_join_options;
@@ -475,49 +462,46 @@ typedef uint32_t gusset_left_reason;
 /// The pair with the nearest loop is excluded.
 #define GUSSET_LEFT_EXCLUDED 8
 
-/// Indices of a piece in the result.
+/// Indices of a piece's elements in the result, UINT32_MAX if removed.
 typedef struct gusset_piece_map {
-    /// Index in the result of each vertex, or UINT32_MAX if removed; several may share one.
+    /// Index of each vertex; several may share one.
     struct gusset_indices vertices;
-    /// Index in the result of each face, or UINT32_MAX if removed. A split triangle has the index of its first part;
-    /// the others follow.
+    /// Index of each face; for a split triangle, of its first part, which the others follow.
     struct gusset_indices faces;
 } gusset_piece_map;
 
-/// Two loops, or runs of loops, that face each other across a gap.
-/// If borders coincide along a part only, sewing leaves a slit: a loop along the rest of both borders. A slit may be
-/// joined with itself. Then both sides are on it, one with both ends; whole is 0, and the strip lacks interior rows.
+/// Two loops, or runs of loops, that face each other. Indices are in the result.
+/// If borders coincide in part, sewing leaves a slit: a loop along the rest of both. In a slit joined with itself, both
+/// sides are on it, one with both ends; whole is 0, and the strip lacks interior rows.
 typedef struct gusset_joint {
-    /// Vertices of each side in the result, in order, before components are turned outwards. If joined, the sides run
-    /// together from the first meridian on.
+    /// Vertices of each side in order, before components are turned outwards. If joined, both run from the first
+    /// meridian on.
     struct gusset_indices side[2];
     /// Mean width of the gap.
     double gap;
-    /// First new vertex in the result.
+    /// First new vertex.
     size_t vertex_first;
-    /// New vertices.
     size_t vertex_count;
-    /// First face of the strip in the result.
+    /// First face of the strip.
     size_t face_first;
-    /// Faces of the strip.
     size_t face_count;
-    /// Pairs of intersecting faces, two indices each, as in gusset_stitch_report.
+    /// Pairs of intersecting faces, as in gusset_stitch_report.
     struct gusset_indices intersections;
-    /// 1 if intersections were searched for. @flag
+    /// 1 if searched for. @flag
     uint32_t intersections_known;
     gusset_joint_outcome outcome;
     /// 1 if both sides are whole loops. @flag
     uint32_t whole;
-    /// Surface that was made; a strip may replace a blend.
+    /// Surface made; a strip may replace a blend.
     gusset_finish finish;
 } gusset_joint;
 
-/// Boundary loop of the sewn pieces without a strip, even if filled later; see holes.
+/// Boundary loop of the sewn pieces without a strip, even if filled later.
 typedef struct gusset_left_loop {
     /// Vertices in the result, in order.
     struct gusset_indices vertices;
     /// Mean distance to the loop nearest to most vertices, on another component if any. Infinite without one, or if
-    /// this loop cannot carry a strip. For a slit that is too wide, the mean distance of its sides.
+    /// this loop cannot carry a strip. For a slit too wide: mean distance of its sides.
     double gap;
     /// Largest gap that could be joined; 0 without another loop.
     double allowed_gap;
@@ -536,16 +520,15 @@ typedef struct gusset_join_report {
     /// Joints: given pairs in their order, then the others, nearest first.
     const struct gusset_joint *joints;
     size_t joint_count;
-    /// Loops without a strip, even if filled later, by smallest vertex.
+    /// Loops without a strip, by smallest vertex.
     const struct gusset_left_loop *left;
     size_t left_count;
     /// Holes considered for filling.
     const struct gusset_hole *holes;
     size_t hole_count;
-    /// Vertices of the rims of holes, in the order before components are turned outwards.
+    /// Rim vertices of holes, in the order before components are turned outwards.
     struct gusset_indices hole_rims;
-    /// Faces of pieces, by index in the result, that are reversed against their pieces. New faces are never listed;
-    /// they agree with the faces beside them.
+    /// Old faces reversed against their pieces, by index in the result. New faces agree with the faces beside them.
     struct gusset_indices turned;
     /// A face of each non-orientable component.
     struct gusset_indices one_sided;
@@ -558,7 +541,7 @@ typedef struct gusset_join_report {
     uint32_t sewn_edges;
     /// Boundary loops of the result.
     uint32_t loops_left;
-    /// Edges of the result with three or more faces.
+    /// Non-manifold edges of the result.
     uint32_t non_manifold_edges;
     /// Points at which boundary edges were split.
     uint32_t splits;
@@ -571,102 +554,95 @@ typedef struct gusset_join_report {
 
 /* ---- Stitching: Joins two loops by a strip of new faces. */
 
-/// Parts of a stitch. Index 0 is the first mesh, 1 the second.
+/// Parts of a stitch, by index in the result. Entry 0 is of the first mesh, 1 of the second.
 typedef struct gusset_stitch_report {
     size_t struct_size;
-    /// Index in the result of each old vertex; empty for a missing second mesh.
+    /// Index of each old vertex; empty for a missing second mesh.
     struct gusset_indices vertex_map[2];
-    /// Index in the result of each old face.
+    /// Index of each old face.
     struct gusset_indices face_map[2];
-    /// Vertices of each rim in the result, side by side from the first meridian on. Rim 0 has its surface on the left,
-    /// rim 1 on the right, before components are turned outwards. The mesh of the strip begins with rim 0, then rim 1.
+    /// Vertices of each rim, side by side from the first meridian on. The surface is left of rim 0 and right of rim 1,
+    /// before components are turned outwards. The strip's mesh begins with rim 0, then rim 1.
     struct gusset_indices rim[2];
     /// Pairs (i, j) of rim indices, the matrix H; meridian k is (data[2 k], data[2 k + 1]). Whole rims of N and M
     /// vertices: from (0, 0) to (N, M), where index N is 0 again. Arcs: to (N - 1, M - 1). A step advances i or j by 1;
     /// with GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD also both.
     struct gusset_indices meridians;
-    /// The matrix P: vertices of the result, row by row from rim 0 to rim 1. One column for each meridian.
+    /// The matrix P: vertices row by row from rim 0 to rim 1, a column for each meridian.
     struct gusset_indices matrix;
-    /// Three rim vertices for each new vertex; new vertices are the last of the result. In a row: the ends of the
-    /// meridian, the one on rim 1 twice. In a blend: the corners of the strip triangle that holds the unfaired vertex.
+    /// Three rim vertices for each new vertex; new vertices come last. In a row: the ends of the meridian, the one on
+    /// rim 1 twice. In a blend: the corners of the strip triangle that holds the unfaired vertex.
     struct gusset_indices parents;
-    /// Weights of the parents, at least 0 with sum 1 for each new vertex. In row k of r: 1 - k / (r + 1), k / (r + 1),
-    /// 0.
+    /// Weights of the parents, at least 0, sum 1. In row k of r: 1 - k / (r + 1), k / (r + 1), 0.
     const double *weights;
-    /// First face of the strip, which comes last in the result.
+    /// First face of the strip, which comes last.
     size_t strip_face_first;
-    /// Faces of the strip: N + M triangles for whole rims without interior rows, except for a blend.
+    /// Faces of the strip: N + M triangles for whole rims without rows, except in a blend.
     size_t strip_face_count;
     /// Interior rows, two less than in the matrix; 0 for a blend.
     uint32_t row_count;
     /// 1 for a closed band, 0 for a strip between arcs. @flag
     uint32_t closed;
-    /// 1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first corners. @flag
+    /// 1 if the component of rim 1 was reversed to agree with rim 0; faces keep their first corners. @flag
     uint32_t turned;
-    /// 1 if intersections were searched for. @flag
+    /// 1 if searched for. @flag
     uint32_t intersections_known;
-    /// Pairs of intersecting faces of the result, two indices each: first a strip face, the larger one if both are.
-    /// Shared or coincident vertices and edges do not count; any other contact does. The test is exact. Quads are split
-    /// by their shorter diagonals, other polygons into fans from their first corners. A self-intersecting polygon is
-    /// paired with itself.
+    /// Pairs of intersecting faces: first a strip face, the larger one if both are. Any contact counts, by an exact
+    /// test, except at shared or coincident vertices and edges. Quads are split by their shorter diagonals, other
+    /// polygons into fans from their first corners. A self-intersecting polygon is paired with itself.
     struct gusset_indices intersections;
-    /// Times that the fairing of rows, or of the kept blend, was moved back.
+    /// Times that fairing of rows, or of the kept blend, was moved back.
     uint32_t back_off_count;
-    /// Surface that was made; a strip may replace a blend.
+    /// Surface made; a strip may replace a blend.
     gusset_finish finish;
-    /// Faces of the result that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
+    /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
     struct gusset_indices turned_outwards;
 } gusset_stitch_report;
 
-/// Joins two boundary loops, of two meshes or of one, by a strip of new faces. The strip is a closed band between whole
-/// loops, or open between facing arcs.
-/// Vertices of the result: A, B, then new ones; faces: A, B, then the strip. Every old face is kept. Positions have the
-/// scalar type of A; old ones keep their bits. An arc of one vertex gets a fan, which touches its piece there only. Two
-/// arcs of one vertex each get one meridian and no face.
-/// @param loop_a vertices of each loop in order, in either direction, cyclically joined by edges with exactly one face.
-///     If both loops are NULL, the two nearest ones are joined. If one is NULL, the nearest to the other is chosen.
-///     Candidates are closed, of at least 3 vertices, manifold and consistently oriented; two of one mesh share no
-///     vertex.
+/// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or
+/// open between facing arcs.
+/// The result has the vertices of A, B, then new ones; all faces of A, B, then the strip. Positions have the scalar
+/// type of A; old ones keep their bits. An arc of one vertex gets a fan, which touches its piece there only; two such
+/// arcs get one meridian and no face.
+/// @param loop_a vertices of each loop in order, in either direction, cyclically joined by boundary edges. If both
+///     loops are NULL, the two nearest are joined; if one, the nearest to the other. Candidates are closed, of at least
+///     3 vertices, manifold and consistently oriented; two of one mesh share no vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
 /// @param loop_b as loop_a, for mesh_b, or for mesh_a if mesh_b is NULL.
-/// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP (one mesh: no two loops without a shared
-///     vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
-///     ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex. Meridians O(N M), above 2^21 pairs of
-///     vertices and for simple rules O((N + M) log M). Fairing and intersections O(n log n), and a test for each pair
-///     of overlapping triangle boxes. Blend of n vertices O(n^1.5), nearly linear in narrow gaps. Choice of loops: a
-///     box test for each pair. Memory linear. GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26 pairs, and 8 M
-///     bytes for each 2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and _SMOOTH take 2 bytes for each pair, 8 if the
-///     best strip would repeat an edge. Several threads and two starts double that.
-/// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1
-///     points.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX,
+///     LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS,
+///     TOO_LARGE
+/// @complexity O(H log d). Meridians O(N M), above 2^21 pairs of vertices and for simple rules O((N + M) log M).
+///     Fairing and intersections O(n log n), and a test for each pair of overlapping triangle boxes. Blend of n
+///     vertices O(n^1.5), nearly linear in narrow gaps. Choice of loops: a box test a pair. GUSSET_SEARCH_EXACT adds 1
+///     byte for each of up to 2^26 pairs, and 8 M bytes for each 2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and
+///     _SMOOTH take 2 bytes a pair, 8 if the best strip would repeat an edge. Several threads and two starts double
+///     that.
+/// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stitch(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh_a, const struct gusset_indices *loop_a, const struct gusset_mesh_view *mesh_b,
     const struct gusset_indices *loop_b, const struct gusset_stitch_options *options, struct gusset_result **result);
 
-/// Lends the strip of a stitch alone: the vertices of both rims, the new vertices and the new faces.
-/// @errors as gusset_result_get_stitch
-/// @complexity O(1).
+/// Lends the strip alone: rim vertices, new vertices, new faces.
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_strip_mesh(const struct gusset_result *result,
     struct gusset_mesh_view *view);
 
 /// Lends the report of a stitch.
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_stitch(const struct gusset_result *result,
     struct gusset_stitch_report *report);
 
-/* ---- Holes: reports: The outcome for each loop. */
+/* ---- Holes: reports: Outcomes of loops. */
 
 /// Weight that the triangulation of a hole minimises.
 typedef uint32_t gusset_fill_weight;
-/// Best continuation of the surrounding surface: the area if the rim is planar, otherwise the sum of
+/// Best continuation of the surface: the area if the rim is planar, else the sum of
 /// - 2 sin(t / 2) over all edges, the rim included, for angles t between normals;
-/// - the mean squared distance of the triangles from the missing surface, estimated from the tangent planes at the rim,
-///   in units of 1/140 of its length.
+/// - the mean squared distance of triangles from the missing surface, estimated from tangent planes at the rim, in
+///   units of 1/140 of its length.
 #define GUSSET_WEIGHT_CONTINUATION 0
-/// Sum of the areas and, over all edges, the rim included, squared length times 1 - cosine of the angle between the
-/// normals.
+/// Sum of the areas and, over all edges, the rim included, of squared length * (1 - cos(angle between normals)).
 #define GUSSET_WEIGHT_AREA_AND_BEND 1
 /// Largest angle between neighbouring faces, old faces at the rim included; then the area.
 #define GUSSET_WEIGHT_BEND_THEN_AREA 2
@@ -692,65 +668,63 @@ typedef uint32_t gusset_hole_status;
 #define GUSSET_HOLE_TOO_LARGE 2
 /// Left open: it is an open chain.
 #define GUSSET_HOLE_OPEN 3
-/// Left open: it runs along an edge with three or more faces.
+/// Left open: it runs along a non-manifold edge.
 #define GUSSET_HOLE_NON_MANIFOLD 4
 /// Left open: the faces along it disagree in orientation.
 #define GUSSET_HOLE_NOT_ORIENTED 5
 /// Left open: a given loop has fewer than three vertices, or passes a vertex twice.
 #define GUSSET_HOLE_NOT_SIMPLE 6
-/// Left open: an edge of a given loop does not have exactly one face, or belongs to an earlier loop.
+/// Left open: an edge of a given loop is not a boundary edge, or belongs to an earlier loop.
 #define GUSSET_HOLE_NOT_FREE 7
-/// Left open: every triangulation has an edge between two vertices of one old face, or no shared patch was found.
+/// Left open: every triangulation joins two vertices of one old face, or no shared patch was found.
 #define GUSSET_HOLE_NO_TRIANGULATION 8
 
 /// Report on one loop.
 typedef struct gusset_hole {
-    /// First vertex of the loop in rims, with the surface on the left before closed components were turned outwards. A
-    /// given loop that is not simple, free or oriented is as given.
+    /// First vertex of the loop in rims, surface on the left before components are turned outwards; as given if not
+    /// simple, free or oriented.
     size_t rim_first;
     size_t rim_count;
-    /// First face of the patch in the result. Loops that share a patch have the same faces and vertices.
+    /// First face of the patch in the result; the same for loops that share a patch.
     size_t face_first;
     size_t face_count;
-    /// First new vertex of the patch in the result.
+    /// First new vertex of the patch.
     size_t vertex_first;
     size_t vertex_count;
     /// Length of the loop.
     double length;
     /// Diagonal of the axis-aligned box of the loop.
     double diameter;
-    /// Area of the triangles from the edges of the loop to the mean of its vertices: the area of a planar convex hole,
-    /// more for others.
+    /// Area of the triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole, else
+    /// more.
     double area;
     gusset_hole_status status;
-    /// Weight of the triangulation: as requested, or one with fewer intersections.
+    /// As requested, or one with fewer intersections.
     gusset_fill_weight weight;
-    /// Finish of the patch: as requested, or simpler with fewer intersections.
+    /// As requested, or simpler with fewer intersections.
     gusset_patch_finish finish;
-    /// Number of the patch, from 0, in the order of faces; equal for loops that share it. UINT32_MAX: no patch, always
-    /// with plan_only.
+    /// Patch number, in the order of faces; equal for loops that share it. UINT32_MAX: none, always with plan_only.
     uint32_t patch;
 } gusset_hole;
 
 /// Reports on all loops.
 typedef struct gusset_fill_report {
     size_t struct_size;
-    /// Each given loop, or all loops as gusset_boundary_get_loop numbers them.
+    /// Given loops, or all as gusset_boundary_get_loop numbers them.
     const struct gusset_hole *holes;
     size_t hole_count;
     /// Vertices of all loops.
     struct gusset_indices rims;
-    /// Three rim vertices for each new vertex, in the order of the new vertices.
+    /// Three rim vertices for each new vertex.
     struct gusset_indices parents;
-    /// Weights of the parents, at least 0, with sum 1 for each new vertex. They give its nearest point on the plain
-    /// triangulation of the rims: the vertex itself if its patch is flat, or is not faired and not creased.
+    /// Weights of the parents, at least 0, sum 1. They give the nearest point on the plain triangulation of the rims:
+    /// the vertex itself in a flat patch, or without fairing and creases.
     const double *weights;
-    /// Pairs of intersecting faces, two indices each, ascending, the larger index first: a new face. Every contact
-    /// counts, decided exactly, except at shared or coincident vertices and edges.
+    /// Pairs of intersecting faces, ascending, as in gusset_stitch_report: first the larger index, a new face.
     struct gusset_indices intersections;
-    /// Faces that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first corner; the others are reversed.
+    /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
     struct gusset_indices turned_outwards;
-    /// 1 if intersections were looked for, otherwise 0. @flag
+    /// 1 if searched for. @flag
     uint32_t intersections_known;
     uint32_t reserved;
 } gusset_fill_report;
@@ -761,7 +735,7 @@ typedef struct gusset_fill_report {
 typedef uint32_t gusset_fill_keep;
 /// All loops are holes.
 #define GUSSET_KEEP_NONE 0
-/// The longest loop (the first of equals), as the outline of a sheet.
+/// The longest loop (the first of equals).
 #define GUSSET_KEEP_LONGEST 1
 /// Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot product with their
 /// component's, and a length of at least half the component's area.
@@ -771,12 +745,12 @@ typedef uint32_t gusset_fill_keep;
 typedef uint32_t gusset_fill_together;
 /// Each loop gets its own patch.
 #define GUSSET_TOGETHER_APART 0
-/// All filled loops share one patch of genus 0. If they are not coplanar, the limit is about 160 loops.
+/// All filled loops share one patch of genus 0. Unless coplanar, at most about 160 loops.
 #define GUSSET_TOGETHER_ONE 1
-/// Loops share a patch where it has less weight than separate patches.
-/// - Tried are pairs whose boxes overlap after each grows on all sides by half its diagonal, about 8 for each loop and
-///   256 in all (the log says if exceeded).
-/// - The pair with the largest relative gain comes first. A patch has at most 16 loops.
+/// Loops share a patch where it weighs less than separate patches.
+/// - Pairs are tried whose boxes, grown by half their diagonals, overlap: about 8 a loop and 256 in all (the log says
+///   if exceeded).
+/// - The largest relative gain comes first. A patch has at most 16 loops.
 /// - With GUSSET_WEIGHT_AREA, the ends of a short tube share a patch along the tube.
 #define GUSSET_TOGETHER_CHEAPEST 2
 
@@ -784,15 +758,15 @@ typedef uint32_t gusset_fill_together;
 typedef uint32_t gusset_fill_refinement;
 /// No new vertices.
 #define GUSSET_REFINE_NONE 0
-/// New vertices as dense as the vertices around the hole.
+/// New vertices as dense as those around the hole.
 #define GUSSET_REFINE_RIM_DENSITY 1
 
 /// Smoothness between faired patches and the old surface.
 typedef uint32_t gusset_fill_continuity;
 /// Tangent continuity: fairing minimises the squared Laplacian.
 #define GUSSET_CONTINUITY_C1 0
-/// Curvature continuity: fairing minimises the squared gradient of the Laplacian. Two rings of old faces around each
-/// rim, with their noise, determine the curvature.
+/// Curvature continuity: fairing minimises the squared gradient of the Laplacian. Two rings of old faces at the rim,
+/// with their noise, determine the curvature.
 #define GUSSET_CONTINUITY_C2 1
 
 /// Options of gusset_fill. Default: all holes, without new vertices.
@@ -800,72 +774,69 @@ typedef struct gusset_fill_options {
     size_t struct_size;
     gusset_fill_weight weight;
     gusset_fill_refinement refine;
-    /// Fairing of new vertices. Without new vertices it is ignored, and the log says so.
+    /// Fairing; ignored without new vertices.
     gusset_fairing fairing;
-    /// Loops that stay open. Read only if all loops are selected.
+    /// Loops that stay open, if all loops are selected.
     gusset_fill_keep keep;
-    /// Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO avoids them, REPORT
-    /// reports them, IGNORE does not look for them.
+    /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE ignores them.
     gusset_intersections intersections;
-    /// If 1, fills and turns over nothing. The report says which loops would be filled, by which weight and finish. It
-    /// does not predict failed triangulations or shared patches. @flag
+    /// 1: changes nothing, but reports which loops would be filled, by which weight and finish. Failed triangulations
+    /// and shared patches are not predicted. @flag
     uint32_t plan_only;
-    /// Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most twofold. 0: 50,000,
-    /// or 4 for each rim vertex if more, and as many again for sharp angles there.
+    /// Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most twofold. 0: 50,000, or 4
+    /// a rim vertex if more; twice that for sharp angles.
     uint32_t max_new_vertices;
     /// Most edges of a loop to fill. 0: no limit.
     uint32_t max_edges;
     /// Largest length of a loop to fill, at least 0. 0: no limit.
     double max_length;
-    /// Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
+    /// Largest diagonal of the loop's axis-aligned box, likewise.
     double max_diameter;
-    /// Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
+    /// Largest area, as in gusset_hole, likewise.
     double max_area;
-    /// Orientation of closed components of the result, patches included.
+    /// For closed components of the result, patches included.
     gusset_outward outward;
-    /// Choice of loops that share a patch. Read only without groups.
+    /// Loops that share a patch, if groups is NULL.
     gusset_fill_together together;
-    /// Group number of each given loop, loop_count in all. Loops with equal numbers share a patch of genus 0, without
-    /// loops left open for their own reasons. NULL: see together.
+    /// Group of each given loop, loop_count in all. Loops of a group share a patch of genus 0, without loops left open
+    /// for their own reasons. NULL: see together.
     const uint32_t *groups;
     gusset_fill_continuity continuity;
-    /// If 1, creases of the old surface end at the rim. @flag
+    /// 1: creases of the old surface end at the rim. @flag
     uint32_t ignore_creases;
 } gusset_fill_options;
 
-/// Fills holes of a mesh: closes boundary loops by triangles, oriented like the surrounding surface.
-/// Loops that cannot be filled stay open; gusset_hole gives the reason. The result has the old vertices, with their
-/// bits, then the new ones; the old faces, then the new triangles, hole by hole.
-/// - No new edge joins two vertices of one old face: a closed result stays closed when its polygons are triangulated.
-/// - With the default weight or GUSSET_WEIGHT_AREA, a planar hole, even with islands, gets no overlapping triangles if
-///   its rims do not cross.
-/// - In a patch of one loop, creases of the old surface continue: matching pairs are joined, three or more meet in a
-///   new vertex. Without new vertices, only straight pairs are joined. Other creases end at the rim.
-/// - Loops of a shared patch stay open if two of them share a vertex or the search, which is not exhaustive, fails.
+/// Fills holes: closes boundary loops by triangles, oriented like the surrounding surface.
+/// Loops that cannot be filled stay open; see gusset_hole_status. The result has the old vertices, bit for bit, then
+/// new ones; the old faces, then new triangles, hole by hole.
+/// - No new edge joins two vertices of an old face: a closed result stays closed if its polygons are triangulated.
+/// - With the default weight or GUSSET_WEIGHT_AREA, planar holes whose rims do not cross, even with islands, get no
+///   overlapping triangles.
+/// - In a patch of one loop, creases continue: matching pairs are joined, three or more meet in a new vertex. Without
+///   new vertices, only straight pairs are joined. Other creases end at the rim.
+/// - Loops of a shared patch stay open if two share a vertex, or the search, which is not exhaustive, fails.
 ///   GUSSET_TOGETHER_CHEAPEST gives them separate patches.
 /// - A patch that intersects itself or other faces, by an exact test, is retried with less fairing, other weights and
-///   no new vertices. The one with the fewest intersections is kept.
-/// - Faired vertices stay in the box of the rims, grown on all sides by half its diagonal.
-/// @param loops vertices of each loop in order, in either direction. Consecutive vertices, and the last and the first,
-///     form an edge with exactly one face. NULL with loop_count 0: all loops.
-/// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (input of the report is the loop, index the place in it),
-///     NULL_ARGUMENT (groups without loops), OUT_OF_RANGE, TOO_LARGE
+///   no new vertices. The fewest intersections win.
+/// - Faired vertices stay in the rims' box, grown on all sides by half its diagonal.
+/// @param loops vertices of each loop in order, in either direction, cyclically joined by boundary edges. NULL with
+///     loop_count 0: all loops.
+/// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (input is the loop, index the place in it), NULL_ARGUMENT (groups
+///     without loops), OUT_OF_RANGE, TOO_LARGE
 /// @complexity O(n^3) time, 30 n^2 bytes for a loop of n <= 128 vertices. Otherwise linear memory: O(n), coarse to
-///     fine; planar O(n log n); shared patches O(n log n) for few loops, O(n^3) for many. Also O(H log d) for H
-///     half-edges, at most d at a vertex, O(m^1.5) for m new vertices of a hole, and O(n log n), at worst O(n^2), for
-///     intersections with n faces near holes.
-/// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+///     fine; planar O(n log n); shared patches O(n log n) for few loops, O(n^3) for many. Also O(H log d), O(m^1.5) for
+///     m new vertices of a hole, and O(n log n), at worst O(n^2), for intersections with n faces near holes.
+/// @source Barequet and Sharir 1995; Liepa 2003.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_fill(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_indices *loops, size_t loop_count,
     const struct gusset_fill_options *options, struct gusset_result **result);
 
-/// Lends the report on each loop, for a result of gusset_fill.
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// Lends the report of a filling.
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_fill(const struct gusset_result *result,
     struct gusset_fill_report *report);
 
-/* ---- Strips: Builds a strip of triangles between two polylines that belong to no mesh. */
+/* ---- Strips: Builds a strip between two polylines without a mesh. */
 
 /// Options of gusset_strip.
 typedef struct gusset_strip_options {
@@ -876,7 +847,7 @@ typedef struct gusset_strip_options {
     gusset_strip_start start;
     /// 1 if the polylines are closed. @flag
     uint32_t closed;
-    /// Number of interior rows; the mean edge is of both polylines.
+    /// Number of interior rows; mean edges are of both polylines.
     gusset_row_rule rows;
     /// Interior rows.
     /// @when rows GUSSET_ROWS_COUNT
@@ -890,12 +861,11 @@ typedef struct gusset_strip_report {
     size_t struct_size;
     /// Points of A and B that the first meridian joins.
     uint32_t start[2];
-    /// Pairs (i, j) of indices from start on; count is twice their number. Closed polylines of N and M points: from (0,
-    /// 0) to (N, M), where index N is 0 again. Open ones: to (N - 1, M - 1).
+    /// Pairs (i, j) of indices from start on, as in gusset_stitch_report: to (N, M) if closed, else to (N - 1, M - 1).
     struct gusset_indices meridians;
-    /// The matrix P: vertices of the mesh, row by row from A to B, a column for each meridian.
+    /// The matrix P: vertices row by row from A to B, a column for each meridian.
     struct gusset_indices matrix;
-    /// Ends on A and B of the meridian of each new vertex; new vertices come last.
+    /// Ends on A and B of each new vertex's meridian; new vertices come last.
     struct gusset_indices parents;
     /// Weight of each second parent, 0 to 1: k / (r + 1) in row k of r.
     const double *weights;
@@ -904,21 +874,20 @@ typedef struct gusset_strip_report {
     uint32_t reserved;
 } gusset_strip_report;
 
-/// Builds a strip of faces between two polylines side by side, as gusset_stitch does between rims.
+/// Builds a strip, as gusset_stitch does between rims.
 /// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against A, along B. If both
 /// sides advance at once, the shorter diagonal splits a quad into triangles.
-/// @param points_a packed x, y, z of count_a points in order, at least 1; if closed at least 3, the first not repeated.
+/// @param points_a count_a points in order, at least 1; if closed at least 3, the first not repeated.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, NO_STRIP
-/// @complexity Meridians as in gusset_stitch, plus linear in the mesh; memory likewise.
+/// @complexity Meridians as in gusset_stitch, plus linear in the mesh; likewise memory.
 /// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best strips.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_strip(const struct gusset_context *context, const double *points_a,
     size_t count_a, const double *points_b, size_t count_b, const struct gusset_strip_options *options,
     struct gusset_result **result);
 
 /// Lends the report of a strip.
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_strip(const struct gusset_result *result,
     struct gusset_strip_report *report);
 
@@ -926,16 +895,16 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_strip(const struct gu
 
 /// Vertices that are welded.
 typedef uint32_t gusset_weld_vertices;
-/// Ends of boundary edges: coincident borders are sewn edge to edge.
+/// Ends of boundary edges: sews coincident borders edge to edge.
 #define GUSSET_WELD_BOUNDARY 0
-/// All vertices that faces use, for triangle soups.
+/// All used vertices, for triangle soups.
 #define GUSSET_WELD_ALL 1
 
 /// Treatment of coincident corners of one face.
 typedef uint32_t gusset_collapse;
 /// Corners of one face stay apart.
 #define GUSSET_COLLAPSE_NEVER 0
-/// Corners of one face may be merged. A face left with fewer than three different vertices is dropped.
+/// Corners of one face may be merged. Faces left with fewer than three vertices are dropped.
 #define GUSSET_COLLAPSE_ALLOW 1
 
 /// Treatment of vertices that no face uses.
@@ -950,15 +919,13 @@ typedef struct gusset_weld_options {
     size_t struct_size;
     gusset_weld_vertices vertices;
     /// Distance at which vertices coincide.
-    /// - GUSSET_TOLERANCE_GIVEN: at most tolerance.
     /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
-    /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for 64-bit ones,
-    ///   or, if more, twice the last decimal place that positions show. At each vertex it is at most a quarter of the
-    ///   shortest edge, so that no edge collapses.
-    /// - Last decimal place: let D be the largest power of ten up to the longest side of the box of the vertices. The
-    ///   place is the largest of 1e-5 D, 1e-6 D, ... of which a third of the coordinates of the largest order of
-    ///   magnitude, or of the differences between consecutive vertices, are multiples. Multiples of 1e-4 D are left
-    ///   out; at least eight other numbers are needed.
+    /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate, or, if more, twice
+    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge.
+    /// - Last decimal place: let D be the largest power of ten up to the longest side of the vertices' box. The place
+    ///   is the largest of 1e-5 D, 1e-6 D, ... that divides a third of certain numbers: coordinates of the largest
+    ///   order of magnitude, or differences between consecutive vertices. Multiples of 1e-4 D are left out; at least
+    ///   eight other numbers are needed.
     gusset_tolerance_mode tolerance_mode;
     /// Largest distance of coincident vertices, finite, at least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
@@ -970,20 +937,19 @@ typedef struct gusset_weld_options {
 /// Effects of welding. Indices are of the old mesh, and lists ascending.
 typedef struct gusset_weld_report {
     size_t struct_size;
-    /// Index of each old vertex in the result; UINT32_MAX if removed as unused.
+    /// Index of each vertex in the result; UINT32_MAX if removed as unused.
     struct gusset_indices vertex_map;
-    /// Index of each old face in the result; UINT32_MAX if dropped.
+    /// Index of each face in the result; UINT32_MAX if dropped.
     struct gusset_indices face_map;
-    /// Half-edges of boundary edges that coincide with another edge and were not sewn to it. Three or more coincide, or
-    /// sewing would collapse a face or put three or more faces at an edge.
+    /// Half-edges of boundary edges that coincide with another edge but are not sewn.
     struct gusset_indices left_edges;
-    /// Vertices that coincide with another and were not merged with it.
+    /// Vertices that coincide with another but are not merged.
     struct gusset_indices left_vertices;
-    /// Number of vertices merged into a smaller one.
+    /// Vertices merged into a smaller one.
     uint32_t welded_vertices;
-    /// Number of edges with two faces made from two boundary edges.
+    /// Edges made from two boundary edges.
     uint32_t sewn_edges;
-    /// Number of dropped faces.
+    /// Dropped faces.
     uint32_t dropped_faces;
     uint32_t reserved;
     /// Largest distance at which vertices coincide, except at short edges; 0 for equal positions.
@@ -991,24 +957,22 @@ typedef struct gusset_weld_report {
 } gusset_weld_report;
 
 /// Merges coincident vertices.
-/// - By default, borders are sewn: where exactly two boundary edges coincide, in either direction, they and their ends
-///   become one.
-/// - Edges stay apart, and are listed, where three or more coincide or sewing would collapse a face or put three or
-///   more faces at an edge: a manifold stays a manifold.
-/// - Coincident vertices without an edge to sew stay apart, as where two holes touch.
-/// - With GUSSET_WELD_ALL, all coincident vertices are merged, regardless of edges.
-/// - In ascending order, each unclaimed vertex claims the unclaimed vertices within the tolerance, nearest first.
-///   Merging does not chain.
-/// - The result has the old faces in order, each from its own first corner, and the remaining vertices in order. Among
-///   merged vertices the smallest remains, with its position bits. A result without faces is not a valid input.
-/// @errors as gusset_mesh_view, OUT_OF_RANGE (the tolerance)
-/// @complexity O(H log H) for H half-edges, if valences are small and few corners of one face coincide; linear memory.
+/// - By default, borders are sewn: where exactly two boundary edges coincide, in either direction, they become one.
+/// - Edges stay apart, and are listed, where three or more coincide, or sewing would collapse a face or make a
+///   non-manifold edge: a manifold stays a manifold.
+/// - Coincident vertices without an edge to sew stay apart.
+/// - GUSSET_WELD_ALL merges all coincident vertices.
+/// - In ascending order, each unclaimed vertex claims the unclaimed vertices within the tolerance, nearest first,
+///   without chains.
+/// - The result has the old faces, each from its first corner, and the remaining vertices in order. The smallest of
+///   merged vertices remains, bit for bit. A result without faces is not a valid input.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE (tolerance)
+/// @complexity O(H log H), if valences are small and few corners of one face coincide.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_weld(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_weld_options *options, struct gusset_result **result);
 
-/// Lends the maps, lists and counts, for a result of gusset_weld.
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// Lends the report of a weld.
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_weld(const struct gusset_result *result,
     struct gusset_weld_report *report);
 
@@ -1017,49 +981,47 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_weld(const struct gus
 /// Effects of sewing. Lists are ascending.
 typedef struct gusset_sew_report {
     size_t struct_size;
-    /// Index of each old vertex in the result; UINT32_MAX if removed as unused.
+    /// Index of each old vertex in the result, as in gusset_weld_report.
     struct gusset_indices vertex_map;
-    /// Index in the result of the first part of each old face; UINT32_MAX if dropped.
+    /// Index of each old face's first part in the result; UINT32_MAX if dropped.
     struct gusset_indices face_map;
     /// Old face of each face of the result.
     struct gusset_indices face_origin;
-    /// Old vertices that coincide with another, or lie inside a boundary edge, and were not sewn to it.
+    /// Old vertices that coincide with another, or lie inside a boundary edge, but are not sewn.
     struct gusset_indices left_vertices;
-    /// Number of vertices merged into a smaller one.
+    /// Vertices merged into a smaller one.
     uint32_t welded_vertices;
-    /// Number of edges with two faces made from boundary edges or parts of them.
+    /// Edges made from boundary edges or their parts.
     uint32_t sewn_edges;
-    /// Number of points at which boundary edges were split.
+    /// Points at which boundary edges were split.
     uint32_t splits;
-    /// Number of old faces that were cut or gained corners.
+    /// Old faces that were cut or gained corners.
     uint32_t split_faces;
-    /// Number of dropped old faces.
+    /// Dropped old faces.
     uint32_t dropped_faces;
     uint32_t reserved;
     /// Largest distance at which elements coincide, except at short edges; 0 for equal positions.
     double tolerance;
 } gusset_sew_report;
 
-/// Sews coincident borders, also where their vertices do not match.
+/// Sews coincident borders.
 /// - Vertices are welded as by gusset_weld.
 /// - Where a vertex of one border then lies inside a boundary edge of another (a T-junction), the edge is split if
-///   exactly two pieces coincide. Triangles with split edges are cut into triangles, none turned over; larger faces
-///   gain corners.
+///   exactly two pieces coincide. Triangles are cut into triangles, none turned over; larger faces gain corners.
 /// - Borders are welded again.
-/// - A vertex lies inside an edge if it is within the tolerance of the edge and not of its ends. The edge must be
-///   longer than twice the tolerance; see gusset_weld_options for its default.
-/// - Splitting makes no edges with three or more faces and no degenerate faces.
-/// - The result has the old faces in order, or their parts in their places. Among merged vertices the smallest remains,
-///   with its position bits. New vertices have the position of an old one.
-/// @param options as for gusset_weld. GUSSET_WELD_ALL welds all vertices before edges are split, borders afterwards.
+/// - A vertex lies inside an edge, longer than twice the tolerance, if it is within the tolerance of the edge and not
+///   of its ends.
+/// - Splitting makes no non-manifold edges and no degenerate faces.
+/// - The result has the old faces in order, or their parts in their places. The smallest of merged vertices remains,
+///   bit for bit. New vertices have the position of an old one.
+/// @param options as for gusset_weld. GUSSET_WELD_ALL welds all vertices before the splits, borders afterwards.
 /// @errors as gusset_weld, TOO_LARGE (the result)
-/// @complexity O(H log H) for H half-edges, if valences are small and few vertices lie inside each edge; linear memory.
+/// @complexity O(H log H), if valences are small and few vertices lie inside each edge.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sew(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_weld_options *options, struct gusset_result **result);
 
-/// Lends the maps, lists and counts, for a result of gusset_sew.
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// Lends the report of a sewing.
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_sew(const struct gusset_result *result,
     struct gusset_sew_report *report);
 
@@ -1068,7 +1030,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_sew(const struct guss
 /// Options of gusset_orient.
 typedef struct gusset_orient_options {
     size_t struct_size;
-    /// Orientation of closed components.
+    /// For closed components.
     gusset_outward outward;
     uint32_t reserved;
 } gusset_orient_options;
@@ -1076,34 +1038,33 @@ typedef struct gusset_orient_options {
 /// Faces that were turned over, and components that cannot be oriented.
 typedef struct gusset_orient_report {
     size_t struct_size;
-    /// For each face, 1 if it was turned over, otherwise 0. @flag
+    /// For each face, 1 if it was turned over. @flag
     const uint8_t *turned;
     size_t face_count;
     /// Smallest face of each non-orientable component, ascending.
     struct gusset_indices one_sided_faces;
-    /// For each non-orientable component, a half-edge at which its faces cannot agree.
+    /// For each of them, a half-edge at which its faces cannot agree.
     struct gusset_indices one_sided_half_edges;
-    /// Number of faces turned over.
+    /// Faces turned over.
     uint32_t turned_faces;
-    /// Number of components: faces connected across edges with two faces. A degenerate face is a component.
+    /// Components: faces connected across edges with two faces. A degenerate face is a component.
     uint32_t component_count;
-    /// Number of closed components that face outwards only because of GUSSET_OUTWARD_CLOSED.
+    /// Closed components that face outwards only by GUSSET_OUTWARD_CLOSED.
     uint32_t inverted_components;
     uint32_t reserved;
 } gusset_orient_report;
 
 /// Turns faces over until the two faces of each edge run it in opposite directions.
-/// In each component the fewest faces are turned; on a tie, its smallest face stays. Edges with three or more faces
-/// connect nothing. A non-orientable component, such as a Moebius strip, stays unchanged and is listed. A turned face
-/// keeps its first corner; the others are reversed. Vertices and the order of faces do not change.
+/// In each component the fewest faces are turned; on a tie, its smallest face stays. Non-manifold edges connect
+/// nothing. Non-orientable components stay unchanged and are listed. A turned face keeps its first corner. Vertices and
+/// the order of faces do not change.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
+/// @complexity O(H log d).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_orient(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_orient_options *options, struct gusset_result **result);
 
-/// Lends the flags, lists and counts, for a result of gusset_orient.
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// Lends the report of an orientation.
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_orient(const struct gusset_result *result,
     struct gusset_orient_report *report);
 
@@ -1113,27 +1074,26 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_orient(const struct g
 typedef uint32_t gusset_alignment_start;
 /// As given, moved by poses if any.
 #define GUSSET_ALIGN_AS_GIVEN 0
-/// Principal axes on the ones of the first piece, in the one of four ways that puts most of the piece on it. For pieces
-/// that show the same object whole.
+/// Principal axes on the first piece's, in the one of four ways that puts most of the piece on it. For pieces that show
+/// one object whole.
 #define GUSSET_ALIGN_PRINCIPAL_AXES 1
-/// Rims of like shape put together; the rims then hold the pieces. For parts of one cut or broken surface that do not
-/// overlap.
+/// Rims of like shape put together; they then hold the pieces. For parts of a cut or broken surface without overlap.
 #define GUSSET_ALIGN_RIMS 2
 
 /// Verdict on the pose of a piece.
 typedef uint32_t gusset_aligned_reason;
 /// Trusted: the piece fits trusted pieces, up to the first. The fit is judged to a mean edge: a slightly scaled or
-/// mirrored smooth surface may pass. See rms and converged. Pieces that could only slide together also pass.
+/// mirrored smooth surface may pass. Pieces that could only slide together also pass.
 #define GUSSET_ALIGNED_TRUSTED 0
 /// The piece lacks faces with area, or overlaps others too little.
 #define GUSSET_ALIGNED_NO_OVERLAP 1
 /// Too much of the piece near others is off their surfaces.
 #define GUSSET_ALIGNED_POOR_FIT 2
-/// Up to the noise of normals, the piece is free to slide or turn, as on planes, spheres or cylinders.
+/// Up to the noise of normals, the piece is free to slide or turn.
 #define GUSSET_ALIGNED_UNDETERMINED 3
 /// Most of the overlap has opposite normals: the piece is inside out, or mirrored.
 #define GUSSET_ALIGNED_FACES_OTHER_WAY 4
-/// The piece overlaps nothing, and is over 50 times larger or smaller than the first; its unit probably differs.
+/// The piece overlaps nothing, and is over 50 times larger or smaller than the first: its unit probably differs.
 #define GUSSET_ALIGNED_OTHER_SIZE 5
 /// The piece fits untrusted pieces only.
 #define GUSSET_ALIGNED_TRUSTED_BY_NONE 6
@@ -1142,14 +1102,14 @@ typedef uint32_t gusset_aligned_reason;
 typedef struct gusset_alignment_options {
     size_t struct_size;
     gusset_alignment_start start;
-    /// Points of each piece to match; 0: 2,000.
+    /// Points of a piece to match; 0: 2,000.
     uint32_t samples;
     /// Rigid motions of the pieces, or NULL.
     /// @when start GUSSET_ALIGN_AS_GIVEN
     const struct gusset_transform *poses;
     size_t pose_count;
-    /// Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
-    /// piece's box diagonal. Pieces may start about this far from their final poses.
+    /// Largest distance of matched points, and about how far a piece may move; finite, at least 0. 0: a tenth of the
+    /// largest piece's box diagonal.
     double max_distance;
     /// Rounds in each of two stages, at most; 0: 100.
     uint32_t max_rounds;
@@ -1160,8 +1120,8 @@ typedef struct gusset_alignment_options {
 typedef struct gusset_aligned_piece {
     /// Rigid motion from the given positions.
     struct gusset_transform pose;
-    /// How firmly overlaps hold the piece, 0 to 1; 1 for the first piece. The RMS change of matched distances under the
-    /// unit motion that changes them least. Turns are in radii of the piece.
+    /// How firmly overlaps hold the piece, 0 to 1; 1 for the first. RMS change of matched distances under the unit
+    /// motion that changes them least, turns in radii of the piece.
     double hold;
     gusset_aligned_reason reason;
     uint32_t reserved;
@@ -1171,17 +1131,17 @@ typedef struct gusset_aligned_piece {
 typedef struct gusset_overlap {
     /// The pieces, ascending.
     uint32_t pieces[2];
-    /// Fraction of points of each piece that lie on the other, within a mean edge; 0 to 1.
+    /// Fraction of each piece's points on the other, within a mean edge; 0 to 1.
     double shares[2];
-    /// Mean distance of the points on the other surface from it, in the unit of the positions.
+    /// Mean distance of these points from the other surface.
     double mean;
     /// RMS distance of these points.
     double rms;
-    /// Fraction of points within 8 mean edges of the other piece that lie on it, 0 to 1.
+    /// Fraction on the other piece of the points within 8 mean edges of it, 0 to 1.
     double fit;
     /// Points on the other piece.
     uint32_t count;
-    /// 1 if count is at least 30 and fit at least 2/3, else 0. @flag
+    /// 1 if count is at least 30 and fit at least 2/3. @flag
     uint32_t trusted;
 } gusset_overlap;
 
@@ -1196,25 +1156,22 @@ typedef struct gusset_alignment_view {
     size_t overlap_count;
     /// Rounds done.
     uint32_t rounds;
-    /// 1 if the pieces stopped moving, 0 if the rounds ran out. @flag
+    /// 1 if the pieces stopped moving before the rounds ran out. @flag
     uint32_t converged;
 } gusset_alignment_view;
 
 /// Poses of overlapping pieces.
 typedef struct gusset_alignment gusset_alignment;
 
-/// Finds rigid motions after which overlapping pieces fit, all at once. The first piece stays.
+/// Finds rigid motions that fit overlapping pieces, all at once. The first piece stays.
 /// Points match the nearest points of other pieces, except beyond borders, or if normals differ by over 45 degrees.
-/// Distant matches weigh less. A piece without overlap stays where it starts; an underdetermined piece may slide. An
-/// untrusted pose is not an error; see reason.
-/// @param pieces at least one; struct_size of the first holds for all.
-/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces), OUT_OF_RANGE
-///     (max_distance; or a pose that is not rigid, its number is the report's index), COUNT_DIFFERS (fewer poses than
-///     pieces), TOO_LARGE
-/// @complexity O(V log V) for V vertices of a piece, and in each of usually 10 to 30 rounds O(samples log V) for each
-///     piece and neighbour; GUSSET_ALIGN_RIMS: 512^2 for each two pieces. Memory linear.
-/// @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994); P. Neugebauer
-///     (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019).
+/// Distant matches weigh less. A piece without overlap stays at its start; an underdetermined piece may slide.
+/// @param pieces as for gusset_join.
+/// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance; a pose that is not rigid, by index),
+///     COUNT_DIFFERS (fewer poses than pieces), TOO_LARGE
+/// @complexity O(V log V) for V vertices of a piece, and in each of usually 10 to 30 rounds O(samples log V) a piece
+///     and neighbour; GUSSET_ALIGN_RIMS: 512^2 for two pieces.
+/// @source Besl and McKay 1992; Chen and Medioni 1992; Turk and Levoy 1994; Neugebauer 1997; Rusinkiewicz 2019.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_alignment_create(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_alignment_options *options,
     struct gusset_alignment **alignment);
@@ -1223,7 +1180,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_alignment_create(const struct gu
 GUSSET_API void gusset_alignment_destroy(struct gusset_alignment *alignment);
 
 /// Lends the poses and overlaps.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_alignment_get_view(const struct gusset_alignment *alignment,
     struct gusset_alignment_view *view);
 
@@ -1232,16 +1188,15 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_alignment_get_view(const struct 
 /// Options of gusset_trim_create.
 typedef struct gusset_trim_options {
     size_t struct_size;
-    /// Largest distance of surfaces that count as one, in the unit of the positions, finite, at least 0. 0: 4 mean
-    /// edges of the coarser piece.
+    /// Largest distance of surfaces that count as one, finite, at least 0. 0: 4 mean edges of the coarser piece.
     double max_distance;
-    /// Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
+    /// Largest angle between their normals, at least 0, below pi / 2; 0: 60 degrees.
     double max_angle;
-    /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
+    /// A point for each piece, or NULL. Parts seen at flat angles weigh less.
     const double *viewpoints;
     size_t viewpoint_count;
-    /// Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
-    /// show. Holes below that limit are not made.
+    /// Islands of fewer faces are removed; 0: 30. The limit is 20 times that for islands that other pieces also show.
+    /// Holes below that limit are not made.
     uint32_t min_faces;
     uint32_t reserved;
 } gusset_trim_options;
@@ -1260,7 +1215,7 @@ typedef struct gusset_trim_view {
     /// Kept faces of each piece.
     const struct gusset_trimmed_piece *pieces;
     size_t piece_count;
-    /// Faces removed at last, with their neighbours, as they intersect an earlier piece.
+    /// Faces removed at last, with their neighbours, for intersecting an earlier piece.
     uint32_t crossings;
     uint32_t reserved;
 } gusset_trim_view;
@@ -1268,20 +1223,18 @@ typedef struct gusset_trim_view {
 /// Result of trimming.
 typedef struct gusset_trim gusset_trim;
 
-/// Chooses the faces to keep where pieces overlap. One piece of each overlap is kept, with a narrow gap that
-/// gusset_join closes; see GUSSET_OVERLAPS_TRIM.
+/// Keeps one piece of each overlap, with a narrow gap that gusset_join closes; see GUSSET_OVERLAPS_TRIM.
 /// Cuts run where two pieces are equally good; up to noise, the earlier piece is kept. A vertex is better farther from
-/// borders of its piece, in mean edges, and seen less flat from its viewpoint. Loops of under 32 vertices are holes,
-/// not borders. A vertex lies on another piece if the nearest point is close, faces the same way, and is not on a
-/// border. No vertex moves, and no face is split. Removed are parts thinner than two faces, small islands, faces
-/// attached by one vertex, and faces that intersect an earlier piece.
-/// @param pieces as in gusset_alignment_create, in one coordinate system.
-/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces), OUT_OF_RANGE
-///     (max_distance, max_angle), NOT_FINITE (a viewpoint), COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE
-/// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, up to quadratic in the faces at
-///     one place. Memory linear.
-/// @source Based on G. Turk and M. Levoy, Zippered polygon meshes from range images (1994), who clip one mesh at the
-///     other's border.
+/// its piece's borders, in mean edges, and seen less flat from its viewpoint. Loops of under 32 vertices are holes, not
+/// borders. A vertex lies on another piece if the nearest point is close, faces the same way, and is not on a border.
+/// No vertex moves, and no face is split. Parts thinner than two faces, small islands, faces attached by one vertex,
+/// and faces that intersect an earlier piece are removed.
+/// @param pieces as for gusset_join, in one coordinate system.
+/// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a viewpoint),
+///     COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE
+/// @complexity O(V log F) for V vertices of a piece and F faces of each near piece, up to quadratic in the faces at one
+///     place.
+/// @source After Turk and Levoy 1994.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_trim_create(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_trim_options *options,
     struct gusset_trim **trim);
@@ -1290,28 +1243,27 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_trim_create(const struct gusset_
 GUSSET_API void gusset_trim_destroy(struct gusset_trim *trim);
 
 /// Lends the kept faces.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_trim_get_view(const struct gusset_trim *trim,
     struct gusset_trim_view *view);
 
-/* ---- Boundary loops: Finds the boundary loops of a mesh, and reports defects. */
+/* ---- Boundary loops: Finds boundary loops and defects. */
 
-/// Treatment of edges with three or more faces.
+/// Treatment of non-manifold edges.
 typedef uint32_t gusset_non_manifold;
-/// Each face at the edge has its own border there; loops along it are always closed.
+/// Each face has its own border there; loops along it are always closed.
 #define GUSSET_NON_MANIFOLD_CUT 0
-/// Only edges with exactly one face belong to loops. At other edges loops end, as open chains.
+/// Loops have boundary edges only, and end at non-manifold ones as open chains.
 #define GUSSET_NON_MANIFOLD_STOP 1
 
 /// Part of the mesh that is checked.
 typedef uint32_t gusset_survey;
 /// Every edge: all defects are reported, and flagged on the loops.
 #define GUSSET_SURVEY_WHOLE_MESH 0
-/// The boundary only, many times faster. The whole mesh is checked only if the boundary is open, touches itself, is not
-/// oriented or has edges with three faces.
-/// Other defects are not reported. Edges with equally many faces in both directions, two or more, do not cut loops.
-/// The search relies on hashes. It fails on ordinary meshes with a probability below 2^-64, but a malicious mesh may
-/// hide a boundary: for untrusted meshes, use GUSSET_SURVEY_WHOLE_MESH.
+/// The boundary only, many times faster. Checks the whole mesh if the boundary is open, touches itself, is not oriented
+/// or has edges with three faces.
+/// Other defects are not reported. Edges with equal numbers of faces in both directions, two or more, do not cut loops.
+/// The search relies on hashes. It fails with a probability below 2^-64, but a malicious mesh may hide a boundary: for
+/// untrusted meshes, use GUSSET_SURVEY_WHOLE_MESH.
 #define GUSSET_SURVEY_BOUNDARY_ONLY 1
 
 /// Properties of a loop.
@@ -1321,9 +1273,9 @@ typedef uint32_t gusset_loop_flags;
 #define GUSSET_LOOP_OPEN 1
 /// The loop passes a vertex where the surface touches itself.
 #define GUSSET_LOOP_BOW_TIE 2
-/// The loop was cut from a longer walk at a vertex that the walk passes twice.
+/// The loop was cut from a longer walk that passes a vertex twice.
 #define GUSSET_LOOP_SPLIT 4
-/// The loop runs along, or ends at, an edge with three or more faces.
+/// The loop runs along, or ends at, a non-manifold edge.
 #define GUSSET_LOOP_NON_MANIFOLD 8
 /// The faces along the loop disagree in orientation.
 #define GUSSET_LOOP_NOT_ORIENTED 16
@@ -1335,7 +1287,7 @@ typedef uint32_t gusset_loop_flags;
 typedef uint8_t gusset_edge_flags;
 /// The loop runs this edge against its face.
 #define GUSSET_EDGE_REVERSED 1
-/// The edge has three or more faces.
+/// The edge is non-manifold.
 #define GUSSET_EDGE_NON_MANIFOLD 2
 /// The edge has length 0.
 #define GUSSET_EDGE_ZERO_LENGTH 4
@@ -1348,11 +1300,11 @@ typedef uint32_t gusset_defect_kind;
 #define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
 /// An edge has three or more half-edges: index is the first, count their number. A face may count twice.
 #define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
-/// The faces at a vertex (index) form more than one fan. Fans end at edges with three or more faces, whose ends are
-/// listed too where a loop passes them.
+/// The faces at a vertex (index) form more than one fan. Ends of non-manifold edges are listed too where a loop passes
+/// them.
 #define GUSSET_DEFECT_BOW_TIE 4
 
-/// Boundary loops of a mesh. It does not refer to the mesh.
+/// Boundary loops of a mesh.
 typedef struct gusset_boundary gusset_boundary;
 
 /// Options of gusset_boundary_create.
@@ -1362,13 +1314,12 @@ typedef struct gusset_boundary_options {
     gusset_survey survey;
 } gusset_boundary_options;
 
-/// Boundary loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last edge of a loop to
-/// vertices[0].
+/// Boundary loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], cyclically in a loop.
 typedef struct gusset_loop_view {
     size_t struct_size;
     /// Vertices, each once. A closed loop starts at its smallest half-edge.
     struct gusset_indices vertices;
-    /// Half-edge (position in face_corners) of each edge.
+    /// Half-edge of each edge.
     struct gusset_indices half_edges;
     /// Face beside each edge.
     struct gusset_indices faces;
@@ -1378,7 +1329,7 @@ typedef struct gusset_loop_view {
     double length;
     /// Properties of the loop; 0 if ordinary and closed.
     gusset_loop_flags flags;
-    /// Number of the walk that the loop was cut from.
+    /// Walk that the loop was cut from.
     uint32_t walk;
 } gusset_loop_view;
 
@@ -1387,36 +1338,33 @@ typedef struct gusset_defect {
     gusset_defect_kind kind;
     /// Face, half-edge or vertex.
     uint32_t index;
-    /// Second element, if kind has one; otherwise UINT32_MAX.
+    /// Second element, or UINT32_MAX.
     uint32_t other;
-    /// Number of half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; otherwise 0.
+    /// Half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; else 0.
     uint32_t count;
 } gusset_defect;
 
 /// Loop count and defects of a boundary.
 typedef struct gusset_boundary_view {
     size_t struct_size;
-    /// Number of loops and open chains; 0 if the mesh is closed.
+    /// Loops and open chains; 0 if the mesh is closed.
     size_t loop_count;
-    /// Number of walks that loops were cut from. Loops that touch share a walk if it passes from one to the other.
+    /// Walks that loops were cut from. Loops that touch share a walk if it passes from one to the other.
     size_t walk_count;
-    /// Degenerate faces, orientation conflicts and non-manifold edges of the mesh, and bow-ties on its boundary.
+    /// Degenerate faces, orientation conflicts, non-manifold edges, and bow-ties on the boundary.
     const struct gusset_defect *defects;
     size_t defect_count;
 } gusset_boundary_view;
 
-/// Finds all boundary loops of a mesh: chains of edges with exactly one face.
-/// Loops run as the faces along them: seen from outside, with counter-clockwise faces, the surface is on the left and
-/// the hole on the right.
-/// - Each loop passes a vertex once: a boundary that touches itself is cut. A loop may have two vertices.
+/// Finds all boundary loops: chains of boundary edges.
+/// Loops run as the faces along them: seen from outside, with counter-clockwise faces, the surface is on the left.
+/// - Each loop passes a vertex once: a boundary that touches itself is cut. A loop may have only two vertices.
 /// - Loops are in the order of their smallest half-edges.
-/// - Walks along only edges with three or more faces are left out, except loops cut from other walks.
+/// - Walks along only non-manifold edges are left out, except loops cut from other walks.
 /// - A face with fewer than three sides between different vertices lacks a border; its neighbours count as adjacent.
-/// - Defects are not errors.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B)
-///     for B boundary edges; linear memory.
-/// @source Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
+/// @complexity O(H log d); GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B) for B boundary edges.
+/// @source Nesterenko, algorithm 1, corrected.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_create(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_boundary_options *options,
     struct gusset_boundary **boundary);
@@ -1424,15 +1372,13 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_create(const struct gus
 /// Destroys a boundary.
 GUSSET_API void gusset_boundary_destroy(struct gusset_boundary *boundary);
 
-/// Lends the counts and defects of a boundary.
-/// @complexity O(1).
+/// Lends the counts and defects.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_get_view(const struct gusset_boundary *boundary,
     struct gusset_boundary_view *view);
 
-/// Lends one loop of a boundary.
+/// Lends one loop.
 /// @param index below loop_count of gusset_boundary_view.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_get_loop(const struct gusset_boundary *boundary, size_t index,
     struct gusset_loop_view *view);
 
@@ -1447,41 +1393,41 @@ typedef uint32_t gusset_mesh_flags;
 #define GUSSET_MESH_MANIFOLD 2
 /// The two faces of each edge run it in opposite directions.
 #define GUSSET_MESH_ORIENTED 4
-/// The mesh is oriented, or becomes so if faces are turned over.
+/// The mesh is oriented, or would be after turning faces over.
 #define GUSSET_MESH_ORIENTABLE 8
 
-/// Findings of a check. It does not refer to the mesh.
+/// Findings of a check.
 typedef struct gusset_check gusset_check;
 
 /// Counts, properties and defects of a mesh. Lists are ascending. Degenerate faces have no edges.
 typedef struct gusset_check_view {
     size_t struct_size;
-    /// Vertices, including unused ones.
+    /// Vertices, also unused ones.
     uint32_t vertex_count;
-    /// Distinct edges: pairs of different vertices, consecutive in a face.
+    /// Distinct edges, between different vertices.
     uint32_t edge_count;
     /// Faces.
     uint32_t face_count;
     /// Components: faces connected by shared edges.
     uint32_t component_count;
-    /// Walks along the boundary, as walk_count of gusset_boundary_view.
+    /// As walk_count of gusset_boundary_view.
     uint32_t boundary_walk_count;
     gusset_mesh_flags properties;
-    /// Used vertices - edges + all faces: the Euler characteristic if no face is degenerate.
+    /// Used vertices - edges + faces: the Euler characteristic without degenerate faces.
     int64_t euler;
-    /// Handles of all components together. -1 if the mesh is not manifold or not orientable, or has a degenerate face.
+    /// Handles of all components together; -1 if not manifold or orientable, or with a degenerate face.
     int64_t genus;
-    /// Half-edges of edges with exactly one face.
+    /// Half-edges of boundary edges.
     struct gusset_indices boundary_edges;
-    /// First half-edge of each edge with three or more faces.
+    /// First half-edge of each non-manifold edge.
     struct gusset_indices non_manifold_edges;
     /// Ends of non-manifold edges, and bow-ties.
     struct gusset_indices non_manifold_vertices;
-    /// Vertices whose faces form more than one fan. Fans end at non-manifold edges, whose ends are usually included.
+    /// Vertices whose faces form more than one fan; usually also ends of non-manifold edges.
     struct gusset_indices bow_ties;
     /// First half-edge of each edge whose two faces run it in the same direction.
     struct gusset_indices orientation_conflicts;
-    /// Faces with the same cycle of vertices, in either direction, as an earlier face; none degenerate.
+    /// Faces with the cycle of vertices of an earlier face, in either direction; none degenerate.
     struct gusset_indices duplicate_faces;
     /// Faces that repeat a vertex.
     struct gusset_indices degenerate_faces;
@@ -1491,17 +1437,16 @@ typedef struct gusset_check_view {
     struct gusset_indices unused_vertices;
 } gusset_check_view;
 
-/// Checks the topology of a mesh. Defects are not errors.
+/// Checks the topology of a mesh.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
+/// @complexity O(H log d).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_check_create(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, struct gusset_check **check);
 
 /// Destroys a check.
 GUSSET_API void gusset_check_destroy(struct gusset_check *check);
 
-/// Lends the findings of a check.
-/// @complexity O(1).
+/// Lends the findings.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_check_get_view(const struct gusset_check *check,
     struct gusset_check_view *view);
 
@@ -1520,59 +1465,54 @@ typedef uint32_t gusset_distortion;
 typedef struct gusset_develop_options {
     size_t struct_size;
     gusset_distortion distortion;
-    /// Largest number of darts: cuts from the border of a chart to where it is curved.
+    /// Most darts: cuts from a chart's border to where it is curved.
     uint32_t max_darts;
-    /// Vertices of the paths to cut along, path after path. Consecutive vertices are connected by the shortest path
-    /// along edges. A path of one vertex cuts nothing.
+    /// Vertices of the paths to cut along, path after path, connected by the shortest paths along edges. A path of one
+    /// vertex cuts nothing.
     struct gusset_indices cuts;
     /// Start of each path in cuts, and the end of the last. Empty: one path.
     struct gusset_indices cut_offsets;
-    /// Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
+    /// Darts stop once no length changes by a larger factor; above 1, finite. 0: no limit.
     double max_stretch;
-    /// Largest number of steps of a descent. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
-    /// several descents. 0: 200.
+    /// Most steps of a descent; 0: 200. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
+    /// several descents.
     uint32_t max_iterations;
     uint32_t reserved;
 } gusset_develop_options;
 
-/// Flattens a surface with the least distortion, as a pattern to cut it from.
-/// The surface is cut along the given paths. Components that are not discs are then opened along short paths. Each
-/// connected component of the rest is a chart. The result has the scalar type of the surface and z = 0; its faces keep
-/// their order and first corners, and are counter-clockwise. For nets and sheets, see gusset_net_to_mesh and
-/// gusset_sheet_to_mesh.
-/// - A chart that unfolds about its edges keeps their lengths: cylinders, cones, tangent developables in plane strips.
-///   The error is at most 1e-10 of the length, or of 1e-3 mean edges if more, before rounding, which grows with the
-///   distance from the origin. The chart may overlap itself, and rounding may turn over triangles without area.
+/// Flattens a surface with the least distortion.
+/// The surface is cut along the given paths; components that are not discs are then opened along short paths. Each
+/// connected component of the rest is a chart. The result has the surface's scalar type and z = 0; faces keep their
+/// order and first corners, and are counter-clockwise.
+/// - A chart that unfolds about its edges keeps their lengths. The error is at most 1e-10 of the length, or of 1e-3
+///   mean edges if more, before rounding, which grows with the distance from the origin. The chart may overlap itself,
+///   and rounding may turn over triangles without area.
 /// - Other charts descend to the least distortion. The map is one-to-one: no triangle is turned over, and the border
 ///   does not meet itself. If this ends the descent early, finish is GUSSET_CHART_STALLED.
-/// - Darts are made while they lower the distortion, from the border to the vertex with the worst scale in a conformal
-///   map.
-/// - Each chart is turned so that its border has the greatest variance along x.
+/// - Darts are made while they lower the distortion, from the border to the vertex with the worst conformal scale.
+/// - Each chart's border has the greatest variance along x.
 /// - A vertex on a cut becomes several. Merged vertices count as the smallest.
-/// - Edges with three or more faces, or two that disagree in orientation, are borders, not cuts.
+/// - Non-manifold edges, and edges whose faces disagree in orientation, are borders, not cuts.
 /// - Polygons are measured by triangles. A triangle flatter than 1e-7 of its longest side, or smaller than 1e-7 of the
 ///   mean edge, counts as that large.
 /// - A conformal map has the area of the surface.
-/// @errors as gusset_mesh_view, OUT_OF_RANGE (max_stretch), BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (input of the
-///     report is the cut, index the place in it), CUT_NOT_CONNECTED (likewise), REPEATED_CORNER
-/// @complexity O(H log H) for H half-edges if charts unfold; otherwise O(n^1.5) for n vertices of a chart, each step
-///     and each dart; memory O(n log n).
-/// @source M. Rabinovich et al., Scalable locally injective mappings (2017), for the descent; B. Levy et al., Least
-///     squares conformal maps (2002); J. Erickson, K. Whittlesey, Greedy optimal homotopy and homology generators
-///     (2005), for the cuts that open; M. Ben-Chen et al., Conformal flattening by curvature prescription and metric
-///     scaling (2008), for darts.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE (max_stretch), BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (input is the
+///     cut, index the place in it), CUT_NOT_CONNECTED (likewise), REPEATED_CORNER
+/// @complexity O(H log H) if charts unfold; else O(n^1.5) for n vertices of a chart, each step and each dart; memory
+///     O(n log n).
+/// @source Rabinovich et al. 2017, for the descent; Levy et al., Least squares conformal maps, 2002; Erickson and
+///     Whittlesey 2005, for opening cuts; Ben-Chen et al. 2008, for darts.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_develop(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_develop_options *options, struct gusset_result **result);
 
 struct gusset_develop_report;
 
-/// Lends the flat points, charts and cuts, for a result of gusset_develop.
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// Lends the report of a development.
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_develop(const struct gusset_result *result,
     struct gusset_develop_report *report);
 
-/* ---- Developments: reports: Charts, cuts and distortion of a development. */
+/* ---- Developments: reports: Charts, cuts and distortion. */
 
 /// Outcome of the layout of a chart.
 typedef uint32_t gusset_chart_finish;
@@ -1584,9 +1524,9 @@ typedef uint32_t gusset_chart_finish;
 #define GUSSET_CHART_ITERATION_LIMIT 2
 /// The requested conformal map.
 #define GUSSET_CHART_CONFORMAL 3
-/// The map with the least symmetric distortion, because the conformal map folds or overlaps.
+/// The map with the least symmetric distortion: the conformal map folds or overlaps.
 #define GUSSET_CHART_NOT_CONFORMAL 4
-/// Some triangles are turned over, because no map without folds was found.
+/// Some triangles are turned over: no map without folds was found.
 #define GUSSET_CHART_FOLDED 5
 /// Descended until no step gained: the border would meet itself, or rounding hides the gain. Cuts or darts may help.
 #define GUSSET_CHART_STALLED 6
@@ -1602,21 +1542,21 @@ typedef uint32_t gusset_cut_kind;
 
 /// Connected component of a development.
 typedef struct gusset_chart {
-    /// First vertex of the chart in the result. Its vertices are consecutive.
+    /// First vertex in the result; the chart's vertices are consecutive.
     uint32_t first_vertex;
     uint32_t vertex_count;
     uint32_t face_count;
     gusset_chart_finish finish;
     /// Steps of all descents.
     uint32_t iterations;
-    /// Pairs of border edges that meet in the plane, except neighbours. With GUSSET_CHART_EXACT, only crossings by more
-    /// than 1e-8 of the root of the area count. 0 unless finish is GUSSET_CHART_EXACT or GUSSET_CHART_FOLDED.
+    /// Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT: crossings by more than 1e-8
+    /// of the root of the area. GUSSET_CHART_FOLDED: all. Else 0.
     uint32_t overlaps;
-    /// Triangles that are turned over. 0 unless finish is GUSSET_CHART_FOLDED.
+    /// Triangles turned over; 0 unless finish is GUSSET_CHART_FOLDED.
     uint32_t folds;
     uint32_t reserved;
-    /// Symmetric Dirichlet energy: the mean over the area of s^2 + 1 / s^2, summed over both singular values s of the
-    /// map to the plane. The least is 4, for an isometry.
+    /// Symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 for both singular values s of the
+    /// map. An isometry has the least, 4.
     double energy;
     /// Largest factor by which a length grows.
     double max_stretch;
@@ -1631,22 +1571,22 @@ typedef struct gusset_chart {
 /// Points, charts and cuts of a development.
 typedef struct gusset_develop_report {
     size_t struct_size;
-    /// x, y of each vertex in the plane, always in double precision.
+    /// x, y of each vertex in the plane.
     const double *points;
-    /// Vertex of the surface for each vertex. Vertices on cuts repeat.
+    /// Vertex of the surface for each vertex; repeats on cuts.
     struct gusset_indices vertex_map;
     /// Chart of each face.
     struct gusset_indices face_charts;
-    /// Largest and smallest factor by which lengths grow, two numbers for each face.
+    /// Largest and smallest factor by which lengths grow, for each face.
     const double *stretches;
     /// Charts in the order of their first faces, side by side along x.
     const struct gusset_chart *charts;
     size_t chart_count;
-    /// Cut edges of the surface, two vertices each: first given, then opening, then dart cuts.
+    /// Cut edges of the surface, two vertices each: given, opening, then dart cuts.
     struct gusset_indices cut_edges;
     /// GUSSET_CUT_... of each cut edge.
     struct gusset_indices cut_kinds;
-    /// Number of darts.
+    /// Darts.
     uint32_t darts;
     uint32_t reserved;
 } gusset_develop_report;
@@ -1661,8 +1601,7 @@ typedef struct gusset_facing_options {
     size_t struct_size;
     gusset_facing_run run;
     gusset_tolerance_mode tolerance_mode;
-    /// Facing vertices are farther than this from the plane of their loop. In the unit of the points; finite, at least
-    /// 0.
+    /// As in gusset_stitch_options.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     double tolerance;
     gusset_centres centres;
@@ -1676,24 +1615,23 @@ typedef struct gusset_facing_view {
     double centre[2][3];
     /// Normals C_2 - C_1 and C_1 - C_2 of the planes, equations 6 and 7.
     double normal[2][3];
-    /// Distance of each vertex from the plane of its loop, positive towards the other loop.
+    /// Signed distance of each vertex from its plane, positive towards the other loop.
     const double *distances[2];
-    /// First index and number of vertices of each run of facing vertices, alternating. A run may pass the end of the
-    /// loop.
+    /// First index and length of each run of facing vertices, alternating; a run may pass the loop's end.
     struct gusset_indices runs[2];
-    /// First index and number of vertices of the chosen run, as arc_a and arc_b of gusset_stitch_options.
+    /// The chosen run, as arc_a and arc_b of gusset_stitch_options.
     uint32_t taken[2][2];
-    /// Number of vertices of each loop.
+    /// Vertices of each loop.
     size_t counts[2];
 } gusset_facing_view;
 
 /// Finds the vertices of two loops that face each other.
-/// @param points_a packed x, y, z of count_a vertices in order, at least 1.
+/// @param points_a count_a vertices in order, at least 1.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (the centres coincide, or no vertex of
-///     a loop exceeds the tolerance, as with coaxial rims)
-/// @complexity O((N + M) log M); memory linear.
-/// @source Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+///     a loop exceeds the tolerance)
+/// @complexity O((N + M) log M).
+/// @source Nesterenko, algorithm 2, equations 5-7.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_facing_create(const struct gusset_context *context,
     const double *points_a, size_t count_a, const double *points_b, size_t count_b,
     const struct gusset_facing_options *options, struct gusset_facing **facing);
@@ -1702,22 +1640,21 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_facing_create(const struct gusse
 GUSSET_API void gusset_facing_destroy(struct gusset_facing *facing);
 
 /// Lends the facing vertices.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_facing_get_view(const struct gusset_facing *facing,
     struct gusset_facing_view *view);
 
 /// Computes GUSSET_MERIDIANS_INDEX. For each i = 0 .. n, j of 0 .. m makes |m i - n j| least; on ties the later one.
 /// @param n segments of the longer polyline: N - 1 if open with N vertices, N if closed.
 /// @param m segments of the other polyline, at most n (OUT_OF_RANGE).
-/// @param j receives n + 1 numbers; NULL with capacity 0 asks for the count.
+/// @param j receives n + 1 numbers.
 /// @param written receives the count.
-/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL (only the count is written)
+/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL
 /// @complexity O(n).
-/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_meridians_index(uint32_t n, uint32_t m, uint32_t *j, size_t capacity,
     size_t *written);
 
-/* ---- Origins: Gives the source elements of each vertex, corner and face of a result. */
+/* ---- Origins: Sources of elements. */
 
 /// Kind of element.
 typedef uint32_t gusset_domain;
@@ -1728,10 +1665,10 @@ typedef uint32_t gusset_domain;
 /// Faces, cells of nets and sheets.
 #define GUSSET_DOMAIN_FACES 2
 
-/// Source elements of each vertex, corner and face of a result. It does not refer to the result.
+/// Sources of a result's vertices, corners and faces.
 /// - An old element has itself, a merged vertex all its vertices in equal parts.
-/// - A new vertex has the rim vertices around it, by its place on plain triangles between them, without fairing. A
-///   vertex put on an edge has the ends of the edge.
+/// - A new vertex has the rim vertices around it, by its place on plain triangles between them, before fairing. A
+///   vertex put on an edge has its ends.
 /// - A new face has the face across the nearest rim edge (the first of equals). Its corners have the old corners there,
 ///   on its own side if it shares an edge with old faces.
 typedef struct gusset_origins gusset_origins;
@@ -1739,23 +1676,21 @@ typedef struct gusset_origins gusset_origins;
 /// Origins of the elements of one domain.
 typedef struct gusset_origins_view {
     size_t struct_size;
-    /// Element k has the entries offsets[k] to offsets[k + 1] - 1 of sources and weights, or none. One entry more than
-    /// elements.
+    /// Element k has the sources and weights offsets[k] to offsets[k + 1] - 1, if any.
     struct gusset_indices offsets;
     /// Sources, numbered through all inputs.
     struct gusset_indices sources;
-    /// Weight of each source, above 0, with sum 1 for each element.
+    /// Weight of each source, above 0, sum 1.
     const double *weights;
-    /// Input i has the sources starts[i] to starts[i + 1] - 1. One entry more than inputs. Inputs are the meshes,
-    /// pieces or polylines in order, or the single mesh, net or sheet.
+    /// Input i has the sources starts[i] to starts[i + 1] - 1. Inputs are the meshes, pieces, polylines, net or sheet
+    /// in order.
     struct gusset_indices starts;
 } gusset_origins_view;
 
 /// Destroys origins.
 GUSSET_API void gusset_origins_destroy(struct gusset_origins *origins);
 
-/// Lends the origins of the vertices, corners or faces of a result.
-/// @complexity O(1).
+/// Lends the origins of one domain.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_origins_get_view(const struct gusset_origins *origins,
     gusset_domain domain, struct gusset_origins_view *view);
 
@@ -1774,76 +1709,74 @@ typedef uint32_t gusset_value_type;
 /// 32-bit unsigned integers.
 #define GUSSET_VALUE_U32 5
 
-/// Rule that combines the values of several sources. An element with one source keeps its value bit for bit.
+/// Rule that combines the values of several sources. A single source's value stays bit for bit.
 typedef uint32_t gusset_rule;
-/// Weighted mean, as for colours; integers are rounded.
+/// Weighted mean; integers are rounded.
 #define GUSSET_RULE_LINEAR 0
-/// Directions of three floats: weighted mean on the sphere, of length 1. Directions of faces that the operation turned
-/// over are negated.
+/// Directions of three floats: weighted mean on the sphere, of length 1. Faces that the operation turned over negate
+/// theirs.
 #define GUSSET_RULE_NORMAL 1
 /// Bone weights, at least 0: weighted mean. The max_influences largest (the first of equals) are kept and scaled to the
 /// sum 1, or to the largest value of an integer type.
 #define GUSSET_RULE_SKIN_WEIGHTS 2
-/// Value of the source with the largest weight (the first of equals), as for materials.
+/// Value of the source with the largest weight (the first of equals).
 #define GUSSET_RULE_NEAREST 3
-/// Texture coordinates. For vertices and faces: the weighted mean. At corners of new faces:
-/// - The weighted mean where both sides are on one chart.
+/// Texture coordinates. Vertices and faces: weighted mean. Corners of new faces:
+/// - Weighted mean where both sides are on one chart.
 /// - Elsewhere each new face continues the unfolded chart of its old face, up to a seam in the middle.
-/// - At the cut of a chart that closes on itself, values are shifted by the jump at the cut. If the jump is not a
-///   repeat of the texture, the face continues its own chart. No face runs back over the chart.
+/// - At the cut of a chart that closes on itself, values are shifted by the jump there. If the jump does not repeat the
+///   texture, the face continues its own chart. No face runs back over the chart.
 /// - A rim is on one chart as long as old faces have equal values at common vertices. The sides of a gap are on one
 ///   chart if most new faces agree: values from the far side deviate from the continued chart by less than half the
 ///   distance to the old edge and its length combined.
 #define GUSSET_RULE_TEXTURE 4
 
-/// Describes an attribute: which elements have values, the type of a value, and the rule that combines the values of
-/// several sources.
+/// Describes an attribute of elements.
 typedef struct gusset_channel {
     size_t struct_size;
     /// Elements that have values.
     gusset_domain domain;
-    /// Type of the values; 0 is not valid.
+    /// Type of values; 0 is invalid.
     gusset_value_type value_type;
-    /// Number of values of an element, 1 to 4096.
+    /// Values of an element, 1 to 4096.
     uint32_t components;
     gusset_rule rule;
-    /// Number of weights that GUSSET_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0: all.
+    /// Weights that GUSSET_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0: all.
     uint32_t max_influences;
     uint32_t reserved;
 } gusset_channel;
 
 /// Values of the elements of one input.
 typedef struct gusset_channel_values {
-    /// Components of each element at the start of every stride, at any alignment. NULL with count 0: the input lacks
-    /// them; its elements get 0, and new elements the values of other sources.
+    /// Components of each element at every stride. NULL with count 0: the input lacks them; its elements get 0, and new
+    /// elements the values of other sources.
     const void *values;
-    /// Number of vertices, corners or faces of the input.
+    /// Vertices, corners or faces of the input.
     size_t count;
     /// Bytes from one element to the next; 0 if packed.
     size_t stride;
 } gusset_channel_values;
 
-/// Transfers values from the elements of inputs to the elements of a result.
-/// Elements without sources, or whose sources all lack the values, get 0.
-/// @param inputs values of each input of the origins, in order, at any alignment.
-/// @param values receives the components of each element at the start of every stride, at any alignment; bytes between
-///     do not change. Must not overlap the inputs' values.
+/// Transfers values from elements of inputs to a result's.
+/// Elements without sources that have values get 0.
+/// @param inputs values of each input of the origins, in order.
+/// @param values receives the components of each element at every stride, at any alignment; bytes between do not
+///     change. Must not overlap the inputs' values.
 /// @param count room in elements, at least the elements of the result.
 /// @param stride bytes from one element to the next; 0 if packed.
 /// @errors OUT_OF_RANGE (components; value_type and components that the rule refuses; a negative skin weight, with
 ///     element and input), NOT_FINITE (with element and input, except for GUSSET_RULE_NEAREST), COUNT_DIFFERS (of
 ///     inputs, or of values, with the input), BAD_STRIDE, BUFFER_TOO_SMALL, OVERLAP
-/// @complexity O(sources and elements) on the context's threads; no memory, except for GUSSET_RULE_TEXTURE, linear in
-///     the corners of new faces.
+/// @complexity O(sources and elements), parallel; no memory, except for GUSSET_RULE_TEXTURE, linear in the corners of
+///     new faces.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_attributes_apply(const struct gusset_context *context,
     const struct gusset_origins *origins, const struct gusset_channel *channel,
     const struct gusset_channel_values *inputs, size_t input_count, void *values, size_t count, size_t stride);
 
-/// Finds which vertices of a mesh are one, for the field merge of gusset_mesh_view.
-/// Vertices with equal keys are one, as after splits at seams of texture coordinates or normals. Without keys, vertices
-/// at equal finite positions are one; -0 equals 0.
-/// @param keys one for each vertex, at any alignment; NULL: positions.
-/// @param merge receives for each vertex the smallest vertex that it is one with; at any alignment.
+/// Finds which vertices are one, for merge of gusset_mesh_view.
+/// Vertices with equal keys are one; without keys, vertices at equal finite positions, -0 equal to 0.
+/// @param keys one for each vertex; NULL: positions.
+/// @param merge receives for each vertex the smallest that it is one with; at any alignment.
 /// @errors as gusset_mesh_view
 /// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_mesh_find_merge(const struct gusset_context *context,

@@ -13,15 +13,13 @@ struct WeldOptions {
     /// Vertices that are welded.
     WeldVertices vertices = WeldVertices::boundary;
     /// Distance at which vertices coincide.
-    /// - GUSSET_TOLERANCE_GIVEN: at most tolerance.
     /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
-    /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for 64-bit ones,
-    ///   or, if more, twice the last decimal place that positions show. At each vertex it is at most a quarter of the
-    ///   shortest edge, so that no edge collapses.
-    /// - Last decimal place: let D be the largest power of ten up to the longest side of the box of the vertices. The
-    ///   place is the largest of 1e-5 D, 1e-6 D, ... of which a third of the coordinates of the largest order of
-    ///   magnitude, or of the differences between consecutive vertices, are multiples. Multiples of 1e-4 D are left
-    ///   out; at least eight other numbers are needed.
+    /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate, or, if more, twice
+    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge.
+    /// - Last decimal place: let D be the largest power of ten up to the longest side of the vertices' box. The place
+    ///   is the largest of 1e-5 D, 1e-6 D, ... that divides a third of certain numbers: coordinates of the largest
+    ///   order of magnitude, or differences between consecutive vertices. Multiples of 1e-4 D are left out; at least
+    ///   eight other numbers are needed.
     ToleranceMode tolerance_mode = ToleranceMode::automatic;
     /// Largest distance of coincident vertices, finite, at least 0. A value sets tolerance_mode to
     /// GUSSET_TOLERANCE_GIVEN.
@@ -38,9 +36,8 @@ struct StitchOptions {
     Meridians meridians = Meridians::continuation;
     /// Treatment of opposite orientations.
     Orientation orientation = Orientation::fix;
-    /// Shift of the first meridian along rim B, in vertices, from the closest pair that no edge joins. Counted in the
-    /// direction of rim A, modulo the length of rim B. If not 0, no other start is tried. Must be 0 if arcs are joined
-    /// (OUT_OF_RANGE).
+    /// Shift of the first meridian along rim B from the closest pair that no edge joins. Counted in vertices in the
+    /// direction of rim A, modulo rim B. If not 0, no other start is tried. 0 for arcs (OUT_OF_RANGE).
     int64_t twist = 0;
     /// Part of the loops to join.
     StitchExtent extent = StitchExtent::whole_loops;
@@ -54,11 +51,11 @@ struct StitchOptions {
     StripCells cells = StripCells::triangles;
     /// Source of the tolerance.
     ToleranceMode tolerance_mode = ToleranceMode::automatic;
-    /// Facing vertices are farther than this from the plane of their loop. In the unit of the positions; finite, at
-    /// least 0. A value sets tolerance_mode to GUSSET_TOLERANCE_GIVEN.
+    /// Facing vertices are farther than this from the plane of their loop; finite, at least 0. A value sets
+    /// tolerance_mode to GUSSET_TOLERANCE_GIVEN.
     std::optional<double> tolerance;
-    /// First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and
-    /// may pass its end. A value sets extent to GUSSET_EXTENT_ARCS.
+    /// First index on loop A as given, and number of vertices, 1 to the loop's length. The arc may pass the loop's end.
+    /// A value sets extent to GUSSET_EXTENT_ARCS.
     std::optional<std::array<uint32_t, 2>> arc_a;
     /// As arc_a, for loop B. A value sets extent to GUSSET_EXTENT_ARCS.
     std::optional<std::array<uint32_t, 2>> arc_b;
@@ -66,13 +63,13 @@ struct StitchOptions {
     StripSearch search = StripSearch::automatic;
     /// First meridian of a closed strip.
     StripStart start = StripStart::automatic;
-    /// Positions of interior rows; ignored without rows, with a log message if set.
+    /// Positions of interior rows; ignored without rows.
     Fairing fairing = Fairing::none;
-    /// The treatment of faces that intersect each other.
+    /// Treatment of intersecting faces.
     Intersections intersections = Intersections::automatic;
     /// Centre of a loop.
     Centres centres = Centres::vertices;
-    /// The side that closed components of a result face.
+    /// Side that closed components face.
     Outward outward = Outward::automatic;
     /// Surface between the rims.
     Finish finish = Finish::strip;
@@ -84,51 +81,49 @@ struct FillOptions {
     FillWeight weight = FillWeight::continuation;
     /// New vertices of patches.
     FillRefinement refine = FillRefinement::none;
-    /// Fairing of new vertices. Without new vertices it is ignored, and the log says so.
+    /// Fairing; ignored without new vertices.
     Fairing fairing = Fairing::none;
-    /// Loops that stay open. Read only if all loops are selected.
+    /// Loops that stay open, if all loops are selected.
     FillKeep keep = FillKeep::none;
-    /// Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO avoids them, REPORT
-    /// reports them, IGNORE does not look for them.
+    /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE ignores them.
     Intersections intersections = Intersections::automatic;
-    /// If 1, fills and turns over nothing. The report says which loops would be filled, by which weight and finish. It
-    /// does not predict failed triangulations or shared patches.
+    /// 1: changes nothing, but reports which loops would be filled, by which weight and finish. Failed triangulations
+    /// and shared patches are not predicted.
     bool plan_only = false;
-    /// Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most twofold. 0: 50,000,
-    /// or 4 for each rim vertex if more, and as many again for sharp angles there.
+    /// Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most twofold. 0: 50,000, or 4
+    /// a rim vertex if more; twice that for sharp angles.
     uint32_t max_new_vertices = 0;
     /// Most edges of a loop to fill. 0: no limit.
     uint32_t max_edges = 0;
     /// Largest length of a loop to fill, at least 0. 0: no limit.
     double max_length = 0.0;
-    /// Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
+    /// Largest diagonal of the loop's axis-aligned box, likewise.
     double max_diameter = 0.0;
-    /// Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
+    /// Largest area, as in gusset_hole, likewise.
     double max_area = 0.0;
-    /// Orientation of closed components of the result, patches included.
+    /// For closed components of the result, patches included.
     Outward outward = Outward::automatic;
-    /// Choice of loops that share a patch. Read only without groups.
+    /// Loops that share a patch, if groups is NULL.
     FillTogether together = FillTogether::apart;
-    /// Group number of each given loop, loop_count in all. Loops with equal numbers share a patch of genus 0, without
-    /// loops left open for their own reasons. NULL: see together.
+    /// Group of each given loop, loop_count in all. Loops of a group share a patch of genus 0, without loops left open
+    /// for their own reasons. NULL: see together.
     std::vector<uint32_t> groups;
     /// Smoothness between faired patches and the old surface.
     FillContinuity continuity = FillContinuity::c1;
-    /// If 1, creases of the old surface end at the rim.
+    /// 1: creases of the old surface end at the rim.
     bool ignore_creases = false;
 };
 
 /// Options of gusset_trim_create. See ::gusset_trim_options.
 struct TrimOptions {
-    /// Largest distance of surfaces that count as one, in the unit of the positions, finite, at least 0. 0: 4 mean
-    /// edges of the coarser piece.
+    /// Largest distance of surfaces that count as one, finite, at least 0. 0: 4 mean edges of the coarser piece.
     double max_distance = 0.0;
-    /// Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
+    /// Largest angle between their normals, at least 0, below pi / 2; 0: 60 degrees.
     double max_angle = 0.0;
-    /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
+    /// A point for each piece, or NULL. Parts seen at flat angles weigh less.
     std::vector<Point3> viewpoints;
-    /// Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
-    /// show. Holes below that limit are not made.
+    /// Islands of fewer faces are removed; 0: 30. The limit is 20 times that for islands that other pieces also show.
+    /// Holes below that limit are not made.
     uint32_t min_faces = 0;
 };
 
@@ -136,8 +131,8 @@ struct TrimOptions {
 struct JoinOptions {
     /// Treatment of coincident borders.
     Welding weld = Welding::sew;
-    /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against the ones that
-    /// they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward. Takes GUSSET_ORIENTATION_FIX,
+    /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against those that they
+    /// face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward. Takes GUSSET_ORIENTATION_FIX,
     /// GUSSET_ORIENTATION_KEEP only.
     Orientation orientation = Orientation::fix;
     /// 1 joins whole loops only, not runs and slits.
@@ -146,28 +141,27 @@ struct JoinOptions {
     bool within_components = false;
     /// 1 fills the remaining holes.
     bool fill = false;
-    /// Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none. A value sets gap of C to
-    /// GUSSET_GAP_GIVEN; empty: GUSSET_GAP_AUTO.
+    /// Widest gap to close, finite, at least 0; 0 closes none. A value sets gap of C to GUSSET_GAP_GIVEN; empty:
+    /// GUSSET_GAP_AUTO.
     std::optional<double> max_gap;
-    /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit twice (see
-    /// gusset_joint). No loop is in two pairs.
+    /// Pairs of whole loops to join at any distance, or NULL. A pair is two loops, or a slit twice (see gusset_joint).
+    /// No loop is in two pairs.
     std::vector<gusset_loop_pair> pairs;
-    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
+    /// Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding exclude nothing.
     std::vector<gusset_loop_pair> excluded;
-    /// Options of welding; NULL for the defaults.
+    /// Options of welding.
     WeldOptions weld_options;
-    /// Options of strips; NULL for the defaults. Only meridians, search, start, rows, row_count, cells, fairing,
-    /// intersections and finish are used; all must be valid.
+    /// Options of strips: only meridians, search, start, rows, row_count, cells, fairing, intersections and finish are
+    /// used; all must be valid.
     StitchOptions strip_options;
-    /// Options of filling; NULL for the defaults. groups, outward and plan_only are ignored, but outward and plan_only
-    /// must be valid. GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
+    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    /// GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
     FillOptions fill_options;
-    /// Side that closed components face, by default outwards, walls of cavities included. Other components mostly keep
-    /// the orientation of the first piece.
+    /// Closed components face outwards by default. Others mostly keep the first piece's orientation.
     Outward outward = Outward::automatic;
     /// Treatment of overlapping pieces.
     Overlaps overlaps = Overlaps::keep;
-    /// Options of trimming; NULL for the defaults. Read only if overlaps is GUSSET_OVERLAPS_TRIM.
+    /// Options of trimming. Read only if overlaps is GUSSET_OVERLAPS_TRIM.
     TrimOptions trim_options;
 };
 
@@ -181,7 +175,7 @@ struct StripOptions {
     StripStart start = StripStart::automatic;
     /// 1 if the polylines are closed.
     bool closed = false;
-    /// Number of interior rows; the mean edge is of both polylines.
+    /// Number of interior rows; mean edges are of both polylines.
     RowRule rows = RowRule::none;
     /// Interior rows. A value sets rows to GUSSET_ROWS_COUNT.
     std::optional<uint32_t> row_count;
@@ -191,7 +185,7 @@ struct StripOptions {
 
 /// Options of gusset_orient. See ::gusset_orient_options.
 struct OrientOptions {
-    /// Orientation of closed components.
+    /// For closed components.
     Outward outward = Outward::automatic;
 };
 
@@ -199,12 +193,12 @@ struct OrientOptions {
 struct AlignmentOptions {
     /// Initial poses.
     AlignmentStart start = AlignmentStart::as_given;
-    /// Points of each piece to match; 0: 2,000.
+    /// Points of a piece to match; 0: 2,000.
     uint32_t samples = 0;
     /// Rigid motions of the pieces, or NULL. Read only if start is GUSSET_ALIGN_AS_GIVEN.
     std::vector<gusset_transform> poses;
-    /// Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
-    /// piece's box diagonal. Pieces may start about this far from their final poses.
+    /// Largest distance of matched points, and about how far a piece may move; finite, at least 0. 0: a tenth of the
+    /// largest piece's box diagonal.
     double max_distance = 0.0;
     /// Rounds in each of two stages, at most; 0: 100.
     uint32_t max_rounds = 0;
@@ -212,7 +206,7 @@ struct AlignmentOptions {
 
 /// Options of gusset_boundary_create. See ::gusset_boundary_options.
 struct BoundaryOptions {
-    /// Treatment of edges with three or more faces.
+    /// Treatment of non-manifold edges.
     NonManifold non_manifold = NonManifold::cut;
     /// Part of the mesh that is checked.
     Survey survey = Survey::whole_mesh;
@@ -222,17 +216,17 @@ struct BoundaryOptions {
 struct DevelopOptions {
     /// Distortion that a development minimises.
     Distortion distortion = Distortion::symmetric;
-    /// Largest number of darts: cuts from the border of a chart to where it is curved.
+    /// Most darts: cuts from a chart's border to where it is curved.
     uint32_t max_darts = 0;
-    /// Vertices of the paths to cut along, path after path. Consecutive vertices are connected by the shortest path
-    /// along edges. A path of one vertex cuts nothing.
+    /// Vertices of the paths to cut along, path after path, connected by the shortest paths along edges. A path of one
+    /// vertex cuts nothing.
     std::vector<uint32_t> cuts;
     /// Start of each path in cuts, and the end of the last. Empty: one path.
     std::vector<uint32_t> cut_offsets;
-    /// Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
+    /// Darts stop once no length changes by a larger factor; above 1, finite. 0: no limit.
     double max_stretch = 0.0;
-    /// Largest number of steps of a descent. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
-    /// several descents. 0: 200.
+    /// Most steps of a descent; 0: 200. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
+    /// several descents.
     uint32_t max_iterations = 0;
 };
 
@@ -242,8 +236,7 @@ struct FacingOptions {
     FacingRun run = FacingRun::closest;
     /// Source of the tolerance.
     ToleranceMode tolerance_mode = ToleranceMode::automatic;
-    /// Facing vertices are farther than this from the plane of their loop. In the unit of the points; finite, at least
-    /// 0. A value sets tolerance_mode to GUSSET_TOLERANCE_GIVEN.
+    /// As in gusset_stitch_options. A value sets tolerance_mode to GUSSET_TOLERANCE_GIVEN.
     std::optional<double> tolerance;
     /// Centre of a loop.
     Centres centres = Centres::vertices;

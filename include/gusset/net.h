@@ -11,15 +11,14 @@ extern "C" {
 
 /* ---- Nets: Regular nets of quads with coordinates. */
 
-/// Coordinate matrices. Number (i, j) of each begins i * row_stride + j * column_stride bytes after the first. Layouts
-/// may be interleaved or column-major.
-/// Normals follow the cross product of increasing column and increasing row; the normals of a sheet of surface.h are
-/// opposite.
+/// Coordinate matrices, possibly interleaved or column-major. Number (i, j) of each begins i * row_stride + j *
+/// column_stride bytes after the first.
+/// Normals follow the cross product of increasing column and increasing row.
 typedef struct gusset_net_view {
     size_t struct_size;
-    /// Rows of nodes, at least 2.
+    /// At least 2.
     size_t rows;
-    /// Columns of nodes, at least 2; rows * columns is at most 2^31 - 1.
+    /// At least 2; rows * columns is at most 2^31 - 1.
     size_t columns;
     /// First coordinates.
     void *x;
@@ -27,11 +26,10 @@ typedef struct gusset_net_view {
     void *y;
     /// Third coordinates.
     void *z;
-    /// Bytes from row to row; 0: rows without gaps.
+    /// Bytes from row to row; 0: no gaps.
     size_t row_stride;
     /// Bytes from number to number in a row; 0: no gaps.
     size_t column_stride;
-    /// Type of coordinates.
     gusset_scalar scalar;
     uint32_t reserved;
 } gusset_net_view;
@@ -40,7 +38,7 @@ typedef struct gusset_net_view {
 typedef uint32_t gusset_net_memory;
 /// Copied to the library's memory.
 #define GUSSET_NET_MEMORY_COPY 0
-/// The caller's memory, which changes with the net.
+/// The caller's memory; changes with the net.
 #define GUSSET_NET_MEMORY_BORROW 1
 
 struct gusset_net;
@@ -48,15 +46,12 @@ struct gusset_net;
 struct gusset_net_gluing;
 
 /// Makes a net from coordinates.
-/// - GUSSET_NET_MEMORY_COPY: they may have any alignment.
-/// - GUSSET_NET_MEMORY_BORROW: they are aligned, without gaps in rows. row_stride is a multiple of the scalar's size.
-///   Matrices must not overlap, and stay valid until the net is destroyed.
-/// @param view the coordinates.
+/// Borrowed matrices are aligned, without gaps in rows; row_stride is a multiple of the scalar's size. They do not
+/// overlap, and stay valid until the net is destroyed.
 /// @param gluing NULL: nothing is glued.
-/// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OVERLAP, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM (with the
-///     seam), CROSSING_CELL (with the cell)
-/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 byte if sides do not give the gluing.
-///     Borrowed: O(1) without matrix and seams.
+/// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OVERLAP, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM, CROSSING_CELL
+/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 byte if sides do not give the gluing. Borrowed
+///     without matrix and seams: O(1).
 /// @source Deryagin, "Model of the tetragonal regular network".
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_create(const struct gusset_context *context,
     const struct gusset_net_view *view, const struct gusset_net_gluing *gluing, gusset_net_memory memory,
@@ -65,19 +60,18 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_create(const struct gusset_c
 /// Destroys a net.
 GUSSET_API void gusset_net_destroy(struct gusset_net *net);
 
-/// Lends the size and coordinates of a net, for reading only.
-/// @complexity O(1).
+/// Lends the coordinates for reading.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_get_view(const struct gusset_net *net,
     struct gusset_net_view *view);
 
-/// Lends the coordinates of a net for writing, until the next call with this net.
+/// Lends the coordinates for writing, until the next call with this net.
 /// The caller keeps glued nodes equal; see snap of gusset_glue_options. Shared memory is copied first.
 /// @complexity O(1), or O(nodes) if memory is copied.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_edit(const struct gusset_context *context, struct gusset_net *net,
     struct gusset_net_view *view);
 
-/// Copies the coordinates of a net to the caller's matrices.
-/// @param view matrices of the net's size, with any layout and scalar type. Conversion to float rounds. Bytes in gaps
+/// Copies the coordinates to the caller's matrices.
+/// @param view matrices of the net's size, in any layout and scalar type. Conversion to float rounds. Bytes in gaps
 ///     stay.
 /// @errors SIDES_DIFFER (another size), BAD_STRIDE
 /// @complexity O(nodes).
@@ -88,15 +82,14 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_read(const struct gusset_con
 
 /// Net: a matrix of nodes with coordinates, and its gluing.
 /// - Node (i, j) has index i * columns + j; cell (i, j) has i * (columns - 1) + j.
-/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column. The last node links to the first.
-/// - A node with a NaN or infinite coordinate is missing. Absent cells have a missing corner or belong to a hidden
-///   bridge.
+/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column; the last node links to the first.
+/// - A node with a NaN or infinite coordinate is missing. A cell with a missing corner, or of a hidden bridge, is
+///   absent.
 typedef struct gusset_net gusset_net;
 
 /* ---- Gluing of sides: Sides, the characteristic matrix, seams. */
 
-/// Seam: glues node k of run A to node k of run B. Node k of A is (row_a + k * row_step_a, column_a + k *
-/// column_step_a).
+/// Seam: glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k of run B.
 typedef struct gusset_seam {
     /// Row of the first node of A.
     uint32_t row_a;
@@ -114,7 +107,7 @@ typedef struct gusset_seam {
     int32_t row_step_b;
     /// As for A.
     int32_t column_step_b;
-    /// Number of nodes, at least 1; 1 if all steps are 0.
+    /// Nodes, at least 1; 1 if all steps are 0.
     uint32_t count;
     uint32_t reserved;
 } gusset_seam;
@@ -138,7 +131,7 @@ typedef uint32_t gusset_sides;
 #define GUSSET_SIDES_SHEET 0
 /// Rows are closed.
 #define GUSSET_SIDES_TUBE 1
-/// Rows are closed, the first and last are poles: spheres, and cylinders or cones with caps.
+/// Rows are closed, the first and last are poles.
 #define GUSSET_SIDES_TWO_POLES 13
 /// All four sides are one point.
 #define GUSSET_SIDES_ONE_POLE 60
@@ -149,18 +142,18 @@ typedef uint32_t gusset_sides;
 typedef struct gusset_net_gluing {
     size_t struct_size;
     /// Characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link, else 0. Row 2i has the
-    /// horizontal links of row i, row 2i + 1 the vertical ones. NULL: sides gives all links.
+    /// horizontal links of row i, row 2i + 1 the vertical ones. NULL: sides.
     const uint8_t *matrix;
     /// Additional seams.
     const struct gusset_seam *seams;
     size_t seam_count;
     /// Sides; 0 with a matrix.
     gusset_sides sides;
-    /// 1: faces have the opposite orientation.
+    /// 1: opposite orientation of faces.
     uint32_t reversed;
 } gusset_net_gluing;
 
-/// Replaces the gluing of a net; positions stay.
+/// Replaces the gluing; positions stay.
 /// @param gluing NULL: nothing is glued.
 /// @errors as gusset_net_create
 /// @complexity O(nodes + pairs of seams).
@@ -174,16 +167,15 @@ typedef struct gusset_net_gluing_report {
     size_t matrix_size;
     size_t seam_count;
     size_t bridge_count;
-    /// Sides, if they describe all links; else UINT32_MAX, and the matrix does.
+    /// Sides, if they describe all links; else UINT32_MAX.
     gusset_sides sides;
-    /// 1: faces have the opposite orientation. @flag
+    /// 1: opposite orientation of faces. @flag
     uint32_t reversed;
 } gusset_net_gluing_report;
 
-/// Describes the gluing of a net, and writes its characteristic matrix and seams.
-/// @param matrix room for matrix_capacity bytes, as in gusset_net_gluing; NULL and capacity 0 to skip.
+/// Writes the gluing of a net. NULL with capacity 0 skips an array.
+/// @param matrix receives the characteristic matrix.
 /// @param matrix_capacity at least matrix_size of the report.
-/// @param seams room for seam_capacity seams; NULL and capacity 0 to skip.
 /// @param seam_capacity at least seam_count of the report.
 /// @errors BUFFER_TOO_SMALL
 /// @complexity O(seams) for seams, O(nodes) for the matrix, else O(1).
@@ -196,8 +188,8 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_get_gluing(const struct guss
 typedef uint32_t gusset_gluing_kind;
 /// The two ends of link element.
 #define GUSSET_GLUING_LINK 0
-/// Node element and its neighbours in the mask: east 1, south 2, west 4, north 8. Links at the sides lead to the
-/// opposite side.
+/// Node element and its neighbours in the mask: east 1, south 2, west 4, north 8. Links at sides lead to the opposite
+/// side.
 #define GUSSET_GLUING_STAR 1
 /// The ends of links of cell element in the mask: top 1, right 2, bottom 4, left 8.
 #define GUSSET_GLUING_CELL 2
@@ -216,11 +208,11 @@ typedef struct gusset_gluing {
     /// As the kind says; 0 for links and seams.
     uint32_t mask;
     uint32_t reserved;
-    /// Seam, read for GUSSET_GLUING_SEAM only.
+    /// For GUSSET_GLUING_SEAM only.
     struct gusset_seam seam;
 } gusset_gluing;
 
-/// Local gluing (Deryagin, Fig. 4).
+/// Local gluing of Deryagin's figure 4.
 typedef uint32_t gusset_gluing_type;
 /// Nothing is glued.
 #define GUSSET_TYPE_NONE 4294967295
@@ -264,53 +256,50 @@ typedef uint32_t gusset_gluing_type;
 /// Options of gusset_net_glue. Steps follow the order detect, gluings, links, saturate, snap.
 typedef struct gusset_glue_options {
     size_t struct_size;
-    /// For detect: largest distance of coincident nodes, at least 0 and finite.
+    /// For detect: largest distance of coincident nodes; at least 0, finite.
     double tolerance;
-    /// Gluings to add, at any alignment.
+    /// Gluings to add.
     const struct gusset_gluing *gluings;
     size_t gluing_count;
-    /// Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
+    /// Links to contract; see contracted of gusset_net_analysis_view.
     const uint32_t *links;
     size_t link_count;
-    /// 1: replaces the gluing by the one that coordinates imply. It glues coincident neighbours, and coincident runs of
+    /// 1: replaces the gluing by the one that coordinates imply: of coincident neighbours, and of coincident runs of
     /// two or more side nodes in either direction. The orientation stays. @flag
     uint32_t detect;
-    /// 1: canonical form. Every link whose ends are one point is contracted, and redundant seams are dropped. Nets that
-    /// glue equal neighbours then have equal matrices. detect implies it. @flag
+    /// 1: canonical form. Links with ends in one point are contracted, and redundant seams dropped. Nets that glue
+    /// equal neighbours then have equal matrices. detect implies it. @flag
     uint32_t saturate;
-    /// 1: moves all nodes of a point to its first node, bit for bit. @flag
+    /// 1: moves the nodes of a point to its first node, bit for bit. @flag
     uint32_t snap;
     uint32_t reserved;
 } gusset_glue_options;
 
-/// Glues nodes of a net, and optionally moves glued nodes together.
-/// @param moved receives the number of nodes whose bits changed; may be NULL.
-/// @errors OUT_OF_RANGE (tolerance, a mask above 15), NO_SUCH_ELEMENT (a link, node or cell), BAD_SEAM (with the index
-///     of the gluing), CROSSING_CELL (both diagonals of a cell would be glued), TOO_LARGE
-/// @complexity O(nodes + glued pairs); detect adds a sort of the side nodes. snap alone: O(rows + columns) if only
-///     sides are glued, else O(nodes).
+/// Glues nodes, and optionally moves glued nodes together.
+/// @param moved receives the count of changed nodes, or NULL.
+/// @errors OUT_OF_RANGE (tolerance, a mask above 15), NO_SUCH_ELEMENT (a link, node or cell), BAD_SEAM (by index of the
+///     gluing), CROSSING_CELL, TOO_LARGE
+/// @complexity O(nodes + glued pairs); detect sorts the side nodes. snap alone: O(rows + columns) if only sides are
+///     glued, else O(nodes).
 /// @source Deryagin, "Local gluings of nodes".
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_glue(const struct gusset_context *context, struct gusset_net *net,
     const struct gusset_glue_options *options, uint64_t *moved);
 
 /// Unglues pairs of nodes: frees their links and cuts their seams.
-/// Nodes that other gluings connect stay one point. Pairs that are not glued are ignored.
-/// @param gluings pairs to unglue, at any alignment.
-/// @param count number of gluings.
+/// Nodes that other gluings connect stay one point. Pairs not glued are ignored.
 /// @param separation gap between the pieces of a point, or 0. Each piece moves by half of it towards the mean of its
-///     neighbours, preferably those that do not split. A piece without neighbours, or at their mean, stays.
-/// @param moved receives the number of pieces that moved; may be NULL.
+///     neighbours, preferably unsplit ones. A piece without neighbours, or at their mean, stays.
+/// @param moved receives the count of moved pieces, or NULL.
 /// @errors as gusset_net_glue, OUT_OF_RANGE (separation negative or not finite)
-/// @complexity O(nodes), and a sort of the pairs.
+/// @complexity O(nodes), plus a sort of pairs.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_unglue(const struct gusset_context *context, struct gusset_net *net,
     const struct gusset_gluing *gluings, size_t count, double separation, uint64_t *moved);
 
 /* ---- Local gluings: How nodes and cells are glued. */
 
 /// Writes for each node the first node of its point.
-/// @param classes room for capacity numbers, at least rows * columns; NULL and capacity 0 to count.
-/// @param capacity size of classes.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param classes receives rows * columns numbers.
+/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL
 /// @complexity O(nodes); 4 bytes a node.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_classes(const struct gusset_context *context,
@@ -320,7 +309,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_classes(const struct gusset_
 typedef struct gusset_net_groups gusset_net_groups;
 
 /// Finds the points of several glued nodes.
-/// @complexity O(rows + columns) if only sides are glued, else O(nodes); and a sort of the glued nodes.
+/// @complexity O(rows + columns) if only sides are glued, else O(nodes), plus a sort of glued nodes.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_groups_create(const struct gusset_context *context,
     const struct gusset_net *net, struct gusset_net_groups **groups);
 
@@ -334,7 +323,6 @@ typedef struct gusset_net_groups_view {
 } gusset_net_groups_view;
 
 /// Lends the groups.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_groups_get_view(const struct gusset_net_groups *groups,
     struct gusset_net_groups_view *view);
 
@@ -350,9 +338,9 @@ typedef uint32_t gusset_gluing_place;
 
 /// Finds the local gluing at a node or cell.
 /// @param element node or cell.
-/// @param cyclic 1: links of a node back to the first row or column count. 0 or 1.
-/// @param found receives the type; GUSSET_TYPE_NONE for a node without glued links and for a quad. A node has at most
-///     GUSSET_TYPE_ALL.
+/// @param cyclic 1: links back to the first row or column count; else 0.
+/// @param found receives the type, for a node at most GUSSET_TYPE_ALL; GUSSET_TYPE_NONE for a node without glued links
+///     and for a quad.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1) if only sides are glued, else O(nodes).
 /// @source Deryagin, Fig. 4.
@@ -360,40 +348,38 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_classify(const struct gusset
     const struct gusset_net *net, gusset_gluing_place place, uint32_t element, uint32_t cyclic,
     gusset_gluing_type *found);
 
-/// Counts the local gluings of a net by type.
-/// @param nodes receives 18 counts of nodes, as for cyclic 0; may be NULL.
-/// @param cells receives 18 counts of cells; may be NULL.
+/// Counts the local gluings by type.
+/// @param nodes receives 18 counts, as for cyclic 0, or NULL.
+/// @param cells receives 18 counts, or NULL.
 /// @complexity O(nodes); 4 bytes a node.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_histogram(const struct gusset_context *context,
     const struct gusset_net *net, uint64_t *nodes, uint64_t *cells);
 
-/// Local gluing of a net: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4.
+/// Local gluing: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4.
 typedef struct gusset_gluing_occurrence {
     gusset_gluing_place place;
     /// Node or cell.
     uint32_t element;
-    /// Local gluing (Deryagin, Fig. 4).
     gusset_gluing_type kind;
-    /// At a node: number of nodes glued to it. At a cell: number of glued links, at most 3; 1 for a diagonal.
+    /// At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal.
     uint32_t a;
-    /// At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: number of other links between
-    /// them, 0 or 1. For a diagonal: 2. Else UINT32_MAX.
+    /// At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: other links between them, 0 or
+    /// 1. For a diagonal: 2. Else UINT32_MAX.
     uint32_t b;
-    /// Number of nodes united.
+    /// United nodes.
     uint32_t node_order;
-    /// Number of links united; 1 if none.
+    /// United links; 1 if none.
     uint32_t link_order;
-    /// Number of nodes of the point; exceeds node_order where gluings meet, as at a pole.
+    /// Nodes of the point; exceeds node_order where gluings meet.
     uint32_t class_size;
 } gusset_gluing_occurrence;
 
-/// Writes all local gluings of a net: at its nodes in order, then at its cells.
+/// Writes all local gluings: of nodes in order, then of cells.
 /// @param cyclic as for gusset_net_classify.
-/// @param found room for capacity gluings; NULL and capacity 0 to count.
-/// @param capacity size of found.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param found receives the gluings.
+/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL
-/// @complexity O(nodes); 4 bytes a node, and memory for the result.
+/// @complexity O(nodes); 4 bytes a node, and the result.
 /// @source Deryagin, Fig. 4.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_gluing_occurrences(const struct gusset_context *context,
     const struct gusset_net *net, uint32_t cyclic, struct gusset_gluing_occurrence *found, size_t capacity,
@@ -401,7 +387,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_gluing_occurrences(const str
 
 /* ---- Shapes: Spheres, cylinders, boxes, tori, one-sided surfaces and others. */
 
-/// Standard shape, the measures that it reads, the least rows x columns.
+/// Standard shape, its measures, the least rows x columns.
 typedef uint32_t gusset_net_shape;
 /// Rectangle at z = 0: size[0], size[1].
 #define GUSSET_NET_PLANE 0
@@ -409,9 +395,9 @@ typedef uint32_t gusset_net_shape;
 #define GUSSET_NET_SPHERE 1
 /// Sphere from a disc, its rim one point: radius. From 3 x 3 nodes.
 #define GUSSET_NET_ONE_POLE_SPHERE 2
-/// Cylinder without caps: radius, height. At least 4 columns.
+/// Open cylinder: radius, height. At least 4 columns.
 #define GUSSET_NET_TUBE 3
-/// Cylinder with caps: radius, height. From 4 x 4 nodes.
+/// Closed cylinder: radius, height. From 4 x 4 nodes.
 #define GUSSET_NET_CYLINDER 4
 /// Regular prism: sides, radius (circumscribed), height. At least 4 rows and sides + 1 columns.
 #define GUSSET_NET_PRISM 5
@@ -436,22 +422,21 @@ typedef uint32_t gusset_net_shape;
 
 /// Layout of the caps of a box.
 typedef uint32_t gusset_box_kind;
-/// Each cap closes along a slit. All faces are unit quads; no seams.
+/// Each cap closes along a slit. Unit quads; no seams.
 #define GUSSET_NET_BOX_SLIT 0
-/// Crosswise unwrapping. All faces are unit quads; two seams.
+/// Crosswise unwrapping. Unit quads; two seams.
 #define GUSSET_NET_BOX_CROSS 1
-/// Concentric rings, with the fewest nodes, and triangles along the diagonals.
+/// Concentric rings, with the fewest nodes; triangles along the diagonals.
 #define GUSSET_NET_BOX_CONCENTRIC 2
 
 /// Standard shape and its measures.
 typedef struct gusset_net_primitive {
     size_t struct_size;
     gusset_net_shape shape;
-    /// Type of coordinates.
     gusset_scalar scalar;
-    /// Rows of nodes; 0: 33. Boxes and lathes ignore it.
+    /// 0: 33. Boxes and lathes ignore it.
     size_t rows;
-    /// Columns of nodes; 0: 65. Boxes ignore it.
+    /// 0: 65. Boxes ignore it.
     size_t columns;
     /// Above 0.
     double radius;
@@ -461,10 +446,10 @@ typedef struct gusset_net_primitive {
     double height;
     /// Sizes along x, y and z, above 0.
     double size[3];
-    /// Distance from the axis, at least 0, and height of each point, upwards, at any alignment. Points on the axis are
-    /// poles. A closed profile makes a ring.
+    /// Distance from the axis, at least 0, and height of each point, upwards. Points on the axis are poles. A closed
+    /// profile makes a ring.
     const double *profile;
-    /// Number of points, at least 2.
+    /// At least 2.
     size_t profile_count;
     /// Lateral faces of a prism or pyramid, at least 3.
     uint32_t sides;
@@ -474,10 +459,9 @@ typedef struct gusset_net_primitive {
     uint32_t reserved;
 } gusset_net_primitive;
 
-/// Makes a net of a standard shape, centred at the origin, with axis z.
+/// Makes a standard shape, centred at the origin, with axis z.
 /// Glued nodes have equal bits. Closed surfaces have outward normals.
-/// @param primitive the shape.
-/// @errors OUT_OF_RANGE (a measure not positive or beyond the scalar type, too few elements), TOO_LARGE
+/// @errors OUT_OF_RANGE (a measure, too few elements), TOO_LARGE
 /// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 byte for boxes.
 /// @source Deryagin, "Closures of nets".
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_primitive_create(const struct gusset_context *context,
@@ -508,7 +492,7 @@ typedef uint32_t gusset_operation_kind;
 #define GUSSET_OPERATION_COMPRESS 5
 /// Scaling of x, y and z by values[0], values[1] and values[2].
 #define GUSSET_OPERATION_STRETCH 6
-/// Affine map: three rows of four numbers; the fourth is the displacement.
+/// Affine map: three rows of four numbers, the last the displacement.
 #define GUSSET_OPERATION_MATRIX 7
 
 /// Affine map.
@@ -520,69 +504,67 @@ typedef struct gusset_operation {
     double values[12];
 } gusset_operation;
 
-/// Moves all nodes of a net by a chain of affine maps, composed in the given order into one matrix.
+/// Moves a net by a chain of affine maps, composed in the given order into one matrix.
 /// - Computation uses the net's scalar type.
-/// - Glued nodes with equal bits keep equal bits. Missing nodes stay missing; their finite coordinates may change.
-/// - A mirroring chain changes the reversed flag of the net, so that faces keep looking outwards.
-/// @param operations the maps, at any alignment.
-/// @param count number of operations; may be 0.
-/// @errors OUT_OF_RANGE (a number not finite, an axis of length 0, overflow of the product), FIELD_UNDEFINED (the first
-///     node that would overflow)
+/// - Equal bits of glued nodes stay equal. Missing nodes stay missing; their finite coordinates may change.
+/// - A mirroring chain changes the net's reversed flag, so faces still look outwards.
+/// @param count may be 0.
+/// @errors OUT_OF_RANGE (a number not finite, an axis of length 0, overflow of the product), FIELD_UNDEFINED (first
+///     node to overflow)
 /// @complexity O(nodes); no memory.
 /// @source Deryagin, T, R, S, C.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_transform(const struct gusset_context *context,
     struct gusset_net *net, const struct gusset_operation *operations, size_t count);
 
-/* ---- Fields: Deforms and projects nets by chains of fields, constant or keyed in time. */
+/* ---- Fields: Deforms and projects nets by chains of fields. */
 
 /// Kind of a deformation field. It gives the meaning of values.
 /// - t is the strength: 0 changes nothing, 1 applies the whole map.
 /// - w is the coordinate on axis; u and v are the next two in the cycle x, y, z.
 /// - "Linear in t": each point moves by t times its displacement.
 typedef uint32_t gusset_field_kind;
-/// Affine map, linear in t: three rows of four numbers. It never changes the reversed flag of the net.
+/// Affine map, linear in t: three rows of four numbers. The net's reversed flag stays.
 #define GUSSET_FIELD_AFFINE 1
 /// Right-handed rotation about axis by the angle t values[0] (w - values[1]).
 #define GUSSET_FIELD_TWIST 2
 /// Scaling of u and v by 1 + t values[0] (w - values[1]).
 #define GUSSET_FIELD_TAPER 3
-/// Bends axis from w = values[1] to values[2] into an arc of curvature t values[0] towards u. Axis continues straight
-/// beyond; values[2] may be infinite.
+/// Bends axis from w = values[1] to values[2] into an arc of curvature t values[0] towards u. Straight beyond;
+/// values[2] may be infinite.
 #define GUSSET_FIELD_BEND 4
 /// Adds t values[0] times the coordinate on other_axis to w.
 #define GUSSET_FIELD_SHEAR 5
-/// Central projection onto a sphere, linear in t: centre values[0..2], radius values[3] > 0. Undefined at the centre.
+/// Central projection onto a sphere of centre values[0..2], radius values[3] > 0; linear in t. Undefined at the centre.
 #define GUSSET_FIELD_SPHERIFY 6
 /// Rolls space around a cylinder of radius r = values[0] > 0. Then u and v become (r + v) sin(u / r) and (r + v) cos(u
-/// / r). For t < 1, the curvature is t / r. Lengths in the sheet v = 0 are kept.
+/// / r). For t < 1, the curvature is t / r. Lengths in the sheet v = 0 stay.
 #define GUSSET_FIELD_CYLINDER_WRAP 7
-/// Rolls space into a torus about axis: radius R = values[0] > 0, tube radius r = values[1] > 0. The coordinates u, v,
-/// w become the arc around axis, the arc around the tube, and the height above the torus.
-/// - t up to 1/2: a sheet rolls into a straight tube of curvature 2 t / r, and keeps lengths.
-/// - t above 1/2: the tube bends to curvature (2 t - 1) / R, and its circles keep their lengths.
+/// Rolls space into a torus about axis: radius R = values[0] > 0, tube radius r = values[1] > 0. Coordinates u, v, w
+/// become the arc around axis, the arc around the tube, and the height above the torus.
+/// - t up to 1/2: a sheet rolls into a straight tube of curvature 2 t / r; lengths stay.
+/// - t above 1/2: the tube bends to curvature (2 t - 1) / R; its circles keep their lengths.
 #define GUSSET_FIELD_TORUS_WRAP 8
-/// Free-form deformation of the box from values[0..2] to values[3..5] by a tensor product of Bernstein polynomials.
-/// Points outside the box stay. The box has a uniform grid of control points, 2 to 32 along each axis. offsets has the
-/// displacement of each control point; x varies fastest, then y. At strength t, each point moves by t times its
-/// displacement.
+/// Free-form deformation of the box from values[0..2] to values[3..5] by tensor-product Bernstein polynomials, linear
+/// in t. Points outside the box stay. The box has a uniform grid of control points, 2 to 32 along each axis, displaced
+/// by offsets; x varies fastest, then y.
 #define GUSSET_FIELD_LATTICE 9
 /// Projective map by a 4 x 4 matrix, row by row; linear in t. Undefined where the fourth homogeneous coordinate is 0.
 #define GUSSET_FIELD_PROJECTION 10
-/// Parallel projection, linear in t: onto the plane through values[0..2] with normal values[3..5], along values[6..8].
+/// Parallel projection onto the plane through values[0..2] with normal values[3..5], along values[6..8]; linear in t.
 #define GUSSET_FIELD_PARALLEL 11
-/// Central projection from the eye values[0..2], linear in t: onto the plane through values[3..5] with normal
-/// values[6..8]. Undefined in the parallel plane through the eye.
+/// Central projection from the eye values[0..2] onto the plane through values[3..5] with normal values[6..8]; linear in
+/// t. Undefined in the parallel plane through the eye.
 #define GUSSET_FIELD_PERSPECTIVE 12
-/// Rolls space into a cone about axis. The circle w = 0 has radius r = values[0] > 0. The coordinates u, v, w become
-/// the arc of this circle, the height above the cone, and the length along generators. Generators lean towards axis by
-/// a = values[1], from -pi/2 to pi/2; the apex is at w = r / sin(a).
-/// For t < 1, generators lean by t a, and the curvature is t / r. Generators keep their lengths. The circle at w
+/// Rolls space into a cone about axis. The circle w = 0 has radius r = values[0] > 0. Coordinates u, v, w become the
+/// arc of this circle, the height above the cone, and the length along generators. They lean towards axis by a =
+/// values[1], -pi/2 to pi/2; the apex is at w = r / sin(a).
+/// For t < 1, generators lean by t a, and the curvature is t / r. Generators keep their lengths; the circle at w
 /// becomes 1 - (t / r) w sin(t a) times as long.
 #define GUSSET_FIELD_CONE_WRAP 13
-/// Rolls space into a sphere about axis, of radius r = values[0] > 0. The coordinates u, v, w become the arc of the
+/// Rolls space into a sphere about axis, of radius r = values[0] > 0. Coordinates u, v, w become the arc of the
 /// equator, the arc of the meridian, and the height above the sphere. The ranges 0 <= u <= 2 pi r and |v| <= pi r / 2
 /// cover the sphere.
-/// - t up to 1/2: a sheet rolls into a tube of curvature 2 t / r, and keeps lengths.
+/// - t up to 1/2: a sheet rolls into a tube of curvature 2 t / r; lengths stay.
 /// - t above 1/2: meridians bend to curvature q / r, q = 2 t - 1, and keep their lengths. The parallel at v becomes 1 -
 ///   (1 - cos(q v / r)) / q times as long.
 #define GUSSET_FIELD_SPHERE_WRAP 14
@@ -605,12 +587,12 @@ typedef struct gusset_field {
     /// For GUSSET_FIELD_SHEAR, not equal to axis; else 0.
     gusset_axis other_axis;
     gusset_easing easing;
-    /// Strength t; it multiplies the strength of keys.
+    /// Strength t, times the keys'.
     double strength;
     /// Finite numbers, as the kind says; the rest is not read.
     double values[16];
-    /// Pairs of finite time and strength, with increasing times. Strength is constant before the first key and after
-    /// the last. NULL: it does not depend on time.
+    /// Finite pairs of time and strength, by increasing time. Strength is constant before the first key and after the
+    /// last. NULL: constant.
     const double *keys;
     size_t key_count;
     /// Three numbers for each control point of GUSSET_FIELD_LATTICE; else NULL.
@@ -620,25 +602,23 @@ typedef struct gusset_field {
     uint32_t reserved;
 } gusset_field;
 
-/// Moves all nodes of a net by a chain of fields, in the given order.
-/// - For a map of your own, write to the coordinates that gusset_net_edit lends, then call gusset_net_glue with snap.
+/// Moves a net by a chain of fields, in the given order.
+/// - For maps of your own, see gusset_net_edit, then snap of gusset_glue_options.
 /// - Computation is in double precision; coordinates are rounded once.
 /// - Fields of strength 0 change no bit.
-/// - Glued nodes with equal bits keep equal bits. Missing nodes stay missing.
+/// - Equal bits of glued nodes stay equal. Missing nodes stay missing.
 /// - If every field is defined everywhere, a node that overflows becomes missing.
-/// @param fields the chain.
-/// @param count number of fields.
-/// @param time time of fields with keys. For animation, deform a copy of the net at rest.
-/// @errors OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED (with the node: a partly undefined chain is
-///     undefined or overflows there)
+/// @param time time of keys. For animation, deform a copy of the net at rest.
+/// @errors OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED (node where a partly undefined chain is undefined
+///     or overflows)
 /// @complexity O(nodes x fields); twice that if a field is partly undefined.
 /// @source Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_deform(const struct gusset_context *context, struct gusset_net *net,
     const struct gusset_field *fields, size_t count, double time);
 
-/// Moves every node of a net along its normal. Glued nodes stay together; nodes without a normal stay.
-/// @param distance a finite length of either sign.
-/// @errors OUT_OF_RANGE (distance), FIELD_UNDEFINED (the first node that would overflow)
+/// Moves every node along its normal. Glued nodes stay together; nodes without a normal stay.
+/// @param distance finite, of either sign.
+/// @errors OUT_OF_RANGE (distance), FIELD_UNDEFINED (first node to overflow)
 /// @complexity O(nodes); memory of the size of the coordinates.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_displace(const struct gusset_context *context,
     struct gusset_net *net, double distance);
@@ -660,8 +640,8 @@ typedef struct gusset_net_measure_report {
     size_t struct_size;
     /// Sum of |(c - a) x (d - b)| / 2 for cells a, b, c, d; exact if planar.
     double area;
-    /// Volume enclosed by a closed two-sided net, positive if normals point outwards. For an open net: volume of the
-    /// cone to the first node.
+    /// Enclosed volume of a closed two-sided net, positive if normals point outwards; else volume of the cone to the
+    /// first node.
     double volume;
     /// Sum of the cells' area vectors; 0 for closed nets.
     double area_vector[3];
@@ -669,21 +649,21 @@ typedef struct gusset_net_measure_report {
     double low[3];
     /// Largest coordinates, likewise.
     double high[3];
-    /// Area of the cells' bilinear patches, up to rounding; exceeds area if cells are not planar. All layers of a
+    /// Area of the cells' bilinear patches, up to rounding; exceeds area unless cells are planar. All layers of a
     /// folded patch count.
     double bilinear_area;
     /// Bound of the error of bilinear_area.
     double bilinear_error;
-    /// Volume of the body that a closed net encloses; negative if normals point inwards.
+    /// Volume of the body in a closed net; negative if normals point inwards.
     double body_volume;
-    /// Centre of mass of the body; NaN if its volume is 0.
+    /// Centroid of the body; NaN if its volume is 0.
     double centroid[3];
-    /// Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2 and so on; else of -x
-    /// y and so on.
+    /// Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2 etc.; else of -x y
+    /// etc.
     double inertia[9];
 } gusset_net_measure_report;
 
-/// Planarity of the cells of a net.
+/// Planarity of cells.
 typedef struct gusset_net_planarity_report {
     size_t struct_size;
     /// Largest deviation of a cell; 0 without cells.
@@ -692,24 +672,23 @@ typedef struct gusset_net_planarity_report {
     uint64_t worst_cell;
     /// Mean deviation; NaN without cells.
     double mean;
-    /// Number of cells above the tolerance.
+    /// Cells above the tolerance.
     uint64_t above;
 } gusset_net_planarity_report;
 
-/// Measures areas, volume, bounding box, centroid and inertia of a net.
+/// Measures a net.
 /// Absent cells do not count. Volumes, centroid and inertia are exact for bilinear cells, up to rounding. If squares or
 /// cubes of coordinates overflow (about 1e77), results are infinite or NaN.
 /// @complexity O(nodes); no memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_measure(const struct gusset_context *context,
     const struct gusset_net *net, gusset_net_measures measures, struct gusset_net_measure_report *report);
 
-/// Measures the planarity of the cells of a net.
-/// The deviation of a cell is the distance of its corners from their mean plane, divided by the longer diagonal. It is
-/// 0 for triangles and less, NaN for absent cells.
-/// @param tolerance at least 0, for above in the report.
-/// @param cells room for capacity deviations, one a cell; NULL and capacity 0 to skip.
-/// @param capacity size of cells.
-/// @param written receives the number of cells, also with BUFFER_TOO_SMALL.
+/// Measures the planarity of cells.
+/// A cell's deviation is the distance of its corners from their mean plane, divided by the longer diagonal; 0 for
+/// triangles and less, NaN for absent cells.
+/// @param tolerance for above in the report, at least 0.
+/// @param cells receives each cell's deviation.
+/// @param written receives the number of cells.
 /// @errors BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance)
 /// @complexity O(nodes); 8 bytes a cell.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_planarity(const struct gusset_context *context,
@@ -722,7 +701,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_planarity(const struct gusse
 typedef uint32_t gusset_net_faces;
 /// Quads, and triangles where one side of a cell is a point.
 #define GUSSET_NET_QUADS 0
-/// Triangles, cut by the shorter diagonal, or by the other one if that edge exists already.
+/// Triangles, cut by the shorter diagonal, or the other if that edge exists.
 #define GUSSET_NET_TRIANGLES_SHORTER 1
 /// Triangles, cut from (i, j) to (i + 1, j + 1), with the same exception.
 #define GUSSET_NET_TRIANGLES_FIXED 2
@@ -731,7 +710,7 @@ typedef uint32_t gusset_net_faces;
 typedef struct gusset_net_mesh_options {
     size_t struct_size;
     gusset_net_faces faces;
-    /// 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex. @flag
+    /// 1: one vertex for each node; 0: glued nodes are one vertex. @flag
     uint32_t no_weld;
     /// 1: keeps finite vertices without faces and wires. @flag
     uint32_t keep_unused;
@@ -740,8 +719,8 @@ typedef struct gusset_net_mesh_options {
     /// 1: computes texture coordinates. @flag
     uint32_t texture;
     uint32_t reserved;
-    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. For range images, 4 removes
-    /// faces across depth jumps.
+    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. 4 removes depth jumps from
+    /// range images.
     double max_edge_ratio;
 } gusset_net_mesh_options;
 
@@ -754,11 +733,11 @@ typedef struct gusset_net_mesh_report {
     struct gusset_indices node_of_vertex;
     /// Cell of each face.
     struct gusset_indices cell_of_face;
-    /// Edges without faces, two vertices each, from cells whose opposite sides are glued.
+    /// Edges without faces, two vertices each: cells whose opposite sides are glued.
     struct gusset_indices wires;
-    /// For each corner of the mesh, the index of its pair in texture_coordinates; empty unless requested.
+    /// For each corner, its pair in texture_coordinates; empty unless requested.
     struct gusset_indices texture_corners;
-    /// Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side.
+    /// Pairs (column, row), 0 to 1. A vertex on a seam has a pair on each side.
     const double *texture_coordinates;
     size_t texture_count;
 } gusset_net_mesh_report;
@@ -766,27 +745,27 @@ typedef struct gusset_net_mesh_report {
 /// Heights over a regular grid.
 typedef struct gusset_heights {
     size_t struct_size;
-    /// Number of rows, at least 2.
+    /// At least 2.
     size_t rows;
-    /// Number of columns, at least 2.
+    /// At least 2.
     size_t columns;
-    /// Heights of type scalar, contiguous in rows, at any alignment. NaN and infinity mark missing nodes.
+    /// Heights of type scalar, contiguous in rows. NaN and infinity mark missing nodes.
     const void *values;
-    /// Bytes from row to row; 0: rows without gaps.
+    /// Bytes from row to row; 0: no gaps.
     size_t row_stride;
     /// x from column to column, y from row to row; finite, not 0, of either sign.
     double spacing[2];
     /// Position of node (0, 0) at height 0.
     double origin[3];
-    /// Height that marks a missing node; read if has_no_data is 1.
+    /// Height of missing nodes, if has_no_data is 1.
     double no_data;
     /// 0 or 1.
     uint32_t has_no_data;
-    /// Type of the heights and of the net.
+    /// Type of heights and net.
     gusset_scalar scalar;
 } gusset_heights;
 
-/// Faces by which the given mesh represents each cell of the grid.
+/// Faces of a cell of the given grid.
 typedef uint32_t gusset_grid_cells;
 /// One quad for each cell; a triangle beside a pole.
 #define GUSSET_GRID_QUADS 0
@@ -815,44 +794,39 @@ typedef struct gusset_net_grid_view {
     struct gusset_indices face_of_cell;
 } gusset_net_grid_view;
 
-/// Correspondence between a net and the mesh it was found in.
+/// Correspondence between a net and its mesh.
 typedef struct gusset_net_grid gusset_net_grid;
 
 /// Makes the mesh of a net.
-/// Glued nodes become one vertex: a closed net becomes a closed mesh. Absent cells are omitted; a mesh without faces is
-/// not an error. Faces have the orientation of the net.
+/// Glued nodes become one vertex: a closed net becomes a closed mesh. Absent cells are omitted; the mesh may lack
+/// faces. Faces have the net's orientation.
 /// @errors OUT_OF_RANGE (max_edge_ratio), TOO_LARGE (2^32 - 1 corners or more)
-/// @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
+/// @complexity O(nodes), and O(w log w) for w cells with opposite sides glued.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_to_mesh(const struct gusset_context *context,
     const struct gusset_net *net, const struct gusset_net_mesh_options *options, struct gusset_result **result);
 
-/// Lends the maps between a net and its mesh, for a result of gusset_net_to_mesh.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// Lends the maps.
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_net_mesh(const struct gusset_result *result,
     struct gusset_net_mesh_report *report);
 
 /// Makes a net from heights over a grid: node (i, j) is at origin + (j spacing[0], i spacing[1], height).
-/// Missing heights become missing nodes. Faces are counter-clockwise from above, for any sign of spacing.
-/// @param heights the grid.
+/// Faces are counter-clockwise from above, for any sign of spacing.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OUT_OF_RANGE (spacing, origin)
 /// @complexity O(nodes).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_from_heights_create(const struct gusset_context *context,
     const struct gusset_heights *heights, struct gusset_net **net);
 
-/// Finds rows and columns in a mesh, and makes the net of its vertices, bit for bit.
-/// The quads form a rectangle, possibly closed in either direction. Fans of triangles around poles may adjoin its first
-/// and last row. Rows follow the only closed direction, or else the first edge of the first quad.
+/// Finds rows and columns in a mesh, and makes their net, bit for bit.
+/// The quads, at least one row, form a rectangle, possibly closed in either direction. Fans of triangles around poles
+/// may adjoin its first and last row. Rows follow the only closed direction, else the first edge of the first quad.
 /// With GUSSET_GRID_TRIANGLES, one diagonal of either direction cuts each quad.
-/// - If several pairings of triangles form a grid, the choice is deterministic. On a torus, it may close with a shift,
-///   unlike the original rows and columns.
-/// - Tubes and tori with irregular diagonals may be refused.
-/// - Poles of open sheets with fewer than six triangles may be refused.
-/// - At least one row of quads is required.
-/// @param grid receives the correspondence of net and mesh; may be NULL.
+/// - If several pairings of triangles form a grid, the choice is deterministic; a torus may close with a shift, unlike
+///   the original rows and columns.
+/// - Tubes and tori with irregular diagonals, and poles of open sheets with fewer than six triangles, may be refused.
+/// @param grid receives the correspondence, or NULL.
 /// @errors NO_GRID (a face that violates the grid)
-/// @complexity O(H log d) for H half-edges and valence d. Closed triangle meshes without distinct poles take several
-///     attempts.
+/// @complexity O(H log d). Closed triangle meshes without distinct poles take several attempts.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_from_mesh_create(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_net_grid_options *options, struct gusset_net_grid **grid,
     struct gusset_net **net);
@@ -861,7 +835,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_from_mesh_create(const struc
 GUSSET_API void gusset_net_grid_destroy(struct gusset_net_grid *grid);
 
 /// Lends a grid.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
     struct gusset_net_grid_view *view);
 
@@ -874,7 +847,7 @@ typedef uint32_t gusset_direction;
 /// From row to row.
 #define GUSSET_DIRECTION_DOWN 1
 
-/// Rows or columns replicated to enlarge a net.
+/// Replicated rows or columns.
 typedef uint32_t gusset_replication;
 /// All, as equally as possible.
 #define GUSSET_REPLICATE_UNIFORM 0
@@ -882,9 +855,9 @@ typedef uint32_t gusset_replication;
 #define GUSSET_REPLICATE_FIRST 1
 /// The last.
 #define GUSSET_REPLICATE_LAST 2
-/// The one with the given index.
+/// The one at the given index.
 #define GUSSET_REPLICATE_AT 3
-/// The first and last in equal shares if both are poles; the pole if one is; else as UNIFORM.
+/// The first and last equally if both are poles; the pole if one is; else as UNIFORM.
 #define GUSSET_REPLICATE_AT_POLES 4
 /// Different sizes are an error; for gusset_concatenate_options only.
 #define GUSSET_REPLICATE_REFUSE 5
@@ -908,23 +881,23 @@ typedef uint32_t gusset_net_turn;
 /// Exchanges rows and columns, and reverses both.
 #define GUSSET_NET_TURN_ANTITRANSPOSE 7
 
-/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert. Defaults: no step.
+/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert. Default: none.
 typedef struct gusset_net_copy_options {
     size_t struct_size;
     /// First row of the part.
     size_t row_first;
-    /// Rows of the part, at least 2; 0: all from row_first on.
+    /// Rows of the part, at least 2; 0: the rest.
     size_t row_count;
     /// First column of the part.
     size_t column_first;
-    /// Columns of the part, at least 2; 0: all from column_first on.
+    /// Columns of the part, at least 2; 0: the rest.
     size_t column_count;
-    /// Rows after replication, at least the present number; 0: no replication. Links between copies are contracted.
+    /// Rows after replication, at least the present number; 0: none. Links between copies are contracted.
     size_t rows;
     /// Columns after replication, likewise.
     size_t columns;
-    /// 1: removes rows and columns that repeat the previous one. All links between both are contracted; coordinates and
-    /// links along them are equal. Two rows, two columns and the ends of bridges stay. @flag
+    /// 1: removes rows and columns that repeat the previous one: equal coordinates and links, contracted links between
+    /// both. Two rows, two columns and the ends of bridges stay. @flag
     uint32_t compact;
     /// For rows.
     gusset_replication row_replication;
@@ -936,28 +909,27 @@ typedef struct gusset_net_copy_options {
     /// Column to replicate.
     /// @when column_replication GUSSET_REPLICATE_AT
     uint32_t column_index;
-    /// Symmetry that is applied.
+    /// Symmetry.
     gusset_net_turn turn;
-    /// Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become missing.
+    /// Type of coordinates; 0: unchanged. Conversion to float rounds; overflowing nodes become missing.
     gusset_scalar scalar;
     uint32_t reserved;
 } gusset_net_copy_options;
 
-/// Copies a net with its gluing and bridges: all or a part, compacted, enlarged, turned or converted.
-/// - An unchanged copy shares memory until either net changes.
-/// - A part keeps links, runs of seams and bridges inside it. Links back to the first row or column need a part with
-///   all rows or columns.
+/// Copies a net, or a part, with gluing and bridges: compacted, enlarged, turned or converted.
+/// - An unchanged copy shares memory until a net changes.
+/// - A part keeps links, runs of seams and bridges inside it; links back to the first row or column if it has all rows
+///   or columns.
 /// - Without conversion, coordinates keep their bits.
-/// @errors NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part or index beyond the net, or fewer rows or
-///     columns than present), CROSSING_CELL (both diagonals of a cell are glued once gluing outside the part is lost),
-///     TOO_LARGE
+/// @errors NET_TOO_SMALL, OUT_OF_RANGE (a part or index beyond the net, or fewer rows or columns than present),
+///     CROSSING_CELL (once gluing outside the part is lost), TOO_LARGE
 /// @complexity O(nodes) for each step; O(1) for an unchanged copy, except in the caller's memory.
 /// @source Deryagin, "Reformatting".
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_copy_create(const struct gusset_context *context,
     const struct gusset_net *net, const struct gusset_net_copy_options *options, struct gusset_net **copy);
 
-/// Makes nodes missing that have a coordinate equal to value.
-/// @param value marker of missing data.
+/// Makes nodes with a coordinate equal to value missing.
+/// @param value marks missing data.
 /// @complexity O(nodes).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_clear_no_data(const struct gusset_context *context,
     struct gusset_net *net, double value);
@@ -966,33 +938,31 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_clear_no_data(const struct g
 
 /// Interpolation of positions between nodes.
 typedef uint32_t gusset_interpolation;
-/// Catmull-Rom splines, with continuous tangents also across seams.
+/// Catmull-Rom splines: continuous tangents, also across seams.
 #define GUSSET_INTERPOLATION_BICUBIC 0
 /// Bilinear patches of the cells.
 #define GUSSET_INTERPOLATION_BILINEAR 1
 
-/// Largest number of levels of a pyramid.
+/// Most levels of a pyramid.
 #define GUSSET_PYRAMID_LEVELS 32
 
-/// Makes a net of rows x columns nodes, spread evenly over a net.
-/// First and last rows and columns stay. A new node on an old node has its bits. The gluing stays; glued nodes have
+/// Makes a net of rows x columns nodes, spread evenly over net.
+/// First and last rows and columns stay. A new node on an old one has its bits. The gluing stays; glued nodes have
 /// equal bits.
-/// @param net a net without bridges, glued along whole sides only.
-/// @param rows rows of the result, at least 2.
-/// @param columns columns of the result, at least 2.
+/// @param rows at least 2.
+/// @param columns at least 2.
 /// @errors NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
 /// @complexity O(nodes of both nets).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_resample_create(const struct gusset_context *context,
     const struct gusset_net *net, size_t rows, size_t columns, gusset_interpolation interpolation,
     struct gusset_net **resampled);
 
-/// Removes rows, then columns, of a net within a tolerance; each time the one that causes the least deviation.
-/// @param net a net without bridges, glued along whole sides only.
+/// Removes rows, then columns, within a tolerance, each time with the least deviation.
 /// @param tolerance at least 0, may be infinite. Nodes are within half of it of the segments that replace their
-///     columns, and likewise for rows.
-/// @param rows receives indices of kept rows, with room for all rows of net; may be NULL.
+///     columns; likewise for rows.
+/// @param rows receives the kept rows, with room for all rows of net; may be NULL.
 /// @param columns likewise for columns.
-/// @param deviation receives the largest deviation; may be NULL.
+/// @param deviation receives the largest deviation, or NULL.
 /// @errors OUT_OF_RANGE, GLUED_INSIDE
 /// @complexity About O(nodes x log rows).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_decimate_create(const struct gusset_context *context,
@@ -1000,12 +970,11 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_decimate_create(const struct
     struct gusset_net **decimated);
 
 /// Makes levels of detail: nets of 2^k + 1 rows and columns, finest first.
-/// The first level is a copy if it has such a size, else resampled to the next larger size. Each further level has
-/// every second row and column of the previous one, bit for bit.
-/// @param net a net without bridges, glued along whole sides only.
-/// @param levels room for capacity handles.
-/// @param capacity size of levels; GUSSET_PYRAMID_LEVELS always suffices.
-/// @param count receives the count, also with BUFFER_TOO_SMALL (as for capacity 0).
+/// The first level is a copy if the net has such a size, else resampled to the next larger one. Each further level has
+/// every second row and column, bit for bit.
+/// @param levels receives the handles.
+/// @param capacity GUSSET_PYRAMID_LEVELS always suffices.
+/// @param count receives the count; capacity 0 gives BUFFER_TOO_SMALL.
 /// @errors BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
 /// @complexity O(nodes); memory for 4/3 of the first level.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_pyramid_create(const struct gusset_context *context,
@@ -1020,8 +989,7 @@ typedef uint32_t gusset_bridge_mode;
 #define GUSSET_BRIDGE_KEEP 0
 /// Absent cells.
 #define GUSSET_BRIDGE_HIDE 1
-/// The two sides, coincident within a tolerance, become one. Positions stay; snap of gusset_glue_options makes them
-/// equal.
+/// The two sides, coincident within a tolerance, become one. Positions stay; see snap of gusset_glue_options.
 #define GUSSET_BRIDGE_WELD 2
 
 /// Form of a bridge.
@@ -1033,16 +1001,16 @@ typedef uint32_t gusset_bridge_kind;
 /// Edge between sides that are a point each.
 #define GUSSET_BRIDGE_THREAD 2
 
-/// Physical properties of a bridge, for gusset_net_settle. The caller chooses the unit of force. Lines run across the
-/// bridge along links.
+/// Physical properties of a bridge, for gusset_net_settle, in any unit of force. Lines run across the bridge along
+/// links.
 typedef struct gusset_bridge_properties {
-    /// Force in each line of a thread or ribbon, force per length in a tube's film; at least 0.
+    /// Force in each line of a thread or ribbon, or per length in a tube's film; at least 0.
     double tension;
     /// Force that doubles the length of a line; at least 0.
     double elasticity;
     /// Bending stiffness of each line, force times squared length; at least 0. Infinity: rigid.
     double stiffness;
-    /// Number for the caller's use.
+    /// For the caller's use.
     uint64_t user;
 } gusset_bridge_properties;
 
@@ -1056,16 +1024,16 @@ typedef struct gusset_concatenate_options {
     /// Direction from each net to the next.
     gusset_direction direction;
     gusset_bridge_mode mode;
-    /// Enlargement of nets with fewer nodes along the side.
+    /// For nets with fewer nodes along the side.
     gusset_replication equalise;
     /// Row or column to replicate.
     /// @when equalise GUSSET_REPLICATE_AT
     uint32_t equalise_index;
-    /// Rotation of each net except the first along its closed side, in nodes.
+    /// Rotation in nodes of each later net along its closed side.
     uint32_t twist;
-    /// 1: flips nets along the side if their orientation differs from the first; 0: refuses them. @flag
+    /// 1: flips nets along the side if oriented unlike the first; 0: refuses them. @flag
     uint32_t turn;
-    /// Inner rows or columns of each new bridge, evenly on straight lines; 0 for GUSSET_BRIDGE_WELD.
+    /// Inner rows or columns of each new bridge, evenly on lines; 0 for GUSSET_BRIDGE_WELD.
     uint32_t rows;
     uint32_t reserved;
 } gusset_concatenate_options;
@@ -1073,7 +1041,7 @@ typedef struct gusset_concatenate_options {
 /// Bridge: the cells between two joined nets.
 typedef struct gusset_bridge {
     size_t struct_size;
-    /// Properties that the caller gave.
+    /// Properties given.
     struct gusset_bridge_properties properties;
     /// Direction from the first net to the second.
     gusset_direction direction;
@@ -1091,44 +1059,41 @@ typedef struct gusset_bridge {
 } gusset_bridge;
 
 /// Joins nets side by side into one.
-/// Each net keeps its gluing and bridges; links that close it along the direction become seams. A new bridge joins
+/// Nets keep their gluing and bridges; links that close them along the direction become seams. A new bridge joins
 /// consecutive nets; its index follows the second net's bridges. gusset_net_split_create is the inverse.
-/// @param nets at least one net, of one scalar type; repetition is allowed.
-/// @param net_count number of nets.
+/// @param nets at least one, of one scalar type; may repeat.
 /// @errors EMPTY_SCENE (no nets), MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER (sizes with
-///     GUSSET_REPLICATE_REFUSE; welded sides apart, with place and distance), OUT_OF_RANGE (tolerance, twist of an open
+///     GUSSET_REPLICATE_REFUSE; welded sides apart, by place and distance), OUT_OF_RANGE (tolerance, twist of an open
 ///     side, rows of a welded bridge), CROSSING_CELL, TOO_LARGE
-/// @complexity O(nodes of the result); memory also for copies of nets that are enlarged, rotated or flipped.
+/// @complexity O(nodes of the result); memory also for copies of enlarged, rotated or flipped nets.
 /// @source Deryagin, "Concatenation".
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_concatenate_create(const struct gusset_context *context,
     const struct gusset_net *const *nets, size_t net_count, const struct gusset_concatenate_options *options,
     struct gusset_net **joined);
 
-/// Splits a net at a bridge that runs from side to side, and removes the bridge.
-/// Unless changed since, both nets are as before joining, bit for bit; copies that equalised sizes are removed. In a
-/// net joined repeatedly, split the last bridge first. Gluing across the bridge is lost.
-/// @param bridge index of the bridge.
-/// @errors OVERLAP (first and second are one pointer), NO_SUCH_ELEMENT (also if the bridge does not run from side to
-///     side), CROSSING_CELL
+/// Splits a net at a bridge from side to side, and removes it.
+/// Unless changed since, both nets are as before joining, bit for bit; copies that equalised sizes are removed. Split
+/// the last bridge first. Gluing across the bridge is lost.
+/// @param bridge its index.
+/// @errors OVERLAP (first and second are one pointer), NO_SUCH_ELEMENT (also for a bridge not from side to side),
+///     CROSSING_CELL
 /// @complexity O(nodes).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_split_create(const struct gusset_context *context,
     const struct gusset_net *net, size_t bridge, struct gusset_net **first, struct gusset_net **second);
 
-/// Describes a bridge of a net.
+/// Describes a bridge.
 /// @param index below bridge_count of gusset_net_gluing_report.
-/// @param bridge receives the struct; set its struct_size.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_get_bridge(const struct gusset_net *net, size_t index,
     struct gusset_bridge *bridge);
 
 /// Changes the mode and properties of a bridge.
 /// @param index as for gusset_net_get_bridge.
-/// @param tolerance for welding: largest distance of coincident nodes, at least 0.
-/// @param properties new properties; NULL keeps the old ones.
-/// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE (tolerance, or welding a bridge with inner rows), SIDES_DIFFER (with place and
+/// @param tolerance for welding, as in gusset_concatenate_options.
+/// @param properties NULL: the old ones.
+/// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE (tolerance, or welding a bridge with inner rows), SIDES_DIFFER (by place and
 ///     distance), CROSSING_CELL
-/// @complexity O(nodes) if welding begins or ends, or if the net shares memory; else O(1).
+/// @complexity O(nodes) if welding begins or ends, or the net shares memory; else O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_set_bridge(const struct gusset_context *context,
     struct gusset_net *net, size_t index, gusset_bridge_mode mode, double tolerance,
     const struct gusset_bridge_properties *properties);
@@ -1138,22 +1103,21 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_set_bridge(const struct guss
 /// Effects of a deformation on a net.
 typedef struct gusset_net_analysis gusset_net_analysis;
 
-/// Effects of a deformation. See gusset_net for indices.
+/// Effects of a deformation.
 typedef struct gusset_net_analysis_view {
     size_t struct_size;
-    /// Ratio of new to old length of each link; NaN if the old length is 0 or an end is missing.
+    /// New / old length of each link; NaN if the old length is 0 or an end is missing.
     const double *links;
     /// 2 * rows * columns.
     size_t link_count;
-    /// Ratio of new to old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for folds or,
-    /// with fields, negative determinants.
+    /// New / old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for folds or, with fields,
+    /// negative determinants.
     const double *cells;
-    /// Jacobian determinant of the fields at the centre of each cell; NULL if nets are compared.
+    /// The fields' Jacobian determinant at each cell's centre; NULL if nets are compared.
     const double *determinants;
     /// (rows - 1) * (columns - 1).
     size_t cell_count;
-    /// Links that the deformation contracted to a point although the net does not glue their ends. To glue them, pass
-    /// them as links of gusset_glue_options.
+    /// Newly contracted links, whose ends the net does not glue; to glue them, use links of gusset_glue_options.
     const uint32_t *contracted;
     /// For each contracted link, the local gluing of its first node once all are contracted: 0 to 17.
     const uint32_t *stars;
@@ -1164,40 +1128,36 @@ typedef struct gusset_net_analysis_view {
     /// Cells oriented against the majority.
     const uint32_t *folded;
     size_t folded_count;
-    /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard. @flag
+    /// 1: a soft deformation, nothing newly glued, torn or folded; 0: hard. @flag
     uint32_t soft;
     uint32_t reserved;
 } gusset_net_analysis_view;
 
-/// Deformation to analyse; the default is none.
+/// Deformation to analyse; default: none.
 typedef struct gusset_net_analysis_options {
     size_t struct_size;
-    /// Deformed net of the same size; NULL: fields deform the net.
+    /// Deformed net of equal size; NULL: see fields.
     const struct gusset_net *after;
-    /// Fields, as for gusset_net_deform.
+    /// As for gusset_net_deform.
     const struct gusset_field *fields;
-    /// Number of fields; 0 beside after.
+    /// 0 beside after.
     size_t field_count;
-    /// Time, as for gusset_net_deform.
+    /// As for gusset_net_deform.
     double time;
-    /// Lengths up to this count as 0; at least 0 and finite.
+    /// Lengths up to this count as 0; at least 0, finite.
     double tolerance;
 } gusset_net_analysis_options;
 
-/// Finds what a deformation glues, tears, folds and stretches; the net stays unchanged.
-/// @param net the net before the deformation.
-/// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing would join both diagonals of the cell),
-///     as gusset_net_deform
-/// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), and memory for a copy of the net and 8 bytes a
-///     cell.
-/// @source Deryagin, soft and hard deformations. Links are measured: a zero of the Jacobian neither implies gluing nor
-///     follows from it.
+/// Finds what a deformation glues, tears, folds and stretches, without deforming the net.
+/// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing), as gusset_net_deform
+/// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), a copy of the net and 8 bytes a cell.
+/// @source Deryagin, soft and hard deformations, by links: a zero of the Jacobian does not imply gluing or follow from
+///     it.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_analysis_create(const struct gusset_context *context,
     const struct gusset_net *net, const struct gusset_net_analysis_options *options,
     struct gusset_net_analysis **analysis);
 
 /// Lends an analysis.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_analysis_get_view(const struct gusset_net_analysis *analysis,
     struct gusset_net_analysis_view *view);
 
@@ -1225,19 +1185,16 @@ typedef uint32_t gusset_net_flags;
 /// Consistent after reversal of some faces.
 #define GUSSET_NET_ORIENTABLE 8
 
-/// Quotient complex: the surface of a net with glued nodes merged.
+/// Quotient complex: the surface of a net.
 typedef struct gusset_net_complex gusset_net_complex;
 
-/// Counts and defects of a complex. Vertices are given by their smallest nodes, edges as pairs; lists are sorted.
+/// Counts and defects of a complex, in sorted lists. A vertex is its smallest node, an edge a pair.
 typedef struct gusset_net_complex_view {
     size_t struct_size;
-    /// Vertices.
     uint64_t vertex_count;
-    /// Edges; links with equal ends are one edge.
+    /// Edges; links with equal ends are one.
     uint64_t edge_count;
-    /// Quads.
     uint64_t quad_count;
-    /// Triangles.
     uint64_t triangle_count;
     /// Cells reduced to an edge.
     uint64_t digon_count;
@@ -1245,11 +1202,9 @@ typedef struct gusset_net_complex_view {
     uint64_t point_count;
     /// Cells folded along a diagonal to two edges.
     uint64_t fold_count;
-    /// Edges of one face.
     uint64_t boundary_edge_count;
-    /// Connected components.
     uint64_t component_count;
-    /// Euler characteristic, vertices - edges + faces.
+    /// Vertices - edges + faces.
     int64_t euler;
     /// Handles, or crosscaps if not orientable, of all components together; -1 if not manifold.
     int64_t genus;
@@ -1259,26 +1214,25 @@ typedef struct gusset_net_complex_view {
     struct gusset_indices boundary_offsets;
     /// Vertices of all chains, with faces on the left.
     struct gusset_indices boundary_nodes;
-    /// For each chain: 0 for a loop, 1 if it ends at edges of three or more faces. @flag
+    /// For each chain: 1 if it ends at branches, 0 for a loop. @flag
     struct gusset_indices boundary_open;
     /// Edges without faces.
     struct gusset_indices wires;
-    /// Edges of three or more faces.
+    /// Non-manifold edges.
     struct gusset_indices branches;
-    /// Vertices whose faces form several fans that meet only there.
+    /// Vertices whose faces form several fans.
     struct gusset_indices pinches;
-    /// Edges that two faces traverse in the same direction.
+    /// Edges that two faces traverse in one direction.
     struct gusset_indices conflicts;
 } gusset_net_complex_view;
 
-/// Determines the surface of a net with glued nodes merged. Defects are not errors.
+/// Determines the surface of a net.
 /// @errors TOO_LARGE (more than 2^31 boundary edges)
-/// @complexity O(nodes), and a sort of the elements at glued nodes; linear memory.
+/// @complexity O(nodes), plus a sort of the elements at glued nodes; linear memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_complex_create(const struct gusset_context *context,
     const struct gusset_net *net, gusset_net_cells cells, struct gusset_net_complex **quotient);
 
-/// Lends the counts and defects of a complex.
-/// @complexity O(1).
+/// Lends the counts and defects.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *quotient,
     struct gusset_net_complex_view *view);
 
@@ -1291,15 +1245,15 @@ GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *quotient);
 typedef uint32_t gusset_morph_path;
 /// Straight.
 #define GUSSET_MORPH_LINEAR 0
-/// Uniform best-fitting rotation; the rest is straight in the rotating frame. A rigidly moved net keeps its shape.
+/// Uniform best-fitting rotation, straight in the rotating frame. A rigidly moved net keeps its shape.
 #define GUSSET_MORPH_RIGID 1
 
 /// Interpolates between two nets with equal rows, columns, scalar type and gluing.
-/// Nodes with equal bits in both nets, as glued ones, keep equal bits. Bridges are as in first. A node missing in
-/// either net is missing.
+/// Nodes with equal bits in both nets keep equal bits. Bridges are as in first. A node missing in either net is
+/// missing.
 /// @param t time, from 0 (the bits of first) to 1 (the bits of second).
 /// @errors OUT_OF_RANGE (t), SIDES_DIFFER (another size; see gusset_net_copy_options), MIXED_SCALARS, GLUINGS_DIFFER
-///     (with the node), ORIENTATION_CONFLICT (one net is reversed)
+///     (node), ORIENTATION_CONFLICT (one net is reversed)
 /// @complexity O(nodes).
 /// @source Horn 1987, for the rotation.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_morph_create(const struct gusset_context *context,
@@ -1308,18 +1262,18 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_morph_create(const struct gu
 
 /* ---- Normals: Unit normals, exact at poles and seams. */
 
-/// Computes the unit normal of every node of a net.
-/// Normals follow the cross product of increasing column and increasing row; reversed nets have opposite normals. All
-/// cells at a glued point give its nodes one normal, equal in bits. Absent cells do not count.
-/// @param x receives first coordinates: rows x columns aligned numbers of the net's scalar type. Buffers must not
-///     overlap each other or the net.
-/// @param y receives the second coordinates.
-/// @param z receives the third coordinates.
+/// Computes the unit normal of every node.
+/// Normals follow gusset_net_view; reversed nets have opposite ones. All cells at a glued point give its nodes one
+/// normal, equal in bits. Absent cells do not count.
+/// @param x receives x: rows x columns aligned numbers of the net's scalar type. Buffers must not overlap each other or
+///     the net.
+/// @param y receives y.
+/// @param z receives z.
 /// @param capacity size of each buffer, in numbers.
-/// @param missing_count receives the number of nodes without a normal, which get zeros; may be NULL. They are missing,
-///     or the areas of their cells vanish or cancel.
+/// @param missing_count receives the number of nodes without a normal, which get zeros: they are missing, or their
+///     cells' areas vanish or cancel. May be NULL.
 /// @errors BUFFER_TOO_SMALL, OVERLAP
-/// @complexity O(nodes); one bit a node, and memory for glued nodes.
+/// @complexity O(nodes); a bit a node, and memory for glued nodes.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_normals(const struct gusset_context *context,
     const struct gusset_net *net, void *x, void *y, void *z, size_t capacity, uint64_t *missing_count);
 
@@ -1331,11 +1285,11 @@ typedef struct gusset_planarise_options {
     /// Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0: 1e-10, or 4e-7 for
     /// float.
     double tolerance;
-    /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL: all may move. @flag
+    /// For each node, 1: it stays with all nodes glued to it. NULL: all may move. @flag
     const uint8_t *fixed;
-    /// Number of bytes: rows * columns; 0 with NULL.
+    /// rows * columns; 0 with NULL.
     size_t fixed_count;
-    /// Largest number of steps; 0: 100.
+    /// Most steps; 0: 100.
     uint32_t max_iterations;
     /// 1: boundary vertices of the surface stay. @flag
     uint32_t keep_boundary;
@@ -1346,7 +1300,7 @@ typedef struct gusset_planarise_report {
     size_t struct_size;
     /// Initial diagonal of the bounding box.
     double size;
-    /// Absolute tolerance: relative tolerance times size.
+    /// Tolerance times size.
     double tolerance;
     /// Largest initial distance of corners from their mean plane.
     double deviation_before;
@@ -1358,18 +1312,17 @@ typedef struct gusset_planarise_report {
     double rms_displacement;
     /// Cell with deviation_after; 2^64 - 1 without quads.
     uint64_t worst_cell;
-    /// Number of steps; 0 if all cells were planar, and no bit changed.
+    /// Steps; 0 if all cells were planar and no bit changed.
     uint32_t iterations;
-    /// 1: deviation_after is within the tolerance; 0: approximate result. @flag
+    /// 1: deviation_after is within the tolerance. @flag
     uint32_t converged;
 } gusset_planarise_report;
 
-/// Moves the nodes of a net until all cells are planar, with locally least squared displacement.
-/// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count. Failure to converge is
-/// not an error.
+/// Makes all cells planar, with locally least squared displacement.
+/// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count.
 /// @errors OUT_OF_RANGE (tolerance), COUNT_DIFFERS (fixed_count too small)
 /// @complexity For each step O(n^1.5) time and O(n log n) memory for n cells.
-/// @threads It uses one thread.
+/// @threads Uses one thread.
 /// @source Deryagin, "Closures"; Liu et al. 2006.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_planarise(const struct gusset_context *context,
     struct gusset_net *net, const struct gusset_planarise_options *options, struct gusset_planarise_report *report);
@@ -1379,22 +1332,22 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_planarise(const struct gusse
 /// Options of gusset_net_settle.
 typedef struct gusset_settle_options {
     size_t struct_size;
-    /// Largest displacement of the last step, relative to the diagonal of the bounding box; 0: 1e-12.
+    /// Largest displacement in the last step, relative to the bounding box's diagonal; 0: 1e-12.
     double tolerance;
     /// Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
     double rest_ratio;
-    /// Net of equal size that gives rest lengths and shapes of rigid bridges; NULL: the net itself.
+    /// Net of equal size for rest lengths and shapes of rigid bridges; NULL: the net itself.
     const struct gusset_net *reference;
-    /// One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all. @flag
+    /// For each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all. @flag
     const uint8_t *free;
-    /// Number of bytes, at least the number of parts; 0 with NULL.
+    /// At least the number of parts; 0 with NULL.
     size_t free_count;
-    /// Largest number of steps; 0: 1000.
+    /// Most steps; 0: 1000.
     uint32_t max_iterations;
     uint32_t reserved;
 } gusset_settle_options;
 
-/// Result of gusset_net_settle. Energies are forces times lengths, in the caller's units.
+/// Result of gusset_net_settle. Energies are forces times lengths.
 typedef struct gusset_settle_report {
     size_t struct_size;
     /// Initial energy, rigid bridges in shape.
@@ -1409,32 +1362,28 @@ typedef struct gusset_settle_report {
     double residual_force;
     /// Largest displacement of a point.
     double max_displacement;
-    /// Number of steps.
+    /// Steps.
     uint32_t iterations;
     /// Counted bridges with forces.
     uint32_t settled;
-    /// Counted bridges without forces: hidden, welded, or with properties 0. Their nodes stay.
+    /// Counted bridges without forces, whose nodes stay: hidden, welded, or with properties 0.
     uint32_t idle;
     /// Films with a cell below a millionth of the initial mean cell area.
     uint32_t collapsed;
-    /// 1: no film collapsed, and the last step met the tolerance or was too small to lower the energy. 0: approximate
-    /// result. @flag
+    /// 1: no film collapsed, and the last step met the tolerance or was too small to lower the energy. @flag
     uint32_t converged;
     uint32_t reserved;
 } gusset_settle_report;
 
 /// Moves inner nodes of bridges, and free parts, to the equilibrium of the bridges' properties.
-/// Only bridges from side to side count, in the direction of the last of these. A bridge of infinite stiffness forms a
-/// rigid body with its two sides. If bridges connect parts without a held one, the first is held. Failure to converge
-/// is not an error.
-/// The result is a local minimum of the sum of energies; no step increases the sum. Energies for each line across a
-/// bridge:
-/// - tension times its length, with nodes becoming evenly spaced. In a tube: tension times the film's area.
+/// Only bridges from side to side count, in the direction of the last of them. A bridge of infinite stiffness and its
+/// two sides are a rigid body. If connected parts lack a held one, the first is held.
+/// The result is a local minimum of the sum of energies; no step increases it. Energies of a line across a bridge:
+/// - tension times its length, with evenly spaced nodes. In a tube: tension times the film's area.
 /// - elasticity / 2 (l - r)^2 / r for each link of length l and rest length r.
-/// - stiffness / 2 h^3 times squared second differences, h the mean rest length. Lines leave parts in the parts'
-///   direction.
+/// - stiffness / 2 h^3 times squared second differences, h the mean rest length. Lines leave parts in their direction.
 /// @errors COUNT_DIFFERS (free_count too small), SIDES_DIFFER (reference of another size), OUT_OF_RANGE (tolerance,
-///     rest_ratio; a negative, NaN or infinite property, with the bridge), NO_SUCH_ELEMENT (overlapping bridges)
+///     rest_ratio; a negative, NaN or infinite property, by bridge), NO_SUCH_ELEMENT (overlapping bridges)
 /// @complexity O(nodes), and for each step O(n^1.5) time and O(n log n) memory for n inner nodes.
 /// @threads It uses one thread.
 /// @source Deryagin, "Concatenation"; Schek 1974; Pinkall and Polthier 1993.
@@ -1453,7 +1402,7 @@ typedef uint32_t gusset_net_finding_kind;
 #define GUSSET_NET_FINDING_LOOP 2
 /// Warning: the ends of link element coincide without being glued.
 #define GUSSET_NET_FINDING_ZERO_LENGTH 3
-/// Warning: link element closes a row or column of fewer than four nodes, which encloses nothing.
+/// Warning: link element closes a row or column of fewer than four nodes.
 #define GUSSET_NET_FINDING_FEW_NODES 4
 
 /// Finding of a validation.
@@ -1479,11 +1428,10 @@ typedef struct gusset_net_validation_view {
     size_t violation_count;
 } gusset_net_validation_view;
 
-/// Checks that glued nodes coincide, and warns of suspicious gluing. Findings are not errors. Two missing nodes
-/// coincide.
+/// Checks that glued nodes coincide, and warns of suspicious gluing. Two missing nodes coincide.
 /// @param tolerance largest distance of coincident nodes, at least 0; 0: equal coordinates (0 equals -0).
 /// @errors OUT_OF_RANGE (tolerance)
-/// @complexity O(nodes), and a sort of the findings.
+/// @complexity O(nodes), plus a sort of the findings.
 /// @source Deryagin, "Non-spatial operations".
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_validation_create(const struct gusset_context *context,
     const struct gusset_net *net, double tolerance, struct gusset_net_validation **validation);

@@ -10,19 +10,19 @@ namespace gusset {
 
 /// Options of gusset_net_glue. See ::gusset_glue_options.
 struct GlueOptions {
-    /// For detect: largest distance of coincident nodes, at least 0 and finite.
+    /// For detect: largest distance of coincident nodes; at least 0, finite.
     double tolerance = 0.0;
-    /// Gluings to add, at any alignment.
+    /// Gluings to add.
     std::vector<gusset_gluing> gluings;
-    /// Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
+    /// Links to contract; see contracted of gusset_net_analysis_view.
     std::vector<uint32_t> links;
-    /// 1: replaces the gluing by the one that coordinates imply. It glues coincident neighbours, and coincident runs of
+    /// 1: replaces the gluing by the one that coordinates imply: of coincident neighbours, and of coincident runs of
     /// two or more side nodes in either direction. The orientation stays.
     bool detect = false;
-    /// 1: canonical form. Every link whose ends are one point is contracted, and redundant seams are dropped. Nets that
-    /// glue equal neighbours then have equal matrices. detect implies it.
+    /// 1: canonical form. Links with ends in one point are contracted, and redundant seams dropped. Nets that glue
+    /// equal neighbours then have equal matrices. detect implies it.
     bool saturate = false;
-    /// 1: moves all nodes of a point to its first node, bit for bit.
+    /// 1: moves the nodes of a point to its first node, bit for bit.
     bool snap = false;
 };
 
@@ -30,7 +30,7 @@ struct GlueOptions {
 struct NetMeshOptions {
     /// Faces of a net's mesh.
     NetFaces faces = NetFaces::quads;
-    /// 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex.
+    /// 1: one vertex for each node; 0: glued nodes are one vertex.
     bool no_weld = false;
     /// 1: keeps finite vertices without faces and wires.
     bool keep_unused = false;
@@ -38,14 +38,14 @@ struct NetMeshOptions {
     bool fill_corners = false;
     /// 1: computes texture coordinates.
     bool texture = false;
-    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. For range images, 4 removes
-    /// faces across depth jumps.
+    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. 4 removes depth jumps from
+    /// range images.
     double max_edge_ratio = 0.0;
 };
 
 /// Options of gusset_net_from_mesh_create. See ::gusset_net_grid_options.
 struct NetGridOptions {
-    /// Faces by which the given mesh represents each cell of the grid.
+    /// Faces of a cell of the given grid.
     GridCells cells = GridCells::quads;
     /// Face of the component. A value sets has_face of C to 1; empty: 0.
     std::optional<uint32_t> face;
@@ -55,18 +55,18 @@ struct NetGridOptions {
 struct NetCopyOptions {
     /// First row of the part.
     std::size_t row_first = 0;
-    /// Rows of the part, at least 2; 0: all from row_first on.
+    /// Rows of the part, at least 2; 0: the rest.
     std::size_t row_count = 0;
     /// First column of the part.
     std::size_t column_first = 0;
-    /// Columns of the part, at least 2; 0: all from column_first on.
+    /// Columns of the part, at least 2; 0: the rest.
     std::size_t column_count = 0;
-    /// Rows after replication, at least the present number; 0: no replication. Links between copies are contracted.
+    /// Rows after replication, at least the present number; 0: none. Links between copies are contracted.
     std::size_t rows = 0;
     /// Columns after replication, likewise.
     std::size_t columns = 0;
-    /// 1: removes rows and columns that repeat the previous one. All links between both are contracted; coordinates and
-    /// links along them are equal. Two rows, two columns and the ends of bridges stay.
+    /// 1: removes rows and columns that repeat the previous one: equal coordinates and links, contracted links between
+    /// both. Two rows, two columns and the ends of bridges stay.
     bool compact = false;
     /// For rows.
     Replication row_replication = Replication::uniform;
@@ -76,9 +76,9 @@ struct NetCopyOptions {
     std::optional<uint32_t> row_index;
     /// Column to replicate. A value sets column_replication to GUSSET_REPLICATE_AT.
     std::optional<uint32_t> column_index;
-    /// Symmetry that is applied.
+    /// Symmetry.
     NetTurn turn = NetTurn::none;
-    /// Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become missing.
+    /// Type of coordinates; 0: unchanged. Conversion to float rounds; overflowing nodes become missing.
     Scalar scalar{};
 };
 
@@ -92,27 +92,27 @@ struct ConcatenateOptions {
     Direction direction = Direction::right;
     /// Treatment of the cells of a bridge.
     BridgeMode mode = BridgeMode::keep;
-    /// Enlargement of nets with fewer nodes along the side.
+    /// For nets with fewer nodes along the side.
     Replication equalise = Replication::uniform;
     /// Row or column to replicate. A value sets equalise to GUSSET_REPLICATE_AT.
     std::optional<uint32_t> equalise_index;
-    /// Rotation of each net except the first along its closed side, in nodes.
+    /// Rotation in nodes of each later net along its closed side.
     uint32_t twist = 0;
-    /// 1: flips nets along the side if their orientation differs from the first; 0: refuses them.
+    /// 1: flips nets along the side if oriented unlike the first; 0: refuses them.
     bool turn = false;
-    /// Inner rows or columns of each new bridge, evenly on straight lines; 0 for GUSSET_BRIDGE_WELD.
+    /// Inner rows or columns of each new bridge, evenly on lines; 0 for GUSSET_BRIDGE_WELD.
     uint32_t rows = 0;
 };
 
-/// Deformation to analyse; the default is none. See ::gusset_net_analysis_options.
+/// Deformation to analyse; default: none. See ::gusset_net_analysis_options.
 struct NetAnalysisOptions {
-    /// Deformed net of the same size; NULL: fields deform the net.
+    /// Deformed net of equal size; NULL: see fields.
     const gusset_net *after = nullptr;
-    /// Fields, as for gusset_net_deform.
+    /// As for gusset_net_deform.
     std::vector<gusset_field> fields;
-    /// Time, as for gusset_net_deform.
+    /// As for gusset_net_deform.
     double time = 0.0;
-    /// Lengths up to this count as 0; at least 0 and finite.
+    /// Lengths up to this count as 0; at least 0, finite.
     double tolerance = 0.0;
 };
 
@@ -121,9 +121,9 @@ struct PlanariseOptions {
     /// Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0: 1e-10, or 4e-7 for
     /// float.
     double tolerance = 0.0;
-    /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL: all may move.
+    /// For each node, 1: it stays with all nodes glued to it. NULL: all may move.
     std::vector<uint8_t> fixed;
-    /// Largest number of steps; 0: 100.
+    /// Most steps; 0: 100.
     uint32_t max_iterations = 0;
     /// 1: boundary vertices of the surface stay.
     bool keep_boundary = false;
@@ -131,15 +131,15 @@ struct PlanariseOptions {
 
 /// Options of gusset_net_settle. See ::gusset_settle_options.
 struct SettleOptions {
-    /// Largest displacement of the last step, relative to the diagonal of the bounding box; 0: 1e-12.
+    /// Largest displacement in the last step, relative to the bounding box's diagonal; 0: 1e-12.
     double tolerance = 0.0;
     /// Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
     double rest_ratio = 0.0;
-    /// Net of equal size that gives rest lengths and shapes of rigid bridges; NULL: the net itself.
+    /// Net of equal size for rest lengths and shapes of rigid bridges; NULL: the net itself.
     const gusset_net *reference = nullptr;
-    /// One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
+    /// For each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
     std::vector<uint8_t> free;
-    /// Largest number of steps; 0: 1000.
+    /// Most steps; 0: 1000.
     uint32_t max_iterations = 0;
 };
 

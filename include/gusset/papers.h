@@ -10,34 +10,34 @@
 extern "C" {
 #endif
 
-/* ---- Regions of cells: Chains, diameters, cells and nodes of masks. Input arrays may have any alignment. */
+/* ---- Regions of cells: Chains, diameters, cells and nodes of masks. */
 
 /// Measures of a region of cells.
 typedef struct gusset_mask_report {
     size_t struct_size;
     /// Number of cells.
     uint64_t cells;
-    /// Most cells in a shortest chain between two cells; 0 without cells, 2^64 - 1 if disconnected.
+    /// Most cells in a shortest chain; 0 without cells, 2^64 - 1 if disconnected.
     uint64_t integer_diameter;
-    /// Euler characteristic, vertices - edges + cells: 1 for a connected region without holes.
+    /// Vertices - edges + cells: 1 for a connected region without holes.
     int64_t euler;
-    /// Bound of the distance between two points: integer_diameter times the greatest Euclidean diameter of a cell.
-    /// Infinite if disconnected.
+    /// Bound of the distance of two points: integer_diameter times the greatest Euclidean diameter of a cell; infinite
+    /// if disconnected.
     double diameter;
 } gusset_mask_report;
 
 struct gusset_sheet;
 
 /// Finds a shortest chain of cells in a region; consecutive cells share a node.
-/// The sum of their diameters bounds the distance between points of the first and the last cell.
-/// @param words the region, one bit for each cell. Cell (i, j) is bit k % 64 of word k / 64, where k = i * columns + j.
-///     NULL with count 0: all cells.
-/// @param count words, at least those that the cells need.
-/// @param from row and column of a cell of the region.
-/// @param to row and column of a cell of the region.
-/// @param cells receives row and column of each cell, from and to included. NULL with capacity 0: only the size.
+/// The sum of their diameters bounds the distance between points of the end cells.
+/// @param words the region, a bit a cell. Cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j. NULL with
+///     count 0: all cells.
+/// @param count at least the words of all cells.
+/// @param from row and column in the region.
+/// @param to row and column in the region.
+/// @param cells receives row and column of each cell, from and to included.
 /// @param capacity in cells.
-/// @param written receives the number of cells; 0 if no chain exists.
+/// @param written receives the number of cells; 0 without a chain.
 /// @errors COUNT_DIFFERS (too few words), NO_SUCH_ELEMENT (cell), BUFFER_TOO_SMALL
 /// @complexity O(cells).
 /// @source Leus, eq. (3).
@@ -45,7 +45,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_mask_chain(const struct gu
     const struct gusset_sheet *sheet, const uint64_t *words, size_t count, const uint32_t *from, const uint32_t *to,
     uint32_t *cells, size_t capacity, size_t *written);
 
-/// Measures the integer diameter, a diameter bound and the Euler characteristic of a region.
+/// Measures a region.
 /// @param words as for gusset_sheet_mask_chain.
 /// @complexity O(cells) for compact regions, at worst O(cells^2).
 /// @source Leus, eqs. (4) to (6).
@@ -56,7 +56,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_mask_measure(const struct 
 /// Each node is listed once; a closing line counts as the first line.
 /// @param words as for gusset_sheet_mask_chain.
 /// @param domain faces: cells; vertices or corners: nodes.
-/// @param elements receives row and column of each element. NULL with capacity 0: only the size.
+/// @param elements receives row and column of each element.
 /// @param capacity in elements.
 /// @param written receives the number of elements.
 /// @errors COUNT_DIFFERS (too few words), BUFFER_TOO_SMALL
@@ -77,7 +77,7 @@ typedef uint32_t gusset_reference_object;
 #define GUSSET_REFERENCE_LINE 2
 /// The segment from `point` to `point` + `direction`.
 #define GUSSET_REFERENCE_SEGMENT 3
-/// Normals at `angle` to `direction`. Distances are deviations from the angle, in radians.
+/// Normals at `angle` to `direction`. Distances are deviations from the angle.
 #define GUSSET_REFERENCE_ANGLE 4
 /// The curve.
 #define GUSSET_REFERENCE_CURVE 5
@@ -88,35 +88,34 @@ typedef uint32_t gusset_reference_object;
 
 struct gusset_surface;
 
-/// Task and method of Leus's search.
+/// Task and method of Leus's search. Fields name objects without prefix.
 typedef struct gusset_reference_task {
     size_t struct_size;
     gusset_reference_object object;
-    /// Cells to find. 0: cells that may have a point at most `within` away. 1: cells that may have the nearest point.
+    /// Cells to find. 0: those that may have a point at most `within` away; 1: the nearest point.
     uint32_t find_nearest;
-    /// x, y, z; not read for angles.
+    /// Not read for angles.
     double point[3];
-    /// x, y, z, not 0; not read for points.
+    /// Not 0; not read for points.
     double direction[3];
-    /// Distance, at least 0; INFINITY: all cells. Not read if find_nearest is 1.
+    /// At least 0; INFINITY: all cells. Not read if find_nearest is 1.
     double within;
-    /// For GUSSET_REFERENCE_ANGLE: 0 to pi.
+    /// ANGLE: 0 to pi.
     double angle;
-    /// For GUSSET_REFERENCE_ANGLE: a bound of the principal curvatures of the sheet (see gusset_sheet_measure); 0:
-    /// cones of normals, which are tighter.
+    /// ANGLE: a bound of the sheet's principal curvatures (see gusset_sheet_measure); 0: cones of normals, which are
+    /// tighter.
     double curvature;
-    /// For GUSSET_REFERENCE_ANGLE. 1: a normal and its opposite are equal.
+    /// ANGLE. 1: a normal and its opposite are equal.
     uint32_t unsigned_normals;
-    /// Bound of blocks. 1: sum of the greatest bound of each ring of cells; 0: integer diameter times the greatest.
+    /// Bound of blocks. 1: sum of each ring's greatest bound; 0: integer diameter times the greatest.
     uint32_t by_rings;
     /// 1: visits nodes row by row, as Leus does; 0: distant nodes first.
     uint32_t by_rows;
-    /// For rows and columns of cells at an edge that an excluded block covers completely. 0: removes them, which leaves
-    /// a smaller surface; 1: keeps them.
+    /// Rows and columns of cells at an edge that an excluded block covers. 0: removes them; 1: keeps them.
     uint32_t keep_lines;
-    /// For GUSSET_REFERENCE_CURVE.
+    /// CURVE.
     const struct gusset_curve *curve;
-    /// For GUSSET_REFERENCE_SURFACE.
+    /// SURFACE.
     const struct gusset_surface *surface;
 } gusset_reference_task;
 
@@ -131,7 +130,7 @@ typedef struct gusset_reference_report {
     uint64_t blocks;
     /// Lines of cells removed.
     uint64_t dropped;
-    /// Least distance of the evaluated nodes; of all nodes if find_nearest is 1.
+    /// Least distance of evaluated nodes; of all if find_nearest is 1.
     double min_distance;
     /// Row of the node at min_distance.
     uint32_t row;
@@ -139,14 +138,12 @@ typedef struct gusset_reference_report {
     uint32_t column;
 } gusset_reference_report;
 
-/// Finds the cells of a sheet that may satisfy a task, by Leus's search with its logical scale.
+/// Finds the cells of a sheet that may satisfy a task, by Leus's search.
 /// No qualifying cell is missing. gusset_surface answers faster.
-/// @param words receives one bit for each cell, as for gusset_sheet_mask_chain; 0 after an error. NULL with capacity 0:
-///     only the size and the report.
-/// @param capacity in words.
+/// @param words receives a bit a cell, as for gusset_sheet_mask_chain; 0 after an error.
 /// @param written receives the number of words.
 /// @param report may be NULL.
-/// @errors OUT_OF_RANGE (non-finite values, zero direction, negative distance, angle outside 0 to pi), BUFFER_TOO_SMALL
+/// @errors OUT_OF_RANGE (non-finite values, zero direction, within, angle), BUFFER_TOO_SMALL
 /// @complexity O(cells), parallel, for bounds; O(cells / 64 + nodes evaluated) for the search.
 /// @source Leus; docs/errata.md lists its errata.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_reference_mask(const struct gusset_context *context,
@@ -154,15 +151,13 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_reference_mask(const struc
     size_t *written, struct gusset_reference_report *report);
 
 /// Finds the arcs of a curve that may satisfy a task.
-/// Each segment is divided into `parts` arcs of equal parameter length, numbered along the curve. No qualifying arc is
-/// missing. GUSSET_REFERENCE_ANGLE refers to tangents, and unsigned_normals admits both directions; curvature and
-/// keep_lines are not read.
+/// Each segment has `parts` arcs of equal parameter length, numbered along the curve. No qualifying arc is missing.
+/// GUSSET_REFERENCE_ANGLE refers to tangents, unsigned_normals to both directions; curvature and keep_lines are not
+/// read.
 /// @param parts arcs of each segment, at least 1; at most 2^30 arcs in all.
-/// @param words receives one bit for each arc: arc k is bit k % 64 of word k / 64; 0 after an error. NULL with capacity
-///     0: only the size and the report.
-/// @param capacity in words.
+/// @param words receives a bit an arc: arc k is bit k % 64 of word k / 64; 0 after an error.
 /// @param written receives the number of words.
-/// @param report row is 0, column is the point of the curve; may be NULL.
+/// @param report row is 0, column the point of the curve; may be NULL.
 /// @errors as gusset_sheet_reference_mask, EMPTY_CURVE, OUT_OF_RANGE (parts), TOO_LARGE
 /// @complexity O(arcs degree^2) for lengths; O(arcs / 64 + nodes evaluated) for the search.
 /// @source Leus, the last paragraph.
@@ -172,33 +167,32 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_reference_mask(const struc
 
 struct gusset_surface_place;
 
-/// Approximates normals at places by Leus's sections, to third order in the size of cells.
+/// Approximates normals by Leus's sections, to third order in the size of cells.
 /// Two orthogonal planes parallel to the mean normal of the cell's corners cut the lines of the net. In each, a cubic
-/// through four crossings gives a tangent. gusset_surface_evaluate returns exact normals.
+/// through four crossings gives a tangent. gusset_surface_evaluate is exact.
 /// @param places their sheet is not read; u and v are 0 to 1.
-/// @param normals receives x, y, z for each place; 0 if undefined or after an error.
-/// @errors NO_SUCH_ELEMENT (place: the cell does not exist, or a parameter is outside 0 to 1)
+/// @param normals receives count normals; 0 if undefined or after an error.
+/// @errors NO_SUCH_ELEMENT (place: no such cell, or a parameter outside 0 to 1)
 /// @complexity O(1) a place.
 /// @source Leus, fig. 1.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *context,
     const struct gusset_sheet *sheet, const struct gusset_surface_place *places, size_t count, double *normals);
 
-/* ---- Winged-edge tables: Baumgart's tables of a mesh, and boundary loops found in them. */
+/* ---- Winged-edge tables: Baumgart's tables of a mesh, and its boundary loops. */
 
 /// Orientation of faces in a mesh.
 typedef uint32_t gusset_winding;
-/// Faces are counter-clockwise seen from outside. The winged-edge tables list each face in reverse, clockwise, as
-/// Baumgart does.
+/// Faces are counter-clockwise seen from outside. The tables list them in reverse, as Baumgart does.
 #define GUSSET_FACES_COUNTER_CLOCKWISE 0
-/// Faces are clockwise seen from outside, as in Baumgart's tables.
+/// Faces are clockwise seen from outside, as Baumgart's.
 #define GUSSET_FACES_CLOCKWISE 1
 
 /// Marks of an edge.
 /// @bits
 typedef uint32_t gusset_winged_flags;
-/// A record of an edge with three or more faces; it has one of them.
+/// A record of one face of a non-manifold edge.
 #define GUSSET_WINGED_NON_MANIFOLD 1
-/// A record of an edge that two faces traverse in the same direction; it has one of them.
+/// A record of one face of an edge that two faces traverse in one direction.
 #define GUSSET_WINGED_NOT_ORIENTED 2
 /// M = N, or a face of the edge has fewer than three proper edges.
 #define GUSSET_WINGED_DEGENERATE 4
@@ -249,8 +243,7 @@ typedef struct gusset_winged_view {
     struct gusset_indices edge_of_face;
     /// An edge at each vertex, or UINT32_MAX.
     struct gusset_indices edge_of_vertex;
-    /// Vertices of all boundary loops, loop after loop, surface on the left. Exactly one of L and R of a boundary edge
-    /// is NULL.
+    /// Vertices of all boundary loops, surface on the left. Exactly one of L and R of a boundary edge is NULL.
     struct gusset_indices loop_vertices;
     /// Edges of the loops; edge i starts at vertex i.
     struct gusset_indices loop_edges;
@@ -261,21 +254,21 @@ typedef struct gusset_winged_view {
 /// Lent faces.
 typedef struct gusset_winged_faces_view {
     size_t struct_size;
-    /// faces + 1 offsets, as in gusset_mesh_view.
+    /// As in gusset_mesh_view.
     struct gusset_indices face_offsets;
-    /// Vertices of the faces in order, as in gusset_mesh_view.
+    /// As in gusset_mesh_view.
     struct gusset_indices face_corners;
     /// Edge that leaves each corner.
     struct gusset_indices edge_of_half_edge;
 } gusset_winged_faces_view;
 
 /// Makes the winged-edge tables of a mesh, and finds its boundary loops by Nesterenko's algorithm 1.
-/// An edge with three or more faces, or two in the same direction, becomes several marked records of one face each. A
-/// stitched mesh keeps the edge numbers of its first mesh. The loops equal the result of gusset_boundary_create, except
-/// that an edge with inconsistent faces is a boundary on both sides.
+/// A non-manifold edge, or one with two faces in one direction, becomes several marked records of one face each. A
+/// stitched mesh keeps the edge numbers of its first mesh. Loops are as of gusset_boundary_create, except that an edge
+/// with inconsistent faces is a boundary on both sides.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
-/// @source Nesterenko, equations 1-3 and algorithm 1; criterion 3 as "exactly one of L, R is NULL", as the text has it.
+/// @complexity O(H log d); linear memory.
+/// @source Nesterenko, equations 1-3 and algorithm 1; criterion 3 as "exactly one of L, R is NULL".
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_winged_create(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_winged_options *options, struct gusset_winged **winged);
 
@@ -283,21 +276,18 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_winged_create(const struct gusse
 GUSSET_API void gusset_winged_destroy(struct gusset_winged *winged);
 
 /// Lends the tables.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_winged_get_view(const struct gusset_winged *winged,
     struct gusset_winged_view *view);
 
-/// Reads the faces of a winged-edge table, and checks the records against each other.
-/// Each face must be one cycle of at least three sides along the wings. Wings and faces must exist. A side without a
-/// face must have no wings. Marks are not read. Edges and edge_of_face of gusset_winged_create give back its faces
-/// corner for corner.
-/// @param edges packed.
+/// Reads the faces of a winged-edge table, and checks its records.
+/// Each face must be one cycle of at least three sides along the wings. Wings and faces must exist; a side without a
+/// face lacks wings. Marks are not read. Edges and edge_of_face of gusset_winged_create give back its faces corner for
+/// corner.
 /// @param edge_count 0: no faces.
 /// @param vertex_count exceeds every vertex of an edge.
-/// @param first_edges for each face, the edge where it begins. If both sides belong to the face, it begins from M to N.
-///     NULL: the lowest edge.
-/// @errors BAD_WINGS (edge), FACE_TOO_SMALL (also a face number that no side has), OUT_OF_RANGE (not one first edge for
-///     each face), TOO_LARGE
+/// @param first_edges for each face, the edge where it begins; from M to N if both sides are of the face. NULL: the
+///     lowest edge.
+/// @errors BAD_WINGS (edge), FACE_TOO_SMALL (also a face without sides), OUT_OF_RANGE (first_edges), TOO_LARGE
 /// @complexity O(edges) time and memory.
 /// @source Nesterenko, equation 2, read backwards.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_winged_faces_create(const struct gusset_context *context,
@@ -309,7 +299,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_winged_faces_create(const struct
 GUSSET_API void gusset_winged_faces_destroy(struct gusset_winged_faces *faces);
 
 /// Lends the faces.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_winged_faces_get_view(const struct gusset_winged_faces *faces,
     struct gusset_winged_faces_view *view);
 

@@ -18,13 +18,13 @@ typedef uint32_t gusset_scene_entry_kind;
 /// Group of entries.
 #define GUSSET_SCENE_GROUP 1
 
-/// Scene: nets in nested groups. An entry may belong to several groups. Indices are never reused.
+/// Scene: nets in nested groups. Entries may belong to several groups; indices are never reused.
 typedef struct gusset_scene gusset_scene;
 
 /// Entry of a scene.
 typedef struct gusset_scene_entry_report {
     size_t struct_size;
-    /// Map into the space of its groups.
+    /// Map into its groups' space.
     struct gusset_transform transform;
     /// Entries in a group; 0 for a net.
     size_t child_count;
@@ -33,18 +33,18 @@ typedef struct gusset_scene_entry_report {
     uint32_t visible;
 } gusset_scene_entry_report;
 
-/// Size of a scene. A top-level entry is outside all groups.
+/// Size of a scene. Top-level entries are outside all groups.
 typedef struct gusset_scene_report {
     size_t struct_size;
-    /// Instances, each a path from a top-level entry; at most UINT64_MAX.
+    /// Instances: paths from top-level entries; at most UINT64_MAX.
     uint64_t instances;
-    /// Instances that are nets.
+    /// Instances of nets.
     uint64_t net_instances;
     /// Entries that are nets.
     uint32_t nets;
     /// Entries that are groups.
     uint32_t groups;
-    /// Length of the longest path, in entries; 0 for an empty scene.
+    /// Entries of the longest path; 0 for an empty scene.
     uint32_t levels;
     uint32_t reserved;
 } gusset_scene_report;
@@ -57,19 +57,19 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_create(const struct gusset
 /// Destroys a scene.
 GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
 
-/// Adds a net, as it is now, or an empty group as a top-level entry.
-/// @param net the net; NULL adds a group.
+/// Adds a net, as it is now, or an empty group at top level.
+/// @param net NULL adds a group.
 /// @param entry receives its index.
 /// @errors TOO_LARGE
 /// @complexity O(1); O(nodes) for a net in the caller's memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_add(const struct gusset_context *context,
     struct gusset_scene *scene, const struct gusset_net *net, uint32_t *entry);
 
-/// Appends an entry to a group. An entry may occur in it repeatedly.
+/// Appends an entry to a group, perhaps repeatedly.
 /// @param group the group.
 /// @param child the entry.
-/// @errors NO_SUCH_ELEMENT (no such entry, or group is a net), SCENE_CYCLE
-/// @complexity O(1) for a child without children or a top-level group, else O(fewer of the entries below child and
+/// @errors NO_SUCH_ELEMENT (also if group is a net), SCENE_CYCLE
+/// @complexity O(1) for a child without children or a top-level group, else O(fewer entries of those below child and
 ///     above group).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_add_child(const struct gusset_context *context,
     struct gusset_scene *scene, uint32_t group, uint32_t child);
@@ -95,7 +95,7 @@ typedef uint32_t gusset_visibility;
 #define GUSSET_VISIBILITY_KEEP 0
 /// Shows the entry.
 #define GUSSET_VISIBILITY_SHOW 1
-/// Hides the entry with all its children.
+/// Hides the entry and its children.
 #define GUSSET_VISIBILITY_HIDE 2
 
 /// Changes of an entry. Default: none.
@@ -103,7 +103,7 @@ typedef struct gusset_scene_changes {
     size_t struct_size;
     /// New net, as it is now; NULL: no change.
     const struct gusset_net *net;
-    /// New map into the space of its groups, finite; NULL: no change.
+    /// New map into its groups' space, finite; NULL: no change.
     const struct gusset_transform *transform;
     gusset_visibility visibility;
     uint32_t reserved;
@@ -111,7 +111,6 @@ typedef struct gusset_scene_changes {
 
 /// Changes the net, transform or visibility of an entry.
 /// @param entry the entry.
-/// @param changes the changes.
 /// @errors NO_SUCH_ELEMENT (also if a group would get a net), OUT_OF_RANGE (transform)
 /// @complexity O(1); O(nodes) for a net in the caller's memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_set_entry(const struct gusset_context *context,
@@ -120,11 +119,10 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_set_entry(const struct gus
 /// Describes an entry.
 /// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_entry(const struct gusset_scene *scene, uint32_t entry,
     struct gusset_scene_entry_report *report);
 
-/// Makes a handle of an entry's net. It shares memory until changed.
+/// Makes a handle of an entry's net, which shares memory until changed.
 /// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT (also for a group)
 /// @complexity O(1).
@@ -133,28 +131,27 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_net_create(const struct gu
 
 /// Writes the entries of a group, in order.
 /// @param group the group.
-/// @param children room for capacity entries; NULL and capacity 0 to count.
-/// @param capacity size of children.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param children receives the entries.
+/// @param written receives the count.
 /// @errors NO_SUCH_ELEMENT (also for a net), BUFFER_TOO_SMALL
 /// @complexity O(children).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_children(const struct gusset_context *context,
     const struct gusset_scene *scene, uint32_t group, uint32_t *children, size_t capacity, size_t *written);
 
-/// Counts the contents of a scene.
+/// Counts the contents.
 /// @complexity O(entries + children).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_report(const struct gusset_scene *scene,
     struct gusset_scene_report *report);
 
 /* ---- Visible nets of a scene: Lists instances, and joins their nets into one. */
 
-/// Instance: one path from a top-level entry to an entry.
+/// Instance: a path from top level to an entry.
 typedef struct gusset_scene_instance {
-    /// Map into the space of the scene.
+    /// Map into the scene's space.
     struct gusset_transform world;
     /// The entry.
     uint32_t entry;
-    /// Instance of the enclosing group; UINT32_MAX at top level.
+    /// Instance of the enclosing group, or UINT32_MAX.
     uint32_t parent;
     /// 1 unless the entry or an enclosing group is hidden. @flag
     uint32_t visible;
@@ -162,26 +159,25 @@ typedef struct gusset_scene_instance {
 } gusset_scene_instance;
 
 /// Writes all instances: each after its group, children in order.
-/// @param instances room for capacity instances; NULL and capacity 0 to count.
-/// @param capacity size of instances.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param instances receives the instances.
+/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24 instances)
 /// @complexity O(entries + instances).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_world_transforms(const struct gusset_context *context,
     const struct gusset_scene *scene, struct gusset_scene_instance *instances, size_t capacity, size_t *written);
 
-/// Joins all visible nets into one, in the space of the scene.
-/// Mirrored nets are flipped if necessary: turn counts as 1. gusset_scene_unflatten_create is the inverse.
+/// Joins all visible nets into one, in the scene's space.
+/// Mirrored nets are flipped: turn counts as 1. gusset_scene_unflatten_create is the inverse.
 /// @param options NULL: nets from top to bottom, with hidden bridges.
-/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or too many nodes), as
+/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), as
 ///     gusset_net_concatenate_create
 /// @complexity O(entries + instances + nodes).
 /// @source Deryagin, scenes as "a single whole".
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_flatten_create(const struct gusset_context *context,
     const struct gusset_scene *scene, const struct gusset_concatenate_options *options, struct gusset_net **net);
 
-/// Splits a net at the last-made bridges of a direction from side to side. The parts form one group, entry 0.
-/// Parts keep their bits in the space of net; copies that equalised sizes are removed.
+/// Splits a net at the last-made bridges of a direction from side to side, into one group, entry 0.
+/// Parts keep their bits in net's space; copies that equalised sizes are removed.
 /// @errors CROSSING_CELL
 /// @complexity O(nodes).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_unflatten_create(const struct gusset_context *context,

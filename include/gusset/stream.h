@@ -18,18 +18,18 @@ typedef uint32_t gusset_stream_mode;
 #define GUSSET_STREAM_QUANTISED 0
 /// Compressed bit for bit, including NaN.
 #define GUSSET_STREAM_LOSSLESS 1
-/// Uncompressed little-endian matrices, aligned to 64 bytes for memory mapping.
+/// Uncompressed little-endian matrices, aligned to 64 bytes.
 #define GUSSET_STREAM_RAW 2
 
 /// Options of gusset_net_encode_create.
 typedef struct gusset_stream_options {
     size_t struct_size;
-    /// Rows of each independently coded block. 0: about 2^17 nodes a block, or one block for RAW.
+    /// Rows of each independently coded block; 0: about 2^17 nodes, or all for RAW.
     size_t rows_per_block;
     gusset_stream_mode mode;
     /// QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     uint32_t bits;
-    /// QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else 0. @flag
+    /// QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0. @flag
     uint32_t per_axis;
     uint32_t reserved;
 } gusset_stream_options;
@@ -37,20 +37,19 @@ typedef struct gusset_stream_options {
 /// Header of a stream.
 typedef struct gusset_stream_report {
     size_t struct_size;
-    /// Rows of nodes.
+    /// Node rows.
     size_t rows;
-    /// Columns of nodes.
+    /// Node columns.
     size_t columns;
-    /// Rows of each block; the last may have fewer.
+    /// Rows of a block; the last may have fewer.
     size_t rows_per_block;
     /// Bytes before the first block.
     uint64_t prelude_size;
-    /// QUANTISED: coordinates of level 0; level k is at origin + k * step. Else 0.
+    /// QUANTISED: level 0; level k is at origin + k * step. Else 0.
     double origin[3];
-    /// QUANTISED: distance of levels. Coordinates are off by at most step / 2 and half a unit in the last place. Else
+    /// QUANTISED: distance of levels; coordinates are off by at most step / 2 and half a unit in the last place. Else
     /// 0.
     double step[3];
-    /// Type of coordinates.
     gusset_scalar scalar;
     gusset_stream_mode mode;
     /// QUANTISED: bits of a coordinate. Else 0.
@@ -66,7 +65,7 @@ typedef struct gusset_stream_view {
     size_t struct_size;
     /// First byte.
     const void *data;
-    /// Number of bytes.
+    /// Bytes.
     size_t size;
 } gusset_stream_view;
 
@@ -74,16 +73,15 @@ typedef struct gusset_stream_view {
 typedef struct gusset_stream_decoder gusset_stream_decoder;
 
 /// Encodes a net as a stream: coordinates, gluing and bridges.
-/// - QUANTISED and LOSSLESS store one node of each glued point, and decoding repeats its bits. LOSSLESS stores all if
-///   their bits differ.
+/// - QUANTISED and LOSSLESS store one node of each glued point, whose bits decoding repeats; LOSSLESS stores all if
+///   bits differ.
 /// - QUANTISED replaces missing nodes by three NaN.
-/// @errors OUT_OF_RANGE (bits; for QUANTISED, a coordinate above a quarter of the largest double)
-/// @complexity O(nodes); threads share the blocks.
+/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double)
+/// @complexity O(nodes), parallel by blocks.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_encode_create(const struct gusset_context *context,
     const struct gusset_net *net, const struct gusset_stream_options *options, struct gusset_stream **stream);
 
-/// Lends the bytes of a stream.
-/// @complexity O(1).
+/// Lends the bytes.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_get_view(const struct gusset_stream *stream,
     struct gusset_stream_view *view);
 
@@ -92,34 +90,34 @@ GUSSET_API void gusset_stream_destroy(struct gusset_stream *stream);
 
 /// Reads the header of a stream.
 /// @param data the first 128 bytes or more.
-/// @param size number of bytes.
-/// @errors BAD_STREAM (with the byte)
+/// @param size bytes.
+/// @errors BAD_STREAM (byte)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_inspect(const struct gusset_context *context, const void *data,
     size_t size, struct gusset_stream_report *report);
 
 /// Decodes a stream to a net.
-/// Damaged and malicious streams do no harm. Memory is at most 4096 nodes, or 96 KiB, for each byte of the stream.
-/// @param data the whole stream, at any alignment.
-/// @param size number of bytes.
-/// @param node_limit largest number of nodes, checked before allocation; 0: no further limit.
-/// @errors BAD_STREAM (with the byte), TOO_LARGE
-/// @complexity O(nodes); threads share the blocks.
+/// Damaged and malicious streams do no harm: memory is at most 4096 nodes, or 96 KiB, a byte.
+/// @param data the whole stream.
+/// @param size bytes.
+/// @param node_limit most nodes, checked before allocation; 0: no limit.
+/// @errors BAD_STREAM (byte), TOO_LARGE
+/// @complexity O(nodes), parallel by blocks.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_decode_create(const struct gusset_context *context,
     const void *data, size_t size, uint64_t node_limit, struct gusset_net **net);
 
-/// Makes a decoder of a stream that arrives in pieces.
-/// @param node_limit largest number of nodes; 0: 2^31 - 1. Memory is allocated before the stream is complete.
+/// Makes a decoder.
+/// @param node_limit most nodes; 0: 2^31 - 1. Memory is allocated before the stream is complete.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_decoder_create(const struct gusset_context *context,
     uint64_t node_limit, struct gusset_stream_decoder **decoder);
 
-/// Passes the next bytes of a stream to a decoder.
-/// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and every further call returns it.
-/// @param data any number of bytes, at any alignment.
-/// @param size number of bytes.
-/// @param rows_done receives the number of complete rows so far; may be NULL.
-/// @errors BAD_STREAM (with the byte), TOO_LARGE
+/// Passes the next bytes to a decoder.
+/// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and further calls return it.
+/// @param data any number of bytes.
+/// @param size bytes.
+/// @param rows_done receives the count of complete rows, or NULL.
+/// @errors BAD_STREAM (byte), TOO_LARGE
 /// @complexity O(bytes + nodes of completed blocks).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_decoder_push(const struct gusset_context *context,
     struct gusset_stream_decoder *decoder, const void *data, size_t size, size_t *rows_done);
@@ -131,7 +129,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_decoder_preview_create(co
     const struct gusset_stream_decoder *decoder, struct gusset_net **net);
 
 /// Makes the net of a complete stream, and resets the decoder.
-/// @errors BAD_STREAM (incomplete stream), as gusset_stream_decoder_push
+/// @errors BAD_STREAM (incomplete), as gusset_stream_decoder_push
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_decoder_finish_create(const struct gusset_context *context,
     struct gusset_stream_decoder *decoder, struct gusset_net **net);

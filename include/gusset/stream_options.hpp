@@ -10,13 +10,13 @@ namespace gusset {
 
 /// Options of gusset_net_encode_create. See ::gusset_stream_options.
 struct StreamOptions {
-    /// Rows of each independently coded block. 0: about 2^17 nodes a block, or one block for RAW.
+    /// Rows of each independently coded block; 0: about 2^17 nodes, or all for RAW.
     std::size_t rows_per_block = 0;
     /// Storage of coordinates in a stream.
     StreamMode mode = StreamMode::quantised;
     /// QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     uint32_t bits = 0;
-    /// QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else 0.
+    /// QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
     bool per_axis = false;
 };
 

@@ -10,22 +10,22 @@
 extern "C" {
 #endif
 
-/* ---- Surfaces: Smooth surfaces that answer queries from an index. Input arrays may have any alignment. */
+/* ---- Surfaces: Smooth surfaces that answer queries from an index. */
 
-/// A smooth surface of one or more sheets, indexed for queries. The sheets may be destroyed.
+/// A smooth surface of sheets, indexed for queries.
 typedef struct gusset_surface gusset_surface;
 
-/// Size and numbering of a surface's sheet.
+/// Size and numbering of a sheet.
 typedef struct gusset_surface_sheet {
-    /// Rows of cells: u runs from 0 to rows. Corners have one row more.
+    /// Rows of cells: u runs from 0 to rows.
     size_t rows;
     /// Columns of cells, in v.
     size_t columns;
-    /// Number of cell (0, 0) among the cells of all sheets. Cell (i, j) has the number first_cell + i * columns + j,
-    /// which is its bit in masks of gusset_surface_cells_view.
+    /// Number of cell (0, 0) among all sheets' cells. Cell (i, j) has the number first_cell + i * columns + j: its bit
+    /// in masks of gusset_surface_cells_view.
     uint64_t first_cell;
-    /// Number of corner (0, 0) among the corners of all sheets, (rows + 1) x (columns + 1) each: offset of its values
-    /// for GUSSET_CONTOUR_VALUES.
+    /// Number of corner (0, 0) among all sheets' corners, (rows + 1) x (columns + 1) each: offset of its values for
+    /// GUSSET_CONTOUR_VALUES.
     uint64_t first_node;
     /// 1: closed in u. @flag
     uint32_t closed_u;
@@ -37,7 +37,7 @@ typedef struct gusset_surface_sheet {
 typedef struct gusset_surface_place {
     /// Index of the sheet.
     uint32_t sheet;
-    /// Row of the cell, between node rows row and row + 1.
+    /// Row of the cell.
     uint32_t row;
     /// Column of the cell.
     uint32_t column;
@@ -55,7 +55,7 @@ typedef uint32_t gusset_contact_kind;
 /// Two branches of the intersection cross, or pass each other within the tolerance.
 #define GUSSET_CONTACT_CROSSING 2
 
-/// A point where two surfaces touch within the tolerance, with parallel normals.
+/// A point where surfaces touch within the tolerance, with parallel normals.
 typedef struct gusset_surface_contact {
     /// Place on the first surface.
     struct gusset_surface_place place;
@@ -63,8 +63,7 @@ typedef struct gusset_surface_contact {
     struct gusset_surface_place other;
     /// Height of the first surface above the second, along the first's normal.
     double gap;
-    /// Near the contact, points within the tolerance of the other surface lie within this distance, except on crossing
-    /// branches.
+    /// Near the contact, points within the tolerance of the other surface lie this near, except on crossing branches.
     double radius;
     gusset_contact_kind kind;
     uint32_t reserved;
@@ -73,11 +72,11 @@ typedef struct gusset_surface_contact {
 /// Options of gusset_surface_create.
 typedef struct gusset_surface_options {
     size_t struct_size;
-    /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the diagonal of the
-    /// surface's bounding box.
+    /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the surface's box
+    /// diagonal.
     double tolerance;
-    /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle, about 0.7 bytes a
-    /// node; 0: the first such query builds them. @flag
+    /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0: the first such
+    /// query builds them. @flag
     uint32_t cones;
     uint32_t reserved;
 } gusset_surface_options;
@@ -89,46 +88,44 @@ typedef struct gusset_surface_paths gusset_surface_paths;
 typedef struct gusset_surface_paths_view {
     size_t struct_size;
     size_t path_count;
-    /// Number of points of all curves.
     size_t point_count;
-    /// path_count + 1 offsets: curve k has the points ends[k] to ends[k + 1] - 1.
+    /// Curve k has the points ends[k] to ends[k + 1] - 1.
     struct gusset_indices ends;
-    /// By curve: 1 if closed. The first point is not repeated; append it for gusset_curve_through_create. @flag
+    /// By curve: 1 if closed. Append the first point for gusset_curve_through_create. @flag
     const uint32_t *closed;
     /// By curve: index of its plane, level or angle, or 0.
     const uint32_t *levels;
-    /// x, y, z of each point, on the surface.
+    /// The points, on the surface.
     const double *points;
-    /// Unit normals, x, y, z at each point; 0 where undefined.
+    /// Unit normal at each point; 0 where undefined.
     const double *normals;
     /// Places of the points.
     const struct gusset_surface_place *places;
-    /// For intersections: places on the second surface; else NULL.
+    /// Intersections: places on the second surface; else NULL.
     const struct gusset_surface_place *others;
     /// Cells that may contain a tangency, a coincidence, or pieces smaller than the tolerance.
     const struct gusset_surface_place *unresolved;
     size_t unresolved_count;
-    /// For intersections: points where the surfaces touch.
+    /// Intersections: points where the surfaces touch.
     const struct gusset_surface_contact *contacts;
     size_t contact_count;
 } gusset_surface_paths_view;
 
 struct gusset_sheet;
 
-/// Makes a surface of sheets and builds its index.
-/// The greatest absolute coordinate of each sheet, control points included, is 0 or from 1e-30 to 1e37.
-/// @param sheets count handles, none NULL; the array at any alignment.
+/// Makes a surface of sheets, and its index.
+/// Each sheet's greatest absolute coordinate, control points included, is 0 or from 1e-30 to 1e37.
+/// @param sheets count handles, none NULL.
 /// @errors EMPTY_MESH (no sheets), OUT_OF_RANGE (tolerance; coordinates of a sheet)
 /// @complexity O(nodes), parallel; about 7 bytes a node, and 0.7 for cones.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_create(const struct gusset_context *context,
     const struct gusset_sheet *const *sheets, size_t count, const struct gusset_surface_options *options,
     struct gusset_surface **surface);
 
-/// Frees a surface. Its results stay valid.
+/// Frees a surface.
 GUSSET_API void gusset_surface_destroy(struct gusset_surface *surface);
 
 /// Lends the curves.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_paths_get_view(const struct gusset_surface_paths *paths,
     struct gusset_surface_paths_view *view);
 
@@ -137,15 +134,14 @@ GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths)
 
 /* ---- Sheets: Smooth patches through a grid of nodes. */
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. The handles that it was made from may be
-/// destroyed.
+/// A piece of surface: rows and columns of cells, each a Bézier patch.
 typedef struct gusset_sheet gusset_sheet;
 
 /// Interpolation through nodes.
 typedef uint32_t gusset_scheme;
-/// Bicubic from the 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
+/// Bicubic from 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
 #define GUSSET_SCHEME_SIX_TAP 0
-/// Leus's bicubic through the 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump at nodes.
+/// Leus's bicubic through 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump at nodes.
 #define GUSSET_SCHEME_FOUR_POINT 1
 
 /// Source of the twists S_uv at nodes.
@@ -159,31 +155,30 @@ typedef uint32_t gusset_twists;
 /// The given twists.
 #define GUSSET_TWISTS_GIVEN 3
 
-/// Nodes of a surface, x, y, z each. Node (i, j) is at nodes + i * row_stride + j * column_stride bytes. Normals point
-/// along S_u x S_v, u running from row to row: opposite to a net of the same nodes.
+/// Nodes of a surface. Node (i, j) is at nodes + i * row_stride + j * column_stride bytes. Normals point along S_u x
+/// S_v, u running from row to row: opposite to a net of these nodes.
 typedef struct gusset_nodes {
     size_t struct_size;
     /// The first node.
     const void *nodes;
-    /// Rows, at least 2. If closed in u: at least 4, and the last repeats the first.
+    /// At least 2; if closed in u, at least 4, and the last repeats the first.
     size_t rows;
-    /// Columns, with the same limits in v. rows * columns is at most 2^31 - 1.
+    /// Likewise in v. rows * columns is at most 2^31 - 1.
     size_t columns;
     /// Bytes from row to row; 0: no gaps.
     size_t row_stride;
     /// Bytes from node to node in a row; 0: no gaps.
     size_t column_stride;
-    /// Type of coordinates.
     gusset_scalar scalar;
     /// Interpolation through nodes.
     gusset_scheme scheme;
-    /// 1: closed in u; the last row repeats the first. @flag
+    /// 1: closed in u. @flag
     uint32_t closed_u;
-    /// 1: closed in v; the last column repeats the first. @flag
+    /// 1: closed in v. @flag
     uint32_t closed_v;
 } gusset_nodes;
 
-/// Tangents at nodes: x, y, z each, packed, row after row. The parameter step between nodes is 1.
+/// Tangents at nodes, row after row. The parameter step between nodes is 1.
 typedef struct gusset_tangents {
     size_t struct_size;
     /// S_u at each node, towards the next row.
@@ -196,23 +191,23 @@ typedef struct gusset_tangents {
     uint32_t reserved;
 } gusset_tangents;
 
-/// Makes a sheet through nodes, or the C1 bicubic Hermite surface with given tangents.
-/// Repeated nodes and rows that are one point (poles) are allowed.
-/// Borrowed nodes must stay valid and unchanged until the sheet and everything made of it are destroyed. They are f64,
-/// with address and strides that are multiples of 8.
-/// @param nodes finite; at any alignment, unless borrowed.
-/// @param tangents NULL: the scheme of the nodes applies. Else rows x columns finite vectors in each array. A repeated
-///     closing line must exist, but its tangents are not used.
-/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents the sheet keeps only patches.
+/// Makes a sheet through nodes, or the C1 bicubic Hermite surface of given tangents.
+/// Repeated nodes and poles are allowed.
+/// Borrowed nodes are f64, with address and strides that are multiples of 8. They must stay valid and unchanged until
+/// the sheet and everything made of it are destroyed.
+/// @param nodes finite.
+/// @param tangents NULL: the nodes' scheme applies. Else rows x columns finite vectors in each array; a repeated
+///     closing line is not used.
+/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents, the sheet keeps only patches.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or twist), SIDES_DIFFER
-///     (closed, but the ends differ; names the largest gap)
+///     (closed, but the ends differ; with the largest gap)
 /// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
-/// @source Leus, "Carcasses on smooth surfaces".
+/// @source Leus.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_create(const struct gusset_context *context,
     const struct gusset_nodes *nodes, const struct gusset_tangents *tangents, uint32_t borrow,
     struct gusset_sheet **sheet);
 
-/// Frees a sheet. Results made of it stay valid.
+/// Frees a sheet.
 GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
 
 /* ---- Nearest points: Nearest points and local minima of the distance. */
@@ -220,12 +215,12 @@ GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
 /// Properties of a nearest point.
 /// @bits
 typedef uint32_t gusset_nearest_flags;
-/// A point was found. Not set: no point is within the limit; distance and bound are infinite, all else is 0.
+/// A point was found. Not set: no point within the limit; distance and bound are infinite, all else 0.
 #define GUSSET_NEAREST_FOUND 1
 /// `bound` is within the tolerance of the distance, or within rounding. Not set: the proof takes too long, as near
-/// centres of curvature; `bound` still holds.
+/// centres of curvature; `bound` holds.
 #define GUSSET_NEAREST_PROVEN 2
-/// Another point, farther from this one than 1/100 of the distance, is equally near within the tolerance.
+/// Another point, farther away than 1/100 of the distance, is equally near within the tolerance.
 #define GUSSET_NEAREST_AMBIGUOUS 4
 
 /// A surface point near a query.
@@ -249,7 +244,7 @@ typedef struct gusset_nearest_options {
     size_t struct_size;
     /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
     double limit;
-    /// For minima: maximum number, the nearest first; 0: all.
+    /// Minima: most, nearest first; 0: all.
     size_t max_count;
 } gusset_nearest_options;
 
@@ -262,38 +257,36 @@ typedef struct gusset_surface_points_view {
     /// The points, nearest first.
     const struct gusset_surface_nearest_point *points;
     size_t count;
-    /// Distance below which no minimum is missing.
+    /// No minimum below this distance is missing.
     double bound;
-    /// 1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the surface. @flag
+    /// 0 if the search stopped at `bound`. @flag
     uint32_t complete;
     uint32_t reserved;
 } gusset_surface_points_view;
 
-/// Finds the nearest point of a surface for each query.
+/// Finds the nearest point for each query.
 /// Among equally near points, the first by sheet, row and column is returned. Answers do not depend on other queries.
-/// @param queries x, y, z of each, packed.
-/// @param points receives count answers in the order of the queries; after an error, none is found.
-/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit; a coordinate beyond 1e150)
-/// @complexity O(log nodes) a query, parallel; near centres of curvature more, but bounded.
-/// @source Leus, "Carcasses on smooth surfaces", task a.
+/// @param queries up to 1e150.
+/// @param points receives count answers in order; after an error, none is found.
+/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit, query)
+/// @complexity O(log nodes) a query, parallel; more near centres of curvature, but bounded.
+/// @source Leus, task a.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_nearest(const struct gusset_context *context,
     const struct gusset_surface *surface, const double *queries, size_t count,
     const struct gusset_nearest_options *options, struct gusset_surface_nearest_point *points);
 
 /// Finds the local minima of the distance from a query.
-/// No minimum is missed. If the distance is constant, as at a focus, one point represents all cells that touch there,
-/// GUSSET_NEAREST_AMBIGUOUS and not GUSSET_NEAREST_PROVEN. On borders and creases, no path on the surface from a
-/// minimum leads nearer.
-/// @param query x, y, z, up to 1e150.
-/// @param points receives the minima, nearest first.
-/// @errors NOT_FINITE, OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// No minimum is missed. If the distance is constant, one point represents all cells that touch there,
+/// GUSSET_NEAREST_AMBIGUOUS but not GUSSET_NEAREST_PROVEN. On borders and creases, no path on the surface leads nearer.
+/// @param query up to 1e150.
+/// @param points receives the minima.
+/// @errors NOT_FINITE, OUT_OF_RANGE (limit, query)
 /// @complexity O(cells within the limit, or up to the last of max_count minima).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_minima_create(const struct gusset_context *context,
     const struct gusset_surface *surface, const double *query, const struct gusset_nearest_options *options,
     struct gusset_surface_points **points);
 
 /// Lends the points.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_points_get_view(const struct gusset_surface_points *points,
     struct gusset_surface_points_view *view);
 
@@ -304,14 +297,14 @@ GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *poin
 
 /// Kind of a normal.
 typedef uint32_t gusset_normal_kind;
-/// Undefined: the tangents are 0, or parallel along all lines to the point.
+/// Undefined: tangents are 0, or parallel along all lines to the point.
 #define GUSSET_NORMAL_NONE 0
 /// Normal of the tangent plane.
 #define GUSSET_NORMAL_REGULAR 1
 /// Limit along the coordinate line where the tangents span no plane, as at poles.
 #define GUSSET_NORMAL_LIMIT 2
 
-/// Point, derivatives, normal and curvatures at a place. Derivatives refer to the parameters in the cell.
+/// Point, derivatives by the cell's parameters, normal and curvatures at a place.
 typedef struct gusset_surface_point {
     /// The point.
     double point[3];
@@ -327,49 +320,47 @@ typedef struct gusset_surface_point {
     double vv[3];
     /// Unit normal along S_u x S_v; 0 if undefined.
     double normal[3];
-    /// For GUSSET_NORMAL_LIMIT: largest angle to the limits along other lines. Small at a smooth pole, large at a
-    /// cone's tip.
+    /// For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines.
     double spread;
-    /// Principal curvatures, the greater first; positive where the surface bends towards the normal.
+    /// Principal curvatures, the greater first; positive if bent towards the normal.
     double principal[2];
-    /// Principal directions: two unit tangents, x, y, z each.
+    /// Principal directions: two unit tangents.
     double directions[6];
     /// Mean curvature.
     double mean;
     /// Gaussian curvature.
     double gaussian;
     gusset_normal_kind normal_kind;
-    /// 1: curvatures are given; 0: the surface is not regular, and they are 0. @flag
+    /// 0: not regular; curvatures are 0. @flag
     uint32_t is_curved;
 } gusset_surface_point;
 
-/// Evaluates points, derivatives, normals and curvatures at places of a surface.
+/// Evaluates a surface at places.
 /// @param results receives count points; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (place: sheet or cell does not exist, or a parameter is outside 0 to 1)
+/// @errors NO_SUCH_ELEMENT (place: no such sheet or cell, or a parameter outside 0 to 1)
 /// @complexity O(1) a place, at a pole O(cells round it); parallel.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_evaluate(const struct gusset_context *context,
     const struct gusset_surface *surface, const struct gusset_surface_place *places, size_t count,
     struct gusset_surface_point *results);
 
-/// Converts parameters of a whole sheet to places: node (i, j) has u = i and v = j.
-/// Parameters wrap round in closed directions, and are clamped to open sides. A place has the parameters row + u and
-/// column + v.
+/// Converts parameters of a sheet to places: node (i, j) has u = i and v = j.
+/// Parameters wrap round in closed directions, and are clamped to open sides.
 /// @param sheet index.
-/// @param parameters u, v of each place, packed.
+/// @param parameters u, v of each place.
 /// @param places receives count places; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if the sheet does not exist)
+/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if no such sheet)
 /// @complexity O(1) a place.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_locate(const struct gusset_context *context,
     const struct gusset_surface *surface, uint32_t sheet, const double *parameters, size_t count,
     struct gusset_surface_place *places);
 
-/* ---- Lines: Intersections of lines, rays, segments and curves with a surface. */
+/* ---- Lines: Hits of lines and curves on a surface. */
 
-/// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+/// A line, ray or segment: origin + t * direction for t from `from` to `to`.
 typedef struct gusset_line {
-    /// x, y, z of the point at t = 0; -1e150 to 1e150.
+    /// Point at t = 0; -1e150 to 1e150.
     double origin[3];
-    /// x, y, z. Its squared length must not underflow or overflow: lengths from 1e-150 to 1e150 are safe.
+    /// The squared length must not underflow or overflow: 1e-150 to 1e150 is safe.
     double direction[3];
     /// Least t: -INFINITY for a line, 0 for a ray or segment; not INFINITY.
     double from;
@@ -383,7 +374,7 @@ typedef uint32_t gusset_hit_selection;
 #define GUSSET_HITS_ALL 0
 /// The first hit.
 #define GUSSET_HITS_FIRST 1
-/// Any one hit, if one exists.
+/// Any one hit.
 #define GUSSET_HITS_ANY 2
 
 /// Kind of a hit.
@@ -394,60 +385,59 @@ typedef uint32_t gusset_hit_kind;
 #define GUSSET_HIT_CROSSING 1
 /// It touches within the tolerance, in one point, two close points, or none.
 #define GUSSET_HIT_TOUCH 2
-/// It runs in the surface, within the tolerance, over the whole span.
+/// It runs in the surface within the tolerance, over the whole span.
 #define GUSSET_HIT_INSIDE 3
 
 /// A common point of a surface and a line or curve.
 typedef struct gusset_surface_hit {
-    /// Parameter on the line; for a curve, segment number + parameter on the segment.
+    /// Parameter on the line; for a curve, segment + parameter in it.
     double t;
-    /// Parameters between which line and surface agree within the tolerance; at a crossing, t twice.
+    /// Parameters between which both agree within the tolerance; at a crossing, t twice.
     double span[2];
     /// Place on the surface.
     struct gusset_surface_place place;
-    /// x, y, z on the surface.
+    /// Point on the surface.
     double point[3];
-    /// x, y, z of the unit normal; at a pole its limit; 0 if undefined.
+    /// Unit normal; at a pole its limit; 0 if undefined.
     double normal[3];
     gusset_hit_kind kind;
     uint32_t reserved;
 } gusset_surface_hit;
 
-/// Hits of lines and a curve on a surface.
+/// Hits on a surface.
 typedef struct gusset_surface_hits gusset_surface_hits;
 
 /// Lent hits.
 typedef struct gusset_surface_hits_view {
     size_t struct_size;
-    /// Number of queries: the lines, then the curve if given.
+    /// Queries: the lines, then the curve if given.
     size_t query_count;
-    /// Number of hits of all queries.
     size_t hit_count;
-    /// query_count + 1 offsets: query k has the hits ends[k] to ends[k + 1] - 1.
+    /// Query k has the hits ends[k] to ends[k + 1] - 1.
     const uint64_t *ends;
     /// The hits, by rising t in each query.
     const struct gusset_surface_hit *hits;
-    /// For each hit of the curve three places on it: hit, start and end of span. Else NULL.
+    /// For each hit of the curve, places of hit, start and end of span. Else NULL.
     const struct gusset_place *on_curve;
     /// Number of places on the curve.
     size_t on_curve_count;
 } gusset_surface_hits_view;
 
-/// Finds the hits of lines, rays, segments and a curve on a surface.
-/// No hit is missed or repeated, also at cell sides, common sides of sheets, joints of the curve and poles. Each line
-/// has the same hits as in a call with that line alone.
+/// Finds the hits of lines and a curve on a surface.
+/// No hit is missed or repeated, also at sides of cells and sheets, joints of the curve and poles. Hits of a line do
+/// not depend on others.
 /// @param lines NULL: none.
 /// @param curve of degree 7 at most; NULL: none.
-/// @errors OUT_OF_RANGE (a line that is not finite, has no direction, or ends before it begins; degree), EMPTY_CURVE
-/// @complexity About O(log cells) a line and a cell near the curve, O(1) a hit; bounded in each cell that a line or
-///     segment runs in. Parallel.
-/// @source Leus, "Carcasses on smooth surfaces", task c.
+/// @errors OUT_OF_RANGE (a line not finite, without direction, or ending before it begins; degree), EMPTY_CURVE
+/// @complexity About O(log cells) a line and a cell near the curve, O(1) a hit; bounded in each cell that a line runs
+///     in. Parallel.
+/// @source Leus, task c.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_hits_create(const struct gusset_context *context,
     const struct gusset_surface *surface, const struct gusset_line *lines, size_t count,
     const struct gusset_curve *curve, gusset_hit_selection selection, struct gusset_surface_hits **hits);
 
-/// Finds the first hit, of least t, of each line, ray or segment.
-/// @param hits receives count hits. Without a hit, or after an error, kind is GUSSET_HIT_NONE and all else 0.
+/// Finds the first hit, of least t, of each line.
+/// @param hits receives count hits; without a hit, or after an error, GUSSET_HIT_NONE and 0.
 /// @errors as gusset_surface_hits_create
 /// @complexity About O(log cells) a line; parallel.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_first_hits(const struct gusset_context *context,
@@ -455,7 +445,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_first_hits(const struct 
     struct gusset_surface_hit *hits);
 
 /// Lends the hits.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_hits_get_view(const struct gusset_surface_hits *hits,
     struct gusset_surface_hits_view *view);
 
@@ -468,19 +457,19 @@ GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
 typedef uint32_t gusset_spacing_rule;
 /// Points on the surface that keep chords within 1e-4 of its box diagonal.
 #define GUSSET_POINT_SPACING_AUTO 0
-/// Points on the surface that keep chords within `chord`, sampled at the middle and quarters of each. Where nodes are
-/// far apart, the distance may be larger.
+/// Points on the surface that keep chords within `chord`, sampled at the middle and quarters. Larger distances are
+/// possible where nodes are far apart.
 #define GUSSET_POINT_SPACING_CHORD 1
 /// No points.
 #define GUSSET_POINT_SPACING_CELL_EDGES 2
-/// `points` points on the cubic through four crossings, near the surface. Each has the place of the crossing before it.
+/// `points` points on the cubic through four crossings, near the surface. Each has the place of the crossing before.
 /// Fourth order where crossings are evenly spaced.
 #define GUSSET_POINT_SPACING_LEUS 3
 
 /// Density of points on curves.
 typedef struct gusset_contour_options {
     size_t struct_size;
-    /// A length above 0, finite. Values below the surface's tolerance act as the tolerance.
+    /// A length above 0, finite; at least the surface's tolerance applies.
     /// @when spacing GUSSET_POINT_SPACING_CHORD
     double chord;
     gusset_spacing_rule spacing;
@@ -491,79 +480,76 @@ typedef struct gusset_contour_options {
 
 /// The function whose contours are drawn.
 typedef uint32_t gusset_contour_kind;
-/// Signed distance from the plane through `point` with the normal `direction`. Contours are sections by parallel
-/// planes.
+/// Signed distance from the plane through `point` with the normal `direction`: sections by parallel planes.
 #define GUSSET_CONTOUR_HEIGHT 0
 /// Values at cell corners, interpolated like the surface.
 #define GUSSET_CONTOUR_VALUES 1
-/// Angle between the normal and `direction`. Contours are isophotes; at pi / 2 they are silhouettes seen along
-/// `direction`.
+/// Angle between the normal and `direction`: isophotes, at pi / 2 silhouettes seen along `direction`.
 #define GUSSET_CONTOUR_ANGLE 2
 
-/// A function on a surface. Only the fields of its kind are read.
+/// A function on a surface. Only the fields of its kind are read; they name it without prefix.
 typedef struct gusset_contour_function {
     size_t struct_size;
     gusset_contour_kind kind;
-    /// For GUSSET_CONTOUR_ANGLE. 1: a normal and its opposite are equal.
+    /// ANGLE. 1: a normal and its opposite are equal.
     uint32_t unsigned_normals;
-    /// For GUSSET_CONTOUR_HEIGHT: x, y, z of a point at height 0.
+    /// HEIGHT: a point at height 0.
     double point[3];
-    /// For GUSSET_CONTOUR_HEIGHT and GUSSET_CONTOUR_ANGLE: x, y, z, not 0.
+    /// HEIGHT, ANGLE: not 0.
     double direction[3];
-    /// For GUSSET_CONTOUR_VALUES: finite, sheet after sheet, row after row; (rows + 1) x (columns + 1) for each sheet.
-    /// The closing line of a closed direction is not read.
+    /// VALUES: finite, sheet after sheet, row after row, (rows + 1) x (columns + 1) a sheet. A closing line is not
+    /// read.
     const double *values;
-    /// The number of values.
     size_t value_count;
 } gusset_contour_function;
 
-/// The normal whose angle is nearest to a given angle.
+/// The normal nearest to a given angle.
 typedef struct gusset_nearest_angle_report {
     size_t struct_size;
     /// Place of the normal.
     struct gusset_surface_place place;
-    /// x, y, z of the place.
+    /// Point at the place.
     double point[3];
     /// The unit normal.
     double normal[3];
     /// Angle between normal and direction.
     double angle;
-    /// Difference from the given angle. Infinite, and all else 0, if the surface lacks normals.
+    /// Difference from the given angle; infinite, and all else 0, if the surface lacks normals.
     double deviation;
     /// Lower bound of all deviations, within 1e-9 of `deviation` unless the proof fails.
     double bound;
 } gusset_nearest_angle_report;
 
-/// Draws contours of a function on a surface: sections by planes, contours of values, or isophotes.
+/// Draws contours of a function.
 /// Curves are ordered by level, then by lowest cell. Seen against the normals, the function increases to the left of a
-/// curve; angles decrease to the left. A section runs along direction x normal.
-/// Every curve is found, even within one cell. On a closed surface all curves are closed. Curves no larger than the
-/// tolerance are listed as unresolved.
+/// curve (angles decrease): a section runs along direction x normal.
+/// Every curve is found, even within one cell; curves up to the tolerance in size are unresolved. On a closed surface
+/// all curves are closed.
 /// Sections: a corner on a plane counts as above it.
 /// - A plane that touches corners from below gives neither a curve nor an unresolved cell.
-/// - A plane that touches from above gives closed curves round the contact, however narrow: along a row of corners,
-///   there and back.
-/// - If a plane touches or contains the surface elsewhere within rounding, the cells are unresolved.
+/// - A plane that touches from above gives closed curves round the contact, however narrow: there and back along a row
+///   of corners.
+/// - Where a plane touches or contains the surface elsewhere within rounding, cells are unresolved.
 /// Isophotes:
-/// - At the angles 0 and pi, points replace curves, as paths of one point.
+/// - At the angles 0 and pi, paths are single points.
 /// - Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves follow the common side.
 /// - Poles that may have the angle are unresolved.
 /// - Angles are accurate to third order; GUSSET_CONTOUR_VALUES of their cosines, to fourth.
-/// @param levels rising values of the function; angles from 0 to pi, or to pi / 2 for unsigned normals.
-/// @errors OUT_OF_RANGE (non-finite numbers, zero direction, levels not rising, angle, chord, points), COUNT_DIFFERS
-///     (too few values), TOO_LARGE (too many values; 2^32 points), NOT_FINITE (value)
+/// @param levels rising values; angles 0 to pi, or to pi / 2 for unsigned normals.
+/// @errors OUT_OF_RANGE (non-finite numbers, zero direction, levels, angle, chord, points), COUNT_DIFFERS (too few
+///     values), TOO_LARGE (too many values; 2^32 points), NOT_FINITE (value)
 /// @complexity About O(count + crossed cells), parallel; O(values) for values; O(cells) once for angles.
-/// @source Leus, "Carcasses on smooth surfaces", tasks b and d.
+/// @source Leus, tasks b and d.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_contours_create(const struct gusset_context *context,
     const struct gusset_surface *surface, const struct gusset_contour_function *function, const double *levels,
     size_t count, const struct gusset_contour_options *options, struct gusset_surface_paths **paths);
 
-/// Finds the normal whose angle with a direction is nearest to a given angle, proved to 1e-9.
-/// @param direction x, y, z, not 0.
+/// Finds the normal whose angle with a direction is nearest to a given one, proved to 1e-9.
+/// @param direction not 0.
 /// @param angle 0 to pi, or to pi / 2 for unsigned normals.
 /// @param unsigned_normals 1: a normal and its opposite are equal.
 /// @errors OUT_OF_RANGE
-/// @complexity About O(cells whose normals come near the angle), parallel; O(cells) once.
+/// @complexity About O(cells with normals near the angle), parallel; O(cells) once.
 /// @source Leus, task b.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_nearest_angle(const struct gusset_context *context,
     const struct gusset_surface *surface, const double *direction, double angle, uint32_t unsigned_normals,
@@ -574,65 +560,61 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_nearest_angle(const stru
 /// Options of gusset_surface_intersection_create.
 typedef struct gusset_intersection_options {
     size_t struct_size;
-    /// Largest distance of the curve from its chords, above 0 and finite. Estimated: rare chords exceed it by about 15
-    /// %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
+    /// Largest distance of the curve from its chords, above 0, finite; rare chords exceed it by about 15 %. At least
+    /// the smallest of `tolerance` and the surfaces' tolerances applies.
     /// @when spacing GUSSET_POINT_SPACING_CHORD
     double chord;
-    /// Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the smaller tolerance of the
-    /// surfaces. Self-intersections use at most the surface's tolerance. Branches shorter than it and the surfaces'
-    /// tolerances may be lost.
+    /// Two surfaces touch where their gap or overlap stays within this length, finite; 0: the surfaces' smaller
+    /// tolerance. Self-intersections use at most the surface's. Branches shorter than all three may be lost.
     double tolerance;
     /// Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
     gusset_spacing_rule spacing;
     uint32_t reserved;
 } gusset_intersection_options;
 
-/// Finds the curves in which two surfaces meet, or one surface meets itself.
-/// Each curve is returned once. It runs along N x N', the normals at `places` and `others`. Points and normals lie on
-/// the first surface; on the second they differ by rounding, at crossings by up to the tolerance.
+/// Finds the curves in which two surfaces meet, or one meets itself.
+/// Each curve is returned once, and runs along N x N', the normals at `places` and `others`. Points and normals lie on
+/// the first surface; the second differs by rounding, at crossings by up to the tolerance.
 /// Two surfaces: all branches are found, except
-/// - branches shorter than the tolerance, or than the surfaces' tolerance if it is smaller (near poles, four times
-///   that);
+/// - branches shorter than the tolerance, or the surfaces' if smaller (near poles, four times that);
 /// - branches within four times that length of another branch;
 /// - parts within contacts and unresolved cells.
-/// An open path ends at a sheet's border or in an unresolved cell.
-/// A point where the surfaces touch or branches cross is a contact if three conditions are proved:
+/// Open paths end at borders of sheets or in unresolved cells.
+/// A point where surfaces touch or branches cross is a contact if proved:
 /// - Near it, both surfaces are graphs over a plane.
-/// - The second derivatives of their difference are definite (GUSSET_CONTACT_POINT) or indefinite
-///   (GUSSET_CONTACT_CROSSING).
+/// - Second derivatives of the difference are definite (GUSSET_CONTACT_POINT) or indefinite (GUSSET_CONTACT_CROSSING).
 /// - The gap is within the tolerance. A larger gap leaves a loop, nothing, or two separate branches.
 /// Within a contact's radius, loops are omitted and paths run straight to its point. The radius is at most about 4
-/// sqrt(2 tolerance / c), where c is the least curvature of the difference. At a crossing, a path turns into the branch
-/// that closes it, if one exists. A figure of eight becomes two closed paths with a common point.
-/// Unresolved cells of the first surface are those where
+/// sqrt(2 tolerance / c), c the least curvature of the difference. At a crossing, a path turns into the branch that
+/// closes it, if any.
+/// Cells of the first surface are unresolved where
 /// - the surfaces coincide, or touch along a curve, at a pole, at a border or to a higher order;
 /// - the work limit is exceeded, as by branches within 1e-4 of a cell of each other, or nearly along cell sides of both
 ///   surfaces.
-/// There, curves may end, split or be missing. Curves are joined across a cell if a chord is as near to both surfaces
-/// as elsewhere.
+/// There, curves may end, split or be missing, but are joined across a cell if a chord is as near to both surfaces as
+/// elsewhere.
 /// Self-intersections:
-/// - Along a closed curve the two pieces may swap (Klein bottle): it ends at its first point with `places` and `others`
-///   exchanged. A seam that turns the sheet over (Möbius band) also reverses the direction.
+/// - Along a closed curve the pieces may swap: it ends at its first point with `places` and `others` exchanged. A seam
+///   that turns the sheet over also reverses the direction.
 /// - Common points of joined cells do not count. Joined cells share a side, corner or pole, or lie at opposite borders
 ///   of a sheet with equal control points, in either order, to 64 units of rounding of the largest coordinate.
 /// - A common border of different sheets is an intersection.
-/// - All branches longer than the tolerance are found, except in unresolved cells: at pinches, creases and singular
-///   poles, and where pieces touch or coincide.
-/// - A curve stops before a pinch, where its pieces come within the tolerance (on rough surfaces, tens of tolerances
-///   away).
-/// - A curve along cell sides may come in many parts.
+/// - Branches longer than the tolerance are found, except in unresolved cells: at pinches, creases and singular poles,
+///   and where pieces touch or coincide.
+/// - A curve stops before a pinch, where its pieces come within the tolerance (on rough surfaces, tens of tolerances).
+/// - Curves along cell sides may come in many parts.
 /// - Contacts are not sought.
-/// Exchanging the surfaces may change rounding and the proved contacts.
-/// @param other NULL: self-intersections. If it equals `surface`, everything coincides.
+/// Exchanging the surfaces may change rounding and proved contacts.
+/// @param other NULL: self-intersections; if `surface`, everything coincides.
 /// @errors OUT_OF_RANGE (chord, tolerance), TOO_LARGE (above 2^26 pairs of cells)
-/// @complexity Proportional to the pairs of cells within the tolerance, with a limit for each, and to the points, about
-///     1 / sqrt(chord); parallel. Self-intersections: also to the cells, and n^2 / 2 for n cells round a pole.
-/// @source Leus, "Carcasses on smooth surfaces", task e.
+/// @complexity Proportional to the pairs of cells within the tolerance, limited for each, and to the points, about 1 /
+///     sqrt(chord); parallel. Self-intersections: also to the cells, and n^2 / 2 for n cells round a pole.
+/// @source Leus, task e.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_intersection_create(const struct gusset_context *context,
     const struct gusset_surface *surface, const struct gusset_surface *other,
     const struct gusset_intersection_options *options, struct gusset_surface_paths **paths);
 
-/* ---- Distances: Nearest points of a surface and a line, a plane, a curve or another surface. */
+/* ---- Distances: Nearest points of a surface and a line, plane, curve or surface. */
 
 /// Kind of a target.
 typedef uint32_t gusset_target_kind;
@@ -645,20 +627,20 @@ typedef uint32_t gusset_target_kind;
 /// The surface `surface`.
 #define GUSSET_TARGET_SURFACE 3
 
-/// An object from which distance is measured. Only the fields of its kind are read.
+/// An object to measure from. Only the fields of its kind are read; they name it without prefix.
 typedef struct gusset_target {
     size_t struct_size;
     gusset_target_kind kind;
     uint32_t reserved;
-    /// For GUSSET_TARGET_LINE.
+    /// LINE.
     struct gusset_line line;
-    /// For GUSSET_TARGET_PLANE: x, y, z, -1e150 to 1e150.
+    /// PLANE: -1e150 to 1e150.
     double point[3];
-    /// For GUSSET_TARGET_PLANE: x, y, z, not 0.
+    /// PLANE: not 0.
     double normal[3];
-    /// For GUSSET_TARGET_CURVE: any degree; coordinates -1e150 to 1e150.
+    /// CURVE: any degree; coordinates -1e150 to 1e150.
     const struct gusset_curve *curve;
-    /// For GUSSET_TARGET_SURFACE.
+    /// SURFACE.
     const struct gusset_surface *surface;
 } gusset_target;
 
@@ -666,45 +648,44 @@ typedef struct gusset_target {
 /// @bits
 typedef uint32_t gusset_distance_flags;
 /// `bound` is within the tolerance of the distance, or within 2^-45 of the greatest coordinate. Not set: the proof
-/// takes too long; `bound` still holds.
+/// takes too long; `bound` holds.
 #define GUSSET_DISTANCE_PROVEN 1
-/// Surface and target meet at the points, except for rounding, and the distance is 0.
+/// Surface and target meet up to rounding; the distance is 0.
 #define GUSSET_DISTANCE_MEETS 2
 
-/// The nearest points of a surface and a target.
+/// Nearest points of a surface and a target.
 typedef struct gusset_distance_report {
     size_t struct_size;
-    /// Place of the surface's nearest point.
+    /// Place of the surface's point.
     struct gusset_surface_place place;
-    /// x, y, z of the surface's nearest point.
+    /// The surface's point.
     double point[3];
     /// Unit normal at `point`; at a pole its limit; 0 if undefined.
     double normal[3];
-    /// x, y, z of the target's nearest point.
+    /// The target's point.
     double other_point[3];
-    /// Distance of the points.
+    /// Their distance.
     double distance;
     /// Proved lower bound of the distance.
     double bound;
-    /// For a surface: place of its nearest point; else 0.
+    /// SURFACE: place of its point; else 0.
     struct gusset_surface_place other_place;
-    /// For a curve: place of its nearest point; else 0.
+    /// CURVE: place of its point; else 0.
     struct gusset_place curve_place;
-    /// For a line: parameter of its nearest point. For a plane: signed distance, negative on the side opposite to its
-    /// normal. Else 0.
+    /// LINE: parameter of its point. PLANE: signed distance, negative opposite to its normal. Else 0.
     double parameter;
     gusset_distance_flags flags;
     uint32_t reserved;
 } gusset_distance_report;
 
-/// Finds the nearest points of a surface and a line, a plane, a curve or another surface.
-/// Among equally near pairs of points, the choice is deterministic. If much of the surface is equally near, as a tube
-/// to its axis, the proof may fail. If a plane meets the surface, the points lie on the section.
-/// @param tolerance length to which the distance is proved, finite; 0: the surface's tolerance, or the greater of two.
-/// @errors OUT_OF_RANGE (tolerance; fields of `line`; a plane not finite, too large or without direction; a curve too
-///     large), EMPTY_CURVE
+/// Finds the nearest points of a surface and a target.
+/// Among equally near pairs, the choice is deterministic. If much of the surface is equally near, the proof may fail.
+/// If a plane meets the surface, the points lie on the section.
+/// @param tolerance length to which the distance is proved, finite; 0: the surface's, or the greater of two.
+/// @errors OUT_OF_RANGE (tolerance; `line`; a plane not finite, too large or without direction; a curve too large),
+///     EMPTY_CURVE
 /// @complexity About O(log cells), at most 50,000 pairs of pieces.
-/// @source Leus, "Carcasses on smooth surfaces", tasks c to e.
+/// @source Leus, tasks c to e.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_distance(const struct gusset_context *context,
     const struct gusset_surface *surface, const struct gusset_target *target, double tolerance,
     struct gusset_distance_report *report);
@@ -717,17 +698,17 @@ typedef struct gusset_surface_report {
     size_t sheet_count;
     /// Cells of all sheets.
     size_t cell_count;
-    /// Corners of cells; for sheets from nodes, the nodes.
+    /// Corners of cells; nodes of sheets from nodes.
     size_t node_count;
     /// Bytes of the index, without nodes and cones of normals.
     size_t index_bytes;
-    /// Guaranteed accuracy of distances and positions in answers, as a length.
+    /// Guaranteed accuracy, as in gusset_surface_options.
     double tolerance;
-    /// Least x, y, z of a box round the surface and its control nets.
+    /// Low corner of a box round surface and control nets.
     double low[3];
-    /// Greatest x, y, z of the box.
+    /// High corner.
     double high[3];
-    /// Bytes of the cones of normals; 0 if not built (see gusset_surface_options).
+    /// Bytes of the cones of normals; 0 if not built.
     size_t cone_bytes;
     /// The sheets.
     const struct gusset_surface_sheet *sheets;
@@ -742,20 +723,19 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_get_report(const struct 
 
 /// How a surface is made from a frame.
 typedef uint32_t gusset_frame_surface;
-/// A grid through the frame's nodes, or GUSSET_FRAME_CURVES if a curve of the frame has corners.
+/// A grid through the frame's nodes, or GUSSET_FRAME_CURVES if its curves have corners.
 #define GUSSET_FRAME_NODES 0
 /// Gordon's surface, which contains all curves of the frame.
 #define GUSSET_FRAME_CURVES 1
 
 /// A tensor-product B-spline, rational (NURBS) if its weights differ.
-/// Knots are finite and do not decrease. Inner knots may be repeated degree times.
-/// - Open direction: control points + degree + 1 knots, clamped or not. The surface is defined from knot degree to knot
-///   count.
+/// Knots are finite and do not decrease. Inner knots may repeat degree times.
+/// - Open direction: control points + degree + 1 knots, clamped or not; defined from knot degree to knot count.
 /// - Closed direction: control points + 1 knots, one period; control points are not repeated. Span k begins at knot k
-///   and uses the control points k - degree to k, counted cyclically.
+///   and uses control points k - degree to k, cyclically.
 typedef struct gusset_spline {
     size_t struct_size;
-    /// x, y, z of the control points, not multiplied by weights, row after row; rows follow each other in u.
+    /// Control points, not multiplied by weights, row after row; rows follow in u.
     const double *points;
     /// Rows of control points, more than degree_u.
     size_t count_u;
@@ -777,12 +757,12 @@ typedef struct gusset_spline {
     uint32_t closed_u;
     /// 1: closed in v. @flag
     uint32_t closed_v;
-    /// Weights of the control points, finite, above 0, at least 2^-900 of the greatest; NULL: all equal.
+    /// Finite, above 0, at least 2^-900 of the greatest; NULL: all equal.
     const double *weights;
-    /// Largest distance from a rational spline at equal parameters. Rounding requires about 1e-13 of the size. 0: 1e-12
-    /// of the control points' box diagonal, or more where rounding requires it.
+    /// Largest distance from a rational spline at equal parameters; rounding requires about 1e-13 of the size. 0: 1e-12
+    /// of the control points' box diagonal, or more for rounding.
     double tolerance;
-    /// Maximum number of cells of a rational spline; 0: 2^20.
+    /// Most cells of a rational spline; 0: 2^20.
     size_t max_cells;
 } gusset_spline;
 
@@ -791,14 +771,13 @@ typedef struct gusset_curve_net {
     size_t struct_size;
     /// Curves in v, ordered by u, of degree 7 at most. A curve that is one point is a pole.
     const struct gusset_curve *const *rows;
-    /// 0, or at least 2, or 3 if closed_u. Without rows the surface is the skin of the columns.
+    /// 0 (a skin of the columns), or at least 2, or 3 if closed_u.
     size_t row_count;
     /// Curves in u, ordered by v.
     const struct gusset_curve *const *columns;
-    /// 0, or at least 2, or 3 if closed_v. Without columns the surface is the skin of the rows.
+    /// 0 (a skin of the rows), or at least 2, or 3 if closed_v.
     size_t column_count;
-    /// Largest distance between two curves where they meet, finite; both move to the middle. 0: 1e-6 of the curves' box
-    /// diagonal.
+    /// Largest distance of curves that meet, finite; both move to the middle. 0: 1e-6 of the box diagonal.
     double tolerance;
     /// 1: the columns are closed, and the first row follows the last. @flag
     uint32_t closed_u;
@@ -806,45 +785,43 @@ typedef struct gusset_curve_net {
     uint32_t closed_v;
 } gusset_curve_net;
 
-/// Makes a sheet from Bézier patches in rows and columns.
+/// Makes a sheet from Bézier patches.
 /// Adjacent patches should share sides. Repeated points and poles are allowed.
-/// @param points x, y, z: patch after patch, row after row. In each patch of (degree_u + 1) x (degree_v + 1) points, v
-///     varies fastest.
+/// @param points patch after patch, row after row; (degree_u + 1) x (degree_v + 1) points a patch, v fastest.
 /// @param degree_u 1 to 7.
 /// @param degree_v 1 to 7.
 /// @param rows of patches, at least 1.
 /// @param columns of patches, at least 1.
 /// @errors OUT_OF_RANGE (degree), EMPTY_MESH (no patches), TOO_LARGE, NOT_FINITE
-/// @complexity O(points); 384 bytes a patch up to degree 3, otherwise 1536.
+/// @complexity O(points); 384 bytes a patch up to degree 3, else 1536.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_from_patches_create(const struct gusset_context *context,
     const double *points, uint32_t degree_u, uint32_t degree_v, size_t rows, size_t columns,
     struct gusset_sheet **sheet);
 
-/// Makes a sheet from a B-spline surface. If all weights are equal, each non-empty knot span becomes a cell, which is
-/// exact except for rounding.
-/// Rows and columns begin at the parameters 0, 1, 2, ... gusset_sheet_get_report returns the spline's parameters there,
-/// and the proved deviation.
+/// Makes a sheet from a B-spline surface. If all weights are equal, each non-empty knot span becomes a cell, exact up
+/// to rounding.
+/// For the spline's parameters at 0, 1, 2, ... and the proved deviation, see gusset_sheet_get_report.
 /// If weights differ:
-/// - Whole rows and columns of spans are subdivided into patches of degree 7 until the tolerance is proved.
+/// - Rows and columns of spans are subdivided into patches of degree 7 until the tolerance is proved.
 /// - Values and first derivatives at cell corners are exact.
 /// - Tangents are continuous across sides where the rational surface's are.
-/// - A side that is one point remains exactly one point.
+/// - A side that is one point stays exactly one point.
 /// @errors OUT_OF_RANGE (degree, tolerance, weight), NET_TOO_SMALL (too few control points), BAD_KNOTS (not finite,
 ///     decreasing, repeated too often, or a span too short to subdivide), TOO_LARGE (control points, cells), NOT_FINITE
-/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, otherwise 1536. Rational: O(cells x degree^2),
+/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536. Rational: O(cells x degree^2),
 ///     parallel; 1536 bytes a cell, three times that during the call.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_from_spline_create(const struct gusset_context *context,
     const struct gusset_spline *spline, struct gusset_sheet **sheet);
 
-/// Makes Gordon's surface of a net of curves, which contains all of them.
+/// Makes Gordon's surface of a net of curves, which contains them all.
 /// Two rows and two columns give Coons's patch. Nodes are where each row and each column are nearest. If all rows have
-/// the same number of segments between two nodes, these are matched in order. Otherwise all rows are cut at each joint,
-/// which adds cells. Columns are treated alike.
+/// the same number of segments between two nodes, these are matched in order. Else all rows are cut at each joint,
+/// which adds cells. Columns likewise.
 /// The surface is C1 where the curves are C1 over common knots without joints between nodes; elsewhere nearly C1 (see
-/// gusset_sheet_measure). Polylines keep their creases. gusset_outline_create draws smooth curves through points.
-/// @errors NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED, CURVES_APART (names row and
-///     distance; also if curves meet out of order), TOO_LARGE
-/// @complexity O(rows x columns x log segments + cells); 384 bytes a cell up to degree 3, otherwise 1536.
+/// gusset_sheet_measure). Polylines keep their creases.
+/// @errors NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED, CURVES_APART (with row and
+///     distance; also out of order), TOO_LARGE
+/// @complexity O(rows x columns x log segments + cells); 384 bytes a cell up to degree 3, else 1536.
 /// @source Gordon (1969).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_from_curves_create(const struct gusset_context *context,
     const struct gusset_curve_net *net, struct gusset_sheet **sheet);
@@ -856,19 +833,19 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_from_curves_create(const s
 /// - Patches: exact. The grid is smooth where patches had creases.
 /// - A corner without a normal stays.
 /// @param distances lengths of either sign, finite.
-/// @param distance_count 1: one for all; rows + 1: one for each line of corners along v; (rows + 1) x (columns + 1):
-///     one for each corner, row by row. A closing line counts, but moves with the first.
-/// @param deviation receives the largest deviation at cell middles from the sheet moved along its normal by the
-///     corners' mean distance; or NULL.
+/// @param distance_count 1: for all; rows + 1: for each line of corners along v; (rows + 1) x (columns + 1): for each
+///     corner, row by row. A closing line counts, but moves with the first.
+/// @param deviation receives the largest deviation at cell middles from the sheet moved by the corners' mean distance;
+///     or NULL.
 /// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance or corner)
 /// @complexity O(cells).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_offset_create(const struct gusset_context *context,
     const struct gusset_sheet *sheet, const double *distances, size_t distance_count, double *deviation,
     struct gusset_sheet **offset);
 
-/// Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
-/// @errors NET_TOO_SMALL, OUT_OF_RANGE (a curve's degree exceeds 7), CURVES_APART (nodes repeat or are out of order
-///     along a curve), NOT_FINITE
+/// Makes the surface of a frame: u runs along the body, v round it, closed like the frame.
+/// @errors NET_TOO_SMALL, OUT_OF_RANGE (degree above 7), CURVES_APART (nodes of a curve repeat or are out of order),
+///     NOT_FINITE
 /// @complexity O(nodes).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_from_frame_create(const struct gusset_context *context,
     const struct gusset_frame *frame, gusset_frame_surface kind, struct gusset_sheet **sheet);
@@ -882,15 +859,15 @@ typedef struct gusset_sheet_report {
     size_t rows;
     /// Cells in v: v runs from 0 to columns.
     size_t columns;
-    /// Degree of the stored patches in both directions: 3 or 7.
+    /// Degree of patches in both directions: 3 or 7.
     uint32_t degree;
-    /// 1: the sheet stores nodes; 0: it stores patches. @flag
+    /// 1: stores nodes; 0: patches. @flag
     uint32_t is_grid;
     /// 1: closed in u. @flag
     uint32_t closed_u;
     /// 1: closed in v. @flag
     uint32_t closed_v;
-    /// 1: the side u = 0 is one point, a pole. @flag
+    /// 1: the side u = 0 is a pole, one point. @flag
     uint32_t pole_u0;
     /// 1: the side u = rows is a pole. @flag
     uint32_t pole_u1;
@@ -900,13 +877,13 @@ typedef struct gusset_sheet_report {
     uint32_t pole_v1;
     /// Bound of the distance from a rational spline at equal parameters, rounding included; else 0.
     double deviation;
-    /// For a spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL.
+    /// Spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL.
     const double *knots_u;
-    /// For a spline: its columns + 1 parameters at v = 0, 1, ...; else NULL.
+    /// Spline: its columns + 1 parameters at v = 0, 1, ...; else NULL.
     const double *knots_v;
 } gusset_sheet_report;
 
-/// Reports the size and the properties of a sheet.
+/// Reports on a sheet.
 /// @complexity O(cells at the sides).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_get_report(const struct gusset_sheet *sheet,
     struct gusset_sheet_report *report);
@@ -921,30 +898,30 @@ typedef uint32_t gusset_sheet_measure_flags;
 /// `crease`.
 #define GUSSET_SHEET_MEASURE_CREASE 4
 
-/// Measures of a whole sheet (see gusset_cell_arrays); 0 if not requested.
+/// Measures of a sheet (see gusset_cell_arrays); 0 if not requested.
 typedef struct gusset_sheet_measures {
     size_t struct_size;
     /// Greatest of `diameters`.
     double diameter;
     /// Greatest of `intrinsic_diameters`.
     double intrinsic_diameter;
-    /// Bound of the absolute principal curvatures; infinite if the surface is not regular, as at poles.
+    /// Bound of absolute principal curvatures; infinite if not regular, as at poles.
     double curvature_bound;
-    /// Largest angle between normals across sides of cells; 0, or rounding, on a smooth surface.
+    /// Largest angle between normals across cell sides; 0, or rounding, if smooth.
     double crease;
 } gusset_sheet_measures;
 
-/// Arrays of one number for each cell; cell (i, j) has the index i * columns + j. NULL: not computed.
+/// Arrays of one number a cell; cell (i, j) has the index i * columns + j. NULL: not computed.
 typedef struct gusset_cell_arrays {
     size_t struct_size;
     /// Length of each array, at least the number of cells.
     size_t capacity;
-    /// Bounds of the distance between any two points of a cell.
+    /// Bounds of the distance of any two points of a cell.
     double *diameters;
-    /// Bounds of the shortest curve within a cell between any two points.
+    /// Bounds of the shortest curve in a cell between any two points.
     double *intrinsic_diameters;
     /// Estimates, not bounds, of the distance from the smooth surface that the nodes sample, at equal parameters.
-    /// Infinite for fewer than 5 nodes in a direction; 0 for given patches.
+    /// Infinite for fewer than 5 nodes in a direction; 0 for patches.
     double *errors;
     /// Bounds of the distance from the bilinear patch through a cell's corners.
     double *bilinear;
@@ -970,9 +947,9 @@ typedef struct gusset_sheet_mesh_options {
     size_t struct_size;
     /// Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
     double tolerance;
-    /// Minimum parts of each cell in u; 0: 1.
+    /// Least parts of a cell in u; 0: 1.
     uint32_t min_u;
-    /// Minimum parts of each cell in v; 0: 1.
+    /// Least parts of a cell in v; 0: 1.
     uint32_t min_v;
     /// 1: triangles only; 0: quads, with triangles at poles. @flag
     uint32_t triangles;
@@ -985,23 +962,22 @@ typedef struct gusset_sheet_mesh_report {
     size_t vertex_count;
     /// Place of each vertex; its sheet is 0.
     const struct gusset_surface_place *places;
-    /// Unit normal of each vertex: x, y, z; 0 if undefined.
+    /// Unit normal of each vertex; 0 if undefined.
     const double *normals;
     /// Bound of the distance between surface and triangles, for quads divided by either diagonal.
     double deviation;
 } gusset_sheet_mesh_report;
 
 /// Makes a mesh of a sheet.
-/// Cells of a row have the same number of parts in u, cells of a column in v. Seams and poles are closed. Faces are
-/// counter-clockwise seen from the side of S_u x S_v. The mesh may have no faces.
+/// Cells of a row share the number of parts in u, cells of a column in v. Seams and poles are closed. Faces are
+/// counter-clockwise seen from the side of S_u x S_v. The mesh may lack faces.
 /// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners or more)
 /// @complexity O(cells + vertices).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_to_mesh(const struct gusset_context *context,
     const struct gusset_sheet *sheet, const struct gusset_sheet_mesh_options *options, struct gusset_result **result);
 
-/// Lends places and normals of a result of gusset_sheet_to_mesh.
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (result of another operation)
-/// @complexity O(1).
+/// Lends the places and normals.
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_sheet_mesh(const struct gusset_result *result,
     struct gusset_sheet_mesh_report *report);
 
@@ -1011,27 +987,27 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_sheet_mesh(const stru
 typedef struct gusset_surface_cell {
     /// Index of the sheet.
     uint32_t sheet;
-    /// Row of the cell.
+    /// Its row.
     uint32_t row;
-    /// Column of the cell.
+    /// Its column.
     uint32_t column;
 } gusset_surface_cell;
 
-/// Cells of a surface, or pairs of cells of two.
+/// Cells, or pairs of cells.
 typedef struct gusset_surface_cells gusset_surface_cells;
 
-/// Lent cells. For a region `others` is NULL; for pairs, the fields below it are NULL or 0.
+/// Lent cells. Region: `others` is NULL; pairs: the fields below it are NULL or 0.
 typedef struct gusset_surface_cells_view {
     size_t struct_size;
-    /// Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both sheets, then row, column.
+    /// Cells by sheet, row, column. Pairs: cells of the first surface by both sheets, row, column.
     const struct gusset_surface_cell *cells;
     size_t cell_count;
     /// Cells of the second surface.
     const struct gusset_surface_cell *others;
     /// By cell: 1 if all of it is within the radius. @flag
     const uint32_t *whole;
-    /// One bit for each cell of all sheets, 1 in the region. Cell (i, j) of sheet k with c columns has bit b = first[k]
-    /// + i * c + j: mask[b / 64] >> (b % 64) & 1.
+    /// A bit for each cell, 1 in the region. Cell (i, j) of sheet k with c columns has bit b = first[k] + i * c + j:
+    /// mask[b / 64] >> (b % 64) & 1.
     const uint64_t *mask;
     /// Words of the mask.
     size_t word_count;
@@ -1041,16 +1017,16 @@ typedef struct gusset_surface_cells_view {
 } gusset_surface_cells_view;
 
 /// Finds the cells that have a point within a radius of a query.
-/// No cell is missed. A returned cell may lie outside by the tolerance, or more if bounded work cannot decide.
-/// @param query x, y, z, up to 1e150.
+/// No cell is missed; a cell may lie outside by the tolerance, or more if bounded work cannot decide.
+/// @param query up to 1e150.
 /// @param radius at least 0; INFINITY: all cells.
-/// @errors NOT_FINITE, OUT_OF_RANGE (radius; a coordinate beyond 1e150)
+/// @errors NOT_FINITE, OUT_OF_RANGE (radius, query)
 /// @complexity O(cells found), and one bit a cell.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_region_create(const struct gusset_context *context,
     const struct gusset_surface *surface, const double *query, double radius, struct gusset_surface_cells **cells);
 
 /// Finds the pairs of cells of two surfaces that may be within a distance of each other.
-/// No pair is missed; a few pairs may be farther apart.
+/// No pair is missed; a few may be farther apart.
 /// @param within a length, finite; 0: cells that may meet.
 /// @errors OUT_OF_RANGE (within), TOO_LARGE (above 2^26 pairs)
 /// @complexity Proportional to the pairs and the index levels; 24 bytes a pair.
@@ -1059,7 +1035,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_cell_pairs_create(const 
     struct gusset_surface_cells **cells);
 
 /// Lends the cells.
-/// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_cells_get_view(const struct gusset_surface_cells *cells,
     struct gusset_surface_cells_view *view);
 
@@ -1075,29 +1050,28 @@ typedef uint32_t gusset_sheet_direction;
 /// Along columns: v is constant.
 #define GUSSET_ALONG_COLUMNS 1
 
-/// Draws a curve through points as sheets are drawn through nodes: fourth-order, a cubic between adjacent points.
-/// @param nodes x, y, z, finite; at least 2. If closed: at least 4, and the last repeats the first (closed paths of a
-///     surface lack it).
+/// Draws a curve through points as sheets through nodes: fourth-order, a cubic between adjacent points.
+/// @param nodes finite; at least 2. If closed: at least 4, and the last repeats the first.
 /// @param closed 0 or 1.
 /// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
-/// @source Leus, "Carcasses on smooth surfaces".
+/// @source Leus.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_through_create(const struct gusset_context *context,
     const double *nodes, size_t count, uint32_t closed, gusset_scheme scheme, struct gusset_curve **curve);
 
-/// Makes an exact coordinate curve of a sheet, one segment for each cell.
+/// Makes an exact coordinate curve of a sheet, one segment a cell.
 /// @param parameter the constant u or v, 0 to the number of cells in its direction.
 /// @errors OUT_OF_RANGE (parameter)
 /// @complexity O(cells along the curve).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
     const struct gusset_sheet *sheet, gusset_sheet_direction along, double parameter, struct gusset_curve **curve);
 
-/// Finds where a curve meets a line, ray or segment, or comes within a distance of it.
-/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches. Otherwise it has the minima of
-/// distance, each once. The other places have segment 0 and the line's parameter as t.
+/// Finds where a curve meets a line, or comes within a distance of it.
+/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches, else the minima of distance,
+/// each once. `others` have segment 0 and the line's parameter as t.
 /// @param within a length, finite; in space raised to 1e-12 of the curve's size.
 /// @param places overlaps are parts that stay within the distance or cannot be separated.
-/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line that is not finite or has no direction)
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line not finite or without direction)
 /// @complexity Bounded for each segment whose box meets the line.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
     const struct gusset_curve *curve, const struct gusset_line *line, double within, struct gusset_places **places);

@@ -10,11 +10,11 @@ namespace gusset {
 
 /// Options of gusset_surface_create. See ::gusset_surface_options.
 struct SurfaceOptions {
-    /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the diagonal of the
-    /// surface's bounding box.
+    /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the surface's box
+    /// diagonal.
     double tolerance = 0.0;
-    /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle, about 0.7 bytes a
-    /// node; 0: the first such query builds them.
+    /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0: the first such
+    /// query builds them.
     bool cones = false;
 };
 
@@ -22,9 +22,9 @@ struct SurfaceOptions {
 struct NodesOptions {
     /// Interpolation through nodes.
     Scheme scheme = Scheme::six_tap;
-    /// 1: closed in u; the last row repeats the first.
+    /// 1: closed in u.
     bool closed_u = false;
-    /// 1: closed in v; the last column repeats the first.
+    /// 1: closed in v.
     bool closed_v = false;
 };
 
@@ -32,13 +32,13 @@ struct NodesOptions {
 struct NearestOptions {
     /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
     double limit = 0.0;
-    /// For minima: maximum number, the nearest first; 0: all.
+    /// Minima: most, nearest first; 0: all.
     std::size_t max_count = 0;
 };
 
 /// Density of points on curves. See ::gusset_contour_options.
 struct ContourOptions {
-    /// A length above 0, finite. Values below the surface's tolerance act as the tolerance. A value sets spacing to
+    /// A length above 0, finite; at least the surface's tolerance applies. A value sets spacing to
     /// GUSSET_POINT_SPACING_CHORD.
     std::optional<double> chord;
     /// Curve points between crossings with cell sides.
@@ -49,13 +49,12 @@ struct ContourOptions {
 
 /// Options of gusset_surface_intersection_create. See ::gusset_intersection_options.
 struct IntersectionOptions {
-    /// Largest distance of the curve from its chords, above 0 and finite. Estimated: rare chords exceed it by about 15
-    /// %. At least the smallest of `tolerance` and the surfaces' tolerances applies. A value sets spacing to
+    /// Largest distance of the curve from its chords, above 0, finite; rare chords exceed it by about 15 %. At least
+    /// the smallest of `tolerance` and the surfaces' tolerances applies. A value sets spacing to
     /// GUSSET_POINT_SPACING_CHORD.
     std::optional<double> chord;
-    /// Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the smaller tolerance of the
-    /// surfaces. Self-intersections use at most the surface's tolerance. Branches shorter than it and the surfaces'
-    /// tolerances may be lost.
+    /// Two surfaces touch where their gap or overlap stays within this length, finite; 0: the surfaces' smaller
+    /// tolerance. Self-intersections use at most the surface's. Branches shorter than all three may be lost.
     double tolerance = 0.0;
     /// Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
     SpacingRule spacing = SpacingRule::automatic;
@@ -63,17 +62,16 @@ struct IntersectionOptions {
 
 /// Options among the inputs of gusset_spline. See ::gusset_spline.
 struct SplineOptions {
-    /// Largest distance from a rational spline at equal parameters. Rounding requires about 1e-13 of the size. 0: 1e-12
-    /// of the control points' box diagonal, or more where rounding requires it.
+    /// Largest distance from a rational spline at equal parameters; rounding requires about 1e-13 of the size. 0: 1e-12
+    /// of the control points' box diagonal, or more for rounding.
     double tolerance = 0.0;
-    /// Maximum number of cells of a rational spline; 0: 2^20.
+    /// Most cells of a rational spline; 0: 2^20.
     std::size_t max_cells = 0;
 };
 
 /// Options among the inputs of gusset_curve_net. See ::gusset_curve_net.
 struct CurveNetOptions {
-    /// Largest distance between two curves where they meet, finite; both move to the middle. 0: 1e-6 of the curves' box
-    /// diagonal.
+    /// Largest distance of curves that meet, finite; both move to the middle. 0: 1e-6 of the box diagonal.
     double tolerance = 0.0;
     /// 1: the columns are closed, and the first row follows the last.
     bool closed_u = false;
@@ -85,9 +83,9 @@ struct CurveNetOptions {
 struct SheetMeshOptions {
     /// Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
     double tolerance = 0.0;
-    /// Minimum parts of each cell in u; 0: 1.
+    /// Least parts of a cell in u; 0: 1.
     uint32_t min_u = 0;
-    /// Minimum parts of each cell in v; 0: 1.
+    /// Least parts of a cell in v; 0: 1.
     uint32_t min_v = 0;
     /// 1: triangles only; 0: quads, with triangles at poles.
     bool triangles = false;

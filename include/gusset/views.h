@@ -8,7 +8,7 @@
 #include "net.h"
 #include "surface.h"
 
-/// A view of all its fields; gusset_triangles_f32 and the functions after it are its cases.
+/// A view of all its fields; see gusset_triangles_f32.
 static inline gusset_mesh_view gusset_mesh_view_of(gusset_scalar scalar, const void *points, size_t point_count,
                                                    const uint32_t *offsets, const uint32_t *corners, size_t face_count,
                                                    uint32_t face_size) {
@@ -40,7 +40,7 @@ static inline gusset_mesh_view gusset_triangles_f64(const double *points, size_t
     return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, triangle_count, 3);
 }
 
-/// A view of quads: point_count packed points x, y, z, and four vertices for each quad.
+/// As gusset_triangles_f32, with four vertices for each quad.
 static inline gusset_mesh_view gusset_quads_f32(const float *points, size_t point_count, const uint32_t *corners,
                                                 size_t quad_count) {
     return gusset_mesh_view_of(GUSSET_F32, points, point_count, NULL, corners, quad_count, 4);
@@ -52,8 +52,8 @@ static inline gusset_mesh_view gusset_quads_f64(const double *points, size_t poi
     return gusset_mesh_view_of(GUSSET_F64, points, point_count, NULL, corners, quad_count, 4);
 }
 
-/// A view of polygons: point_count packed points x, y, z; face f has the vertices corners[offsets[f]] to
-/// corners[offsets[f + 1] - 1], and there are face_count + 1 offsets.
+/// As gusset_triangles_f32, but face f has the vertices corners[offsets[f]] to corners[offsets[f + 1] - 1]; there are
+/// face_count + 1 offsets.
 static inline gusset_mesh_view gusset_polygons_f32(const float *points, size_t point_count, const uint32_t *offsets,
                                                    const uint32_t *corners, size_t face_count) {
     return gusset_mesh_view_of(GUSSET_F32, points, point_count, offsets, corners, face_count, 0);
@@ -75,7 +75,7 @@ static inline gusset_mesh_view gusset_result_mesh(const gusset_result *result) {
     return view;
 }
 
-/// One outline of point_count packed points, x and y or x, y, z each; closed: 0 or 1.
+/// One outline of point_count packed points; closed: 0 or 1.
 static inline gusset_outlines gusset_points_f64(const double *points, size_t point_count, uint32_t dimension,
                                                 uint32_t closed) {
     gusset_outlines outlines;
@@ -135,7 +135,7 @@ static inline gusset_net_view gusset_net_points_of(gusset_scalar scalar, void *x
     return view;
 }
 
-/// The coordinates of a net: rows x columns packed points x, y, z in single precision.
+/// As gusset_net_points_of, in single precision.
 static inline gusset_net_view gusset_net_points_f32(float *points, size_t rows, size_t columns) {
     return gusset_net_points_of(GUSSET_F32, points, points + 1, points + 2, sizeof *points, rows, columns);
 }
@@ -164,8 +164,8 @@ static inline GUSSET_MUST_USE gusset_status gusset_surface_from_nodes_create(con
     return status;
 }
 
-/// Passes a curve through the points of one outline; see gusset_outline_create and gusset_outline_curve_create. The
-/// statuses of points are lost: keep the outline to read them.
+/// Passes a curve through one outline, by gusset_outline_create and gusset_outline_curve_create. The statuses of points
+/// are lost.
 /// @errors as gusset_outline_create, as gusset_outline_curve_create
 static inline GUSSET_MUST_USE gusset_status gusset_curve_from_points_create(const gusset_context *context,
                                                                             const gusset_outlines *points,

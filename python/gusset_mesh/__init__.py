@@ -4,7 +4,7 @@
 Other threads run during a call, and Ctrl-C stops it. Bad input raises :class:`InputError` with the element at fault.
 """
 
-from . import choices, fields, filters
+from . import choices, fields, files, filters
 from ._handles import Handle, Origins, Result
 from ._library import lib as _lib
 from ._library import text as _text
@@ -35,9 +35,11 @@ from ._reports import (
 )
 from .analysing import NetAnalysis, NetComplex, NetValidation
 from .curves import CurvePoints, CurveSpline
+from .documents import Document, FileMesh
 from .encoding import stream_inspect
 from .errors import Cancelled, Error, InputError, OutOfMemory
 from .fields import Field
+from .files import read, save
 from .frame import Frame
 from .gluing import Gluing, LocalGluing, NetGroups, seam
 from .joining import (
@@ -73,13 +75,14 @@ __all__ = [
     "choices", "develop", "fill", "filters", "join", "orient", "sew", "stitch", "trim", "weld",
 ]
 __all__ += [
-    "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "DecimatedNet", "DistanceReport", "Facing", "FacingOptions", "FacingView", "Field",
-    "Frame", "FrameOptions", "FrameView", "Gluing", "GluingOccurrence", "GluingOccurrenceArray", "Line", "LocalGluing", "NearestAngleReport",
-    "NetAnalysis", "NetAnalysisView", "NetComplex", "NetComplexView", "NetFinding", "NetFindingArray", "NetGrid", "NetGridView", "NetGroups",
-    "NetGroupsView", "NetPlanarityReport", "NetPrimitive", "NetValidation", "NetValidationView", "OutlineReport", "PlanariseOptions",
-    "PlanariseReport", "Plane", "Scene", "SceneEntryReport", "SceneInstance", "SceneInstanceArray", "SceneReport", "Seam", "SeamArray",
-    "SettleOptions", "SettleReport", "SheetMeasures", "StreamDecoder", "StreamOptions", "StreamReport", "Strip", "StripOptions", "StripReport",
-    "SurfaceCell", "SurfaceCellArray", "SurfaceCells", "SurfaceCellsView", "SurfacePoints", "SurfacePointsView", "Transform", "TransformArray",
-    "Winged", "WingedEdge", "WingedEdgeArray", "WingedFaces", "WingedFacesView", "WingedOptions", "WingedView", "facing", "fields",
-    "find_merge", "find_sections", "meridians_index", "seam", "stream_inspect", "strip", "winged", "winged_faces",
+    "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "DecimatedNet", "DistanceReport", "Document", "Facing", "FacingOptions",
+    "FacingView", "Field", "FileMesh", "Frame", "FrameOptions", "FrameView", "Gluing", "GluingOccurrence", "GluingOccurrenceArray", "Line",
+    "LocalGluing", "NearestAngleReport", "NetAnalysis", "NetAnalysisView", "NetComplex", "NetComplexView", "NetFinding", "NetFindingArray",
+    "NetGrid", "NetGridView", "NetGroups", "NetGroupsView", "NetPlanarityReport", "NetPrimitive", "NetValidation", "NetValidationView",
+    "OutlineReport", "PlanariseOptions", "PlanariseReport", "Plane", "Scene", "SceneEntryReport", "SceneInstance", "SceneInstanceArray",
+    "SceneReport", "Seam", "SeamArray", "SettleOptions", "SettleReport", "SheetMeasures", "StreamDecoder", "StreamOptions", "StreamReport",
+    "Strip", "StripOptions", "StripReport", "SurfaceCell", "SurfaceCellArray", "SurfaceCells", "SurfaceCellsView", "SurfacePoints",
+    "SurfacePointsView", "Transform", "TransformArray", "Winged", "WingedEdge", "WingedEdgeArray", "WingedFaces", "WingedFacesView",
+    "WingedOptions", "WingedView", "facing", "fields", "files", "find_merge", "find_sections", "meridians_index", "read", "save", "seam",
+    "stream_inspect", "strip", "winged", "winged_faces",
 ]

@@ -12,6 +12,8 @@ from . import choices
 _native: Any = import_module("gusset_mesh._native")
 ffi: Any = _native.ffi
 lib: Any = _native.lib
+#: The library of readers and writers of files, if they are not in `lib`.
+files: Any = getattr(_native, "files", None)
 
 #: Numbers of the interface's index and coordinate types.
 F32, F64 = 1, 2
@@ -57,4 +59,6 @@ def holding(pointer: Any, *things: Any) -> Any:
 
 
 STATUSES = {number: name for name, number in constants("GUSSET_ERROR_").items()}
+# Statuses of gusset_files.h, which would be other statuses of gusset.h, are negative.
+STATUSES |= {-lib.GUSSET_FILES_BAD_ARGUMENT: "bad_argument", -lib.GUSSET_FILES_BAD_FILE: "bad_file"}
 ELEMENTS = {number: name for name, number in choices.NUMBERS["gusset_element"].items()}

@@ -13,7 +13,7 @@ class Error(Exception):
     """A call of the library failed; nothing has changed.
 
     Attributes:
-        status: the number of the status, as in ``gusset.h``.
+        status: the number of the status, as in ``gusset.h``; if it is negative, -status is a status of ``gusset_files.h``.
         name: its name in lower case, as ``"index_out_of_range"``.
         element: what ``index`` counts, as ``"vertex"`` or ``"face"``; ``"none"`` if nothing.
         index: the first element at fault, or None.

@@ -138,12 +138,13 @@ def from_polydata(polydata: Any) -> Mesh:
     return Mesh.from_polygons(points, offsets if offsets.size else np.zeros(1, np.uint32), corners)
 
 
-#: A :class:`Mesh`, points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh.
+#: A :class:`Mesh`, points and faces, an object with a mesh (a result, a document of a file), or a mesh of trimesh, PyVista, meshio, Open3D or
+#: OpenMesh.
 MeshLike = Union[Mesh, tuple[Any, Any], Any]
 
 
 def as_mesh(given: MeshLike) -> Mesh:
-    """Converts a mesh of another library, or points and faces. Arrays are copied only if they must be.
+    """Converts a mesh of another library, or points and faces. Takes the mesh of a result or document. Arrays are copied only if they must be.
 
     >>> as_mesh(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
     <Mesh of 3 vertices and 1 faces>
@@ -162,6 +163,9 @@ def as_mesh(given: MeshLike) -> Mesh:
     for points, faces in (("vertices", "faces"), ("vertices", "triangles")):  # trimesh; Open3D
         if hasattr(given, points) and hasattr(given, faces):
             return Mesh(np.asarray(getattr(given, points)), np.asarray(getattr(given, faces)))
+    within = getattr(given, "mesh", None)
+    if isinstance(within, Mesh):  # results; documents and meshes of files
+        return within
     if hasattr(given, "points") and hasattr(given, "cells"):  # meshio
         kept = [block.data for block in given.cells if block.type in ("triangle", "quad", "polygon")]
         return Mesh(given.points, kept[0] if len(kept) == 1 else [face for block in kept for face in block])

@@ -2,6 +2,7 @@
 
 import ast
 import pathlib
+import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "python/gusset_mesh"
@@ -66,3 +67,14 @@ def test_every_function_of_c_is_offered_or_listed():
 def test_a_function_that_nobody_calls_is_found():
     without = [source.replace('"net_morph"', '"net_copy"') for source in package()]
     assert symbols() - called(without) - set(WITHOUT) == {"gusset_net_morph_create"}
+
+
+def test_every_function_of_files_is_called():
+    header = (ROOT / "include/gusset_files.h").read_text("utf-8")
+    source = (PACKAGE / "files.py").read_text("utf-8")
+    table = header[header.index("typedef struct gusset_files {"):header.index("} gusset_files;")]
+    functions = re.findall(r"\(\*(\w+)\)\(", table)
+    assert len(functions) == 7
+    assert [name for name in functions if f"_table().{name}" not in source] == []
+    flags = re.findall(r"/// Flag of \w+: .*\n#define (\w+)", header)
+    assert len(flags) == 3 and all(f"lib.{name}" in source for name in flags)

@@ -24,10 +24,10 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (5, c"Nadopta's chain: GUSSET_CURVE_KIND_COMPOSITE with GUSSET_LOCK_DATA_GUIDE, regardless of `lock`."),
     ]),
     ("gusset_section_method", &[
-        (0, c"The bisector of the angle at the point."),
-        (1, c"The median."),
+        (0, c"The bisector of the angle at the point; always defined."),
+        (1, c"The median; always defined."),
         (2, c"The normal of the chord."),
-        (3, c"The symmedian."),
+        (3, c"The symmedian; always defined."),
         (4, c"Parameter a^alpha / (a^alpha + b^alpha) for the distances a, b from the neighbours: median at alpha = 0, bisector at 1/2, symmedian at 1."),
     ]),
     ("gusset_parameter_lock", &[
@@ -47,8 +47,8 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_outline_ends", &[
         (0, c"From the first and last sections."),
         (1, c"Perpendicular to the first chord (first to third point) and to the last."),
-        (2, c"Parallel to the x-axis, in the sense of the first and last legs."),
-        (3, c"Parallel to the y-axis, in the sense of the first and last legs."),
+        (2, c"Parallel to the x-axis, in the sense of first and last legs."),
+        (3, c"Parallel to the y-axis, in the sense of first and last legs."),
         (4, c"Level or upright, whichever is nearer to GUSSET_ENDS_PERPENDICULAR."),
     ]),
     ("gusset_point_status", &[
@@ -95,13 +95,13 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_curve_format", &[
         (0, c"SVG path data (M, L, Q, C, Z), for plane curves up to degree 3."),
-        (1, c"TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the middle between two of them."),
+        (1, c"TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the middle of two."),
         (2, c"Clamped B-spline, for curves of one degree n."),
     ]),
     ("gusset_correspondence_rule", &[
         (0, c"By index; all sections have the same number of points."),
         (1, c"Equal arc lengths of each section, or between corners common to all."),
-        (2, c"Half-planes at equal angles round the axis, straight or bent; the farthest of several crossings."),
+        (2, c"Half-planes at equal angles round the axis; the farthest of several crossings."),
         (3, c"Landmarks of each section, and equal arc lengths between them."),
     ]),
     ("gusset_offset_direction", &[
@@ -114,7 +114,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_index", &[
         (0, c"32-bit unsigned integers."),
-        (1, c"Reserved; returns GUSSET_ERROR_UNKNOWN_VALUE."),
+        (1, c"Reserved: GUSSET_ERROR_UNKNOWN_VALUE."),
     ]),
     ("gusset_welding", &[
         (0, c"Sewn, with the tolerance of weld_options; edges are split where vertices do not match, as in gusset_sew."),
@@ -122,12 +122,12 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (2, c"Sewn where they match vertex by vertex, as in gusset_weld."),
     ]),
     ("gusset_gap", &[
-        (0, c"Limits by size."),
+        (0, c"The width of a gap is the larger mean distance from either loop to the nearest points of the other."),
         (1, c"max_gap."),
     ]),
     ("gusset_overlaps", &[
         (0, c"Overlapping pieces stay unchanged."),
-        (1, c"One piece of each overlap is kept, as by gusset_trim_create, and the gaps are closed."),
+        (1, c"One piece of each overlap is kept, as by gusset_trim_create, and gaps are closed."),
     ]),
     ("gusset_joint_outcome", &[
         (0, c"A strip joins them."),
@@ -162,16 +162,16 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (1, c"Exact, in O(N M) time; gusset_stitch states the memory."),
     ]),
     ("gusset_strip_start", &[
-        (0, c"The closest pair of vertices, or the closest one after rotating rim B along rim A to the best fit."),
+        (0, c"The better strip from the closest pair of vertices, or from the closest after rotating rim B along rim A to the best fit."),
         (1, c"The closest pair of vertices."),
         (2, c"The first points; gusset_strip only."),
     ]),
     ("gusset_fairing", &[
         (0, c"New vertices divide the meridians of a strip evenly, or lie on the first triangulation of a patch."),
-        (1, c"The new surface bends like a thin plate and meets the old one smoothly."),
+        (1, c"The new surface bends like a thin plate and meets the old one smoothly: least sum of squared Laplacians over new vertices and rims."),
     ]),
     ("gusset_intersections", &[
-        (0, c"Intersections of the strip are found, and reduced in these cases:"),
+        (0, c"Finds intersections of the strip, and reduces them:"),
         (1, c"No search: rows are faired in full, and the first blend is kept."),
         (2, c"As GUSSET_INTERSECTIONS_AUTO, but no strip is rerouted."),
     ]),
@@ -192,7 +192,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_centres", &[
         (0, c"Mean of the vertices."),
-        (1, c"Mean along the curve, independent of the vertex spacing."),
+        (1, c"Mean along the curve, independent of vertex spacing."),
     ]),
     ("gusset_row_rule", &[
         (0, c"0: each meridian is one edge."),
@@ -219,25 +219,25 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_fill_keep", &[
         (0, c"All loops are holes."),
-        (1, c"The longest loop (the first of equals), as the outline of a sheet."),
+        (1, c"The longest loop (the first of equals)."),
         (2, c"Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot product with their component's, and a length of at least half the component's area."),
     ]),
     ("gusset_fill_together", &[
         (0, c"Each loop gets its own patch."),
         (1, c"All filled loops share one patch of genus 0."),
-        (2, c"Loops share a patch where it has less weight than separate patches."),
+        (2, c"Loops share a patch where it weighs less than separate patches."),
     ]),
     ("gusset_fill_refinement", &[
         (0, c"No new vertices."),
-        (1, c"New vertices as dense as the vertices around the hole."),
+        (1, c"New vertices as dense as those around the hole."),
     ]),
     ("gusset_fill_continuity", &[
         (0, c"Tangent continuity: fairing minimises the squared Laplacian."),
         (1, c"Curvature continuity: fairing minimises the squared gradient of the Laplacian."),
     ]),
     ("gusset_fill_weight", &[
-        (0, c"Best continuation of the surrounding surface: the area if the rim is planar, otherwise the sum of"),
-        (1, c"Sum of the areas and, over all edges, the rim included, squared length times 1 - cosine of the angle between the normals."),
+        (0, c"Best continuation of the surface: the area if the rim is planar, else the sum of"),
+        (1, c"Sum of the areas and, over all edges, the rim included, of squared length * (1 - cos(angle between normals))."),
         (2, c"Largest angle between neighbouring faces, old faces at the rim included; then the area."),
         (3, c"Area, minimised exactly for a single loop of at most 128 vertices."),
     ]),
@@ -251,15 +251,15 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (1, c"Left open: keep excludes it."),
         (2, c"Left open: it exceeds max_edges, max_length, max_diameter or max_area."),
         (3, c"Left open: it is an open chain."),
-        (4, c"Left open: it runs along an edge with three or more faces."),
+        (4, c"Left open: it runs along a non-manifold edge."),
         (5, c"Left open: the faces along it disagree in orientation."),
         (6, c"Left open: a given loop has fewer than three vertices, or passes a vertex twice."),
-        (7, c"Left open: an edge of a given loop does not have exactly one face, or belongs to an earlier loop."),
-        (8, c"Left open: every triangulation has an edge between two vertices of one old face, or no shared patch was found."),
+        (7, c"Left open: an edge of a given loop is not a boundary edge, or belongs to an earlier loop."),
+        (8, c"Left open: every triangulation joins two vertices of one old face, or no shared patch was found."),
     ]),
     ("gusset_weld_vertices", &[
-        (0, c"Ends of boundary edges: coincident borders are sewn edge to edge."),
-        (1, c"All vertices that faces use, for triangle soups."),
+        (0, c"Ends of boundary edges: sews coincident borders edge to edge."),
+        (1, c"All used vertices, for triangle soups."),
     ]),
     ("gusset_collapse", &[
         (0, c"Corners of one face stay apart."),
@@ -271,21 +271,21 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_alignment_start", &[
         (0, c"As given, moved by poses if any."),
-        (1, c"Principal axes on the ones of the first piece, in the one of four ways that puts most of the piece on it."),
-        (2, c"Rims of like shape put together; the rims then hold the pieces."),
+        (1, c"Principal axes on the first piece's, in the one of four ways that puts most of the piece on it."),
+        (2, c"Rims of like shape put together; they then hold the pieces."),
     ]),
     ("gusset_aligned_reason", &[
         (0, c"Trusted: the piece fits trusted pieces, up to the first."),
         (1, c"The piece lacks faces with area, or overlaps others too little."),
         (2, c"Too much of the piece near others is off their surfaces."),
-        (3, c"Up to the noise of normals, the piece is free to slide or turn, as on planes, spheres or cylinders."),
+        (3, c"Up to the noise of normals, the piece is free to slide or turn."),
         (4, c"Most of the overlap has opposite normals: the piece is inside out, or mirrored."),
-        (5, c"The piece overlaps nothing, and is over 50 times larger or smaller than the first; its unit probably differs."),
+        (5, c"The piece overlaps nothing, and is over 50 times larger or smaller than the first: its unit probably differs."),
         (6, c"The piece fits untrusted pieces only."),
     ]),
     ("gusset_non_manifold", &[
-        (0, c"Each face at the edge has its own border there; loops along it are always closed."),
-        (1, c"Only edges with exactly one face belong to loops."),
+        (0, c"Each face has its own border there; loops along it are always closed."),
+        (1, c"Loops have boundary edges only, and end at non-manifold ones as open chains."),
     ]),
     ("gusset_survey", &[
         (0, c"Every edge: all defects are reported, and flagged on the loops."),
@@ -294,14 +294,14 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_loop_flags", &[
         (1, c"The loop is an open chain, with one vertex more than edges."),
         (2, c"The loop passes a vertex where the surface touches itself."),
-        (4, c"The loop was cut from a longer walk at a vertex that the walk passes twice."),
-        (8, c"The loop runs along, or ends at, an edge with three or more faces."),
+        (4, c"The loop was cut from a longer walk that passes a vertex twice."),
+        (8, c"The loop runs along, or ends at, a non-manifold edge."),
         (16, c"The faces along the loop disagree in orientation."),
         (32, c"The loop has an edge of length 0."),
     ]),
     ("gusset_edge_flags", &[
         (1, c"The loop runs this edge against its face."),
-        (2, c"The edge has three or more faces."),
+        (2, c"The edge is non-manifold."),
         (4, c"The edge has length 0."),
     ]),
     ("gusset_defect_kind", &[
@@ -314,7 +314,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (1, c"The mesh has edges, each with exactly two faces."),
         (2, c"No edge or vertex is non-manifold."),
         (4, c"The two faces of each edge run it in opposite directions."),
-        (8, c"The mesh is oriented, or becomes so if faces are turned over."),
+        (8, c"The mesh is oriented, or would be after turning faces over."),
     ]),
     ("gusset_distortion", &[
         (0, c"Lengths and areas, stretch and compression alike: the symmetric Dirichlet energy."),
@@ -326,8 +326,8 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (1, c"Descended until nothing was gained."),
         (2, c"Descended until max_iterations."),
         (3, c"The requested conformal map."),
-        (4, c"The map with the least symmetric distortion, because the conformal map folds or overlaps."),
-        (5, c"Some triangles are turned over, because no map without folds was found."),
+        (4, c"The map with the least symmetric distortion: the conformal map folds or overlaps."),
+        (5, c"Some triangles are turned over: no map without folds was found."),
         (6, c"Descended until no step gained: the border would meet itself, or rounding hides the gain."),
     ]),
     ("gusset_cut_kind", &[
@@ -348,15 +348,15 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (5, c"32-bit unsigned integers."),
     ]),
     ("gusset_rule", &[
-        (0, c"Weighted mean, as for colours; integers are rounded."),
+        (0, c"Weighted mean; integers are rounded."),
         (1, c"Directions of three floats: weighted mean on the sphere, of length 1."),
         (2, c"Bone weights, at least 0: weighted mean."),
-        (3, c"Value of the source with the largest weight (the first of equals), as for materials."),
+        (3, c"Value of the source with the largest weight (the first of equals)."),
         (4, c"Texture coordinates."),
     ]),
     ("gusset_net_memory", &[
         (0, c"Copied to the library's memory."),
-        (1, c"The caller's memory, which changes with the net."),
+        (1, c"The caller's memory; changes with the net."),
     ]),
     ("gusset_sides", &[
         (1, c"Each row is closed: its last node is its first."),
@@ -367,7 +367,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (32, c"The last column is one point."),
         (0, c"All sides are open."),
         (1, c"Rows are closed."),
-        (13, c"Rows are closed, the first and last are poles: spheres, and cylinders or cones with caps."),
+        (13, c"Rows are closed, the first and last are poles."),
         (60, c"All four sides are one point."),
         (3, c"Rows and columns are closed."),
     ]),
@@ -408,8 +408,8 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (0, c"Rectangle at z = 0: size[0], size[1]."),
         (1, c"Sphere with two poles: radius."),
         (2, c"Sphere from a disc, its rim one point: radius."),
-        (3, c"Cylinder without caps: radius, height."),
-        (4, c"Cylinder with caps: radius, height."),
+        (3, c"Open cylinder: radius, height."),
+        (4, c"Closed cylinder: radius, height."),
         (5, c"Regular prism: sides, radius (circumscribed), height."),
         (6, c"Cone with base: radius, height."),
         (7, c"Regular pyramid: sides, radius (circumscribed), height."),
@@ -424,7 +424,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_box_kind", &[
         (0, c"Each cap closes along a slit."),
         (1, c"Crosswise unwrapping."),
-        (2, c"Concentric rings, with the fewest nodes, and triangles along the diagonals."),
+        (2, c"Concentric rings, with the fewest nodes; triangles along the diagonals."),
     ]),
     ("gusset_axis", &[
         (0, c"x."),
@@ -438,7 +438,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (4, c"Scaling about the origin by the factor values[0]."),
         (5, c"Scaling of distances from axis by the factor values[0]."),
         (6, c"Scaling of x, y and z by values[0], values[1] and values[2]."),
-        (7, c"Affine map: three rows of four numbers; the fourth is the displacement."),
+        (7, c"Affine map: three rows of four numbers, the last the displacement."),
     ]),
     ("gusset_field_kind", &[
         (1, c"Affine map, linear in t: three rows of four numbers."),
@@ -446,13 +446,13 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (3, c"Scaling of u and v by 1 + t values[0] (w - values[1])."),
         (4, c"Bends axis from w = values[1] to values[2] into an arc of curvature t values[0] towards u."),
         (5, c"Adds t values[0] times the coordinate on other_axis to w."),
-        (6, c"Central projection onto a sphere, linear in t: centre values[0..2], radius values[3] > 0."),
+        (6, c"Central projection onto a sphere of centre values[0..2], radius values[3] > 0; linear in t."),
         (7, c"Rolls space around a cylinder of radius r = values[0] > 0."),
         (8, c"Rolls space into a torus about axis: radius R = values[0] > 0, tube radius r = values[1] > 0."),
-        (9, c"Free-form deformation of the box from values[0..2] to values[3..5] by a tensor product of Bernstein polynomials."),
+        (9, c"Free-form deformation of the box from values[0..2] to values[3..5] by tensor-product Bernstein polynomials, linear in t."),
         (10, c"Projective map by a 4 x 4 matrix, row by row; linear in t."),
-        (11, c"Parallel projection, linear in t: onto the plane through values[0..2] with normal values[3..5], along values[6..8]."),
-        (12, c"Central projection from the eye values[0..2], linear in t: onto the plane through values[3..5] with normal values[6..8]."),
+        (11, c"Parallel projection onto the plane through values[0..2] with normal values[3..5], along values[6..8]; linear in t."),
+        (12, c"Central projection from the eye values[0..2] onto the plane through values[3..5] with normal values[6..8]; linear in t."),
         (13, c"Rolls space into a cone about axis."),
         (14, c"Rolls space into a sphere about axis, of radius r = values[0] > 0."),
     ]),
@@ -468,7 +468,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_net_faces", &[
         (0, c"Quads, and triangles where one side of a cell is a point."),
-        (1, c"Triangles, cut by the shorter diagonal, or by the other one if that edge exists already."),
+        (1, c"Triangles, cut by the shorter diagonal, or the other if that edge exists."),
         (2, c"Triangles, cut from (i, j) to (i + 1, j + 1), with the same exception."),
     ]),
     ("gusset_grid_cells", &[
@@ -483,8 +483,8 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (0, c"All, as equally as possible."),
         (1, c"The first."),
         (2, c"The last."),
-        (3, c"The one with the given index."),
-        (4, c"The first and last in equal shares if both are poles; the pole if one is; else as UNIFORM."),
+        (3, c"The one at the given index."),
+        (4, c"The first and last equally if both are poles; the pole if one is; else as UNIFORM."),
         (5, c"Different sizes are an error; for gusset_concatenate_options only."),
     ]),
     ("gusset_net_turn", &[
@@ -498,7 +498,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (7, c"Exchanges rows and columns, and reverses both."),
     ]),
     ("gusset_interpolation", &[
-        (0, c"Catmull-Rom splines, with continuous tangents also across seams."),
+        (0, c"Catmull-Rom splines: continuous tangents, also across seams."),
         (1, c"Bilinear patches of the cells."),
     ]),
     ("gusset_bridge_mode", &[
@@ -523,14 +523,14 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_morph_path", &[
         (0, c"Straight."),
-        (1, c"Uniform best-fitting rotation; the rest is straight in the rotating frame."),
+        (1, c"Uniform best-fitting rotation, straight in the rotating frame."),
     ]),
     ("gusset_net_finding_kind", &[
         (0, c"Violation: the ends of contracted link element are apart, or one is missing."),
         (1, c"Violation: two nodes glued by seam element are apart, or one is missing."),
         (2, c"Warning: the ends of link element are one point, but it is not contracted; see saturate of gusset_glue_options."),
         (3, c"Warning: the ends of link element coincide without being glued."),
-        (4, c"Warning: link element closes a row or column of fewer than four nodes, which encloses nothing."),
+        (4, c"Warning: link element closes a row or column of fewer than four nodes."),
     ]),
     ("gusset_reference_object", &[
         (0, c"The point."),
@@ -544,11 +544,11 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_winding", &[
         (0, c"Faces are counter-clockwise seen from outside."),
-        (1, c"Faces are clockwise seen from outside, as in Baumgart's tables."),
+        (1, c"Faces are clockwise seen from outside, as Baumgart's."),
     ]),
     ("gusset_winged_flags", &[
-        (1, c"A record of an edge with three or more faces; it has one of them."),
-        (2, c"A record of an edge that two faces traverse in the same direction; it has one of them."),
+        (1, c"A record of one face of a non-manifold edge."),
+        (2, c"A record of one face of an edge that two faces traverse in one direction."),
         (4, c"M = N, or a face of the edge has fewer than three proper edges."),
     ]),
     ("gusset_scene_entry_kind", &[
@@ -558,20 +558,20 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_visibility", &[
         (0, c"No change."),
         (1, c"Shows the entry."),
-        (2, c"Hides the entry with all its children."),
+        (2, c"Hides the entry and its children."),
     ]),
     ("gusset_element", &[
         (0, c"The index means nothing."),
         (1, c"Vertex of the input mesh."),
         (2, c"Face of the input mesh."),
         (3, c"Half-edge: a position in face_corners."),
-        (4, c"Entry of an array of offsets, such as face_offsets or cut_offsets."),
-        (5, c"Position in a loop that the caller gave."),
+        (4, c"Entry of an array of offsets."),
+        (5, c"Position in a given loop."),
         (6, c"Number of elements or bytes."),
-        (7, c"Point of an outline or a curve, counted over all outlines."),
+        (7, c"Point of an outline or a curve, over all outlines."),
         (8, c"Constraint on an outline: its place or tangent."),
         (9, c"Given place on a curve or a surface."),
-        (12, c"Section of a frame, or plane, from 0."),
+        (12, c"Section of a frame, or plane."),
         (13, c"Node of a net, row after row."),
         (14, c"Link of a net: twice its first node, plus 1 if vertical."),
         (15, c"Cell of a net, row after row."),
@@ -588,15 +588,15 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_stream_mode", &[
         (0, c"Compressed, rounded to a number of bits."),
         (1, c"Compressed bit for bit, including NaN."),
-        (2, c"Uncompressed little-endian matrices, aligned to 64 bytes for memory mapping."),
+        (2, c"Uncompressed little-endian matrices, aligned to 64 bytes."),
     ]),
     ("gusset_contact_kind", &[
         (1, c"They touch in a point."),
         (2, c"Two branches of the intersection cross, or pass each other within the tolerance."),
     ]),
     ("gusset_scheme", &[
-        (0, c"Bicubic from the 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents."),
-        (1, c"Leus's bicubic through the 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump at nodes."),
+        (0, c"Bicubic from 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents."),
+        (1, c"Leus's bicubic through 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump at nodes."),
     ]),
     ("gusset_twists", &[
         (0, c"Differences of tangents over five nodes: fourth order."),
@@ -607,34 +607,34 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_nearest_flags", &[
         (1, c"A point was found."),
         (2, c"`bound` is within the tolerance of the distance, or within rounding."),
-        (4, c"Another point, farther from this one than 1/100 of the distance, is equally near within the tolerance."),
+        (4, c"Another point, farther away than 1/100 of the distance, is equally near within the tolerance."),
     ]),
     ("gusset_normal_kind", &[
-        (0, c"Undefined: the tangents are 0, or parallel along all lines to the point."),
+        (0, c"Undefined: tangents are 0, or parallel along all lines to the point."),
         (1, c"Normal of the tangent plane."),
         (2, c"Limit along the coordinate line where the tangents span no plane, as at poles."),
     ]),
     ("gusset_hit_selection", &[
         (0, c"All hits, ordered along the line."),
         (1, c"The first hit."),
-        (2, c"Any one hit, if one exists."),
+        (2, c"Any one hit."),
     ]),
     ("gusset_hit_kind", &[
         (0, c"No hit."),
         (1, c"It passes through the surface."),
         (2, c"It touches within the tolerance, in one point, two close points, or none."),
-        (3, c"It runs in the surface, within the tolerance, over the whole span."),
+        (3, c"It runs in the surface within the tolerance, over the whole span."),
     ]),
     ("gusset_spacing_rule", &[
         (0, c"Points on the surface that keep chords within 1e-4 of its box diagonal."),
-        (1, c"Points on the surface that keep chords within `chord`, sampled at the middle and quarters of each."),
+        (1, c"Points on the surface that keep chords within `chord`, sampled at the middle and quarters."),
         (2, c"No points."),
         (3, c"`points` points on the cubic through four crossings, near the surface."),
     ]),
     ("gusset_contour_kind", &[
-        (0, c"Signed distance from the plane through `point` with the normal `direction`."),
+        (0, c"Signed distance from the plane through `point` with the normal `direction`: sections by parallel planes."),
         (1, c"Values at cell corners, interpolated like the surface."),
-        (2, c"Angle between the normal and `direction`."),
+        (2, c"Angle between the normal and `direction`: isophotes, at pi / 2 silhouettes seen along `direction`."),
     ]),
     ("gusset_target_kind", &[
         (0, c"The line, ray or segment `line`."),
@@ -644,10 +644,10 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_distance_flags", &[
         (1, c"`bound` is within the tolerance of the distance, or within 2^-45 of the greatest coordinate."),
-        (2, c"Surface and target meet at the points, except for rounding, and the distance is 0."),
+        (2, c"Surface and target meet up to rounding; the distance is 0."),
     ]),
     ("gusset_frame_surface", &[
-        (0, c"A grid through the frame's nodes, or GUSSET_FRAME_CURVES if a curve of the frame has corners."),
+        (0, c"A grid through the frame's nodes, or GUSSET_FRAME_CURVES if its curves have corners."),
         (1, c"Gordon's surface, which contains all curves of the frame."),
     ]),
     ("gusset_sheet_measure_flags", &[

@@ -1,10 +1,10 @@
-//! Contexts: Threads, progress, cancellation, log, and the report of the last error.
+//! Contexts: Settings and outcomes of calls.
 
 use super::glue::versioned;
 use super::guard::catch_panic;
-use super::handle::{self, Handle, handle};
-use super::host::{Callbacks, Host, Watch};
-use super::input::{self, Versioned};
+use super::handle::{self, OpaqueHandle, handle};
+use super::host::{CallWatch, HostCallbacks, HostProgress};
+use super::input::{self, VersionedStruct};
 use super::status::{Failure, gusset_element, gusset_status, text};
 use crate::error::Error;
 use crate::job::{Job, Progress};
@@ -15,40 +15,38 @@ use std::ptr;
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-/// Threads, progress, cancellation, log, and the outcome of the last call. One thread uses it at a
-/// time, but any thread may call gusset_context_cancel, gusset_context_reset and
+/// Threads, progress, cancellation, log, and the outcome of the last call. Only one thread uses it
+/// at a time; any thread may call gusset_context_cancel, gusset_context_reset and
 /// gusset_context_get_progress.
 pub struct gusset_context {
-    watch: Watch,
-    state: Mutex<State>,
+    watch: CallWatch,
+    state: Mutex<ContextState>,
 }
 
 handle! { gusset_context }
 
-/// Receives the progress of long work, on the calling thread. A nonzero return cancels this
-/// call only, unlike gusset_context_cancel.
-/// The callback must not throw or longjmp, or use the context, except gusset_context_cancel and
+/// Receives the progress of long work, on the calling thread. A nonzero return cancels this call
+/// only. The callback must not throw, longjmp, or use the context, except gusset_context_cancel and
 /// gusset_context_get_progress.
-/// - fraction: the part done, 0 to 1, never decreasing. If the call succeeds, the last report is 1.
+/// - fraction: the part done, 0 to 1, never decreasing; 1 at the end of a successful call.
 /// - stage: the current work; valid during the callback.
 pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
 
-/// Receives remarks that are not errors, under the rules of gusset_progress_fn. Programs read the
-/// same from results; the sentences may change. Stitching, filling and joining remark that
-/// - the second piece of a stitch, or component of its loops, was turned over to agree with the
-///   first;
-/// - a closed component was inside out and was turned over;
+/// Receives remarks that are not errors, under the rules of gusset_progress_fn. Sentences may
+/// change; programs read results. Stitching, filling and joining remark that
+/// - the second piece or component of a stitch was turned over to agree with the first;
+/// - a closed component was inside out, and was turned over;
 /// - fairing was requested without new vertices;
-/// - rows, cells or fairing were requested with a blend, which ignores them;
-/// - a strip replaces a blend with too many vertices or more intersections;
-/// - loops stay open near others: near_loops_left of gusset_join_report is not 0;
-/// - a closed component encloses no volume: zero_volume of gusset_join_report is not empty.
+/// - rows, cells or fairing were requested with a blend;
+/// - a strip replaces a blend;
+/// - near_loops_left of gusset_join_report is not 0;
+/// - zero_volume of gusset_join_report is not empty.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;
 
-struct State {
+struct ContextState {
     threads: u32,
-    callbacks: Callbacks,
+    callbacks: HostCallbacks,
     message: Cow<'static, CStr>,
     report: gusset_error_report,
 }
@@ -61,13 +59,13 @@ pub struct gusset_error_report {
     pub struct_size: usize,
     /// Status that the call returned.
     pub status: i32,
-    /// Kind of element that the index of a report counts.
+    /// Element that a report's index counts.
     pub element: gusset_element,
     /// First offending element.
     pub index: u64,
-    /// Value of the element, if any: a coordinate, a vertex index, an exceeded limit.
+    /// Its value, if any: a coordinate, a vertex index, an exceeded limit.
     pub value: f64,
-    /// Mesh, input or loop of the element, from 0.
+    /// Mesh, piece, input or loop of the element.
     pub input: u32,
     /// 0.
     pub reserved: u32,
@@ -76,7 +74,7 @@ pub struct gusset_error_report {
 versioned! { gusset_error_report: 40 }
 
 impl gusset_context {
-    fn lock(&self) -> Result<MutexGuard<'_, State>, Failure> {
+    fn lock_state(&self) -> Result<MutexGuard<'_, ContextState>, Failure> {
         match self.state.try_lock() {
             Ok(state) => Ok(state),
             Err(TryLockError::Poisoned(poisoned)) => Ok(poisoned.into_inner()),
@@ -87,14 +85,14 @@ impl gusset_context {
     }
 }
 
-impl State {
-    fn record(&mut self, outcome: Result<(), Failure>) -> gusset_status {
+impl ContextState {
+    fn record_outcome(&mut self, outcome: Result<(), Failure>) -> gusset_status {
         (self.message, self.report) = (Cow::Borrowed(c""), gusset_error_report::default());
         let Err(failure) = outcome else { return gusset_status::GUSSET_OK };
         let Failure { status, message, element, index, value, input } = failure;
         let message = CString::new(message.into_owned()).unwrap_or_default();
         // A context must not keep blocks in the reserve.
-        let kept = !reserve::holds(message.as_ptr());
+        let kept = !reserve::contains_block(message.as_ptr());
         self.message = if kept { Cow::Owned(message) } else { Cow::Borrowed(text(status as i32)) };
         self.report = gusset_error_report { status: status as i32, element, index, value, input, ..self.report };
         status
@@ -107,12 +105,12 @@ pub(crate) fn guard(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
-    guard_change(context, |job| finished(body, job))
+    guard_change(context, |job| run_and_finish(body, job))
 }
 
 /// Returns the result of `body`, or an error if the reserve had to provide memory, or if the host
 /// cancels.
-fn finished<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'_>) -> Result<T, Failure> {
+fn run_and_finish<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'_>) -> Result<T, Failure> {
     let made = body(job)?;
     job.finish()?;
     Ok(made)
@@ -120,24 +118,27 @@ fn finished<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'_>)
 
 /// [`guard`] for a `body` that modifies the caller's data, writes to its outputs, or makes handles.
 /// These changes cannot be undone, so `body` calls [`Job::finish`] itself before it makes them, or
-/// [`Job::memory`] if it reports while it makes them.
+/// [`Job::check_memory`] if it reports while it makes them.
 pub(crate) fn guard_change(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
     let mut body = Some(body);
-    run_guarded(context, &mut |job| body.take().map_or(Ok(()), |body| body(job)))
+    run_guarded_call(context, &mut |job| body.take().map_or(Ok(()), |body| body(job)))
 }
 
 /// Calls `body` at most once. It is not generic over `body`, so that it is compiled only once.
-fn run_guarded(context: *const gusset_context, body: &mut dyn FnMut(&Job<'_>) -> Result<(), Failure>) -> gusset_status {
+fn run_guarded_call(
+    context: *const gusset_context,
+    body: &mut dyn FnMut(&Job<'_>) -> Result<(), Failure>,
+) -> gusset_status {
     let outcome = catch_panic(|| {
         if context.is_null() {
             return body(&Job::default()).map(|()| gusset_status::GUSSET_OK);
         }
-        let context = handle::get(context, "context")?;
-        let mut state = context.lock()?;
-        let host = Host::new(&context.watch, state.callbacks);
+        let context = handle::get_object(context, "context")?;
+        let mut state = context.lock_state()?;
+        let host = HostProgress::new(&context.watch, state.callbacks);
         let job = Job::new(state.threads as usize, &host);
         // Catch panics here too, so that the report mentions them.
         let outcome = catch_panic(|| {
@@ -148,7 +149,7 @@ fn run_guarded(context: *const gusset_context, body: &mut dyn FnMut(&Job<'_>) ->
             // Too late to cancel a body that changed things while it reported.
             let _ = host.finish();
         }
-        Ok(state.record(outcome))
+        Ok(state.record_outcome(outcome))
     });
     outcome.unwrap_or_else(|failure: Failure| failure.status)
 }
@@ -161,11 +162,11 @@ pub(crate) fn answer<T>(
     cleared: T,
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
-    let slot = input::output(out, cleared, name);
+    let slot = input::cleared_output(out, cleared, name);
     guard_change(context, |job| {
         // First of all, the result needs a place.
         let slot = slot?;
-        *slot = finished(body, job)?;
+        *slot = run_and_finish(body, job)?;
         Ok(())
     })
 }
@@ -177,16 +178,16 @@ pub(crate) fn answer_optional<T>(
     cleared: T,
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
-    let slot = input::optional_output(out, cleared, name);
+    let slot = input::cleared_optional_output(out, cleared, name);
     guard_change(context, |job| {
         let slot = slot?;
-        input::set(slot, finished(body, job)?);
+        input::set_optional_output(slot, run_and_finish(body, job)?);
         Ok(())
     })
 }
 
 /// [`answer`] with a struct that has a `struct_size`.
-pub(crate) fn answer_struct<T: Versioned>(
+pub(crate) fn answer_struct<T: VersionedStruct>(
     context: *const gusset_context,
     (out, name): (*mut T, &'static str),
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
@@ -194,13 +195,13 @@ pub(crate) fn answer_struct<T: Versioned>(
     let out = input::output_struct(out, name);
     guard_change(context, |job| {
         let out = out?;
-        out.write(finished(body, job)?);
+        out.write_known_fields(run_and_finish(body, job)?);
         Ok(())
     })
 }
 
 /// [`answer`] with a new handle.
-pub(crate) fn create<T: Handle>(
+pub(crate) fn create<T: OpaqueHandle>(
     context: *const gusset_context,
     out: *mut *mut T,
     name: &'static str,
@@ -211,20 +212,20 @@ pub(crate) fn create<T: Handle>(
 
 /// [`create`] for a body that produces more than the handle. `tell` writes the rest to other
 /// outputs.
-pub(crate) fn create_and_tell<T: Handle, U>(
+pub(crate) fn create_and_tell<T: OpaqueHandle, U>(
     context: *const gusset_context,
     out: *mut *mut T,
     name: &'static str,
     body: impl FnOnce(&Job<'_>) -> Result<(T, U), Failure>,
     tell: impl FnOnce(U),
 ) -> gusset_status {
-    let slot = input::output(out, ptr::null_mut(), name);
+    let slot = input::cleared_output(out, ptr::null_mut(), name);
     guard_change(context, |job| {
         let slot = slot?;
         let boxed = |job: &Job<'_>| body(job).map(|(made, told)| (handle::boxed(made), told));
-        let (made, told) = finished(boxed, job)?;
+        let (made, told) = run_and_finish(boxed, job)?;
         tell(told);
-        *slot = handle::give(made);
+        *slot = handle::into_handle(made);
         Ok(())
     })
 }
@@ -234,7 +235,7 @@ pub(crate) fn create_and_tell<T: Handle, U>(
 macro_rules! lend {
     ($handle:ident, $out:ident, |$it:pat_param| $body:expr) => {
         $crate::capi::context::answer_struct(std::ptr::null(), ($out, stringify!($out)), |_| {
-            let $it = $crate::capi::handle::get($handle, stringify!($handle))?;
+            let $it = $crate::capi::handle::get_object($handle, stringify!($handle))?;
             Ok($body)
         })
     };
@@ -249,10 +250,10 @@ pub(crate) use lend;
 pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context) -> gusset_status {
     create(ptr::null(), context, "context", |_| {
         let none = ptr::null_mut();
-        let callbacks = Callbacks { progress: None, progress_user: none, log: None, log_user: none };
+        let callbacks = HostCallbacks { progress: None, progress_user: none, log: None, log_user: none };
         let (message, report) = (Cow::Borrowed(c""), gusset_error_report::default());
-        let state = Mutex::new(State { threads: 0, callbacks, message, report });
-        Ok(gusset_context { watch: Watch::default(), state })
+        let state = Mutex::new(ContextState { threads: 0, callbacks, message, report });
+        Ok(gusset_context { watch: CallWatch::default(), state })
     })
 }
 
@@ -268,13 +269,13 @@ pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context, threads: u32) -> gusset_status {
-    change(context, |state| state.threads = threads)
+    change_state(context, |state| state.threads = threads)
 }
 
 /// Sets the progress callback.
 ///
 /// @param progress NULL: none.
-/// @param user passed to the callback unchanged.
+/// @param user passed to the callback.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_progress(
@@ -282,7 +283,7 @@ pub unsafe extern "C" fn gusset_context_set_progress(
     progress: gusset_progress_fn,
     user: *mut c_void,
 ) -> gusset_status {
-    change(context, |State { callbacks, .. }| {
+    change_state(context, |ContextState { callbacks, .. }| {
         (callbacks.progress, callbacks.progress_user) = (progress, user);
     })
 }
@@ -290,7 +291,7 @@ pub unsafe extern "C" fn gusset_context_set_progress(
 /// Sets the log callback.
 ///
 /// @param log NULL: none.
-/// @param user passed to the callback unchanged.
+/// @param user passed to the callback.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_log(
@@ -298,14 +299,14 @@ pub unsafe extern "C" fn gusset_context_set_log(
     log: gusset_log_fn,
     user: *mut c_void,
 ) -> gusset_status {
-    change(context, |State { callbacks, .. }| (callbacks.log, callbacks.log_user) = (log, user))
+    change_state(context, |ContextState { callbacks, .. }| (callbacks.log, callbacks.log_user) = (log, user))
 }
 
-fn change(context: *const gusset_context, set: impl FnOnce(&mut State)) -> gusset_status {
+fn change_state(context: *const gusset_context, set: impl FnOnce(&mut ContextState)) -> gusset_status {
     guard(ptr::null(), |_| {
-        let mut state = handle::get(context, "context")?.lock()?;
+        let mut state = handle::get_object(context, "context")?.lock_state()?;
         set(&mut state);
-        state.record(Ok(()));
+        state.record_outcome(Ok(()));
         Ok(())
     })
 }
@@ -316,7 +317,7 @@ fn change(context: *const gusset_context, set: impl FnOnce(&mut State)) -> gusse
 /// @threads From any thread; NULL is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
-    if let Ok(context) = handle::get(context, "context") {
+    if let Ok(context) = handle::get_object(context, "context") {
         context.watch.cancelled.store(true, Ordering::Relaxed);
     }
 }
@@ -327,32 +328,32 @@ pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
 /// @threads From any thread; NULL is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
-    if let Ok(context) = handle::get(context, "context") {
+    if let Ok(context) = handle::get_object(context, "context") {
         context.watch.cancelled.store(false, Ordering::Relaxed);
     }
 }
 
-/// Returns the part of the running or last call that is done.
+/// Returns the done part of the running or last call.
 ///
 /// @return 0 to 1; 0 for NULL.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_context) -> f64 {
-    handle::get(context, "context").map_or(0.0, |context| context.watch.fraction())
+    handle::get_object(context, "context").map_or(0.0, |context| context.watch.largest_fraction())
 }
 
-/// Explains the error of the last call in an English sentence.
+/// Explains the last call's error in an English sentence.
 ///
-/// @return a NUL-terminated UTF-8 string, never NULL, valid until the next call with the context;
-///     empty after a success, during a call, and for NULL.
+/// @return a UTF-8 string, never NULL, valid until the next call with the context; empty after a
+///     success, during a call, and for NULL.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {
-    let state = handle::get(context, "context").and_then(gusset_context::lock);
+    let state = handle::get_object(context, "context").and_then(gusset_context::lock_state);
     state.map_or(c"".as_ptr(), |state| state.message.as_ptr())
 }
 
-/// Copies the report of the last call; it is cleared after a success.
+/// Copies the report of the last call, cleared after a success.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -360,5 +361,5 @@ pub unsafe extern "C" fn gusset_context_get_report(
     context: *const gusset_context,
     report: *mut gusset_error_report,
 ) -> gusset_status {
-    lend!(context, report, |context| context.lock()?.report)
+    lend!(context, report, |context| context.lock_state()?.report)
 }

@@ -8,7 +8,7 @@ macro_rules! versioned {
     ($($name:ident: $size:literal $($reserved:ident)?),* $(,)?) => {$(
         // SAFETY: repr(C), and all fields are plain numbers and raw pointers, for which zeros are
         // valid. The size comes first, as asserted.
-        unsafe impl $crate::capi::input::Versioned for $name {
+        unsafe impl $crate::capi::input::VersionedStruct for $name {
             const MIN_SIZE: usize = if size_of::<usize>() == 8 { $size } else { size_of::<$name>() };
             $(fn reserved(&self) -> u32 { self.$reserved })?
         }

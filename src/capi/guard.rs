@@ -7,21 +7,21 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::panicking;
 
 /// A panic hook.
-type Hook = dyn Fn(&PanicHookInfo<'_>) + Send + Sync;
+type PanicHook = dyn Fn(&PanicHookInfo<'_>) + Send + Sync;
 
 /// The number of calls in progress, over all threads. A panic in these threads, or in threads that
 /// they start, must stay silent.
-static CALLS: AtomicUsize = AtomicUsize::new(0);
+static CALLS_IN_PROGRESS: AtomicUsize = AtomicUsize::new(0);
 /// The hook for panics outside calls. The shared library has its own copy of the standard library,
 /// where such panics do not occur. A Rust program that links this crate can have them.
-static OUTSIDE: OnceLock<Box<Hook>> = OnceLock::new();
+static HOOK_OUTSIDE_CALLS: OnceLock<Box<PanicHook>> = OnceLock::new();
 
 /// Installs a hook that is silent during calls, and returns the previous hook. Neither box
 /// allocates: the standard library's hook and this one have no state.
-fn install_silent_hook() -> Box<Hook> {
+fn install_silent_hook() -> Box<PanicHook> {
     let outside = take_hook();
     set_hook(Box::new(|info| {
-        if let (0, Some(outside)) = (CALLS.load(Ordering::Relaxed), OUTSIDE.get()) {
+        if let (0, Some(outside)) = (CALLS_IN_PROGRESS.load(Ordering::Relaxed), HOOK_OUTSIDE_CALLS.get()) {
             outside(info);
         }
     }));
@@ -29,29 +29,29 @@ fn install_silent_hook() -> Box<Hook> {
 }
 
 /// A call in progress.
-struct Call;
+struct CallInProgress;
 
-impl Call {
-    fn begin() -> Self {
-        CALLS.fetch_add(1, Ordering::Relaxed);
+impl CallInProgress {
+    fn begin_call() -> Self {
+        CALLS_IN_PROGRESS.fetch_add(1, Ordering::Relaxed);
         // A host's thread that is panicking must not change the hook.
         if !panicking() {
-            OUTSIDE.get_or_init(install_silent_hook);
+            HOOK_OUTSIDE_CALLS.get_or_init(install_silent_hook);
         }
-        Call
+        CallInProgress
     }
 }
 
-impl Drop for Call {
+impl Drop for CallInProgress {
     fn drop(&mut self) {
-        CALLS.fetch_sub(1, Ordering::Relaxed);
+        CALLS_IN_PROGRESS.fetch_sub(1, Ordering::Relaxed);
     }
 }
 
 /// Runs `body` and catches panics, which must not unwind into the host. A panic becomes
 /// `GUSSET_ERROR_PANIC` and prints nothing.
 pub fn catch_panic<T, E: From<Failure>>(body: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    let _call = Call::begin();
+    let _call = CallInProgress::begin_call();
     catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|panic| {
         // The payload's own destructor could panic. The payload is small and rare, so leak it.
         std::mem::forget(panic);
@@ -71,11 +71,11 @@ mod tests {
     use std::{env, panic, ptr, thread};
 
     /// Set in the process that panics, because only another process can see its output.
-    const PLANTED: &str = "GUSSET_TEST_PLANTED_PANIC";
+    const PLANTED_PANIC_VARIABLE: &str = "GUSSET_TEST_PLANTED_PANIC";
 
     /// Panics within calls, in their threads and in threads that they start, next to an existing
     /// handle.
-    fn planted() {
+    fn panic_within_calls() {
         let (mut context, mut scene, mut group) = (ptr::null_mut::<gusset_context>(), ptr::null_mut(), 0);
         // SAFETY: each handle comes from its `_create` function and is passed to its `_destroy`
         // function once.
@@ -103,16 +103,19 @@ mod tests {
 
     #[test]
     fn a_panic_is_a_status_and_prints_nothing() {
-        if env::var_os(PLANTED).is_some() {
-            planted();
+        if env::var_os(PLANTED_PANIC_VARIABLE).is_some() {
+            panic_within_calls();
             // Between calls, panics are printed as usual.
             let _ = panic::catch_unwind(|| panic!("of the host"));
             return;
         }
         let own = thread::current().name().unwrap().to_owned();
         let mut child = Command::new(env::current_exe().unwrap());
-        let child =
-            child.args([&own, "--exact", "--nocapture", "--test-threads=1"]).env(PLANTED, "1").output().unwrap();
+        let child = child
+            .args([&own, "--exact", "--nocapture", "--test-threads=1"])
+            .env(PLANTED_PANIC_VARIABLE, "1")
+            .output()
+            .unwrap();
         let [out, err] = [child.stdout, child.stderr].map(|text| String::from_utf8(text).unwrap());
         assert!(child.status.success() && out.contains("1 passed"), "{out}{err}");
         assert!(!err.contains("planted") && err.matches("panicked at").count() == 1, "{err}");

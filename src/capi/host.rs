@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// The callbacks of a host, each with its user pointer.
 #[derive(Clone, Copy)]
-pub(crate) struct Callbacks {
+pub(crate) struct HostCallbacks {
     pub(crate) progress: Option<unsafe extern "C" fn(*mut c_void, f64, *const c_char) -> c_int>,
     pub(crate) progress_user: *mut c_void,
     pub(crate) log: Option<unsafe extern "C" fn(*mut c_void, *const c_char)>,
@@ -17,24 +17,24 @@ pub(crate) struct Callbacks {
 
 /// The state of a call that any thread may read, and the request to cancel.
 #[derive(Default)]
-pub(crate) struct Watch {
+pub(crate) struct CallWatch {
     /// Whether a thread requested a cancel.
     pub(crate) cancelled: AtomicBool,
     /// The largest reported fraction, as the bits of an f64.
     fraction: AtomicU64,
 }
 
-impl Watch {
+impl CallWatch {
     /// Returns the largest reported fraction.
-    pub(crate) fn fraction(&self) -> f64 {
+    pub(crate) fn largest_fraction(&self) -> f64 {
         f64::from_bits(self.fraction.load(Ordering::Relaxed))
     }
 }
 
 /// The host during one call.
-pub(crate) struct Host<'a> {
-    watch: &'a Watch,
-    callbacks: Callbacks,
+pub(crate) struct HostProgress<'a> {
+    watch: &'a CallWatch,
+    callbacks: HostCallbacks,
     /// Whether the callback cancelled. The call then stays cancelled, whatever the callback returns
     /// later.
     stopped: Cell<bool>,
@@ -42,17 +42,17 @@ pub(crate) struct Host<'a> {
     stage: Cell<Option<&'static str>>,
 }
 
-impl<'a> Host<'a> {
+impl<'a> HostProgress<'a> {
     /// Creates the host at the start of a call.
-    pub(crate) fn new(watch: &'a Watch, callbacks: Callbacks) -> Self {
+    pub(crate) fn new(watch: &'a CallWatch, callbacks: HostCallbacks) -> Self {
         watch.fraction.store(0, Ordering::Relaxed);
-        Host { watch, callbacks, stopped: Cell::new(false), stage: Cell::new(None) }
+        HostProgress { watch, callbacks, stopped: Cell::new(false), stage: Cell::new(None) }
     }
 }
 
-impl Progress for Host<'_> {
+impl Progress for HostProgress<'_> {
     fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()> {
-        let fraction = fraction.max(self.watch.fraction());
+        let fraction = fraction.max(self.watch.largest_fraction());
         self.watch.fraction.store(fraction.to_bits(), Ordering::Relaxed);
         self.stage.set(Some(stage));
         if let Some(callback) = self.callbacks.progress
@@ -77,7 +77,7 @@ impl Progress for Host<'_> {
 
     /// Reports 1 once. A call that has reported nothing stays silent.
     fn finish(&self) -> ControlFlow<()> {
-        let is_reported = self.watch.fraction() >= 1.0;
+        let is_reported = self.watch.largest_fraction() >= 1.0;
         match self.stage.get() {
             Some(stage) if !is_reported => self.step(1.0, stage),
             _ => {

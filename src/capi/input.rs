@@ -12,14 +12,14 @@ use std::ffi::c_void;
 use std::mem::MaybeUninit;
 use std::ptr;
 
-pub(super) fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
-    aligned_to(align_of::<T>(), pointer.addr(), name)
+pub(super) fn check_aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
+    check_aligned_to(align_of::<T>(), pointer.addr(), name)
 }
 
-/// [`aligned`] without a type parameter, so that it is compiled only once.
-fn aligned_to(alignment: usize, address: usize, name: &'static str) -> Result<(), Failure> {
+/// [`check_aligned`] without a type parameter, so that it is compiled only once.
+fn check_aligned_to(alignment: usize, address: usize, name: &'static str) -> Result<(), Failure> {
     if address == 0 {
-        Err(Failure::null(name))
+        Err(Failure::null_argument(name))
     } else if !address.is_multiple_of(alignment) {
         let message = format!("{name} is not aligned to {alignment} bytes");
         Err(Failure::new(GUSSET_ERROR_MISALIGNED_ARGUMENT, message))
@@ -30,15 +30,15 @@ fn aligned_to(alignment: usize, address: usize, name: &'static str) -> Result<()
 
 /// Returns an object that lives during the call. `handle::get` reads handles instead.
 pub fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
-    aligned(pointer, name)?;
+    check_aligned(pointer, name)?;
     // SAFETY: not NULL and aligned; the caller promises that it points to a live T.
     Ok(unsafe { &*pointer })
 }
 
 /// Returns the place of a result. It writes `cleared` at once, so that the place is defined after a
 /// failure.
-pub(crate) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> Result<&'a mut T, Failure> {
-    aligned(pointer, name)?;
+pub(crate) fn cleared_output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> Result<&'a mut T, Failure> {
+    check_aligned(pointer, name)?;
     // SAFETY: not NULL and aligned; the caller promises writable memory for a T.
     unsafe {
         pointer.write(cleared);
@@ -46,69 +46,70 @@ pub(crate) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> 
     }
 }
 
-/// [`output`] for a result that the caller may omit.
-pub(crate) fn optional_output<'a, T>(
+/// [`cleared_output`] for a result that the caller may omit.
+pub(crate) fn cleared_optional_output<'a, T>(
     pointer: *mut T,
     cleared: T,
     name: &'static str,
 ) -> Result<Option<&'a mut T>, Failure> {
-    if pointer.is_null() { Ok(None) } else { output(pointer, cleared, name).map(Some) }
+    if pointer.is_null() { Ok(None) } else { cleared_output(pointer, cleared, name).map(Some) }
 }
 
-/// Fills an [`optional_output`].
-pub(crate) fn set<T>(slot: Option<&mut T>, value: T) {
+/// Fills an [`cleared_optional_output`].
+pub(crate) fn set_optional_output<T>(slot: Option<&mut T>, value: T) {
     if let Some(slot) = slot {
         *slot = value;
     }
 }
 
 /// Reads three coordinates, at any alignment.
-pub(crate) fn vector(pointer: *const f64, name: &'static str) -> Result<glam::DVec3, Failure> {
-    let bytes = bytes(pointer.cast(), 3, 8, name)?;
+pub(crate) fn read_vector(pointer: *const f64, name: &'static str) -> Result<glam::DVec3, Failure> {
+    let bytes = input_bytes(pointer.cast(), 3, 8, name)?;
     Ok(glam::DVec3::from_array(bytemuck::pod_read_unaligned(bytes)))
 }
 
 /// Returns the caller's buffer for `count` elements. If `count` is 0, any pointer is valid.
-fn buffer<T>(pointer: *mut T, count: usize, name: &'static str) -> Result<*mut [T], Failure> {
+fn output_buffer<T>(pointer: *mut T, count: usize, name: &'static str) -> Result<*mut [T], Failure> {
     if count == 0 {
         return Ok(ptr::slice_from_raw_parts_mut(ptr::dangling_mut(), 0));
     }
-    aligned(pointer, name)?;
-    bytes(pointer.cast_const().cast(), count, size_of::<T>(), name)?;
+    check_aligned(pointer, name)?;
+    input_bytes(pointer.cast_const().cast(), count, size_of::<T>(), name)?;
     Ok(ptr::slice_from_raw_parts_mut(pointer, count))
 }
 
 /// Returns the caller's buffer for `count` results of plain numbers. If `count` is 0, any pointer
 /// is valid.
-pub fn results<'a, T: bytemuck::Pod>(
+pub fn result_buffer<'a, T: bytemuck::Pod>(
     pointer: *mut T,
     count: usize,
     name: &'static str,
 ) -> Result<&'a mut [T], Failure> {
     // SAFETY: not NULL, aligned, and at most isize::MAX bytes. The caller promises room for `count`
     // elements. Plain numbers may hold any bits.
-    buffer(pointer, count, name).map(|buffer| unsafe { &mut *buffer })
+    output_buffer(pointer, count, name).map(|buffer| unsafe { &mut *buffer })
 }
 
-/// [`results`], with every byte set to 0 at once, so that the buffer is defined after a failure.
-pub(crate) fn cleared<'a, T: bytemuck::Pod>(
+/// [`result_buffer`], with every byte set to 0 at once, so that the buffer is defined after a
+/// failure.
+pub(crate) fn cleared_result_buffer<'a, T: bytemuck::Pod>(
     pointer: *mut T,
     count: usize,
     name: &'static str,
 ) -> Result<&'a mut [T], Failure> {
-    let out = results(pointer, count, name)?;
+    let out = result_buffer(pointer, count, name)?;
     out.fill(T::zeroed());
     Ok(out)
 }
 
 /// Returns the caller's buffer for `count` handles.
-pub(crate) fn handles<'a, T>(
+pub(crate) fn handle_buffer<'a, T>(
     pointer: *mut *mut T,
     count: usize,
     name: &'static str,
 ) -> Result<&'a mut [*mut T], Failure> {
-    let handles = buffer(pointer, count, name)?;
-    // SAFETY: as in `results`; NULL is a valid pointer value.
+    let handles = output_buffer(pointer, count, name)?;
+    // SAFETY: as in `result_buffer`; NULL is a valid pointer value.
     unsafe {
         handles.cast::<*mut T>().write_bytes(0, count);
         Ok(&mut *handles)
@@ -116,7 +117,12 @@ pub(crate) fn handles<'a, T>(
 }
 
 /// Returns `count` elements as bytes, at any alignment.
-pub fn bytes<'a>(pointer: *const c_void, count: usize, size: usize, name: &'static str) -> Result<&'a [u8], Failure> {
+pub fn input_bytes<'a>(
+    pointer: *const c_void,
+    count: usize,
+    size: usize,
+    name: &'static str,
+) -> Result<&'a [u8], Failure> {
     let length = count.checked_mul(size).filter(|&n| n <= isize::MAX as usize);
     let Some(length) = length else {
         return Err(Failure::new(
@@ -128,7 +134,7 @@ pub fn bytes<'a>(pointer: *const c_void, count: usize, size: usize, name: &'stat
         return Ok(&[]);
     }
     if pointer.is_null() {
-        return Err(Failure::null(name));
+        return Err(Failure::null_argument(name));
     }
     // SAFETY: not NULL, at most isize::MAX bytes, and bytes need no alignment. The caller promises
     // that they are readable and that nobody writes to them during the call.
@@ -136,29 +142,29 @@ pub fn bytes<'a>(pointer: *const c_void, count: usize, size: usize, name: &'stat
 }
 
 /// Iterates over `count` elements of plain numbers, at any alignment.
-pub(crate) fn items<'a, T: bytemuck::AnyBitPattern>(
+pub(crate) fn input_items<'a, T: bytemuck::AnyBitPattern>(
     pointer: *const T,
     count: usize,
     name: &'static str,
 ) -> Result<impl ExactSizeIterator<Item = T> + use<'a, T>, Failure> {
-    let bytes: &'a [u8] = bytes(pointer.cast(), count, size_of::<T>(), name)?;
+    let bytes: &'a [u8] = input_bytes(pointer.cast(), count, size_of::<T>(), name)?;
     Ok(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned))
 }
 
-/// Copies the elements of [`items`].
-pub(crate) fn list<T: bytemuck::AnyBitPattern>(
+/// Copies the elements of [`input_items`].
+pub(crate) fn copy_input_items<T: bytemuck::AnyBitPattern>(
     pointer: *const T,
     count: usize,
     name: &'static str,
 ) -> Result<Vec<T>, Failure> {
-    Ok(gusset_base::alloc::collect(items(pointer, count, name)?)?)
+    Ok(gusset_base::alloc::collect(input_items(pointer, count, name)?)?)
 }
 
 /// Reads a flag, 0 or 1.
 pub(crate) fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
     match value {
         0 | 1 => Ok(value == 1),
-        other => Err(Failure::unknown(name, other.into())),
+        other => Err(Failure::unknown_value(name, other.into())),
     }
 }
 
@@ -176,18 +182,18 @@ pub(crate) trait Choice: Sized {
 
 /// Converts a constant to a variant.
 pub(crate) fn choice<T: Choice>(value: u32) -> Result<T, Failure> {
-    T::from_constant(value).ok_or_else(|| Failure::unknown(T::NAME, value.into()))
+    T::from_constant(value).ok_or_else(|| Failure::unknown_value(T::NAME, value.into()))
 }
 
 /// Returns the pointer to lend for a list: its first element, or NULL if it is empty.
-pub(crate) fn lent<T>(list: &[T]) -> *const T {
+pub(crate) fn lend_list<T>(list: &[T]) -> *const T {
     if list.is_empty() { ptr::null() } else { list.as_ptr() }
 }
 
 /// Fills the caller's buffer of `capacity` elements with the `needed` elements that `make` returns.
 /// Without a buffer, it only returns their number. If memory runs out, nothing is written, and
 /// `written` stays unchanged.
-pub(crate) fn fill<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
+pub(crate) fn fill_buffer<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
     (buffer, capacity, name): (*mut T, usize, &'static str),
     needed: usize,
     written: &mut usize,
@@ -204,28 +210,28 @@ pub(crate) fn fill<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
         let message = format!("{name} has room for {capacity} elements, but {needed} are needed");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
-    let (out, made) = (results(buffer, needed, name)?, make()?);
+    let (out, made) = (result_buffer(buffer, needed, name)?, make()?);
     job.finish()?;
     out.iter_mut().zip(made).for_each(|(to, from)| *to = from);
     *written = needed;
     Ok(())
 }
 
-/// [`fill`] with a copy of the library's data.
-pub(crate) fn copy<T: bytemuck::Pod>(
+/// [`fill_buffer`] with a copy of the library's data.
+pub(crate) fn copy_to_buffer<T: bytemuck::Pod>(
     buffer: (*mut T, usize, &'static str),
     from: &[T],
     written: &mut usize,
     job: &Job<'_>,
 ) -> Result<(), Failure> {
-    fill(buffer, from.len(), written, job, || Ok(from.iter().copied()))
+    fill_buffer(buffer, from.len(), written, job, || Ok(from.iter().copied()))
 }
 
 /// A struct of plain numbers and pointers that begins with `size_t struct_size`.
 ///
 /// # Safety
 /// The struct is `repr(C)`, its first field is the size, and all bytes zero are a valid value.
-pub(crate) unsafe trait Versioned: Copy {
+pub(crate) unsafe trait VersionedStruct: Copy {
     /// The size of the first published version.
     const MIN_SIZE: usize;
 
@@ -237,7 +243,7 @@ pub(crate) unsafe trait Versioned: Copy {
 
 /// Reads the struct up to the size of the caller's version; missing fields are 0. NULL gives all
 /// zeros if `optional`. Bytes beyond this version, and `reserved`, must be 0.
-pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'static str) -> Result<T, Failure> {
+pub(crate) fn read<T: VersionedStruct>(pointer: *const T, optional: bool, name: &'static str) -> Result<T, Failure> {
     // SAFETY: zeros are valid, by the trait.
     let mut value: T = unsafe { MaybeUninit::zeroed().assume_init() };
     if optional && pointer.is_null() {
@@ -248,7 +254,7 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
     // SAFETY: aligned and not NULL; the caller promises `size` readable bytes. A prefix copied over
     // zeros is a valid value of plain fields.
     unsafe { ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), known) };
-    let tail = bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
+    let tail = input_bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
     check_unknown_fields(tail, value.reserved(), name)?;
     Ok(value)
 }
@@ -256,15 +262,15 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
 /// Fails if the host sets `reserved` or fields beyond this version.
 fn check_unknown_fields(tail: &[u8], reserved: u32, name: &'static str) -> Result<(), Failure> {
     match tail.iter().find(|&&byte| byte != 0) {
-        Some(&byte) => Err(Failure::unknown(format_args!("a field of {name} beyond this version"), byte.into())),
-        None if reserved != 0 => Err(Failure::unknown(format_args!("{name}.reserved"), reserved.into())),
+        Some(&byte) => Err(Failure::unknown_value(format_args!("a field of {name} beyond this version"), byte.into())),
+        None if reserved != 0 => Err(Failure::unknown_value(format_args!("{name}.reserved"), reserved.into())),
         None => Ok(()),
     }
 }
 
 /// Reads options within other options, which `checked` converts; NULL means the defaults. A failure
 /// names the field by its path.
-pub(crate) fn read_nested<T: Versioned, U>(
+pub(crate) fn read_nested<T: VersionedStruct, U>(
     pointer: *const T,
     name: &'static str,
     checked: impl FnOnce(T) -> Result<U, Failure>,
@@ -274,13 +280,13 @@ pub(crate) fn read_nested<T: Versioned, U>(
 
 /// Returns pointers to the structs of an array. All must have the size of the first one. A failure
 /// has the index of its struct.
-pub(crate) fn structs<T: Versioned>(
+pub(crate) fn struct_pointers<T: VersionedStruct>(
     first: *const T,
     count: usize,
     name: &'static str,
 ) -> Result<impl ExactSizeIterator<Item = Result<*const T, Failure>>, Failure> {
     let size = if count == 0 { 0 } else { struct_size(first, name)? };
-    bytes(first.cast(), count, size, name)?;
+    input_bytes(first.cast(), count, size, name)?;
     Ok((0..count).map(move |k| {
         let one = first.wrapping_byte_add(k * size);
         let found = struct_size(one, name).map_err(|failure| failure.with_item(k))?;
@@ -294,23 +300,26 @@ pub(crate) fn structs<T: Versioned>(
 }
 
 /// Clears the caller's struct except its size, and returns the writer.
-pub(crate) fn output_struct<T: Versioned>(pointer: *mut T, name: &'static str) -> Result<Output<T>, Failure> {
+pub(crate) fn output_struct<T: VersionedStruct>(
+    pointer: *mut T,
+    name: &'static str,
+) -> Result<OutputStruct<T>, Failure> {
     let size = struct_size(pointer, name)?;
     let field = size_of::<usize>();
     // SAFETY: aligned and not NULL; the caller promises `size` writable bytes.
     unsafe { pointer.cast::<u8>().add(field).write_bytes(0, size - field) };
-    Ok(Output { pointer, size })
+    Ok(OutputStruct { pointer, size })
 }
 
 /// A struct of the caller that the call will fill.
-pub(crate) struct Output<T> {
+pub(crate) struct OutputStruct<T> {
     pointer: *mut T,
     size: usize,
 }
 
-impl<T: Versioned> Output<T> {
+impl<T: VersionedStruct> OutputStruct<T> {
     /// Writes the fields that the caller's version has; its struct_size stays.
-    pub(crate) fn write(self, value: T) {
+    pub(crate) fn write_known_fields(self, value: T) {
         let (field, end) = (size_of::<usize>(), self.size.min(size_of::<T>()));
         // SAFETY: as in output_struct; `value` is at least `end` bytes long.
         unsafe {
@@ -321,17 +330,17 @@ impl<T: Versioned> Output<T> {
 }
 
 /// Returns the size that the caller's struct declares.
-fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
-    aligned(pointer, name)?;
+fn struct_size<T: VersionedStruct>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
+    check_aligned(pointer, name)?;
     // SAFETY: aligned and not NULL, and every version begins with the size.
     let size = unsafe { pointer.cast::<usize>().read() };
     check_struct_size(T::MIN_SIZE, size_of::<T>(), size, name)
 }
 
 /// Fails if `size` is smaller than the first version, or larger than any.
-fn check_struct_size(min: usize, known: usize, size: usize, name: &'static str) -> Result<usize, Failure> {
+fn check_struct_size(min: usize, known_size: usize, size: usize, name: &'static str) -> Result<usize, Failure> {
     if size < min || size > 4096 {
-        let message = format!("{name}: struct_size is {size}, which does not fit this version's {known}");
+        let message = format!("{name}: struct_size is {size}, which does not fit this version's {known_size}");
         return Err(Failure { value: size as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) });
     }
     Ok(size)

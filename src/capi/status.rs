@@ -1,5 +1,5 @@
 //! Statuses: Results of functions. 1 to 999 are mistakes of the caller, 1000 to 1999 faults of the
-//! data, 2000 to 2999 failures of the environment. A number never changes its meaning.
+//! data, 2000 to 2999 failures of the environment. Numbers never change their meaning.
 //!
 //! The first sentence of each comment is the text of its status or choice too: see `status_text.rs`
 //! and `choice_text.rs`. Each error of the core becomes a code with an element in one place,
@@ -21,8 +21,7 @@ pub enum gusset_status {
     GUSSET_OK = 0,
     /// A pointer that must not be NULL is NULL.
     GUSSET_ERROR_NULL_ARGUMENT = 1,
-    /// A pointer to a struct, a handle or an output is misaligned. Element arrays may have any
-    /// alignment.
+    /// A pointer to a struct, a handle or an output is misaligned.
     GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
     /// struct_size is smaller than the first version of the struct.
     GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
@@ -42,8 +41,8 @@ pub enum gusset_status {
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
     /// An output array overlaps another array.
     GUSSET_ERROR_OVERLAP = 11,
-    /// A handle is of the wrong kind or was destroyed. Detection ends when its memory is used
-    /// again; other invalid pointers are not detected.
+    /// A handle is of the wrong kind or was destroyed. Undetected if its memory was used again, as
+    /// are other invalid pointers.
     GUSSET_ERROR_WRONG_HANDLE = 12,
     /// The number of inputs, or of elements of an array, is wrong.
     GUSSET_ERROR_COUNT_DIFFERS = 13,
@@ -59,8 +58,8 @@ pub enum gusset_status {
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
     /// A vertex index is out of range.
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
-    /// A number is NaN or infinite. It is a coordinate of a used vertex, a point, a tangent, a
-    /// query or a node, or a value of a channel.
+    /// A number is NaN or infinite. It is a coordinate of a used vertex, point, tangent, query or
+    /// node, or a channel's value.
     GUSSET_ERROR_NOT_FINITE = 1006,
     /// A later mesh or piece has 64-bit positions and the first has 32-bit positions.
     GUSSET_ERROR_MIXED_SCALARS = 1007,
@@ -86,8 +85,8 @@ pub enum gusset_status {
     GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
     /// Every strip through the first meridian would repeat an edge of the mesh.
     GUSSET_ERROR_NO_STRIP = 1107,
-    /// The planes through the loops' centres do not show which vertices face each other. Join these
-    /// loops whole.
+    /// The planes through the loops' centres do not show which vertices face each other. Join whole
+    /// loops.
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
     /// Consecutive vertices of a cut are not connected by edges.
     GUSSET_ERROR_CUT_NOT_CONNECTED = 1109,
@@ -137,7 +136,7 @@ pub enum gusset_status {
 
 use gusset_status::*;
 
-/// Kind of element that the index of a report counts.
+/// Element that a report's index counts.
 pub type gusset_element = u32;
 /// The index means nothing.
 pub const GUSSET_ELEMENT_NONE: gusset_element = 0;
@@ -147,19 +146,19 @@ pub const GUSSET_ELEMENT_VERTEX: gusset_element = 1;
 pub const GUSSET_ELEMENT_FACE: gusset_element = 2;
 /// Half-edge: a position in face_corners.
 pub const GUSSET_ELEMENT_HALF_EDGE: gusset_element = 3;
-/// Entry of an array of offsets, such as face_offsets or cut_offsets.
+/// Entry of an array of offsets.
 pub const GUSSET_ELEMENT_OFFSET: gusset_element = 4;
-/// Position in a loop that the caller gave. The `input` field of the report is the loop's number.
+/// Position in a given loop. Its number is the report's input.
 pub const GUSSET_ELEMENT_LOOP_PLACE: gusset_element = 5;
 /// Number of elements or bytes.
 pub const GUSSET_ELEMENT_COUNT: gusset_element = 6;
-/// Point of an outline or a curve, counted over all outlines.
+/// Point of an outline or a curve, over all outlines.
 pub const GUSSET_ELEMENT_POINT: gusset_element = 7;
 /// Constraint on an outline: its place or tangent.
 pub const GUSSET_ELEMENT_CONSTRAINT: gusset_element = 8;
 /// Given place on a curve or a surface.
 pub const GUSSET_ELEMENT_PLACE: gusset_element = 9;
-/// Section of a frame, or plane, from 0. The value is the column or the number of points.
+/// Section of a frame, or plane. The value is the column or the number of points.
 pub const GUSSET_ELEMENT_SECTION: gusset_element = 12;
 /// Node of a net, row after row.
 pub const GUSSET_ELEMENT_NODE: gusset_element = 13;
@@ -209,18 +208,18 @@ impl Failure {
         Failure { status, message: message.into(), element: GUSSET_ELEMENT_NONE, index: 0, value: 0.0, input: 0 }
     }
 
-    pub(crate) fn null(argument: &'static str) -> Self {
+    pub(crate) fn null_argument(argument: &'static str) -> Self {
         Failure::new(GUSSET_ERROR_NULL_ARGUMENT, format!("{argument} is NULL"))
     }
 
-    pub(crate) fn unknown(what: impl std::fmt::Display, value: u64) -> Self {
+    pub(crate) fn unknown_value(what: impl std::fmt::Display, value: u64) -> Self {
         Failure {
             value: value as f64,
             ..Failure::new(GUSSET_ERROR_UNKNOWN_VALUE, format!("{what} has the unknown value {value}"))
         }
     }
 
-    pub(crate) fn no_such(what: &'static str, index: usize) -> Self {
+    pub(crate) fn no_such_element(what: &'static str, index: usize) -> Self {
         let message = format!("{what} {index} does not exist");
         Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
     }
@@ -255,7 +254,7 @@ impl Failure {
 }
 
 /// Returns the constant of C for an element.
-fn code_of(element: Element) -> gusset_element {
+fn element_code(element: Element) -> gusset_element {
     match element {
         Element::Vertex => GUSSET_ELEMENT_VERTEX,
         Element::LoopPoint(_) => GUSSET_ELEMENT_LOOP_PLACE,
@@ -302,7 +301,7 @@ impl From<Error> for Failure {
                 ..at(GUSSET_ERROR_CUT_NOT_CONNECTED, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
             },
             NotFinite { element, index, value } => {
-                Failure::with_element(GUSSET_ERROR_NOT_FINITE, code_of(element), index, value)
+                Failure::with_element(GUSSET_ERROR_NOT_FINITE, element_code(element), index, value)
             }
             BadWeight { index, value } => {
                 Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value)
@@ -315,13 +314,13 @@ impl From<Error> for Failure {
             }
             BadValue { element, index, input, value } => {
                 let status = if value.is_finite() { GUSSET_ERROR_OUT_OF_RANGE } else { GUSSET_ERROR_NOT_FINITE };
-                Failure { input, ..Failure::with_element(status, code_of(element), index, value) }
+                Failure { input, ..Failure::with_element(status, element_code(element), index, value) }
             }
             CoordinateTooLarge { element, index, value } => {
-                Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, code_of(element), index, value)
+                Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, element_code(element), index, value)
             }
             NoSuch { element, index } => {
-                Failure::with_element(GUSSET_ERROR_NO_SUCH_ELEMENT, code_of(element), index, 0.0)
+                Failure::with_element(GUSSET_ERROR_NO_SUCH_ELEMENT, element_code(element), index, 0.0)
             }
             SectionsDiffer { section, count, .. } => {
                 at(GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section, count.into())
@@ -391,9 +390,9 @@ impl From<Error> for Failure {
     }
 }
 
-/// Describes a status in a few English words.
+/// Describes a status in English.
 ///
-/// @param status any number; an unknown one gives "unknown status".
+/// @param status an unknown one gives "unknown status".
 /// @return a static string, never NULL.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
@@ -401,10 +400,10 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const c_char {
     text(status).as_ptr()
 }
 
-/// Describes a value of a choice in an English sentence, such as the reason why a hole is left open.
+/// Describes a value of a choice in an English sentence.
 ///
-/// @param choice the name of the type, such as "gusset_hole_status".
-/// @param value one of its constants.
+/// @param choice name of the type, such as "gusset_hole_status".
+/// @param value its constant.
 /// @return a static UTF-8 string, never NULL: the first sentence of the constant's comment, or "unknown
 ///     value".
 /// @complexity O(number of choices).

@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 
-/// Affine map: four numbers for each of x, y, z, the last one the translation.
+/// Affine map of points.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_transform {

@@ -1,4 +1,4 @@
-//! Versions: The version of the library and of its binary interface.
+//! Versions: Versions of the library and its binary interface.
 
 use std::ffi::{CStr, c_char};
 
@@ -8,17 +8,16 @@ use std::ffi::{CStr, c_char};
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_version() -> *const c_char {
-    const TEXT: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
+    const VERSION_TEXT: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
         Ok(text) => text,
         Err(_) => panic!("the version has no NUL"),
     };
-    TEXT.as_ptr()
+    VERSION_TEXT.as_ptr()
 }
 
 /// Returns the number of the binary interface.
 ///
-/// It changes when programs built against older headers could break: until 1.0, with each minor
-/// version.
+/// It changes when older programs could break: until 1.0, with each minor version.
 ///
 /// @return the number.
 /// @complexity O(1).

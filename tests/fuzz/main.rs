@@ -1,6 +1,6 @@
 //! A short run of each fuzzer, on cases that are always the same: `make fuzz` has the long ones.
 
-use gusset_fuzz::{TARGETS, run, seed_bytes};
+use gusset_fuzz::{SEEDS, TARGETS, changed, run, seed_bytes};
 use std::collections::BTreeSet;
 use std::panic::catch_unwind;
 use std::path::PathBuf;
@@ -30,6 +30,26 @@ fn each_target_runs_for_a_moment() {
             }
         }
         println!("{name}: {} cases, {:.2} s", case_count(name), begun.elapsed().as_secs_f64());
+    }
+    assert!(failed.is_empty(), "{failed:?}");
+}
+
+/// Valid and hostile files, and files that differ from them in a few bytes.
+#[test]
+fn each_reader_copes_with_changed_files() {
+    const CHANGES: u64 = 40;
+    let mut failed = Vec::new();
+    for (name, seeds) in SEEDS {
+        let begun = Instant::now();
+        for (seed, file) in seeds().iter().enumerate() {
+            for number in 0..=CHANGES {
+                let bytes = if number == 0 { file.clone() } else { changed(file, number) };
+                if catch_unwind(|| run(name, &bytes)).is_err() {
+                    failed.push((name, seed, number));
+                }
+            }
+        }
+        println!("{name}: {:.2} s", begun.elapsed().as_secs_f64());
     }
     assert!(failed.is_empty(), "{failed:?}");
 }

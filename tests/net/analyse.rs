@@ -4,18 +4,18 @@
 use crate::space::{glued_bits_agree, sheet, sphere, torus};
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::analyse::{absorb, analyse, analyse_field, jacobian};
+use gusset::net::analyse::{analyse, analyse_field, contract_links, jacobian};
 use gusset::net::closure::{BoxKind, Cuboid};
 use gusset::net::field::*;
-use gusset::net::glue::{GlueOptions, reglue, reglued};
+use gusset::net::glue::{GlueOptions, find_gluing, set_gluing};
 use gusset::net::primitive::{Primitive, Request};
-use gusset::net::transform::{Affine, Axis, Sense, transform};
+use gusset::net::transform::{Affine, Axis, RotationSense, transform};
 use gusset::net::*;
 use gusset::{Element, Error, Job};
 use std::f64::consts::TAU;
 
-fn whole(field: &dyn Field) -> Step<'_> {
-    Step { field, strength: 1.0 }
+fn whole(field: &dyn Field) -> DeformationStep<'_> {
+    DeformationStep { field, strength: 1.0 }
 }
 
 #[test]
@@ -34,7 +34,7 @@ fn a_determinant_that_is_not_zero_can_glue() {
     let net = sheet(9, 9, Scalar::F64);
     let wrap = field::cylinder_wrap(Axis::Z, 8.0 / TAU).unwrap();
     // Rolled up about z, the sheet's rows are arcs at different distances.
-    let stand = Affine::rotation(DVec3::X, TAU / 4.0, DVec3::ZERO, Sense::RightHanded).unwrap();
+    let stand = Affine::rotation(DVec3::X, TAU / 4.0, DVec3::ZERO, RotationSense::RightHanded).unwrap();
     let steps = [whole(&stand), whole(&wrap)];
     let found = analyse_field(&net, &steps, 1e-9, &Job::default()).unwrap();
     assert!(found.determinants.iter().all(|det| (det - 1.0).abs() < 1e-8), "lengths and heights are kept");
@@ -46,7 +46,7 @@ fn a_determinant_that_is_not_zero_can_glue() {
     // Made part of the net, and exact.
     let mut rolled = net.copied().unwrap();
     deform(&mut rolled, &steps, &Job::default()).unwrap();
-    let glued = absorb(rolled.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
+    let glued = contract_links(rolled.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
     assert_eq!(glued.sides(), Some(Sides::TUBE));
     rolled.set_topology(glued);
     assert!(!glued_bits_agree(&rolled), "2 pi has no exact sine");
@@ -56,14 +56,14 @@ fn a_determinant_that_is_not_zero_can_glue() {
     deform(&mut glued, &steps, &Job::default()).unwrap();
     let refused = GlueOptions { links: &[1, 2 * 81], saturate: true, ..GlueOptions::default() };
     let no_such = Error::NoSuch { element: Element::Link, index: 162 };
-    assert_eq!(reglued(&glued, &refused, &Job::default()).unwrap_err(), no_such);
-    assert!(reglued(&glued, &GlueOptions::default(), &Job::default()).unwrap().is_none());
+    assert_eq!(find_gluing(&glued, &refused, &Job::default()).unwrap_err(), no_such);
+    assert!(find_gluing(&glued, &GlueOptions::default(), &Job::default()).unwrap().is_none());
     let options = GlueOptions { links: &links, saturate: true, ..GlueOptions::default() };
-    let topology = reglued(&glued, &options, &Job::default()).unwrap();
-    assert_eq!(reglue(&mut glued, topology, true, &Job::default()), Ok(9), "the last node of each row moves");
+    let topology = find_gluing(&glued, &options, &Job::default()).unwrap();
+    assert_eq!(set_gluing(&mut glued, topology, true, &Job::default()), Ok(9), "the last node of each row moves");
     assert!(glued.topology().sides() == Some(Sides::TUBE) && glued_bits_agree(&glued));
     let detected = GlueOptions { detect: Some(1e-9), ..GlueOptions::default() };
-    assert_eq!(reglued(&rolled, &detected, &Job::default()).unwrap().as_ref(), Some(glued.topology()));
+    assert_eq!(find_gluing(&rolled, &detected, &Job::default()).unwrap().as_ref(), Some(glued.topology()));
     snap(&mut rolled).unwrap();
     assert!(glued_bits_agree(&rolled));
     // With the unit pitch of the study's case the determinant is the pitch.
@@ -98,14 +98,14 @@ fn poles_and_collapsed_cells_are_found_with_their_types() {
     assert_eq!(found.contracted.len(), 6 + 4);
     assert_eq!(found.cells[shape.cell(2, 2) as usize], 0.0);
     // Once absorbed nothing is new.
-    let glued = absorb(net.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
-    let classes = Classes::new(&glued).unwrap();
+    let glued = contract_links(net.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
+    let classes = NodeClasses::new(&glued).unwrap();
     assert_eq!(classes.representative(shape.node(3, 3)), shape.node(2, 2));
     let mut again = net.copied().unwrap();
     again.set_topology(glued);
     assert!(analyse(&again, &after, 0.0, &Job::default()).unwrap().contracted.is_empty());
     assert_eq!(
-        absorb(net.topology(), [60], &Job::default()).unwrap_err(),
+        contract_links(net.topology(), [60], &Job::default()).unwrap_err(),
         Error::NoSuch { element: Element::Link, index: 60 }
     );
 }
@@ -134,7 +134,7 @@ fn smooth_deformations_are_soft_and_areas_grow_as_they_should() {
         assert!(found.determinants.iter().all(|&det| (det + 27.0).abs() < 1e-5));
         // Half a turn is not a fold, with the field or without.
         let mut turned = net.copied().unwrap();
-        let turn = Affine::rotation(DVec3::X, 3.0, DVec3::ZERO, Sense::RightHanded).unwrap();
+        let turn = Affine::rotation(DVec3::X, 3.0, DVec3::ZERO, RotationSense::RightHanded).unwrap();
         deform(&mut turned, &[whole(&turn)], &Job::default()).unwrap();
         assert!(analyse(&net, &turned, 1e-6, &Job::default()).unwrap().is_soft());
     }
@@ -143,7 +143,7 @@ fn smooth_deformations_are_soft_and_areas_grow_as_they_should() {
 /// Space folded over at x = 20.
 struct Fold;
 impl Field for Fold {
-    fn map(&self, _: f64, [x, ..]: Points<'_>) {
+    fn map(&self, _: f64, [x, ..]: PointsMut<'_>) {
         x.iter_mut().for_each(|x| *x = 20.0 - (*x - 20.0).abs());
     }
 }
@@ -215,13 +215,14 @@ fn affine_maps_with_an_inverse_fold_nothing() {
             for turn in 1..6 {
                 let t = f64::from(turn);
                 let axis = DVec3::new(t.sin(), t.cos(), 0.5);
-                let rotation = |angle| Affine::rotation(axis, angle, DVec3::ONE, Sense::RightHanded).unwrap();
+                let rotation = |angle| Affine::rotation(axis, angle, DVec3::ONE, RotationSense::RightHanded).unwrap();
                 soft(net, &moved(net, &rotation(t)));
                 soft(&moved(net, &rotation(0.7 * t)), &moved(net, &rotation(2.3 * t)));
             }
             for ratios in [[3.0, 1.0, 1.0], [1.0, 1.0, 3.0], [1.0, 1.0, 1.0 / 30.0], [1.0, -0.1, 5.0], [-1.0; 3]] {
                 let stretch = Affine::stretching(DVec3::from_array(ratios)).unwrap();
-                let shear = Affine::rotation(DVec3::ONE, 1.0, DVec3::ZERO, Sense::RightHanded).unwrap().then(&stretch);
+                let shear =
+                    Affine::rotation(DVec3::ONE, 1.0, DVec3::ZERO, RotationSense::RightHanded).unwrap().then(&stretch);
                 soft(net, &moved(net, &stretch));
                 soft(net, &moved(net, &shear.unwrap()));
                 assert!(analyse_field(net, &[whole(&stretch)], tolerance, &Job::default()).unwrap().is_soft());
@@ -232,7 +233,7 @@ fn affine_maps_with_an_inverse_fold_nothing() {
 
 #[test]
 fn folds_are_found_in_any_plane_and_within_cells() {
-    let turn = Affine::rotation(DVec3::new(1.0, 2.0, 0.5), 2.0, DVec3::ZERO, Sense::RightHanded).unwrap();
+    let turn = Affine::rotation(DVec3::new(1.0, 2.0, 0.5), 2.0, DVec3::ZERO, RotationSense::RightHanded).unwrap();
     for scalar in [Scalar::F32, Scalar::F64] {
         let net = sheet(9, 31, scalar);
         let made = |place: &dyn Fn(usize, usize) -> DVec3| {

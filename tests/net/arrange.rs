@@ -4,12 +4,12 @@ use crate::nets::{Surface, any_topology, job, numbered, same, sphere, torus};
 use glam::DVec3;
 use gusset::Error;
 use gusset::mesh::Scalar;
-use gusset::net::{Classes, CopyOptions, Direction, Net, Replication, Turn};
+use gusset::net::{CopyOptions, Direction, GridSymmetry, Net, NodeClasses, Replication};
 use proptest::prelude::*;
 
 /// The classes of a net as a partition of places, which `place` takes to places of another net.
 fn partition(net: &Net<'_>, place: impl Fn(usize, usize) -> (usize, usize)) -> Vec<Vec<(usize, usize)>> {
-    let classes = Classes::new(net.topology()).unwrap();
+    let classes = NodeClasses::new(net.topology()).unwrap();
     let shape = net.shape();
     let mut parts: std::collections::BTreeMap<u32, Vec<(usize, usize)>> = Default::default();
     for node in 0..shape.node_count() as u32 {
@@ -79,7 +79,7 @@ proptest! {
             let (i, j) = net.shape().place(node);
             rows.contains(&i) && columns.contains(&j)
         };
-        let links = (0..2 * net.shape().node_count() as u32).filter(|&link| net.topology().contracts(link));
+        let links = (0..2 * net.shape().node_count() as u32).filter(|&link| net.topology().is_contracted(link));
         let pairs = links.map(|link| net.shape().ends(link));
         let sewn = net.topology().seams().iter().flat_map(|seam| seam.pairs(net.shape()));
         let pairs: Vec<[u32; 2]> = pairs.chain(sewn).filter(|pair| pair.iter().all(|&node| inside(node))).collect();
@@ -90,7 +90,7 @@ proptest! {
                 (class[a as usize], class[b as usize]) = (least, least);
             }
         }
-        let classes = Classes::new(part.topology()).unwrap();
+        let classes = NodeClasses::new(part.topology()).unwrap();
         for node in 0..part.shape().node_count() as u32 {
             let (i, j) = part.shape().place(node);
             let (p, q) = part.shape().place(classes.representative(node));
@@ -112,7 +112,7 @@ fn a_copy_takes_its_steps_in_order() {
         rows: Some(8),
         columns: None,
         replication: [Replication::First, Replication::Uniform],
-        turn: Turn::ThreeQuarters,
+        turn: GridSymmetry::ThreeQuarters,
         scalar: Some(Scalar::F32),
     };
     let part = net.part(2..7, 3..15, &job()).unwrap().compacted(&job()).unwrap();
@@ -121,11 +121,17 @@ fn a_copy_takes_its_steps_in_order() {
     assert!(same(&copy(&options).unwrap(), &expected));
     // The symmetries are a group: the two exchanges differ by half a turn.
     let turned = |net: &Net<'_>, turn| net.turned_by(turn, &job()).unwrap();
-    assert!(same(&turned(&net, Turn::None), &net));
-    assert!(same(&turned(&turned(&net, Turn::Transpose), Turn::Half), &turned(&net, Turn::Antitranspose)));
-    assert!(same(&turned(&turned(&net, Turn::FlipRows), Turn::FlipColumns), &turned(&net, Turn::Half)));
-    assert!(same(&turned(&turned(&net, Turn::Quarter), Turn::ThreeQuarters), &net));
-    assert!(same(&turned(&turned(&net, Turn::Antitranspose), Turn::Antitranspose), &net));
+    assert!(same(&turned(&net, GridSymmetry::None), &net));
+    assert!(same(
+        &turned(&turned(&net, GridSymmetry::Transpose), GridSymmetry::Half),
+        &turned(&net, GridSymmetry::Antitranspose)
+    ));
+    assert!(same(
+        &turned(&turned(&net, GridSymmetry::FlipRows), GridSymmetry::FlipColumns),
+        &turned(&net, GridSymmetry::Half)
+    ));
+    assert!(same(&turned(&turned(&net, GridSymmetry::Quarter), GridSymmetry::ThreeQuarters), &net));
+    assert!(same(&turned(&turned(&net, GridSymmetry::Antitranspose), GridSymmetry::Antitranspose), &net));
 }
 
 #[test]

@@ -88,7 +88,7 @@ fn sides_turned_round() {
 }
 
 fn measured(cuboid: Cuboid) -> (f64, f64) {
-    area_and_volume(cuboid.shape().unwrap(), |i, j| DVec3::from_array(cuboid.place(i, j).map(f64::from)))
+    area_and_volume(cuboid.shape().unwrap(), |i, j| DVec3::from_array(cuboid.lattice_point(i, j).map(f64::from)))
 }
 
 #[test]
@@ -140,10 +140,10 @@ fn orders_of_the_crosswise_cube() {
     for n in [2u32, 4, 7] {
         let cuboid = Cuboid::cube(BoxKind::Cross, n);
         let shape = cuboid.shape().unwrap();
-        let classes = gusset::net::Classes::new(&cuboid.topology().unwrap()).unwrap();
+        let classes = gusset::net::NodeClasses::new(&cuboid.topology().unwrap()).unwrap();
         let order = |corner: [u32; 3]| {
             let nodes = || (0..shape.rows()).flat_map(|i| (0..shape.columns()).map(move |j| (i, j)));
-            let (i, j) = nodes().find(|&(i, j)| cuboid.place(i, j) == corner).unwrap();
+            let (i, j) = nodes().find(|&(i, j)| cuboid.lattice_point(i, j) == corner).unwrap();
             let class = classes.representative(shape.node(i, j));
             nodes().filter(|&(i, j)| classes.representative(shape.node(i, j)) == class).count() as u32
         };

@@ -7,7 +7,7 @@ use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::complex::Complex;
 use gusset::net::convert::MeshOptions;
-use gusset::net::topology::{Gluing, Links, Matrix, Run};
+use gusset::net::topology::{ContractedLinks, Gluing, LinkMatrix, SeamRun};
 use gusset::net::{Bridge, BridgeKind, BridgeMode, Direction, Net, Seam, Shape, Sides, Topology, closure};
 
 fn flat(topology: Topology) -> Net<'static> {
@@ -34,16 +34,16 @@ fn random_topology(dice: &mut Dice, shape: Shape) -> Option<Topology> {
         pole_left: on(4),
         pole_right: on(5),
     };
-    let mut matrix = Matrix::from_sides(shape, if dice.below(2) == 0 { sides } else { Sides::SHEET }).unwrap();
+    let mut matrix = LinkMatrix::from_sides(shape, if dice.below(2) == 0 { sides } else { Sides::SHEET }).unwrap();
     for _ in 0..dice.below(h * w) {
         matrix.set(dice.below(2 * h * w) as u32, true);
     }
     let mut seams = Vec::new();
     for _ in 0..dice.below(3) {
-        let at = |dice: &mut Dice| Run::along_row(dice.below(h) as u32, dice.below(w) as u32, 0);
+        let at = |dice: &mut Dice| SeamRun::along_row(dice.below(h) as u32, dice.below(w) as u32, 0);
         seams.push(Seam { a: at(dice), b: at(dice), count: 1 });
     }
-    Topology::new(shape, Links::Matrix(matrix), &seams).ok()
+    Topology::new(shape, ContractedLinks::Matrix(matrix), &seams).ok()
 }
 
 #[test]
@@ -107,11 +107,11 @@ fn holes_of_a_plane_have_loops_of_their_own() {
 fn a_thread_is_one_wire() {
     let (h, w) = (6, 9);
     let shape = Shape::new(2 * h, w).unwrap();
-    let mut matrix = Matrix::from_sides(shape, Sides::TUBE).unwrap();
+    let mut matrix = LinkMatrix::from_sides(shape, Sides::TUBE).unwrap();
     for row in [0, h - 1, h, 2 * h - 1] {
         (0..w - 1).for_each(|j| matrix.set(2 * shape.node(row, j), true));
     }
-    let mut net = flat(Topology::new(shape, Links::Matrix(matrix), &[]).unwrap());
+    let mut net = flat(Topology::new(shape, ContractedLinks::Matrix(matrix), &[]).unwrap());
     net.bridges_mut().push(Bridge::new(Direction::Down, h as u32, w as u32, BridgeKind::Thread, BridgeMode::Keep));
     let complex = Complex::from_net(&net, &Job::default()).unwrap();
     assert_eq!((complex.euler_characteristic(), complex.components), (3, 1));
@@ -130,7 +130,7 @@ fn a_thread_is_one_wire() {
 fn three_sheets_at_one_edge() {
     // A strip of which one row is glued to another: a branch along the row.
     let shape = Shape::new(6, 5).unwrap();
-    let seam = Seam { a: Run::along_row(1, 0, 1), b: Run::along_row(4, 0, 1), count: 5 };
+    let seam = Seam { a: SeamRun::along_row(1, 0, 1), b: SeamRun::along_row(4, 0, 1), count: 5 };
     let topology = Topology::from_sides(shape, Sides::SHEET).glued(&[Gluing::Seam(seam)]).unwrap();
     let complex = Complex::from_topology(&topology, &Job::default()).unwrap();
     Oracle::new(shape, &pairs(&topology), |_, _| true).check(&complex);

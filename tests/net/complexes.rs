@@ -31,10 +31,10 @@ pub fn pairs(topology: &Topology) -> Vec<[usize; 2]> {
     for i in 0..h {
         for j in 0..w {
             let node = i * w + j;
-            if topology.contracts(2 * node as u32) {
+            if topology.is_contracted(2 * node as u32) {
                 pairs.push([node, i * w + (j + 1) % w]);
             }
-            if topology.contracts(2 * node as u32 + 1) {
+            if topology.is_contracted(2 * node as u32 + 1) {
                 pairs.push([node, (i + 1) % h * w + j]);
             }
         }
@@ -180,7 +180,7 @@ impl Oracle {
                 forward &= self.edges[&edge.map(|v| v as usize)][0].1 == (from < to);
                 found.push(edge);
             }
-            assert!(complex.boundary.open()[k] == 0 || !complex.branches.is_empty());
+            assert!(complex.boundary.open_chains()[k] == 0 || !complex.branches.is_empty());
         }
         found.sort_unstable();
         assert_eq!(found, expected, "every edge of one face is in one chain, once");
@@ -211,7 +211,7 @@ impl Dice {
 /// once.
 pub fn degrees(topology: &Topology) -> BTreeMap<u32, usize> {
     let shape = topology.shape();
-    let class = gusset::net::Classes::new(topology).unwrap().table().unwrap();
+    let class = gusset::net::NodeClasses::new(topology).unwrap().representatives().unwrap();
     let links = (0..2 * shape.node_count() as u32).filter(|&link| shape.is_inner(link));
     let edges: std::collections::HashSet<[u32; 2]> = links
         .map(|link| shape.ends(link).map(|node| class[node as usize]))

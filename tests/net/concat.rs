@@ -4,9 +4,9 @@ use crate::nets::{Surface, any_topology, job, numbered, same, shape, sphere, tor
 use crate::space::{has_cell, is_hidden};
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::topology::{Gluing, Links};
+use gusset::net::topology::{ContractedLinks, Gluing};
 use gusset::net::{
-    BridgeKind, BridgeMode, Classes, Direction, JoinOptions, Net, Replication, Sides, Topology, concatenate,
+    BridgeKind, BridgeMode, Direction, JoinOptions, Net, NodeClasses, Replication, Sides, Topology, concatenate,
     concatenate_all,
 };
 use gusset::{Element, Error};
@@ -51,7 +51,7 @@ proptest! {
         prop_assert!(same(&second, &b), "{:?}\n{:?}", second.topology(), b.topology());
         // The nets' own classes, and none between them unless they are welded.
         if modes[0] != BridgeMode::Weld {
-            let [x, y, z] = [&a, &b, &once].map(|net| Classes::new(net.topology()).unwrap().groups().unwrap());
+            let [x, y, z] = [&a, &b, &once].map(|net| NodeClasses::new(net.topology()).unwrap().groups().unwrap());
             if a.shape() == first.shape() && once.shape().node_count() == a.shape().node_count() + b.shape().node_count() {
                 prop_assert_eq!(x.len() + y.len(), z.len());
                 prop_assert_eq!(x.nodes().len() + y.nodes().len(), z.nodes().len());
@@ -142,7 +142,7 @@ proptest! {
             Direction::Right => (0..w).for_each(|j| matrix.set(2 * shape.node(h - 1, j) + 1, true)),
             Direction::Down => (0..h).for_each(|i| matrix.set(2 * shape.node(i, w - 1), true)),
         }
-        let Ok(topology) = Topology::new(shape, Links::Matrix(matrix), topology.seams()) else { return Ok(()) };
+        let Ok(topology) = Topology::new(shape, ContractedLinks::Matrix(matrix), topology.seams()) else { return Ok(()) };
         let b = Net::from_fn(topology, Scalar::F32, |i, j| {
             let (i, j) = if direction == Direction::Right { (i % (h - 1), j) } else { (i, j % (w - 1)) };
             DVec3::new(i as f64, j as f64, 1.0)
@@ -152,8 +152,10 @@ proptest! {
         let options = JoinOptions { twist, mode, tolerance: f64::INFINITY, ..options(direction) };
         let Ok(joined) = concatenate(&a, &b, &options, &job()) else { return Ok(()) };
         if mode != BridgeMode::Weld {
-            let [x, y, z] = [&a, &b, &joined].map(|net| Classes::new(net.topology()).unwrap());
-            let count = |classes: &Classes| (0..classes.shape().node_count() as u32).filter(|&n| classes.representative(n) == n).count();
+            let [x, y, z] = [&a, &b, &joined].map(|net| NodeClasses::new(net.topology()).unwrap());
+            let count = |classes: &NodeClasses| {
+                (0..classes.shape().node_count() as u32).filter(|&n| classes.representative(n) == n).count()
+            };
             prop_assert_eq!(count(&x) + count(&y), count(&z));
         }
         let [first, second] = joined.split(0, &job()).unwrap();
@@ -255,10 +257,10 @@ fn edits_survive_splitting() {
         assert_eq!((first.topology(), second.topology()), (a.topology(), b.topology()));
         let mut matrix = joined.topology().matrix().unwrap();
         matrix.set(2 * joined.shape().node(2, 3), true);
-        let links = Links::Matrix(matrix);
+        let links = ContractedLinks::Matrix(matrix);
         joined.set_topology(Topology::new(joined.shape(), links, joined.topology().seams()).unwrap());
         let [first, second] = joined.split(0, &job()).unwrap();
-        assert!(first.topology().contracts(2 * first.shape().node(2, 3)));
+        assert!(first.topology().is_contracted(2 * first.shape().node(2, 3)));
         assert_eq!((first.shape(), second.topology()), (a.shape(), b.topology()));
     }
 }

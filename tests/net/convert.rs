@@ -10,8 +10,8 @@ use gusset::check::check;
 use gusset::mesh::{NONE, PositionBuffer, Scalar};
 use gusset::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights};
 use gusset::net::primitive::{Primitive, Request};
-use gusset::net::topology::{Links, Run};
-use gusset::net::{BridgeMode, Classes, Direction, JoinOptions, Net, Seam, Sides, Topology, concatenate};
+use gusset::net::topology::{ContractedLinks, SeamRun};
+use gusset::net::{BridgeMode, Direction, JoinOptions, Net, NodeClasses, Seam, Sides, Topology, concatenate};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -34,7 +34,7 @@ proptest! {
         hidden in any::<[u8; 2]>(),
         options in any_options(),
     ) {
-        let classes = Classes::new(&topology).unwrap();
+        let classes = NodeClasses::new(&topology).unwrap();
         let size = topology.shape();
         let mut net = Net::from_fn(topology, Scalar::F64, |i, j| {
             let n = f64::from(classes.representative(size.node(i, j)));
@@ -124,15 +124,15 @@ proptest! {
             Topology::from_sides(shape(h, w), sides)
         } else {
             let (last, end, by) = (h as u32 - 1, w as u32 - 1, shift as u32);
-            let row = |i, j| Run::along_row(i, j, 1);
+            let row = |i, j| SeamRun::along_row(i, j, 1);
             let seams = [
                 Seam { a: row(last, 0), b: row(0, by), count: end + 1 - by },
                 Seam { a: row(last, end - by), b: row(0, 0), count: by + 1 },
             ];
-            let links = Links::Sides(Sides { columns_closed: false, ..sides });
+            let links = ContractedLinks::Sides(Sides { columns_closed: false, ..sides });
             Topology::new(shape(h, w), links, &seams).unwrap()
         };
-        let classes = Classes::new(&topology).unwrap();
+        let classes = NodeClasses::new(&topology).unwrap();
         let net = Net::from_fn(topology, Scalar::F32, |i, j| {
             let n = f64::from(classes.representative(shape(h, w).node(i, j)));
             DVec3::new(n, (n * 1.7).sin(), (n * 0.3).cos())

@@ -4,10 +4,10 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::closure::{BoxKind, Cuboid};
-use gusset::net::field::{self, Field, Lattice, Step, deform, displace};
+use gusset::net::field::{self, DeformationStep, Field, Lattice, deform, displace};
 use gusset::net::primitive::{Primitive, Request};
-use gusset::net::transform::{Affine, Axis, Sense, transform};
-use gusset::net::{Classes, Net};
+use gusset::net::transform::{Affine, Axis, RotationSense, transform};
+use gusset::net::{Net, NodeClasses};
 
 fn shapes() -> Vec<Net<'static>> {
     let (radius, height, minor_radius) = (1.3, 2.1, 0.4);
@@ -38,7 +38,7 @@ fn shapes() -> Vec<Net<'static>> {
 }
 
 fn check(net: &Net<'_>, what: &str) {
-    let classes = Classes::new(net.topology()).unwrap();
+    let classes = NodeClasses::new(net.topology()).unwrap();
     let bits = |node: u32| {
         let (i, j) = net.shape().place(node);
         net.get(i, j).to_array().map(f64::to_bits)
@@ -56,8 +56,8 @@ fn shapes_and_affine_maps() {
     let axis = DVec3::new(1.0, -0.3, 0.7);
     let maps = [
         ("translation", Affine::translation(DVec3::new(0.1, 1e3, -7.0 / 3.0))),
-        ("rotation", Affine::rotation(axis, third, DVec3::ONE, Sense::RightHanded)),
-        ("rotation as printed", Affine::rotation(axis, third, DVec3::ZERO, Sense::AsPrinted)),
+        ("rotation", Affine::rotation(axis, third, DVec3::ONE, RotationSense::RightHanded)),
+        ("rotation as printed", Affine::rotation(axis, third, DVec3::ZERO, RotationSense::AsPrinted)),
         ("scaling", Affine::scaling(-1.0 / 3.0)),
         ("compression", Affine::compression(Axis::Y, 0.1)),
         ("stretching", Affine::stretching(DVec3::new(-1.0, 0.3, 7.0))),
@@ -95,7 +95,7 @@ fn fields() {
         for (what, field) in &fields {
             for strength in [1.0, 0.37] {
                 let mut moved = net.copied().unwrap();
-                deform(&mut moved, &[Step { field: field.as_ref(), strength }], &Job::default()).unwrap();
+                deform(&mut moved, &[DeformationStep { field: field.as_ref(), strength }], &Job::default()).unwrap();
                 check(&moved, what);
             }
         }

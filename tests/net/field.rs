@@ -6,13 +6,13 @@ use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::analyse::jacobian;
 use gusset::net::field::{self, *};
-use gusset::net::transform::{Affine, Axis, Sense};
+use gusset::net::transform::{Affine, Axis, RotationSense};
 use gusset::net::{Net, Sides, Topology};
 use gusset::{Error, Job};
 use std::f64::consts::{PI, TAU};
 
-fn whole(field: &dyn Field) -> Step<'_> {
-    Step { field, strength: 1.0 }
+fn whole(field: &dyn Field) -> DeformationStep<'_> {
+    DeformationStep { field, strength: 1.0 }
 }
 
 /// Where a field takes a point.
@@ -28,7 +28,7 @@ fn all_fields() -> Vec<(&'static str, Box<dyn Field>)> {
     let offsets: Vec<DVec3> = (0..3 * 2 * 4).map(|_| 0.2 * random.vector()).collect();
     let lattice = Lattice::new(DVec3::splat(-5.0), DVec3::splat(5.0), [3, 2, 4], &offsets).unwrap();
     vec![
-        ("affine", Box::new(Affine::rotation(DVec3::ONE, 0.7, DVec3::X, Sense::RightHanded).unwrap())),
+        ("affine", Box::new(Affine::rotation(DVec3::ONE, 0.7, DVec3::X, RotationSense::RightHanded).unwrap())),
         ("twist", Box::new(field::twist(Axis::Z, 0.8, 0.1).unwrap())),
         ("taper", Box::new(field::taper(Axis::X, 0.1, -0.3).unwrap())),
         ("bend", Box::new(field::bend(Axis::Y, 0.15, -1.0, 2.0).unwrap())),
@@ -52,7 +52,7 @@ fn every_field_keeps_glued_nodes_equal_and_is_the_same_on_all_threads() {
         for scalar in [Scalar::F32, Scalar::F64] {
             for net in [sphere(33, 65, scalar), torus(65, 129, scalar)] {
                 for strength in [1.0, 0.37] {
-                    let step = [Step { field: &*field, strength }];
+                    let step = [DeformationStep { field: &*field, strength }];
                     let mut moved = net.copied().unwrap();
                     deform(&mut moved, &step, &Job::new(1, &Silent)).unwrap();
                     assert!(glued_bits_agree(&moved), "{name}");
@@ -77,7 +77,7 @@ fn strength_0_is_the_identity_to_the_bit_and_strength_1_the_whole() {
     for (name, field) in all_fields() {
         let before = torus(9, 13, Scalar::F32);
         let mut after = before.copied().unwrap();
-        deform(&mut after, &[Step { field: &*field, strength: 0.0 }], &Job::default()).unwrap();
+        deform(&mut after, &[DeformationStep { field: &*field, strength: 0.0 }], &Job::default()).unwrap();
         assert_eq!(bits(&after), bits(&before), "{name}");
         // Small strengths move little, and continuously.
         let p = DVec3::new(1.1, -0.7, 0.9);
@@ -89,7 +89,7 @@ fn strength_0_is_the_identity_to_the_bit_and_strength_1_the_whole() {
 #[test]
 fn a_chain_is_its_fields_one_after_the_other() {
     let fields = all_fields();
-    let steps: Vec<_> = fields.iter().map(|(_, field)| Step { field: &**field, strength: 0.5 }).collect();
+    let steps: Vec<_> = fields.iter().map(|(_, field)| DeformationStep { field: &**field, strength: 0.5 }).collect();
     let before = torus(21, 33, Scalar::F64);
     let (mut at_once, mut in_turn) = (before.copied().unwrap(), before.copied().unwrap());
     deform(&mut at_once, &steps, &Job::default()).unwrap();
@@ -214,7 +214,7 @@ fn where_a_field_is_undefined_the_node_is_named_and_nothing_changes() {
         Err(Error::FieldUndefined { node: 80 * 70 + 5 })
     );
     assert_eq!(bits(&net), before);
-    let nan = [Step { field: &shift, strength: f64::NAN }];
+    let nan = [DeformationStep { field: &shift, strength: f64::NAN }];
     assert!(matches!(deform(&mut net, &nan, &Job::default()), Err(Error::OptionOutOfRange { option: "strength", .. })));
 }
 
@@ -311,21 +311,21 @@ fn a_sheet_rolls_up_to_a_torus() {
 #[test]
 fn strengths_follow_their_keys() {
     let keys = [[1.0, 0.0], [2.0, 1.0], [4.0, -3.0]];
-    let linear = Timed::new(&keys, Easing::Linear).unwrap();
-    let smooth = Timed::new(&keys, Easing::Smooth).unwrap();
-    let hold = Timed::new(&keys, Easing::Hold).unwrap();
+    let linear = TimedStrength::new(&keys, Easing::Linear).unwrap();
+    let smooth = TimedStrength::new(&keys, Easing::Smooth).unwrap();
+    let hold = TimedStrength::new(&keys, Easing::Hold).unwrap();
     for timed in [linear, smooth, hold] {
         for [time, strength] in keys {
-            assert_eq!(timed.strength(time), strength);
+            assert_eq!(timed.strength_at(time), strength);
         }
-        assert_eq!((timed.strength(-9.0), timed.strength(9.0)), (0.0, -3.0));
+        assert_eq!((timed.strength_at(-9.0), timed.strength_at(9.0)), (0.0, -3.0));
     }
-    assert_eq!((linear.strength(1.25), smooth.strength(1.5), hold.strength(1.99)), (0.25, 0.5, 0.0));
-    assert_eq!(linear.strength(3.0), -1.0);
-    assert!(smooth.strength(1.1) < 0.1 && smooth.strength(1.9) > 0.9);
-    assert!(Timed::new(&[], Easing::Linear).is_err());
-    assert!(Timed::new(&[[1.0, 0.0], [1.0, 1.0]], Easing::Linear).is_err());
-    assert!(Timed::new(&[[f64::NAN, 0.0]], Easing::Linear).is_err());
+    assert_eq!((linear.strength_at(1.25), smooth.strength_at(1.5), hold.strength_at(1.99)), (0.25, 0.5, 0.0));
+    assert_eq!(linear.strength_at(3.0), -1.0);
+    assert!(smooth.strength_at(1.1) < 0.1 && smooth.strength_at(1.9) > 0.9);
+    assert!(TimedStrength::new(&[], Easing::Linear).is_err());
+    assert!(TimedStrength::new(&[[1.0, 0.0], [1.0, 1.0]], Easing::Linear).is_err());
+    assert!(TimedStrength::new(&[[f64::NAN, 0.0]], Easing::Linear).is_err());
 }
 
 #[test]

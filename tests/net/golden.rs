@@ -8,20 +8,20 @@
 use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
-use gusset::net::stream::{Mode, StreamDecoder, StreamOptions, decode, encode};
-use gusset::net::topology::{Links, Matrix, Run};
+use gusset::net::stream::{StreamDecoder, StreamMode, StreamOptions, decode, encode};
+use gusset::net::topology::{ContractedLinks, LinkMatrix, SeamRun};
 use gusset::net::{
-    Bridge, BridgeKind, BridgeMode, BridgeProperties, Classes, Direction, Net, Seam, Shape, Sides, Topology,
+    Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, Net, NodeClasses, Seam, Shape, Sides, Topology,
 };
 use std::path::Path;
 use std::{env, fs};
 
-const MODES: [(&str, Mode); 3] =
-    [("raw", Mode::Raw), ("lossless", Mode::Lossless), ("quantised", Mode::Quantised { bits: 8 })];
+const MODES: [(&str, StreamMode); 3] =
+    [("raw", StreamMode::Raw), ("lossless", StreamMode::Lossless), ("quantised", StreamMode::Quantised { bits: 8 })];
 
 /// A net whose glued nodes agree to the bit.
 fn net(topology: Topology, scalar: Scalar, place: impl Fn(usize, usize) -> DVec3) -> Net<'static> {
-    let classes = Classes::new(&topology).unwrap();
+    let classes = NodeClasses::new(&topology).unwrap();
     let shape = topology.shape();
     let first = |i, j| shape.place(classes.representative(shape.node(i, j)));
     Net::from_fn(topology, scalar, |i, j| {
@@ -52,10 +52,10 @@ fn bridges() -> Vec<Bridge> {
 fn nets() -> [(&'static str, Net<'static>); 3] {
     let shape = Shape::new(7, 8).unwrap();
     let torus = net(Topology::from_sides(shape, Sides::TORUS), Scalar::F32, integers);
-    let mut matrix = Matrix::empty(shape).unwrap();
+    let mut matrix = LinkMatrix::empty(shape).unwrap();
     [0, 2, 4, 17, 23, 60, 88].into_iter().for_each(|link| matrix.set(link, true));
-    let seam = Seam { a: Run::along_column(0, 0, 1), b: Run::along_column(6, 7, -1), count: 7 };
-    let mut strip = net(Topology::new(shape, Links::Matrix(matrix), &[seam]).unwrap(), Scalar::F64, integers);
+    let seam = Seam { a: SeamRun::along_column(0, 0, 1), b: SeamRun::along_column(6, 7, -1), count: 7 };
+    let mut strip = net(Topology::new(shape, ContractedLinks::Matrix(matrix), &[seam]).unwrap(), Scalar::F64, integers);
     *strip.bridges_mut() = bridges();
     let numbers = [0.0, -0.0, 1.0, -1.5, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 5e-324, -3e-310, 1e300, 7e-46];
     let wild = |i: usize, j: usize| DVec3::from_array([0, 1, 2].map(|k| numbers[(7 * i + 5 * j + 3 * k) % 11]));

@@ -5,9 +5,9 @@ use crate::common::Silent;
 use crate::space::{Random, sheet, sphere, torus};
 use glam::{DMat3, DVec3};
 use gusset::mesh::Scalar;
-use gusset::net::field::{Step, deform};
+use gusset::net::field::{DeformationStep, deform};
 use gusset::net::measure::{measure, moments, planarity};
-use gusset::net::transform::{Affine, Axis, Sense, transform};
+use gusset::net::transform::{Affine, Axis, RotationSense, transform};
 use gusset::net::*;
 use gusset::{Error, Job};
 use std::f64::consts::PI;
@@ -109,7 +109,7 @@ fn moments_of_a_box_are_those_of_mechanics() {
         let size = DVec3::new(1.5, 2.0, 1.0) + random.vector().abs();
         let mut net = cube(3, size, Scalar::F64);
         let axis = random.vector();
-        let turn = Affine::rotation(axis, 1.0, DVec3::ZERO, Sense::RightHanded).unwrap();
+        let turn = Affine::rotation(axis, 1.0, DVec3::ZERO, RotationSense::RightHanded).unwrap();
         let shift = Affine::translation(100.0 * random.vector()).unwrap();
         let place = turn.then(&shift).unwrap();
         transform(&mut net, &place, &Job::default()).unwrap();
@@ -192,8 +192,12 @@ fn planarity_is_the_distance_of_the_corners_from_their_plane() {
     // Spheres by latitude and longitude have plane cells; twisted ones have not.
     let mut ball = sphere(17, 33, Scalar::F64);
     assert!(planarity(&ball, 1e-12, &Job::default()).unwrap().above == 0);
-    deform(&mut ball, &[Step { field: &field::twist(Axis::Z, 1.0, 0.0).unwrap(), strength: 1.0 }], &Job::default())
-        .unwrap();
+    deform(
+        &mut ball,
+        &[DeformationStep { field: &field::twist(Axis::Z, 1.0, 0.0).unwrap(), strength: 1.0 }],
+        &Job::default(),
+    )
+    .unwrap();
     assert!(planarity(&ball, 1e-3, &Job::default()).unwrap().above > 200);
     assert!(matches!(planarity(&ball, -1.0, &Job::default()), Err(Error::OptionOutOfRange { .. })));
 }

@@ -4,8 +4,8 @@
 use crate::space::is_hidden;
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::topology::{Links, Matrix, Reduced, Run};
-use gusset::net::{Classes, Net, Seam, Shape, Sides, Topology};
+use gusset::net::topology::{ContractedLinks, LinkMatrix, ReducedCell, SeamRun};
+use gusset::net::{Net, NodeClasses, Seam, Shape, Sides, Topology};
 use gusset::{Error, Job};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -74,7 +74,7 @@ pub struct Surface {
 
 impl Surface {
     pub fn from_net(net: &Net<'_>) -> Surface {
-        let classes = Classes::new(net.topology()).unwrap();
+        let classes = NodeClasses::new(net.topology()).unwrap();
         let (mut polygons, mut edges) = (Vec::new(), BTreeSet::new());
         let mut edge = |a: u32, b: u32| edges.insert([a.min(b), a.max(b)]);
         let (h, w) = (net.shape().rows(), net.shape().columns());
@@ -82,16 +82,16 @@ impl Surface {
             if is_hidden(net, i, j) {
                 continue;
             }
-            match Reduced::new(classes.corners(i, j)) {
-                Reduced::Digon([a, b]) => drop(edge(a, b)),
-                Reduced::Fold([a, b, d]) => drop((edge(a, b), edge(a, d))),
+            match ReducedCell::new(classes.corners(i, j)) {
+                ReducedCell::Digon([a, b]) => drop(edge(a, b)),
+                ReducedCell::Fold([a, b, d]) => drop((edge(a, b), edge(a, d))),
                 reduced => polygons.extend(reduced.polygon().map(<[u32]>::to_vec)),
             }
         }
         let used: BTreeSet<[u32; 2]> =
             polygons.iter().flat_map(|p| sides(p)).map(|[a, b]| [a.min(b), a.max(b)]).collect();
         let wires = edges.difference(&used).copied().collect();
-        Surface { polygons, wires, classes: classes.table().unwrap() }
+        Surface { polygons, wires, classes: classes.representatives().unwrap() }
     }
 
     /// Vertices, edges and faces of the complex.
@@ -157,10 +157,10 @@ pub fn any_topology(rows: std::ops::Range<usize>, columns: std::ops::Range<usize
             if plain {
                 return Some(Topology::from_sides(shape, sides).with_reversed(reversed));
             }
-            let mut matrix = Matrix::from_sides(shape, sides).unwrap();
+            let mut matrix = LinkMatrix::from_sides(shape, sides).unwrap();
             links.iter().for_each(|&link| matrix.set(u32::from(link) % (2 * h * w) as u32, true));
             let seams: Vec<Seam> = seams.iter().filter_map(|&numbers| seam(shape, numbers)).collect();
-            let made = Topology::new(shape, Links::Matrix(matrix), &seams);
+            let made = Topology::new(shape, ContractedLinks::Matrix(matrix), &seams);
             match made {
                 Ok(topology) => Some(topology.with_reversed(reversed)),
                 Err(Error::CrossingCell { .. }) => None,
@@ -176,10 +176,10 @@ fn seam(shape: Shape, n: [u16; 8]) -> Option<Seam> {
     let step = |n: u16| [(0, 1), (1, 0), (0, -1), (-1, 0), (1, 1), (2, 0)][n as usize % 6];
     let run = |row: u16, column: u16, steps: u16| {
         let (row_step, column_step) = step(steps);
-        Run { row: u32::from(row) % h as u32, column: u32::from(column) % w as u32, row_step, column_step }
+        SeamRun { row: u32::from(row) % h as u32, column: u32::from(column) % w as u32, row_step, column_step }
     };
     let (a, b) = (run(n[0], n[1], n[2]), run(n[3], n[4], n[5]));
-    let reach = |run: Run| {
+    let reach = |run: SeamRun| {
         let room = |at: u32, step: i32, count: i32| match step {
             0 => i32::MAX,
             s if s > 0 => (count - 1 - at as i32) / s + 1,

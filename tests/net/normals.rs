@@ -5,7 +5,7 @@ use crate::space::{Gapped, Random, is_present, sheet, sphere, torus};
 use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::normals::{normals, normals_into};
-use gusset::net::topology::{Links, Reduced, Run};
+use gusset::net::topology::{ContractedLinks, ReducedCell, SeamRun};
 use gusset::net::*;
 use gusset::{Error, Job};
 
@@ -44,14 +44,14 @@ fn on_spheres_and_tori_they_point_outwards_seams_and_poles_included() {
 /// Corner by corner over the polygons that are left of the cells, for each class; and unit vectors
 /// in the end.
 fn by_force(net: &Net<'_>) -> Vec<DVec3> {
-    let (shape, classes) = (net.shape(), Classes::new(net.topology()).unwrap());
+    let (shape, classes) = (net.shape(), NodeClasses::new(net.topology()).unwrap());
     let mut sums = vec![(DVec3::ZERO, 0.0); shape.node_count()];
     for i in 0..shape.rows() - 1 {
         for j in 0..shape.columns() - 1 {
             if !is_present(net, i, j) {
                 continue;
             }
-            if let Some(polygon) = Reduced::new(classes.corners(i, j)).polygon() {
+            if let Some(polygon) = ReducedCell::new(classes.corners(i, j)).polygon() {
                 let point = |k: usize| {
                     let (i, j) = shape.place(polygon[k % polygon.len()]);
                     net.get(i, j)
@@ -115,13 +115,13 @@ fn they_are_the_sums_over_the_polygons_whatever_is_glued() {
     let shape = Shape::new(11, 14).unwrap();
     let mut tried = 0;
     for round in 0..60 {
-        let mut matrix = Matrix::empty(shape).unwrap();
+        let mut matrix = LinkMatrix::empty(shape).unwrap();
         for link in 0..2 * 11 * 14 {
             matrix.set(link, shape.is_inner(link) && random.next() > 0.6);
         }
-        let seam = Seam { a: Run::along_column(0, 0, 1), b: Run::along_column(10, 13, -1), count: 11 };
+        let seam = Seam { a: SeamRun::along_column(0, 0, 1), b: SeamRun::along_column(10, 13, -1), count: 11 };
         let seams = if round % 2 == 0 { vec![seam] } else { vec![] };
-        if let Ok(topology) = Topology::new(shape, Links::Matrix(matrix), &seams) {
+        if let Ok(topology) = Topology::new(shape, ContractedLinks::Matrix(matrix), &seams) {
             agree(&rough(topology, Scalar::F64, &mut random));
             tried += 1;
         }

@@ -5,9 +5,10 @@ use crate::space::{sheet, sphere};
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{
-    Gluing, GluingType, Occurrence, Run, classify_cell, classify_node, histogram, occurrences,
+    Gluing, GluingOccurrence, GluingType, SeamRun, classify_cell, classify_node, find_gluing_occurrences,
+    gluing_histogram,
 };
-use gusset::net::{Classes, Seam, Shape, Sides, Topology};
+use gusset::net::{NodeClasses, Seam, Shape, Sides, Topology};
 use std::collections::BTreeMap;
 
 /// A sheet with one local gluing: of the node or of the cell in its middle.
@@ -19,12 +20,12 @@ fn with(kind: GluingType, on_cell: bool) -> (Topology, u32) {
 }
 
 /// The largest number of links that are not contracted and have the same two ends.
-fn most_links_made_one(classes: &Classes) -> usize {
+fn most_links_made_one(classes: &NodeClasses) -> usize {
     let shape = classes.shape();
     let mut count = BTreeMap::new();
     for link in (0..2 * shape.node_count() as u32).filter(|&link| {
         let [a, b] = shape.ends(link).map(|node| shape.place(node));
-        a.0.abs_diff(b.0) + a.1.abs_diff(b.1) == 1 && !classes.contracts(link)
+        a.0.abs_diff(b.0) + a.1.abs_diff(b.1) == 1 && !classes.has_identified_ends(link)
     }) {
         let mut ends = shape.ends(link).map(|node| classes.representative(node));
         ends.sort_unstable();
@@ -43,13 +44,14 @@ fn letters_and_orders_are_those_that_counting_finds() {
                 continue;
             };
             let (topology, element) = with(kind, on_cell);
-            let classes = Classes::new(&topology).unwrap();
+            let classes = NodeClasses::new(&topology).unwrap();
             let largest = classes.groups().unwrap().iter().map(<[u32]>::len).max().unwrap();
             assert_eq!(usize::from(signature.node_order), largest, "{number}");
             assert_eq!(usize::from(signature.link_order), most_links_made_one(&classes), "{number}");
             // The letters, from the contracted links on the way round the node or the cell.
-            let all = occurrences(&topology, false, &Job::default()).unwrap();
-            let here = |o: &&Occurrence| o.kind == kind && o.on_cell == on_cell && (on_cell || o.element == element);
+            let all = find_gluing_occurrences(&topology, false, &Job::default()).unwrap();
+            let here =
+                |o: &&GluingOccurrence| o.kind == kind && o.on_cell == on_cell && (on_cell || o.element == element);
             let found = all.iter().find(here).unwrap_or_else(|| panic!("{number}"));
             assert_eq!((found.signature, found.class_size as usize), (signature, largest));
             let shape = topology.shape();
@@ -83,9 +85,9 @@ fn all_of_a_net_are_listed_in_order_and_as_often_as_the_histogram_says() {
     let mixed = Topology::from_sides(shape, Sides { columns_closed: true, pole_left: true, ..Sides::SHEET });
     let mixed = mixed.glued(&[Gluing::from_type(GluingType::from_number(17).unwrap(), 25)]).unwrap();
     for (topology, cyclic) in [(sphere.topology(), false), (sphere.topology(), true), (&mixed, false), (&mixed, true)] {
-        let all = occurrences(topology, cyclic, &Job::default()).unwrap();
+        let all = find_gluing_occurrences(topology, cyclic, &Job::default()).unwrap();
         assert!(all.windows(2).all(|w| (w[0].on_cell, w[0].element) < (w[1].on_cell, w[1].element)));
-        let (classes, shape) = (Classes::new(topology).unwrap(), topology.shape());
+        let (classes, shape) = (NodeClasses::new(topology).unwrap(), topology.shape());
         let size = |node: u32| {
             let same = |&other: &u32| classes.representative(other) == classes.representative(node);
             (0..shape.node_count() as u32).filter(same).count() as u32
@@ -105,7 +107,7 @@ fn all_of_a_net_are_listed_in_order_and_as_often_as_the_histogram_says() {
             };
             assert_eq!((Some(found.kind), found.class_size), (kind, class));
         }
-        let expected = histogram(topology, &Job::default()).unwrap();
+        let expected = gluing_histogram(topology, &Job::default()).unwrap();
         assert_eq!(counts[1], expected.cells);
         assert!(cyclic || counts[0] == expected.nodes);
         assert!(!cyclic || counts[0] != expected.nodes, "closing links count too");
@@ -116,7 +118,7 @@ fn all_of_a_net_are_listed_in_order_and_as_often_as_the_histogram_says() {
 /// restarted at 0.
 #[test]
 fn progress_never_falls_back() {
-    let seam = Seam { a: Run::along_row(0, 0, 1), b: Run::along_row(6, 0, 1), count: 7 };
+    let seam = Seam { a: SeamRun::along_row(0, 0, 1), b: SeamRun::along_row(6, 0, 1), count: 7 };
     let glued = sheet(7, 7, Scalar::F64).topology().glued(&[Gluing::Seam(seam)]).unwrap();
-    occurrences(&glued, false, &Job::new(1, &Steady::default())).unwrap();
+    find_gluing_occurrences(&glued, false, &Job::new(1, &Steady::default())).unwrap();
 }

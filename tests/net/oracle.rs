@@ -4,9 +4,10 @@
 use crate::complexes::Oracle;
 use gusset::net::complex::Complex;
 use gusset::net::topology::{
-    CellDiagonal, Gluing, GluingType, Links, Matrix, Reduced, classify_cell, classify_node, histogram,
+    CellDiagonal, ContractedLinks, Gluing, GluingType, LinkMatrix, ReducedCell, classify_cell, classify_node,
+    gluing_histogram,
 };
-use gusset::net::{Classes, Shape, Sides, Topology};
+use gusset::net::{NodeClasses, Shape, Sides, Topology};
 use gusset::{Error, Job};
 use std::collections::BTreeSet;
 
@@ -73,11 +74,11 @@ fn every_matrix_of_a_small_net() {
 fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
     let (mut seen, mut refused) = (BTreeSet::new(), 0);
     for bits in part << 16..(part + 1) << 16 {
-        let mut matrix = Matrix::empty(shape).unwrap();
+        let mut matrix = LinkMatrix::empty(shape).unwrap();
         (0..18).for_each(|link| matrix.set(link, bits >> link & 1 == 1));
         let pairs: Vec<_> = (matrix.links()).map(|link| shape.ends(link).map(|node| node as usize)).collect();
         let oracle = Oracle::new(shape, &pairs, |_, _| true);
-        let topology = Topology::new(shape, Links::Matrix(matrix), &[]);
+        let topology = Topology::new(shape, ContractedLinks::Matrix(matrix), &[]);
         if let Some(cell) = oracle.crossing {
             assert_eq!(topology, Err(Error::CrossingCell { cell: cell as u32 }));
             refused += 1;
@@ -88,12 +89,12 @@ fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
         oracle.check(&complex);
         check_types(&topology, &oracle.class, &mut seen);
         if bits % 16 == 5 {
-            let saturated = topology.saturated().unwrap();
+            let saturated = topology.canonical_form().unwrap();
             let all = (0..18).all(|link| {
                 let [a, b] = shape.ends(link).map(|node| oracle.class[node as usize]);
-                saturated.contracts(link) == (a == b)
+                saturated.is_contracted(link) == (a == b)
             });
-            assert!(all && saturated.saturated().unwrap() == saturated);
+            assert!(all && saturated.canonical_form().unwrap() == saturated);
             assert_eq!(Complex::from_topology(&saturated, &Job::default()).unwrap(), complex);
         }
     }
@@ -101,7 +102,7 @@ fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
 }
 
 fn check_types(topology: &Topology, class: &[usize], seen: &mut BTreeSet<usize>) {
-    let classes = Classes::new(topology).unwrap();
+    let classes = NodeClasses::new(topology).unwrap();
     let mut count = [[0u64; 18]; 2];
     for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
         for cyclic in [false, true] {
@@ -129,7 +130,7 @@ fn check_types(topology: &Topology, class: &[usize], seen: &mut BTreeSet<usize>)
             }
         }
     }
-    let histogram = histogram(topology, &Job::default()).unwrap();
+    let histogram = gluing_histogram(topology, &Job::default()).unwrap();
     assert_eq!([histogram.nodes, histogram.cells], count);
 }
 
@@ -169,7 +170,7 @@ fn there_are_eighteen() {
         all += 1;
         if first == [0, 1, 0, 1] {
             crossing += 1;
-            assert!(matches!(Reduced::new([0, 1, 0, 1]), Reduced::Crossing(_)));
+            assert!(matches!(ReducedCell::new([0, 1, 0, 1]), ReducedCell::Crossing(_)));
             continue;
         }
         let partition = normal((0..4).map(|k| (0..4).filter(|&n| first[n] == k).map(|n| corners[n]).collect()));
@@ -224,7 +225,7 @@ fn each_type_is_what_its_caption_says() {
         let number = kind.number();
         let at = if number < 13 { shape.node(2, 2) } else { shape.cell(2, 2) };
         let glued = sheet.glued(&[Gluing::from_type(kind, at)]).unwrap();
-        let classes = Classes::new(&glued).unwrap();
+        let classes = NodeClasses::new(&glued).unwrap();
         let found = if number < 13 { classify_node(&classes, 2, 2, false) } else { classify_cell(&classes, 2, 2) };
         assert_eq!(found, Some(kind));
         let (order, count, cells) = caption(number);
@@ -249,25 +250,27 @@ fn long_rows() {
     for (h, w) in [(2, 31), (3, 32), (3, 33), (2, 63), (4, 64), (3, 65), (2, 100), (70, 2), (33, 3)] {
         let shape = Shape::new(h, w).unwrap();
         for share in [1, 3, 6, 9, 10] {
-            let mut matrix = Matrix::empty(shape).unwrap();
+            let mut matrix = LinkMatrix::empty(shape).unwrap();
             (0..2 * shape.node_count() as u32).for_each(|link| matrix.set(link, dice.below(10) < share));
             let pairs: Vec<_> = (matrix.links()).map(|link| shape.ends(link).map(|node| node as usize)).collect();
             let class = crate::complexes::classes(shape.node_count(), &pairs);
             let crossing = Oracle::new(shape, &pairs, |_, _| true).crossing;
-            let topology = Topology::new(shape, Links::Matrix(matrix), &[]);
+            let topology = Topology::new(shape, ContractedLinks::Matrix(matrix), &[]);
             if let Some(cell) = crossing {
                 assert_eq!(topology, Err(Error::CrossingCell { cell: cell as u32 }));
                 continue;
             }
             let topology = topology.unwrap();
-            let classes = Classes::new(&topology).unwrap();
-            assert!(classes.table().unwrap().iter().zip(&class).all(|(&found, &class)| found as usize == class));
-            let saturated = topology.saturated().unwrap();
+            let classes = NodeClasses::new(&topology).unwrap();
+            assert!(
+                classes.representatives().unwrap().iter().zip(&class).all(|(&found, &class)| found as usize == class)
+            );
+            let saturated = topology.canonical_form().unwrap();
             let (mut nodes, mut cells) = ([0; 18], [0; 18]);
             for node in 0..shape.node_count() as u32 {
                 let (i, j) = shape.place(node);
                 for link in [2 * node, 2 * node + 1] {
-                    assert_eq!(saturated.contracts(link), classes.contracts(link));
+                    assert_eq!(saturated.is_contracted(link), classes.has_identified_ends(link));
                 }
                 let types = [
                     classify_node(&classes, i, j, false),
@@ -276,7 +279,7 @@ fn long_rows() {
                 types[0].iter().for_each(|kind| nodes[kind.number()] += 1);
                 types[1].iter().for_each(|kind| cells[kind.number()] += 1);
             }
-            let histogram = histogram(&topology, &Job::default()).unwrap();
+            let histogram = gluing_histogram(&topology, &Job::default()).unwrap();
             assert_eq!((histogram.nodes, histogram.cells), (nodes, cells));
         }
     }

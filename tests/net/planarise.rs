@@ -5,7 +5,7 @@ use crate::space::{Random, bits, glued_bits_agree, sheet, sphere, torus};
 use glam::{DMat3, DVec3};
 use gusset::mesh::Scalar;
 use gusset::net::planarise::{PlanariseOptions, Planarised, planarise};
-use gusset::net::{Classes, Net, Shape, Sides, Topology};
+use gusset::net::{Net, NodeClasses, Shape, Sides, Topology};
 use gusset::{Error, Job};
 
 /// The largest distance of a corner from the best plane of its cell, by the smallest eigenvalue of
@@ -48,7 +48,7 @@ fn made_plane(net: &mut Net<'_>, options: &PlanariseOptions<'_>) -> Planarised {
 }
 
 fn squares(a: &Net<'_>, b: &Net<'_>) -> f64 {
-    let classes = Classes::new(a.topology()).unwrap();
+    let classes = NodeClasses::new(a.topology()).unwrap();
     let vertices = (0..a.shape().node_count() as u32).filter(|&node| classes.representative(node) == node);
     vertices.map(|node| a.shape().place(node)).map(|(i, j)| a.get(i, j).distance_squared(b.get(i, j))).sum()
 }
@@ -79,7 +79,7 @@ fn cells_become_plane_and_gluing_stays() {
         ("sphere", sphere(17, 25, Scalar::F64)),
         ("large", bumpy(60, 70, 0.05, 11)),
     ] {
-        let classes = Classes::new(net.topology()).unwrap();
+        let classes = NodeClasses::new(net.topology()).unwrap();
         let offsets: Vec<_> = (0..net.shape().node_count()).map(|_| 0.02 * random.vector()).collect();
         for node in 0..net.shape().node_count() as u32 {
             let (i, j) = net.shape().place(node);
@@ -116,7 +116,7 @@ fn cells_become_plane_and_gluing_stays() {
 
 /// The vertices of cells of four corners; poles have none.
 fn vertex_count(net: &Net<'_>) -> f64 {
-    let classes = Classes::new(net.topology()).unwrap();
+    let classes = NodeClasses::new(net.topology()).unwrap();
     let mut seen = std::collections::BTreeSet::new();
     for cell in (0..net.shape().rows() - 1).flat_map(|i| (0..net.shape().columns() - 1).map(move |j| (i, j))) {
         let corners = classes.corners(cell.0, cell.1);

@@ -6,7 +6,7 @@ use gusset::mesh::Scalar;
 use gusset::net::closure::{BoxKind, Cuboid};
 use gusset::net::complex::Complex;
 use gusset::net::primitive::{Primitive, Request};
-use gusset::net::{Classes, Net, detect_gluing};
+use gusset::net::{Net, NodeClasses, detect_gluing};
 use gusset::{Error, Job};
 use std::f64::consts::PI;
 
@@ -67,7 +67,7 @@ fn every_primitive_is_what_it_is() {
             // Coincident nodes are exactly the glued nodes.
             for tolerance in [0.0, 1e-6] {
                 let derived = detect_gluing(net.coordinates(), tolerance, &job).unwrap();
-                let expected = net.topology().saturated().unwrap().with_reversed(false);
+                let expected = net.topology().canonical_form().unwrap().with_reversed(false);
                 assert_eq!(derived, expected, "{primitive:?}");
             }
         }
@@ -79,7 +79,7 @@ fn check_duplicates(net: &Net<'_>) {
         let (i, j) = net.shape().place(node);
         net.get(i, j).to_array().map(f64::to_bits)
     };
-    for class in Classes::new(net.topology()).unwrap().groups().unwrap().iter() {
+    for class in NodeClasses::new(net.topology()).unwrap().groups().unwrap().iter() {
         assert!(class.iter().all(|&node| bits(node) == bits(class[0])));
     }
     let zero = (0..net.shape().node_count() as u32).flat_map(bits).any(|bits| bits == (-0f64).to_bits());

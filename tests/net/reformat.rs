@@ -4,8 +4,8 @@ use crate::nets::{Surface, any_topology, job, numbered, same, shape, sphere, tor
 use glam::DVec3;
 use gusset::Error;
 use gusset::mesh::Scalar;
-use gusset::net::topology::{Links, Run};
-use gusset::net::{Classes, Net, Replication, Seam, Sides, Topology};
+use gusset::net::topology::{ContractedLinks, SeamRun};
+use gusset::net::{Net, NodeClasses, Replication, Seam, Sides, Topology};
 use proptest::prelude::*;
 
 fn any_replication() -> impl Strategy<Value = Replication> {
@@ -20,7 +20,7 @@ fn any_replication() -> impl Strategy<Value = Replication> {
 
 /// A net whose nodes have the positions of their classes, so that it has a volume.
 fn glued(topology: Topology) -> Net<'static> {
-    let classes = Classes::new(&topology).unwrap();
+    let classes = NodeClasses::new(&topology).unwrap();
     let shape = topology.shape();
     Net::from_fn(topology, Scalar::F64, |i, j| {
         let n = f64::from(classes.representative(shape.node(i, j)));
@@ -34,8 +34,8 @@ fn glued(topology: Topology) -> Net<'static> {
 fn has_no_copies(net: &Net<'_>) -> bool {
     let (shape, topology) = (net.shape(), net.topology());
     let (h, w) = (shape.rows(), shape.columns());
-    let rows = (0..h - 1).any(|i| (0..w).all(|j| topology.contracts(2 * shape.node(i, j) + 1)));
-    let columns = (0..w - 1).any(|j| (0..h).all(|i| topology.contracts(2 * shape.node(i, j))));
+    let rows = (0..h - 1).any(|i| (0..w).all(|j| topology.is_contracted(2 * shape.node(i, j) + 1)));
+    let columns = (0..w - 1).any(|j| (0..h).all(|i| topology.is_contracted(2 * shape.node(i, j))));
     !rows && !columns
 }
 
@@ -64,7 +64,7 @@ proptest! {
         prop_assert!((before.volume(&net) - after.volume(&large)).abs() < 1e-12);
         // Every node lies where its class does: glued nodes of the large net are glued nodes of the
         // small one.
-        let classes = Classes::new(large.topology()).unwrap();
+        let classes = NodeClasses::new(large.topology()).unwrap();
         for node in 0..large.shape().node_count() as u32 {
             let [(i, j), (p, q)] = [node, classes.representative(node)].map(|node| large.shape().place(node));
             prop_assert_eq!(large.get(i, j), large.get(p, q));
@@ -77,7 +77,8 @@ proptest! {
                 // The same gluing, where seams that say a pair twice can be written in shorter
                 // ways.
                 prop_assert!(says_a_pair_twice(&net), "{:?} {:?}", back.topology(), numbered.topology());
-                prop_assert_eq!(Classes::new(back.topology()).unwrap().table(), Classes::new(net.topology()).unwrap().table());
+                let representatives = |net: &Net<'_>| NodeClasses::new(net.topology()).unwrap().representatives();
+                prop_assert_eq!(representatives(&back), representatives(&net));
             } else {
                 prop_assert!(same(&back, &numbered));
             }
@@ -108,8 +109,8 @@ fn closed_nets_stay_closed() {
 fn a_seam_through_copies_is_one_again() {
     // A Möbius strip whose rows are replicated unequally: the seam is cut where its steps change.
     let size = shape(7, 5);
-    let seam = Seam { a: Run::along_column(0, 4, 1), b: Run::along_column(6, 0, -1), count: 7 };
-    let strip = Topology::new(size, Links::Sides(Sides::SHEET), &[seam]).unwrap();
+    let seam = Seam { a: SeamRun::along_column(0, 4, 1), b: SeamRun::along_column(6, 0, -1), count: 7 };
+    let strip = Topology::new(size, ContractedLinks::Sides(Sides::SHEET), &[seam]).unwrap();
     let net = glued(strip);
     for how in [Replication::First, Replication::Last, Replication::At(2), Replication::Uniform] {
         let large = net.reformatted(12, 9, [how; 2], &job()).unwrap();

@@ -5,7 +5,7 @@ use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::complex::Complex;
 use gusset::net::resample::{Interpolation, decimate, pyramid, resample};
-use gusset::net::topology::{Links, Run};
+use gusset::net::topology::{ContractedLinks, SeamRun};
 use gusset::net::*;
 use gusset::{Error, Job};
 
@@ -108,8 +108,8 @@ fn missing_nodes_spread_to_what_they_have_a_part_in_only() {
 #[test]
 fn what_is_glued_elsewhere_is_refused() {
     let mut net = sheet(6, 8, Scalar::F64);
-    let seam = Seam { a: Run::along_column(0, 7, 1), b: Run::along_column(5, 0, -1), count: 6 };
-    net.set_topology(Topology::new(net.shape(), Links::Sides(Sides::SHEET), &[seam]).unwrap());
+    let seam = Seam { a: SeamRun::along_column(0, 7, 1), b: SeamRun::along_column(5, 0, -1), count: 6 };
+    net.set_topology(Topology::new(net.shape(), ContractedLinks::Sides(Sides::SHEET), &[seam]).unwrap());
     let job = Job::default();
     assert_eq!(resample(&net, 9, 9, Interpolation::Bicubic, &job).unwrap_err(), Error::GluedInside);
     assert_eq!(pyramid(&net, Interpolation::Bicubic, &job).unwrap_err(), Error::GluedInside);

@@ -6,7 +6,7 @@ use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::analyse::{analyse_field, jacobian};
 use gusset::net::complex::Complex;
-use gusset::net::field::{self, Field, Step, deform};
+use gusset::net::field::{self, DeformationStep, Field, deform};
 use gusset::net::transform::{Affine, Axis};
 use gusset::net::{Net, Sides, Topology, detect_gluing};
 use std::f64::consts::{PI, TAU};
@@ -18,13 +18,13 @@ fn fitted(rows: usize, columns: usize, low: [f64; 2], high: [f64; 2]) -> Net<'st
     let mut net = sheet(rows, columns, Scalar::F64);
     let step = [(high[0] - low[0]) / (columns - 1) as f64, (high[1] - low[1]) / (rows - 1) as f64];
     let fit = Affine::new([[step[0], 0.0, 0.0, low[0]], [0.0, step[1], 0.0, low[1]], [0.0, 0.0, 1.0, 0.0]]).unwrap();
-    deform(&mut net, &[Step { field: &fit, strength: 1.0 }], &Job::default()).unwrap();
+    deform(&mut net, &[DeformationStep { field: &fit, strength: 1.0 }], &Job::default()).unwrap();
     net
 }
 
 fn rolled(net: &Net<'_>, field: &dyn Field, strength: f64) -> Net<'static> {
     let mut moved = net.copied().unwrap();
-    deform(&mut moved, &[Step { field, strength }], &Job::default()).unwrap();
+    deform(&mut moved, &[DeformationStep { field, strength }], &Job::default()).unwrap();
     moved
 }
 
@@ -76,7 +76,8 @@ fn a_sphere_closes_at_1_and_keeps_the_lengths_of_its_roll_before() {
     }
     // At one half: a tube of the meridian's length; all links keep their lengths within 1 %.
     let tube = rolled(&net, &wrap, 0.5);
-    let ratios = analyse_field(&net, &[Step { field: &wrap, strength: 0.5 }], 1e-9, &Job::default()).unwrap().links;
+    let ratios =
+        analyse_field(&net, &[DeformationStep { field: &wrap, strength: 0.5 }], 1e-9, &Job::default()).unwrap().links;
     let within = |link: usize| {
         link % 2 == 1 && link / 2 < (rows - 1) * columns || link.is_multiple_of(2) && link / 2 % columns + 1 < columns
     };
@@ -190,7 +191,7 @@ fn rolls_stretch_space_as_their_curvature_says_and_have_no_jumps() {
     }
     // At the height h above a cylinder, lengths change by 1 + curvature h; a cylinder about x has z
     // there.
-    let det = |field: &dyn Field, t: f64| jacobian(p, 0.1, &[Step { field, strength: t }]).0.determinant();
+    let det = |field: &dyn Field, t: f64| jacobian(p, 0.1, &[DeformationStep { field, strength: t }]).0.determinant();
     for t in [0.2, 0.5, 0.9] {
         assert!((det(&*wraps[0].1, t) - (1.0 + t / 2.0 * p.z)).abs() < 1e-8, "{t}");
         // The first stage of the torus equals the tube with height z.

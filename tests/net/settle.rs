@@ -384,12 +384,12 @@ fn hidden_missing_and_collapsed_places_are_let_alone() {
 
 #[test]
 fn bridges_with_rows_come_back_from_streams() {
-    use gusset::net::stream::{Mode, StreamOptions, decode, encode};
+    use gusset::net::stream::{StreamMode, StreamOptions, decode, encode};
     for direction in [Direction::Down, Direction::Right] {
         let options = JoinOptions { rows: 5, properties: properties(1.0, 2.0, 3.0), ..JoinOptions::new(direction) };
         let a = sheet(6, 6, Scalar::F64);
         let net = concatenate_all(&[&a, &a, &a], &options, &Job::default()).unwrap();
-        let bytes = encode(&net, &StreamOptions::new(Mode::Lossless), &Job::default()).unwrap();
+        let bytes = encode(&net, &StreamOptions::new(StreamMode::Lossless), &Job::default()).unwrap();
         let back = decode(&bytes, &Job::default()).unwrap();
         assert!(back.bridges() == net.bridges() && bits(&back) == bits(&net));
         assert_eq!(back.bridges()[1].rows, 5);

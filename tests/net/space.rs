@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::{Bridge, Coordinates, Direction, Net, Planes, Shape, Sides, Topology};
+use gusset::net::{Bridge, Coordinates, Direction, Net, Shape, Sides, Topology, XyzMatrices};
 use std::f64::consts::{PI, TAU};
 
 /// The sine and cosine of k of n parts of a full turn, with equal bits for k = 0 and k = n.
@@ -89,7 +89,7 @@ impl Gapped {
 
     pub fn net(&mut self, topology: Topology) -> Net<'_> {
         let [x, y, z] = &mut self.matrices;
-        let planes = Planes::borrowed(self.shape, self.stride, [x, y, z]).unwrap();
+        let planes = XyzMatrices::borrowed(self.shape, self.stride, [x, y, z]).unwrap();
         Net::new(Coordinates::F64(planes), topology)
     }
 
@@ -112,7 +112,7 @@ pub fn bits(net: &Net<'_>) -> Vec<u64> {
 /// True if nodes of one class have equal bits.
 pub fn glued_bits_agree(net: &Net<'_>) -> bool {
     let (shape, bits) = (net.shape(), bits(net));
-    let classes = gusset::net::Classes::new(net.topology()).unwrap();
+    let classes = gusset::net::NodeClasses::new(net.topology()).unwrap();
     (0..shape.node_count() as u32).all(|node| {
         let (a, b) = (3 * node as usize, 3 * classes.representative(node) as usize);
         bits[a..a + 3] == bits[b..b + 3]

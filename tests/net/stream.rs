@@ -5,15 +5,15 @@ use glam::DVec3;
 use gusset::Error;
 use gusset::job::Job;
 use gusset::mesh::Scalar;
-use gusset::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode, encode};
-use gusset::net::topology::{Links, Matrix, Run};
+use gusset::net::stream::{StreamDecoder, StreamInfo, StreamMode, StreamOptions, decode, encode};
+use gusset::net::topology::{ContractedLinks, LinkMatrix, SeamRun};
 use gusset::net::{
-    Bridge, BridgeKind, BridgeMode, BridgeProperties, Classes, Coordinates, Direction, JoinOptions, Net, Planes, Seam,
-    Shape, Sides, Topology, concatenate,
+    Bridge, BridgeKind, BridgeMode, BridgeProperties, Coordinates, Direction, JoinOptions, Net, NodeClasses, Seam,
+    Shape, Sides, Topology, XyzMatrices, concatenate,
 };
 use proptest::prelude::*;
 
-pub(crate) const MODES: [Mode; 3] = [Mode::Raw, Mode::Lossless, Mode::Quantised { bits: 14 }];
+pub(crate) const MODES: [StreamMode; 3] = [StreamMode::Raw, StreamMode::Lossless, StreamMode::Quantised { bits: 14 }];
 
 pub(crate) fn job() -> Job<'static> {
     Job::default()
@@ -42,8 +42,8 @@ pub(crate) fn assert_same(a: &Net<'_>, b: &Net<'_>) {
 
 /// The quantised net by the definition, node by node from the header.
 fn assert_quantised(net: &Net<'_>, back: &Net<'_>, info: &StreamInfo) {
-    let Mode::Quantised { bits: levels } = info.mode else { panic!("{info:?}") };
-    let classes = Classes::new(net.topology()).unwrap();
+    let StreamMode::Quantised { bits: levels } = info.mode else { panic!("{info:?}") };
+    let classes = NodeClasses::new(net.topology()).unwrap();
     let round = |value: f64| match net.coordinates().scalar() {
         Scalar::F32 => f64::from(value as f32),
         Scalar::F64 => value,
@@ -90,14 +90,14 @@ pub(crate) fn torus(h: usize, w: usize, scalar: Scalar, rough: f64) -> Net<'stat
 pub(crate) fn odd_nets() -> Vec<Net<'static>> {
     let shape = Shape::new(7, 9).unwrap();
     let seam = |a, b, count| Seam { a, b, count };
-    let moebius = [seam(Run::along_column(0, 0, 1), Run::along_column(6, 8, -1), 7)];
-    let mut matrix = Matrix::empty(shape).unwrap();
+    let moebius = [seam(SeamRun::along_column(0, 0, 1), SeamRun::along_column(6, 8, -1), 7)];
+    let mut matrix = LinkMatrix::empty(shape).unwrap();
     [0, 2, 4, 17, 23, 60, 88].into_iter().for_each(|link| matrix.set(link, true));
     let topologies = [
         Topology::from_sides(shape, Sides::TWO_POLES),
         Topology::from_sides(shape, Sides::ONE_POLE).with_reversed(true),
-        Topology::new(shape, Links::Sides(Sides::SHEET), &moebius).unwrap(),
-        Topology::new(shape, Links::Matrix(matrix), &moebius).unwrap(),
+        Topology::new(shape, ContractedLinks::Sides(Sides::SHEET), &moebius).unwrap(),
+        Topology::new(shape, ContractedLinks::Matrix(matrix), &moebius).unwrap(),
     ];
     let numbers = [0.0, -0.0, 1.0, -1.5, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 5e-324, -3e-310, 1e300, 7e-46];
     let value = |seed: u64, k: usize| numbers[(noise(seed, k as u64) * numbers.len() as f64) as usize];
@@ -122,7 +122,7 @@ pub(crate) fn odd_nets() -> Vec<Net<'static>> {
         }
     }
     // NaN with bits of their own, signalling ones too.
-    let mut planes = Planes::<f32>::zeroed(shape).unwrap();
+    let mut planes = XyzMatrices::<f32>::zeroed(shape).unwrap();
     for (k, matrix) in planes.matrices_mut().into_iter().enumerate() {
         for (at, number) in matrix.iter_mut().enumerate() {
             let payload = [0x7f80_0001, 0x7fc0_1234, 0xffff_ffff, 0x0000_0001, 0x8000_0000, 0x3f80_0000];
@@ -136,7 +136,7 @@ pub(crate) fn odd_nets() -> Vec<Net<'static>> {
 #[test]
 fn every_bit_comes_back() {
     for net in odd_nets() {
-        for mode in [Mode::Raw, Mode::Lossless] {
+        for mode in [StreamMode::Raw, StreamMode::Lossless] {
             for rows_per_block in [0, 1, 2, 5] {
                 let options = StreamOptions { rows_per_block, ..StreamOptions::new(mode) };
                 let stream = encode(&net, &options, &job()).unwrap();
@@ -157,12 +157,12 @@ fn quantised_nets_are_what_the_header_says() {
         for bits in [8, 13, 24] {
             for per_axis in [false, true] {
                 let options =
-                    StreamOptions { per_axis, rows_per_block: 6, ..StreamOptions::new(Mode::Quantised { bits }) };
+                    StreamOptions { per_axis, rows_per_block: 6, ..StreamOptions::new(StreamMode::Quantised { bits }) };
                 let stream = encode(net, &options, &job()).unwrap();
                 let back = decode(&stream, &job()).unwrap();
                 assert_quantised(net, &back, &StreamInfo::read(&stream).unwrap());
                 // Levels do not change.
-                let again = encode(&back, &StreamOptions::new(Mode::Lossless), &job()).unwrap();
+                let again = encode(&back, &StreamOptions::new(StreamMode::Lossless), &job()).unwrap();
                 assert_same(&decode(&again, &job()).unwrap(), &back);
             }
         }
@@ -177,7 +177,7 @@ fn coordinates_with_steps_of_their_own_keep_them() {
         DVec3::new(90.0 * j as f64, 90.0 * i as f64, 500.0 + 10.0 * (30.0 * noise(3, (i * 41 + j) as u64)).floor())
     };
     let net = Net::from_fn(topology, Scalar::F32, position).unwrap();
-    let stream = encode(&net, &StreamOptions::new(Mode::Quantised { bits: 10 }), &job()).unwrap();
+    let stream = encode(&net, &StreamOptions::new(StreamMode::Quantised { bits: 10 }), &job()).unwrap();
     let info = StreamInfo::read(&stream).unwrap();
     assert_eq!((info.step, info.origin), ([90.0, 90.0, 10.0], [0.0, 0.0, 500.0]));
     assert_same(&decode(&stream, &job()).unwrap(), &net);
@@ -237,7 +237,7 @@ fn rows_come_as_their_blocks_do() {
 #[test]
 fn raw_streams_can_be_mapped() {
     let net = torus(9, 11, Scalar::F32, 0.01);
-    let stream = encode(&net, &StreamOptions::new(Mode::Raw), &job()).unwrap();
+    let stream = encode(&net, &StreamOptions::new(StreamMode::Raw), &job()).unwrap();
     let start = StreamInfo::read(&stream).unwrap().prelude_size as usize;
     assert_eq!(start % 64, 0);
     let Coordinates::F32(planes) = net.coordinates() else { panic!("another type") };
@@ -255,7 +255,7 @@ fn much_of_nothing_is_small_and_comes_back() {
     let shape = Shape::new(3000, 1000).unwrap();
     let sides = Sides { pole_left: true, ..Sides::TWO_POLES };
     let net = Net::from_fn(Topology::from_sides(shape, sides), Scalar::F32, |_, _| DVec3::NAN).unwrap();
-    for mode in [Mode::Lossless, Mode::Quantised { bits: 16 }] {
+    for mode in [StreamMode::Lossless, StreamMode::Quantised { bits: 16 }] {
         let stream = encode(&net, &StreamOptions::new(mode), &job()).unwrap();
         assert!(stream.len() < 10_000, "{}", stream.len());
         let back = decode(&stream, &job()).unwrap();
@@ -267,13 +267,13 @@ fn much_of_nothing_is_small_and_comes_back() {
 fn options_are_checked() {
     let net = torus(4, 4, Scalar::F64, 0.0);
     for bits in [0, 7, 25, u32::MAX] {
-        let options = StreamOptions::new(Mode::Quantised { bits });
+        let options = StreamOptions::new(StreamMode::Quantised { bits });
         assert!(matches!(encode(&net, &options, &job()), Err(Error::OptionOutOfRange { option: "bits", .. })));
     }
     let far = Net::from_fn(net.topology().clone(), Scalar::F64, |i, _| DVec3::splat(i as f64 * 5e307)).unwrap();
-    let options = StreamOptions::new(Mode::Quantised { bits: 14 });
+    let options = StreamOptions::new(StreamMode::Quantised { bits: 14 });
     assert!(matches!(encode(&far, &options, &job()), Err(Error::OptionOutOfRange { option: "coordinates", .. })));
-    assert!(encode(&far, &StreamOptions::new(Mode::Lossless), &job()).is_ok());
+    assert!(encode(&far, &StreamOptions::new(StreamMode::Lossless), &job()).is_ok());
 }
 
 /// The grids of points of the data folder.
@@ -306,10 +306,10 @@ fn real_grids_come_back_and_are_small() {
             net.get(i, j).is_finite()
         });
         let present = present.count() as f64;
-        let lossless = encode(&net, &StreamOptions::new(Mode::Lossless), &job()).unwrap();
+        let lossless = encode(&net, &StreamOptions::new(StreamMode::Lossless), &job()).unwrap();
         assert_same(&decode(&lossless, &job()).unwrap(), &net);
         for bits in [14, 16] {
-            let stream = encode(&net, &StreamOptions::new(Mode::Quantised { bits }), &job()).unwrap();
+            let stream = encode(&net, &StreamOptions::new(StreamMode::Quantised { bits }), &job()).unwrap();
             assert_quantised(&net, &decode(&stream, &job()).unwrap(), &StreamInfo::read(&stream).unwrap());
             let size = 8.0 * stream.len() as f64 / present;
             let theirs = draco.iter().find(|(start, _)| bits == 14 && name.starts_with(start)).map(|&(_, size)| size);
@@ -334,7 +334,7 @@ fn joined_nets_can_be_taken_apart_after_decoding() {
     let options = JoinOptions { twist: 2, ..JoinOptions::new(Direction::Down) };
     let pair = concatenate(&tube(5, 9), &tube(6, 7), &options, &job()).unwrap();
     let whole = concatenate(&tube(4, 11), &pair, &options, &job()).unwrap();
-    for mode in [Mode::Raw, Mode::Lossless] {
+    for mode in [StreamMode::Raw, StreamMode::Lossless] {
         let stream = encode(&whole, &StreamOptions::new(mode), &job()).unwrap();
         let back = decode(&stream, &job()).unwrap();
         assert_same(&back, &whole);
@@ -371,12 +371,12 @@ proptest! {
             let number = |k: u64| (noise(seed, at + k) + (i * j) as f64 * 0.1) * 2f64.powi(size);
             DVec3::new(number(0), number(1), number(2))
         }).unwrap();
-        for mode in [Mode::Raw, Mode::Lossless, Mode::Quantised { bits: levels }] {
+        for mode in [StreamMode::Raw, StreamMode::Lossless, StreamMode::Quantised { bits: levels }] {
             let options = StreamOptions { mode, per_axis, rows_per_block };
             let stream = encode(&net, &options, &job()).unwrap();
             let back = decode(&stream, &job()).unwrap();
             match mode {
-                Mode::Quantised { .. } => assert_quantised(&net, &back, &StreamInfo::read(&stream).unwrap()),
+                StreamMode::Quantised { .. } => assert_quantised(&net, &back, &StreamInfo::read(&stream).unwrap()),
                 _ => assert_same(&back, &net),
             }
         }

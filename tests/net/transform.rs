@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset::job::Progress;
 use gusset::mesh::Scalar;
 use gusset::net::Net;
-use gusset::net::transform::{Affine, Axis, Sense, transform};
+use gusset::net::transform::{Affine, Axis, RotationSense, transform};
 use gusset::{Error, Job};
 use std::ops::ControlFlow;
 
@@ -40,27 +40,29 @@ fn rotations_turn_by_the_right_hand_and_the_printed_one_by_the_left() {
     for _ in 0..1000 {
         let (axis, angle, p) = (random.vector(), 4.0 * random.next(), random.vector());
         let unit = axis.normalize();
-        let right = Affine::rotation(axis, angle, DVec3::ZERO, Sense::RightHanded).unwrap();
-        let paper = Affine::rotation(axis, angle, DVec3::ZERO, Sense::AsPrinted).unwrap();
+        let right = Affine::rotation(axis, angle, DVec3::ZERO, RotationSense::RightHanded).unwrap();
+        let paper = Affine::rotation(axis, angle, DVec3::ZERO, RotationSense::AsPrinted).unwrap();
         assert!(right.apply(p).distance(turned(p, unit, angle)) < 1e-14);
         assert!(paper.apply(p).distance(printed(p, unit, angle)) < 1e-14);
         assert!(paper.apply(p).distance(turned(p, unit, -angle)) < 1e-14, "the printed formula turns the other way");
         assert!((right.determinant() - 1.0).abs() < 1e-14);
         // About a pivot, the pivot stays.
         let pivot = random.vector();
-        let about = Affine::rotation(axis, angle, pivot, Sense::RightHanded).unwrap();
+        let about = Affine::rotation(axis, angle, pivot, RotationSense::RightHanded).unwrap();
         assert!(about.apply(pivot).distance(pivot) < 1e-14);
         assert!(about.apply(p).distance(pivot + turned(p - pivot, unit, angle)) < 1e-14);
     }
-    let quarter = Affine::rotation(DVec3::Z, std::f64::consts::FRAC_PI_2, DVec3::ZERO, Sense::AsPrinted).unwrap();
+    let quarter =
+        Affine::rotation(DVec3::Z, std::f64::consts::FRAC_PI_2, DVec3::ZERO, RotationSense::AsPrinted).unwrap();
     assert!(quarter.apply(DVec3::X).distance(-DVec3::Y) < 1e-15);
     // The length of the axis does not matter, even if huge or tiny.
     for scale in [1e-300, 1e300] {
-        let scaled = Affine::rotation(scale * DVec3::new(1.0, 2.0, 2.0), 1.0, DVec3::ZERO, Sense::RightHanded).unwrap();
+        let scaled =
+            Affine::rotation(scale * DVec3::new(1.0, 2.0, 2.0), 1.0, DVec3::ZERO, RotationSense::RightHanded).unwrap();
         assert!(scaled.apply(DVec3::X).distance(turned(DVec3::X, DVec3::new(1.0, 2.0, 2.0) / 3.0, 1.0)) < 1e-15);
     }
     for axis in [DVec3::ZERO, DVec3::NAN, DVec3::INFINITY] {
-        let bad = Affine::rotation(axis, 1.0, DVec3::ZERO, Sense::RightHanded);
+        let bad = Affine::rotation(axis, 1.0, DVec3::ZERO, RotationSense::RightHanded);
         assert!(matches!(bad, Err(Error::OptionOutOfRange { option: "axis", .. })));
     }
 }
@@ -85,7 +87,7 @@ fn scalings_and_compressions_are_what_their_formulas_say() {
 fn chain(random: &mut Random) -> Affine {
     let parts = [
         Affine::translation(random.vector()),
-        Affine::rotation(random.vector(), 3.0 * random.next(), random.vector(), Sense::RightHanded),
+        Affine::rotation(random.vector(), 3.0 * random.next(), random.vector(), RotationSense::RightHanded),
         Affine::scaling(1.0 + 0.5 * random.next()),
         Affine::compression(Axis::Y, 1.0 + 0.5 * random.next()),
         Affine::stretching(DVec3::ONE + 0.5 * random.vector()),
@@ -194,11 +196,13 @@ fn maps_mirror_whatever_becomes_of_the_volume() {
             [([-k, -k, -k], true), ([k, k, k], false), ([k, -1.0, k], true), ([-k, -1.0, 1.0 / k], false)]
         {
             let map = Affine::stretching(DVec3::from_array(ratios)).unwrap();
-            assert_eq!(map.mirrors(), mirrors, "{ratios:?}");
+            assert_eq!(map.is_mirroring(), mirrors, "{ratios:?}");
             let mut net = torus(5, 7, Scalar::F64);
             transform(&mut net, &map, &Job::default()).unwrap();
             assert_eq!(net.topology().is_reversed(), mirrors);
         }
     }
-    assert!(!Affine::scaling(0.0).unwrap().mirrors() && !Affine::compression(Axis::Z, -0.0).unwrap().mirrors());
+    assert!(
+        !Affine::scaling(0.0).unwrap().is_mirroring() && !Affine::compression(Axis::Z, -0.0).unwrap().is_mirroring()
+    );
 }

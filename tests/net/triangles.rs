@@ -121,7 +121,7 @@ fn grids_that_were_cut_are_found_again() {
 
 /// Every triangle is half of a cell, or a whole cell at a pole, and the first half of each cell is
 /// reported.
-fn check(found: &gusset::net::convert::GridNet, triangles: &[Vec<u32>], what: &str) {
+fn check(found: &gusset::net::convert::RecognisedNet, triangles: &[Vec<u32>], what: &str) {
     let shape = found.net.shape();
     let mut covered = vec![0; triangles.len()];
     for cell in 0..shape.cell_count() {

@@ -4,8 +4,8 @@ use crate::complexes::Dice;
 use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::primitive::{Primitive, Request};
-use gusset::net::topology::{CellDiagonal, Gluing, Links, Matrix, Run};
-use gusset::net::{Classes, FindingKind, Net, Seam, Shape, Sides, Topology, closure, detect_gluing};
+use gusset::net::topology::{CellDiagonal, ContractedLinks, Gluing, LinkMatrix, SeamRun};
+use gusset::net::{FindingKind, Net, NodeClasses, Seam, Shape, Sides, Topology, closure, detect_gluing};
 use gusset::{Element, Error, Job};
 
 fn sphere() -> Net<'static> {
@@ -89,14 +89,14 @@ fn derived_from_classes() {
     let mut dice = Dice(7);
     for _ in 0..400 {
         let shape = Shape::new(2 + dice.below(5) as usize, 2 + dice.below(5) as usize).unwrap();
-        let mut matrix = Matrix::empty(shape).unwrap();
+        let mut matrix = LinkMatrix::empty(shape).unwrap();
         let count = dice.below(shape.node_count() as u64);
         for _ in 0..count {
             let link = dice.below(2 * shape.node_count() as u64) as u32;
             matrix.set(link, shape.is_inner(link));
         }
-        let topology = Topology::new(shape, Links::Matrix(matrix), &[]).unwrap();
-        let classes = Classes::new(&topology).unwrap();
+        let topology = Topology::new(shape, ContractedLinks::Matrix(matrix), &[]).unwrap();
+        let classes = NodeClasses::new(&topology).unwrap();
         let place = |i: usize, j: usize| {
             let k = f64::from(classes.representative(shape.node(i, j)));
             DVec3::new((k * 0.7).sin(), (k * 1.3).cos(), k)
@@ -105,8 +105,8 @@ fn derived_from_classes() {
         assert_eq!(net.validate(0.0, &Job::default()).unwrap().iter().filter(|f| f.kind.is_violation()).count(), 0);
         let derived = detect_gluing(net.coordinates(), 0.0, &Job::default()).unwrap();
         // Rims that are glued through the inside may be known as seams besides: the classes count.
-        assert_eq!(Classes::new(&derived).unwrap().table().unwrap(), classes.table().unwrap());
-        assert_eq!(derived.links(), topology.saturated().unwrap().links());
+        assert_eq!(NodeClasses::new(&derived).unwrap().representatives().unwrap(), classes.representatives().unwrap());
+        assert_eq!(derived.links(), topology.canonical_form().unwrap().links());
     }
     // In the plane nothing crosses. Both diagonals: refused by name.
     let shape = Shape::new(2, 2).unwrap();
@@ -118,7 +118,7 @@ fn derived_from_classes() {
 #[test]
 fn batches_are_done_as_a_whole_or_not_at_all() {
     let mut net = sheet(Shape::new(4, 6).unwrap());
-    let seam = |count| Gluing::Seam(Seam { a: Run::along_row(0, 0, 1), b: Run::along_row(3, 5, -1), count });
+    let seam = |count| Gluing::Seam(Seam { a: SeamRun::along_row(0, 0, 1), b: SeamRun::along_row(3, 5, -1), count });
     let diagonal = |diagonal| Gluing::CellDiagonal { cell: 3, diagonal };
     let before = net.topology().clone();
     let bad = [
@@ -157,8 +157,8 @@ fn gluing_and_ungluing_undo_each_other() {
                 let (row, step) = (1 + dice.below(2) as u32, if dice.below(2) == 0 { 1 } else { -1 });
                 let column = if step == 1 { 0 } else { 4 };
                 Gluing::Seam(Seam {
-                    a: Run::along_row(row, 1, 1),
-                    b: Run::along_row(row + 2, column + 1, step),
+                    a: SeamRun::along_row(row, 1, 1),
+                    b: SeamRun::along_row(row + 2, column + 1, step),
                     count: 4,
                 })
             }
@@ -171,10 +171,10 @@ fn gluing_and_ungluing_undo_each_other() {
     }
     // A part of a seam.
     let whole = closure::moebius(shape).unwrap();
-    let part = Seam { a: Run::along_column(2, 6, 1), b: Run::along_column(2, 0, -1), count: 1 };
+    let part = Seam { a: SeamRun::along_column(2, 6, 1), b: SeamRun::along_column(2, 0, -1), count: 1 };
     let cut = whole.unglued(&[Gluing::Seam(part)]).unwrap();
     assert_eq!(cut.seams().iter().map(|seam| seam.count).collect::<Vec<_>>(), [2, 2]);
-    assert_eq!(Classes::new(&cut).unwrap().groups().unwrap().len(), 4);
+    assert_eq!(NodeClasses::new(&cut).unwrap().groups().unwrap().len(), 4);
 }
 
 #[test]
@@ -231,7 +231,7 @@ fn a_rim_folded_about_a_corner_is_derived() {
         let net = Net::from_fn(sheet, Scalar::F32, place).unwrap();
         for tolerance in [0.0, 1e-6] {
             let derived = detect_gluing(net.coordinates(), tolerance, &Job::default()).unwrap();
-            let classes = Classes::new(&derived).unwrap();
+            let classes = NodeClasses::new(&derived).unwrap();
             let nodes = || (0..h).flat_map(|i| (0..w).map(move |j| (i, j)));
             for ((a, b), (c, d)) in nodes().flat_map(|p| nodes().map(move |q| (p, q))) {
                 let one = classes.representative(shape.node(a, b)) == classes.representative(shape.node(c, d));

@@ -11,15 +11,15 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::job::Job;
 use gusset_base::par;
-use gusset_base::sort::select;
+use gusset_base::sort::select_by_rank;
 use std::ops::Range;
 
 const STAGE: &str = "carrying values over";
 /// Number of elements that a thread processes in one task.
 const ELEMENTS_PER_TASK: usize = 1 << 14;
 /// Largest number of steps towards the mean of directions. Each step squares the error.
-const MAX_STEPS: usize = 16;
-const ROUNDING: f64 = 1e-15;
+const MAX_SPHERICAL_MEAN_STEPS: usize = 16;
+const MIN_STEP_RADIANS: f64 = 1e-15;
 
 /// Transfers a channel: writes the values of each vertex, corner or face of the result.
 ///
@@ -32,7 +32,7 @@ const ROUNDING: f64 = 1e-15;
 /// if `out` is too small, [`Error::OptionOutOfRange`] if its values have another type or number of
 /// components, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
-    channel.check(origins.inputs(), &job.part(0.0, 0.2))?;
+    channel.check_inputs(origins.inputs(), &job.part(0.0, 0.2))?;
     let table = origins.table(channel.domain);
     // The output must have the type and number of components of the channel.
     Error::require(out.value_type == channel.value_type && out.components == channel.components, "output", 0.0)?;
@@ -40,22 +40,22 @@ pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job
     if out.bytes.len() < needed {
         return Err(Error::ArrayTooShort { what: "values", needed: needed as u64, given: out.bytes.len() as u64 });
     }
-    let mixer = Mixer::new(origins, channel);
+    let mixer = ValueMixer::new(origins, channel);
     let chunks = out.bytes.chunks_mut(ELEMENTS_PER_TASK * out.stride).zip(par::ranges(table.len(), ELEMENTS_PER_TASK));
     let chunks = alloc::collect(chunks)?;
     let stride = out.stride;
     let done = par::map_cancellable(&job.part(0.2, 0.9), STAGE, chunks.into_iter(), |(bytes, rows)| {
-        mixer.rows(rows, bytes, stride)
+        mixer.mix_rows(rows, bytes, stride)
     })?;
     done.into_iter().collect::<Result<()>>()?;
     if channel.rule == Rule::Texture && channel.domain == Domain::Corners {
-        origins.continuation.apply(out, &job.part(0.9, 1.0))?;
+        origins.continuation.extend_charts(out, &job.part(0.9, 1.0))?;
     }
     Ok(())
 }
 
 /// Mixes the values of sources.
-struct Mixer<'a> {
+struct ValueMixer<'a> {
     channel: &'a Channel<'a>,
     table: &'a Table,
     turned: Option<&'a BitSet>,
@@ -63,16 +63,16 @@ struct Mixer<'a> {
     starts: &'a [u32],
 }
 
-impl<'a> Mixer<'a> {
+impl<'a> ValueMixer<'a> {
     fn new(origins: &'a Origins, channel: &'a Channel<'a>) -> Self {
         let turned = origins.turned.as_ref().map(|sets| &sets[channel.domain as usize]);
         let turned = turned.filter(|_| channel.rule == Rule::Normal);
-        Mixer { channel, table: origins.table(channel.domain), turned, starts: origins.starts(channel.domain) }
+        ValueMixer { channel, table: origins.table(channel.domain), turned, starts: origins.starts(channel.domain) }
     }
 
     /// The values of a source, if its input has the channel.
     #[inline]
-    fn source(&self, source: u32) -> Option<&'a [u8]> {
+    fn values_of_source(&self, source: u32) -> Option<&'a [u8]> {
         let input = match self.starts.len() {
             2 => 0,
             3 => usize::from(source >= self.starts[1]),
@@ -82,23 +82,23 @@ impl<'a> Mixer<'a> {
         Some(values.bytes((source - self.starts[input]) as usize))
     }
 
-    fn rows(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
+    fn mix_rows(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
         // Copies of constant size are faster.
         match self.channel.size() {
-            1 => self.mix_rows::<1>(rows, out, stride),
-            2 => self.mix_rows::<2>(rows, out, stride),
-            3 => self.mix_rows::<3>(rows, out, stride),
-            4 => self.mix_rows::<4>(rows, out, stride),
-            8 => self.mix_rows::<8>(rows, out, stride),
-            12 => self.mix_rows::<12>(rows, out, stride),
-            16 => self.mix_rows::<16>(rows, out, stride),
-            24 => self.mix_rows::<24>(rows, out, stride),
-            _ => self.mix_rows::<0>(rows, out, stride),
+            1 => self.mix_rows_of_size::<1>(rows, out, stride),
+            2 => self.mix_rows_of_size::<2>(rows, out, stride),
+            3 => self.mix_rows_of_size::<3>(rows, out, stride),
+            4 => self.mix_rows_of_size::<4>(rows, out, stride),
+            8 => self.mix_rows_of_size::<8>(rows, out, stride),
+            12 => self.mix_rows_of_size::<12>(rows, out, stride),
+            16 => self.mix_rows_of_size::<16>(rows, out, stride),
+            24 => self.mix_rows_of_size::<24>(rows, out, stride),
+            _ => self.mix_rows_of_size::<0>(rows, out, stride),
         }
     }
 
     /// Mixes rows whose values have `SIZE` bytes, or any number if `SIZE` is 0.
-    fn mix_rows<const SIZE: usize>(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
+    fn mix_rows_of_size<const SIZE: usize>(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
         let size = if SIZE == 0 { self.channel.size() } else { SIZE };
         let components = self.channel.components;
         let mut mean = alloc::filled(0.0, components)?;
@@ -107,19 +107,21 @@ impl<'a> Mixer<'a> {
             let out = &mut out[..size];
             let (sources, weights) = self.table.row(k);
             match sources {
-                &[source] if self.turned.is_none_or(|turned| !turned.contains(source)) => match self.source(source) {
-                    Some(values) => out.copy_from_slice(&values[..size]),
-                    None => out.fill(0),
-                },
-                _ => self.mix((sources, weights), &mut mean, &mut order, out),
+                &[source] if self.turned.is_none_or(|turned| !turned.contains(source)) => {
+                    match self.values_of_source(source) {
+                        Some(values) => out.copy_from_slice(&values[..size]),
+                        None => out.fill(0),
+                    }
+                }
+                _ => self.mix_sources((sources, weights), &mut mean, &mut order, out),
             }
         }
         Ok(())
     }
 
     /// Mixes the values of an element with several sources.
-    fn mix(&self, (sources, weights): (&[u32], &[f64]), mean: &mut [f64], order: &mut [u32], out: &mut [u8]) {
-        let entries = || sources.iter().zip(weights).filter_map(|(&s, &w)| Some((s, self.source(s)?, w)));
+    fn mix_sources(&self, (sources, weights): (&[u32], &[f64]), mean: &mut [f64], order: &mut [u32], out: &mut [u8]) {
+        let entries = || sources.iter().zip(weights).filter_map(|(&s, &w)| Some((s, self.values_of_source(s)?, w)));
         let value_type = self.channel.value_type;
         let Some((_, first, _)) = entries().next() else {
             return out.fill(0);
@@ -133,7 +135,7 @@ impl<'a> Mixer<'a> {
             Rule::Normal => {
                 let normal = |&(source, values, weight): &(u32, &[u8], f64)| {
                     let sign = if self.turned.is_some_and(|turned| turned.contains(source)) { -1.0 } else { 1.0 };
-                    (sign * vector(value_type, values), weight)
+                    (sign * read_vector(value_type, values), weight)
                 };
                 let mut all = entries();
                 if let (Some(only), None) = (all.next(), all.next()) {
@@ -159,7 +161,7 @@ impl<'a> Mixer<'a> {
                     }
                 }
                 if self.channel.rule == Rule::SkinWeights {
-                    self.keep_largest(mean, order);
+                    self.keep_largest_shares(mean, order);
                 }
             }
         }
@@ -169,18 +171,18 @@ impl<'a> Mixer<'a> {
 
     /// Keeps the largest shares, the first of equal ones, and scales them to the sum that the type
     /// requires.
-    fn keep_largest(&self, shares: &mut [f64], order: &mut [u32]) {
+    fn keep_largest_shares(&self, shares: &mut [f64], order: &mut [u32]) {
         order.iter_mut().zip(0..).for_each(|(k, place)| *k = place);
         let most = self.channel.max_influences;
         if most > 0 && most < shares.len() {
-            select(order, most, |k| -shares[k as usize]);
+            select_by_rank(order, most, |k| -shares[k as usize]);
             order[most..].iter().for_each(|&k| shares[k as usize] = 0.0);
         }
         let total: f64 = shares.iter().sum();
         if total <= 0.0 {
             return;
         }
-        let Some(whole) = self.channel.value_type.largest() else {
+        let Some(whole) = self.channel.value_type.largest_value() else {
             return shares.iter_mut().for_each(|share| *share /= total);
         };
         shares.iter_mut().for_each(|share| *share *= whole / total);
@@ -188,34 +190,34 @@ impl<'a> Mixer<'a> {
         let lost = whole - shares.iter().map(|share| share.floor()).sum::<f64>();
         let lost = (lost.max(0.0) as usize).min(shares.len());
         if lost > 0 && lost < shares.len() {
-            select(order, lost, |k| shares[k as usize].floor() - shares[k as usize]);
+            select_by_rank(order, lost, |k| shares[k as usize].floor() - shares[k as usize]);
         }
         order[..lost].iter().for_each(|&k| shares[k as usize] = shares[k as usize].floor() + 1.0);
         order[lost..].iter().for_each(|&k| shares[k as usize] = shares[k as usize].floor());
     }
 }
 
-fn vector(value_type: ValueType, values: &[u8]) -> DVec3 {
+fn read_vector(value_type: ValueType, values: &[u8]) -> DVec3 {
     let size = value_type.size();
     DVec3::new(value_type.read(values), value_type.read(&values[size..]), value_type.read(&values[2 * size..]))
 }
 
 /// Normalises a vector of any length; zero stays zero.
-fn unit(v: DVec3) -> DVec3 {
+fn normalise_or_zero(v: DVec3) -> DVec3 {
     let size = v.abs().max_element();
     if size > 0.0 { (v / size).normalize() } else { DVec3::ZERO }
 }
 
 /// The weighted mean of directions on the sphere. It has length 1, unless all directions are zero.
 fn spherical_mean<I: Iterator<Item = (DVec3, f64)>>(entries: impl Fn() -> I) -> DVec3 {
-    let units = || entries().map(|(direction, weight)| (unit(direction), weight));
+    let units = || entries().map(|(direction, weight)| (normalise_or_zero(direction), weight));
     let heaviest = units().fold((DVec3::ZERO, f64::NEG_INFINITY), |best, one| if one.1 > best.1 { one } else { best });
     let mut mean = units().map(|(direction, weight)| direction * weight).sum::<DVec3>().normalize_or_zero();
     if mean == DVec3::ZERO {
         return heaviest.0;
     }
     let total: f64 = units().map(|(_, weight)| weight).sum();
-    for _ in 0..MAX_STEPS {
+    for _ in 0..MAX_SPHERICAL_MEAN_STEPS {
         // Moves to the weighted mean of the directions in the tangent plane at the current mean, by
         // angles.
         let step = units().map(|(direction, weight)| {
@@ -224,7 +226,7 @@ fn spherical_mean<I: Iterator<Item = (DVec3, f64)>>(entries: impl Fn() -> I) -> 
         });
         let step: DVec3 = step.sum();
         let angle = step.length();
-        if angle <= ROUNDING {
+        if angle <= MIN_STEP_RADIANS {
             break;
         }
         let (sine, cosine) = libm::sincos(angle);

@@ -12,7 +12,7 @@ const STAGE: &str = "checking values";
 /// Number of elements that a thread checks in one task.
 const ELEMENTS_PER_TASK: usize = 1 << 14;
 /// Largest number of components.
-pub(crate) const MAX_COMPONENTS: u32 = 1 << 12;
+pub(crate) const MAX_CHANNEL_COMPONENTS: u32 = 1 << 12;
 
 /// How the values of several sources become one value. An element with one source has its value,
 /// bit for bit.
@@ -55,10 +55,10 @@ impl<'a> Channel<'a> {
     /// [`Error::OptionOutOfRange`] if `components` is 0 or above 4096, or if [`Rule::Normal`] is
     /// used with an unsigned type or a number of components other than three.
     pub fn new(domain: Domain, value_type: ValueType, components: u32, rule: Rule) -> Result<Channel<'a>> {
-        Error::require((1..=MAX_COMPONENTS).contains(&components), "components", components.into())?;
+        Error::require((1..=MAX_CHANNEL_COMPONENTS).contains(&components), "components", components.into())?;
         if rule == Rule::Normal {
             Error::require(components == 3, "components", components.into())?;
-            Error::require(value_type.largest().is_none(), "value_type", 0.0)?;
+            Error::require(value_type.largest_value().is_none(), "value_type", 0.0)?;
         }
         let components = components as usize;
         Ok(Channel { domain, value_type, components, rule, max_influences: 0, inputs: Vec::new() })
@@ -102,7 +102,7 @@ impl<'a> Channel<'a> {
 
     /// Checks that each input has values for all its elements, that all values are finite, and that
     /// skin weights are at least 0.
-    pub(super) fn check(&self, needed: &[Counts], job: &Job<'_>) -> Result<()> {
+    pub(super) fn check_inputs(&self, needed: &[Counts], job: &Job<'_>) -> Result<()> {
         if self.inputs.len() != needed.len() {
             return Err(Error::InputsDiffer { given: self.inputs.len() as u64, needed: needed.len() as u64 });
         }
@@ -112,7 +112,7 @@ impl<'a> Channel<'a> {
                 return Err(Error::ValuesDiffer { input, given: values.count() as u64, needed: needed as u64 });
             }
         }
-        let floating = self.value_type.largest().is_none();
+        let floating = self.value_type.largest_value().is_none();
         if !floating || self.rule == Rule::Nearest {
             return Ok(());
         }
@@ -132,13 +132,13 @@ impl<'a> Channel<'a> {
             if let Some(&index) = found.iter().flatten().next() {
                 let mut own = values.bytes(index).chunks_exact(size).map(|value| self.value_type.read(value));
                 let value = own.find(|&value| is_bad(value)).unwrap_or(f64::NAN);
-                return Err(Error::BadValue { element: self.element(), index: index as u64, input, value });
+                return Err(Error::BadValue { element: self.error_element(), index: index as u64, input, value });
             }
         }
         Ok(())
     }
 
-    fn element(&self) -> Element {
+    fn error_element(&self) -> Element {
         match self.domain {
             Domain::Vertices => Element::Vertex,
             Domain::Corners => Element::Corner,

@@ -22,7 +22,7 @@
 //! affine map at (x, -y). This gives affine weights of the three corners of the old face, which are
 //! equal for all channels.
 
-use super::rims::{RimEnd, Rims};
+use super::rims::{RimEdgeEnd, RimEdges};
 use super::table::{FACES_PER_REPORT, STAGE, Table};
 use super::values::Output;
 use glam::DVec3;
@@ -37,38 +37,38 @@ use std::ops::Range;
 
 /// Charts are extended by at most this number of heights of the old face, because needles
 /// extrapolate badly.
-const MAX_HEIGHTS: f64 = 64.0;
+const MAX_EXTENSION_HEIGHTS: f64 = 64.0;
 /// Smallest height of a face, relative to its base. Lower faces do not define a direction.
-const MIN_HEIGHT: f64 = 1e-6;
+const MIN_RELATIVE_HEIGHT: f64 = 1e-6;
 /// Values on both sides agree if they differ by less than this fraction of the way from the base.
-const MAX_DEVIATION: f64 = 0.5;
+const MAX_RELATIVE_DEVIATION: f64 = 0.5;
 /// Largest number of different jumps, counting both directions. Jumps that differ by less than this
 /// fraction are the same.
-const MAX_JUMPS: usize = 32;
+const MAX_CHART_JUMPS: usize = 32;
 const MAX_RELATIVE_JUMP_DIFFERENCE: f64 = 1e-3;
 /// Jumps, and deviations from an extended chart, are long if they exceed this multiple of the usual
 /// length of a base.
-const LONG_BASES: f64 = 4.0;
+const MIN_LONG_JUMP_IN_BASE_LENGTHS: f64 = 4.0;
 /// Values at a vertex are the same if they differ by less than this fraction of the largest one.
-const MAX_RELATIVE_DIFFERENCE: f64 = 1e-6;
+const MAX_RELATIVE_VALUE_DIFFERENCE: f64 = 1e-6;
 
 /// The base of a new face, given by corners of the result.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Base {
+struct FaceBase {
     /// The old face's corners at both ends of the base, and one corner off its line.
     corners: [u32; 3],
 }
 
 /// The cuts of charts: whether there are any, the long jumps in both directions, and the square of
 /// the usual length of a base.
-struct Cuts {
+struct ChartCuts {
     any: bool,
     jumps: Vec<Vec<f64>>,
     usual_way: f64,
 }
 
 /// An old corner whose value a new corner uses, across a cut if there is a jump.
-struct Side<'a> {
+struct SourceCorner<'a> {
     corner: u32,
     jump: Option<&'a [f64]>,
     weight: f64,
@@ -76,11 +76,11 @@ struct Side<'a> {
 
 /// The data of new faces for texture coordinates.
 #[derive(Debug, Default, PartialEq)]
-pub(super) struct Continuation {
+pub(super) struct ChartContinuation {
     /// The first corner of each new face in the result, then the end of the last one.
     offsets: Vec<u32>,
     /// The base at each rim edge.
-    bases: Vec<Base>,
+    bases: Vec<FaceBase>,
     /// The rim edge of each new face, or [`NONE`].
     base_of: Vec<u32>,
     /// For each new corner, the weights of its base's three corners in the extended chart.
@@ -88,21 +88,21 @@ pub(super) struct Continuation {
     /// For each new corner, the old vertices whose values are interpolated.
     shares: Table,
     /// Both ends of the rim edges, sorted by vertex.
-    ends: Vec<RimEnd>,
+    ends: Vec<RimEdgeEnd>,
 }
 
-impl Continuation {
+impl ChartContinuation {
     /// Prepares the new faces, which begin at `first_face`. `spread` returns the old vertices whose
     /// values a vertex uses.
     pub(super) fn new<I: Iterator<Item = (u32, f64)>>(
         mesh: &Mesh,
         first_face: usize,
-        rims: Rims,
+        rims: RimEdges,
         spread: impl Fn(u32) -> I,
         job: &Job<'_>,
-    ) -> Result<Continuation> {
+    ) -> Result<ChartContinuation> {
         let at = |corner: u32| mesh.positions.get(mesh.corner(corner as usize));
-        let bases = alloc::collect(rims.edges.iter().map(|&edge| Base::new(mesh, edge)))?;
+        let bases = alloc::collect(rims.edges.iter().map(|&edge| FaceBase::new(mesh, edge)))?;
         let offsets = alloc::copied(&mesh.face_offsets[first_face..])?;
         let (first, end) = (offsets[0], offsets[offsets.len() - 1]);
         let mut weights = alloc::with_capacity((end - first) as usize)?;
@@ -120,38 +120,38 @@ impl Continuation {
                 weights.push(match v {
                     v if v == start => [1.0, 0.0, 0.0],
                     v if v == end => [0.0, 1.0, 0.0],
-                    _ => weights_beyond(own.corners.map(at), at(corner)),
+                    _ => affine_weights_beyond_base(own.corners.map(at), at(corner)),
                 });
                 shares.push(spread(v))?;
             }
         }
-        Ok(Continuation { offsets, bases, base_of: rims.bases, weights, shares, ends: rims.ends })
+        Ok(ChartContinuation { offsets, bases, base_of: rims.bases, weights, shares, ends: rims.ends })
     }
 
     /// Where charts differ, replaces the interpolated values of new corners by the extended charts
     /// of their bases. `values` holds the values of all corners of the result.
-    pub(super) fn apply(&self, values: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
+    pub(super) fn extend_charts(&self, values: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
         if self.base_of.is_empty() {
             return Ok(());
         }
         let mut charts = self.charts_along_rims(values, job)?;
-        let cuts = self.cuts(&mut charts, values, job)?;
-        let edges = self.choose_sides(&cuts, values, &job.part(0.0, 0.3))?;
-        self.merge_by_vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
+        let cuts = self.find_chart_cuts(&mut charts, values, job)?;
+        let edges = self.choose_chart_sides(&cuts, values, &job.part(0.0, 0.3))?;
+        self.merge_charts_by_vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
         let job = job.part(0.7, 1.0);
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
             let corners = range[0]..range[1];
-            let mut all = corners.clone().flat_map(|corner| self.edges_at(&edges, corner));
+            let mut all = corners.clone().flat_map(|corner| self.rim_edges_at(&edges, corner));
             let is_one = base == NONE || all.all(|edge| charts.find(edge) == charts.find(base));
             if is_one
-                && !(cuts.any && base != NONE && self.is_across_cut(values, corners.clone(), base, cuts.usual_way))
+                && !(cuts.any && base != NONE && self.face_crosses_cut(values, corners.clone(), base, cuts.usual_way))
             {
                 continue;
             }
             for corner in corners {
                 for c in 0..values.components {
-                    let value = self.extended_value(values, corner, base, c);
+                    let value = self.extended_chart_value(values, corner, base, c);
                     values.set(corner as usize, c, value);
                 }
             }
@@ -160,37 +160,37 @@ impl Continuation {
     }
 
     /// The rim edges whose values are interpolated at a new corner.
-    fn edges_at<'a>(&self, edges: &'a [u32], corner: u32) -> impl Iterator<Item = u32> + 'a {
-        let own = &edges[self.shares.range((corner - self.offsets[0]) as usize)];
+    fn rim_edges_at<'a>(&self, edges: &'a [u32], corner: u32) -> impl Iterator<Item = u32> + 'a {
+        let own = &edges[self.shares.entry_range((corner - self.offsets[0]) as usize)];
         own.iter().copied().filter(|&edge| edge != NONE)
     }
 
     /// For each share, the rim edge at whose end it takes its value; [`NONE`] if its vertex is not
     /// on a rim edge. Where charts are cut, interpolates again with the values on the base's side.
-    fn choose_sides(&self, cuts: &Cuts, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
+    fn choose_chart_sides(&self, cuts: &ChartCuts, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
         let mut edges = alloc::filled(NONE, self.shares.source_indices().len())?;
         let mut chosen = Vec::new();
         let first = self.offsets[0];
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
             for corner in range[0]..range[1] {
-                let places = self.shares.range((corner - first) as usize);
+                let places = self.shares.entry_range((corner - first) as usize);
                 let mut other = false;
                 chosen.clear();
                 let shares = self.shares.entries((corner - first) as usize);
                 for (edge, (vertex, weight)) in edges[places.clone()].iter_mut().zip(shares) {
-                    let ends = self.ends_at(vertex);
+                    let ends = self.rim_ends_at(vertex);
                     let Some(usual) = ends.iter().find(|end| end.edge == base).or(ends.first()) else { continue };
                     let (end, jump) = match cuts.any && usual.edge != base {
-                        true => self.nearest_side(values, ends, (corner, base), cuts),
+                        true => self.nearest_rim_end(values, ends, (corner, base), cuts),
                         false => (usual, None),
                     };
                     other |= end.corner != usual.corner || jump.is_some();
                     *edge = end.edge;
-                    alloc::push(&mut chosen, Side { corner: end.corner, jump, weight })?;
+                    alloc::push(&mut chosen, SourceCorner { corner: end.corner, jump, weight })?;
                 }
                 if other && chosen.len() == places.len() {
-                    interpolate(values, corner, &chosen);
+                    write_weighted_mean(values, corner, &chosen);
                 }
             }
         }
@@ -199,18 +199,19 @@ impl Continuation {
 
     /// The end at a vertex that is nearest, by its value, to the extended chart of a base at a new
     /// corner. Also returns the jump that leads there, if any.
-    fn nearest_side<'a>(
+    fn nearest_rim_end<'a>(
         &self,
         values: &Output<'_>,
-        ends: &'a [RimEnd],
+        ends: &'a [RimEdgeEnd],
         (corner, base): (u32, u32),
-        cuts: &'a Cuts,
-    ) -> (&'a RimEnd, Option<&'a [f64]>) {
+        cuts: &'a ChartCuts,
+    ) -> (&'a RimEdgeEnd, Option<&'a [f64]>) {
         let mut best = (f64::INFINITY, &ends[0], None);
         for end in ends {
             for jump in std::iter::once(None).chain(cuts.jumps.iter().map(|jump| Some(&jump[..]))) {
-                let off =
-                    |c| value_with_jump(values, end.corner, jump, c) - self.extended_value(values, corner, base, c);
+                let off = |c| {
+                    value_with_jump(values, end.corner, jump, c) - self.extended_chart_value(values, corner, base, c)
+                };
                 let off: f64 = (0..values.components).map(|c| off(c).powi(2)).sum();
                 if off < best.0 {
                     best = (off, end, jump);
@@ -221,13 +222,13 @@ impl Continuation {
     }
 
     /// Finds where charts are cut along the rims.
-    fn cuts(&self, charts: &mut DisjointSets, values: &Output<'_>, job: &Job<'_>) -> Result<Cuts> {
-        let mut cuts = Cuts { any: false, jumps: Vec::new(), usual_way: self.usual_way(values)? };
+    fn find_chart_cuts(&self, charts: &mut DisjointSets, values: &Output<'_>, job: &Job<'_>) -> Result<ChartCuts> {
+        let mut cuts = ChartCuts { any: false, jumps: Vec::new(), usual_way: self.median_squared_base_length(values)? };
         for (k, ends) in self.ends.chunk_by(|a, b| a.vertex == b.vertex).enumerate() {
             job.step_within(k, STAGE)?;
             let &[a, b] = ends else { continue };
             // A vertex where different charts meet is not a cut.
-            if are_same(values, [a.corner, b.corner]) || charts.find(a.edge) != charts.find(b.edge) {
+            if have_same_values(values, [a.corner, b.corner]) || charts.find(a.edge) != charts.find(b.edge) {
                 continue;
             }
             cuts.any = true;
@@ -237,8 +238,8 @@ impl Continuation {
                 let off: f64 = known.iter().enumerate().map(|(c, x)| (jump(c) - x).powi(2)).sum();
                 off <= MAX_RELATIVE_JUMP_DIFFERENCE * MAX_RELATIVE_JUMP_DIFFERENCE * size
             };
-            let is_long = size > LONG_BASES * LONG_BASES * cuts.usual_way;
-            if is_long && cuts.jumps.len() < MAX_JUMPS && !cuts.jumps.iter().any(is_known) {
+            let is_long = size > MIN_LONG_JUMP_IN_BASE_LENGTHS * MIN_LONG_JUMP_IN_BASE_LENGTHS * cuts.usual_way;
+            if is_long && cuts.jumps.len() < MAX_CHART_JUMPS && !cuts.jumps.iter().any(is_known) {
                 for sign in [1.0, -1.0] {
                     let there = alloc::collect((0..values.components).map(|c| sign * jump(c)))?;
                     alloc::push(&mut cuts.jumps, there)?;
@@ -249,8 +250,8 @@ impl Continuation {
     }
 
     /// The median of the squared lengths of bases in values.
-    fn usual_way(&self, values: &Output<'_>) -> Result<f64> {
-        let way = |base: &Base| {
+    fn median_squared_base_length(&self, values: &Output<'_>) -> Result<f64> {
+        let way = |base: &FaceBase| {
             let [from, to, _] = base.corners.map(|corner| corner as usize);
             (0..values.components).map(|c| (values.get(to, c) - values.get(from, c)).powi(2)).sum::<f64>()
         };
@@ -259,7 +260,7 @@ impl Continuation {
         Ok(if ways.is_empty() { 0.0 } else { *ways.select_nth_unstable_by(middle, f64::total_cmp).1 })
     }
 
-    fn ends_at(&self, vertex: u32) -> &[RimEnd] {
+    fn rim_ends_at(&self, vertex: u32) -> &[RimEdgeEnd] {
         let start = self.ends.partition_point(|end| end.vertex < vertex);
         let count = self.ends[start..].partition_point(|end| end.vertex == vertex);
         &self.ends[start..start + count]
@@ -271,7 +272,7 @@ impl Continuation {
         let pairs = self.ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex);
         for (k, pair) in pairs.enumerate() {
             job.step_within(k, STAGE)?;
-            if are_same(values, [pair[0].corner, pair[1].corner]) {
+            if have_same_values(values, [pair[0].corner, pair[1].corner]) {
                 charts.union(pair[0].edge, pair[1].edge);
             }
         }
@@ -279,7 +280,7 @@ impl Continuation {
     }
 
     /// Merges charts if most faces between them vote for it.
-    fn merge_by_vote(
+    fn merge_charts_by_vote(
         &self,
         charts: &mut DisjointSets,
         edges: &[u32],
@@ -294,10 +295,10 @@ impl Continuation {
             }
             let own = charts.find(base);
             for corner in range[0]..range[1] {
-                for edge in self.edges_at(edges, corner) {
+                for edge in self.rim_edges_at(edges, corner) {
                     let other = charts.find(edge);
                     if other != own {
-                        let agrees = self.agrees(values, corner, base);
+                        let agrees = self.is_near_extended_chart(values, corner, base);
                         alloc::push(&mut votes, (own.min(other), own.max(other), agrees))?;
                     }
                 }
@@ -317,30 +318,30 @@ impl Continuation {
 
     /// Returns true if the attribute value at a new corner is close to the value that extends the
     /// chart across the base edge.
-    fn agrees(&self, values: &Output<'_>, corner: u32, base: u32) -> bool {
-        let (off, way) = self.deviation_and_distance(values, corner, base);
-        off <= MAX_DEVIATION * MAX_DEVIATION * way
+    fn is_near_extended_chart(&self, values: &Output<'_>, corner: u32, base: u32) -> bool {
+        let (off, way) = self.squared_deviation_and_distance(values, corner, base);
+        off <= MAX_RELATIVE_DEVIATION * MAX_RELATIVE_DEVIATION * way
     }
 
     /// True if a value of a new face deviates from the extended chart of its base by much more than
     /// the size of faces.
-    fn is_across_cut(&self, values: &Output<'_>, mut corners: Range<u32>, base: u32, usual: f64) -> bool {
+    fn face_crosses_cut(&self, values: &Output<'_>, mut corners: Range<u32>, base: u32, usual: f64) -> bool {
         corners.any(|corner| {
-            let (off, way) = self.deviation_and_distance(values, corner, base);
-            off > LONG_BASES * LONG_BASES * way.max(usual)
+            let (off, way) = self.squared_deviation_and_distance(values, corner, base);
+            off > MIN_LONG_JUMP_IN_BASE_LENGTHS * MIN_LONG_JUMP_IN_BASE_LENGTHS * way.max(usual)
         })
     }
 
     /// Returns two squares: the deviation of the value at a new corner from the extended chart of
     /// its base, and the size of the extension. The size combines the distance of the extended
     /// value from the base with the length of the base.
-    fn deviation_and_distance(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
-        let Base { corners: [start, end, _] } = self.bases[base as usize];
+    fn squared_deviation_and_distance(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
+        let FaceBase { corners: [start, end, _] } = self.bases[base as usize];
         let value = |corner: u32, c: usize| values.get(corner as usize, c);
         let (mut off, mut way) = (0.0, 0.0);
         for c in 0..values.components {
             let (there, [from, to]) =
-                (self.extended_value(values, corner, base, c), [start, end].map(|at| value(at, c)));
+                (self.extended_chart_value(values, corner, base, c), [start, end].map(|at| value(at, c)));
             off += (value(corner, c) - there).powi(2);
             // Values may change only along the base.
             way += (there - f64::midpoint(from, to)).powi(2) + (to - from).powi(2);
@@ -349,7 +350,7 @@ impl Continuation {
     }
 
     /// A component of the value at a new corner in the extended chart of its base.
-    fn extended_value(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
+    fn extended_chart_value(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
         let weights = self.weights[(corner - self.offsets[0]) as usize];
         let at = self.bases[base as usize].corners.map(|corner| values.get(corner as usize, c));
         let there: f64 = at.iter().zip(weights).map(|(value, weight)| weight * value).sum();
@@ -358,9 +359,9 @@ impl Continuation {
     }
 }
 
-impl Base {
+impl FaceBase {
     /// Creates the base, with the corner of the face farthest from the line of the edge.
-    fn new(mesh: &Mesh, [start, end]: [u32; 2]) -> Base {
+    fn new(mesh: &Mesh, [start, end]: [u32; 2]) -> FaceBase {
         let f = mesh.face_of(start);
         let at = |corner: u32| mesh.positions.get(mesh.corner(corner as usize));
         let (p, way) = (at(start), at(end) - at(start));
@@ -373,15 +374,15 @@ impl Base {
                 far = (off(corner), corner);
             }
         }
-        Base { corners: [start, end, far.1] }
+        FaceBase { corners: [start, end, far.1] }
     }
 }
 
 /// True if two old corners have the same values.
-fn are_same(values: &Output<'_>, corners: [u32; 2]) -> bool {
+fn have_same_values(values: &Output<'_>, corners: [u32; 2]) -> bool {
     (0..values.components).all(|c| {
         let [x, y] = corners.map(|corner| values.get(corner as usize, c));
-        (x - y).abs() <= MAX_RELATIVE_DIFFERENCE * x.abs().max(y.abs())
+        (x - y).abs() <= MAX_RELATIVE_VALUE_DIFFERENCE * x.abs().max(y.abs())
     })
 }
 
@@ -391,10 +392,10 @@ fn value_with_jump(values: &Output<'_>, corner: u32, jump: Option<&[f64]>, c: us
 }
 
 /// Writes the weighted mean of old corners to a new one.
-fn interpolate(values: &mut Output<'_>, corner: u32, of: &[Side<'_>]) {
+fn write_weighted_mean(values: &mut Output<'_>, corner: u32, of: &[SourceCorner<'_>]) {
     let total: f64 = of.iter().map(|side| side.weight).sum();
     for c in 0..values.components {
-        let at = |side: &Side<'_>| value_with_jump(values, side.corner, side.jump, c);
+        let at = |side: &SourceCorner<'_>| value_with_jump(values, side.corner, side.jump, c);
         // Relative to the first value, so that equal values stay unchanged.
         let first = at(&of[0]);
         let off: f64 = of.iter().map(|side| side.weight * (at(side) - first)).sum();
@@ -403,7 +404,7 @@ fn interpolate(values: &mut Output<'_>, corner: u32, of: &[Side<'_>]) {
 }
 
 /// The affine weights of the corners `[p, q, r]` of an old face at a point beyond its base.
-fn weights_beyond([p, q, r]: [DVec3; 3], at: DVec3) -> [f64; 3] {
+fn affine_weights_beyond_base([p, q, r]: [DVec3; 3], at: DVec3) -> [f64; 3] {
     let unit = common_unit(&[p - r, q - r, at - r]);
     let [p, q, at] = [p, q, at].map(|point| (point - r) / unit);
     let (length, along) = (p.distance(q), (q - p).normalize_or_zero());
@@ -412,7 +413,7 @@ fn weights_beyond([p, q, r]: [DVec3; 3], at: DVec3) -> [f64; 3] {
         (x, (point - p - x * along).length())
     };
     let ((x, y), (far_x, height)) = (plane(at), plane(DVec3::ZERO));
-    let third = if height > MIN_HEIGHT * length { -(y / height).min(MAX_HEIGHTS) } else { 0.0 };
+    let third = if height > MIN_RELATIVE_HEIGHT * length { -(y / height).min(MAX_EXTENSION_HEIGHTS) } else { 0.0 };
     let second = (x - third * far_x) / length;
     if second.is_finite() { [1.0 - second - third, second, third] } else { [0.5, 0.5, 0.0] }
 }

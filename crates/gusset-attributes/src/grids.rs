@@ -1,16 +1,16 @@
 //! Origins of the meshes of nets and sheets, whose sources are nodes and cells.
 
 use super::domain::Counts;
-use super::origins::{Kept, Origins};
+use super::origins::{KeptElements, Origins};
 use super::table::{STAGE, Table};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
-use gusset_net::convert::{GridNet, NetMesh};
+use gusset_net::convert::{NetMesh, RecognisedNet};
 use gusset_surface::SurfaceMesh;
 
 /// The counts of a grid of nodes, which are both its vertices and its corners.
-fn counts(rows: usize, columns: usize) -> Counts {
+fn grid_counts(rows: usize, columns: usize) -> Counts {
     let nodes = rows * columns;
     Counts { vertices: nodes, corners: nodes, faces: rows.saturating_sub(1) * columns.saturating_sub(1) }
 }
@@ -24,8 +24,8 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_net_mesh(net: &NetMesh, job: &Job<'_>) -> Result<Origins> {
         let (mesh, columns) = (&net.mesh, net.columns);
-        let vertices = Table::from_single(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
-        let faces = Table::from_single(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
+        let vertices = Table::from_single_sources(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
+        let faces = Table::from_single_sources(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
         let mut corners = Table::with_capacity(mesh.face_corners.len(), mesh.face_corners.len())?;
         for (f, (&cell, face)) in net.cell_of_face.iter().zip(mesh.faces()).enumerate() {
             job.part(0.4, 1.0).step_within(f, STAGE)?;
@@ -37,8 +37,8 @@ impl Origins {
                 corners.push(node.map(|node| (node as u32, 1.0)))?;
             }
         }
-        let inputs = vec![counts(net.vertex_of_node.len() / columns, columns)];
-        Origins::from_kept(Kept { inputs, vertices, corners, faces })
+        let inputs = vec![grid_counts(net.vertex_of_node.len() / columns, columns)];
+        Origins::from_kept(KeptElements { inputs, vertices, corners, faces })
     }
 
     /// The origins of the mesh of a net that consists of some rows and columns of a mesh in rows
@@ -50,7 +50,7 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_grid_mesh(
         input: &MeshView<'_>,
-        grid: &GridNet,
+        grid: &RecognisedNet,
         [rows, columns]: [&[usize]; 2],
         made: &NetMesh,
         job: &Job<'_>,
@@ -64,7 +64,7 @@ impl Origins {
         let face_at = |cell: [usize; 2]| grid.face_of_cell[wide(cell, shape.columns() - 1)];
         let split = |k: u32, columns: usize| [k as usize / columns, k as usize % columns];
         let sources = made.node_of_vertex.iter().map(|&node| vertex_at(split(node, made.columns)));
-        let vertices = Table::from_single(sources, &job.part(0.0, 0.2))?;
+        let vertices = Table::from_single_sources(sources, &job.part(0.0, 0.2))?;
         let count = made.mesh.face_count();
         let mut corners = Table::with_capacity(made.mesh.face_corners.len(), made.mesh.face_corners.len())?;
         let mut of_faces = Table::with_capacity(count, count)?;
@@ -85,7 +85,7 @@ impl Origins {
             }
         }
         let inputs = vec![Counts::from_mesh(input)];
-        Origins::from_kept(Kept { inputs, vertices, corners, faces: of_faces })
+        Origins::from_kept(KeptElements { inputs, vertices, corners, faces: of_faces })
     }
 
     /// The origins of the mesh of a sheet. The sources of a vertex or corner are the nodes of its
@@ -118,7 +118,7 @@ impl Origins {
             }
             faces.push([(cell[0] * columns as u32 + cell[1], 1.0)])?;
         }
-        let inputs = vec![counts(rows + 1, columns + 1)];
-        Origins::from_kept(Kept { inputs, vertices, corners, faces })
+        let inputs = vec![grid_counts(rows + 1, columns + 1)];
+        Origins::from_kept(KeptElements { inputs, vertices, corners, faces })
     }
 }

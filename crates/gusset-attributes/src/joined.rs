@@ -2,7 +2,7 @@
 //! and meshes side by side. Also of strips.
 
 use super::domain::Counts;
-use super::origins::{Kept, Origins};
+use super::origins::{KeptElements, Origins};
 use super::table::{STAGE, Table};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -32,13 +32,13 @@ impl Origins {
             alloc::push(&mut inputs, Counts { vertices, corners, faces })?;
             first_corner = end;
         }
-        let mut turned = face_set(mesh, &stitch.turned_outwards)?;
+        let mut turned = face_bit_set(mesh, &stitch.turned_outwards)?;
         stitch.turned_faces.iter().for_each(|&f| turned.toggle(f));
         let is_turned = |f: usize| turned.contains(f as u32);
         let old = inputs.iter().map(|counts| counts.vertices).sum();
-        let kept = kept_elements(mesh, inputs, old, first_face, is_turned, &job.part(0.0, 0.3))?;
+        let kept = collect_kept_elements(mesh, inputs, old, first_face, is_turned, &job.part(0.0, 0.3))?;
         let parents = stitch.parents.iter().copied().zip(stitch.weights.iter().copied());
-        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(
+        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned_faces(
             mesh,
             |f| f < first_face && is_turned(f),
             &job.part(0.9, 1.0),
@@ -54,12 +54,12 @@ impl Origins {
         let new_faces = filled.holes.iter().map(|hole| hole.faces.start as usize).min();
         let old_faces = new_faces.unwrap_or(mesh.face_count());
         let old = mesh.positions.len() - filled.parents.len();
-        let turned = face_set(mesh, &filled.turned_outwards)?;
+        let turned = face_bit_set(mesh, &filled.turned_outwards)?;
         let is_turned = |f: usize| turned.contains(f as u32);
         let counts = Counts { vertices: old, corners: mesh.face_offsets[old_faces] as usize, faces: old_faces };
-        let kept = kept_elements(mesh, vec![counts], old, old_faces, is_turned, &job.part(0.0, 0.3))?;
+        let kept = collect_kept_elements(mesh, vec![counts], old, old_faces, is_turned, &job.part(0.0, 0.3))?;
         let parents = filled.parents.iter().copied().zip(filled.weights.iter().copied());
-        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(
+        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned_faces(
             mesh,
             |f| f < old_faces && is_turned(f),
             &job.part(0.9, 1.0),
@@ -74,8 +74,8 @@ impl Origins {
         let (mesh, is_turned) = (&oriented.mesh, |f: usize| oriented.turned[f]);
         let (vertices, corners, faces) = (mesh.positions.len(), mesh.face_corners.len(), mesh.face_count());
         let counts = Counts { vertices, corners, faces };
-        let kept = kept_elements(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
-        Origins::from_kept(kept)?.with_turned(mesh, is_turned, &job.part(0.7, 1.0))
+        let kept = collect_kept_elements(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
+        Origins::from_kept(kept)?.with_turned_faces(mesh, is_turned, &job.part(0.7, 1.0))
     }
 
     /// The origins of a developed mesh.
@@ -84,11 +84,11 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_developed(done: &Developed, job: &Job<'_>) -> Result<Origins> {
         let (corners, faces) = (done.mesh.face_corners.len(), done.mesh.face_count());
-        Origins::from_kept(Kept {
+        Origins::from_kept(KeptElements {
             inputs: vec![Counts { vertices: done.old_vertices, corners, faces }],
-            vertices: Table::from_single(done.vertex_map.iter().copied(), &job.part(0.0, 0.3))?,
-            corners: Table::from_single(0..corners as u32, &job.part(0.3, 0.7))?,
-            faces: Table::from_single(0..faces as u32, &job.part(0.7, 1.0))?,
+            vertices: Table::from_single_sources(done.vertex_map.iter().copied(), &job.part(0.0, 0.3))?,
+            corners: Table::from_single_sources(0..corners as u32, &job.part(0.3, 0.7))?,
+            faces: Table::from_single_sources(0..faces as u32, &job.part(0.7, 1.0))?,
         })
     }
 
@@ -100,7 +100,7 @@ impl Origins {
     pub fn from_moved(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
         let inputs = alloc::collect(inputs.iter().map(Counts::from_mesh))?;
         let first = inputs.first().copied().unwrap_or_default();
-        first_elements(inputs, first, job)
+        origins_of_first_elements(inputs, first, job)
     }
 
     /// The origins of a mesh with the vertices and faces of all inputs side by side, whose vertices
@@ -112,7 +112,7 @@ impl Origins {
         let inputs = alloc::collect(inputs.iter().map(Counts::from_mesh))?;
         let sum = |of: fn(&Counts) -> usize| inputs.iter().map(of).sum();
         let all = Counts { vertices: sum(|c| c.vertices), corners: sum(|c| c.corners), faces: sum(|c| c.faces) };
-        first_elements(inputs, all, job)
+        origins_of_first_elements(inputs, all, job)
     }
 
     /// The origins of a strip between two polylines. The inputs are the points of the polylines.
@@ -123,9 +123,9 @@ impl Origins {
         let [n, m] = ruled.counts;
         let points = |count: u32| Counts { vertices: count as usize, ..Counts::default() };
         let inputs = vec![points(n), points(m)];
-        let vertices = Table::from_single(0..n + m, &job.part(0.0, 0.1))?;
+        let vertices = Table::from_single_sources(0..n + m, &job.part(0.0, 0.1))?;
         let none = || Table::with_capacity(0, 0);
-        let kept = Kept { inputs, vertices, corners: none()?, faces: none()? };
+        let kept = KeptElements { inputs, vertices, corners: none()?, faces: none()? };
         let parents = ruled.parents.iter().zip(&ruled.weights);
         let parents = parents.map(|(&[a, b], &weight)| ([a, b, b], [1.0 - weight, weight, 0.0]));
         Origins::new(&ruled.mesh, kept, parents, &job.part(0.1, 1.0))
@@ -133,41 +133,41 @@ impl Origins {
 }
 
 /// The origins of a result whose elements are the first `count` elements of the inputs, in order.
-fn first_elements(inputs: Vec<Counts>, count: Counts, job: &Job<'_>) -> Result<Origins> {
-    Origins::from_kept(Kept {
+fn origins_of_first_elements(inputs: Vec<Counts>, count: Counts, job: &Job<'_>) -> Result<Origins> {
+    Origins::from_kept(KeptElements {
         inputs,
-        vertices: Table::from_single(0..count.vertices as u32, &job.part(0.0, 0.2))?,
-        corners: Table::from_single(0..count.corners as u32, &job.part(0.2, 0.8))?,
-        faces: Table::from_single(0..count.faces as u32, &job.part(0.8, 1.0))?,
+        vertices: Table::from_single_sources(0..count.vertices as u32, &job.part(0.0, 0.2))?,
+        corners: Table::from_single_sources(0..count.corners as u32, &job.part(0.2, 0.8))?,
+        faces: Table::from_single_sources(0..count.faces as u32, &job.part(0.8, 1.0))?,
     })
 }
 
 /// The set of the given faces of a mesh.
-fn face_set(mesh: &Mesh, given: &[u32]) -> Result<BitSet> {
+fn face_bit_set(mesh: &Mesh, given: &[u32]) -> Result<BitSet> {
     let mut set = BitSet::new(mesh.face_count())?;
     given.iter().for_each(|&f| set.insert(f));
     Ok(set)
 }
 
 /// The old elements of a result that begins with the vertices and faces of its inputs, in order.
-fn kept_elements(
+fn collect_kept_elements(
     mesh: &Mesh,
     inputs: Vec<Counts>,
     vertices: usize,
     faces: usize,
     is_turned: impl Fn(usize) -> bool,
     job: &Job<'_>,
-) -> Result<Kept> {
+) -> Result<KeptElements> {
     let mut corners = alloc::with_capacity(mesh.face_offsets[faces] as usize)?;
     for f in 0..faces {
         job.step_within(f, STAGE)?;
         corners.extend(corners_before_turning(mesh, f, is_turned(f)));
     }
-    Ok(Kept {
+    Ok(KeptElements {
         inputs,
-        vertices: Table::from_single(0..vertices as u32, &job.part(0.2, 0.4))?,
-        corners: Table::from_single(corners.into_iter(), &job.part(0.4, 0.8))?,
-        faces: Table::from_single(0..faces as u32, &job.part(0.8, 1.0))?,
+        vertices: Table::from_single_sources(0..vertices as u32, &job.part(0.2, 0.4))?,
+        corners: Table::from_single_sources(corners.into_iter(), &job.part(0.4, 0.8))?,
+        faces: Table::from_single_sources(0..faces as u32, &job.part(0.8, 1.0))?,
     })
 }
 

@@ -1,8 +1,8 @@
 //! The sources of the elements of a result.
 
-use super::continuation::Continuation;
+use super::continuation::ChartContinuation;
 use super::domain::{Counts, Domain};
-use super::rims::Rims;
+use super::rims::RimEdges;
 use super::table::{FACES_PER_REPORT, STAGE, Table};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -11,7 +11,7 @@ use gusset_base::job::Job;
 use gusset_mesh::{Mesh, NONE};
 
 /// Largest number of sources of a new vertex at a vertex that very many old ones became.
-const MAX_SHARED: usize = 16;
+const MAX_SPREAD_SOURCES: usize = 16;
 
 /// For each vertex, corner and face of a result, the elements of the inputs whose values it takes.
 ///
@@ -28,11 +28,11 @@ pub struct Origins {
     pub(super) tables: [Table; 3],
     /// For each domain, the sources whose faces were turned over; `None` if no face was turned.
     pub(super) turned: Option<[BitSet; 3]>,
-    pub(super) continuation: Continuation,
+    pub(super) continuation: ChartContinuation,
 }
 
 /// The old elements of a result, which come before its new ones.
-pub(super) struct Kept {
+pub(super) struct KeptElements {
     pub(super) inputs: Vec<Counts>,
     pub(super) vertices: Table,
     /// The sources of the corners of old faces, in their order in the result.
@@ -41,7 +41,7 @@ pub(super) struct Kept {
 }
 
 /// The vertices of the result between which a new vertex lies, and their weights.
-pub(super) type Parents = ([u32; 3], [f64; 3]);
+pub(super) type VertexParents = ([u32; 3], [f64; 3]);
 
 impl Origins {
     /// The table of sources of a domain.
@@ -60,12 +60,12 @@ impl Origins {
     }
 
     /// The origins of a result without new faces.
-    pub(super) fn from_kept(kept: Kept) -> Result<Origins> {
-        let Kept { inputs, vertices, corners, faces } = kept;
-        Origins::from_tables(inputs, [vertices, corners, faces], Continuation::default())
+    pub(super) fn from_kept(kept: KeptElements) -> Result<Origins> {
+        let KeptElements { inputs, vertices, corners, faces } = kept;
+        Origins::from_tables(inputs, [vertices, corners, faces], ChartContinuation::default())
     }
 
-    fn from_tables(inputs: Vec<Counts>, tables: [Table; 3], continuation: Continuation) -> Result<Origins> {
+    fn from_tables(inputs: Vec<Counts>, tables: [Table; 3], continuation: ChartContinuation) -> Result<Origins> {
         let starts = |domain| {
             let mut starts = alloc::with_capacity(inputs.len() + 1)?;
             starts.push(0);
@@ -85,8 +85,8 @@ impl Origins {
     /// new faces.
     pub(super) fn new(
         mesh: &Mesh,
-        kept: Kept,
-        parents: impl ExactSizeIterator<Item = Parents>,
+        kept: KeptElements,
+        parents: impl ExactSizeIterator<Item = VertexParents>,
         job: &Job<'_>,
     ) -> Result<Origins> {
         let (old_vertices, old_faces) = (kept.vertices.len(), kept.faces.len());
@@ -114,29 +114,29 @@ impl Origins {
             }
             spread.push(row.iter().copied())?;
         }
-        let Kept { inputs, mut vertices, mut corners, mut faces } = kept;
+        let KeptElements { inputs, mut vertices, mut corners, mut faces } = kept;
         for k in 0..spread.len() {
             job.step_within(k, STAGE)?;
             row.clear();
             for (v, weight) in spread.entries(k) {
                 let all = vertices.row(v as usize).0.len();
-                if (v as usize) < old_vertices && all > MAX_SHARED {
-                    let own = vertices.entries(v as usize).take(MAX_SHARED);
-                    alloc::extend(&mut row, own.map(|(source, _)| (source, weight / MAX_SHARED as f64)))?;
+                if (v as usize) < old_vertices && all > MAX_SPREAD_SOURCES {
+                    let own = vertices.entries(v as usize).take(MAX_SPREAD_SOURCES);
+                    alloc::extend(&mut row, own.map(|(source, _)| (source, weight / MAX_SPREAD_SOURCES as f64)))?;
                 } else {
                     alloc::extend(&mut row, vertices.entries(v as usize).map(|(s, share)| (s, weight * share)))?;
                 }
             }
             vertices.push(row.iter().copied())?;
         }
-        let rims = Rims::find(mesh, old_faces, &job.part(0.0, 0.7))?;
+        let rims = RimEdges::find(mesh, old_faces, &job.part(0.0, 0.7))?;
         for (f, &base) in (old_faces..mesh.face_count()).zip(&rims.bases) {
             job.part(0.7, 0.8).step_every(FACES_PER_REPORT, f - old_faces, rims.bases.len(), STAGE)?;
             let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
             for corner in first..end {
                 row.clear();
-                for (v, weight) in spread_of(&spread, &is_end, old_vertices, mesh.corner(corner)) {
-                    let corner = rims.corner_at(v, base);
+                for (v, weight) in sources_after_spreading(&spread, &is_end, old_vertices, mesh.corner(corner)) {
+                    let corner = rims.old_corner_at(v, base);
                     if corner != NONE {
                         alloc::extend(
                             &mut row,
@@ -150,18 +150,23 @@ impl Origins {
             let source = across.map_or(NONE, |face| faces.main_source(face));
             faces.push((source != NONE).then_some((source, 1.0)))?;
         }
-        let continuation = Continuation::new(
+        let continuation = ChartContinuation::new(
             mesh,
             old_faces,
             rims,
-            |v| spread_of(&spread, &is_end, old_vertices, v),
+            |v| sources_after_spreading(&spread, &is_end, old_vertices, v),
             &job.part(0.8, 1.0),
         )?;
         Origins::from_tables(inputs, [vertices, corners, faces], continuation)
     }
 
     /// Records that the faces `is_turned` run in the opposite direction of their sources.
-    pub(super) fn with_turned(mut self, mesh: &Mesh, is_turned: impl Fn(usize) -> bool, job: &Job<'_>) -> Result<Self> {
+    pub(super) fn with_turned_faces(
+        mut self,
+        mesh: &Mesh,
+        is_turned: impl Fn(usize) -> bool,
+        job: &Job<'_>,
+    ) -> Result<Self> {
         let set = |domain| BitSet::new(self.starts(domain).last().map_or(0, |&count| count as usize));
         let mut turned = [set(Domain::Vertices)?, set(Domain::Corners)?, set(Domain::Faces)?];
         let mut any = false;
@@ -190,7 +195,12 @@ impl Origins {
 
 /// The vertices of old faces from which a vertex of the result takes its values: itself, or the
 /// vertices that a new one is spread over.
-fn spread_of(spread: &Table, is_end: &BitSet, old: usize, v: u32) -> impl Iterator<Item = (u32, f64)> + Clone {
+fn sources_after_spreading(
+    spread: &Table,
+    is_end: &BitSet,
+    old: usize,
+    v: u32,
+) -> impl Iterator<Item = (u32, f64)> + Clone {
     let row = (!is_end.contains(v)).then(|| v as usize - old);
     let own = row.is_none().then_some((v, 1.0));
     own.into_iter().chain(row.into_iter().flat_map(|k| spread.entries(k)))

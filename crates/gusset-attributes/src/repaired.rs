@@ -3,7 +3,7 @@
 
 use super::domain::Counts;
 use super::joined::corners_before_turning;
-use super::origins::{Kept, Origins};
+use super::origins::{KeptElements, Origins};
 use super::table::{STAGE, Table};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -22,7 +22,7 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_weld(weld: &Weld, job: &Job<'_>) -> Result<Origins> {
         let (vertices, corners, faces) = (weld.vertex_map.len(), weld.old_corners, weld.face_map.len());
-        let repaired = Repaired {
+        let repaired = RepairedMesh {
             mesh: &weld.mesh,
             faces: weld.mesh.face_count(),
             new_vertices: 0,
@@ -31,7 +31,8 @@ impl Origins {
         let face_origin =
             alloc::gather(weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE).map(|(_, old)| old))?;
         let counts = vec![Counts { vertices, corners, faces }];
-        let kept = repaired.kept(counts, weld.vertex_map.iter().copied(), Some(&face_origin), |_| false, job)?;
+        let kept =
+            repaired.kept_elements(counts, weld.vertex_map.iter().copied(), Some(&face_origin), |_| false, job)?;
         Origins::from_kept(kept)
     }
 
@@ -40,16 +41,16 @@ impl Origins {
     /// # Errors
     /// The errors of [`Origins::from_stitch`].
     pub fn from_sew(sew: &Sew, job: &Job<'_>) -> Result<Origins> {
-        let repaired = Repaired {
+        let repaired = RepairedMesh {
             mesh: &sew.mesh,
             faces: sew.mesh.face_count(),
             new_vertices: sew.new_vertices.len(),
-            corner_origins: sew.corner_origins.as_ref().map(parts),
+            corner_origins: sew.corner_origins.as_ref().map(corner_origin_parts),
         };
         let (vertices, corners, faces) = (sew.vertex_map.len(), sew.old_corners, sew.face_map.len());
         let counts = vec![Counts { vertices, corners, faces }];
         let map = sew.vertex_map.iter().copied();
-        let kept = repaired.kept(counts, map, Some(&sew.face_origin), |_| false, &job.part(0.0, 0.7))?;
+        let kept = repaired.kept_elements(counts, map, Some(&sew.face_origin), |_| false, &job.part(0.0, 0.7))?;
         let new = sew.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0]));
         Origins::new(&sew.mesh, kept, new, &job.part(0.7, 1.0))
     }
@@ -60,11 +61,11 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_assembly(assembly: &Assembly, job: &Job<'_>) -> Result<Origins> {
         let (mesh, history) = (&assembly.mesh, &assembly.history);
-        let repaired = Repaired {
+        let repaired = RepairedMesh {
             mesh,
             faces: assembly.turned.len(),
             new_vertices: history.parents.len(),
-            corner_origins: history.corner_origins.as_ref().map(parts),
+            corner_origins: history.corner_origins.as_ref().map(corner_origin_parts),
         };
         let counts = assembly.maps.iter().zip(&history.corner_counts);
         let counts = alloc::collect(counts.map(|(map, &corners)| Counts {
@@ -76,9 +77,9 @@ impl Origins {
         assembly.maps.iter().for_each(|piece| map.extend_from_slice(&piece.vertices));
         let is_turned = |f: usize| assembly.turned.get(f) == Some(&true);
         let origin = history.face_origin.as_deref();
-        let kept = repaired.kept(counts, map.into_iter(), origin, is_turned, &job.part(0.0, 0.3))?;
+        let kept = repaired.kept_elements(counts, map.into_iter(), origin, is_turned, &job.part(0.0, 0.3))?;
         let new = history.parents.iter().copied().zip(history.weights.iter().copied());
-        Origins::new(mesh, kept, new, &job.part(0.3, 0.9))?.with_turned(mesh, is_turned, &job.part(0.9, 1.0))
+        Origins::new(mesh, kept, new, &job.part(0.3, 0.9))?.with_turned_faces(mesh, is_turned, &job.part(0.9, 1.0))
     }
 
     /// The origins of the remains of trimmed pieces. The pieces are the inputs.
@@ -88,63 +89,63 @@ impl Origins {
     pub fn from_remains(inputs: &[MeshView<'_>], remains: &Remains, job: &Job<'_>) -> Result<Origins> {
         let inputs = alloc::collect(inputs.iter().map(Counts::from_mesh))?;
         let (count, map) = (remains.mesh.positions.len(), remains.vertex_map.iter().copied());
-        Origins::from_kept(Kept {
+        Origins::from_kept(KeptElements {
             inputs,
             vertices: Table::from_map(count, map, &job.part(0.0, 0.3))?,
-            corners: Table::from_single(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
-            faces: Table::from_single(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
+            corners: Table::from_single_sources(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
+            faces: Table::from_single_sources(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
         })
     }
 }
 
 /// Old corners, and old corners on edges.
-type Corners<'a> = (&'a [u32], &'a [CornerOnEdge]);
+type RepairedCorners<'a> = (&'a [u32], &'a [CornerOnEdge]);
 
-fn parts(origins: &CornerOrigins) -> Corners<'_> {
+fn corner_origin_parts(origins: &CornerOrigins) -> RepairedCorners<'_> {
     (&origins.corners, &origins.on_edges)
 }
 
 /// A repaired mesh, before it received new faces.
-struct Repaired<'a> {
+struct RepairedMesh<'a> {
     mesh: &'a Mesh,
     /// The number of faces that are old ones, or parts of old ones.
     faces: usize,
     /// The number of new vertices, which are the last ones.
     new_vertices: usize,
     /// The origins of corners; `None` if all corners remain.
-    corner_origins: Option<Corners<'a>>,
+    corner_origins: Option<RepairedCorners<'a>>,
 }
 
-impl Repaired<'_> {
+impl RepairedMesh<'_> {
     /// The old elements. `map` holds the vertex that each old one became, `face_origin` the old
     /// face of each face. Faces `is_turned` run in the opposite direction now.
-    fn kept(
+    fn kept_elements(
         &self,
         inputs: Vec<Counts>,
         map: impl ExactSizeIterator<Item = u32> + Clone,
         face_origin: Option<&[u32]>,
         is_turned: impl Fn(usize) -> bool,
         job: &Job<'_>,
-    ) -> Result<Kept> {
+    ) -> Result<KeptElements> {
         let vertices = Table::from_map(self.mesh.positions.len() - self.new_vertices, map, &job.part(0.0, 0.4))?;
         let count = self.mesh.face_offsets[self.faces] as usize;
         let mut corners = Table::with_capacity(count, count)?;
         for f in 0..self.faces {
             job.step_within(f, STAGE)?;
             for corner in corners_before_turning(self.mesh, f, is_turned(f)) {
-                corners.push(self.corner(corner))?;
+                corners.push(self.sources_of_corner(corner))?;
             }
         }
         let faces = self.faces as u32;
         let faces = match face_origin {
-            Some(origin) => Table::from_single(origin.iter().copied(), &job.part(0.8, 1.0))?,
-            None => Table::from_single(0..faces, &job.part(0.8, 1.0))?,
+            Some(origin) => Table::from_single_sources(origin.iter().copied(), &job.part(0.8, 1.0))?,
+            None => Table::from_single_sources(0..faces, &job.part(0.8, 1.0))?,
         };
-        Ok(Kept { inputs, vertices, corners, faces })
+        Ok(KeptElements { inputs, vertices, corners, faces })
     }
 
     /// The old corners whose values a corner takes.
-    fn corner(&self, corner: u32) -> impl Iterator<Item = (u32, f64)> {
+    fn sources_of_corner(&self, corner: u32) -> impl Iterator<Item = (u32, f64)> {
         let Some((corners, on_edges)) = self.corner_origins else {
             return [(corner, 1.0), (corner, 0.0)].into_iter();
         };

@@ -14,7 +14,7 @@ use gusset_mesh::{Mesh, NONE};
 
 /// An end of a rim edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct RimEnd {
+pub(super) struct RimEdgeEnd {
     pub(super) vertex: u32,
     pub(super) edge: u32,
     /// The corner of the old face at this end.
@@ -22,22 +22,22 @@ pub(super) struct RimEnd {
 }
 
 /// The rim edges of a result, and the bases of its new faces.
-pub(super) struct Rims {
+pub(super) struct RimEdges {
     /// For each rim edge, the corners of its old face at the start and the end.
     pub(super) edges: Vec<[u32; 2]>,
     /// The base of each new face; [`NONE`] if the face is not connected to an old one.
     pub(super) bases: Vec<u32>,
     /// Both ends of all edges, sorted by vertex and edge.
-    pub(super) ends: Vec<RimEnd>,
+    pub(super) ends: Vec<RimEdgeEnd>,
     /// For each old vertex of a new face that is not on a rim edge: the vertex, and a corner of an
     /// old face there. Sorted by vertex.
     loose: Vec<(u32, u32)>,
 }
 
-impl Rims {
+impl RimEdges {
     /// Finds the rims of the faces from `first_face` onwards. O(H log n) for H corners of the mesh,
     /// n of which belong to new faces.
-    pub(super) fn find(mesh: &Mesh, first_face: usize, job: &Job<'_>) -> Result<Rims> {
+    pub(super) fn find(mesh: &Mesh, first_face: usize, job: &Job<'_>) -> Result<RimEdges> {
         let first_corner = mesh.face_offsets[first_face];
         let new = alloc::collect((first_corner as usize..mesh.face_corners.len()).map(|corner| mesh.corner(corner)))?;
         let mut is_new = BitSet::new(mesh.positions.len())?;
@@ -47,12 +47,12 @@ impl Rims {
         let mut sides = alloc::with_capacity(new.len())?;
         for f in first_face..mesh.face_count() {
             job.step_within(f, STAGE)?;
-            sides.extend(sides_of(mesh, f));
+            sides.extend(face_sides(mesh, f));
         }
         job.part(0.0, 0.4).ranges(STAGE, first_face, |faces| {
             for f in faces {
                 let may = |&([u, v], _): &([u32; 2], u32)| is_new.contains(u) && is_new.contains(v);
-                alloc::extend(&mut sides, sides_of(mesh, f).filter(may))?;
+                alloc::extend(&mut sides, face_sides(mesh, f).filter(may))?;
             }
             Ok(())
         })?;
@@ -78,7 +78,7 @@ impl Rims {
         }
         // Sorted in the order of the faces' corners.
         sort(&mut own, Ord::cmp, &job.part(0.6, 0.7), STAGE)?;
-        let bases = find_bases(count, &own, &links, &job.part(0.7, 0.8))?;
+        let bases = find_face_bases(count, &own, &links, &job.part(0.7, 0.8))?;
         job.step(0.8, STAGE)?;
         let after = |corner: u32| {
             let f = face_of(corner) as usize;
@@ -90,20 +90,20 @@ impl Rims {
             edges.iter().zip(0..).flat_map(|(corners, edge)| corners.map(|corner| (at(corner), edge, corner))),
         )?;
         sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
-        let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| RimEnd { vertex, edge, corner }))?;
-        let mut rims = Rims { edges, bases, ends, loose: Vec::new() };
-        rims.find_loose(mesh, &new, &job.part(0.9, 1.0))?;
+        let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| RimEdgeEnd { vertex, edge, corner }))?;
+        let mut rims = RimEdges { edges, bases, ends, loose: Vec::new() };
+        rims.find_corners_off_rims(mesh, &new, &job.part(0.9, 1.0))?;
         Ok(rims)
     }
 
     /// Finds corners of old faces at the old vertices of new faces that are not on a rim edge.
-    fn find_loose(&mut self, mesh: &Mesh, new: &[u32], job: &Job<'_>) -> Result<()> {
+    fn find_corners_off_rims(&mut self, mesh: &Mesh, new: &[u32], job: &Job<'_>) -> Result<()> {
         let old = mesh.face_corners.len() - new.len();
         let mut wanted = BitSet::new(mesh.positions.len())?;
         let mut any = false;
         for (k, &v) in new.iter().enumerate() {
             job.step_within(k, STAGE)?;
-            if self.first_end(v).is_none() {
+            if self.first_rim_end_at(v).is_none() {
                 wanted.insert(v);
                 any = true;
             }
@@ -120,16 +120,16 @@ impl Rims {
         Ok(())
     }
 
-    fn first_end(&self, v: u32) -> Option<&RimEnd> {
+    fn first_rim_end_at(&self, v: u32) -> Option<&RimEdgeEnd> {
         self.ends.get(self.ends.partition_point(|end| end.vertex < v)).filter(|end| end.vertex == v)
     }
 
     /// The old corner whose values a new face with this base uses at an old vertex; [`NONE`] if it
     /// does not exist.
-    pub(super) fn corner_at(&self, v: u32, base: u32) -> u32 {
+    pub(super) fn old_corner_at(&self, v: u32, base: u32) -> u32 {
         let key = (v, base);
         let own = self.ends.binary_search_by(|end| (end.vertex, end.edge).cmp(&key)).ok().map(|at| &self.ends[at]);
-        match own.or_else(|| self.first_end(v)) {
+        match own.or_else(|| self.first_rim_end_at(v)) {
             Some(end) => end.corner,
             None => self.loose.binary_search_by_key(&v, |&(v, _)| v).map_or(NONE, |at| self.loose[at].1),
         }
@@ -137,7 +137,7 @@ impl Rims {
 }
 
 /// The sides of a face: both vertices, and the corner where the side starts.
-fn sides_of(mesh: &Mesh, f: usize) -> impl Iterator<Item = ([u32; 2], u32)> + use<'_> {
+fn face_sides(mesh: &Mesh, f: usize) -> impl Iterator<Item = ([u32; 2], u32)> + use<'_> {
     let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
     let after = move |corner: usize| if corner + 1 == end { first } else { corner + 1 };
     (first..end).map(move |corner| ([mesh.corner(corner), mesh.corner(after(corner))], corner as u32))
@@ -145,7 +145,7 @@ fn sides_of(mesh: &Mesh, f: usize) -> impl Iterator<Item = ([u32; 2], u32)> + us
 
 /// The bases of `count` faces. `own` lists faces with rim edges of their own, as (corner, face,
 /// edge). `links` lists neighbours.
-fn find_bases(count: usize, own: &[(u32, u32, u32)], links: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<u32>> {
+fn find_face_bases(count: usize, own: &[(u32, u32, u32)], links: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<u32>> {
     let both = links.iter().flat_map(|&(f, g)| [(f as usize, g), (g as usize, f)]);
     let neighbours = Buckets::new(count, 0u32, both)?;
     let mut bases = alloc::filled(NONE, count)?;

@@ -35,92 +35,92 @@ pub trait KeepSplits {
 
 impl KeepSplits for Stitch {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_stitch(self, &job.part(0.0, 0.6))?;
         let [a, b] = &self.maps;
         let map = |input: usize, v: u32| if input == 0 { a.vertices[v as usize] } else { b.vertices[v as usize] };
-        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
     }
 }
 
 impl KeepSplits for Filled {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_filled(self, &job.part(0.0, 0.6))?;
-        splits.restore(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
     }
 }
 
 impl KeepSplits for Assembly {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_assembly(self, &job.part(0.0, 0.6))?;
         let maps = &self.maps;
         let map = |input: usize, v: u32| maps[input].vertices[v as usize];
-        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
     }
 }
 
 impl KeepSplits for Weld {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_weld(self, &job.part(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
-        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
     }
 }
 
 impl KeepSplits for Sew {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_sew(self, &job.part(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
-        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
     }
 }
 
 impl KeepSplits for Oriented {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_oriented(self, &job.part(0.0, 0.6))?;
-        splits.restore(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
     }
 }
 
 /// The inputs side by side, and the position of each.
 impl KeepSplits for (Mesh, Vec<Piece>) {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
         let origins = Origins::from_side_by_side(&views, &job.part(0.0, 0.6))?;
         let (mesh, places) = self;
-        splits.restore(mesh, &origins, |input, v| places[input].first_vertex + v, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(mesh, &origins, |input, v| places[input].first_vertex + v, &job.part(0.6, 1.0))
     }
 }
 
 impl KeepSplits for Remains {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = Splits::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
         let origins = Origins::from_remains(&views, self, &job.part(0.0, 0.6))?;
         let (map, places) = (&self.vertex_map, &self.places);
         let map = |input: usize, v: u32| map[(places[input].first_vertex + v) as usize];
-        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
     }
 }
 
 /// The inputs of a result, some of which have split vertices.
-struct Splits<'a>(&'a [&'a MeshView<'a>]);
+struct InputsWithSplitVertices<'a>(&'a [&'a MeshView<'a>]);
 
-impl<'a> Splits<'a> {
+impl<'a> InputsWithSplitVertices<'a> {
     /// Returns `None` unless an input has split vertices.
     fn from_inputs(inputs: &'a [&'a MeshView<'a>]) -> Option<Self> {
-        inputs.iter().any(|mesh| mesh.faces().is_merged()).then_some(Splits(inputs))
+        inputs.iter().any(|mesh| mesh.faces().is_merged()).then_some(InputsWithSplitVertices(inputs))
     }
 
     /// Restores split vertices. `map` returns the vertex of the result that a vertex of an input
     /// became.
-    fn restore(
+    fn restore_split_vertices(
         &self,
         mesh: &mut Mesh,
         origins: &Origins,
@@ -143,7 +143,7 @@ impl<'a> Splits<'a> {
             // A corner with several sources is at a new vertex between old ones.
             let &[source] = corners.row(k).0 else { continue };
             let input = starts.partition_point(|&start| start <= source) - 1;
-            let own = map(input, self.0[input].faces().split_corner(source - starts[input]));
+            let own = map(input, self.0[input].faces().corner_before_merging(source - starts[input]));
             // Vertices that welding merged with others stay merged, and dropped vertices stay
             // dropped.
             if own != NONE && merge[own as usize] == *corner {

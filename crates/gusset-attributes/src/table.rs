@@ -32,7 +32,7 @@ impl Table {
     }
 
     /// Creates rows with one source each, or without sources for [`NONE`].
-    pub(crate) fn from_single(sources: impl ExactSizeIterator<Item = u32>, job: &Job<'_>) -> Result<Table> {
+    pub(crate) fn from_single_sources(sources: impl ExactSizeIterator<Item = u32>, job: &Job<'_>) -> Result<Table> {
         let mut table = Table::with_capacity(sources.len(), sources.len())?;
         let (mut sources, count) = (sources, table.offsets.capacity() - 1);
         job.ranges(STAGE, count, |range| {
@@ -98,13 +98,13 @@ impl Table {
     /// The sources of an element, and their weights.
     #[inline]
     pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
-        let range = self.range(k);
+        let range = self.entry_range(k);
         (&self.sources[range.clone()], &self.weights[range])
     }
 
     /// The range of the sources of an element.
     #[inline]
-    pub(crate) fn range(&self, k: usize) -> Range<usize> {
+    pub(crate) fn entry_range(&self, k: usize) -> Range<usize> {
         self.offsets[k] as usize..self.offsets[k + 1] as usize
     }
 

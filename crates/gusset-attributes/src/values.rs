@@ -30,7 +30,7 @@ impl ValueType {
     }
 
     /// The largest value of an unsigned type; `None` for floating-point types.
-    pub(super) fn largest(self) -> Option<f64> {
+    pub(super) fn largest_value(self) -> Option<f64> {
         match self {
             ValueType::F32 | ValueType::F64 => None,
             ValueType::U8 => Some(u8::MAX.into()),
@@ -42,15 +42,15 @@ impl ValueType {
     /// Reads the first value in `bytes`, without rounding.
     #[inline]
     pub(super) fn read(self, bytes: &[u8]) -> f64 {
-        fn first<T: bytemuck::AnyBitPattern>(bytes: &[u8]) -> T {
+        fn read_first<T: bytemuck::AnyBitPattern>(bytes: &[u8]) -> T {
             bytemuck::pod_read_unaligned(&bytes[..size_of::<T>()])
         }
         match self {
-            ValueType::F32 => first::<f32>(bytes).into(),
-            ValueType::F64 => first(bytes),
+            ValueType::F32 => read_first::<f32>(bytes).into(),
+            ValueType::F64 => read_first(bytes),
             ValueType::U8 => bytes[0].into(),
-            ValueType::U16 => first::<u16>(bytes).into(),
-            ValueType::U32 => first::<u32>(bytes).into(),
+            ValueType::U16 => read_first::<u16>(bytes).into(),
+            ValueType::U32 => read_first::<u32>(bytes).into(),
         }
     }
 

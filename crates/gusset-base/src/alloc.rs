@@ -25,7 +25,7 @@ pub fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
 /// uses it.
 pub fn zeroed<T: bytemuck::Zeroable>(len: usize) -> Result<Vec<T>> {
     let made = bytemuck::allocation::try_zeroed_vec(len).ok();
-    made.filter(|vec: &Vec<T>| !reserve::holds(vec.as_ptr())).ok_or_else(|| out_of_memory::<T>(len))
+    made.filter(|vec: &Vec<T>| !reserve::contains_block(vec.as_ptr())).ok_or_else(|| out_of_memory::<T>(len))
 }
 
 /// Collects an iterator whose length is known.
@@ -97,7 +97,7 @@ pub fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
 #[inline(never)]
 fn grow_capacity<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
     let capacity = vec.capacity();
-    if vec.try_reserve(additional).is_ok() && !reserve::holds(vec.as_ptr()) {
+    if vec.try_reserve(additional).is_ok() && !reserve::contains_block(vec.as_ptr()) {
         return Ok(());
     }
     vec.shrink_to(capacity);

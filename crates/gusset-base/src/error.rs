@@ -7,9 +7,9 @@ pub use crate::error_subject::{Element, PairFault, Side};
 use std::fmt;
 
 /// Formats a number for a message, with an exponent if it is at least 1e9 or below 1e-4.
-struct Number<'a>(&'a f64);
+struct NumberInMessage<'a>(&'a f64);
 
-impl fmt::Display for Number<'_> {
+impl fmt::Display for NumberInMessage<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let value = *self.0;
         if value == 0.0 || !value.is_finite() || (1e-4..1e9).contains(&value.abs()) {
@@ -97,7 +97,7 @@ pub enum Error {
     BadMerge { vertex: u32, value: u32 },
     /// An element has a coordinate that is NaN or infinite. The element is a vertex that a face
     /// uses, a point, the tangent of a constraint, or a node.
-    #[error("{element} {index} has a coordinate that is {}", Number(.value))]
+    #[error("{element} {index} has a coordinate that is {}", NumberInMessage(.value))]
     NotFinite { element: Element, index: u64, value: f64 },
     /// The number of inputs that have values differs from the number of inputs.
     #[error("values are given for {given} inputs, but there are {needed}")]
@@ -106,10 +106,10 @@ pub enum Error {
     #[error("input {input} has {needed} elements, but {given} values are given")]
     ValuesDiffer { input: u32, given: u64, needed: u64 },
     /// A value is NaN or infinite, or a share is negative.
-    #[error("{element} {index} of input {input} has the value {}", Number(.value))]
+    #[error("{element} {index} of input {input} has the value {}", NumberInMessage(.value))]
     BadValue { element: Element, index: u64, input: u32, value: f64 },
     /// The square of a coordinate would overflow.
-    #[error("{element} {index} has a coordinate beyond 1e150: {}", Number(.value))]
+    #[error("{element} {index} has a coordinate beyond 1e150: {}", NumberInMessage(.value))]
     CoordinateTooLarge { element: Element, index: u64, value: f64 },
     /// A section of a frame has a different number of points than the first section.
     #[error("section {section} has {count} points, but the first section has {expected}")]
@@ -137,7 +137,7 @@ pub enum Error {
     #[error("the curve is empty")]
     EmptyCurve,
     /// A place on the curve does not exist.
-    #[error("place {index}: segment {segment} with parameter {} does not exist", Number(.t))]
+    #[error("place {index}: segment {segment} with parameter {} does not exist", NumberInMessage(.t))]
     NoSuchPlace {
         /// The index among the given places.
         index: u32,
@@ -239,7 +239,7 @@ pub enum Error {
         b: u32,
     },
     /// Sides that must coincide do not: the sides of nets that are welded, or of a closed sheet.
-    #[error("sides that must coincide are {} apart at place {place}", Number(.distance))]
+    #[error("sides that must coincide are {} apart at place {place}", NumberInMessage(.distance))]
     SidesApart { place: u32, distance: f64 },
     /// The number of knots in one direction of a spline does not match its control points and
     /// degree.
@@ -252,7 +252,7 @@ pub enum Error {
     },
     /// A knot of a spline is not finite, smaller than the previous one, or repeated too often. Or
     /// the spline's range is empty, or a span that must be cut is too short.
-    #[error("knot {knot} of direction {direction}, {}, is out of order, repeated too often, or begins a span too short to cut", Number(.value))]
+    #[error("knot {knot} of direction {direction}, {}, is out of order, repeated too often, or begins a span too short to cut", NumberInMessage(.value))]
     BadKnot {
         /// 0 for u, 1 for v.
         direction: u32,
@@ -261,10 +261,10 @@ pub enum Error {
     },
     /// A weight of a rational spline is not finite, not positive, or below 2^-900 of the largest
     /// weight.
-    #[error("the weight of control point {index} is {}; weights are finite and above 0", Number(.value))]
+    #[error("the weight of control point {index} is {}; weights are finite and above 0", NumberInMessage(.value))]
     BadWeight { index: u64, value: f64 },
     /// A row and a column of a net of curves do not meet.
-    #[error("row {row} and column {column} of the net are {} apart where they are nearest", Number(.distance))]
+    #[error("row {row} and column {column} of the net are {} apart where they are nearest", NumberInMessage(.distance))]
     CurvesApart {
         row: u32,
         column: u32,
@@ -319,7 +319,7 @@ pub enum Error {
         node: u32,
     },
     /// A line starts beyond 1e150, lacks a direction, or ends before it begins.
-    #[error("line {line} {why}{}", if *.value == 0.0 { String::new() } else { format!(": {}", Number(.value)) })]
+    #[error("line {line} {why}{}", if *.value == 0.0 { String::new() } else { format!(": {}", NumberInMessage(.value)) })]
     BadLine {
         line: u64,
         /// The fault, as the predicate of a sentence about the line.
@@ -335,7 +335,7 @@ pub enum Error {
         why: &'static str,
     },
     /// The largest absolute coordinate of a sheet is too large or too small for a surface.
-    #[error("sheet {sheet}: its largest coordinate, {}, must be 0 or from 1e-30 to 1e37", Number(.value))]
+    #[error("sheet {sheet}: its largest coordinate, {}, must be 0 or from 1e-30 to 1e37", NumberInMessage(.value))]
     SheetOutOfRange {
         sheet: u64,
         /// The coordinate, or infinity.
@@ -352,7 +352,7 @@ pub enum Error {
         why: &'static str,
     },
     /// A pair of loops in an option is unusable.
-    #[error("pair {pair} of {option}: {}", .fault.text(*.piece, *.vertex))]
+    #[error("pair {pair} of {option}: {}", .fault.describe_fault(*.piece, *.vertex))]
     BadLoopPair {
         option: &'static str,
         /// The index among the given pairs.
@@ -366,10 +366,10 @@ pub enum Error {
         fault: PairFault,
     },
     /// An option is outside its range.
-    #[error("option {option} is out of range: {}", Number(.value))]
+    #[error("option {option} is out of range: {}", NumberInMessage(.value))]
     OptionOutOfRange { option: &'static str, value: f64 },
     /// A property of a bridge is negative, NaN or infinite, or too large for the coordinates.
-    #[error("bridge {bridge}: its {property} is {}", Number(.value))]
+    #[error("bridge {bridge}: its {property} is {}", NumberInMessage(.value))]
     BadProperty { bridge: u32, property: &'static str, value: f64 },
     /// A pose is not a rotation and translation.
     #[error(

@@ -93,7 +93,7 @@ pub enum PairFault {
 }
 
 impl PairFault {
-    pub(crate) fn text(self, piece: u32, vertex: u32) -> String {
+    pub(crate) fn describe_fault(self, piece: u32, vertex: u32) -> String {
         match self {
             PairFault::NoPiece => format!("piece {piece} does not exist"),
             PairFault::NoVertex => format!("vertex {vertex} of piece {piece} does not exist"),

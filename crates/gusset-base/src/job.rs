@@ -23,9 +23,9 @@ pub trait Progress {
 }
 
 /// Ignores progress and never cancels.
-struct Silent;
+struct SilentProgress;
 
-impl Progress for Silent {
+impl Progress for SilentProgress {
     fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
@@ -46,7 +46,7 @@ impl<'a> Job<'a> {
     /// Creates a job. If `threads` is 0, it uses as many threads as the machine has; 1 means the
     /// calling thread only. The result does not depend on the number of threads.
     pub fn new(threads: usize, progress: &'a dyn Progress) -> Self {
-        Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::drawn() }
+        Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::drawn_bytes() }
     }
 
     /// Returns the requested number of threads; 0 means automatic.
@@ -74,16 +74,16 @@ impl<'a> Job<'a> {
     /// returns [`Error::OutOfMemory`] if an infallible allocation was served from the reserve.
     #[inline(never)]
     pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
-        self.memory()?;
+        self.check_memory()?;
         self.report(fraction, stage)
     }
 
     /// Reports progress like [`Job::step`], but without checking the reserve. Use it in work that
-    /// modifies the caller's data in place, after a call of [`Job::memory`].
+    /// modifies the caller's data in place, after a call of [`Job::check_memory`].
     pub fn report(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Work without elements reports 0 / 0.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
-        answer(self.progress.step(self.from + (self.to - self.from) * fraction, stage))
+        check_not_cancelled(self.progress.step(self.from + (self.to - self.from) * fraction, stage))
     }
 
     /// Reports that the computation is complete. Call it after the last step, before modifying the
@@ -93,15 +93,15 @@ impl<'a> Job<'a> {
     ///
     /// As [`Job::step`].
     pub fn finish(&self) -> Result<()> {
-        self.memory()?;
-        answer(self.progress.finish())
+        self.check_memory()?;
+        check_not_cancelled(self.progress.finish())
     }
 
     /// Returns [`Error::OutOfMemory`] if any thread has taken memory from the reserve since the job
     /// began. Call it before modifying the caller's data.
     #[inline]
-    pub fn memory(&self) -> Result<()> {
-        match reserve::drawn() - self.drawn {
+    pub fn check_memory(&self) -> Result<()> {
+        match reserve::drawn_bytes() - self.drawn {
             0 => Ok(()),
             bytes => Err(Error::OutOfMemory { bytes }),
         }
@@ -148,7 +148,7 @@ impl<'a> Job<'a> {
     }
 }
 
-fn answer(given: ControlFlow<()>) -> Result<()> {
+fn check_not_cancelled(given: ControlFlow<()>) -> Result<()> {
     match given {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Error::Cancelled),
@@ -158,7 +158,7 @@ fn answer(given: ControlFlow<()>) -> Result<()> {
 impl Default for Job<'_> {
     /// Automatic threads, without a progress receiver.
     fn default() -> Self {
-        Job::new(0, &Silent)
+        Job::new(0, &SilentProgress)
     }
 }
 
@@ -167,9 +167,9 @@ mod tests {
     use super::*;
     use std::cell::RefCell;
 
-    struct Recorder(RefCell<Vec<f64>>);
+    struct ProgressRecorder(RefCell<Vec<f64>>);
 
-    impl Progress for Recorder {
+    impl Progress for ProgressRecorder {
         fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
             self.0.borrow_mut().push(fraction);
             if fraction > 0.7 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn parts_nest_and_break_cancels() {
-        let recorder = Recorder(RefCell::default());
+        let recorder = ProgressRecorder(RefCell::default());
         let job = Job::new(1, &recorder).part(0.5, 1.0).part(0.0, 0.5);
         assert_eq!(job.step(0.0, "a"), Ok(()));
         assert_eq!(job.step(f64::NAN, "a"), Ok(()));
@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn heavy_elements_are_reported_more_often() {
         for weight in [1, 16, 64] {
-            let recorder = Recorder(RefCell::default());
+            let recorder = ProgressRecorder(RefCell::default());
             let count = 3 * ELEMENTS_PER_REPORT / weight;
             (0..count).try_for_each(|k| Job::new(1, &recorder).step_within_heavy(weight, k, "a")).unwrap();
             assert_eq!(recorder.0.borrow().len(), 3);

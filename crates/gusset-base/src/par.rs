@@ -15,7 +15,7 @@ use std::thread;
 use std::time::Duration;
 
 /// The longest time between two progress reports while a thread waits for another.
-const BETWEEN_REPORTS: Duration = Duration::from_millis(10);
+const MAX_TIME_BETWEEN_REPORTS: Duration = Duration::from_millis(10);
 
 /// Applies `work` to every item and returns the results in order.
 ///
@@ -64,18 +64,18 @@ pub fn map_jobs<T: Send, R: Send>(
     work: impl Fn(T, &Job<'_>) -> Result<R> + Sync,
 ) -> Result<Vec<R>> {
     let count = items.len();
-    let helpers = at_most(count, job.threads()).saturating_sub(1);
+    let helpers = resolve_thread_count(count, job.threads()).saturating_sub(1);
     let queue = Mutex::new(items.enumerate());
     // Allocates all results before the first item, so that nothing fails after the last.
-    let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
-    let do_next = |job_of: JobOf<'_>| -> Result<ItemOutcome> {
+    let (results, mut all) = (empty_result_slots(count)?, alloc::with_capacity(count)?);
+    let do_next = |job_of: JobOfItem<'_>| -> Result<ItemOutcome> {
         let Some((i, item)) = lock(&queue).next() else { return Ok(ItemOutcome::NothingLeft) };
         let result = work(item, &job_of(i)?);
         let step = if result.is_err() { ItemOutcome::Failed } else { ItemOutcome::Succeeded };
         lock(&results)[i] = Some(result);
         Ok(step)
     };
-    share_jobs(helpers, job, stage, count, &do_next)?;
+    run_items_with_jobs(helpers, job, stage, count, &do_next)?;
     for result in results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten() {
         all.push(result?);
     }
@@ -83,7 +83,7 @@ pub fn map_jobs<T: Send, R: Send>(
 }
 
 /// Returns the job of an item, or the reason not to begin it.
-type JobOf<'a> = &'a dyn Fn(usize) -> Result<Job<'a>>;
+type JobOfItem<'a> = &'a dyn Fn(usize) -> Result<Job<'a>>;
 
 /// The outcome of taking the next item.
 enum ItemOutcome {
@@ -95,26 +95,26 @@ enum ItemOutcome {
     Failed,
 }
 
-/// Calls `do_next` on the calling thread and on `helpers` others until an item fails or none is
-/// left. It is not generic over the items, so that it is compiled only once.
-fn share_jobs(
+/// Calls `do_next_item` on the calling thread and on `helpers` others until an item fails or none
+/// is left. It is not generic over the items, so that it is compiled only once.
+fn run_items_with_jobs(
     helpers: usize,
     job: &Job<'_>,
     stage: &'static str,
     count: usize,
-    do_next: &(dyn Fn(JobOf<'_>) -> Result<ItemOutcome> + Sync),
+    do_next_item: &(dyn Fn(JobOfItem<'_>) -> Result<ItemOutcome> + Sync),
 ) -> Result<()> {
-    let (busy, stopped) = (Busy::default(), AtomicBool::new(false));
-    let take_next = |job_of: JobOf<'_>| -> Result<bool> {
+    let (busy, stopped) = (BusyThreadCount::default(), AtomicBool::new(false));
+    let take_next = |job_of: JobOfItem<'_>| -> Result<bool> {
         if stopped.load(Ordering::Relaxed) {
             return Ok(false);
         }
-        let step = do_next(job_of)?;
+        let step = do_next_item(job_of)?;
         stopped.fetch_or(matches!(step, ItemOutcome::Failed), Ordering::Relaxed);
         Ok(matches!(step, ItemOutcome::Succeeded))
     };
     let help = || {
-        let _one = busy.begin();
+        let _one = busy.count_thread();
         let flagged = CancelOnFlag(&stopped);
         while matches!(take_next(&|_| Ok(Job::new(1, &flagged))), Ok(true)) {}
     };
@@ -125,7 +125,7 @@ fn share_jobs(
         let own_job = |i: usize| ask(i).map(|()| job.share(i, count).with_threads(1));
         reported = (|| {
             while take_next(&own_job)? {}
-            busy.wait(|| ask(count))
+            busy.wait_until_idle(|| ask(count))
         })();
         if reported.is_ok() {
             std::mem::forget(stop);
@@ -136,7 +136,7 @@ fn share_jobs(
 }
 
 /// Returns a slot for each of `count` results.
-fn empty<R>(count: usize) -> Result<Mutex<Vec<Option<R>>>> {
+fn empty_result_slots<R>(count: usize) -> Result<Mutex<Vec<Option<R>>>> {
     Ok(Mutex::new(alloc::collect((0..count).map(|_| None))?))
 }
 
@@ -149,39 +149,43 @@ fn run_ordered<T: Send, R: Send>(
     before: impl Fn(usize) -> Result<()>,
 ) -> Result<Vec<R>> {
     let count = items.len();
-    let helpers = at_most(count, threads).saturating_sub(1);
+    let helpers = resolve_thread_count(count, threads).saturating_sub(1);
     let queue = Mutex::new(items.enumerate());
-    let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
-    let do_next = |before: Before<'_>| -> Result<bool> {
+    let (results, mut all) = (empty_result_slots(count)?, alloc::with_capacity(count)?);
+    let do_next = |before: BeforeItem<'_>| -> Result<bool> {
         let Some((i, item)) = lock(&queue).next() else { return Ok(false) };
         before(i)?;
         let result = work(item);
         lock(&results)[i] = Some(result);
         Ok(true)
     };
-    share(helpers, &before, &do_next)?;
+    run_items(helpers, &before, &do_next)?;
     all.extend(results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten());
     Ok(all)
 }
 
 /// Called with the index of an item before the item begins.
-type Before<'a> = &'a dyn Fn(usize) -> Result<()>;
+type BeforeItem<'a> = &'a dyn Fn(usize) -> Result<()>;
 
-/// Calls `do_next` on the calling thread and on `helpers` others until no item is left or `before`
-/// fails. Only the calling thread calls `before`. Like [`share_jobs`], it is not generic over the
-/// items.
-fn share(helpers: usize, before: Before<'_>, do_next: &(dyn Fn(Before<'_>) -> Result<bool> + Sync)) -> Result<()> {
+/// Calls `do_next_item` on the calling thread and on `helpers` others until no item is left or
+/// `before` fails. Only the calling thread calls `before`. Like [`run_items_with_jobs`], it is not
+/// generic over the items.
+fn run_items(
+    helpers: usize,
+    before: BeforeItem<'_>,
+    do_next_item: &(dyn Fn(BeforeItem<'_>) -> Result<bool> + Sync),
+) -> Result<()> {
     let stopped = AtomicBool::new(false);
     let help = || {
         let mut is_done = false;
         while !is_done && !stopped.load(Ordering::Relaxed) {
-            is_done = !matches!(do_next(&|_| Ok(())), Ok(true));
+            is_done = !matches!(do_next_item(&|_| Ok(())), Ok(true));
         }
     };
     let mut reported = Ok(());
     let mut lead = |_| {
         reported = (|| {
-            while do_next(before)? {}
+            while do_next_item(before)? {}
             Ok(())
         })();
         stopped.store(reported.is_err(), Ordering::Relaxed);
@@ -204,14 +208,14 @@ pub fn run_both<R, S: Send>(
     first: impl FnOnce(&Job<'_>) -> Result<R>,
     second: impl FnOnce(&Job<'_>) -> Result<S> + Send,
 ) -> Result<(R, S)> {
-    if at_most(2, job.threads()) < 2 {
+    if resolve_thread_count(2, job.threads()) < 2 {
         return Ok((first(&job.part(0.0, 0.5))?, second(&job.part(0.5, 1.0))?));
     }
     let stopped = AtomicBool::new(false);
     let (second, done) = (Mutex::new(Some(second)), Mutex::new(None));
-    let busy = Busy::default();
+    let busy = BusyThreadCount::default();
     let help = || {
-        let _one = busy.begin();
+        let _one = busy.count_thread();
         let second = lock(&second).take();
         *lock(&done) = second.map(|second| second(&Job::new(1, &CancelOnFlag(&stopped))));
     };
@@ -223,7 +227,7 @@ pub fn run_both<R, S: Send>(
             // Runs the second closure here if the other thread has not begun it.
             let late = lock(&second).take();
             let late = late.map(|second| second(&job.part(0.5, 1.0))).transpose()?;
-            busy.wait(|| job.step(0.5, stage))?;
+            busy.wait_until_idle(|| job.step(0.5, stage))?;
             Ok((found, late))
         });
         if matches!(first_result, Some(Ok(_))) {
@@ -240,37 +244,37 @@ pub fn run_both<R, S: Send>(
 
 /// Counts the helper threads that are at work.
 #[derive(Default)]
-struct Busy {
+struct BusyThreadCount {
     count: AtomicUsize,
     /// Held by a waiting thread from its look at the count until it sleeps.
     looking: Mutex<()>,
     fewer: Condvar,
 }
 
-impl Busy {
+impl BusyThreadCount {
     /// Counts one more thread until the returned guard is dropped.
-    fn begin(&self) -> impl Drop + use<'_> {
+    fn count_thread(&self) -> impl Drop + use<'_> {
         self.count.fetch_add(1, Ordering::Relaxed);
-        AtWork(self)
+        BusyThreadGuard(self)
     }
 
     /// Waits until the count is 0. Calls `ask` before and during the wait.
-    fn wait(&self, ask: impl Fn() -> Result<()>) -> Result<()> {
+    fn wait_until_idle(&self, ask: impl Fn() -> Result<()>) -> Result<()> {
         while self.count.load(Ordering::Acquire) > 0 {
             ask()?;
             let looking = lock(&self.looking);
             if self.count.load(Ordering::Acquire) > 0 {
-                drop(self.fewer.wait_timeout(looking, BETWEEN_REPORTS));
+                drop(self.fewer.wait_timeout(looking, MAX_TIME_BETWEEN_REPORTS));
             }
         }
         Ok(())
     }
 }
 
-/// The guard of one thread in [`Busy`].
-struct AtWork<'a>(&'a Busy);
+/// The guard of one thread in [`BusyThreadCount`].
+struct BusyThreadGuard<'a>(&'a BusyThreadCount);
 
-impl Drop for AtWork<'_> {
+impl Drop for BusyThreadGuard<'_> {
     fn drop(&mut self) {
         self.0.count.fetch_sub(1, Ordering::Release);
         drop(lock(&self.0.looking));
@@ -303,7 +307,7 @@ pub fn ranges(len: usize, size: usize) -> impl ExactSizeIterator<Item = Range<us
 
 /// Resolves a number of threads: 0 means as many as the machine has. The result is at most `limit`
 /// and at least 1.
-pub fn at_most(limit: usize, threads: usize) -> usize {
+pub fn resolve_thread_count(limit: usize, threads: usize) -> usize {
     match threads {
         // Asking the system takes longer than a small job.
         _ if limit <= 1 => 1,
@@ -333,8 +337,8 @@ mod tests {
 
     #[test]
     fn progress_is_reported_before_every_item_of_this_thread() {
-        struct Counter(Cell<u32>);
-        impl crate::Progress for Counter {
+        struct ProgressCounter(Cell<u32>);
+        impl crate::Progress for ProgressCounter {
             fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
                 assert!((0.0..1.0).contains(&fraction));
                 self.0.set(self.0.get() - 1);
@@ -342,7 +346,7 @@ mod tests {
             }
         }
         let run = |threads, calls| {
-            let counter = Counter(Cell::new(calls));
+            let counter = ProgressCounter(Cell::new(calls));
             let begun = AtomicUsize::new(0);
             let work = |range: Range<usize>| begun.fetch_add(1, Ordering::Relaxed) + range.len();
             let done = map_cancellable(&Job::new(threads, &counter), "work", ranges(1000, 10), work);
@@ -362,8 +366,8 @@ mod tests {
     fn large_items_are_cancelled() {
         // The host cancels at its third report. An item that never ends must then end on any
         // thread.
-        struct Patience(Cell<u32>);
-        impl crate::Progress for Patience {
+        struct CancelsAfterSteps(Cell<u32>);
+        impl crate::Progress for CancelsAfterSteps {
             fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
                 self.0.set(self.0.get().saturating_sub(1));
                 if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -375,9 +379,9 @@ mod tests {
             }
         };
         for threads in [1, 2, 16] {
-            let patience = Patience(Cell::new(3));
+            let patience = CancelsAfterSteps(Cell::new(3));
             assert_eq!(map_jobs(&Job::new(threads, &patience), "work", 0..5, endless), Err(Error::Cancelled));
-            let job = Job::new(threads, &Forever);
+            let job = Job::new(threads, &NeverCancels);
             assert_eq!(map_jobs(&job, "work", 0..50, |i: usize, _: &Job<'_>| Ok(i * i)).unwrap()[7], 49);
             let fails = |i: usize, _: &Job<'_>| if i == 3 { Err(Error::Cancelled) } else { Ok(i) };
             assert_eq!(map_jobs(&job, "work", 0..50, fails), Err(Error::Cancelled));
@@ -391,7 +395,7 @@ mod tests {
     fn run_both_runs_both_and_either_stops_the_other() {
         let work = |n: u32| move |_: &Job<'_>| Ok(n);
         for threads in [1, 2, 16] {
-            let job = Job::new(threads, &Forever);
+            let job = Job::new(threads, &NeverCancels);
             assert_eq!(run_both(&job, "both", work(1), work(2)), Ok((1, 2)));
             let refuse = |_: &Job<'_>| Err::<u32, _>(Error::Cancelled);
             assert_eq!(run_both(&job, "both", work(1), refuse), Err(Error::Cancelled));
@@ -412,7 +416,7 @@ mod tests {
         let fails = |_: &Job<'_>| -> Result<()> { std::panic::panic_any("of work") };
         let passed_on = |found: thread::Result<Result<((), ())>>| *found.unwrap_err().downcast::<&str>().unwrap();
         for threads in [1, 2] {
-            let job = Job::new(threads, &Forever);
+            let job = Job::new(threads, &NeverCancels);
             let first =
                 std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| run_both(&job, "both", fails, endless)));
             assert_eq!(passed_on(first), "of work");
@@ -424,8 +428,8 @@ mod tests {
 
     #[test]
     fn progress_is_reported_while_this_thread_waits() {
-        struct Patience(Cell<u32>);
-        impl Progress for Patience {
+        struct CancelsAfterSteps(Cell<u32>);
+        impl Progress for CancelsAfterSteps {
             fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
                 self.0.set(self.0.get() - 1);
                 if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -434,14 +438,14 @@ mod tests {
         let endless = |job: &Job<'_>| loop {
             job.step(0.0, "endless")?;
         };
-        let patience = Patience(Cell::new(3));
+        let patience = CancelsAfterSteps(Cell::new(3));
         let found: Result<((), ())> = run_both(&Job::new(2, &patience), "both", |_| Ok(()), endless);
         assert_eq!((found, patience.0.get()), (Err(Error::Cancelled), 0));
     }
 
-    struct Forever;
+    struct NeverCancels;
 
-    impl Progress for Forever {
+    impl Progress for NeverCancels {
         fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
             ControlFlow::Continue(())
         }

@@ -9,10 +9,10 @@ use std::ops::Range;
 /// Elements sorted between two progress reports.
 const ELEMENTS_PER_REPORT: usize = 1 << 16;
 /// The largest number of elements in which a selection runs without a progress report.
-const MAX_AT_ONCE: usize = 1 << 19;
+const MAX_UNREPORTED_ELEMENTS: usize = 1 << 19;
 /// The sample size for the pivot of a larger selection. Odd, so that the sample has a median.
-const SAMPLES: usize = 63;
-const MAX_DIVISIONS: usize = 16;
+const PIVOT_SAMPLES: usize = 63;
+const MAX_PIVOT_DIVISIONS: usize = 16;
 
 /// Sorts in place, unstably. `compare` must be a total order without ties for the result to be
 /// deterministic.
@@ -48,7 +48,7 @@ pub fn sort<T>(
             part.sort_unstable_by(&compare);
             done += part.len();
         } else {
-            let equal = divide(part, &compare, &mut || job.step(done as f64 / whole, stage))?;
+            let equal = partition_near_median(part, &compare, &mut || job.step(done as f64 / whole, stage))?;
             done += equal.len();
             let (first, rest) = part.split_at_mut(equal.start);
             parts.extend([&mut rest[equal.len()..], first].map(|part| (part, divisions - 1)));
@@ -66,11 +66,11 @@ fn select_in_steps<T>(
     report: &mut impl FnMut() -> Result<()>,
 ) -> Result<()> {
     let mut left = 0..items.len();
-    for _ in 0..MAX_DIVISIONS {
-        if left.len() <= MAX_AT_ONCE {
+    for _ in 0..MAX_PIVOT_DIVISIONS {
+        if left.len() <= MAX_UNREPORTED_ELEMENTS {
             break;
         }
-        let equal = divide(&mut items[left.clone()], compare, report)?;
+        let equal = partition_near_median(&mut items[left.clone()], compare, report)?;
         let (start, end) = (left.start + equal.start, left.start + equal.end);
         if middle < start {
             left.end = start;
@@ -86,26 +86,26 @@ fn select_in_steps<T>(
 
 /// Partitions about a pivot near the median. Returns the range of elements that are known to equal
 /// the pivot; smaller ones lie before it and the rest after. O(n).
-fn divide<T>(
+fn partition_near_median<T>(
     items: &mut [T],
     compare: &impl Fn(&T, &T) -> Ordering,
     report: &mut impl FnMut() -> Result<()>,
 ) -> Result<Range<usize>> {
-    let mut samples = scattered(items.len());
+    let mut samples = scattered_positions(items.len());
     stable(&mut samples, &|&a, &b| compare(&items[a], &items[b]));
-    items.swap(0, samples[SAMPLES / 2]);
-    let less = partition(items, Ordering::Equal, compare, report)?;
+    items.swap(0, samples[PIVOT_SAMPLES / 2]);
+    let less = partition_by_first(items, Ordering::Equal, compare, report)?;
     items.swap(0, less);
     // Also groups the elements equal to the pivot, if there may be many.
     let few = less < items.len() / 8;
-    let equal = if few { partition(&mut items[less..], Ordering::Greater, compare, report)? } else { 0 };
+    let equal = if few { partition_by_first(&mut items[less..], Ordering::Greater, compare, report)? } else { 0 };
     Ok(less..less + 1 + equal)
 }
 
-/// Draws one random position from each of `SAMPLES` equal ranges. Random positions avoid resonance
-/// with the periodic lists that meshes produce.
-fn scattered(count: usize) -> [usize; SAMPLES] {
-    let range = count / SAMPLES;
+/// Draws one random position from each of `PIVOT_SAMPLES` equal ranges. Random positions avoid
+/// resonance with the periodic lists that meshes produce.
+fn scattered_positions(count: usize) -> [usize; PIVOT_SAMPLES] {
+    let range = count / PIVOT_SAMPLES;
     let mut number = count as u64;
     std::array::from_fn(|k| {
         // D. Knuth's linear congruential generator. Its high bits are the better ones.
@@ -116,7 +116,7 @@ fn scattered(count: usize) -> [usize; SAMPLES] {
 
 /// Moves the elements whose comparison with the first element is less than `bound` next to it, and
 /// returns how many there are.
-fn partition<T>(
+fn partition_by_first<T>(
     items: &mut [T],
     bound: Ordering,
     compare: &impl Fn(&T, &T) -> Ordering,
@@ -138,22 +138,22 @@ fn partition<T>(
 }
 
 /// Runs of this length are sorted by insertion before they are merged.
-const RUN: usize = 16;
+const INSERTION_SORTED_RUN: usize = 16;
 
 /// Sorts in place, stably, without allocating (the standard library's stable sort allocates
 /// infallibly). `compare` is a trait object, so that the code is compiled once for each element
 /// type. Intended for lists that are short or nearly sorted. O(n log^2 n).
 pub fn stable<T>(items: &mut [T], compare: &dyn Fn(&T, &T) -> Ordering) {
-    for run in items.chunks_mut(RUN) {
+    for run in items.chunks_mut(INSERTION_SORTED_RUN) {
         for k in 1..run.len() {
             let place = run[..k].partition_point(|item| compare(item, &run[k]).is_le());
             run[place..=k].rotate_right(1);
         }
     }
-    let mut width = RUN;
+    let mut width = INSERTION_SORTED_RUN;
     while width < items.len() {
         for pair in items.chunks_mut(2 * width).filter(|pair| pair.len() > width) {
-            merge(pair, width, compare);
+            merge_sorted_runs(pair, width, compare);
         }
         width *= 2;
     }
@@ -161,7 +161,7 @@ pub fn stable<T>(items: &mut [T], compare: &dyn Fn(&T, &T) -> Ordering) {
 
 /// Merges two sorted non-empty runs that meet at `middle`. Halves the longer run, rotates the
 /// matching part of the other run to the half's far side, and merges both sides recursively.
-fn merge<T>(items: &mut [T], middle: usize, compare: &dyn Fn(&T, &T) -> Ordering) {
+fn merge_sorted_runs<T>(items: &mut [T], middle: usize, compare: &dyn Fn(&T, &T) -> Ordering) {
     if compare(&items[middle - 1], &items[middle]).is_le() {
         return;
     }
@@ -181,20 +181,20 @@ fn merge<T>(items: &mut [T], middle: usize, compare: &dyn Fn(&T, &T) -> Ordering
     let turned = low + high - middle;
     let (before, after) = items.split_at_mut(turned);
     if low > 0 && turned > low {
-        merge(before, low, compare);
+        merge_sorted_runs(before, low, compare);
     }
     if middle > low && high < before.len() + after.len() {
-        merge(after, middle - low, compare);
+        merge_sorted_runs(after, middle - low, compare);
     }
 }
 
 /// Partitions indices so that the index of rank `middle` by key is in its place, with smaller ones
 /// before it. Breaks ties by the smaller index. O(n).
-pub fn select(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f64) {
+pub fn select_by_rank(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f64) {
     numbers.select_nth_unstable_by(middle, |&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)));
 }
 
-/// [`select`] for long lists: calls `report` regularly.
+/// [`select_by_rank`] for long lists: calls `report` regularly.
 pub fn select_reported(
     numbers: &mut [u32],
     middle: usize,
@@ -313,17 +313,17 @@ mod tests {
     use std::ops::ControlFlow;
 
     /// Random numbers, with some repetitions.
-    fn numbers(count: u64) -> Vec<u64> {
+    fn scrambled_numbers(count: u64) -> Vec<u64> {
         (0..count).map(|k| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 20) % (count / 2 + 1)).collect()
     }
 
     #[test]
     fn sort_and_select_agree_with_the_standard_library() {
-        let large = MAX_AT_ONCE as u64 + 17;
+        let large = MAX_UNREPORTED_ELEMENTS as u64 + 17;
         // Also with so few distinct keys that every division is uneven.
         let few = [1, 2, 3].map(|keys| (large, keys));
         for (count, keys) in [0, 1, 2, 1000, large].map(|count| (count, u64::MAX)).into_iter().chain(few) {
-            let mut ours: Vec<u64> = numbers(count).into_iter().map(|number| number % keys).collect();
+            let mut ours: Vec<u64> = scrambled_numbers(count).into_iter().map(|number| number % keys).collect();
             let mut plain = ours.clone();
             sort(&mut ours, u64::cmp, &Job::default(), "sorting").unwrap();
             plain.sort_unstable();
@@ -363,7 +363,7 @@ mod tests {
             let mut selected = sorted.clone();
             sorted.sort_by_key(|&i| keys[i as usize]);
             let middle = keys.len() / 2;
-            select(&mut selected, middle, key);
+            select_by_rank(&mut selected, middle, key);
             prop_assert_eq!(selected[middle], sorted[middle]);
             selected[..middle].sort_by_key(|&i| (keys[i as usize], i));
             prop_assert_eq!(&selected[..middle], &sorted[..middle]);
@@ -397,8 +397,8 @@ mod tests {
 
     #[test]
     fn select_reported_agrees_with_a_sort() {
-        let count = MAX_AT_ONCE as u64 + 17;
-        let shuffled = |keys: u64| numbers(count).into_iter().map(|number| number % keys).collect();
+        let count = MAX_UNREPORTED_ELEMENTS as u64 + 17;
+        let shuffled = |keys: u64| scrambled_numbers(count).into_iter().map(|number| number % keys).collect();
         let half = count as usize / 2;
         // With few distinct keys too, and in ascending order.
         let cases: [(Vec<u64>, usize); 4] =
@@ -423,16 +423,17 @@ mod tests {
 
     #[test]
     fn a_host_can_cancel() {
-        struct Counter(Cell<u32>);
-        impl Progress for Counter {
+        struct CancelsAfterSteps(Cell<u32>);
+        impl Progress for CancelsAfterSteps {
             fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
                 assert!((0.0..=1.0).contains(&fraction));
                 self.0.set(self.0.get() + 1);
                 if self.0.get() == 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             }
         }
-        let counter = Counter(Cell::new(0));
-        let done = sort(&mut numbers(4 * ELEMENTS_PER_REPORT as u64), u64::cmp, &Job::new(1, &counter), "sorting");
+        let counter = CancelsAfterSteps(Cell::new(0));
+        let done =
+            sort(&mut scrambled_numbers(4 * ELEMENTS_PER_REPORT as u64), u64::cmp, &Job::new(1, &counter), "sorting");
         assert_eq!((done, counter.0.get()), (Err(crate::Error::Cancelled), 5));
     }
 }

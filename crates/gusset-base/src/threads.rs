@@ -43,17 +43,17 @@ mod started {
     use std::sync::{Mutex, PoisonError};
 
     /// The stack size in bytes, equal to the standard library's default.
-    const STACK: usize = 2 << 20;
+    const STACK_BYTES: usize = 2 << 20;
 
     /// The data that the threads share.
-    struct Shared<'a> {
+    struct SharedWork<'a> {
         help: &'a (dyn Fn() + Sync),
         panic: Mutex<Option<Box<dyn Any + Send>>>,
     }
 
-    extern "C" fn run(shared: *mut c_void) -> *mut c_void {
+    extern "C" fn run_helper_thread(shared: *mut c_void) -> *mut c_void {
         // SAFETY: the starting thread joins this one before it drops `shared`.
-        let shared = unsafe { &*shared.cast::<Shared<'_>>() };
+        let shared = unsafe { &*shared.cast::<SharedWork<'_>>() };
         if let Err(panic) = catch_unwind(AssertUnwindSafe(shared.help)) {
             *lock(&shared.panic) = Some(panic);
         }
@@ -61,9 +61,9 @@ mod started {
     }
 
     /// Running threads, which are joined on drop, even after a panic.
-    struct Threads(Vec<pthread_t>);
+    struct RunningThreads(Vec<pthread_t>);
 
-    impl Drop for Threads {
+    impl Drop for RunningThreads {
         fn drop(&mut self) {
             for &thread in &self.0 {
                 // SAFETY: the thread was started and is joined once.
@@ -73,7 +73,7 @@ mod started {
     }
 
     /// Starts a thread. Returns `None` if the system refuses.
-    fn start(shared: &Shared<'_>) -> Option<pthread_t> {
+    fn start_thread(shared: &SharedWork<'_>) -> Option<pthread_t> {
         let (mut attributes, mut thread) =
             (MaybeUninit::<pthread_attr_t>::uninit(), MaybeUninit::<pthread_t>::uninit());
         // SAFETY: the attributes are initialised, used and destroyed. `shared` is `Sync` and
@@ -82,20 +82,20 @@ mod started {
             if libc::pthread_attr_init(attributes.as_mut_ptr()) != 0 {
                 return None;
             }
-            libc::pthread_attr_setstacksize(attributes.as_mut_ptr(), STACK);
+            libc::pthread_attr_setstacksize(attributes.as_mut_ptr(), STACK_BYTES);
             let argument = ptr::from_ref(shared).cast_mut().cast();
-            let failed = libc::pthread_create(thread.as_mut_ptr(), attributes.as_ptr(), run, argument);
+            let failed = libc::pthread_create(thread.as_mut_ptr(), attributes.as_ptr(), run_helper_thread, argument);
             libc::pthread_attr_destroy(attributes.as_mut_ptr());
             (failed == 0).then(|| thread.assume_init())
         }
     }
 
     pub(super) fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut(usize)) {
-        let shared = Shared { help, panic: Mutex::new(None) };
+        let shared = SharedWork { help, panic: Mutex::new(None) };
         // Starts no threads if their list cannot be allocated.
-        let mut threads = Threads(alloc::with_capacity(helpers).unwrap_or_default());
+        let mut threads = RunningThreads(alloc::with_capacity(helpers).unwrap_or_default());
         while threads.0.len() < helpers.min(threads.0.capacity())
-            && let Some(thread) = start(&shared)
+            && let Some(thread) = start_thread(&shared)
         {
             threads.0.push(thread);
         }

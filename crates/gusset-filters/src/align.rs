@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{PIECE, Report, counted, push_line, short};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{MAX_COUNT, NON_NEGATIVE_OR_AUTO, Param, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{PIECE, Report, count_with_noun, format_short, push_line};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -22,7 +22,7 @@ pub(super) const FILTER: Filter = Filter {
                 simultaneous registration (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019)",
     max_inputs: 1 << 16,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -31,8 +31,8 @@ params! {
         "Greatest distance",
         "Points farther than this from another piece form no pair with it, so the pieces must start this near to their \
          places. 0 and -1 take a tenth of the diagonal of the largest piece's box.",
-        NON_NEGATIVE_OR_AUTO, &[-1.0],
-    ).if_positive();
+        NON_NEGATIVE_OR_AUTO_RANGE, &[-1.0],
+    ).none_unless_positive();
     samples: u32 = Param::int(
         "Points",
         "The number of points of each piece for which the nearest points of the others are found.",
@@ -54,7 +54,7 @@ choices! {
             "Rims of the same course are placed on each other, for pieces of one cut or broken surface. They need not overlap.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let pieces = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
     let options = Options {
         start: values.start,
@@ -65,12 +65,12 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let found = align(&pieces, &options, &job.part(0.0, 0.9))?;
     let mut moved = found.moved(&pieces, &job.part(0.9, 1.0))?;
     moved.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
-    let origins = values.origins(|| Origins::from_side_by_side(&pieces, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_side_by_side(&pieces, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(moved.0, origins), Output::Text(report(&found))])
 }
 
 /// The reason why the place of a piece is not trusted.
-pub(super) fn why_not(reason: Reason) -> &'static str {
+pub(super) fn explain_untrusted_pose(reason: Reason) -> &'static str {
     match reason {
         Reason::Trusted => "",
         Reason::NoOverlap => "it overlaps no other piece, or too little of one",
@@ -86,14 +86,14 @@ fn report(found: &Alignment) -> Report {
     let trusted = found.pieces.iter().filter(|piece| piece.reason == Reason::Trusted).count();
     let mut text = format!(
         "{trusted} of {} trusted\n{}: {}\n",
-        counted(found.pieces.len(), PIECE),
-        counted(found.rounds, ["round", "rounds"]),
+        count_with_noun(found.pieces.len(), PIECE),
+        count_with_noun(found.rounds, ["round", "rounds"]),
         if found.converged { "the pieces are at rest" } else { "the pieces still move" }
     );
     for (k, piece) in found.pieces.iter().enumerate() {
         let why = match piece.reason {
             Reason::Trusted => String::from("trusted"),
-            reason => format!("not trusted: {}", why_not(reason)),
+            reason => format!("not trusted: {}", explain_untrusted_pose(reason)),
         };
         push_line!(text, "piece {k}: {why}");
         push_pose(&mut text, &piece.pose);
@@ -131,7 +131,7 @@ fn push_overlap(text: &mut String, overlap: &Overlap) {
         text,
         "pieces {i} and {k}: {share:.1} % and {other:.1} % of their points on each other, mean distance {}, root mean \
          square {}{fit}",
-        short(overlap.mean),
-        short(overlap.rms)
+        format_short(overlap.mean),
+        format_short(overlap.rms)
     );
 }

@@ -1,11 +1,11 @@
-use super::align::why_not;
+use super::align::explain_untrusted_pose;
 use super::data::{Input, Output};
 use super::fill_holes::OUTWARD;
-use super::filter::{Body, Filter};
-use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, counted, push_line, short};
-use super::signatures::{MESH, TO_MESH_TEXT};
+use super::filter::{Filter, FilterBody};
+use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, count_with_noun, format_short, push_line};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::stitch::{FAIRING, FINISH, MERIDIANS};
-use super::typed::{NON_NEGATIVE_OR_AUTO, Param, Values, params};
+use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use super::weld::TOLERANCE;
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
@@ -29,17 +29,17 @@ pub(super) const FILTER: Filter = Filter {
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap",
     max_inputs: 1 << 16,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     weld: Option<bool> = Param::choice("Coincident borders", "The treatment of coincident borders.", WELDS);
-    tolerance: Option<f64> = TOLERANCE.labelled("Welding distance");
+    tolerance: Option<f64> = TOLERANCE.with_label("Welding distance");
     max_gap: Option<f64> = Param::real(
         "Widest gap",
         "The largest mean width of a gap that is closed. 0 closes none; -1 decides by the size of the loops.",
-        NON_NEGATIVE_OR_AUTO, &[-1.0],
-    ).unless_negative();
+        NON_NEGATIVE_OR_AUTO_RANGE, &[-1.0],
+    ).none_if_negative();
     extent: bool = Param::choice("Join", "The parts of the loops that are joined.", EXTENTS);
     meridians: Meridians = MERIDIANS;
     rows: Rows = Param::choice("Rows", "The rows of new vertices between the rims.", ROWS);
@@ -47,7 +47,7 @@ params! {
     finish: Finish = FINISH;
     holes: Option<(fill::Refinement, fill::Fairing)> =
         Param::choice("Remaining holes", "The treatment of holes that remain.", HOLES);
-    outward: bool = OUTWARD.on();
+    outward: bool = OUTWARD.on_by_default();
     overlaps: Overlaps<'static> = Param::choice("Overlaps", "The treatment of pieces that overlap.", OVERLAPS);
     align: bool = Param::flag(
         "Align first",
@@ -79,11 +79,11 @@ choices! {
 choices! {
     OVERLAPS: Overlaps<'static> =
         Overlaps::Keep => "Keep", "They stay as they are.";
-        Overlaps::Trim(TRIM) => "Trim",
+        Overlaps::Trim(DEFAULT_TRIM_OPTIONS) => "Trim",
             "One piece of each overlap is kept. The narrow gap that remains is closed like any other gap.";
 }
 
-const TRIM: trim::Options<'static> =
+const DEFAULT_TRIM_OPTIONS: trim::Options<'static> =
     trim::Options { max_distance: None, max_angle: 0.0, viewpoints: &[], min_faces: 0 };
 
 choices! {
@@ -94,7 +94,7 @@ choices! {
             "They get new vertices, so that the patch continues the surface smoothly.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let pieces = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
     let weld = weld::Options { tolerance: values.tolerance, ..weld::Options::default() };
     let options = Options {
@@ -124,14 +124,14 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     };
     let moved = aligned.as_ref().map(|found| found.moved(&pieces, &job.part(0.2, 0.2))).transpose()?;
     let placed = match &moved {
-        Some(moved) => align::views_of(moved, &pieces, &job.part(0.2, 0.2))?,
+        Some(moved) => align::views_of_moved(moved, &pieces, &job.part(0.2, 0.2))?,
         None => alloc::copied(&pieces)?,
     };
     let job = &if moved.is_some() { job.part(0.2, 1.0) } else { job.part(0.0, 1.0) };
     let mut done = assemble(&placed, &options, job)?;
     done.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let report = report(&done, aligned.as_ref());
-    let origins = values.origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
@@ -141,35 +141,44 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
     for (k, piece) in aligned.iter().flat_map(|found| &found.pieces).enumerate() {
         trusted += u32::from(piece.reason == align::Reason::Trusted);
         if piece.reason != align::Reason::Trusted {
-            push_line!(text, "piece {k} may be misplaced: {}", why_not(piece.reason));
+            push_line!(text, "piece {k} may be misplaced: {}", explain_untrusted_pose(piece.reason));
         }
     }
     if let Some(found) = aligned {
-        push_line!(text, "{trusted} of {} trusted", counted(found.pieces.len(), PIECE));
+        push_line!(text, "{trusted} of {} trusted", count_with_noun(found.pieces.len(), PIECE));
     }
     if done.trimmed_faces > 0 {
-        push_line!(text, "{} trimmed from overlaps", counted(done.trimmed_faces, FACE));
+        push_line!(text, "{} trimmed from overlaps", count_with_noun(done.trimmed_faces, FACE));
     }
-    push_line!(text, "{} sewn", counted(done.sewn_edges, EDGE));
+    push_line!(text, "{} sewn", count_with_noun(done.sewn_edges, EDGE));
     for joint in &done.joints {
         let [n, m] = joint.sides.each_ref().map(Vec::len);
         let parts = if joint.whole { "loops" } else { "arcs" };
         let outcome = match joint.outcome {
-            Outcome::Joined => format!("joined by {}", counted(joint.faces.len(), FACE)),
+            Outcome::Joined => format!("joined by {}", count_with_noun(joint.faces.len(), FACE)),
             Outcome::OrientationConflict => "not joined: the surface would become one-sided".to_owned(),
             Outcome::ShareVertex => "not joined: they share a vertex".to_owned(),
             Outcome::NoStrip => "not joined: every strip would use an edge of the mesh again".to_owned(),
             Outcome::WouldCut => "left as holes: a strip would intersect others".to_owned(),
         };
-        text += &format!("{parts} of {n} and {m} vertices, {} apart: {outcome}\n", short(joint.gap));
+        text += &format!("{parts} of {n} and {m} vertices, {} apart: {outcome}\n", format_short(joint.gap));
     }
     let filled = done.holes.iter().filter(|hole| hole.status == fill::HoleStatus::Filled).count();
-    push_line!(text, "{} filled, {} left", counted(filled, ["hole", "holes"]), counted(done.loops_left, BOUNDARY_LOOP));
+    push_line!(
+        text,
+        "{} filled, {} left",
+        count_with_noun(filled, ["hole", "holes"]),
+        count_with_noun(done.loops_left, BOUNDARY_LOOP)
+    );
     for left in &done.left {
         let why = match left.reason {
             Reason::Alone => "there is no other loop".to_owned(),
             Reason::TooFar => {
-                format!("the nearest loop is {} away, and {} is allowed", short(left.gap), short(left.allowed_gap))
+                format!(
+                    "the nearest loop is {} away, and {} is allowed",
+                    format_short(left.gap),
+                    format_short(left.allowed_gap)
+                )
             }
             Reason::SameComponent => "all other loops belong to the same component".to_owned(),
             Reason::LooksAway => "it does not face the nearest loop".to_owned(),
@@ -183,7 +192,7 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
     }
     let turned = done.turned.iter().filter(|&&turned| turned).count();
     if turned > 0 {
-        push_line!(text, "{} of the pieces reversed", counted(turned, FACE));
+        push_line!(text, "{} of the pieces reversed", count_with_noun(turned, FACE));
     }
     if !done.zero_volume.is_empty() {
         push_line!(text, "components without volume, such as one piece given twice: {}", done.zero_volume.len());

@@ -1,14 +1,14 @@
 use super::data::{Curves, Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{BOUNDARY_LOOP, EDGE, Report, counted, push_line, push_more, short};
-use super::signatures::{MESH, TO_CURVES_TEXT};
-use super::typed::{Param, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{BOUNDARY_LOOP, EDGE, Report, count_with_noun, format_short, push_line, push_unlisted_count};
+use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
+use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_stitch::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
 
 /// The largest number of loops that the report lists.
-const MAX_LISTED: usize = 20;
+const MAX_LISTED_LOOPS: usize = 20;
 
 pub(super) const FILTER: Filter = Filter {
     id: "boundary_loops",
@@ -17,7 +17,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Finds every boundary loop of a mesh as a polyline: a chain of edges with a face on one side only. The surface lies \
            to the left of a loop. Where the boundary touches itself, it is divided into simple loops.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 1",
-    ..Filter::new(MESH, TO_CURVES_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -28,26 +28,35 @@ params! {
     );
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
     let options = Options { non_manifold: values.non_manifold, ..Options::default() };
     let boundary = boundary_loops(mesh, &options, job)?;
-    let mut curves = Curves::none();
+    let mut curves = Curves::empty();
     for found in boundary.iter() {
-        curves.add(found.vertices.iter().map(|&v| mesh.positions().get(v)), !found.flags.any(LoopFlags::OPEN))?;
+        curves.add_curve(found.vertices.iter().map(|&v| mesh.positions().get(v)), !found.flags.any(LoopFlags::OPEN))?;
     }
     Ok(vec![Output::Curves(curves), Output::Text(report(&boundary))])
 }
 
 fn report(boundary: &Boundary) -> Report {
-    let mut text = format!("{}, {}\n", counted(boundary.len(), BOUNDARY_LOOP), counted(boundary.edge_count(), EDGE));
-    for (i, found) in boundary.iter().take(MAX_LISTED).enumerate() {
+    let mut text = format!(
+        "{}, {}\n",
+        count_with_noun(boundary.len(), BOUNDARY_LOOP),
+        count_with_noun(boundary.edge_count(), EDGE)
+    );
+    for (i, found) in boundary.iter().take(MAX_LISTED_LOOPS).enumerate() {
         let kind = if found.flags.any(LoopFlags::OPEN) { "chain" } else { "loop" };
-        push_line!(text, "{kind} {i}: {}, length {}", counted(found.half_edges.len(), EDGE), short(found.length));
+        push_line!(
+            text,
+            "{kind} {i}: {}, length {}",
+            count_with_noun(found.half_edges.len(), EDGE),
+            format_short(found.length)
+        );
     }
-    push_more(&mut text, boundary.len(), MAX_LISTED);
+    push_unlisted_count(&mut text, boundary.len(), MAX_LISTED_LOOPS);
     if !boundary.defects().is_empty() {
-        push_line!(text, "the mesh has {}", counted(boundary.defects().len(), ["defect", "defects"]));
+        push_line!(text, "the mesh has {}", count_with_noun(boundary.defects().len(), ["defect", "defects"]));
     }
     let length = boundary.iter().map(|found| found.length).sum();
     let values = [

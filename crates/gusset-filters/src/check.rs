@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, counted};
-use super::signatures::{MESH, TO_TEXT};
-use super::typed::{LISTED, Param, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, count_with_noun};
+use super::signatures::{ONE_MESH, TO_TEXT};
+use super::typed_param::{LISTED_COUNT_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_stitch::check::{Check, check};
@@ -15,40 +15,40 @@ pub(super) const FILTER: Filter = Filter {
            non-manifold vertices, inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the \
            number of components, the Euler characteristic and the genus.",
     reference: "Counts on half-edges; genus by Euler's formula",
-    ..Filter::new(MESH, TO_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_TEXT, &FilterBody(run))
 };
 
 params! {
     listed: u32 =
-        Param::int("Elements listed", "The largest number of elements listed for each kind of defect.", LISTED, &[20.0]);
+        Param::int("Elements listed", "The largest number of elements listed for each kind of defect.", LISTED_COUNT_RANGE, &[20.0]);
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
     let found = check(mesh, job)?;
-    let mut text = summary(&found);
+    let mut text = check_summary(&found);
     let max = values.listed as usize;
     let faces = mesh.faces();
     let name = |kind: usize, element: u32| match kind {
         // Edges are named by their ends, vertices and faces by their numbers.
-        0..EDGE_DEFECTS => format!("{}-{}", faces.corner(element), faces.corner(faces.next(element))),
+        0..EDGE_DEFECT_KIND_COUNT => format!("{}-{}", faces.corner(element), faces.corner(faces.next(element))),
         _ => element.to_string(),
     };
     for (kind, (noun, _, elements)) in
-        defects(&found).into_iter().enumerate().filter(|(_, defect)| !defect.2.is_empty())
+        defect_kinds(&found).into_iter().enumerate().filter(|(_, defect)| !defect.2.is_empty())
     {
-        text += &format!("{}:", counted(elements.len(), noun));
+        text += &format!("{}:", count_with_noun(elements.len(), noun));
         elements.iter().take(max).for_each(|&element| text += &format!(" {}", name(kind, element)));
         text += if elements.len() > max { " ...\n" } else { "\n" };
     }
-    Ok(vec![Output::Text(Report::new(text, &numbers(&found)))])
+    Ok(vec![Output::Text(Report::new(text, &report_values(&found)))])
 }
 
 /// The kinds of defects that are edges, the first ones.
-const EDGE_DEFECTS: usize = 3;
+const EDGE_DEFECT_KIND_COUNT: usize = 3;
 
 /// Each kind of defect: its noun, its name for programs, and its elements.
-fn defects(found: &Check) -> [(Noun, &'static str, &[u32]); 9] {
+fn defect_kinds(found: &Check) -> [(Noun, &'static str, &[u32]); 9] {
     [
         (BOUNDARY_EDGE, "boundary_edges", &found.boundary_edges),
         (
@@ -70,16 +70,16 @@ fn defects(found: &Check) -> [(Noun, &'static str, &[u32]); 9] {
     ]
 }
 
-fn summary(found: &Check) -> String {
+fn check_summary(found: &Check) -> String {
     let yes = |is: bool, word: &'static str, other: &'static str| if is { word } else { other };
     let genus = found.genus.map_or(String::new(), |genus| format!(", genus {genus}"));
     format!(
         "{}, {}, {}, {}, {}\n{}, {}, {}\nEuler characteristic {}{genus}\n",
-        counted(found.vertices, VERTEX),
-        counted(found.edges, EDGE),
-        counted(found.faces, FACE),
-        counted(found.components, PIECE),
-        counted(found.boundary_walks, ["walk round the boundary", "walks round the boundary"]),
+        count_with_noun(found.vertices, VERTEX),
+        count_with_noun(found.edges, EDGE),
+        count_with_noun(found.faces, FACE),
+        count_with_noun(found.components, PIECE),
+        count_with_noun(found.boundary_walks, ["walk round the boundary", "walks round the boundary"]),
         yes(found.closed, "closed", "not closed"),
         yes(found.manifold, "manifold", "not manifold"),
         match (found.oriented, found.orientable) {
@@ -91,7 +91,7 @@ fn summary(found: &Check) -> String {
     )
 }
 
-fn numbers(found: &Check) -> Vec<(&'static str, f64)> {
+fn report_values(found: &Check) -> Vec<(&'static str, f64)> {
     let flag = |is: bool| f64::from(u8::from(is));
     let mut values = vec![
         ("vertices", f64::from(found.vertices)),
@@ -106,6 +106,6 @@ fn numbers(found: &Check) -> Vec<(&'static str, f64)> {
         ("euler_characteristic", found.euler as f64),
     ];
     values.extend(found.genus.map(|genus| ("genus", f64::from(genus))));
-    values.extend(defects(found).map(|(_, name, elements)| (name, elements.len() as f64)));
+    values.extend(defect_kinds(found).map(|(_, name, elements)| (name, elements.len() as f64)));
     values
 }

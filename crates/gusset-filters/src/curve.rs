@@ -1,8 +1,8 @@
 //! Common parts of filters of curves: Bézier curves that interpolate polylines, and their plane.
 
 use super::data::{Curves, Input};
-use super::extent::{extent_of, plane_of};
-use super::typed::{Param, Plane, TypedParam};
+use super::extent::{best_plane_of_curves, extent_of};
+use super::typed_param::{Param, PlaneValue, TypedParam};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -32,12 +32,12 @@ pub(super) const CHORD_ERROR: TypedParam<f64> = Param::relative_error(
 );
 
 /// The plane of curves.
-pub(super) const PLANE: TypedParam<Plane> = Param::plane(
+pub(super) const PLANE: TypedParam<PlaneValue> = Param::plane(
     "Plane",
     "The plane of the curves, up to a millionth of their size. The plane in which they enclose the largest area is suggested.",
 )
 .suggested(|inputs, _| match inputs.first() {
-    Some(Input::Curves(curves)) => plane_of(curves),
+    Some(Input::Curves(curves)) => best_plane_of_curves(curves),
     _ => None,
 });
 
@@ -45,7 +45,7 @@ pub(super) const PLANE: TypedParam<Plane> = Param::plane(
 ///
 /// # Errors
 /// The errors of [`fit`].
-fn curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_>) -> Result<Curve> {
+fn fit_curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_>) -> Result<Curve> {
     if let Some(mode) = mode.filter(|_| !points.is_empty()) {
         let options = Options { mode, ..Options::default() };
         let outlines = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
@@ -61,32 +61,32 @@ fn curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_>) -
 /// The curves through all polylines.
 ///
 /// # Errors
-/// The errors of [`Curves::each`] and [`fit`].
-pub(super) fn curves(given: &Curves, mode: Option<Mode>, job: &Job<'_>) -> Result<Vec<Curve>> {
-    curves_of(given, mode, job, |_, points| alloc::copied(points))
+/// The errors of [`Curves::polylines`] and [`fit`].
+pub(super) fn fit_curves(given: &Curves, mode: Option<Mode>, job: &Job<'_>) -> Result<Vec<Curve>> {
+    fit_mapped_curves(given, mode, job, |_, points| alloc::copied(points))
 }
 
 /// The curves through mapped polylines. `map` gets the index of the first point and the points.
-fn curves_of(
+fn fit_mapped_curves(
     given: &Curves,
     mode: Option<Mode>,
     job: &Job<'_>,
-    map: impl Fn(usize, &[[f64; 3]]) -> Result<Vec<[f64; 3]>>,
+    map_points: impl Fn(usize, &[[f64; 3]]) -> Result<Vec<[f64; 3]>>,
 ) -> Result<Vec<Curve>> {
-    let each = given.each()?;
+    let each = given.polylines()?;
     let mut curves = alloc::with_capacity(each.len())?;
     let mut first = 0;
     for (c, (points, closed)) in each.iter().enumerate() {
         let part = job.share(c, each.len());
         part.step(0.0, "curves")?;
-        curves.push(curve(&map(first, points)?, *closed, mode, &part)?);
+        curves.push(fit_curve(&map_points(first, points)?, *closed, mode, &part)?);
         first += points.len();
     }
     Ok(curves)
 }
 
 /// The largest distance of chords that a relative [`CHORD_ERROR`] allows.
-pub(super) fn chord(given: &Curves, chord_error: f64) -> f64 {
+pub(super) fn absolute_chord_error(given: &Curves, chord_error: f64) -> f64 {
     let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
     (chord_error * size).max(f64::MIN_POSITIVE)
 }
@@ -95,7 +95,7 @@ pub(super) fn chord(given: &Curves, chord_error: f64) -> f64 {
 ///
 /// # Errors
 /// The errors of [`CurveView::sampled`].
-pub(super) fn sampled(curve: &CurveView<'_>, spacing: Spacing, job: &Job<'_>) -> Result<Vec<DVec3>> {
+pub(super) fn sample_curve(curve: &CurveView<'_>, spacing: Spacing, job: &Job<'_>) -> Result<Vec<DVec3>> {
     job.step(0.0, "points along a curve")?;
     if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sampled(spacing, job)?.points) }
 }
@@ -108,7 +108,7 @@ pub(super) struct CurvePlane {
 
 impl CurvePlane {
     /// The plane of a parameter.
-    pub(super) fn new(Plane { normal, distance }: Plane) -> Self {
+    pub(super) fn new(PlaneValue { normal, distance }: PlaneValue) -> Self {
         let (u, v) = normal.any_orthonormal_pair();
         // Right-handed, so that orientation in the plane agrees with the view against its normal.
         let v = if u.cross(v).dot(normal) < 0.0 { -v } else { v };
@@ -118,12 +118,12 @@ impl CurvePlane {
     /// All curves in the coordinates of the plane, with z = 0.
     ///
     /// # Errors
-    /// [`Error::CurveNotPlane`] with an index among all points, and the errors of [`curves`].
-    pub(super) fn curves(&self, given: &Curves, mode: Option<Mode>, job: &Job<'_>) -> Result<Vec<Curve>> {
+    /// [`Error::CurveNotPlane`] with an index among all points, and the errors of [`fit_curves`].
+    pub(super) fn fit_curves_in_plane(&self, given: &Curves, mode: Option<Mode>, job: &Job<'_>) -> Result<Vec<Curve>> {
         let largest = given.points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
         let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
         let slack = 1e-6 * size + 64.0 * f64::EPSILON * largest;
-        curves_of(given, mode, job, |first, points| {
+        fit_mapped_curves(given, mode, job, |first, points| {
             let mut flat = alloc::with_capacity(points.len())?;
             for (k, &point) in points.iter().enumerate() {
                 let [x, y, z] = self.axes.map(|axis| axis.dot(DVec3::from(point) - self.origin));
@@ -137,7 +137,7 @@ impl CurvePlane {
     }
 
     /// A point of the plane in space.
-    pub(super) fn point(&self, point: DVec3) -> DVec3 {
+    pub(super) fn to_space(&self, point: DVec3) -> DVec3 {
         self.origin + point.x * self.axes[0] + point.y * self.axes[1]
     }
 }

@@ -1,15 +1,15 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{CURVE, Report, counted, push_line, push_more, short, short_point};
-use super::signatures::{CURVES, TO_TEXT};
-use super::typed::{Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{CURVE, Report, count_with_noun, format_short, format_short_point, push_line, push_unlisted_count};
+use super::signatures::{CURVES_ONLY, TO_TEXT};
+use super::typed_param::{ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_curve::{CurveView, Mode};
 
 /// The largest number of curves that the report lists.
-const MAX_LISTED: usize = 1000;
+const MAX_LISTED_CURVES: usize = 1000;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_measures",
@@ -18,15 +18,15 @@ pub(super) const FILTER: Filter = Filter {
     help: "Measures curves: length, bounding box and enclosed area. A curve that is not plane has the area of its largest \
            projection. An open curve is closed by its chord.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_TEXT, &Body(run))
+    ..Filter::new(CURVES_ONLY, TO_TEXT, &FilterBody(run))
 };
 
 params! {
     between: Option<Mode> = INTERPOLATION;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let curves = curve::curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.5))?;
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.5))?;
     let (mut text, mut total) = (String::new(), 0.0);
     for (c, curve) in curves.iter().enumerate() {
         let part = job.part(0.5, 1.0).share(c, curves.len());
@@ -34,17 +34,17 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
         let curve = curve.view();
         let length = if curve.is_empty() { 0.0 } else { curve.lengths(&part.part(0.0, 0.5))?.total() };
         total += length;
-        if c < MAX_LISTED {
-            push_line!(text, "curve {c}: {}", line(&curve, length, &part.part(0.5, 1.0))?);
+        if c < MAX_LISTED_CURVES {
+            push_line!(text, "curve {c}: {}", measures_line(&curve, length, &part.part(0.5, 1.0))?);
         }
     }
-    push_more(&mut text, curves.len(), MAX_LISTED);
-    push_line!(text, "{}, length {}", counted(curves.len(), CURVE), short(total));
+    push_unlisted_count(&mut text, curves.len(), MAX_LISTED_CURVES);
+    push_line!(text, "{}, length {}", count_with_noun(curves.len(), CURVE), format_short(total));
     let values = [("curves", curves.len() as f64), ("length", total)];
     Ok(vec![Output::Text(Report::new(text, &values))])
 }
 
-fn line(curve: &CurveView<'_>, length: f64, job: &Job<'_>) -> Result<String> {
+fn measures_line(curve: &CurveView<'_>, length: f64, job: &Job<'_>) -> Result<String> {
     let kind = if curve.is_closed() { "closed" } else { "open" };
     if curve.points().is_empty() {
         return Ok(format!("{kind}, without points"));
@@ -52,10 +52,10 @@ fn line(curve: &CurveView<'_>, length: f64, job: &Job<'_>) -> Result<String> {
     let (area, bounds) = (curve.area_vector(&job.part(0.0, 0.5))?, curve.bounding_box(&job.part(0.5, 1.0))?);
     Ok(format!(
         "{kind}, length {}, area {}, seen along {}, box {} to {}",
-        short(length),
-        short(area.length()),
-        short_point(area.normalize_or_zero()),
-        short_point(bounds.low),
-        short_point(bounds.high)
+        format_short(length),
+        format_short(area.length()),
+        format_short_point(area.normalize_or_zero()),
+        format_short_point(bounds.low),
+        format_short_point(bounds.high)
     ))
 }

@@ -1,8 +1,8 @@
 use super::curve::{self, CATEGORY, CHORD_ERROR, INTERPOLATION, REFERENCE};
 use super::data::{Curves, Input, Output, OutputKind};
-use super::filter::{Body, Filter};
-use super::signatures::CURVES;
-use super::typed::{LENGTHS, Param, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::signatures::CURVES_ONLY;
+use super::typed_param::{LENGTH_RANGE, Param, ParamValues, params};
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -17,7 +17,7 @@ pub(super) const FILTER: Filter = Filter {
            within the chord error of the curve.",
     reference: REFERENCE,
     replaces: true,
-    ..Filter::new(CURVES, &[OutputKind::Curves], &Body(run))
+    ..Filter::new(CURVES_ONLY, &[OutputKind::Curves], &FilterBody(run))
 };
 
 params! {
@@ -28,7 +28,7 @@ params! {
         "The number of points of each curve, if it is given. Both ends of an open curve count.",
         [2.0, 1e6], &[100.0],
     );
-    step: f64 = Param::length("Step", "The spacing of points along the curve, if it is given.", LENGTHS, &[0.1])
+    step: f64 = Param::length("Step", "The spacing of points along the curve, if it is given.", LENGTH_RANGE, &[0.1])
         .with_size_ratio(0.01);
     chord_error: f64 = CHORD_ERROR;
 }
@@ -41,18 +41,18 @@ choices! {
         |values, _| Spacing::Count(values.number as usize) => "Number",
             "A given number of points on each curve, at equal arc lengths.";
         |values, _| Spacing::Step(values.step) => "Step", "A given spacing along the curve.";
-        |values, given| Spacing::Chord(curve::chord(given, values.chord_error)) => "Chord error",
+        |values, given| Spacing::Chord(curve::absolute_chord_error(given, values.chord_error)) => "Chord error",
             "As few points as the chord error allows, more where the curve bends.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
-    let curves = curve::curves(given, values.between, &job.part(0.0, 0.5))?;
-    let mut drawn = Curves::none();
+    let curves = curve::fit_curves(given, values.between, &job.part(0.0, 0.5))?;
+    let mut drawn = Curves::empty();
     let spacing = (values.spacing)(values, given);
     for (c, curve) in curves.iter().enumerate() {
         let part = job.part(0.5, 1.0).share(c, curves.len());
-        drawn.add(curve::sampled(&curve.view(), spacing, &part)?.into_iter(), curve.view().is_closed())?;
+        drawn.add_curve(curve::sample_curve(&curve.view(), spacing, &part)?.into_iter(), curve.view().is_closed())?;
     }
     Ok(vec![Output::Curves(drawn)])
 }

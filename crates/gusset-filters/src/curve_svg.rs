@@ -1,8 +1,8 @@
 use super::curve::{CATEGORY, CurvePlane, INTERPOLATION, PLANE, REFERENCE};
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::signatures::{CURVES, TO_TEXT};
-use super::typed::{Param, Plane, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::signatures::{CURVES_ONLY, TO_TEXT};
+use super::typed_param::{Param, ParamValues, PlaneValue, params};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -16,24 +16,24 @@ pub(super) const FILTER: Filter = Filter {
     help: "Writes plane curves as the data of SVG paths, one line for each curve. Numbers keep every bit. Smooth curves become \
            Bezier curves.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_TEXT, &Body(run))
+    ..Filter::new(CURVES_ONLY, TO_TEXT, &FilterBody(run))
 };
 
 params! {
     between: Option<Mode> = INTERPOLATION;
-    plane: Plane = PLANE;
+    plane: PlaneValue = PLANE;
     downwards: bool = Param::flag("y downwards", "Negates the second coordinate, as y points down in SVG.");
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let flat = CurvePlane::new(values.plane);
-    let curves = flat.curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.5))?;
+    let curves = flat.fit_curves_in_plane(inputs[0].curves()?, values.between, &job.part(0.0, 0.5))?;
     let mut text = String::new();
     for (c, curve) in curves.iter().enumerate() {
         let part = job.part(0.5, 1.0).share(c, curves.len());
         part.step(0.0, "writing a path")?;
         let path = match values.downwards {
-            true => turned_over(&curve.view(), &part)?,
+            true => svg_path_with_y_down(&curve.view(), &part)?,
             false => curve.view().svg_path(&part)?,
         };
         let bytes = path.len() + 1;
@@ -45,7 +45,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
 }
 
 /// The path of a curve whose second coordinate grows downwards.
-fn turned_over(curve: &CurveView<'_>, job: &Job<'_>) -> Result<String> {
+fn svg_path_with_y_down(curve: &CurveView<'_>, job: &Job<'_>) -> Result<String> {
     let points = alloc::collect(curve.points().iter().map(|p| DVec3::new(p.x, -p.y, p.z)))?;
     CurveView::new(&points, curve.ends(), curve.is_closed())?.svg_path(job)
 }

@@ -41,7 +41,7 @@ impl<'a> Input<'a> {
     pub(super) fn mesh(&self) -> Result<&MeshView<'a>> {
         match self {
             Input::Mesh(mesh) => Ok(mesh),
-            Input::Curves(_) => Err(InputKind::Curves.unfit(0)),
+            Input::Curves(_) => Err(InputKind::Curves.wrong_kind_error(0)),
         }
     }
 
@@ -52,14 +52,14 @@ impl<'a> Input<'a> {
     pub(super) fn curves(&self) -> Result<&'a Curves> {
         match self {
             Input::Curves(curves) => Ok(curves),
-            Input::Mesh(_) => Err(InputKind::Mesh.unfit(0)),
+            Input::Mesh(_) => Err(InputKind::Mesh.wrong_kind_error(0)),
         }
     }
 }
 
 impl InputKind {
     /// The error of an input of this kind where the other kind is needed.
-    pub(super) fn unfit(self, place: usize) -> Error {
+    pub(super) fn wrong_kind_error(self, place: usize) -> Error {
         let why = match self {
             InputKind::Mesh => "curves are needed, not a mesh",
             InputKind::Curves => "a mesh is needed, not curves",
@@ -123,7 +123,7 @@ pub(super) type Polyline<'a> = (&'a [[f64; 3]], bool);
 
 impl Curves {
     /// No curves yet.
-    pub(super) fn none() -> Self {
+    pub(super) fn empty() -> Self {
         Curves { offsets: vec![0], ..Curves::default() }
     }
 
@@ -131,7 +131,7 @@ impl Curves {
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::OutOfMemory`].
-    pub(super) fn add(&mut self, points: impl ExactSizeIterator<Item = DVec3>, closed: bool) -> Result<()> {
+    pub(super) fn add_curve(&mut self, points: impl ExactSizeIterator<Item = DVec3>, closed: bool) -> Result<()> {
         alloc::extend(&mut self.points, points.map(|point| point.to_array()))?;
         Error::check_count("points", self.points.len() as u64, u32::MAX.into())?;
         alloc::push(&mut self.offsets, self.points.len() as u32)?;
@@ -142,7 +142,7 @@ impl Curves {
     ///
     /// # Errors
     /// [`Error::BadOffsets`], [`Error::NotFinite`] with an index among all points.
-    pub(super) fn each(&self) -> Result<Vec<Polyline<'_>>> {
+    pub(super) fn polylines(&self) -> Result<Vec<Polyline<'_>>> {
         // Without offsets the list is empty.
         if self.offsets.is_empty() && self.points.is_empty() {
             return Ok(Vec::new());
@@ -170,7 +170,7 @@ pub(super) fn require_same_faces(a: &MeshView<'_>, b: &MeshView<'_>, place: u32)
 }
 
 /// A mesh with the faces of another mesh and its own positions.
-pub(super) fn with_positions(mesh: &MeshView<'_>, positions: PositionBuffer) -> Result<Mesh> {
+pub(super) fn mesh_with_positions(mesh: &MeshView<'_>, positions: PositionBuffer) -> Result<Mesh> {
     let faces = mesh.faces();
     let offsets = (0..faces.len() + 1).map(|f| if f == 0 { 0 } else { faces.range(f - 1).end as u32 });
     let face_corners = alloc::collect(faces.corners(0..faces.half_edge_count()))?;

@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::extent::rounded;
-use super::filter::{Body, Filter};
-use super::moving::{CATEGORY, STRENGTH, copied, moved, moved_output};
-use super::signatures::{MESH, TO_MESH};
-use super::typed::{COORDINATES, LENGTHS, Param, Values, params};
+use super::extent::round_to_two_digits;
+use super::filter::{Filter, FilterBody};
+use super::moving::{CATEGORY, STRENGTH, copy_mesh, move_mesh, moved_output};
+use super::signatures::{ONE_MESH, TO_MESH};
+use super::typed_param::{COORDINATE_RANGE, LENGTH_RANGE, Param, ParamValues, params};
 use glam::DVec3;
 use gusset_base::choices;
 use gusset_base::error::Result;
@@ -26,7 +26,7 @@ pub(super) const FILTER: Filter = Filter {
                 Global and local deformations of solid primitives (1984)",
     replaces: true,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH, &FilterBody(run))
 };
 
 params! {
@@ -35,20 +35,20 @@ params! {
     amount: f64 = Param::real(
         "Amount",
         "The parameter of all fields except wraps; 0 leaves the mesh unchanged. The suggestion suits a twist.",
-        COORDINATES, &[0.1],
-    ).suggested(|_, extent| Some(rounded(0.25 * PI / extent.diagonal())));
+        COORDINATE_RANGE, &[0.1],
+    ).suggested(|_, extent| Some(round_to_two_digits(0.25 * PI / extent.diagonal())));
     strength: f64 = STRENGTH;
     radius: f64 = Param::length(
         "Radius",
         "The radius of a wrap; for a torus, the radius of its centre line. A wrap about the z axis with the suggested radius \
          takes the extent of the mesh along x exactly once around.",
-        LENGTHS, &[1.0],
-    ).suggested(|_, extent| Some(radius_around(extent.size().x, extent.diagonal())));
+        LENGTH_RANGE, &[1.0],
+    ).suggested(|_, extent| Some(radius_of_circumference(extent.size().x, extent.diagonal())));
     minor_radius: f64 = Param::length(
         "Minor radius",
         "The radius of the tube of a torus. With the suggested radius, the extent along y goes exactly once around the tube.",
-        LENGTHS, &[0.25],
-    ).suggested(|_, extent| Some(radius_around(extent.size().y, 0.25 * extent.diagonal())));
+        LENGTH_RANGE, &[0.25],
+    ).suggested(|_, extent| Some(radius_of_circumference(extent.size().y, 0.25 * extent.diagonal())));
     lean: f64 = Param::angle(
         "Lean",
         "The angle by which the generators of a cone lean towards its axis.",
@@ -61,26 +61,28 @@ type MakeField = fn(&Params, &MeshView<'_>) -> Result<Option<Box<dyn Field>>>;
 
 choices! {
     FIELDS: MakeField =
-        |values, _| by_amount(values, twist(values.axis[0], values.amount, 0.0)) => "Twist",
+        |values, _| boxed_field_unless_zero(values, twist(values.axis[0], values.amount, 0.0)) => "Twist",
             "Rotates about the axis, by the amount in radians for each unit of length along it.";
-        |values, _| by_amount(values, taper(values.axis[0], values.amount, 0.0)) => "Taper",
+        |values, _| boxed_field_unless_zero(values, taper(values.axis[0], values.amount, 0.0)) => "Taper",
             "Scales across the axis, by 1 plus the amount for each unit of length along it.";
-        |values, mesh| by_amount(values, bend(values.axis[0], values.amount, lowest(mesh, values.axis[0]), f64::INFINITY)) =>
-            "Bend", "Bends the axis into an arc from the lowest vertex on. The amount is its curvature.";
-        |values, _| by_amount(values, shear(values.axis[0], values.axis[1], values.amount)) => "Shear",
+        |values, mesh| {
+            let lowest = lowest_coordinate(mesh, values.axis[0]);
+            boxed_field_unless_zero(values, bend(values.axis[0], values.amount, lowest, f64::INFINITY))
+        } => "Bend", "Bends the axis into an arc from the lowest vertex on. The amount is its curvature.";
+        |values, _| boxed_field_unless_zero(values, shear(values.axis[0], values.axis[1], values.amount)) => "Shear",
             "Moves along the axis by the amount times the next coordinate.";
-        |values, _| by_amount(values, spherify(DVec3::ZERO, values.amount.abs())) => "Spherify",
+        |values, _| boxed_field_unless_zero(values, spherify(DVec3::ZERO, values.amount.abs())) => "Spherify",
             "Projects towards the sphere about the origin whose radius is the amount.";
-        |values, _| wrap(cylinder_wrap(values.axis[0], values.radius)) => "Cylinder wrap",
+        |values, _| boxed_field(cylinder_wrap(values.axis[0], values.radius)) => "Cylinder wrap",
             "Rolls space about the axis. The next coordinate (x for the z axis) becomes the arc, and the one after it the height \
              above the cylinder.";
-        |values, _| wrap(cone_wrap(values.axis[0], values.radius, values.lean)) => "Cone wrap",
+        |values, _| boxed_field(cone_wrap(values.axis[0], values.radius, values.lean)) => "Cone wrap",
             "Rolls space into a cone about the axis. The next coordinate (x for the z axis) becomes the arc of the circle of the \
              radius, the one after it the height above the cone, and the one along the axis the length along generators.";
-        |values, _| wrap(torus_wrap(values.axis[0], values.radius, values.minor_radius)) => "Torus wrap",
+        |values, _| boxed_field(torus_wrap(values.axis[0], values.radius, values.minor_radius)) => "Torus wrap",
             "Rolls space into a torus about the axis. The next two coordinates (x and y for the z axis) become the arcs around \
              the axis and around the tube, and the one along the axis the height above the torus.";
-        |values, _| wrap(sphere_wrap(values.axis[0], values.radius)) => "Sphere wrap",
+        |values, _| boxed_field(sphere_wrap(values.axis[0], values.radius)) => "Sphere wrap",
             "Rolls space into a sphere about the axis. The next two coordinates (x and y for the z axis) become the arcs along the \
              equator and along meridians, and the one along the axis the height above the sphere.";
 }
@@ -94,30 +96,30 @@ choices! {
 }
 
 /// A field whose amount 0 is the identity, even where the field itself is undefined.
-fn by_amount(values: &Params, field: Result<impl Field + 'static>) -> Result<Option<Box<dyn Field>>> {
-    if values.amount == 0.0 { Ok(None) } else { wrap(field) }
+fn boxed_field_unless_zero(values: &Params, field: Result<impl Field + 'static>) -> Result<Option<Box<dyn Field>>> {
+    if values.amount == 0.0 { Ok(None) } else { boxed_field(field) }
 }
 
-fn wrap(field: Result<impl Field + 'static>) -> Result<Option<Box<dyn Field>>> {
+fn boxed_field(field: Result<impl Field + 'static>) -> Result<Option<Box<dyn Field>>> {
     field.map(|field| Some(Box::new(field) as Box<dyn Field>))
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
     let moved = match (values.field)(values, mesh)? {
-        Some(field) => moved(mesh, field.as_ref(), values.strength, job)?,
-        None => copied(mesh, job)?,
+        Some(field) => move_mesh(mesh, field.as_ref(), values.strength, job)?,
+        None => copy_mesh(mesh, job)?,
     };
     Ok(vec![moved_output(moved, inputs, values, job)?])
 }
 
 /// The radius of a circle of the given length, or of another length if that is 0.
-fn radius_around(length: f64, otherwise: f64) -> f64 {
+fn radius_of_circumference(length: f64, otherwise: f64) -> f64 {
     if length > 0.0 { length / TAU } else { otherwise / TAU }
 }
 
 /// The smallest coordinate along an axis.
-fn lowest(mesh: &MeshView<'_>, axis: Axis) -> f64 {
+fn lowest_coordinate(mesh: &MeshView<'_>, axis: Axis) -> f64 {
     let positions = mesh.positions();
     let all = (0..positions.len()).map(|v| positions.get(v as u32)[axis.index()]);
     Some(all.fold(f64::INFINITY, f64::min)).filter(|low| low.is_finite()).unwrap_or(0.0)

@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::moving::CATEGORY;
-use super::report::{FACE, Report, counted, push_line};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{Param, Values, params};
+use super::report::{FACE, Report, count_with_noun, push_line};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{Param, ParamValues, params};
 use gusset_attributes::Origins;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -18,7 +18,7 @@ pub(super) const FILTER: Filter = Filter {
            overlaps. Darts reduce the distortion further.",
     reference: "Rabinovich, Poranne, Panozzo, Sorkine-Hornung 2017; Ben-Chen, Gotsman, Bunin 2008 for darts",
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -35,7 +35,7 @@ params! {
     );
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options {
         distortion: values.distortion,
         cuts: Cuts::default(),
@@ -45,7 +45,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     };
     let done = develop(inputs[0].mesh()?, &options, job)?;
     let report = report(&done);
-    let origins = values.origins(|| Origins::from_developed(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_developed(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
@@ -59,7 +59,7 @@ fn report(done: &Developed) -> Report {
     let stretch = done.stretches.iter().fold([1.0f64; 2], |all, s| [all[0].max(s[0]), all[1].min(s[1])]);
     let mut text = format!(
         "{} in {} charts, {exact} of them without distortion; {} edges cut, {} darts\n",
-        counted(done.stretches.len(), FACE),
+        count_with_noun(done.stretches.len(), FACE),
         done.charts.len(),
         done.cut_edges.len(),
         done.darts

@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::signatures::{MESH, TO_MESH};
-use super::typed::{COORDINATES, Param, Values, params};
+use super::signatures::{ONE_MESH, TO_MESH};
+use super::typed_param::{COORDINATE_RANGE, Param, ParamValues, params};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -16,25 +16,25 @@ pub(super) const FILTER: Filter = Filter {
     reference: REFERENCE,
     replaces: true,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH, &FilterBody(run))
 };
 
 params! {
     distance: f64 = Param::length(
         "Distance",
         "The displacement, outwards if positive and inwards if negative. A hundredth of the size is suggested.",
-        COORDINATES, &[0.01],
+        COORDINATE_RANGE, &[0.01],
     ).with_size_ratio(0.01);
     triangles: bool = TRIANGLES;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let input = inputs[0].mesh()?;
-    let mut grid = quads::grid(input, &job.part(0.0, 0.5))?;
+    let mut grid = quads::recognise_grid(input, &job.part(0.0, 0.5))?;
     displace(&mut grid.net, values.distance, &job.part(0.5, 0.7))?;
     let all = |count: usize| alloc::collect(0..count);
     let (rows, columns) = (all(grid.net.shape().rows())?, all(grid.net.shape().columns())?);
-    Ok(vec![quads::output(
+    Ok(vec![quads::grid_output(
         &grid.net,
         (input, &grid),
         [&rows, &columns],

@@ -25,7 +25,7 @@ pub(super) fn extent_of(inputs: &[Input<'_>]) -> Option<Aabb> {
 }
 
 /// A value rounded to two digits, which is readable in dialogs.
-pub(super) fn rounded(value: f64) -> f64 {
+pub(super) fn round_to_two_digits(value: f64) -> f64 {
     let unit = libm::pow(10.0, libm::log10(value.abs()).floor() - 1.0);
     let round = (value / unit).round() * unit;
     if round.is_finite() { round } else { value }
@@ -33,7 +33,7 @@ pub(super) fn rounded(value: f64) -> f64 {
 
 /// The plane of curves, or a plane near them: its unit normal, upwards if possible, and its distance
 /// from the origin.
-pub(super) fn plane_of(curves: &Curves) -> Option<[f64; 4]> {
+pub(super) fn best_plane_of_curves(curves: &Curves) -> Option<[f64; 4]> {
     let extent = extent_of(&[Input::Curves(curves)])?;
     let (centre, size) = (extent.centre(), extent.diagonal());
     let mut area = DVec3::ZERO;

@@ -1,8 +1,8 @@
 use super::data::{Curves, Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{POINT, counted, push_line};
-use super::signatures::{CURVES, TO_CURVES_TEXT};
-use super::typed::{MAX_COUNT, NON_NEGATIVE_OR_AUTO, Param, TypedParam, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{POINT, count_with_noun, push_line};
+use super::signatures::{CURVES_ONLY, TO_CURVES_TEXT};
+use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, TypedParam, params};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -16,22 +16,22 @@ pub(super) const FILTER: Filter = Filter {
     help: "Finds the points of two loops that face each other. A point faces the other loop if it lies on that side of the \
            plane through the centre of its own loop. The arcs that stitching would join come first, then the other arcs.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 2",
-    ..Filter::new(CURVES, TO_CURVES_TEXT, &Body(run))
+    ..Filter::new(CURVES_ONLY, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
-    curve_a: u32 = Param::int("First loop", CURVE_HELP, CURVE_NUMBERS, &[0.0]);
-    curve_b: u32 = Param::int("Second loop", CURVE_HELP, CURVE_NUMBERS, &[1.0]);
-    run: Run = RUN;
+    curve_a: u32 = Param::int("First loop", CURVE_HELP, CURVE_NUMBER_RANGE, &[0.0]);
+    curve_b: u32 = Param::int("Second loop", CURVE_HELP, CURVE_NUMBER_RANGE, &[1.0]);
+    run: Run = FACING_ARC;
     centres: Centres = Param::choice("Centres", "The definition of a loop's centre.", Centres::CHOICES);
     tolerance: Option<f64> = FACING_TOLERANCE;
 }
 
-const CURVE_NUMBERS: [f64; 2] = [0.0, MAX_COUNT];
+const CURVE_NUMBER_RANGE: [f64; 2] = [0.0, MAX_COUNT];
 const CURVE_HELP: &str = "The number of the curve, from 0 on. The filter boundary_loops gives suitable curves.";
 
 /// The arc that is joined where several face the other loop.
-pub(super) const RUN: TypedParam<Run> =
+pub(super) const FACING_ARC: TypedParam<Run> =
     Param::choice("Facing arc", "The arc that is taken if several arcs face the other loop.", Run::CHOICES);
 
 /// The distance from the plane through a loop's centre; `None` takes the bound on rounding.
@@ -39,14 +39,14 @@ pub(super) const FACING_TOLERANCE: TypedParam<Option<f64>> = Param::real(
     "Facing tolerance",
     "The smallest distance from the plane through the centre of its own loop at which a point faces the other loop. -1 takes \
      the bound on rounding.",
-    NON_NEGATIVE_OR_AUTO,
+    NON_NEGATIVE_OR_AUTO_RANGE,
     &[-1.0],
 )
-.unless_negative();
+.none_if_negative();
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     job.step(0.0, "facing arcs")?;
-    let each = inputs[0].curves()?.each()?;
+    let each = inputs[0].curves()?.polylines()?;
     let points = |option: &'static str, number: u32| {
         let missing = Error::OptionOutOfRange { option, value: number.into() };
         let (points, _) = each.get(number as usize).ok_or(missing)?;
@@ -55,20 +55,20 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let loops = [points("curve_a", values.curve_a)?, points("curve_b", values.curve_b)?];
     let options = Options { run: values.run, tolerance: values.tolerance, centres: values.centres };
     let found = facing(&loops[0], &loops[1], &options, &job.part(0.1, 1.0))?;
-    let (mut arcs, mut text) = (Curves::none(), String::new());
+    let (mut arcs, mut text) = (Curves::empty(), String::new());
     let taken = (0..2).map(|side| (side, found.taken[side]));
     let others = (0..2).flat_map(|side| found.runs[side].iter().map(move |&arc| (side, arc)));
     let others = others.filter(|&(side, arc)| arc != found.taken[side]);
     for (side, arc) in taken.chain(others) {
         let own = &loops[side];
         // An arc of all points is closed.
-        arcs.add(arc.places(own.len()).map(|place| own[place]), arc.count == own.len())?;
+        arcs.add_curve(arc.places(own.len()).map(|place| own[place]), arc.count == own.len())?;
         let [name, kind] = [["first", "second"][side], if arc == found.taken[side] { "taken" } else { "left" }];
         push_line!(
             text,
             "{kind} of the {name} loop: {} of {}, from point {} on",
             arc.count,
-            counted(own.len(), POINT),
+            count_with_noun(own.len(), POINT),
             arc.first
         );
     }

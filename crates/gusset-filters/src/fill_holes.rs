@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{BOUNDARY_LOOP, FACE, Report, counted, short};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{MAX_COUNT, NON_NEGATIVE, Param, TypedParam, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{BOUNDARY_LOOP, FACE, Report, count_with_noun, format_short};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{MAX_COUNT, NON_NEGATIVE_RANGE, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::choices;
 use gusset_base::error::Result;
@@ -23,22 +23,22 @@ params! {
         "Most edges",
         "Loops of more edges stay open; 0 sets no limit.",
         [0.0, MAX_COUNT], &[0.0],
-    ).if_positive();
+    ).none_unless_positive();
     max_length: Option<f64> =
-        Param::length("Greatest length", "Longer loops stay open; 0 sets no limit.", NON_NEGATIVE, &[0.0]).if_positive();
+        Param::length("Greatest length", "Longer loops stay open; 0 sets no limit.", NON_NEGATIVE_RANGE, &[0.0]).none_unless_positive();
     keep: Keep = Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
     together: Together = Param::choice("Patches", "The loops that share a patch.", Together::CHOICES);
     max_diameter: Option<f64> = Param::length(
         "Greatest diameter",
         "Loops whose bounding box has a longer diagonal stay open; 0 sets no limit.",
-        NON_NEGATIVE, &[0.0],
-    ).if_positive();
+        NON_NEGATIVE_RANGE, &[0.0],
+    ).none_unless_positive();
     max_area: Option<f64> = Param::real(
         "Greatest area",
         "Loops with a larger area between them and their centre stay open; 0 sets no limit. The unit is the square of the \
          positions' unit.",
-        NON_NEGATIVE, &[0.0],
-    ).if_positive();
+        NON_NEGATIVE_RANGE, &[0.0],
+    ).none_unless_positive();
     intersections: Intersections =
         Param::choice("Intersections", "The search for faces of patches that intersect others.", CUTS);
     plan_only: bool = Param::flag("Plan only", "Fills nothing. The report says what would be filled.");
@@ -63,7 +63,7 @@ pub(super) const FILTER: Filter = Filter {
                 (1995)",
     replaces: true,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 /// Turns closed components of a result outwards.
@@ -88,7 +88,7 @@ choices! {
         Intersections::Report => "Report", "They are found and counted, but not avoided.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (refinement, fairing) = values.inside;
     let options = Options {
         weight: values.weight,
@@ -112,7 +112,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let mut done = fill_holes(old, Selection::All, &options, job)?;
     done.keep_splits(&[old], &job.part(1.0, 1.0))?;
     let report = report(old, &done, options.plan_only);
-    let origins = values.origins(|| Origins::from_filled(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_filled(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
@@ -120,7 +120,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
 pub(super) fn turned_outwards_line(faces: &[u32]) -> String {
     match faces.len() {
         0 => String::new(),
-        n => format!("{} reversed, to face outwards\n", counted(n, FACE)),
+        n => format!("{} reversed, to face outwards\n", count_with_noun(n, FACE)),
     }
 }
 
@@ -128,24 +128,27 @@ fn report(old: &MeshView<'_>, done: &Filled, plan_only: bool) -> Report {
     let filled = done.holes.iter().filter(|hole| hole.status == HoleStatus::Filled);
     let count = filled.clone().count();
     let patches = if plan_only { count } else { filled.map(|hole| hole.patch as usize + 1).max().unwrap_or(0) };
-    let joined =
-        if patches < count { format!(" with {}", counted(patches, ["patch", "patches"])) } else { String::new() };
+    let joined = if patches < count {
+        format!(" with {}", count_with_noun(patches, ["patch", "patches"]))
+    } else {
+        String::new()
+    };
     let faces = done.mesh.face_count() - old.faces().len();
     let vertices = done.parents.len();
     let (area, angle) = (done.quality.area, done.quality.min_angle.to_degrees());
     let measures = match faces {
         0 => String::new(),
-        _ => format!("area {}, smallest angle {angle:.2} degrees\n", short(area)),
+        _ => format!("area {}, smallest angle {angle:.2} degrees\n", format_short(area)),
     };
     let turned = turned_outwards_line(&done.turned_outwards);
     let verb = if plan_only { "would fill" } else { "filled" };
     let cuts = intersections_line(done.intersections.as_deref());
     let text = format!(
         "{verb} {count} of {}{joined} by {} and {}\n{measures}{cuts}{turned}{} left\n",
-        counted(done.holes.len(), BOUNDARY_LOOP),
-        counted(faces, FACE),
-        counted(vertices, ["new vertex", "new vertices"]),
-        counted(done.quality.loops_left, BOUNDARY_LOOP)
+        count_with_noun(done.holes.len(), BOUNDARY_LOOP),
+        count_with_noun(faces, FACE),
+        count_with_noun(vertices, ["new vertex", "new vertices"]),
+        count_with_noun(done.quality.loops_left, BOUNDARY_LOOP)
     );
     let mut values = vec![
         ("filled_loops", count as f64),
@@ -169,6 +172,8 @@ pub(super) fn intersections_line(pairs: Option<&[[u32; 2]]>) -> String {
     match pairs {
         None => String::new(),
         Some([]) => "no faces intersect\n".to_owned(),
-        Some(pairs) => format!("{}\n", counted(pairs.len(), ["pair of faces intersects", "pairs of faces intersect"])),
+        Some(pairs) => {
+            format!("{}\n", count_with_noun(pairs.len(), ["pair of faces intersects", "pairs of faces intersect"]))
+        }
     }
 }

@@ -3,7 +3,7 @@
 use super::data::{Input, InputKind, Output, OutputKind};
 use super::extent::extent_of;
 use super::param::Param;
-use super::typed::{Parameters, Values};
+use super::typed_param::{ParamValues, Parameters};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
@@ -36,24 +36,24 @@ pub struct Filter {
     pub has_origins: bool,
     /// The parameters, in the order of their values.
     pub params: &'static [Param],
-    pub(super) body: &'static dyn Run,
+    pub(super) body: &'static dyn RunFilter,
 }
 
 /// A function of the inputs of a filter and of the values of its parameters.
-type Function<P> = fn(&[Input<'_>], &Values<P>, &Job<'_>) -> Result<Vec<Output>>;
+type FilterFunction<P> = fn(&[Input<'_>], &ParamValues<P>, &Job<'_>) -> Result<Vec<Output>>;
 
 /// The body of a filter.
-pub(super) struct Body<P>(pub(super) Function<P>);
+pub(super) struct FilterBody<P>(pub(super) FilterFunction<P>);
 
 /// A body without the type of its parameters.
-pub(super) trait Run: Sync {
+pub(super) trait RunFilter: Sync {
     /// Runs the body with the components of all values, which are in range.
     fn run(&self, inputs: &[Input<'_>], components: &[f64], traced: bool, job: &Job<'_>) -> Result<Vec<Output>>;
 }
 
-impl<P: Parameters> Run for Body<P> {
+impl<P: Parameters> RunFilter for FilterBody<P> {
     fn run(&self, inputs: &[Input<'_>], components: &[f64], traced: bool, job: &Job<'_>) -> Result<Vec<Output>> {
-        (self.0)(inputs, &Values::new(components, traced), job)
+        (self.0)(inputs, &ParamValues::new(components, traced), job)
     }
 }
 
@@ -62,7 +62,7 @@ impl Filter {
     pub(super) const fn new<P: Parameters>(
         inputs: &'static [InputKind],
         outputs: &'static [OutputKind],
-        body: &'static Body<P>,
+        body: &'static FilterBody<P>,
     ) -> Self {
         Filter {
             id: "",
@@ -104,13 +104,16 @@ impl Filter {
             return values;
         }
         if let Some(extent) = extent_of(inputs) {
-            self.components_mut(&mut values).for_each(|(param, own)| param.suggest(inputs, &extent, own));
+            self.components_of_params_mut(&mut values).for_each(|(param, own)| param.suggest(inputs, &extent, own));
         }
         values
     }
 
     /// Each parameter with its part of the components of all parameters.
-    fn components_mut<'a>(&self, mut rest: &'a mut [f64]) -> impl Iterator<Item = (&'static Param, &'a mut [f64])> {
+    fn components_of_params_mut<'a>(
+        &self,
+        mut rest: &'a mut [f64],
+    ) -> impl Iterator<Item = (&'static Param, &'a mut [f64])> {
         self.params.iter().map(move |param| {
             let (own, next) = std::mem::take(&mut rest).split_at_mut(param.kind.arity());
             rest = next;
@@ -148,7 +151,7 @@ impl Filter {
     /// [`Error::InputUnfit`].
     pub fn check_input_kind(&self, place: usize, kind: InputKind) -> Result<()> {
         let wanted = self.inputs.get(place).or(self.inputs.last()).copied();
-        if wanted == Some(kind) { Ok(()) } else { Err(kind.unfit(place)) }
+        if wanted == Some(kind) { Ok(()) } else { Err(kind.wrong_kind_error(place)) }
     }
 
     /// Checks the number of values.
@@ -165,7 +168,7 @@ impl Filter {
     /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, and for more values
     /// than the filter has; [`Error::InputCount`], [`Error::InputUnfit`]; the errors of the body.
     pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
-        self.answer(inputs, values, false, job)
+        self.check_and_run(inputs, values, false, job)
     }
 
     /// Runs the filter as [`Filter::run`] does, and tells where the elements of meshes come from if
@@ -174,15 +177,15 @@ impl Filter {
     /// # Errors
     /// The errors of [`Filter::run`].
     pub fn run_traced(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
-        self.answer(inputs, values, true, job)
+        self.check_and_run(inputs, values, true, job)
     }
 
-    fn answer(&self, inputs: &[Input<'_>], values: &[f64], traced: bool, job: &Job<'_>) -> Result<Vec<Output>> {
+    fn check_and_run(&self, inputs: &[Input<'_>], values: &[f64], traced: bool, job: &Job<'_>) -> Result<Vec<Output>> {
         self.check_inputs(inputs)?;
         self.check_value_count(values.len())?;
         let mut all = if values.len() < self.value_count() { self.defaults(inputs) } else { values.to_vec() };
         all[..values.len()].copy_from_slice(values);
-        self.components_mut(&mut all).try_for_each(|(param, own)| param.check(own))?;
+        self.components_of_params_mut(&mut all).try_for_each(|(param, own)| param.check(own))?;
         self.body.run(inputs, &all, traced, job)
     }
 }

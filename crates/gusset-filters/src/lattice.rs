@@ -1,8 +1,8 @@
 use super::data::{Input, InputKind, Output, require_same_faces};
-use super::filter::{Body, Filter};
-use super::moving::{CATEGORY, STRENGTH, moved, moved_output};
+use super::filter::{Filter, FilterBody};
+use super::moving::{CATEGORY, STRENGTH, move_mesh, moved_output};
 use super::signatures::TO_MESH;
-use super::typed::{Values, params};
+use super::typed_param::{ParamValues, params};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -22,7 +22,7 @@ pub(super) const FILTER: Filter = Filter {
     reference: "T. Sederberg, S. Parry, Free-form deformation of solid geometric models (1986)",
     replaces: true,
     has_origins: true,
-    ..Filter::new(&[InputKind::Mesh; 3], TO_MESH, &Body(run))
+    ..Filter::new(&[InputKind::Mesh; 3], TO_MESH, &FilterBody(run))
 };
 
 params! {
@@ -31,42 +31,42 @@ params! {
 
 /// The smallest distance of two grid coordinates, as a fraction of the lattice's extent. The
 /// largest lattice has a spacing of 1/31.
-const MIN_SPACING: f64 = 1e-3;
+const MIN_RELATIVE_SPACING: f64 = 1e-3;
 
 /// The largest distance of a vertex from its grid point, in spacings of the grid.
-const MAX_GRID_ERROR: f64 = 0.02;
+const MAX_GRID_ERROR_IN_SPACINGS: f64 = 0.02;
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (rest, changed) = (inputs[1].mesh()?, inputs[2].mesh()?);
     job.step(0.0, "lattice")?;
     require_same_faces(rest, changed, 2)?;
-    let lattice = lattice(rest, changed, &job.part(0.0, 0.1))?;
-    let moved = moved(inputs[0].mesh()?, &lattice, values.strength, &job.part(0.1, 1.0))?;
+    let lattice = lattice_from_meshes(rest, changed, &job.part(0.0, 0.1))?;
+    let moved = move_mesh(inputs[0].mesh()?, &lattice, values.strength, &job.part(0.1, 1.0))?;
     Ok(vec![moved_output(moved, inputs, values, job)?])
 }
 
 /// The error of a lattice at rest that is not a lattice.
-fn unfit(why: &'static str) -> Error {
+fn bad_rest_lattice_error(why: &'static str) -> Error {
     Error::InputUnfit { input: 1, why }
 }
 
 /// The lattice that takes one mesh to another.
-fn lattice(rest: &MeshView<'_>, changed: &MeshView<'_>, job: &Job<'_>) -> Result<Lattice> {
+fn lattice_from_meshes(rest: &MeshView<'_>, changed: &MeshView<'_>, job: &Job<'_>) -> Result<Lattice> {
     let ends = (0..rest.positions().len() as u32).map(|v| [rest, changed].map(|mesh| mesh.positions().get(v)));
     let ends = alloc::gather(ends.filter(|ends| ends.iter().all(|point| point.is_finite())))?;
     let extent = Aabb::from_points(ends.iter().map(|[from, _]| *from));
     let size = extent.size();
     if extent.is_empty() || size.min_element() <= 0.0 || !size.is_finite() {
-        return Err(unfit("a lattice has an extent along each coordinate axis"));
+        return Err(bad_rest_lattice_error("a lattice has an extent along each coordinate axis"));
     }
     let mut counts = [1; 3];
     for (axis, count) in counts.iter_mut().enumerate() {
         job.step(0.2 + 0.2 * axis as f64, "lattice")?;
         let mut places = alloc::collect(ends.iter().map(|[from, _]| from[axis]))?;
         places.sort_unstable_by(f64::total_cmp);
-        *count += places.windows(2).filter(|pair| pair[1] - pair[0] > MIN_SPACING * size[axis]).count();
+        *count += places.windows(2).filter(|pair| pair[1] - pair[0] > MIN_RELATIVE_SPACING * size[axis]).count();
         if *count > Lattice::MAX_POINTS {
-            return Err(unfit("a lattice has at most 32 grid points along each coordinate axis"));
+            return Err(bad_rest_lattice_error("a lattice has at most 32 grid points along each coordinate axis"));
         }
     }
     job.step(0.8, "lattice")?;
@@ -74,18 +74,20 @@ fn lattice(rest: &MeshView<'_>, changed: &MeshView<'_>, job: &Job<'_>) -> Result
     let mut offsets = alloc::filled(None, counts.iter().product())?;
     for [from, to] in &ends {
         let place = (*from - extent.low) / size * steps;
-        if (place - place.round()).abs().max_element() > MAX_GRID_ERROR {
-            return Err(unfit("the vertices of a lattice lie on a uniform grid along the coordinate axes"));
+        if (place - place.round()).abs().max_element() > MAX_GRID_ERROR_IN_SPACINGS {
+            return Err(bad_rest_lattice_error(
+                "the vertices of a lattice lie on a uniform grid along the coordinate axes",
+            ));
         }
         let [i, j, k] = place.round().to_array().map(|index| index as usize);
         offsets[(k * counts[1] + j) * counts[0] + i] = Some(*to - *from);
     }
-    Lattice::new(extent.low, extent.high, counts, &complete(counts, offsets)?)
+    Lattice::new(extent.low, extent.high, counts, &complete_offsets(counts, offsets)?)
 }
 
 /// The offsets of all grid points: a point without one gets the mean of the linear interpolations
 /// between the nearest points along each axis that have one. Affine motions are kept.
-fn complete(counts: [usize; 3], mut offsets: Vec<Option<DVec3>>) -> Result<Vec<DVec3>> {
+fn complete_offsets(counts: [usize; 3], mut offsets: Vec<Option<DVec3>>) -> Result<Vec<DVec3>> {
     while offsets.contains(&None) {
         let known = alloc::copied(&offsets)?;
         let mut strides = [(1, 1); 3];
@@ -108,7 +110,7 @@ fn complete(counts: [usize; 3], mut offsets: Vec<Option<DVec3>>) -> Result<Vec<D
             offsets[place] = (count > 0.0).then_some(sum / count);
         }
         if offsets == known {
-            return Err(unfit("too few vertices of the lattice: its corners are needed"));
+            return Err(bad_rest_lattice_error("too few vertices of the lattice: its corners are needed"));
         }
     }
     alloc::gather(offsets.into_iter().flatten())

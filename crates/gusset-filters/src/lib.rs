@@ -1,7 +1,7 @@
 //! The table of filters: every capability of the library that makes sense in a mesh editor, under a
 //! stable id, with typed parameters. Plugin hosts list it, and `docs/filters.md` is made from it.
 //!
-//! * [`filter`]: the type of an entry. [`param`]: parameters as hosts see them. `typed`: parameters
+//! * [`filter`]: the type of an entry. [`param`]: parameters as hosts see them. `typed_param`: parameters
 //!   as filters declare and read them. [`data`]: inputs and outputs. [`report`]: texts and the
 //!   numbers in them.
 //! * [`FILTERS`]: the table; each entry has a file of its name.
@@ -11,7 +11,7 @@
 
 pub mod data;
 pub mod param;
-mod typed;
+mod typed_param;
 
 mod align;
 mod assemble;

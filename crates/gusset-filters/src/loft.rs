@@ -1,10 +1,10 @@
 use super::curve::REFERENCE;
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{Report, counted};
-use super::signatures::{CURVES, TO_MESH_TEXT};
-use super::smooth::{self, CATEGORY, DEVIATION, PARTS, TRIANGLES};
-use super::typed::{Param, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{Report, count_with_noun};
+use super::signatures::{CURVES_ONLY, TO_MESH_TEXT};
+use super::smooth::{self, CATEGORY, DEVIATION, MIN_PARTS_PER_SIDE, TRIANGLES};
+use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
@@ -22,7 +22,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Draws a smooth surface through consecutive sections of a body, all closed or all open. Nodes are placed on the \
            sections, curves are drawn along the body, and a surface through both is returned as a mesh.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(CURVES_ONLY, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -43,9 +43,9 @@ params! {
     direction: DVec3 = Param::direction(
         "Direction of the axis",
         "The direction of the axis of the angles. The direction from the first section to the last is suggested.",
-    ).suggested(from_first_to_last);
+    ).suggested(direction_from_first_to_last);
     deviation: f64 = DEVIATION;
-    parts: u32 = PARTS;
+    parts: u32 = MIN_PARTS_PER_SIDE;
     triangles: bool = TRIANGLES;
 }
 
@@ -65,7 +65,7 @@ choices! {
 }
 
 /// The direction from the mean point of the first section to the mean point of the last.
-fn from_first_to_last(inputs: &[Input<'_>], extent: &Aabb) -> Option<DVec3> {
+fn direction_from_first_to_last(inputs: &[Input<'_>], extent: &Aabb) -> Option<DVec3> {
     let Some(Input::Curves(curves)) = inputs.first() else { return None };
     let middle = |ends: &[u32]| -> Option<DVec3> {
         let points = curves.points.get(ends[0] as usize..ends[1] as usize)?;
@@ -77,9 +77,9 @@ fn from_first_to_last(inputs: &[Input<'_>], extent: &Aabb) -> Option<DVec3> {
     (last - first).try_normalize()
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
-    let sections = given.each()?;
+    let sections = given.polylines()?;
     let closed = sections.first().is_some_and(|section| section.1);
     if sections.iter().any(|section| section.1 != closed) {
         return Err(Error::InputUnfit { input: 0, why: "all curves must be closed, or all open" });
@@ -99,20 +99,20 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let sheet = Sheet::from_frame(&made, [values.ring, closed], values.through, &job.part(0.4, 0.6))?;
     let surface = Surface::new(vec![sheet], None, &job.part(0.6, 0.7))?;
     let (mesh, meshed) =
-        smooth::meshed(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.7, 1.0))?;
+        smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.7, 1.0))?;
     let text = format!("{meshed}{}", report(&made));
     Ok(vec![Output::Mesh(mesh, None), Output::Text(Report::new(text, meshed.values()))])
 }
 
-const NODE: [&str; 2] = ["node", "nodes"];
+const NODE_NOUN: [&str; 2] = ["node", "nodes"];
 
 fn report(made: &Frame) -> String {
     let turned = made.grid.turned.iter().filter(|&&turned| turned != 0).count();
     format!(
         "{} of {}, {turned} of them reversed, {} ambiguous; twist at most {:.1} degrees\n",
-        counted(made.grid.rows, ["section", "sections"]),
-        counted(made.grid.columns, NODE),
-        counted(made.grid.ambiguous.len(), NODE),
+        count_with_noun(made.grid.rows, ["section", "sections"]),
+        count_with_noun(made.grid.columns, NODE_NOUN),
+        count_with_noun(made.grid.ambiguous.len(), NODE_NOUN),
         made.grid.max_twist.to_degrees()
     )
 }

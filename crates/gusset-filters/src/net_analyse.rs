@@ -1,15 +1,15 @@
 use super::data::{Curves, Input, Output, require_same_faces};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::quads::CATEGORY;
-use super::report::{EDGE, FACE, counted, short};
+use super::report::{EDGE, FACE, count_with_noun, format_short};
 use super::signatures::{TO_CURVES_TEXT, TWO_MESHES};
-use super::typed::{LISTED, NON_NEGATIVE, Param, Values, params};
+use super::typed_param::{LISTED_COUNT_RANGE, NON_NEGATIVE_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::geom::aabb;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 use gusset_net::analyse::analyse;
-use gusset_net::convert::{GridNet, net_of_grid};
+use gusset_net::convert::{RecognisedNet, net_of_grid};
 use gusset_net::{Coordinates, Net};
 
 pub(super) const FILTER: Filter = Filter {
@@ -20,38 +20,38 @@ pub(super) const FILTER: Filter = Filter {
            torn, as segments of the original grid, and lists the quads that were folded. A deformation without any of these is \
            soft.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, soft and hard deformations",
-    ..Filter::new(TWO_MESHES, TO_CURVES_TEXT, &Body(run))
+    ..Filter::new(TWO_MESHES, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
     tolerance: f64 = Param::length(
         "Tolerance",
         "The largest length that counts as 0. A billionth of the size is suggested.",
-        NON_NEGATIVE, &[0.0],
+        NON_NEGATIVE_RANGE, &[0.0],
     ).with_size_ratio(1e-9);
-    listed: u32 = Param::int("Faces listed", "The largest number of folded faces that are listed.", LISTED, &[20.0]);
+    listed: u32 = Param::int("Faces listed", "The largest number of folded faces that are listed.", LISTED_COUNT_RANGE, &[20.0]);
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (before, after) = (inputs[0].mesh()?, inputs[1].mesh()?);
     let grid = net_of_grid(before, None, &job.part(0.0, 0.4))?;
-    let moved = moved(&grid, before, after, &job.part(0.4, 0.5))?;
+    let moved = net_with_positions(&grid, before, after, &job.part(0.4, 0.5))?;
     let found = analyse(&grid.net, &moved, values.tolerance, &job.part(0.5, 1.0))?;
-    let mut edges = Curves::none();
+    let mut edges = Curves::empty();
     let shape = grid.net.shape();
     for link in found.contracted.iter().map(|contracted| contracted.link).chain(found.torn.iter().copied()) {
         let ends = shape.ends(link).map(|node| before.positions().get(grid.vertex_of_node[node as usize]));
-        edges.add(ends.into_iter(), false)?;
+        edges.add_curve(ends.into_iter(), false)?;
     }
     let kind = if found.is_soft() { "soft" } else { "hard" };
     let mut text = format!(
         "a {kind} deformation: {} contracted to points, {} torn, {} folded\n\
          lengths of edges times {}, areas of faces times {}\n",
-        counted(found.contracted.len(), EDGE),
+        count_with_noun(found.contracted.len(), EDGE),
         found.torn.len(),
-        counted(found.folded.len(), FACE),
-        range(&found.links),
-        range(&found.cells)
+        count_with_noun(found.folded.len(), FACE),
+        ratio_range_text(&found.links),
+        ratio_range_text(&found.cells)
     );
     let most = values.listed as usize;
     if !found.folded.is_empty() && most > 0 {
@@ -65,13 +65,18 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
 }
 
 /// The smallest and the largest of some ratios.
-fn range(ratios: &[f64]) -> String {
+fn ratio_range_text(ratios: &[f64]) -> String {
     let [min, max] = aabb::range(ratios.iter().copied());
-    format!("{} to {}", short(min), short(max))
+    format!("{} to {}", format_short(min), format_short(max))
 }
 
 /// The net with the positions of another mesh, which must have the same faces.
-fn moved(grid: &GridNet, before: &MeshView<'_>, after: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
+fn net_with_positions(
+    grid: &RecognisedNet,
+    before: &MeshView<'_>,
+    after: &MeshView<'_>,
+    job: &Job<'_>,
+) -> Result<Net<'static>> {
     job.step(0.0, "looking for the same faces")?;
     require_same_faces(before, after, 1)?;
     let shape = grid.net.shape();

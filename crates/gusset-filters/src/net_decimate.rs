@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{NON_NEGATIVE, Param, Values, params};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{NON_NEGATIVE_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_net::resample::decimate;
@@ -16,21 +16,21 @@ pub(super) const FILTER: Filter = Filter {
     reference: REFERENCE,
     replaces: true,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     tolerance: f64 = Param::length(
         "Tolerance",
         "The largest distance of removed vertices from the segments that replace them. A thousandth of the size is suggested.",
-        NON_NEGATIVE, &[1e-3],
+        NON_NEGATIVE_RANGE, &[1e-3],
     ).with_size_ratio(1e-3);
     triangles: bool = TRIANGLES;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let input = inputs[0].mesh()?;
-    let grid = quads::grid(input, &job.part(0.0, 0.4))?;
+    let grid = quads::recognise_grid(input, &job.part(0.0, 0.4))?;
     let net = &grid.net;
     let made = decimate(net, values.tolerance, &job.part(0.4, 0.8))?;
     let text = format!(
@@ -43,7 +43,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     );
     let lines = [&made.rows[..], &made.columns];
     Ok(vec![
-        quads::output(&made.net, (input, &grid), lines, (values, values.triangles), &job.part(0.8, 1.0))?,
+        quads::grid_output(&made.net, (input, &grid), lines, (values, values.triangles), &job.part(0.8, 1.0))?,
         Output::Text(text.into()),
     ])
 }

@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, TRIANGLES};
-use super::report::{COLUMN, ROW, counted};
+use super::report::{COLUMN, ROW, count_with_noun};
 use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
-use super::typed::{MAX_COUNT, NON_NEGATIVE, Param, TypedParam, Values, params};
+use super::typed_param::{MAX_COUNT, NON_NEGATIVE_RANGE, Param, ParamValues, TypedParam, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
@@ -17,7 +17,7 @@ pub(super) const FILTER: Filter = Filter {
            new quads or welded. Rows of smaller grids are replicated to fit.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, concatenation",
     max_inputs: 1 << 16,
-    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -26,9 +26,9 @@ params! {
     tolerance: f64 = Param::length(
         "Welding distance",
         "The largest distance of vertices that are welded; 0 for equal positions.",
-        NON_NEGATIVE, &[0.0],
+        NON_NEGATIVE_RANGE, &[0.0],
     );
-    sizes: Option<Replication> = SIZES;
+    sizes: Option<Replication> = DIFFERENT_SIZES;
     twist: u32 = TWIST;
     turn: bool = TURN;
     triangles: bool = TRIANGLES;
@@ -39,7 +39,7 @@ pub(super) const DIRECTION: TypedParam<Direction> =
     Param::choice("Direction", "The direction from each grid to the next.", DIRECTIONS);
 
 /// The enlargement of smaller grids; `None` refuses them.
-pub(super) const SIZES: TypedParam<Option<Replication>> =
+pub(super) const DIFFERENT_SIZES: TypedParam<Option<Replication>> =
     Param::choice("Different sizes", "The treatment of sides with different numbers of vertices.", REPLICATIONS);
 
 /// The rotation of closed sides.
@@ -55,7 +55,7 @@ pub(super) const TURN: TypedParam<bool> = Param::flag(
     "Flip",
     "Flips grids of opposite orientation to the first along the side. Without it, the filter fails for such grids.",
 )
-.on();
+.on_by_default();
 
 choices! {
     DIRECTIONS: Direction =
@@ -71,7 +71,7 @@ choices! {
         None => "Refuse", "The filter fails.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = JoinOptions {
         mode: values.bridge,
         tolerance: values.tolerance,
@@ -80,16 +80,16 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
         turn: values.turn,
         ..JoinOptions::new(values.direction)
     };
-    let joined = joined(inputs, &options, &job.part(0.0, 0.7))?;
+    let joined = join_grids(inputs, &options, &job.part(0.0, 0.7))?;
     let shape = joined.shape();
     let text = format!(
         "{} joined to {} and {}\n",
-        counted(inputs.len(), ["grid", "grids"]),
-        counted(shape.rows(), ROW),
-        counted(shape.columns(), COLUMN)
+        count_with_noun(inputs.len(), ["grid", "grids"]),
+        count_with_noun(shape.rows(), ROW),
+        count_with_noun(shape.columns(), COLUMN)
     );
     Ok(vec![
-        Output::Mesh(quads::mesh(&joined, values.triangles, &job.part(0.7, 1.0))?, None),
+        Output::Mesh(quads::mesh_of_net(&joined, values.triangles, &job.part(0.7, 1.0))?, None),
         Output::Text(text.into()),
     ])
 }
@@ -98,10 +98,10 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
 ///
 /// # Errors
 /// The errors of [`concatenate_all`], and [`Error::NoGrid`](gusset_base::error::Error::NoGrid).
-pub(super) fn joined(inputs: &[Input<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
+pub(super) fn join_grids(inputs: &[Input<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
     let grids = inputs.iter().enumerate();
     let nets = alloc::try_collect(
-        grids.map(|(k, grid)| quads::net(grid.mesh()?, &job.part(0.0, 0.7).share(k, inputs.len()))),
+        grids.map(|(k, grid)| quads::recognise_net(grid.mesh()?, &job.part(0.0, 0.7).share(k, inputs.len()))),
     )?;
     let all = alloc::collect(nets.iter())?;
     concatenate_all(&all, options, &job.part(0.7, 1.0))

@@ -1,10 +1,10 @@
 use super::curve::{self, INTERPOLATION};
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::report::{QUAD, ROW, counted};
-use super::signatures::{CURVES, TO_MESH_TEXT};
-use super::typed::{Param, Values, params};
+use super::report::{QUAD, ROW, count_with_noun};
+use super::signatures::{CURVES_ONLY, TO_MESH_TEXT};
+use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -22,7 +22,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Revolves a curve about an axis. The result is a quad grid whose rows are circles, with a pole where the curve meets \
            the axis. Only the height of each point along the axis and its distance from the axis count.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(CURVES_ONLY, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -52,9 +52,9 @@ fn suggested_axis(extent: &Aabb) -> (DVec3, DVec3) {
     (point, DVec3::AXES[axis])
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (origin, axis) = (values.point, values.direction);
-    let curves = curve::curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.1))?;
+    let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.1))?;
     let [curve] = curves.as_slice() else {
         return Err(Error::InputUnfit { input: 0, why: "one curve is needed" });
     };
@@ -63,7 +63,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
         return Err(Error::EmptyCurve);
     }
     let mut points = match values.rows as usize {
-        0 => joints(&curve)?,
+        0 => curve_joints(&curve)?,
         rows => {
             let count = rows.max(if curve.is_closed() { 3 } else { 2 });
             curve.sampled(Spacing::Count(count), &job.part(0.1, 0.2))?.points
@@ -87,12 +87,19 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let (u, v) = axis.any_orthonormal_pair();
     let rows = [0, 1, 2].map(|k| [u[k], v[k], axis[k], origin[k]]);
     transform(&mut net, &Affine::new(rows)?, &job.part(0.5, 0.6))?;
-    let text = format!("{} of {}\n", counted(net.shape().rows() - 1, ROW), counted(net.shape().columns() - 1, QUAD));
-    Ok(vec![Output::Mesh(quads::mesh(&net, values.triangles, &job.part(0.6, 1.0))?, None), Output::Text(text.into())])
+    let text = format!(
+        "{} of {}\n",
+        count_with_noun(net.shape().rows() - 1, ROW),
+        count_with_noun(net.shape().columns() - 1, QUAD)
+    );
+    Ok(vec![
+        Output::Mesh(quads::mesh_of_net(&net, values.triangles, &job.part(0.6, 1.0))?, None),
+        Output::Text(text.into()),
+    ])
 }
 
 /// The joints between segments, and both ends of an open curve.
-fn joints(curve: &CurveView<'_>) -> Result<Vec<DVec3>> {
+fn curve_joints(curve: &CurveView<'_>) -> Result<Vec<DVec3>> {
     let ends = &curve.ends()[..curve.ends().len() - usize::from(curve.is_closed())];
     alloc::collect(ends.iter().map(|&end| curve.points()[end as usize]))
 }

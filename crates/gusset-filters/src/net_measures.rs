@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY};
-use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW, Report, counted, short, short_point};
-use super::signatures::{MESH, TO_TEXT};
-use super::typed::{Param, Values, params};
+use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW, Report, count_with_noun, format_short, format_short_point};
+use super::signatures::{ONE_MESH, TO_TEXT};
+use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_net::complex::Complex;
@@ -16,7 +16,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology. A \
            closed grid also has volume, centroid and inertia tensor.",
     reference: "The divergence theorem on bilinear patches, with Gauss points",
-    ..Filter::new(MESH, TO_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -27,8 +27,8 @@ params! {
     );
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let net = quads::recognise_net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
     let measures = measure(&net, &job.part(0.4, 0.5))?;
     let plane = planarity(&net, values.planarity, &job.part(0.5, 0.6))?;
     let complex = Complex::from_topology(net.topology(), &job.part(0.6, 0.8))?;
@@ -36,14 +36,14 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let mut text = format!(
         "{}, {} of vertices\n{sided}, Euler characteristic {}, {}\narea {}, box {} to {}\n\
          {} off the plane by more than the limit, mean {:.3e}, most {:.3e} (face {})\n",
-        counted(net.shape().rows(), ROW),
-        counted(net.shape().columns(), COLUMN),
+        count_with_noun(net.shape().rows(), ROW),
+        count_with_noun(net.shape().columns(), COLUMN),
         complex.euler_characteristic(),
-        counted(complex.boundary.len(), BOUNDARY_LOOP),
-        short(measures.area),
-        short_point(measures.low),
-        short_point(measures.high),
-        counted(plane.above, QUAD),
+        count_with_noun(complex.boundary.len(), BOUNDARY_LOOP),
+        format_short(measures.area),
+        format_short_point(measures.low),
+        format_short_point(measures.high),
+        count_with_noun(plane.above, QUAD),
         plane.mean,
         plane.worst.map_or(0.0, |worst| worst.0),
         plane.worst.map_or(0, |worst| worst.1)
@@ -57,8 +57,8 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     ];
     if complex.is_closed() && complex.orientable {
         let body = moments(&net, &job.part(0.8, 1.0))?;
-        let [x, y, z] = [0, 1, 2].map(|k| short_point(body.inertia.col(k)));
-        let (volume, centre) = (short(body.volume), short_point(body.centroid));
+        let [x, y, z] = [0, 1, 2].map(|k| format_short_point(body.inertia.col(k)));
+        let (volume, centre) = (format_short(body.volume), format_short_point(body.centroid));
         text += &format!("volume {volume}, centre {centre}\ninertia {x} {y} {z}\n");
         values.push(("volume", body.volume));
     }

@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY};
-use super::report::{Report, counted, short};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{Param, Values, params};
+use super::report::{Report, count_with_noun, format_short};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{Param, ParamValues, params};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -19,7 +19,7 @@ pub(super) const FILTER: Filter = Filter {
                 Geometric modeling with conical meshes and developable surfaces (2006)",
     replaces: true,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -33,9 +33,9 @@ params! {
     max_steps: u32 = Param::int("Most steps", "The largest number of steps.", [1.0, 1e6], &[100.0]);
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let input = inputs[0].mesh()?;
-    let mut grid = quads::grid(input, &job.part(0.0, 0.3))?;
+    let mut grid = quads::recognise_grid(input, &job.part(0.0, 0.3))?;
     let options = PlanariseOptions {
         tolerance: values.tolerance,
         max_iterations: values.max_steps,
@@ -44,19 +44,20 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     };
     let done = planarise(&mut grid.net, &options, &job.part(0.3, 0.8))?;
     let [rows, columns] = [grid.net.shape().rows(), grid.net.shape().columns()].map(|count| alloc::collect(0..count));
-    let made = quads::output(&grid.net, (input, &grid), [&rows?, &columns?], (values, false), &job.part(0.8, 1.0))?;
+    let made =
+        quads::grid_output(&grid.net, (input, &grid), [&rows?, &columns?], (values, false), &job.part(0.8, 1.0))?;
     Ok(vec![made, Output::Text(report(&done))])
 }
 
 fn report(done: &Planarised) -> Report {
     let text = format!(
         "largest distance from a plane {} before, {} now{}\nlargest displacement {}, root mean square {}; {}\n",
-        short(done.deviation_before),
-        short(done.deviation_after),
+        format_short(done.deviation_before),
+        format_short(done.deviation_after),
         if done.converged { "" } else { ", more than the tolerance" },
-        short(done.max_displacement),
-        short(done.rms_displacement),
-        counted(done.iterations, ["step", "steps"])
+        format_short(done.max_displacement),
+        format_short(done.rms_displacement),
+        count_with_noun(done.iterations, ["step", "steps"])
     );
     let values = [
         ("deviation_before", done.deviation_before),

@@ -1,16 +1,16 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::report::{COLUMN, ROW, counted};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{Param, Values, params};
+use super::report::{COLUMN, ROW, count_with_noun};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
 use gusset_base::job::Job;
 use gusset_net::resample::{Interpolation, resample};
 
 /// The range of the numbers of rows and columns.
-const COUNTS: [f64; 2] = [2.0, 100_001.0];
+const LINE_COUNT_RANGE: [f64; 2] = [2.0, 100_001.0];
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_resample",
@@ -20,19 +20,19 @@ pub(super) const FILTER: Filter = Filter {
            are kept.",
     reference: REFERENCE,
     replaces: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     rows: u32 = Param::int(
         "Rows",
         "The number of rows of vertices. The suggestion keeps about the same number of vertices.",
-        COUNTS, &[33.0],
+        LINE_COUNT_RANGE, &[33.0],
     ).suggested(suggested_count);
     columns: u32 = Param::int(
         "Columns",
         "The number of columns of vertices. In closed rows the last vertex repeats the first.",
-        COUNTS, &[65.0],
+        LINE_COUNT_RANGE, &[65.0],
     ).suggested(suggested_count);
     interpolation: Interpolation =
         Param::choice("Interpolation", "The interpolation between the old vertices.", Interpolation::CHOICES);
@@ -48,12 +48,18 @@ fn suggested_count(inputs: &[Input<'_>], _: &Aabb) -> Option<f64> {
     }
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let net = quads::recognise_net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
     let [rows, columns] = [values.rows, values.columns].map(|count| count as usize);
     let made = resample(&net, rows, columns, values.interpolation, &job.part(0.4, 0.7))?;
     let shape = net.shape();
-    let text =
-        format!("{} and {} made {rows} and {columns}\n", counted(shape.rows(), ROW), counted(shape.columns(), COLUMN));
-    Ok(vec![Output::Mesh(quads::mesh(&made, values.triangles, &job.part(0.7, 1.0))?, None), Output::Text(text.into())])
+    let text = format!(
+        "{} and {} made {rows} and {columns}\n",
+        count_with_noun(shape.rows(), ROW),
+        count_with_noun(shape.columns(), COLUMN)
+    );
+    Ok(vec![
+        Output::Mesh(quads::mesh_of_net(&made, values.triangles, &job.part(0.7, 1.0))?, None),
+        Output::Text(text.into()),
+    ])
 }

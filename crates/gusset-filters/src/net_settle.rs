@@ -1,10 +1,10 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::net_join::{DIRECTION, SIZES, TURN, TWIST, joined};
+use super::filter::{Filter, FilterBody};
+use super::net_join::{DIFFERENT_SIZES, DIRECTION, TURN, TWIST, join_grids};
 use super::quads::{self, CATEGORY, TRIANGLES};
-use super::report::{Report, counted, short};
+use super::report::{Report, count_with_noun, format_short};
 use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
-use super::typed::{NON_NEGATIVE, Param, Values, params};
+use super::typed_param::{NON_NEGATIVE_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_net::settle::{SettleOptions, Settled, settle};
@@ -21,7 +21,7 @@ pub(super) const FILTER: Filter = Filter {
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, concatenation; H.-J. Schek, \
                 The force density method for form finding (1974)",
     max_inputs: 1 << 16,
-    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -30,32 +30,32 @@ params! {
     tension: f64 = Param::real(
         "Tension",
         "The force in each line across a ribbon, or the force per length in a tube.",
-        NON_NEGATIVE, &[0.0],
+        NON_NEGATIVE_RANGE, &[0.0],
     );
     elasticity: f64 = Param::real(
         "Elasticity",
         "The force that doubles the length of a line across a bridge.",
-        NON_NEGATIVE, &[0.0],
+        NON_NEGATIVE_RANGE, &[0.0],
     );
     stiffness: f64 = Param::real(
         "Stiffness",
         "The bending stiffness of each line across a bridge, as force times squared length. Stiff lines leave the grids without \
          a kink.",
-        NON_NEGATIVE, &[1.0],
+        NON_NEGATIVE_RANGE, &[1.0],
     );
     rest_ratio: f64 = Param::real(
         "Rest length",
         "The length of an unstressed bridge, as a multiple of its straight length. Only elastic bridges depend on it.",
         [1e-3, 1e3], &[1.0],
     );
-    sizes: Option<Replication> = SIZES;
+    sizes: Option<Replication> = DIFFERENT_SIZES;
     twist: u32 = TWIST;
     turn: bool = TURN;
     max_steps: u32 = Param::int("Most steps", "The largest number of steps.", [1.0, 1e6], &[1000.0]);
     triangles: bool = TRIANGLES;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let Params { tension, elasticity, stiffness, .. } = **values;
     let options = JoinOptions {
         equalise: values.sizes,
@@ -65,11 +65,11 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
         rows: values.rows,
         ..JoinOptions::new(values.direction)
     };
-    let mut net = joined(inputs, &options, &job.part(0.0, 0.4))?;
+    let mut net = join_grids(inputs, &options, &job.part(0.0, 0.4))?;
     let options =
         SettleOptions { rest_ratio: values.rest_ratio, max_iterations: values.max_steps, ..SettleOptions::default() };
     let done = settle(&mut net, &options, &job.part(0.4, 0.8))?;
-    let made = quads::mesh(&net, values.triangles, &job.part(0.8, 1.0))?;
+    let made = quads::mesh_of_net(&net, values.triangles, &job.part(0.8, 1.0))?;
     Ok(vec![Output::Mesh(made, None), Output::Text(report(&done))])
 }
 
@@ -77,17 +77,17 @@ fn report(done: &Settled) -> Report {
     let energy = done.tension_energy + done.elastic_energy + done.bending_energy;
     let collapsed = match done.collapsed {
         0 => String::new(),
-        count => format!("{} collapsed\n", counted(count, ["film", "films"])),
+        count => format!("{} collapsed\n", count_with_noun(count, ["film", "films"])),
     };
     let text = format!(
         "{} settled, {} without forces; energy {} before, {} now\nlargest force left {}, largest displacement {}; {}{}\n{collapsed}",
-        counted(done.settled, ["bridge", "bridges"]),
+        count_with_noun(done.settled, ["bridge", "bridges"]),
         done.idle,
-        short(done.energy_before),
-        short(energy),
-        short(done.residual_force),
-        short(done.max_displacement),
-        counted(done.iterations, ["step", "steps"]),
+        format_short(done.energy_before),
+        format_short(energy),
+        format_short(done.residual_force),
+        format_short(done.max_displacement),
+        count_with_noun(done.iterations, ["step", "steps"]),
         if done.converged { "" } else { ", not converged" }
     );
     let values = [

@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::report::{BOUNDARY_LOOP, EDGE, QUAD, Report, TRIANGLE, VERTEX, counted};
+use super::report::{BOUNDARY_LOOP, EDGE, QUAD, Report, TRIANGLE, VERTEX, count_with_noun};
 use super::signatures::TO_MESH_TEXT;
-use super::typed::{LENGTHS, Param, Values, params};
+use super::typed_param::{LENGTH_RANGE, Param, ParamValues, params};
 use gusset_base::choices;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -12,7 +12,7 @@ use gusset_net::complex::Complex;
 use gusset_net::primitive::{Primitive, Request};
 
 /// The range of the numbers of rows and columns.
-const COUNTS: [f64; 2] = [5.0, 10_001.0];
+const LINE_COUNT_RANGE: [f64; 2] = [5.0, 10_001.0];
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_shape",
@@ -21,22 +21,22 @@ pub(super) const FILTER: Filter = Filter {
     help: "Makes a standard shape as a quad grid. Rows and columns of faces continue across its seams, and a side contracted to \
            a pole is one vertex.",
     reference: REFERENCE,
-    ..Filter::new(&[], TO_MESH_TEXT, &Body(run))
+    ..Filter::new(&[], TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     shape: MakeShape = Param::choice("Shape", "The shape, about the z axis.", SHAPES);
-    rows: u32 = Param::int("Rows", "The number of rows of nodes, from one pole or rim to the other.", COUNTS, &[33.0]);
+    rows: u32 = Param::int("Rows", "The number of rows of nodes, from one pole or rim to the other.", LINE_COUNT_RANGE, &[33.0]);
     columns: u32 = Param::int(
         "Columns",
         "The number of columns of nodes. In closed rows the last node repeats the first.",
-        COUNTS, &[65.0],
+        LINE_COUNT_RANGE, &[65.0],
     );
-    radius: f64 = Param::length("Radius", "The radius; for a torus, the radius of its centre line.", LENGTHS, &[1.0]);
+    radius: f64 = Param::length("Radius", "The radius; for a torus, the radius of its centre line.", LENGTH_RANGE, &[1.0]);
     minor_radius: f64 =
-        Param::length("Minor radius", "The radius of the tube of a torus, less than the radius.", LENGTHS, &[0.25]);
+        Param::length("Minor radius", "The radius of the tube of a torus, less than the radius.", LENGTH_RANGE, &[0.25]);
     height: f64 =
-        Param::length("Height", "The height of tubes, cylinders, cones, prisms and pyramids.", LENGTHS, &[2.0]);
+        Param::length("Height", "The height of tubes, cylinders, cones, prisms and pyramids.", LENGTH_RANGE, &[2.0]);
     triangles: bool = TRIANGLES;
     sides: u32 = Param::int(
         "Sides",
@@ -80,7 +80,7 @@ choices! {
              number of columns must be odd.";
 }
 
-fn run(_: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(_: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let [rows, columns] = [values.rows, values.columns].map(|count| count as usize);
     let request = Request { rows, columns, ..Request::new((values.shape)(values)) };
     let net = request.net(&job.part(0.0, 0.5)).map_err(|error| match error {
@@ -91,15 +91,15 @@ fn run(_: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Ou
         error => error,
     })?;
     let complex = Complex::from_topology(net.topology(), &job.part(0.5, 0.7))?;
-    let mesh = quads::mesh(&net, values.triangles, &job.part(0.7, 1.0))?;
+    let mesh = quads::mesh_of_net(&net, values.triangles, &job.part(0.7, 1.0))?;
     let text = format!(
         "{}, {}, {}, {}\nEuler characteristic {}, {}\n",
-        counted(complex.vertices, VERTEX),
-        counted(complex.edges, EDGE),
-        counted(complex.quads, QUAD),
-        counted(complex.triangles, TRIANGLE),
+        count_with_noun(complex.vertices, VERTEX),
+        count_with_noun(complex.edges, EDGE),
+        count_with_noun(complex.quads, QUAD),
+        count_with_noun(complex.triangles, TRIANGLE),
         complex.euler_characteristic(),
-        counted(complex.boundary.len(), BOUNDARY_LOOP)
+        count_with_noun(complex.boundary.len(), BOUNDARY_LOOP)
     );
     let values = [
         ("vertices", complex.vertices as f64),

@@ -1,15 +1,15 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{FACE, PIECE, Report, counted, push_line, push_more};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{Param, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{FACE, PIECE, Report, count_with_noun, push_line, push_unlisted_count};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{Param, ParamValues, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_stitch::repair::orient::{Options, Oriented, Outward, orient};
 
 /// The largest number of components that the report lists.
-const MAX_LISTED: usize = 20;
+const MAX_LISTED_PIECES: usize = 20;
 
 pub(super) const FILTER: Filter = Filter {
     id: "orient",
@@ -20,19 +20,19 @@ pub(super) const FILTER: Filter = Filter {
     reference: "Breadth-first search across edges of two faces",
     replaces: true,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     outward: Outward = Param::choice("Closed components", "The orientation of closed components.", Outward::CHOICES);
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options { outward: values.outward };
     let mut done = orient(inputs[0].mesh()?, &options, job)?;
     done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
-    let origins = values.origins(|| Origins::from_oriented(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_oriented(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
@@ -40,13 +40,13 @@ fn report(done: &Oriented) -> Report {
     let mut text = format!(
         "{} of {} reversed, {}\n",
         done.turned_faces,
-        counted(done.turned.len(), FACE),
-        counted(done.components, PIECE)
+        count_with_noun(done.turned.len(), FACE),
+        count_with_noun(done.components, PIECE)
     );
-    for found in done.one_sided.iter().take(MAX_LISTED) {
+    for found in done.one_sided.iter().take(MAX_LISTED_PIECES) {
         push_line!(text, "the piece of face {} is one-sided (half-edge {})", found.face, found.half_edge);
     }
-    push_more(&mut text, done.one_sided.len(), MAX_LISTED);
+    push_unlisted_count(&mut text, done.one_sided.len(), MAX_LISTED_PIECES);
     let values = [
         ("turned_faces", f64::from(done.turned_faces)),
         ("pieces", f64::from(done.components)),

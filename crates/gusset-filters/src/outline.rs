@@ -1,9 +1,9 @@
-use super::curve::{CATEGORY, CHORD_ERROR, REFERENCE, sampled};
+use super::curve::{CATEGORY, CHORD_ERROR, REFERENCE, sample_curve};
 use super::data::{Curves, Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{POINT, counted, push_line};
-use super::signatures::{CURVES, TO_CURVES_TEXT};
-use super::typed::{Param, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{POINT, count_with_noun, push_line};
+use super::signatures::{CURVES_ONLY, TO_CURVES_TEXT};
+use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_curve::ops::Spacing;
@@ -24,7 +24,7 @@ params! {
         [0.0, PI], &[PI],
     );
     chord_error: f64 = CHORD_ERROR
-        .explained("The largest distance of the polyline from the curve, relative to the size of the curve.");
+        .with_help("The largest distance of the polyline from the curve, relative to the size of the curve.");
 }
 use std::f64::consts::PI;
 
@@ -35,10 +35,10 @@ pub(super) const FILTER: Filter = Filter {
     help: "Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the \
            middle of a quadratic section, whose control point lies on the bisector, the median or the normal at the point.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_CURVES_TEXT, &Body(run))
+    ..Filter::new(CURVES_ONLY, TO_CURVES_TEXT, &FilterBody(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
     let options = Options {
         mode: values.curve,
@@ -49,15 +49,15 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
         corner_angle: values.corner_angle,
         ..Options::default()
     };
-    let (mut drawn, mut text) = (Curves::none(), String::new());
-    let curves = given.each()?;
+    let (mut drawn, mut text) = (Curves::empty(), String::new());
+    let curves = given.polylines()?;
     for (c, &(points, closed)) in curves.iter().enumerate() {
         let part = job.share(c, curves.len());
         let outline = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
         let done = fit(&outline, &options, &part.part(0.0, 0.8))?;
         let chord = (values.chord_error * done.reports()[0].size).max(f64::MIN_POSITIVE);
-        let points = sampled(&done.curve(0), Spacing::Chord(chord), &part.part(0.8, 1.0))?;
-        drawn.add(points.into_iter(), closed)?;
+        let points = sample_curve(&done.curve(0), Spacing::Chord(chord), &part.part(0.8, 1.0))?;
+        drawn.add_curve(points.into_iter(), closed)?;
         push_line!(text, "curve {c}: {}", report(&done));
     }
     Ok(vec![Output::Curves(drawn), Output::Text(text.into())])
@@ -77,9 +77,9 @@ fn report(done: &Fit) -> String {
     let missed = done.statuses().iter().filter(|&&status| status == PointStatus::Missed).count();
     format!(
         "{}, {}, {what}; {} with a status of {} own, {missed} missed; largest miss {:.1e} of the size",
-        counted(done.statuses().len(), POINT),
-        counted(done.curve(0).len(), ["segment", "segments"]),
-        counted(account.not_ok, POINT),
+        count_with_noun(done.statuses().len(), POINT),
+        count_with_noun(done.curve(0).len(), ["segment", "segments"]),
+        count_with_noun(account.not_ok, POINT),
         if account.not_ok == 1 { "its" } else { "their" },
         account.max_residual
     )

@@ -3,7 +3,7 @@
 //! Filters declare parameters by `params!`, which also gives the values their types.
 
 use super::data::Input;
-use super::extent::rounded;
+use super::extent::round_to_two_digits;
 use glam::DVec3;
 pub use gusset_base::choice::Choice;
 use gusset_base::error::{Error, Result};
@@ -118,7 +118,7 @@ impl Param {
         };
         match self.suggestion {
             None => {}
-            Some(Suggestion::Ratio(ratio)) => set(&[rounded(ratio * extent.diagonal())]),
+            Some(Suggestion::Ratio(ratio)) => set(&[round_to_two_digits(ratio * extent.diagonal())]),
             Some(Suggestion::Number(number)) => number(inputs, extent).iter().for_each(|&number| set(&[number])),
             Some(Suggestion::Vector(vector)) => vector(inputs, extent).iter().for_each(|v| set(&v.to_array())),
             Some(Suggestion::Plane(plane)) => plane(inputs, extent).iter().for_each(|plane| set(plane)),

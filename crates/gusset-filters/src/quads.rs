@@ -1,13 +1,13 @@
 //! Common parts of filters of quad grids: the net of a mesh of quads in rows and columns, and back.
 
 use super::data::Output;
-use super::typed::{Param, Parameters, TypedParam, Values};
+use super::typed_param::{Param, ParamValues, Parameters, TypedParam};
 use gusset_attributes::Origins;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView};
 use gusset_net::Net;
-use gusset_net::convert::{Diagonal, GridNet, MeshOptions, NetMesh, net_of_grid};
+use gusset_net::convert::{Diagonal, MeshOptions, NetMesh, RecognisedNet, net_of_grid};
 
 pub(super) const CATEGORY: &str = "Quad grids";
 pub(super) const REFERENCE: &str = "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks";
@@ -19,8 +19,8 @@ pub(super) const TRIANGLES: TypedParam<bool> = Param::flag("Triangles", "Cuts qu
 ///
 /// # Errors
 /// The errors of [`net_of_grid`].
-pub(super) fn net(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
-    grid(mesh, job).map(|found| found.net)
+pub(super) fn recognise_net(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
+    recognise_grid(mesh, job).map(|found| found.net)
 }
 
 /// The net whose cells are the faces of a mesh. It tells the vertex of each node and the face of each
@@ -28,7 +28,7 @@ pub(super) fn net(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
 ///
 /// # Errors
 /// The errors of [`net_of_grid`].
-pub(super) fn grid(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
+pub(super) fn recognise_grid(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<RecognisedNet> {
     net_of_grid(mesh, None, job)
 }
 
@@ -36,7 +36,7 @@ pub(super) fn grid(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
 ///
 /// # Errors
 /// The errors of [`Net::to_mesh`].
-pub(super) fn mesh(net: &Net<'_>, triangles: bool, job: &Job<'_>) -> Result<Mesh> {
+pub(super) fn mesh_of_net(net: &Net<'_>, triangles: bool, job: &Job<'_>) -> Result<Mesh> {
     net_mesh(net, triangles, job).map(|made| made.mesh)
 }
 
@@ -54,14 +54,14 @@ fn net_mesh(net: &Net<'_>, triangles: bool, job: &Job<'_>) -> Result<NetMesh> {
 ///
 /// # Errors
 /// The errors of [`Net::to_mesh`].
-pub(super) fn output<P: Parameters>(
+pub(super) fn grid_output<P: Parameters>(
     net: &Net<'_>,
-    (input, grid): (&MeshView<'_>, &GridNet),
+    (input, grid): (&MeshView<'_>, &RecognisedNet),
     lines: [&[usize]; 2],
-    (values, triangles): (&Values<P>, bool),
+    (values, triangles): (&ParamValues<P>, bool),
     job: &Job<'_>,
 ) -> Result<Output> {
     let made = net_mesh(net, triangles, &job.part(0.0, 0.5))?;
-    let origins = values.origins(|| Origins::from_grid_mesh(input, grid, lines, &made, &job.part(0.5, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_grid_mesh(input, grid, lines, &made, &job.part(0.5, 1.0)))?;
     Ok(Output::Mesh(made.mesh, origins))
 }

@@ -62,31 +62,33 @@ pub(super) const ROW: Noun = ["row", "rows"];
 pub(super) const COLUMN: Noun = ["column", "columns"];
 
 /// A number of things: "1 face", "2 faces".
-pub(super) fn counted<N: Display + PartialEq + From<u8> + Copy>(count: N, [one, many]: Noun) -> String {
+pub(super) fn count_with_noun<N: Display + PartialEq + From<u8> + Copy>(count: N, [one, many]: Noun) -> String {
     let noun = if count == N::from(1) { one } else { many };
     format!("{count} {noun}")
 }
 
 /// Six significant digits, without zeros behind them.
-pub(super) fn short(value: f64) -> String {
-    const DIGITS: i32 = 6;
+pub(super) fn format_short(value: f64) -> String {
+    const SIGNIFICANT_DIGITS: i32 = 6;
     let trimmed = |digits: &str| match digits.contains('.') {
         true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => digits.to_owned(),
     };
     // No sign before 0.
     let value = value + 0.0;
-    let scientific = format!("{value:.*e}", DIGITS as usize - 1);
+    let scientific = format!("{value:.*e}", SIGNIFICANT_DIGITS as usize - 1);
     let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
     match exponent.parse::<i32>() {
-        Ok(power @ -5..DIGITS) => trimmed(&format!("{value:.*}", (DIGITS - 1 - power) as usize)),
+        Ok(power @ -5..SIGNIFICANT_DIGITS) => {
+            trimmed(&format!("{value:.*}", (SIGNIFICANT_DIGITS - 1 - power) as usize))
+        }
         _ => format!("{}e{exponent}", trimmed(mantissa)),
     }
 }
 
 /// The coordinates of a point.
-pub(super) fn short_point(p: DVec3) -> String {
-    format!("({} {} {})", short(p.x), short(p.y), short(p.z))
+pub(super) fn format_short_point(p: DVec3) -> String {
+    format!("({} {} {})", format_short(p.x), format_short(p.y), format_short(p.z))
 }
 
 /// Appends a formatted line to a text.
@@ -100,14 +102,14 @@ macro_rules! push_line {
 pub(super) use push_line;
 
 /// Appends a line that counts the items beyond the listed ones, if there are any.
-pub(super) fn push_more(text: &mut String, count: usize, listed: usize) {
+pub(super) fn push_unlisted_count(text: &mut String, count: usize, listed: usize) {
     if count > listed {
         push_line!(text, "and {} more", count - listed);
     }
 }
 
 /// A line on distances: their number, the largest, the mean and the root mean square.
-pub(super) fn distances(of_what: Noun, distances: impl Iterator<Item = f64>) -> Report {
+pub(super) fn distance_report(of_what: Noun, distances: impl Iterator<Item = f64>) -> Report {
     let (mut count, mut largest, mut sum) = (0u64, 0.0f64, 0.0);
     // Squares are relative to the largest so far: they do not overflow or vanish.
     let mut squares = 0.0;
@@ -126,10 +128,10 @@ pub(super) fn distances(of_what: Noun, distances: impl Iterator<Item = f64>) -> 
     let (mean, root) = (sum / number, largest * (squares / number).sqrt());
     let text = format!(
         "{}: largest distance {}, mean {}, root mean square {}\n",
-        counted(count, of_what),
-        short(largest),
-        short(mean),
-        short(root)
+        count_with_noun(count, of_what),
+        format_short(largest),
+        format_short(mean),
+        format_short(root)
     );
     let values = [
         ("count", count as f64),

@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{EDGE, FACE, Report, VERTEX, counted};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{Values, params};
-use super::weld::{TOLERANCE, UNUSED};
+use super::filter::{Filter, FilterBody};
+use super::report::{EDGE, FACE, Report, VERTEX, count_with_noun};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{ParamValues, params};
+use super::weld::{DROP_UNUSED_VERTICES, TOLERANCE};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -20,31 +20,31 @@ pub(super) const FILTER: Filter = Filter {
     reference: "Greedy clustering in the order of the vertices; edges are sewn in pairs",
     replaces: true,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     tolerance: Option<f64> = TOLERANCE;
-    unused: bool = UNUSED;
+    unused: bool = DROP_UNUSED_VERTICES;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options { tolerance: values.tolerance, remove_unused: values.unused, ..Options::default() };
     let mut done = sew(inputs[0].mesh()?, &options, job)?;
     done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
-    let origins = values.origins(|| Origins::from_sew(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_sew(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
 fn report(done: &Sew) -> Report {
     let text = format!(
         "{} welded, {} sewn, {} split at {}\nnot welded: {} that lie on other vertices or on edges\n",
-        counted(done.welded_vertices, VERTEX),
-        counted(done.sewn_edges, EDGE),
-        counted(done.split_faces, FACE),
-        counted(done.splits, ["point", "points"]),
-        counted(done.left_vertices.len(), VERTEX)
+        count_with_noun(done.welded_vertices, VERTEX),
+        count_with_noun(done.sewn_edges, EDGE),
+        count_with_noun(done.split_faces, FACE),
+        count_with_noun(done.splits, ["point", "points"]),
+        count_with_noun(done.left_vertices.len(), VERTEX)
     );
     let values = [
         ("welded_vertices", f64::from(done.welded_vertices)),

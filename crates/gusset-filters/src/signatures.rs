@@ -3,11 +3,11 @@
 use super::data::{InputKind, OutputKind};
 
 /// One mesh.
-pub(super) const MESH: &[InputKind] = &[InputKind::Mesh];
+pub(super) const ONE_MESH: &[InputKind] = &[InputKind::Mesh];
 /// Two meshes.
 pub(super) const TWO_MESHES: &[InputKind] = &[InputKind::Mesh; 2];
 /// One input of curves.
-pub(super) const CURVES: &[InputKind] = &[InputKind::Curves];
+pub(super) const CURVES_ONLY: &[InputKind] = &[InputKind::Curves];
 /// A mesh as output.
 pub(super) const TO_MESH: &[OutputKind] = &[OutputKind::Mesh];
 /// A mesh and a report as output.

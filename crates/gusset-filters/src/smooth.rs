@@ -2,8 +2,8 @@
 
 use super::curve;
 use super::data::Curves;
-use super::report::{CURVE, FACE, POINT, Report, VERTEX, counted};
-use super::typed::{Param, TypedParam};
+use super::report::{CURVE, FACE, POINT, Report, VERTEX, count_with_noun};
+use super::typed_param::{Param, TypedParam};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
@@ -25,7 +25,7 @@ pub(super) const SCHEME: TypedParam<Scheme> = Param::choice(
 
 /// The fineness of curves.
 pub(super) const CHORD_ERROR: TypedParam<f64> = curve::CHORD_ERROR
-    .explained("The largest distance of the polylines from the curves, relative to the diagonal of the surface's box.");
+    .with_help("The largest distance of the polylines from the curves, relative to the diagonal of the surface's box.");
 
 /// The fineness of meshes: their relative deviation from the surface.
 pub(super) const DEVIATION: TypedParam<f64> = Param::real(
@@ -36,7 +36,7 @@ pub(super) const DEVIATION: TypedParam<f64> = Param::real(
 );
 
 /// The fineness of meshes: the parts of a cell.
-pub(super) const PARTS: TypedParam<u32> =
+pub(super) const MIN_PARTS_PER_SIDE: TypedParam<u32> =
     Param::int("Parts", "The smallest number of parts of each side of a cell.", [1.0, 1000.0], &[1.0]);
 
 /// The faces of meshes.
@@ -44,7 +44,7 @@ pub(super) const TRIANGLES: TypedParam<bool> = Param::flag("Triangles", "Makes t
 
 /// The surface through a mesh. Its normals point to the side from which faces run
 /// counter-clockwise.
-pub(super) fn surface(mesh: &MeshView<'_>, scheme: Scheme, job: &Job<'_>) -> Result<Surface<'static>> {
+pub(super) fn surface_through_mesh(mesh: &MeshView<'_>, scheme: Scheme, job: &Job<'_>) -> Result<Surface<'static>> {
     let found = net_of_grid(mesh, None, &job.part(0.0, 0.6))?;
     let (rows, columns) = (found.net.shape().rows(), found.net.shape().columns());
     let vertex = |i: usize, j: usize| found.vertex_of_node[i * columns + j];
@@ -59,14 +59,14 @@ pub(super) fn surface(mesh: &MeshView<'_>, scheme: Scheme, job: &Job<'_>) -> Res
 }
 
 /// The largest distance of chords that a relative [`CHORD_ERROR`] allows.
-pub(super) fn chord(surface: &Surface<'_>, chord_error: f64) -> PointSpacing {
+pub(super) fn chord_spacing(surface: &Surface<'_>, chord_error: f64) -> PointSpacing {
     let [low, high] = surface.bounds();
     PointSpacing::Chord((chord_error * low.distance(high)).max(f64::MIN_POSITIVE))
 }
 
 /// The surface of one sheet as a mesh, and a report of one line. The fineness is the values of
-/// [`DEVIATION`], [`PARTS`] and [`TRIANGLES`].
-pub(super) fn meshed(
+/// [`DEVIATION`], [`MIN_PARTS_PER_SIDE`] and [`TRIANGLES`].
+pub(super) fn mesh_surface(
     surface: &Surface<'_>,
     (deviation, parts, triangles): (f64, u32, bool),
     job: &Job<'_>,
@@ -81,8 +81,8 @@ pub(super) fn meshed(
     let (vertices, faces) = (made.places.len(), made.mesh.face_count());
     let text = format!(
         "{}, {}, at most {:.1e} from the surface\n",
-        counted(vertices, VERTEX),
-        counted(faces, FACE),
+        count_with_noun(vertices, VERTEX),
+        count_with_noun(faces, FACE),
         made.deviation
     );
     let values = [("vertices", vertices as f64), ("faces", faces as f64), ("deviation", made.deviation)];
@@ -90,7 +90,7 @@ pub(super) fn meshed(
 }
 
 /// The nearest points of all queries, which are elements of the given kind.
-pub(super) fn nearest(
+pub(super) fn nearest_surface_points(
     surface: &Surface<'_>,
     queries: &[DVec3],
     element: Element,
@@ -109,7 +109,7 @@ pub(super) fn nearest(
 }
 
 /// Paths as polylines.
-pub(super) fn polylines(paths: &Paths) -> Result<Curves> {
+pub(super) fn paths_to_curves(paths: &Paths) -> Result<Curves> {
     Ok(Curves {
         points: alloc::collect(paths.points.iter().map(DVec3::to_array))?,
         offsets: if paths.ends.is_empty() { vec![0] } else { alloc::copied(&paths.ends)? },
@@ -118,12 +118,12 @@ pub(super) fn polylines(paths: &Paths) -> Result<Curves> {
 }
 
 /// A line on the number of curves.
-pub(super) fn summary(paths: &Paths) -> String {
+pub(super) fn paths_summary(paths: &Paths) -> String {
     let closed = paths.closed.iter().filter(|&&closed| closed).count();
     format!(
         "{}, {closed} of them closed, {}; {} unresolved\n",
-        counted(paths.len(), CURVE),
-        counted(paths.points.len(), POINT),
-        counted(paths.unresolved.len(), ["cell", "cells"])
+        count_with_noun(paths.len(), CURVE),
+        count_with_noun(paths.points.len(), POINT),
+        count_with_noun(paths.unresolved.len(), ["cell", "cells"])
     )
 }

@@ -1,10 +1,10 @@
-use super::data::{Input, Output, with_positions};
-use super::filter::{Body, Filter};
+use super::data::{Input, Output, mesh_with_positions};
+use super::filter::{Filter, FilterBody};
 use super::moving::{STRENGTH, moved_output};
-use super::report::{VERTEX, distances};
+use super::report::{VERTEX, distance_report};
 use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
-use super::typed::{Values, params};
+use super::typed_param::{ParamValues, params};
 use gusset_base::alloc;
 use gusset_base::error::{Element, Result};
 use gusset_base::job::Job;
@@ -20,7 +20,7 @@ pub(super) const FILTER: Filter = Filter {
     reference: REFERENCE,
     replaces: true,
     has_origins: true,
-    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -28,18 +28,18 @@ params! {
     strength: f64 = STRENGTH;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
-    let surface = smooth::surface(inputs[1].mesh()?, values.scheme, &job.part(0.0, 0.3))?;
+    let surface = smooth::surface_through_mesh(inputs[1].mesh()?, values.scheme, &job.part(0.0, 0.3))?;
     let positions = mesh.positions();
     let from = alloc::collect((0..positions.len()).map(|v| positions.get(v as u32)))?;
-    let nearest = smooth::nearest(&surface, &from, Element::Vertex, &job.part(0.3, 1.0))?;
+    let nearest = smooth::nearest_surface_points(&surface, &from, Element::Vertex, &job.part(0.3, 1.0))?;
     job.step(1.0, "moving vertices")?;
     let mut moved = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
     moved.extend(from.iter().zip(&nearest).map(|(from, to)| from.lerp(to.point, values.strength)))?;
     job.step(1.0, "moving vertices")?;
-    let report = distances(VERTEX, from.iter().zip(&nearest).map(|(from, to)| from.distance(to.point)));
+    let report = distance_report(VERTEX, from.iter().zip(&nearest).map(|(from, to)| from.distance(to.point)));
     job.step(1.0, "moving vertices")?;
-    let moved = moved_output(with_positions(mesh, moved)?, inputs, values, job)?;
+    let moved = moved_output(mesh_with_positions(mesh, moved)?, inputs, values, job)?;
     Ok(vec![moved, Output::Text(report)])
 }

@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{CURVE, counted, push_line};
-use super::signatures::{MESH, TO_CURVES_TEXT};
+use super::filter::{Filter, FilterBody};
+use super::report::{CURVE, count_with_noun, push_line};
+use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
-use super::typed::{Param, Values, params};
+use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -18,7 +18,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Draws isophotes of the smooth surface through the vertices of a quad grid: curves on which the normals make one of \
            several equally spaced angles with a direction. Where isophotes are not smooth, the surface is not fair.",
     reference: REFERENCE,
-    ..Filter::new(MESH, TO_CURVES_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -36,8 +36,8 @@ choices! {
         true => "Alike", "From 0 to pi / 2: a normal and its opposite count as equal.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
     let (number, unsigned) = (values.number as usize, values.sides);
     let most = if unsigned { FRAC_PI_2 } else { PI };
     // Half a step remains at each end.
@@ -46,14 +46,14 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
         values.direction,
         &angles,
         unsigned,
-        smooth::chord(&surface, values.chord_error),
+        smooth::chord_spacing(&surface, values.chord_error),
         &job.part(0.4, 1.0),
     )?;
-    let mut text = smooth::summary(&paths);
+    let mut text = smooth::paths_summary(&paths);
     let mut counts = alloc::filled(0, number)?;
     paths.levels.iter().for_each(|&level| counts[level as usize] += 1);
     for (angle, count) in angles.iter().zip(counts) {
-        push_line!(text, "{:.4} degrees: {}", angle.to_degrees(), counted(count, CURVE));
+        push_line!(text, "{:.4} degrees: {}", angle.to_degrees(), count_with_noun(count, CURVE));
     }
-    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(text.into())])
+    Ok(vec![Output::Curves(smooth::paths_to_curves(&paths)?), Output::Text(text.into())])
 }

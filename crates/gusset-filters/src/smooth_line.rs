@@ -1,9 +1,9 @@
 use super::data::{Curves, Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{HIT, counted, push_line, short, short_point};
-use super::signatures::{MESH, TO_CURVES_TEXT};
+use super::filter::{Filter, FilterBody};
+use super::report::{HIT, count_with_noun, format_short, format_short_point, push_line};
+use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
-use super::typed::{Param, Values, params};
+use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
 use gusset_base::choices;
 use gusset_base::error::Result;
@@ -18,7 +18,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Finds where a line or a ray intersects the smooth surface through the vertices of a quad grid. Each intersection is \
            a curve of one point; the report has its distance from the given point and the normal. No intersection is missed.",
     reference: REFERENCE,
-    ..Filter::new(MESH, TO_CURVES_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -40,18 +40,18 @@ choices! {
         (true, HitSelection::First) => "First of the ray", "The intersection nearest to the point.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.9))?;
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.9))?;
     job.step(0.9, "line")?;
     let (is_ray, selection) = values.which;
     let line = if is_ray { Line::ray } else { Line::new }(values.point, values.direction);
     let hits = surface.line(&line, selection)?;
-    let (mut points, mut text) = (Curves::none(), format!("{}\n", counted(hits.len(), HIT)));
+    let (mut points, mut text) = (Curves::empty(), format!("{}\n", count_with_noun(hits.len(), HIT)));
     for hit in &hits {
-        points.add([hit.point].into_iter(), false)?;
+        points.add_curve([hit.point].into_iter(), false)?;
         let touches = if hit.tangent { ", touches" } else { "" };
-        let (point, normal) = (short_point(hit.point), short_point(hit.normal));
-        push_line!(text, "at {}: {point}, normal {normal}{touches}", short(hit.at));
+        let (point, normal) = (format_short_point(hit.point), format_short_point(hit.normal));
+        push_line!(text, "at {}: {point}, normal {normal}{touches}", format_short(hit.at));
     }
     Ok(vec![Output::Curves(points), Output::Text(text.into())])
 }

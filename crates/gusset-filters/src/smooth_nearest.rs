@@ -1,9 +1,9 @@
 use super::data::{Curves, Input, InputKind, Output};
-use super::filter::{Body, Filter};
-use super::report::{POINT, Report, distances};
+use super::filter::{Filter, FilterBody};
+use super::report::{POINT, Report, distance_report};
 use super::signatures::TO_CURVES_TEXT;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
-use super::typed::{Values, params};
+use super::typed_param::{ParamValues, params};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Result};
@@ -17,25 +17,25 @@ pub(super) const FILTER: Filter = Filter {
     help: "Finds the nearest point on the smooth surface through the vertices of a quad grid for each point of some curves. It \
            draws the segments between them and reports their lengths, and how many nearest points are not proven.",
     reference: REFERENCE,
-    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, &Body(run))
+    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
     scheme: Scheme = SCHEME;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[1].curves()?;
-    given.each()?;
-    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
+    given.polylines()?;
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
     let queries = alloc::collect(given.points.iter().map(|&point| DVec3::from(point)))?;
-    let nearest = smooth::nearest(&surface, &queries, Element::Query, &job.part(0.4, 1.0))?;
-    let mut ways = Curves::none();
+    let nearest = smooth::nearest_surface_points(&surface, &queries, Element::Query, &job.part(0.4, 1.0))?;
+    let mut ways = Curves::empty();
     for (&query, nearest) in queries.iter().zip(&nearest) {
-        ways.add([query, nearest.point].into_iter(), false)?;
+        ways.add_curve([query, nearest.point].into_iter(), false)?;
     }
     let unproven = nearest.iter().filter(|nearest| !nearest.proven).count();
-    let found = distances(POINT, nearest.iter().map(|nearest| nearest.distance));
+    let found = distance_report(POINT, nearest.iter().map(|nearest| nearest.distance));
     let text = format!("{found}{unproven} without proof\n");
     let values = [found.values(), &[("unproven", unproven as f64)]].concat();
     Ok(vec![Output::Curves(ways), Output::Text(Report::new(text, &values))])

@@ -1,9 +1,9 @@
 use super::curve::{self, INTERPOLATION};
 use super::data::{Input, InputKind, Output};
-use super::filter::{Body, Filter};
+use super::filter::{Filter, FilterBody};
 use super::signatures::TO_MESH_TEXT;
-use super::smooth::{self, CATEGORY, DEVIATION, PARTS, TRIANGLES};
-use super::typed::{LENGTHS, Param, Values, params};
+use super::smooth::{self, CATEGORY, DEVIATION, MIN_PARTS_PER_SIDE, TRIANGLES};
+use super::typed_param::{LENGTH_RANGE, Param, ParamValues, params};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -20,7 +20,7 @@ pub(super) const FILTER: Filter = Filter {
            alone are skinned.",
     reference: "W. J. Gordon, Spline-blended surface interpolation through curve networks, 1969",
     min_inputs: 1,
-    ..Filter::new(&[InputKind::Curves; 2], TO_MESH_TEXT, &Body(run))
+    ..Filter::new(&[InputKind::Curves; 2], TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -33,17 +33,17 @@ params! {
     tolerance: f64 = Param::length(
         "Tolerance",
         "The largest distance of two curves where they meet. Both are moved to the middle.",
-        LENGTHS, &[1e-6],
+        LENGTH_RANGE, &[1e-6],
     ).with_size_ratio(1e-4);
     deviation: f64 = DEVIATION;
-    parts: u32 = PARTS;
+    parts: u32 = MIN_PARTS_PER_SIDE;
     triangles: bool = TRIANGLES;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let across = curve::curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.1))?;
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let across = curve::fit_curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.1))?;
     let along = match inputs.get(1) {
-        Some(given) => curve::curves(given.curves()?, values.between, &job.part(0.1, 0.2))?,
+        Some(given) => curve::fit_curves(given.curves()?, values.between, &job.part(0.1, 0.2))?,
         None => Vec::new(),
     };
     let closed = [&across, &along].map(|curves| common_closedness(curves));
@@ -57,7 +57,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let sheet = Sheet::from_curves(&net, &job.part(0.2, 0.5))?;
     let surface = Surface::new(vec![sheet], None, &job.part(0.5, 0.6))?;
     let (mesh, report) =
-        smooth::meshed(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.6, 1.0))?;
+        smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.6, 1.0))?;
     Ok(vec![Output::Mesh(mesh, None), Output::Text(report)])
 }
 

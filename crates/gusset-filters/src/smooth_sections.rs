@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::signatures::{MESH, TO_CURVES_TEXT};
+use super::filter::{Filter, FilterBody};
+use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
-use super::typed::{COORDINATES, LENGTHS, Param, Values, params};
+use super::typed_param::{COORDINATE_RANGE, LENGTH_RANGE, Param, ParamValues, params};
 use glam::DVec3;
 use gusset_base::choices;
 use gusset_base::error::Result;
@@ -18,7 +18,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No \
            curve is missed. Points lie on the surface, not on the quads.",
     reference: REFERENCE,
-    ..Filter::new(MESH, TO_CURVES_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -29,10 +29,10 @@ params! {
     offset: f64 = Param::length(
         "Offset",
         "The distance of the first plane from the origin along the direction, for given planes.",
-        COORDINATES, &[0.0],
-    ).suggested(|_, extent| Some(extent.low.z + 0.05 * height(extent)));
-    distance: f64 = Param::length("Distance", "The spacing of the planes, for given planes.", LENGTHS, &[1.0])
-        .suggested(|_, extent| Some(0.1 * height(extent)));
+        COORDINATE_RANGE, &[0.0],
+    ).suggested(|_, extent| Some(extent.low.z + 0.05 * extent_in_z(extent)));
+    distance: f64 = Param::length("Distance", "The spacing of the planes, for given planes.", LENGTH_RANGE, &[1.0])
+        .suggested(|_, extent| Some(0.1 * extent_in_z(extent)));
     chord_error: f64 = CHORD_ERROR;
 }
 
@@ -44,29 +44,32 @@ choices! {
 }
 
 /// The extent along the z axis, the default direction, which ten planes divide by default.
-fn height(extent: &Aabb) -> f64 {
+fn extent_in_z(extent: &Aabb) -> f64 {
     Some(extent.size().z).filter(|&height| height > 0.0).unwrap_or(extent.diagonal())
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
-    let paths = cut(&surface, values, &job.part(0.4, 1.0))?;
-    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths).into())])
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
+    let paths = cut_by_planes(&surface, values, &job.part(0.4, 1.0))?;
+    Ok(vec![Output::Curves(smooth::paths_to_curves(&paths)?), Output::Text(smooth::paths_summary(&paths).into())])
 }
 
-fn cut(surface: &Surface<'_>, values: &Params, job: &Job<'_>) -> Result<Paths> {
+fn cut_by_planes(surface: &Surface<'_>, values: &Params, job: &Job<'_>) -> Result<Paths> {
     let (normal, number) = (values.direction, values.number as usize);
-    let [first, distance] =
-        if values.placement { [values.offset, values.distance] } else { evenly(surface, normal, number) };
+    let [first, distance] = if values.placement {
+        [values.offset, values.distance]
+    } else {
+        first_offset_and_spacing(surface, normal, number)
+    };
     let mut offsets: Vec<f64> = (0..number).map(|k| first + k as f64 * distance).collect();
     // Where the surface has no extent, rounding makes planes equal.
     offsets.dedup();
     let planes = Planes { point: DVec3::ZERO, normal, levels: &offsets };
-    surface.section(&planes, smooth::chord(surface, values.chord_error), job)
+    surface.section(&planes, smooth::chord_spacing(surface, values.chord_error), job)
 }
 
 /// The offset of the first plane and the spacing of planes. Half a spacing remains at each end.
-fn evenly(surface: &Surface<'_>, normal: DVec3, number: usize) -> [f64; 2] {
+fn first_offset_and_spacing(surface: &Surface<'_>, normal: DVec3, number: usize) -> [f64; 2] {
     let [low, high] = surface.bounds();
     let corner = |k: usize| DVec3::new([low.x, high.x][k & 1], [low.y, high.y][k >> 1 & 1], [low.z, high.z][k >> 2]);
     let [from, to] = aabb::range((0..8).map(|k| corner(k).dot(normal)));

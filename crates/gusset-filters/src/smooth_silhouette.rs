@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::signatures::{MESH, TO_CURVES_TEXT};
+use super::filter::{Filter, FilterBody};
+use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
-use super::typed::{Param, Values, params};
+use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -16,7 +16,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Finds where the normals of the smooth surface through the vertices of a quad grid make a given angle with a \
            direction. The angle pi / 2 gives the silhouettes seen along the direction; other angles give lines of equal slope.",
     reference: REFERENCE,
-    ..Filter::new(MESH, TO_CURVES_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -26,10 +26,10 @@ params! {
     chord_error: f64 = CHORD_ERROR;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
     let (direction, angles) = (values.direction, [values.angle]);
-    let between = smooth::chord(&surface, values.chord_error);
+    let between = smooth::chord_spacing(&surface, values.chord_error);
     let paths = surface.isophotes(direction, &angles, false, between, &job.part(0.4, 1.0))?;
-    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths).into())])
+    Ok(vec![Output::Curves(smooth::paths_to_curves(&paths)?), Output::Text(smooth::paths_summary(&paths).into())])
 }

@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::smooth::{self, CATEGORY, DEVIATION, PARTS, REFERENCE, SCHEME, TRIANGLES};
-use super::typed::{Values, params};
+use super::filter::{Filter, FilterBody};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::smooth::{self, CATEGORY, DEVIATION, MIN_PARTS_PER_SIDE, REFERENCE, SCHEME, TRIANGLES};
+use super::typed_param::{ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_surface::Scheme;
@@ -14,19 +14,19 @@ pub(super) const FILTER: Filter = Filter {
     help: "Draws a smooth surface through the vertices of a quad grid, and returns it as a finer mesh. Its vertices lie on the \
            surface, and its faces deviate from it at most as requested.",
     reference: REFERENCE,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     scheme: Scheme = SCHEME;
     deviation: f64 = DEVIATION;
-    parts: u32 = PARTS;
+    parts: u32 = MIN_PARTS_PER_SIDE;
     triangles: bool = TRIANGLES;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
     let (mesh, report) =
-        smooth::meshed(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.4, 1.0))?;
+        smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.4, 1.0))?;
     Ok(vec![Output::Mesh(mesh, None), Output::Text(report)])
 }

@@ -1,10 +1,10 @@
 use super::data::{Input, Output};
-use super::facing_arcs::{FACING_TOLERANCE, RUN};
+use super::facing_arcs::{FACING_ARC, FACING_TOLERANCE};
 use super::fill_holes::{OUTWARD, intersections_line, turned_outwards_line};
-use super::filter::{Body, Filter};
-use super::report::{BOUNDARY_LOOP, FACE, Report, counted, short};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{MAX_COUNT, Param, TypedParam, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{BOUNDARY_LOOP, FACE, Report, count_with_noun, format_short};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{MAX_COUNT, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -19,8 +19,8 @@ use gusset_stitch::stitch::{
 };
 
 params! {
-    loop_a: Option<u32> = loop_number("Loop of the first mesh");
-    loop_b: Option<u32> = loop_number("Loop of the second mesh");
+    loop_a: Option<u32> = loop_number_param("Loop of the first mesh");
+    loop_b: Option<u32> = loop_number_param("Loop of the second mesh");
     meridians: Meridians = MERIDIANS;
     orientation: Orientation = Param::choice(
         "Opposite orientation",
@@ -33,7 +33,7 @@ params! {
         [-MAX_COUNT, MAX_COUNT], &[0.0],
     );
     extent: Extent = Param::choice("Join", "The parts of the loops that are joined.", EXTENTS);
-    run: Run = RUN;
+    run: Run = FACING_ARC;
     tolerance: Option<f64> = FACING_TOLERANCE;
     rows: MakeRows = ROWS;
     row_count: u32 = ROW_COUNT;
@@ -54,7 +54,7 @@ pub(super) const FILTER: Filter = Filter {
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking",
     max_inputs: 2,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 /// The rule of the strip between two loops.
@@ -104,17 +104,17 @@ pub(super) const ROW_COUNT: TypedParam<u32> =
 pub(super) const CELLS: TypedParam<Cells> = Param::choice("Faces", "The faces of the strip.", Cells::CHOICES);
 
 /// The number of a boundary loop; `None` takes the nearest pair of loops.
-const fn loop_number(label: &'static str) -> TypedParam<Option<u32>> {
+const fn loop_number_param(label: &'static str) -> TypedParam<Option<u32>> {
     const HELP: &str =
         "The number of the loop in the output of the filter boundary_loops. -1 takes the nearest pair of loops.";
-    Param::int(label, HELP, [-1.0, MAX_COUNT], &[-1.0]).unless_negative()
+    Param::int(label, HELP, [-1.0, MAX_COUNT], &[-1.0]).none_if_negative()
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let a = inputs[0].mesh()?;
     let b = inputs.get(1).map(Input::mesh).transpose()?;
-    let loop_a = loop_by_number(a, ("loop_a", values.loop_a), &job.part(0.0, 0.1))?;
-    let loop_b = loop_by_number(b.unwrap_or(a), ("loop_b", values.loop_b), &job.part(0.1, 0.2))?;
+    let loop_a = boundary_loop_by_number(a, ("loop_a", values.loop_a), &job.part(0.0, 0.1))?;
+    let loop_b = boundary_loop_by_number(b.unwrap_or(a), ("loop_b", values.loop_b), &job.part(0.1, 0.2))?;
     let request = Request { a, loop_a: loop_a.as_deref(), b, loop_b: loop_b.as_deref() };
     let options = Options {
         meridians: values.meridians,
@@ -134,12 +134,12 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let mut done = stitch(&request, &options, &job.part(0.2, 1.0))?;
     done.keep_splits(&alloc::gather([Some(request.a), request.b].into_iter().flatten())?, &job.part(1.0, 1.0))?;
     let report = report(&done);
-    let origins = values.origins(|| Origins::from_stitch(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_stitch(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
 /// The vertices of a loop by its number, if an option gives one.
-fn loop_by_number(
+fn boundary_loop_by_number(
     mesh: &MeshView<'_>,
     (option, number): (&'static str, Option<u32>),
     job: &Job<'_>,
@@ -158,7 +158,7 @@ fn report(done: &Stitch) -> Report {
     let parts = if done.closed { "loops" } else { "arcs" };
     let left = match loops_left {
         0 => "the result is closed".to_owned(),
-        n => format!("{} left", counted(n, BOUNDARY_LOOP)),
+        n => format!("{} left", count_with_noun(n, BOUNDARY_LOOP)),
     };
     let cuts = intersections_line(done.intersections.as_deref());
     let [a, b] = done.rims.each_ref().map(Vec::len);
@@ -166,10 +166,10 @@ fn report(done: &Stitch) -> Report {
         "joined {parts} of {a} and {b} vertices by {}, {}\n{turned}\
          area {}, longest edge {}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n\
          {cuts}{outwards}{left}\n",
-        counted(done.strip_faces.len(), FACE),
-        counted(done.rows, ["interior row", "interior rows"]),
-        short(area),
-        short(max_edge),
+        count_with_noun(done.strip_faces.len(), FACE),
+        count_with_noun(done.rows, ["interior row", "interior rows"]),
+        format_short(area),
+        format_short(max_edge),
         min_angle.to_degrees()
     );
     let mut values = vec![

@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{FACE, counted};
-use super::signatures::{CURVES, TO_MESH_TEXT};
+use super::filter::{Filter, FilterBody};
+use super::report::{FACE, count_with_noun};
+use super::signatures::{CURVES_ONLY, TO_MESH_TEXT};
 use super::stitch::{CELLS, MERIDIANS, MakeRows, ROW_COUNT, ROWS};
-use super::typed::{Param, Values, params};
+use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -17,12 +17,12 @@ pub(super) const FILTER: Filter = Filter {
     help: "Spans a strip of faces between two polylines, both closed or both open, that run side by side in the same direction.",
     reference: "H. Fuchs, Z. Kedem, S. Uselton, Optimal surface reconstruction from planar contours, 1977; S. Nesterenko for \
                 the rule by index",
-    ..Filter::new(CURVES, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(CURVES_ONLY, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     meridians: Meridians =
-        MERIDIANS.explained("The rule that joins points of one curve to points of the other.");
+        MERIDIANS.with_help("The rule that joins points of one curve to points of the other.");
     start: Option<Start> = Param::choice(
         "First meridian",
         "The start of the strip between closed curves. Between open curves it starts at their first points.",
@@ -41,9 +41,9 @@ choices! {
         None => "First points", "Between the first points.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     job.step(0.0, "strip")?;
-    let curves = inputs[0].curves()?.each()?;
+    let curves = inputs[0].curves()?.polylines()?;
     let &[(a, closed), (b, other)] = curves.as_slice() else {
         return Err(Error::InputUnfit { input: 0, why: "two curves are needed" });
     };
@@ -65,7 +65,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let made = ruled(&a, &b, closed, &options, job)?;
     let text = format!(
         "{}, the first meridian from point {} to point {}\n",
-        counted(made.mesh.face_count(), FACE),
+        count_with_noun(made.mesh.face_count(), FACE),
         made.start[0],
         made.start[1]
     );

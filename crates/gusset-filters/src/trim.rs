@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{FACE, Report, VERTEX, counted, push_line};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{MAX_COUNT, NON_NEGATIVE_OR_AUTO, Param, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{FACE, Report, VERTEX, count_with_noun, push_line};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -21,15 +21,15 @@ pub(super) const FILTER: Filter = Filter {
     reference: "G. Turk, M. Levoy, Zippered polygon meshes from range images (1994), for the idea",
     max_inputs: 1 << 16,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     max_distance: Option<f64> = Param::length(
         "Greatest distance",
         "Surfaces at most this far apart overlap. 0 takes surfaces that touch; -1 takes four mean edges of the coarser piece.",
-        NON_NEGATIVE_OR_AUTO, &[-1.0],
-    ).unless_negative();
+        NON_NEGATIVE_OR_AUTO_RANGE, &[-1.0],
+    ).none_if_negative();
     max_angle: f64 = Param::angle(
         "Greatest angle",
         "Surfaces whose normals differ by a larger angle do not overlap.",
@@ -42,7 +42,7 @@ params! {
     );
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let pieces = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
     let options = Options {
         max_distance: values.max_distance,
@@ -54,21 +54,21 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let mut left = Remains::new(&pieces, &trimmed, &job.part(0.9, 1.0))?;
     left.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let report = report(&pieces, &trimmed);
-    let origins = values.origins(|| Origins::from_remains(&pieces, &left, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_remains(&pieces, &left, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(left.mesh, origins), Output::Text(report)])
 }
 
 fn report(pieces: &[MeshView<'_>], trimmed: &Trimmed) -> Report {
     let kept: usize = trimmed.kept.iter().map(Vec::len).sum();
     let all: usize = pieces.iter().map(|piece| piece.faces().len()).sum();
-    let mut text = format!("{kept} of {} kept\n", counted(all, FACE));
+    let mut text = format!("{kept} of {} kept\n", count_with_noun(all, FACE));
     for (k, (piece, (kept, &covered))) in pieces.iter().zip(trimmed.kept.iter().zip(&trimmed.covered)).enumerate() {
         let verb = if covered == 1 { "lies" } else { "lie" };
-        let (faces, vertices) = (counted(piece.faces().len(), FACE), counted(covered, VERTEX));
+        let (faces, vertices) = (count_with_noun(piece.faces().len(), FACE), count_with_noun(covered, VERTEX));
         push_line!(text, "piece {k}: {} of {faces} kept, {vertices} {verb} on other pieces", kept.len());
     }
     if trimmed.crossings > 0 {
-        push_line!(text, "{} dropped that intersected other pieces", counted(trimmed.crossings, FACE));
+        push_line!(text, "{} dropped that intersected other pieces", count_with_noun(trimmed.crossings, FACE));
     }
     let values = [
         ("kept_faces", kept as f64),

@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::{Body, Filter};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, VERTEX, counted};
-use super::signatures::{MESH, TO_MESH_TEXT};
-use super::typed::{NON_NEGATIVE_OR_AUTO, Param, TypedParam, Values, params};
+use super::filter::{Filter, FilterBody};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, VERTEX, count_with_noun};
+use super::signatures::{ONE_MESH, TO_MESH_TEXT};
+use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::choices;
 use gusset_base::error::Result;
@@ -18,14 +18,14 @@ pub(super) const FILTER: Filter = Filter {
     reference: "Greedy clustering in the order of the vertices; edges are sewn in pairs",
     replaces: true,
     has_origins: true,
-    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
+    ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
     vertices: Vertices = Param::choice("Weld", "The vertices that are welded.", Vertices::CHOICES);
     tolerance: Option<f64> = TOLERANCE;
     collapse: bool = Param::choice("Short edges", "The treatment of coincident corners of one face.", COLLAPSE);
-    unused: bool = UNUSED;
+    unused: bool = DROP_UNUSED_VERTICES;
 }
 
 /// The distance up to which vertices coincide; `None` takes the rounding of the positions.
@@ -33,13 +33,13 @@ pub(super) const TOLERANCE: TypedParam<Option<f64>> = Param::length(
     "Tolerance",
     "The largest distance at which vertices coincide, or a vertex and an edge if borders are sewn. 0 takes equal positions; \
      -1 takes the rounding of the positions, judged by their type and digits.",
-    NON_NEGATIVE_OR_AUTO,
+    NON_NEGATIVE_OR_AUTO_RANGE,
     &[-1.0],
 )
-.unless_negative();
+.none_if_negative();
 
 /// True if vertices that no face uses are dropped.
-pub(super) const UNUSED: TypedParam<bool> =
+pub(super) const DROP_UNUSED_VERTICES: TypedParam<bool> =
     Param::choice("Unused vertices", "The treatment of vertices that no face uses.", UNUSED_VERTICES);
 
 choices! {
@@ -54,7 +54,7 @@ choices! {
         true => "Remove", "They are dropped.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options {
         vertices: values.vertices,
         tolerance: values.tolerance,
@@ -64,7 +64,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let mut done = weld(inputs[0].mesh()?, &options, job)?;
     done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
-    let origins = values.origins(|| Origins::from_weld(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_weld(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
@@ -75,15 +75,15 @@ fn report(done: &Weld) -> Report {
         (0, 0) => "all coincident borders are welded".to_owned(),
         _ => format!(
             "not welded: {} and {} that coincide with others",
-            counted(edges, BOUNDARY_EDGE),
-            counted(vertices, VERTEX)
+            count_with_noun(edges, BOUNDARY_EDGE),
+            count_with_noun(vertices, VERTEX)
         ),
     };
     let text = format!(
         "{} welded, {} sewn, {} dropped\n{left}\n",
-        counted(done.welded_vertices, VERTEX),
-        counted(done.sewn_edges, EDGE),
-        counted(done.dropped_faces, FACE)
+        count_with_noun(done.welded_vertices, VERTEX),
+        count_with_noun(done.sewn_edges, EDGE),
+        count_with_noun(done.dropped_faces, FACE)
     );
     let values = [
         ("welded_vertices", f64::from(done.welded_vertices)),

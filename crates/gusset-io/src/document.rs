@@ -1,8 +1,10 @@
 //! The content of a file.
 
-use crate::error::{Note, ReadError, ReadErrorKind};
-use crate::material::{Image, Material, NO_MATERIAL};
-use crate::mesh::{Mesh, Positions, Property, Values};
+use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+use crate::material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};
+use crate::mesh::{Mesh, NumberKind, Positions, Property, Values};
+use std::borrow::Cow;
+use std::sync::Arc;
 
 /// Polylines. Curve `c` has points `offsets[c]` to `offsets[c + 1] - 1`; a closed curve also joins the last point to the first.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,19 +79,66 @@ impl Document {
         Self { meshes: vec![mesh], placements: vec![placement], ..Self::default() }
     }
 
+    /// Leaves out images in files, with a note for each. A document from a stream needs this before it is written to a file, because
+    /// the stream has no folder in which names could be looked up.
+    pub fn drop_image_files(&mut self) {
+        for image in &mut self.images {
+            if let ImageData::File(name) = &image.data {
+                self.notes.push(Note::new(Place::Whole, format!("image left out: the file {name} was not given")));
+                image.data = ImageData::Bytes(Arc::from([]));
+            }
+        }
+    }
+
+    /// Changes the names of the files that images and materials refer to. A document that moves to another folder needs this, because
+    /// names are relative to the folder of its file.
+    pub fn rename_files(&mut self, rename: impl Fn(&str) -> String) {
+        for image in &mut self.images {
+            if let ImageData::File(name) = &mut image.data {
+                *name = rename(name);
+            }
+        }
+        for material in &mut self.materials {
+            if let Some(NativeMaterial::Mtl(lines)) = &mut material.native {
+                for line in lines {
+                    *line = crate::obj::with_renamed_file(line, &rename);
+                }
+            }
+        }
+    }
+
     /// Joins all placed meshes into one, in the coordinates of the scene. Meshes that are placed by the identity keep the bits of their
     /// points.
     ///
     /// # Errors
     /// `TooLarge` if the scene has more than 2^32 - 2 points or corners, or if repeated meshes hold more than `max_elements` points and
     /// corners. `OutOfMemory`.
-    pub fn flattened(mut self, max_elements: u64) -> Result<(Mesh, Vec<Material>, Vec<Image>, Vec<Note>), ReadError> {
+    pub fn into_joined(mut self, max_elements: u64) -> Result<Self, ReadError> {
+        let mesh = match &self.placements[..] {
+            [placement] if placement.transform == Placement::IDENTITY => {
+                std::mem::take(&mut self.meshes[placement.mesh as usize])
+            }
+            _ => self.joined_copy(max_elements)?,
+        };
+        let placement = Placement { name: mesh.name.clone(), mesh: 0, transform: Placement::IDENTITY };
+        Ok(Self { meshes: vec![mesh], placements: vec![placement], ..self })
+    }
+
+    /// Joins all placed meshes as [`into_joined`](Self::into_joined) does. Borrows a mesh that is placed alone by the identity.
+    pub(crate) fn joined(&self) -> Result<Cow<'_, Mesh>, WriteError> {
         if let [placement] = &self.placements[..]
             && placement.transform == Placement::IDENTITY
         {
-            let mesh = std::mem::take(&mut self.meshes[placement.mesh as usize]);
-            return Ok((mesh, self.materials, self.images, self.notes));
+            return Ok(Cow::Borrowed(&self.meshes[placement.mesh as usize]));
         }
+        self.joined_copy(u64::MAX).map(Cow::Owned).map_err(|error| {
+            let is_full = error.kind == ReadErrorKind::OutOfMemory;
+            let kind = if is_full { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unsupported };
+            WriteError::new(kind, error.message)
+        })
+    }
+
+    fn joined_copy(&self, max_elements: u64) -> Result<Mesh, ReadError> {
         let size: u64 = self
             .placements
             .iter()
@@ -106,7 +155,7 @@ impl Document {
         for placement in &self.placements {
             append_placed(&mut joined, &self.meshes[placement.mesh as usize], &placement.transform)?;
         }
-        Ok((joined, self.materials, self.images, self.notes))
+        Ok(joined)
     }
 }
 
@@ -125,14 +174,13 @@ fn append_placed(joined: &mut Mesh, mesh: &Mesh, transform: &[[f64; 4]; 3]) -> R
     append_merge(joined, mesh, vertices);
     let before = [vertices, corners];
     let after = [joined.positions.len(), joined.corners.len()];
-    let old_corners = joined.corners.clone();
     let rotated = |normal: [f64; 3]| if is_moved { transformed_normal(transform, normal) } else { normal };
     joined.normals = appended_values(
         std::mem::take(&mut joined.normals),
         &mesh.normals,
         before,
         after,
-        &old_corners,
+        &joined.corners,
         &order,
         rotated,
     );
@@ -141,7 +189,7 @@ fn append_placed(joined: &mut Mesh, mesh: &Mesh, transform: &[[f64; 4]; 3]) -> R
         &mesh.texcoords,
         before,
         after,
-        &old_corners,
+        &joined.corners,
         &order,
         |value| value,
     );
@@ -180,11 +228,11 @@ fn append_positions(
     Ok(())
 }
 
-fn transformed_point(matrix: &[[f64; 4]; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
+pub(crate) fn transformed_point(matrix: &[[f64; 4]; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     matrix.map(|row| row[0] * x + row[1] * y + row[2] * z + row[3])
 }
 
-fn determinant(m: &[[f64; 4]; 3]) -> f64 {
+pub(crate) fn determinant(m: &[[f64; 4]; 3]) -> f64 {
     let [cofactors, ..] = cofactor_rows(m);
     m[0][0] * cofactors[0] + m[0][1] * cofactors[1] + m[0][2] * cofactors[2]
 }
@@ -251,9 +299,12 @@ fn appended_values<const N: usize>(
             Values::Vertices(all)
         }
         (old, added) => {
-            let mut all: Vec<[f64; N]> = (0..corner_start)
-                .map(|corner| old.at_corner(corner, corners[corner]).unwrap_or(Values::<N>::MISSING))
-                .collect();
+            let mut all: Vec<[f64; N]> = match old {
+                Values::Corners(all) => all,
+                old => (0..corner_start)
+                    .map(|corner| old.at_corner(corner, corners[corner]).unwrap_or(Values::<N>::MISSING))
+                    .collect(),
+            };
             all.extend(order.iter().zip(&corners[corner_start..]).map(|(&corner, &vertex)| {
                 added.at_corner(corner as usize, vertex - vertex_start as u32).map_or(Values::<N>::MISSING, &change)
             }));
@@ -288,6 +339,10 @@ fn append_properties(joined: &mut Mesh, mesh: &Mesh, vertices: usize, faces: usi
     for property in &mut all {
         if let Some(added) = mesh.properties.iter().find(|added| is_one_property(property, added)) {
             property.values.truncate(lengths(property.domain).0);
+            if property.kind != added.kind {
+                // The only type that holds the numbers of all types.
+                property.kind = NumberKind::F64;
+            }
             property.values.extend_from_slice(&added.values);
         }
         property.values.resize(lengths(property.domain).1, 0.0);

@@ -146,7 +146,25 @@ impl std::error::Error for WriteError {}
 
 impl From<std::io::Error> for WriteError {
     fn from(error: std::io::Error) -> Self {
-        Self::new(WriteErrorKind::Unwritable, error.to_string())
+        let kind = match error.kind() {
+            std::io::ErrorKind::OutOfMemory => WriteErrorKind::OutOfMemory,
+            std::io::ErrorKind::Unsupported => WriteErrorKind::Unsupported,
+            _ => WriteErrorKind::Unwritable,
+        };
+        Self::new(kind, write_reason(&error))
+    }
+}
+
+/// Returns why a file cannot be written.
+pub(crate) fn write_reason(error: &std::io::Error) -> String {
+    use std::io::ErrorKind;
+    match error.kind() {
+        ErrorKind::NotFound => "the folder does not exist".into(),
+        ErrorKind::PermissionDenied => "permission denied".into(),
+        ErrorKind::ReadOnlyFilesystem => "the file system is read-only".into(),
+        ErrorKind::StorageFull => "no space is left on the disk".into(),
+        ErrorKind::OutOfMemory => "out of memory".into(),
+        _ => error.to_string(),
     }
 }
 
@@ -157,7 +175,8 @@ impl From<std::collections::TryReserveError> for WriteError {
 }
 
 /// Replaces control characters, and shortens texts of more than 400 characters.
-pub(crate) fn printable(text: &str) -> String {
+#[must_use]
+pub fn printable(text: &str) -> String {
     const MAX_CHARACTERS: usize = 400;
     let mut made: String = text
         .chars()

@@ -6,7 +6,7 @@ use crate::options::{ReadOptions, WriteOptions};
 use crate::resources::{Resources, Target};
 use crate::{dxf, gltf, obj, off, ply, points, scan_list, stl, svg, three_mf};
 
-/// What a file is read for or written from.
+/// Content of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// Meshes.
@@ -76,6 +76,27 @@ impl Format {
         Self::ALL.iter().find(|(_, extensions)| extensions.contains(&extension)).map(|(format, _)| *format)
     }
 
+    /// Returns the format of a file by its first bytes, `None` if they do not tell.
+    #[must_use]
+    pub fn from_content(bytes: &[u8]) -> Option<Self> {
+        let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+        let starts =
+            |word: &str| text.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word.as_bytes()));
+        let line = &text[..text.iter().position(|&byte| byte == b'\n').unwrap_or(text.len())];
+        match () {
+            () if bytes.starts_with(b"glTF") => Some(Self::Glb),
+            () if bytes.starts_with(b"PK\x03\x04") => Some(Self::ThreeMf),
+            () if starts("ply") => Some(Self::Ply),
+            () if starts("{") => Some(Self::Gltf),
+            () if starts("<") => Some(Self::Svg),
+            () if line.trim_ascii_end().ends_with(b"OFF") => Some(Self::Off),
+            () if is_binary_stl(bytes) || starts("solid") => Some(Self::Stl),
+            () if ["v ", "vn ", "vt ", "o ", "g ", "mtllib "].into_iter().any(starts) => Some(Self::Obj),
+            () if starts("bmesh") || starts("camera") => Some(Self::ScanList),
+            () => None,
+        }
+    }
+
     /// Returns the usual extension without the dot.
     #[must_use]
     pub fn extension(self) -> &'static str {
@@ -95,6 +116,12 @@ impl Format {
             }
         }
     }
+}
+
+/// Returns whether the size is the one of a binary STL file with its count of facets.
+fn is_binary_stl(bytes: &[u8]) -> bool {
+    let count = bytes.get(80..84).map(|count| u64::from(u32::from_le_bytes([count[0], count[1], count[2], count[3]])));
+    count.is_some_and(|count| 84 + 50 * count == bytes.len() as u64)
 }
 
 /// Reads a file from memory. `resources` gives the files that it refers to.

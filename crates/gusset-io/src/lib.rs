@@ -9,14 +9,18 @@
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
-//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions.
+//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions. `files` reads and writes paths,
+//! `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
 mod budget;
 mod colour_steps;
 mod document;
 mod ear_clipping;
 mod error;
+#[cfg(not(target_family = "wasm"))]
 mod files;
+#[cfg(not(target_family = "wasm"))]
+mod folder;
 mod foreign_files;
 mod format;
 mod least_overlap;
@@ -24,6 +28,9 @@ mod material;
 mod merging;
 mod mesh;
 mod options;
+pub mod packed;
+#[cfg(not(target_family = "wasm"))]
+mod pending_file;
 mod outline_pen;
 mod parallel_fill;
 mod polygons;
@@ -31,13 +38,22 @@ mod precision;
 mod resources;
 mod scene;
 mod text;
+mod validity;
 mod text_encoding;
 mod vertex_merging;
 
 #[cfg(test)]
+mod document_checks;
+#[cfg(test)]
+mod document_tests;
+#[cfg(test)]
+mod files_tests;
+#[cfg(test)]
 mod polygons_tests;
 #[cfg(test)]
 mod test_measures;
+#[cfg(test)]
+mod text_tests;
 
 mod dxf;
 mod gltf;
@@ -51,7 +67,8 @@ mod svg;
 mod three_mf;
 
 pub use document::{Curves, Document, Placement, PointCloud};
-pub use error::{Loss, Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+pub use error::{Loss, Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind, printable};
+#[cfg(not(target_family = "wasm"))]
 pub use files::{read_file, write_file};
 pub use format::{Content, Format, read, write};
 pub use material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};

@@ -1,4 +1,4 @@
-//! What faces look like.
+//! Materials and images of faces.
 
 use std::sync::Arc;
 

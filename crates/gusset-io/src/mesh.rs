@@ -1,5 +1,7 @@
 //! Polygon meshes with attributes, as files hold them: nothing is welded, reversed or left out.
 
+use std::borrow::Cow;
+
 /// Coordinates x, y, z of points, in the precision of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Positions {
@@ -25,7 +27,7 @@ impl Positions {
         }
     }
 
-    /// Returns whether there are no points.
+    /// Returns whether the list is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -82,18 +84,32 @@ impl<const N: usize> Values<N> {
     /// Moves values from corners to vertices if all corners of each vertex agree. Otherwise keeps them.
     #[must_use]
     pub fn simplified(self, corners: &[u32], vertex_count: usize) -> Self {
-        let Self::Corners(at_corners) = &self else { return self };
+        if let Self::Corners(_) = self
+            && let Some(values) = self.at_vertices(corners, vertex_count)
+        {
+            return Self::Vertices(values.into_owned());
+        }
+        self
+    }
+
+    /// Returns a vector for each vertex; `None` if the attribute is absent, a corner lacks it, or the corners of a vertex differ.
+    pub(crate) fn at_vertices(&self, corners: &[u32], vertex_count: usize) -> Option<Cow<'_, [[f64; N]]>> {
+        let at_corners = match self {
+            Self::Absent => return None,
+            Self::Vertices(values) => return Some(Cow::Borrowed(values)),
+            Self::Corners(values) => values,
+        };
         let mut values = vec![Self::MISSING; vertex_count];
         let mut seen = vec![false; vertex_count];
         for (&vertex, value) in corners.iter().zip(at_corners) {
             let vertex = vertex as usize;
             if value[0].is_nan() || (seen[vertex] && values[vertex].map(f64::to_bits) != value.map(f64::to_bits)) {
-                return self;
+                return None;
             }
             values[vertex] = *value;
             seen[vertex] = true;
         }
-        Self::Vertices(values)
+        Some(Cow::Owned(values))
     }
 }
 

@@ -1,5 +1,8 @@
 //! Choices of reading and writing.
 
+use std::fmt;
+use std::sync::Arc;
+
 /// Limits of readers.
 #[derive(Clone, Debug)]
 pub struct ReadOptions {
@@ -17,10 +20,18 @@ impl Default for ReadOptions {
 }
 
 /// Choices of writers.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub struct WriteOptions {
     /// Writes PLY and STL files as text.
     pub text: bool,
     /// Permits single precision that moves points by more than a thousandth of the mean edge.
     pub lossy: bool,
+    /// Returns true to stop writing a file, which then stays as it was.
+    pub stop: Option<Arc<dyn Fn() -> bool + Send + Sync>>,
+}
+
+impl fmt::Debug for WriteOptions {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("WriteOptions").field("text", &self.text).field("lossy", &self.lossy).finish_non_exhaustive()
+    }
 }

@@ -10,6 +10,11 @@ pub trait Resources {
     /// # Errors
     /// `Unreadable` if the file does not exist, is not a regular file or is outside of the folder. `OutOfMemory`.
     fn load(&self, name: &str) -> Result<Vec<u8>, ReadError>;
+
+    /// Returns the name by which a written file refers to the file `name`.
+    fn written_name(&self, name: &str) -> String {
+        name.to_owned()
+    }
 }
 
 /// Refuses all names.
@@ -28,7 +33,7 @@ pub struct Target<'a> {
     pub main: &'a mut dyn Write,
     /// Name of the file without folder and extension, from which names of files beside it are made.
     pub stem: &'a str,
-    /// Receives files beside it: name and bytes.
+    /// Receives files beside it: name and bytes. Returns an error of kind `Unsupported` if there can be none.
     pub beside: &'a mut dyn FnMut(&str, &[u8]) -> std::io::Result<()>,
     /// Gives the images that the document names.
     pub resources: &'a dyn Resources,
@@ -38,7 +43,7 @@ impl Target<'_> {
     /// Writes a file beside the main one.
     ///
     /// # Errors
-    /// `Unwritable`.
+    /// `Unwritable`, or `Unsupported` if no file can be beside the main one.
     pub fn write_beside(&mut self, name: &str, bytes: &[u8]) -> Result<(), WriteError> {
         (self.beside)(name, bytes).map_err(WriteError::from)
     }

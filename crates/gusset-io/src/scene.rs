@@ -1,32 +1,14 @@
 //! The scene as one mesh, for formats that hold one, and what such formats lose.
 
-use crate::document::{Document, Placement};
-use crate::error::{Loss, ReadErrorKind, WriteError, WriteErrorKind};
+use crate::document::Document;
+use crate::error::{Loss, WriteError, WriteErrorKind};
 use crate::material::NO_MATERIAL;
 use crate::mesh::{Domain, Mesh};
 use std::borrow::Cow;
 
 /// Joins all placed meshes into one. Borrows the mesh if the scene is one mesh in its own coordinates.
 pub(crate) fn scene_mesh(document: &Document) -> Result<Cow<'_, Mesh>, WriteError> {
-    match &document.placements[..] {
-        [] => Ok(Cow::Owned(Mesh::default())),
-        [placement] if placement.transform == Placement::IDENTITY => {
-            Ok(Cow::Borrowed(&document.meshes[placement.mesh as usize]))
-        }
-        _ => {
-            let scene = Document {
-                meshes: document.meshes.clone(),
-                placements: document.placements.clone(),
-                ..Document::default()
-            };
-            let (mesh, ..) = scene.flattened(u64::from(u32::MAX)).map_err(|error| {
-                let is_memory = error.kind == ReadErrorKind::OutOfMemory;
-                let kind = if is_memory { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unsupported };
-                WriteError::new(kind, error.message)
-            })?;
-            Ok(Cow::Owned(mesh))
-        }
-    }
+    document.joined()
 }
 
 /// Attributes of meshes that a format may hold.

@@ -16,6 +16,11 @@ impl<'a> Scanner<'a> {
         Self { bytes, place: 0, line: 1, comment }
     }
 
+    /// Starts within a file: at a byte and the line that it is in.
+    pub(crate) fn new_at(bytes: &'a [u8], place: usize, line: u64, comment: Option<u8>) -> Self {
+        Self { bytes, place: place.min(bytes.len()), line, comment }
+    }
+
     /// Returns the number of the current line, from 1.
     pub(crate) fn line(&self) -> u64 {
         self.line
@@ -93,6 +98,72 @@ impl<'a> Scanner<'a> {
         self.place += rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
     }
 
+    /// Passes blanks, comments and ends of lines. Returns whether a word follows.
+    fn seek_word(&mut self) -> bool {
+        while let Some(&byte) = self.bytes.get(self.place) {
+            if byte == b'\n' {
+                self.line += 1;
+            } else if Some(byte) == self.comment {
+                self.skip_to_line_end();
+                continue;
+            } else if !is_blank(byte) {
+                return true;
+            }
+            self.place += 1;
+        }
+        false
+    }
+
+    /// Returns whether no byte of a word follows.
+    fn is_word_end(&self, place: usize) -> bool {
+        self.bytes.get(place).is_none_or(|&byte| is_blank(byte) || byte == b'\n' || Some(byte) == self.comment)
+    }
+
+    /// Reads the next word of the file as a number. If it is not a number, or the file ends, returns `None` before that word.
+    #[inline]
+    pub(crate) fn next_number<T: fast_float2::FastFloat>(&mut self) -> Option<T> {
+        if !self.seek_word() {
+            return None;
+        }
+        if let Ok((value, length)) = fast_float2::parse_partial(&self.bytes[self.place..])
+            && self.is_word_end(self.place + length)
+        {
+            self.place += length;
+            return Some(value);
+        }
+        let [place, line] = [self.place as u64, self.line];
+        let value = self.word().and_then(parsed);
+        if value.is_none() {
+            self.place = place as usize;
+            self.line = line;
+        }
+        value
+    }
+
+    /// Reads the next word of the file as an integer of at most 9 digits without sign. If it is anything else, or the file ends,
+    /// returns `None` before that word.
+    #[inline]
+    pub(crate) fn next_index(&mut self) -> Option<u32> {
+        const MAX_DIGITS: usize = 9;
+        if !self.seek_word() {
+            return None;
+        }
+        let mut value = 0;
+        let mut length = 0;
+        while let Some(digit) = self.bytes.get(self.place + length).filter(|byte| byte.is_ascii_digit()) {
+            if length == MAX_DIGITS {
+                return None;
+            }
+            value = 10 * value + u32::from(digit - b'0');
+            length += 1;
+        }
+        if length == 0 || !self.is_word_end(self.place + length) {
+            return None;
+        }
+        self.place += length;
+        Some(value)
+    }
+
     /// Makes an error at the current line.
     pub(crate) fn error(&self, message: impl Into<String>) -> ReadError {
         ReadError::malformed(Place::Line(self.line), message)
@@ -100,10 +171,13 @@ impl<'a> Scanner<'a> {
 
     /// Reads the next word of the file as a number. `element` names what it belongs to: `vertex 2`.
     pub(crate) fn number(&mut self, element: impl Fn() -> String) -> Result<f64, ReadError> {
-        let Some(word) = self.word() else {
-            return Err(self.error(format!("{}: the file ends before its numbers", element())));
-        };
-        number(word).ok_or_else(|| self.error(format!("{}: {} is not a number", element(), quoted(word))))
+        if let Some(value) = self.next_number() {
+            return Ok(value);
+        }
+        Err(match self.word() {
+            Some(word) => self.error(format!("{}: {} is not a number", element(), quoted(word))),
+            None => self.error(format!("{}: the file ends before its numbers", element())),
+        })
     }
 }
 
@@ -113,7 +187,25 @@ fn is_blank(byte: u8) -> bool {
 
 /// Returns the number that a word is: decimal, with or without sign and exponent, `nan` or `inf`.
 pub(crate) fn number(word: &[u8]) -> Option<f64> {
-    fast_float2::parse(word.strip_prefix(b"+").filter(|rest| !rest.starts_with(b"-")).unwrap_or(word)).ok()
+    parsed(word)
+}
+
+fn parsed<T: fast_float2::FastFloat>(word: &[u8]) -> Option<T> {
+    let unsigned = word.strip_prefix(b"+").filter(|rest| !rest.starts_with(b"-")).unwrap_or(word);
+    fast_float2::parse(unsigned).or_else(|error| microsoft_word(unsigned).map_or(Err(error), fast_float2::parse)).ok()
+}
+
+/// Returns the usual word for what Microsoft's C library writes for NaN and infinity: `-nan(ind)`, `1.#QNAN`, `-1.#INF`.
+fn microsoft_word(word: &[u8]) -> Option<&'static str> {
+    const MAX_LENGTH: usize = 16;
+    let lower = word.get(..word.len().min(MAX_LENGTH))?.to_ascii_lowercase();
+    let unsigned = lower.strip_prefix(b"-").unwrap_or(&lower);
+    match unsigned.strip_prefix(b"1.#") {
+        Some(rest) if rest.starts_with(b"inf") => Some(if lower[0] == b'-' { "-inf" } else { "inf" }),
+        Some(rest) if rest.starts_with(b"ind") || rest.starts_with(b"qnan") || rest.starts_with(b"snan") => Some("nan"),
+        None if unsigned.starts_with(b"nan(") => Some("nan"),
+        _ => None,
+    }
 }
 
 /// Returns the integer that a word is, with or without sign.
@@ -138,6 +230,20 @@ pub(crate) struct TextWriter<'a> {
     buffer: Vec<u8>,
 }
 
+/// Largest number of digits of an integer of 64 bits.
+const MAX_DIGITS: usize = 20;
+
+/// `00` to `99`.
+const PAIRS_OF_DIGITS: [[u8; 2]; 100] = {
+    let mut pairs = [[b'0'; 2]; 100];
+    let mut number = 0;
+    while number < 100 {
+        pairs[number] = [b'0' + (number / 10) as u8, b'0' + (number % 10) as u8];
+        number += 1;
+    }
+    pairs
+};
+
 /// Bytes that a writer holds before it passes them on.
 const BUFFER_BYTES: usize = 1 << 16;
 
@@ -147,10 +253,18 @@ impl<'a> TextWriter<'a> {
     }
 
     /// Appends bytes.
+    #[inline]
     pub(crate) fn bytes(&mut self, bytes: &[u8]) -> io::Result<()> {
         if self.buffer.len() + bytes.len() > BUFFER_BYTES {
-            self.flush_buffer()?;
+            return self.bytes_beyond_buffer(bytes);
         }
+        self.buffer.extend_from_slice(bytes);
+        Ok(())
+    }
+
+    #[cold]
+    fn bytes_beyond_buffer(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.flush_buffer()?;
         if bytes.len() > BUFFER_BYTES {
             return self.out.write_all(bytes);
         }
@@ -159,24 +273,43 @@ impl<'a> TextWriter<'a> {
     }
 
     /// Appends text.
+    #[inline]
     pub(crate) fn text(&mut self, text: &str) -> io::Result<()> {
         self.bytes(text.as_bytes())
     }
 
     /// Appends an integer.
+    #[inline]
     pub(crate) fn integer(&mut self, value: u64) -> io::Result<()> {
-        let mut digits = [0_u8; 20];
-        let mut start = digits.len();
-        let mut rest = value;
-        loop {
-            start -= 1;
-            digits[start] = b'0' + (rest % 10) as u8;
-            rest /= 10;
-            if rest == 0 {
-                break;
-            }
+        if self.buffer.len() + MAX_DIGITS > BUFFER_BYTES {
+            self.flush_buffer()?;
         }
-        self.bytes(&digits[start..])
+        let mut digits = [b'0'; 2 * MAX_DIGITS];
+        let mut start = MAX_DIGITS;
+        let mut rest = value;
+        while rest > u64::from(u32::MAX) {
+            start -= 2;
+            digits[start..start + 2].copy_from_slice(&PAIRS_OF_DIGITS[(rest % 100) as usize]);
+            rest /= 100;
+        }
+        // Divisions of 32 bits are faster.
+        let mut rest = rest as u32;
+        while rest >= 10 {
+            start -= 2;
+            digits[start..start + 2].copy_from_slice(&PAIRS_OF_DIGITS[(rest % 100) as usize]);
+            rest /= 100;
+        }
+        if rest > 0 || start == MAX_DIGITS {
+            start -= 1;
+            digits[start] = b'0' + rest as u8;
+        }
+        // A copy of constant length is several times as fast as one of a few bytes.
+        let end = self.buffer.len() + MAX_DIGITS - start;
+        if let Some(digits) = digits[start..].first_chunk::<MAX_DIGITS>() {
+            self.buffer.extend_from_slice(digits);
+        }
+        self.buffer.truncate(end);
+        Ok(())
     }
 
     /// Appends the shortest decimal that reads back as the same number of double precision; `nan` for NaN.
@@ -205,7 +338,7 @@ impl<'a> TextWriter<'a> {
                 "-inf"
             });
         }
-        self.text(digits.strip_suffix(".0").unwrap_or(digits))
+        self.bytes(digits.strip_suffix(".0").unwrap_or(digits).as_bytes())
     }
 
     /// Passes everything on. Must be called last.

@@ -26,7 +26,7 @@ pub struct Piece {
 /// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`] if the first piece has `f32` and a
 /// later one `f64` positions, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn concatenate(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<Piece>)> {
-    let mut whole = empty(pieces.iter(), [0; 3])?;
+    let mut whole = empty_with_room(pieces.iter(), [0; 3])?;
     let mut places = alloc::with_capacity(pieces.len())?;
     for piece in pieces {
         places.push(append(&mut whole, piece, job, |_| false)?);
@@ -39,7 +39,10 @@ pub fn concatenate(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<
 ///
 /// # Errors
 /// The errors of [`concatenate`].
-pub fn empty<'m, 'a: 'm>(pieces: impl Iterator<Item = &'m MeshView<'a>> + Clone, extra: [usize; 3]) -> Result<Mesh> {
+pub fn empty_with_room<'m, 'a: 'm>(
+    pieces: impl Iterator<Item = &'m MeshView<'a>> + Clone,
+    extra: [usize; 3],
+) -> Result<Mesh> {
     let scalar = pieces.clone().next().ok_or(Error::EmptyMesh { what: "pieces" })?.positions().scalar();
     if scalar == Scalar::F32 && pieces.clone().any(|p| p.positions().scalar() == Scalar::F64) {
         return Err(Error::MixedScalars);
@@ -57,13 +60,13 @@ pub fn empty<'m, 'a: 'm>(pieces: impl Iterator<Item = &'m MeshView<'a>> + Clone,
     Ok(Mesh::new(positions, face_offsets, alloc::with_capacity(counts[2] as usize)?))
 }
 
-/// Appends a piece to a mesh that has room for it. `turn` selects the faces to flip; a flipped face
-/// keeps its first corner.
+/// Appends a piece to a mesh that has room for it. `must_flip` selects the faces to flip; a flipped
+/// face keeps its first corner.
 pub fn append(
     whole: &mut Mesh,
     piece: &MeshView<'_>,
     job: &Job<'_>,
-    mut turn: impl FnMut(usize) -> bool,
+    mut must_flip: impl FnMut(usize) -> bool,
 ) -> Result<Piece> {
     let place = Piece { first_vertex: whole.positions.len() as u32, first_face: whole.face_count() as u32 };
     let (positions, place_them) = (piece.positions(), job.part(0.0, 0.0));
@@ -73,7 +76,7 @@ pub fn append(
         job.step_within(f, STAGE)?;
         let start = whole.face_corners.len();
         whole.face_corners.extend(piece.face(f).map(|v| v + place.first_vertex));
-        if turn(f) {
+        if must_flip(f) {
             whole.face_corners[start + 1..].reverse();
         }
         whole.face_offsets.push(whole.face_corners.len() as u32);

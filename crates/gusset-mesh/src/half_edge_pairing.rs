@@ -12,7 +12,7 @@
 //! are then made in ranges of vertices.
 
 use super::defect::Defect;
-use super::view::{Faces, MeshView, Visitor};
+use super::view::{FaceVisitor, Faces, MeshView};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -22,26 +22,27 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 /// Marks a half-edge whose edge has one face.
-pub(super) const FREE: u32 = u32::MAX;
+pub(super) const FREE_EDGE_MARK: u32 = u32::MAX;
 /// Marks a half-edge whose edge has three or more faces.
-pub(super) const SINGULAR: u32 = u32::MAX - 1;
+pub(super) const NON_MANIFOLD_EDGE_MARK: u32 = u32::MAX - 1;
 
 /// Faces or vertices that a thread processes between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 18;
+const ELEMENTS_PER_REPORT: usize = 1 << 18;
 /// Vertices whose buckets form one work item.
-const CHUNK: usize = 1 << 13;
+const VERTICES_PER_TASK: usize = 1 << 13;
 /// The maximum number of threads that fill buckets. Each of them needs its own arrays of counts.
-const MAX_PARTS: usize = 8;
+const MAX_BUCKET_THREADS: usize = 8;
 /// The minimum number of faces for a thread.
-const MIN_FACES_PER_PART: usize = 1 << 11;
+const MIN_FACES_PER_THREAD: usize = 1 << 11;
 /// The longest bucket that is scanned instead of sorted.
-const MAX_UNSORTED_BUCKET: usize = 32;
+const MAX_UNSORTED_BUCKET_ENTRIES: usize = 32;
 /// The longest bucket that is sorted without a progress report.
-const MAX_UNREPORTED_BUCKET: usize = 1 << 16;
+const MAX_UNREPORTED_BUCKET_ENTRIES: usize = 1 << 16;
 
 /// The pairing of half-edges.
 pub struct Topology {
-    /// Per half-edge: its partner, [`FREE`], [`SINGULAR`], or itself if it is ignored.
+    /// Per half-edge: its partner, [`FREE_EDGE_MARK`], [`NON_MANIFOLD_EDGE_MARK`], or itself if it
+    /// is ignored.
     pub(super) mate: Vec<u32>,
     /// Per vertex: the number of half-edges that start there, without ignored ones.
     pub(super) corner_count: Vec<u32>,
@@ -62,18 +63,20 @@ impl Topology {
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
         let faces = mesh.faces();
-        let mut parts = parts(mesh, job.threads())?;
-        each_part(&mut parts, &job.part(0.0, 0.3), |part, range| faces.visit(range, &mut Count { faces, part }))?;
+        let mut parts = divide_faces_among_threads(mesh, job.threads())?;
+        run_on_each_thread(&mut parts, &job.part(0.0, 0.3), |part, range| {
+            faces.visit(range, &mut HalfEdgeCounter { faces, part })
+        })?;
         job.step(0.3, STAGE)?;
-        let (corner_count, mut defects) = accumulate(&mut parts)?;
+        let (corner_count, mut defects) = sum_corner_counts(&mut parts)?;
         job.step(0.3, STAGE)?;
-        let count = places(&mut parts, mesh.positions().len(), &job.part(0.3, 0.3))?;
+        let count = turn_counts_into_offsets(&mut parts, mesh.positions().len(), &job.part(0.3, 0.3))?;
 
         // Each entry packs (far end, half-edge) into one word. No two threads write to the same
         // entry.
         let entries: Vec<AtomicU64> = alloc::zeroed(count as usize)?;
-        each_part(&mut parts, &job.part(0.3, 0.6), |part, range| {
-            faces.visit(range, &mut Distribute { part, entries: &entries })
+        run_on_each_thread(&mut parts, &job.part(0.3, 0.6), |part, range| {
+            faces.visit(range, &mut BucketFiller { part, entries: &entries })
         })?;
         let threads = parts.len();
         job.step(0.6, STAGE)?;
@@ -89,18 +92,19 @@ impl Topology {
 
         let mut entries: Vec<u64> = entries.into_iter().map(AtomicU64::into_inner).collect();
         let (mut rest, mut first, mut long) = (entries.as_mut_slice(), 0, Vec::new());
-        for block in blocks(0..mesh.positions().len(), REPORT_INTERVAL * threads) {
+        for block in split_into_blocks(0..mesh.positions().len(), ELEMENTS_PER_REPORT * threads) {
             job.step(0.6 + 0.4 * block.start as f64 / mesh.positions().len() as f64, STAGE)?;
             let mut work = Vec::new();
-            for range in blocks(block, CHUNK) {
+            for range in split_into_blocks(block, VERTICES_PER_TASK) {
                 let ends = &ends[2 * range.start..2 * range.end];
                 let end = ends.last().map_or(first, |&end| end);
                 let (own, others) = rest.split_at_mut((end - first) as usize);
                 work.push((first, ends, own));
                 (rest, first) = (others, end);
             }
-            let found =
-                par::map(threads, work.into_iter(), |(first, ends, entries)| pair(faces, &mate, first, ends, entries))?;
+            let found = par::map(threads, work.into_iter(), |(first, ends, entries)| {
+                pair_half_edges_in_buckets(faces, &mate, first, ends, entries)
+            })?;
             for found in found {
                 let found = found?;
                 alloc::append(&mut defects, &found.defects)?;
@@ -111,9 +115,9 @@ impl Topology {
         for bucket in long {
             let bucket = &mut entries[bucket];
             sort(bucket, Ord::cmp, &job, STAGE)?;
-            for (k, edge) in bucket.chunk_by(same_edge).enumerate() {
-                job.step_every(REPORT_INTERVAL, k, faces.half_edge_count(), STAGE)?;
-                join(faces, &mate, edge, &mut defects)?;
+            for (k, edge) in bucket.chunk_by(have_same_far_end).enumerate() {
+                job.step_every(ELEMENTS_PER_REPORT, k, faces.half_edge_count(), STAGE)?;
+                mark_half_edges_of_edge(faces, &mate, edge, &mut defects)?;
             }
         }
         sort(&mut defects, Ord::cmp, &job, STAGE)?;
@@ -123,12 +127,12 @@ impl Topology {
 }
 
 /// Divides `range` into consecutive ranges of `length` elements.
-fn blocks(range: Range<usize>, length: usize) -> impl Iterator<Item = Range<usize>> {
+fn split_into_blocks(range: Range<usize>, length: usize) -> impl Iterator<Item = Range<usize>> {
     range.clone().step_by(length).map(move |first| first..range.end.min(first + length))
 }
 
 /// The faces that one thread puts into buckets.
-struct Part {
+struct ThreadFaces {
     faces: Range<usize>,
     /// Per bucket: first the number of its half-edges, later the position of the next one.
     places: Vec<u32>,
@@ -140,25 +144,25 @@ struct Part {
 }
 
 /// Divides the faces among the threads, with enough faces for each.
-fn parts(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<Part>> {
+fn divide_faces_among_threads(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<ThreadFaces>> {
     let (faces, vertices) = (mesh.faces().len(), mesh.positions().len());
-    let threads = par::at_most(faces.div_ceil(MIN_FACES_PER_PART).min(MAX_PARTS), threads);
+    let threads = par::resolve_thread_count(faces.div_ceil(MIN_FACES_PER_THREAD).min(MAX_BUCKET_THREADS), threads);
     let mut parts = Vec::new();
-    for faces in blocks(0..faces, faces.div_ceil(threads)) {
+    for faces in split_into_blocks(0..faces, faces.div_ceil(threads)) {
         let (places, corner_count) = (alloc::zeroed(2 * vertices)?, alloc::zeroed(vertices)?);
-        parts.push(Part { faces, places, corner_count, ignored: Vec::new(), defects: Vec::new() });
+        parts.push(ThreadFaces { faces, places, corner_count, ignored: Vec::new(), defects: Vec::new() });
     }
     Ok(parts)
 }
 
 /// Runs `work` on every part, each on its own thread, with progress reports.
-fn each_part(
-    parts: &mut [Part],
+fn run_on_each_thread(
+    parts: &mut [ThreadFaces],
     job: &Job<'_>,
-    work: impl Fn(&mut Part, Range<usize>) -> Result<()> + Sync,
+    work: impl Fn(&mut ThreadFaces, Range<usize>) -> Result<()> + Sync,
 ) -> Result<()> {
     let longest = parts.iter().map(|part| part.faces.len()).max().unwrap_or(0);
-    for block in blocks(0..longest, REPORT_INTERVAL) {
+    for block in split_into_blocks(0..longest, ELEMENTS_PER_REPORT) {
         job.step(block.start as f64 / longest as f64, STAGE)?;
         let done = par::map(parts.len(), parts.iter_mut(), |part| {
             let at = |i: usize| part.faces.end.min(part.faces.start + i);
@@ -171,7 +175,7 @@ fn each_part(
 }
 
 /// Sums the parts' corner counts, and collects their degenerate faces.
-fn accumulate(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
+fn sum_corner_counts(parts: &mut [ThreadFaces]) -> Result<(Vec<u32>, Vec<Defect>)> {
     let (mut counts, mut defects) = (Vec::new(), Vec::new());
     for part in parts {
         alloc::append(&mut defects, &part.defects)?;
@@ -187,7 +191,7 @@ fn accumulate(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
 
 /// Turns counts into positions: bucket after bucket, and within a bucket part after part. Returns
 /// the number of half-edges.
-fn places(parts: &mut [Part], vertices: usize, job: &Job<'_>) -> Result<u32> {
+fn turn_counts_into_offsets(parts: &mut [ThreadFaces], vertices: usize, job: &Job<'_>) -> Result<u32> {
     let mut next = 0;
     job.ranges(STAGE, 2 * vertices, |buckets| {
         for bucket in buckets {
@@ -202,14 +206,14 @@ fn places(parts: &mut [Part], vertices: usize, job: &Job<'_>) -> Result<u32> {
 }
 
 /// Returns the bucket of a half-edge from `u` to `v`.
-fn bucket(u: u32, v: u32) -> usize {
+fn bucket_of_half_edge(u: u32, v: u32) -> usize {
     2 * u.min(v) as usize + usize::from(u > v)
 }
 
 /// Calls `visit` with the half-edges of a face as (index, start, end). Skips half-edges without
 /// length, and the whole face if fewer than three remain. Returns the number of calls.
 #[inline(always)]
-fn proper(first: u32, corners: &[u32], mut visit: impl FnMut(u32, u32, u32)) -> usize {
+fn visit_proper_half_edges(first: u32, corners: &[u32], mut visit: impl FnMut(u32, u32, u32)) -> usize {
     let end = |i: usize| corners[if i + 1 < corners.len() { i + 1 } else { 0 }];
     let count = (0..corners.len()).filter(|&i| corners[i] != end(i)).count();
     if count < 3 {
@@ -225,7 +229,7 @@ fn proper(first: u32, corners: &[u32], mut visit: impl FnMut(u32, u32, u32)) -> 
 
 /// Returns a vertex that occurs twice in the face.
 #[inline(always)]
-fn repeated(corners: &[u32]) -> Result<Option<u32>> {
+fn find_repeated_vertex(corners: &[u32]) -> Result<Option<u32>> {
     if corners.len() <= 8 {
         let twice = |&i: &usize| corners[..i].contains(&corners[i]);
         return Ok((1..corners.len()).find(twice).map(|i| corners[i]));
@@ -236,20 +240,20 @@ fn repeated(corners: &[u32]) -> Result<Option<u32>> {
 }
 
 /// Counts half-edges and collects degenerate faces.
-struct Count<'p> {
+struct HalfEdgeCounter<'p> {
     faces: &'p Faces<'p>,
-    part: &'p mut Part,
+    part: &'p mut ThreadFaces,
 }
 
-impl Visitor for Count<'_> {
+impl FaceVisitor for HalfEdgeCounter<'_> {
     #[inline(always)]
-    fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
-        if let Some(vertex) = repeated(corners)? {
+    fn visit_face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
+        if let Some(vertex) = find_repeated_vertex(corners)? {
             let face = self.faces.face_of(first);
             alloc::push(&mut self.part.defects, Defect::DegenerateFace { face, vertex })?;
         }
-        proper(first, corners, |_, u, v| {
-            self.part.places[bucket(u, v)] += 1;
+        visit_proper_half_edges(first, corners, |_, u, v| {
+            self.part.places[bucket_of_half_edge(u, v)] += 1;
             self.part.corner_count[u as usize] += 1;
         });
         Ok(())
@@ -257,28 +261,28 @@ impl Visitor for Count<'_> {
 }
 
 /// Puts half-edges into their buckets.
-struct Distribute<'p> {
-    part: &'p mut Part,
+struct BucketFiller<'p> {
+    part: &'p mut ThreadFaces,
     entries: &'p [AtomicU64],
 }
 
-impl Visitor for Distribute<'_> {
+impl FaceVisitor for BucketFiller<'_> {
     #[inline(always)]
-    fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
+    fn visit_face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
         let places = &mut self.part.places;
-        let shown = proper(first, corners, |h, u, v| {
-            let place = &mut places[bucket(u, v)];
+        let shown = visit_proper_half_edges(first, corners, |h, u, v| {
+            let place = &mut places[bucket_of_half_edge(u, v)];
             self.entries[*place as usize].store(u64::from(u.max(v)) << 32 | u64::from(h), Ordering::Relaxed);
             *place += 1;
         });
-        if shown == corners.len() { Ok(()) } else { self.ignore(first, corners, shown) }
+        if shown == corners.len() { Ok(()) } else { self.record_ignored_half_edges(first, corners, shown) }
     }
 }
 
-impl Distribute<'_> {
+impl BucketFiller<'_> {
     /// Records the half-edges of a face that were skipped.
     #[cold]
-    fn ignore(&mut self, first: u32, corners: &[u32], shown: usize) -> Result<()> {
+    fn record_ignored_half_edges(&mut self, first: u32, corners: &[u32], shown: usize) -> Result<()> {
         let after = corners.iter().cycle().skip(1);
         let ignored = corners.iter().zip(after).zip(first..).filter(|&((u, v), _)| shown == 0 || u == v);
         alloc::extend(&mut self.part.ignored, ignored.map(|(_, h)| h))
@@ -287,7 +291,7 @@ impl Distribute<'_> {
 
 /// The leftovers of pairing a range of vertices.
 #[derive(Default)]
-struct Unpaired {
+struct PairingLeftovers {
     defects: Vec<Defect>,
     /// The buckets that are too long to process without progress reports.
     long: Vec<Range<usize>>,
@@ -295,14 +299,14 @@ struct Unpaired {
 
 /// Pairs the half-edges in the buckets of some vertices. The buckets start at `first` and end at
 /// `ends`.
-fn pair(
+fn pair_half_edges_in_buckets(
     faces: &Faces<'_>,
     mate: &[AtomicU32],
     mut first: u32,
     ends: &[u32],
     mut entries: &mut [u64],
-) -> Result<Unpaired> {
-    let mut found = Unpaired::default();
+) -> Result<PairingLeftovers> {
+    let mut found = PairingLeftovers::default();
     for end in ends.chunks_exact(2) {
         let (up, both) = (end[0] - first, end[1] - first);
         let bucket = first as usize..end[1] as usize;
@@ -313,20 +317,20 @@ fn pair(
         if pair_by_scan(mate, ups, downs) {
             continue;
         }
-        if own.len() > MAX_UNREPORTED_BUCKET {
+        if own.len() > MAX_UNREPORTED_BUCKET_ENTRIES {
             alloc::push(&mut found.long, bucket)?;
             continue;
         }
         own.sort_unstable();
-        for edge in own.chunk_by(same_edge) {
-            join(faces, mate, edge, &mut found.defects)?;
+        for edge in own.chunk_by(have_same_far_end) {
+            mark_half_edges_of_edge(faces, mate, edge, &mut found.defects)?;
         }
     }
     Ok(found)
 }
 
 /// Returns true if two half-edges of one vertex's buckets have the same far end.
-fn same_edge(x: &u64, y: &u64) -> bool {
+fn have_same_far_end(x: &u64, y: &u64) -> bool {
     x >> 32 == y >> 32
 }
 
@@ -334,7 +338,7 @@ fn same_edge(x: &u64, y: &u64) -> bool {
 /// match is missing or ambiguous, or if there are too many half-edges to scan. The caller must then
 /// overwrite the partners.
 fn pair_by_scan(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
-    if ups.len() != downs.len() || ups.len() > MAX_UNSORTED_BUCKET {
+    if ups.len() != downs.len() || ups.len() > MAX_UNSORTED_BUCKET_ENTRIES {
         return false;
     }
     for (i, &up) in ups.iter().enumerate() {
@@ -361,11 +365,16 @@ fn set_mates(mate: &[AtomicU32], g: u32, h: u32) {
 }
 
 /// Stores the relation of the half-edges of one edge, given in order.
-fn join(faces: &Faces<'_>, mate: &[AtomicU32], edge: &[u64], defects: &mut Vec<Defect>) -> Result<()> {
+fn mark_half_edges_of_edge(
+    faces: &Faces<'_>,
+    mate: &[AtomicU32],
+    edge: &[u64],
+    defects: &mut Vec<Defect>,
+) -> Result<()> {
     let half_edge = |i: usize| edge[i] as u32;
     let set = |mark: u32| edge.iter().for_each(|&entry| mate[entry as u32 as usize].store(mark, Ordering::Relaxed));
     match edge.len() {
-        1 => set(FREE),
+        1 => set(FREE_EDGE_MARK),
         2 => {
             let (g, h) = (half_edge(0), half_edge(1));
             set_mates(mate, g, h);
@@ -374,7 +383,7 @@ fn join(faces: &Faces<'_>, mate: &[AtomicU32], edge: &[u64], defects: &mut Vec<D
             }
         }
         n => {
-            set(SINGULAR);
+            set(NON_MANIFOLD_EDGE_MARK);
             alloc::push(defects, Defect::NonManifoldEdge { half_edge: half_edge(0), faces: n as u32 })?;
         }
     }

@@ -32,5 +32,5 @@ pub use positions::check_size;
 pub use positions::{MAX_ELEMENTS, Positions, Scalar};
 pub use topology::{Opposite, half_edges, unordered, vertex_components};
 #[doc(hidden)]
-pub use view::Visitor;
+pub use view::FaceVisitor;
 pub use view::{Faces, MeshView};

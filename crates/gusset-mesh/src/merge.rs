@@ -26,7 +26,7 @@ pub fn merge_map(mesh: &MeshView<'_>, keys: Option<&[u32]>, job: &Job<'_>) -> Re
         None => place(u)
             .into_iter()
             .zip(place(v))
-            .map(|(x, y)| order_of(x, y))
+            .map(|(x, y)| compare_coordinates(x, y))
             .find(|o| o.is_ne())
             .unwrap_or(Ordering::Equal),
     };
@@ -42,6 +42,6 @@ pub fn merge_map(mesh: &MeshView<'_>, keys: Option<&[u32]>, job: &Job<'_>) -> Re
     Ok(merge)
 }
 
-fn order_of(x: f64, y: f64) -> Ordering {
+fn compare_coordinates(x: f64, y: f64) -> Ordering {
     x.partial_cmp(&y).unwrap_or_else(|| x.total_cmp(&y))
 }

@@ -34,8 +34,8 @@ impl PositionBuffer {
     #[inline]
     pub fn append(&mut self, from: &Positions<'_>, range: Range<usize>) -> Result<()> {
         match self {
-            PositionBuffer::F32(out) if from.scalar() == Scalar::F32 => append_bits(out, from, range),
-            PositionBuffer::F64(out) if from.scalar() == Scalar::F64 => append_bits(out, from, range),
+            PositionBuffer::F32(out) if from.scalar() == Scalar::F32 => append_position_bits(out, from, range),
+            PositionBuffer::F64(out) if from.scalar() == Scalar::F64 => append_position_bits(out, from, range),
             _ => self.extend(range.map(|v| from.get(v as u32))),
         }
     }
@@ -56,8 +56,8 @@ impl PositionBuffer {
     /// Copies the positions `vertices` of `from`, bit for bit.
     pub fn gather(from: &Positions<'_>, vertices: &[u32]) -> Result<PositionBuffer> {
         Ok(match from.scalar() {
-            Scalar::F32 => PositionBuffer::F32(gather_bits(from, vertices)?),
-            Scalar::F64 => PositionBuffer::F64(gather_bits(from, vertices)?),
+            Scalar::F32 => PositionBuffer::F32(gather_position_bits(from, vertices)?),
+            Scalar::F64 => PositionBuffer::F64(gather_position_bits(from, vertices)?),
         })
     }
 
@@ -89,20 +89,20 @@ impl PositionBuffer {
     }
 }
 
-fn append_bits<T: bytemuck::Pod>(out: &mut Vec<T>, from: &Positions<'_>, range: Range<usize>) -> Result<()> {
+fn append_position_bits<T: bytemuck::Pod>(out: &mut Vec<T>, from: &Positions<'_>, range: Range<usize>) -> Result<()> {
     alloc::reserve(out, range.len())?;
     match from.packed_bytes() {
         Some(bytes) => {
             let bytes = &bytes[range.start * size_of::<T>()..range.end * size_of::<T>()];
             out.extend(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned::<T>));
         }
-        None => out.extend(range.map(|v| bytemuck::pod_read_unaligned::<T>(from.bits(v)))),
+        None => out.extend(range.map(|v| bytemuck::pod_read_unaligned::<T>(from.position_bytes(v)))),
     }
     Ok(())
 }
 
-fn gather_bits<T: bytemuck::Pod>(from: &Positions<'_>, vertices: &[u32]) -> Result<Vec<T>> {
-    alloc::collect(vertices.iter().map(|&v| bytemuck::pod_read_unaligned(from.bits(v as usize))))
+fn gather_position_bits<T: bytemuck::Pod>(from: &Positions<'_>, vertices: &[u32]) -> Result<Vec<T>> {
+    alloc::collect(vertices.iter().map(|&v| bytemuck::pod_read_unaligned(from.position_bytes(v as usize))))
 }
 
 /// An owned polygon mesh.
@@ -158,7 +158,7 @@ impl Mesh {
     }
 
     /// Returns the mean length of the faces' sides; infinite if all lengths are 0.
-    pub fn mean_side(&self) -> f64 {
+    pub fn mean_side_length(&self) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for face in self.faces() {
             for (k, &u) in face.iter().enumerate() {

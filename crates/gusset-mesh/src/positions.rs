@@ -111,7 +111,7 @@ impl<'a> Positions<'a> {
     }
 
     /// Position `v` as stored, bit for bit.
-    pub(super) fn bits(&self, v: usize) -> &'a [u8] {
+    pub(super) fn position_bytes(&self, v: usize) -> &'a [u8] {
         self.points.bytes(v)
     }
 

@@ -1,7 +1,7 @@
 //! Which half-edges share an edge.
 
 use super::defect::Defect;
-use super::half_edge_pairing::{FREE, SINGULAR, Topology};
+use super::half_edge_pairing::{FREE_EDGE_MARK, NON_MANIFOLD_EDGE_MARK, Topology};
 use super::view::MeshView;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -10,7 +10,7 @@ use gusset_base::job::Job;
 use gusset_base::par;
 
 /// Half-edges in one work item.
-const CHUNK: usize = 1 << 18;
+const HALF_EDGES_PER_TASK: usize = 1 << 18;
 
 /// The opposite of a half-edge, across its edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,8 +28,8 @@ impl Topology {
     #[inline]
     pub fn opposite(&self, h: u32) -> Opposite {
         match self.mate[h as usize] {
-            FREE => Opposite::Free,
-            SINGULAR => Opposite::Singular,
+            FREE_EDGE_MARK => Opposite::Free,
+            NON_MANIFOLD_EDGE_MARK => Opposite::Singular,
             mate => Opposite::Mate(mate),
         }
     }
@@ -42,10 +42,10 @@ impl Topology {
 
     /// Returns the half-edges of free edges and of edges with three or more faces, in ascending
     /// order.
-    pub fn border(&self, job: &Job<'_>) -> Result<Vec<u32>> {
-        let found = par::map(job.threads(), par::ranges(self.mate.len(), CHUNK), |range| {
+    pub fn border_half_edges(&self, job: &Job<'_>) -> Result<Vec<u32>> {
+        let found = par::map(job.threads(), par::ranges(self.mate.len(), HALF_EDGES_PER_TASK), |range| {
             let half_edges = (range.start as u32..).zip(&self.mate[range]);
-            alloc::gather(half_edges.filter(|&(_, &mate)| mate >= SINGULAR).map(|(h, _)| h))
+            alloc::gather(half_edges.filter(|&(_, &mate)| mate >= NON_MANIFOLD_EDGE_MARK).map(|(h, _)| h))
         })?;
         let mut border = Vec::new();
         alloc::append_all(&mut border, found)?;

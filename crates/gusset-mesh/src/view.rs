@@ -8,13 +8,13 @@ use gusset_base::par;
 use std::ops::Range;
 
 /// Elements in one work item of the checks.
-const CHUNK: usize = 1 << 16;
+const ELEMENTS_PER_TASK: usize = 1 << 16;
 
 /// Packed 32-bit indices at any alignment.
 #[derive(Debug, Clone, Copy)]
-struct Indices<'a>(&'a [u8]);
+struct PackedIndices<'a>(&'a [u8]);
 
-impl<'a> Indices<'a> {
+impl<'a> PackedIndices<'a> {
     #[inline]
     fn get(&self, i: usize) -> u32 {
         bytemuck::pod_read_unaligned(&self.0[4 * i..4 * i + 4])
@@ -31,7 +31,7 @@ impl<'a> Indices<'a> {
 
     /// Checks the indices as face offsets: they start at 0, and each is at least 3 more than the
     /// previous one.
-    fn check(self, job: &Job<'_>) -> Result<()> {
+    fn check_face_offsets(self, job: &Job<'_>) -> Result<()> {
         if self.get(0) != 0 {
             return Err(Error::BadOffsets { entry: 0, value: self.get(0) });
         }
@@ -42,41 +42,41 @@ impl<'a> Indices<'a> {
                 Some(_) => Ok(()),
             })
         };
-        par::map(job.threads(), par::ranges(self.len() - 1, CHUNK), check)?.into_iter().collect()
+        par::map(job.threads(), par::ranges(self.len() - 1, ELEMENTS_PER_TASK), check)?.into_iter().collect()
     }
 }
 
 #[derive(Debug, Clone, Copy)]
-enum Layout<'a> {
+enum FaceLayout<'a> {
     /// Every face has this many corners.
     Uniform(u32),
     /// Face f has the corners offsets\[f\] .. offsets\[f + 1\].
-    Offsets(Indices<'a>),
+    Offsets(PackedIndices<'a>),
 }
 
 /// The receiver of [`Faces::visit`].
-pub trait Visitor {
+pub trait FaceVisitor {
     /// Receives a face as its first half-edge and its vertices. Inline it: triangles and quads are
     /// passed as arrays, whose length the compiler then knows.
-    fn face(&mut self, first: u32, corners: &[u32]) -> Result<()>;
+    fn visit_face(&mut self, first: u32, corners: &[u32]) -> Result<()>;
 }
 
 /// Faces in a host's memory: vertex indices, face after face.
 #[derive(Debug, Clone, Copy)]
 pub struct Faces<'a> {
-    corners: Indices<'a>,
-    layout: Layout<'a>,
+    corners: PackedIndices<'a>,
+    layout: FaceLayout<'a>,
     count: usize,
     /// The merge map and the corners before merging, if the faces are merged.
-    split: Option<Split<'a>>,
+    split: Option<CornersBeforeMerging<'a>>,
 }
 
 /// The corners before merging, and the merge map.
 #[derive(Debug, Clone, Copy)]
-struct Split<'a> {
+struct CornersBeforeMerging<'a> {
     /// For each vertex the vertex that it is merged into.
-    merge: Indices<'a>,
-    corners: Indices<'a>,
+    merge: PackedIndices<'a>,
+    corners: PackedIndices<'a>,
 }
 
 impl<'a> Faces<'a> {
@@ -88,8 +88,8 @@ impl<'a> Faces<'a> {
     pub fn uniform(corners: &'a [u8], face_size: u32, count: usize) -> Result<Self> {
         let needed = Self::corner_count(face_size, count)? * 4;
         Ok(Faces {
-            corners: indices(corners, needed, "corners")?,
-            layout: Layout::Uniform(face_size),
+            corners: read_packed_indices(corners, needed, "corners")?,
+            layout: FaceLayout::Uniform(face_size),
             count,
             split: None,
         })
@@ -102,11 +102,11 @@ impl<'a> Faces<'a> {
     /// [`Error::TooLarge`], [`Error::ArrayTooShort`]. [`MeshView::new`] checks the offsets
     /// themselves.
     pub fn with_offsets(offsets: &'a [u8], corners: &'a [u8], count: usize) -> Result<Self> {
-        let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
+        let offsets = read_packed_indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
         let needed = offsets.get(count) as usize * 4;
         Ok(Faces {
-            corners: indices(corners, needed, "corners")?,
-            layout: Layout::Offsets(offsets),
+            corners: read_packed_indices(corners, needed, "corners")?,
+            layout: FaceLayout::Offsets(offsets),
             count,
             split: None,
         })
@@ -129,7 +129,7 @@ impl<'a> Faces<'a> {
 
     /// Returns the vertex at corner `h` before merging.
     #[inline]
-    pub fn split_corner(&self, h: u32) -> u32 {
+    pub fn corner_before_merging(&self, h: u32) -> u32 {
         self.split.map_or(self.corners, |split| split.corners).get(h as usize)
     }
 
@@ -165,8 +165,8 @@ impl<'a> Faces<'a> {
     /// [`Error::FaceTooSmall`].
     #[inline]
     pub fn check_offsets(offsets: &[u8], count: usize, job: &Job<'_>) -> Result<usize> {
-        let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
-        offsets.check(job)?;
+        let offsets = read_packed_indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
+        offsets.check_face_offsets(job)?;
         let corners = offsets.get(count);
         check_size(0, corners.into())?;
         Ok(corners as usize)
@@ -216,8 +216,8 @@ impl<'a> Faces<'a> {
     #[inline]
     pub fn range(&self, f: usize) -> Range<usize> {
         match self.layout {
-            Layout::Uniform(n) => f * n as usize..(f + 1) * n as usize,
-            Layout::Offsets(offsets) => offsets.get(f) as usize..offsets.get(f + 1) as usize,
+            FaceLayout::Uniform(n) => f * n as usize..(f + 1) * n as usize,
+            FaceLayout::Offsets(offsets) => offsets.get(f) as usize..offsets.get(f + 1) as usize,
         }
     }
 
@@ -226,8 +226,8 @@ impl<'a> Faces<'a> {
     #[inline]
     pub fn face_of(&self, h: u32) -> u32 {
         match self.layout {
-            Layout::Uniform(n) => h / n,
-            Layout::Offsets(offsets) => {
+            FaceLayout::Uniform(n) => h / n,
+            FaceLayout::Offsets(offsets) => {
                 let (mut low, mut high) = (0, self.count);
                 while high - low > 1 {
                     let middle = usize::midpoint(low, high);
@@ -259,11 +259,11 @@ impl<'a> Faces<'a> {
     /// Calls `visitor` with each face of `faces` in turn. Extra memory: the largest face that has
     /// more than four corners.
     #[doc(hidden)]
-    pub fn visit(&self, faces: Range<usize>, visitor: &mut impl Visitor) -> Result<()> {
-        if let Layout::Uniform(3) = self.layout {
+    pub fn visit(&self, faces: Range<usize>, visitor: &mut impl FaceVisitor) -> Result<()> {
+        if let FaceLayout::Uniform(3) = self.layout {
             let corners = self.corners.0[12 * faces.start..12 * faces.end].chunks_exact(12);
             for (f, triangle) in faces.zip(corners) {
-                visitor.face(3 * f as u32, &bytemuck::pod_read_unaligned::<[u32; 3]>(triangle))?;
+                visitor.visit_face(3 * f as u32, &bytemuck::pod_read_unaligned::<[u32; 3]>(triangle))?;
             }
             return Ok(());
         }
@@ -273,13 +273,13 @@ impl<'a> Faces<'a> {
             let first = range.start as u32;
             let corner = |i: u32| self.corner(first + i);
             match range.len() {
-                3 => visitor.face(first, &[corner(0), corner(1), corner(2)])?,
-                4 => visitor.face(first, &[corner(0), corner(1), corner(2), corner(3)])?,
+                3 => visitor.visit_face(first, &[corner(0), corner(1), corner(2)])?,
+                4 => visitor.visit_face(first, &[corner(0), corner(1), corner(2), corner(3)])?,
                 n => {
                     polygon.clear();
                     alloc::reserve(&mut polygon, n)?;
                     polygon.extend(self.corners(range));
-                    visitor.face(first, &polygon)?;
+                    visitor.visit_face(first, &polygon)?;
                 }
             }
         }
@@ -293,9 +293,9 @@ impl<'a> Faces<'a> {
     }
 }
 
-fn indices<'a>(bytes: &'a [u8], needed: usize, what: &'static str) -> Result<Indices<'a>> {
+fn read_packed_indices<'a>(bytes: &'a [u8], needed: usize, what: &'static str) -> Result<PackedIndices<'a>> {
     match bytes.get(..needed) {
-        Some(bytes) => Ok(Indices(bytes)),
+        Some(bytes) => Ok(PackedIndices(bytes)),
         None => Err(Error::ArrayTooShort { what, needed: needed as u64, given: bytes.len() as u64 }),
     }
 }
@@ -328,13 +328,13 @@ impl<'a> MeshView<'a> {
             return Err(Error::EmptyMesh { what: "faces" });
         }
         job.step(0.0, "checking the mesh")?;
-        if let Layout::Offsets(offsets) = faces.layout {
-            offsets.check(job)?;
+        if let FaceLayout::Offsets(offsets) = faces.layout {
+            offsets.check_face_offsets(job)?;
         }
         job.step(0.3, "checking the mesh")?;
         // Divides both arrays into the same number of parts, so that the threads start once.
         let (corners, vertices) = (faces.half_edge_count(), positions.len());
-        let count = corners.max(vertices).div_ceil(CHUNK);
+        let count = corners.max(vertices).div_ceil(ELEMENTS_PER_TASK);
         let part = |len: usize, i: usize| {
             let length = len.div_ceil(count);
             len.min(i * length)..len.min((i + 1) * length)
@@ -346,7 +346,7 @@ impl<'a> MeshView<'a> {
         if !checked.iter().all(|&(_, finite)| finite) {
             // Rare: check whether a face uses such a vertex.
             let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
-            let firsts = par::map(job.threads(), par::ranges(corners, CHUNK), |mut range| range.find(bad))?;
+            let firsts = par::map(job.threads(), par::ranges(corners, ELEMENTS_PER_TASK), |mut range| range.find(bad))?;
             if let Some(&h) = firsts.iter().flatten().next() {
                 let vertex = faces.corner(h as u32);
                 Error::check_finite(Element::Vertex, vertex.into(), positions.get(vertex))?;
@@ -377,7 +377,7 @@ impl<'a> MeshView<'a> {
     pub fn merged_corners(&self, merge: &[u8], job: &Job<'_>) -> Result<Vec<u32>> {
         const STAGE: &str = "merging vertices";
         let count = self.positions.len();
-        let merge = indices(merge, 4 * count, "merged vertices")?;
+        let merge = read_packed_indices(merge, 4 * count, "merged vertices")?;
         let is_bad = |&v: &usize| {
             let of = merge.get(v);
             of as usize >= count || merge.get(of as usize) != of
@@ -402,8 +402,11 @@ impl<'a> MeshView<'a> {
     where
         'a: 'b,
     {
-        let split = Split { merge: Indices(&merge[..4 * self.positions.len()]), corners: self.faces.corners };
-        let corners = Indices(bytemuck::cast_slice(corners));
+        let split = CornersBeforeMerging {
+            merge: PackedIndices(&merge[..4 * self.positions.len()]),
+            corners: self.faces.corners,
+        };
+        let corners = PackedIndices(bytemuck::cast_slice(corners));
         MeshView { positions: self.positions, faces: Faces { corners, split: Some(split), ..self.faces } }
     }
 

@@ -8,10 +8,10 @@
 //! brings the link's ends together. The links are therefore measured, including closing links, and
 //! the determinant shows where space is inverted. O(nodes).
 
-use super::field::{Step, deform};
+use super::field::{DeformationStep, deform};
 use super::hidden_cells::HiddenCells;
-use super::topology::{GluingType, Links, classify_node};
-use super::{Classes, Net, Planes, Real, Topology, chunks, each, fold};
+use super::topology::{ContractedLinks, GluingType, classify_node};
+use super::{Net, NodeClasses, Real, Topology, XyzMatrices, chunks, each, fold};
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
@@ -19,7 +19,7 @@ use gusset_base::job::Job;
 
 /// A link that a deformation has contracted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Contracted {
+pub struct ContractedLink {
     /// The link.
     pub link: u32,
     /// The type of its first node's star with all new links contracted, closing links included.
@@ -28,7 +28,7 @@ pub struct Contracted {
 
 /// The effect of a deformation on a net.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Analysis {
+pub struct DeformationAnalysis {
     /// The ratio of new to old length of each link, closing links included. NaN if the old length
     /// is 0 or an end is missing.
     pub links: Vec<f64>,
@@ -40,14 +40,14 @@ pub struct Analysis {
     pub determinants: Vec<f64>,
     /// The links contracted to a point: longer than the tolerance before, not glued, and at most
     /// that long now.
-    pub contracted: Vec<Contracted>,
+    pub contracted: Vec<ContractedLink>,
     /// The glued links whose ends are farther apart than the tolerance now.
     pub torn: Vec<u32>,
     /// The cells whose orientation differs from the majority.
     pub folded: Vec<u32>,
 }
 
-impl Analysis {
+impl DeformationAnalysis {
     /// Returns true for a soft deformation: no new gluing, no tear, no fold. Otherwise it is hard.
     pub fn is_soft(&self) -> bool {
         self.contracted.is_empty() && self.torn.is_empty() && self.folded.is_empty()
@@ -71,12 +71,12 @@ impl Analysis {
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative, infinite or NaN,
 /// [`Error::SidesDiffer`], [`Error::CrossingCell`] if the new gluing crosses a cell,
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Analysis> {
+pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<DeformationAnalysis> {
     if before.shape() != after.shape() {
         let (a, b) = (before.shape().node_count() as u32, after.shape().node_count() as u32);
         return Err(Error::SidesDiffer { a, b });
     }
-    let mut found = compare(before, after, tolerance, &job.part(0.0, 0.5))?;
+    let mut found = compare_unsigned(before, after, tolerance, &job.part(0.0, 0.5))?;
     mark_folds(&mut found, &fold::fold_signs(before, after, tolerance, &job.part(0.5, 1.0))?);
     Ok(found)
 }
@@ -88,11 +88,16 @@ pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>)
 ///
 /// # Errors
 /// The errors of [`analyse`] and [`deform`].
-pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Job<'_>) -> Result<Analysis> {
+pub fn analyse_field(
+    net: &Net<'_>,
+    steps: &[DeformationStep<'_>],
+    tolerance: f64,
+    job: &Job<'_>,
+) -> Result<DeformationAnalysis> {
     let mut after = net.copied()?;
     deform(&mut after, steps, &job.part(0.0, 0.3))?;
-    let mut found = compare(net, &after, tolerance, &job.part(0.3, 0.6))?;
-    found.determinants = each!(net.coordinates(), planes => determinants(planes, steps, &job.part(0.6, 0.8)))?;
+    let mut found = compare_unsigned(net, &after, tolerance, &job.part(0.3, 0.6))?;
+    found.determinants = each!(net.coordinates(), planes => jacobian_determinants(planes, steps, &job.part(0.6, 0.8)))?;
     if !mark_inversions(&mut found) {
         mark_folds(&mut found, &fold::fold_signs(net, &after, tolerance, &job.part(0.8, 1.0))?);
     }
@@ -104,7 +109,7 @@ pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Jo
 ///
 /// # Errors
 /// [`Error::NoSuch`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
-pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &Job<'_>) -> Result<Topology> {
+pub fn contract_links(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &Job<'_>) -> Result<Topology> {
     let (shape, mut matrix) = (topology.shape(), topology.matrix()?);
     for link in links {
         if link as usize >= 2 * shape.node_count() {
@@ -112,15 +117,15 @@ pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &J
         }
         matrix.set(link, true);
     }
-    let glued = Topology::new_cancellable(shape, Links::Matrix(matrix), topology.seams(), job, "absorbing")?;
+    let glued = Topology::new_cancellable(shape, ContractedLinks::Matrix(matrix), topology.seams(), job, "absorbing")?;
     Ok(glued.with_reversed(topology.is_reversed()))
 }
 
 /// Compares two nets without signs.
-fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Analysis> {
+fn compare_unsigned(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<DeformationAnalysis> {
     Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
     job.step(0.0, "analyse")?;
-    let (shape, classes) = (before.shape(), Classes::new(before.topology())?);
+    let (shape, classes) = (before.shape(), NodeClasses::new(before.topology())?);
     let mut links = alloc::zeroed(2 * shape.node_count())?;
     let width = 2 * shape.columns();
     let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
@@ -133,7 +138,7 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
         alloc::append(&mut contracted, &new)?;
         alloc::append(&mut torn, &lost)?;
     }
-    let contracted = find_stars(before.topology(), &contracted, &job.part(0.5, 0.5))?;
+    let contracted = classify_contracted_links(before.topology(), &contracted, &job.part(0.5, 0.5))?;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     let hidden = HiddenCells::new(before)?;
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
@@ -146,15 +151,15 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
         })?
         .for_each(drop);
     }));
-    Ok(Analysis { links, cells, determinants: Vec::new(), contracted, torn, folded: Vec::new() })
+    Ok(DeformationAnalysis { links, cells, determinants: Vec::new(), contracted, torn, folded: Vec::new() })
 }
 
 /// Writes the ratios of the links of row i; returns those newly contracted and those torn.
 fn measure_row_of_links<A: Real, B: Real>(
-    (old, new): (&Planes<'_, A>, &Planes<'_, B>),
+    (old, new): (&XyzMatrices<'_, A>, &XyzMatrices<'_, B>),
     i: usize,
     ratios: &mut [f64],
-    classes: &Classes,
+    classes: &NodeClasses,
     tolerance: f64,
 ) -> Result<(Vec<u32>, Vec<u32>)> {
     let shape = old.shape();
@@ -164,7 +169,7 @@ fn measure_row_of_links<A: Real, B: Real>(
         let before = old.get(a, b).distance(old.get(c, d));
         let after = new.get(a, b).distance(new.get(c, d));
         *ratio = if before > 0.0 { after / before } else { f64::NAN };
-        let glued = classes.contracts(link);
+        let glued = classes.has_identified_ends(link);
         if !glued && after <= tolerance && before > tolerance {
             alloc::push(&mut contracted, link)?;
         } else if glued && after > tolerance {
@@ -175,57 +180,61 @@ fn measure_row_of_links<A: Real, B: Real>(
 }
 
 /// Returns the types of the stars at newly contracted links.
-fn find_stars(topology: &Topology, links: &[u32], job: &Job<'_>) -> Result<Vec<Contracted>> {
+fn classify_contracted_links(topology: &Topology, links: &[u32], job: &Job<'_>) -> Result<Vec<ContractedLink>> {
     if links.is_empty() {
         return Ok(Vec::new());
     }
-    let classes = Classes::new_cancellable(&absorb(topology, links.iter().copied(), job)?, job, "analyse")?;
+    let classes = NodeClasses::new_cancellable(&contract_links(topology, links.iter().copied(), job)?, job, "analyse")?;
     alloc::gather(links.iter().filter_map(|&link| {
         let (i, j) = topology.shape().place(link / 2);
-        classify_node(&classes, i, j, true).map(|star| Contracted { link, star })
+        classify_node(&classes, i, j, true).map(|star| ContractedLink { link, star })
     }))
 }
 
 /// Returns twice the area vector of cell (i, j).
-fn area_vector<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize) -> DVec3 {
+fn area_vector<T: Real>(planes: &XyzMatrices<'_, T>, i: usize, j: usize) -> DVec3 {
     (planes.get(i + 1, j + 1) - planes.get(i, j)).cross(planes.get(i + 1, j) - planes.get(i, j + 1))
 }
 
 /// Records the existing cells of sign -1 as folded. `signs` has one sign for each cell, or is
 /// empty.
-fn mark_folds(found: &mut Analysis, signs: &[i8]) {
-    for ((cell, ratio), _) in (0..).zip(&mut found.cells).zip(signs).filter(|&(_, &sign)| sign < 0) {
+fn mark_folds(analysis: &mut DeformationAnalysis, signs: &[i8]) {
+    for ((cell, ratio), _) in (0..).zip(&mut analysis.cells).zip(signs).filter(|&(_, &sign)| sign < 0) {
         *ratio = -*ratio;
         if !ratio.is_nan() {
-            found.folded.push(cell);
+            analysis.folded.push(cell);
         }
     }
 }
 
 /// Gives ratios the signs of the determinants, and records the cells whose sign differs from the
 /// majority. Returns false if all signs agree.
-fn mark_inversions(found: &mut Analysis) -> bool {
+fn mark_inversions(analysis: &mut DeformationAnalysis) -> bool {
     let sign = |determinant: f64| i64::from(determinant > 0.0) - i64::from(determinant < 0.0);
-    let existing = found.cells.iter_mut().zip(&found.determinants).filter(|(ratio, _)| !ratio.is_nan());
+    let existing = analysis.cells.iter_mut().zip(&analysis.determinants).filter(|(ratio, _)| !ratio.is_nan());
     let balance: i64 = existing.map(|(_, &determinant)| sign(determinant)).sum();
-    for ((cell, ratio), &determinant) in (0..).zip(&mut found.cells).zip(&found.determinants) {
+    for ((cell, ratio), &determinant) in (0..).zip(&mut analysis.cells).zip(&analysis.determinants) {
         if determinant < 0.0 {
             *ratio = -*ratio;
         }
         if !ratio.is_nan() && sign(determinant) * (if balance < 0 { -1 } else { 1 }) < 0 {
-            found.folded.push(cell);
+            analysis.folded.push(cell);
         }
     }
-    !found.folded.is_empty()
+    !analysis.folded.is_empty()
 }
 
 /// Returns the determinants of the Jacobian at the centres of all cells, by central differences.
-fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'_>) -> Result<Vec<f64>> {
+fn jacobian_determinants<T: Real>(
+    planes: &XyzMatrices<'_, T>,
+    steps: &[DeformationStep<'_>],
+    job: &Job<'_>,
+) -> Result<Vec<f64>> {
     let columns = planes.shape().columns() - 1;
     let mut determinants = alloc::zeroed(planes.shape().cell_count())?;
     chunks::map_rows(&mut determinants, columns, (job, "analyse"), |i, row| {
         for (j, determinant) in row.iter_mut().enumerate() {
-            let [a, b, c, d] = planes.corners(i, j);
+            let [a, b, c, d] = planes.cell_corners(i, j);
             let size = (c - a).length() + (d - b).length();
             let (jacobian, error) = jacobian((a + b + c + d) / 4.0, size, steps);
             let [x, y, z] = [jacobian.x_axis, jacobian.y_axis, jacobian.z_axis];
@@ -241,7 +250,7 @@ fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'
 /// Returns the Jacobian of a chain of fields at a point, by central differences, and an error bound
 /// of its columns. The step balances truncation against rounding: the cube root of the precision,
 /// times the larger of `size` and the coordinates.
-pub fn jacobian(point: DVec3, size: f64, steps: &[Step<'_>]) -> (DMat3, f64) {
+pub fn jacobian(point: DVec3, size: f64, steps: &[DeformationStep<'_>]) -> (DMat3, f64) {
     let step = 6e-6 * size.max(point.abs().max_element());
     let offsets = DVec3::AXES.map(|axis| step * axis);
     let points = [0, 1, 2].map(|k| [point + offsets[k], point - offsets[k]]);

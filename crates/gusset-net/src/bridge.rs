@@ -52,7 +52,7 @@ pub struct BridgeProperties {
 
 /// The adaptation of a net before it was joined, from which splitting restores it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Adaptation {
+pub(crate) struct NetAdaptation {
     /// The size at which it was joined. A part of any other size is not this net any more.
     pub(crate) joined: Shape,
     /// Step 1: whether its rows were flipped, because its faces had the opposite orientation.
@@ -67,7 +67,7 @@ pub(crate) struct Adaptation {
     pub(crate) bridges: Vec<Bridge>,
 }
 
-impl Drop for Adaptation {
+impl Drop for NetAdaptation {
     /// Frees nested records iteratively, so that their depth does not matter.
     fn drop(&mut self) {
         let mut open: Vec<Bridge> = std::mem::take(&mut self.bridges);
@@ -102,7 +102,7 @@ pub struct Bridge {
     /// Physical properties.
     pub properties: BridgeProperties,
     /// The adaptations of the first net and of the second, if any.
-    pub(crate) adaptations: [Option<Arc<Adaptation>>; 2],
+    pub(crate) adaptations: [Option<Arc<NetAdaptation>>; 2],
     /// The number of times the net was joined since; the newest bridge is split first.
     pub(crate) nesting: u32,
 }
@@ -120,13 +120,13 @@ impl Bridge {
     }
 
     /// Returns the last row or column of the first net.
-    pub(crate) fn first_side(&self) -> u32 {
+    pub(crate) fn first_side_line(&self) -> u32 {
         self.at - self.rows - 1
     }
 
     /// Returns true if it runs from side to side of a net of the given size, so that the net can be
     /// split there.
     pub fn is_whole(&self, shape: Shape) -> bool {
-        self.start == 0 && self.end as usize == self.direction.extent(shape).1
+        self.start == 0 && self.end as usize == self.direction.extents_along_and_across(shape).1
     }
 }

@@ -4,37 +4,37 @@
 //! Invariant: chunk boundaries depend on the shape and the stride alone, so that results do not
 //! depend on the number of threads.
 
-use super::{Planes, Real};
+use super::{Real, XyzMatrices};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::par;
 
 /// The largest number of nodes of a chunk: three rows of `f64` take 24 kB.
-pub(crate) const CHUNK: usize = 1024;
+pub(crate) const MAX_NODES_PER_CHUNK: usize = 1024;
 
 /// Nodes that one thread takes at a time, approximately.
-pub(crate) const BLOCK: usize = 1 << 15;
+pub(crate) const NODES_PER_BLOCK: usize = 1 << 15;
 
 /// Returns the lines of a block, of `width` nodes each.
-pub(crate) fn lines_per_block(width: usize) -> usize {
-    (BLOCK / width).max(1)
+pub(crate) fn lines_per_block(nodes_per_line: usize) -> usize {
+    (NODES_PER_BLOCK / nodes_per_line).max(1)
 }
 
 /// The layout of blocks: `lines` lines each, of `length` numbers `stride` apart.
-struct ChunkLayout {
+struct LineLayout {
     length: usize,
     stride: usize,
     lines: usize,
 }
 
-impl ChunkLayout {
+impl LineLayout {
     /// Treats rows without gaps as one long line, which can be divided anywhere.
-    fn new<T: Real>(planes: &Planes<'_, T>) -> Self {
+    fn new<T: Real>(planes: &XyzMatrices<'_, T>) -> Self {
         let (stride, columns) = (planes.stride(), planes.shape().columns());
         if stride == columns {
-            ChunkLayout { length: BLOCK, stride: BLOCK, lines: 1 }
+            LineLayout { length: NODES_PER_BLOCK, stride: NODES_PER_BLOCK, lines: 1 }
         } else {
-            ChunkLayout { length: columns, stride, lines: lines_per_block(stride) }
+            LineLayout { length: columns, stride, lines: lines_per_block(stride) }
         }
     }
 
@@ -63,12 +63,12 @@ pub(crate) fn zip3<I: ExactSizeIterator>([x, y, z]: [I; 3]) -> impl ExactSizeIte
 /// at most `max` nodes. Returns the error of the first chunk that fails; other chunks may have
 /// changed.
 pub(crate) fn for_each_chunk_mut<T: Real>(
-    planes: &mut Planes<'_, T>,
+    planes: &mut XyzMatrices<'_, T>,
     threads: usize,
     max: usize,
     work: impl Fn(usize, [&mut [T]; 3]) -> Result<()> + Sync,
 ) -> Result<()> {
-    let layout = ChunkLayout::new(planes);
+    let layout = LineLayout::new(planes);
     let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(layout.lines * layout.stride)));
     let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
         layout.for_each_chunk(matrices, block * layout.lines, max, &work)
@@ -79,24 +79,25 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
 /// [`for_each_chunk_mut`] in the order of the nodes, on the calling thread. Stops at the first
 /// error.
 pub(crate) fn for_each_chunk_in_order<T: Real>(
-    planes: &mut Planes<'_, T>,
+    planes: &mut XyzMatrices<'_, T>,
     work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
 ) -> Result<()> {
-    ChunkLayout::new(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * CHUNK, work)
+    LineLayout::new(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * MAX_NODES_PER_CHUNK, work)
 }
 
 /// Returns the results of `work` for each row of `width` values, in order, computed in parallel;
 /// cancellable between blocks of rows.
 pub(crate) fn map_rows<V: Send, R: Send>(
     values: &mut [V],
-    width: usize,
+    values_per_row: usize,
     (job, stage): (&Job<'_>, &'static str),
     work: impl Fn(usize, &mut [V]) -> R + Sync,
 ) -> Result<impl Iterator<Item = R>> {
-    let lines = lines_per_block(width);
-    let blocks = par::map_cancellable(job, stage, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
-        let rows = values.chunks_mut(width).enumerate();
-        rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()
-    })?;
+    let lines = lines_per_block(values_per_row);
+    let blocks =
+        par::map_cancellable(job, stage, values.chunks_mut(lines * values_per_row).enumerate(), |(block, values)| {
+            let rows = values.chunks_mut(values_per_row).enumerate();
+            rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()
+        })?;
     Ok(blocks.into_iter().flatten())
 }

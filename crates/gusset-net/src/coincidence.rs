@@ -4,20 +4,20 @@
 //! A missing node, with a coordinate that is NaN or infinite, coincides with none. Rows are
 //! screened axis by axis before distances are computed. O(nodes).
 
-use super::{Planes, Real};
+use super::{Real, XyzMatrices};
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
 /// Returns true if both nodes exist and coincide.
-pub(super) fn coincide(a: DVec3, b: DVec3, tolerance: f64) -> bool {
+pub(super) fn are_coincident(a: DVec3, b: DVec3, tolerance: f64) -> bool {
     a.is_finite() && b.is_finite() && (a == b || (tolerance > 0.0 && (b - a).length() <= tolerance))
 }
 
 /// Calls `visit` with each link whose ends coincide, row by row. Closing links are included unless
 /// they join neighbours. O(nodes).
-pub(super) fn coincident_links<T: Real>(
-    planes: &Planes<'_, T>,
+pub(super) fn for_each_coincident_link<T: Real>(
+    planes: &XyzMatrices<'_, T>,
     tolerance: f64,
     job: &Job<'_>,
     mut visit: impl FnMut(u32) -> Result<()>,
@@ -29,11 +29,11 @@ pub(super) fn coincident_links<T: Real>(
         let row = planes.row(i);
         let node = |k: usize| DVec3::new(row[0][k].into(), row[1][k].into(), row[2][k].into());
         if may_coincide(row.map(|axis| &axis[..w - 1]), row.map(|axis| &axis[1..]), tolerance) {
-            for j in (0..w - 1).filter(|&j| coincide(node(j), node(j + 1), tolerance)) {
+            for j in (0..w - 1).filter(|&j| are_coincident(node(j), node(j + 1), tolerance)) {
                 visit(shape.horizontal_link(i, j))?;
             }
         }
-        if w > 2 && coincide(node(w - 1), node(0), tolerance) {
+        if w > 2 && are_coincident(node(w - 1), node(0), tolerance) {
             visit(shape.horizontal_link(i, w - 1))?;
         }
         if i + 1 == h && h == 2 {
@@ -42,7 +42,7 @@ pub(super) fn coincident_links<T: Real>(
         let below = planes.row((i + 1) % h);
         if may_coincide(row, below, tolerance) {
             let node_below = |k: usize| DVec3::new(below[0][k].into(), below[1][k].into(), below[2][k].into());
-            for j in (0..w).filter(|&j| coincide(node(j), node_below(j), tolerance)) {
+            for j in (0..w).filter(|&j| are_coincident(node(j), node_below(j), tolerance)) {
                 visit(shape.vertical_link(i, j))?;
             }
         }

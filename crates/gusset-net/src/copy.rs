@@ -4,7 +4,7 @@
 //! Each step is a method of [`Net`]. A copy takes only the steps that the options ask for.
 //! O(nodes).
 
-use super::{Net, Replication, Turn};
+use super::{GridSymmetry, Net, Replication};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::Scalar;
@@ -24,7 +24,7 @@ pub struct CopyOptions {
     /// The rows and the columns that are replicated.
     pub replication: [Replication; 2],
     /// The symmetry that the rows and columns undergo.
-    pub turn: Turn,
+    pub turn: GridSymmetry,
     /// The type of the coordinates; `None` keeps the net's type.
     pub scalar: Option<Scalar>,
 }
@@ -38,7 +38,7 @@ impl Net<'_> {
     pub fn changed_copy(&self, options: &CopyOptions, job: &Job<'_>) -> Result<Option<Net<'static>>> {
         let enlarges = options.rows.is_some() || options.columns.is_some();
         let scalar = options.scalar.filter(|&scalar| scalar != self.coordinates().scalar());
-        let turns = options.turn != Turn::None;
+        let turns = options.turn != GridSymmetry::None;
         let wanted = [options.part.is_some(), options.compact, enlarges, turns, scalar.is_some()];
         let steps = wanted.into_iter().filter(|&wanted| wanted).count();
         let mut shares = (0..steps).map(|k| job.share(k, steps));

@@ -6,9 +6,9 @@
 //! coincident nodes is a touch and not glued. Candidate pairs are found in a uniform grid, sorted
 //! by cell. O(nodes), plus O(r log r) for r rim nodes.
 
-use super::coincidence::{coincide, coincident_links};
-use super::topology::{Links, Matrix, Run, Seam, Topology};
-use super::{Classes, Coordinates, Shape, each};
+use super::coincidence::{are_coincident, for_each_coincident_link};
+use super::topology::{ContractedLinks, LinkMatrix, Seam, SeamRun, Topology};
+use super::{Coordinates, NodeClasses, Shape, each};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -17,9 +17,9 @@ use gusset_base::sort::sort_distinct;
 use std::cmp::Ordering;
 
 /// The maximum number of coincident rim nodes with which a rim node is paired.
-const MAX_PARTNERS: usize = 8;
+const MAX_PARTNERS_PER_NODE: usize = 8;
 
-/// Returns the topology that coordinates imply, in canonical form ([`Topology::saturated`]):
+/// Returns the topology that coordinates imply, in canonical form ([`Topology::canonical_form`]):
 /// coincident neighbours, and runs of at least two coincident rim nodes. Tolerance 0: equal
 /// coordinates (0 and -0 are equal). O(nodes), and a sort of the rim.
 ///
@@ -32,41 +32,41 @@ const MAX_PARTNERS: usize = 8;
 pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_>) -> Result<Topology> {
     Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
     let shape = coordinates.shape();
-    let mut matrix = Matrix::empty(shape)?;
-    each!(coordinates, planes => coincident_links(planes, tolerance, &job.part(0.0, 0.5), |link| {
+    let mut matrix = LinkMatrix::empty(shape)?;
+    each!(coordinates, planes => for_each_coincident_link(planes, tolerance, &job.part(0.0, 0.5), |link| {
         if shape.is_inner(link) {
             matrix.set(link, true);
         }
         Ok(())
     }))?;
-    let near = Topology::new(shape, Links::Matrix(matrix), &[])?;
-    let classes = Classes::new(&near)?;
-    let rim = Rim { shape, coordinates, tolerance };
-    let seams = rim.seams(&rim.pairs(&classes)?, &classes)?;
+    let near = Topology::new(shape, ContractedLinks::Matrix(matrix), &[])?;
+    let classes = NodeClasses::new(&near)?;
+    let rim = NetRim { shape, coordinates, tolerance };
+    let seams = rim.seams_of_pairs(&rim.coincident_pairs(&classes)?, &classes)?;
     job.step(0.8, "detecting gluings")?;
-    Topology::new(shape, Links::Matrix(near.matrix()?), &seams)?.saturated()
+    Topology::new(shape, ContractedLinks::Matrix(near.matrix()?), &seams)?.canonical_form()
 }
 
 /// The nodes of the four sides, numbered around the net: the first row forwards, the last column
 /// down, the last row backwards, the first column up. Each corner appears once.
-struct Rim<'a> {
+struct NetRim<'a> {
     shape: Shape,
     coordinates: &'a Coordinates<'a>,
     tolerance: f64,
 }
 
-impl Rim<'_> {
+impl NetRim<'_> {
     fn len(&self) -> usize {
         2 * (self.shape.rows() + self.shape.columns()) - 4
     }
 
     /// Where the four sides start, and the end.
-    fn corners(&self) -> [usize; 5] {
+    fn side_starts(&self) -> [usize; 5] {
         let (h, w) = (self.shape.rows() - 1, self.shape.columns() - 1);
         [0, w, w + h, 2 * w + h, 2 * (w + h)]
     }
 
-    fn node(&self, k: usize) -> (usize, usize) {
+    fn row_and_column(&self, k: usize) -> (usize, usize) {
         let (h, w) = (self.shape.rows() - 1, self.shape.columns() - 1);
         match k {
             k if k < w => (0, k),
@@ -76,25 +76,25 @@ impl Rim<'_> {
         }
     }
 
-    fn place(&self, k: usize) -> DVec3 {
-        let (i, j) = self.node(k % self.len());
+    fn position(&self, k: usize) -> DVec3 {
+        let (i, j) = self.row_and_column(k % self.len());
         self.coordinates.get(i, j)
     }
 
-    fn class(&self, classes: &Classes, k: usize) -> u32 {
-        let (i, j) = self.node(k % self.len());
+    fn class_of(&self, classes: &NodeClasses, k: usize) -> u32 {
+        let (i, j) = self.row_and_column(k % self.len());
         classes.representative(self.shape.node(i, j))
     }
 
     /// Coincident pairs of rim nodes that are not one vertex by links alone, each vertex by its
     /// first node.
-    fn pairs(&self, classes: &Classes) -> Result<Vec<[usize; 2]>> {
-        let mut nodes: Vec<(u32, usize)> = alloc::collect((0..self.len()).map(|k| (self.class(classes, k), k)))?;
+    fn coincident_pairs(&self, classes: &NodeClasses) -> Result<Vec<[usize; 2]>> {
+        let mut nodes: Vec<(u32, usize)> = alloc::collect((0..self.len()).map(|k| (self.class_of(classes, k), k)))?;
         nodes.sort_unstable();
         nodes.dedup_by_key(|node| node.0);
-        let finite = nodes.iter().filter(|node| self.place(node.1).is_finite());
-        let mut sorted: Vec<(Cell, usize)> = alloc::gather(finite.map(|&(_, k)| (self.cell(k), k)))?;
-        sorted.sort_unstable_by(|a, b| by_cell(&a.0, &b.0).then(a.1.cmp(&b.1)));
+        let finite = nodes.iter().filter(|node| self.position(node.1).is_finite());
+        let mut sorted: Vec<(GridCell, usize)> = alloc::gather(finite.map(|&(_, k)| (self.grid_cell(k), k)))?;
+        sorted.sort_unstable_by(|a, b| compare_cells(&a.0, &b.0).then(a.1.cmp(&b.1)));
         // Nodes within the tolerance lie in one cell or in adjacent ones; cells along z are
         // consecutive.
         let near: &[f64] = if self.tolerance > 0.0 { &[-1.0, 0.0, 1.0] } else { &[0.0] };
@@ -105,11 +105,12 @@ impl Rim<'_> {
             let candidates =
                 near.iter().flat_map(|dx| near.iter().map(move |dy| [x + dx, y + dy])).flat_map(|[x, y]| {
                     let rest = &sorted[at + 1..];
-                    let from = rest.partition_point(|other| by_cell(&other.0, &[x, y, z + first]).is_lt());
-                    rest[from..].iter().take_while(move |other| by_cell(&other.0, &[x, y, z + last]).is_le())
+                    let from = rest.partition_point(|other| compare_cells(&other.0, &[x, y, z + first]).is_lt());
+                    rest[from..].iter().take_while(move |other| compare_cells(&other.0, &[x, y, z + last]).is_le())
                 });
-            let partners = candidates.filter(|&&(_, l)| coincide(self.place(k), self.place(l), self.tolerance));
-            for &(_, l) in partners.take(MAX_PARTNERS) {
+            let partners =
+                candidates.filter(|&&(_, l)| are_coincident(self.position(k), self.position(l), self.tolerance));
+            for &(_, l) in partners.take(MAX_PARTNERS_PER_NODE) {
                 alloc::push(&mut pairs, [k.min(l), k.max(l)])?;
             }
         }
@@ -118,8 +119,8 @@ impl Rim<'_> {
 
     /// Returns the grid cell of a rim node, 1 % wider than the tolerance for rounding. Without a
     /// tolerance, or with one below the spacing of numbers, each position is a cell.
-    fn cell(&self, k: usize) -> Cell {
-        self.place(k).to_array().map(|x| {
+    fn grid_cell(&self, k: usize) -> GridCell {
+        self.position(k).to_array().map(|x| {
             let at = (x / (self.tolerance * 1.01)).floor();
             // Adding 0 makes -0 and 0 equal.
             (if self.tolerance > 0.0 && at.is_finite() { at } else { x }) + 0.0
@@ -129,7 +130,7 @@ impl Rim<'_> {
     /// Returns the seams of the pairs. Pairs with equal sums of their places form a reversed run,
     /// pairs with equal differences a run in the same direction, both modulo the length of the rim.
     /// Every run is found from both its sides; a topology merges the two.
-    fn seams(&self, pairs: &[[usize; 2]], classes: &Classes) -> Result<Vec<Seam>> {
+    fn seams_of_pairs(&self, pairs: &[[usize; 2]], classes: &NodeClasses) -> Result<Vec<Seam>> {
         let n = self.len();
         let mut seams = Vec::new();
         for reversed in [true, false] {
@@ -137,9 +138,9 @@ impl Rim<'_> {
             let mut sorted = alloc::gather(pairs.iter().flat_map(|&[k, l]| [(line(k, l), k), (line(l, k), l)]))?;
             sort_distinct(&mut sorted);
             for line in sorted.chunk_by(|a, b| a.0 == b.0) {
-                let pairing = Pairing { line: line[0].0, reversed, n };
+                let pairing = RimPairing { line: line[0].0, reversed, n };
                 for (start, count) in cyclic_runs(line, n) {
-                    self.add_run(pairing, start, count, classes, &mut seams)?;
+                    self.add_seam_run(pairing, start, count, classes, &mut seams)?;
                 }
             }
         }
@@ -148,18 +149,18 @@ impl Rim<'_> {
 
     /// Adds a run, cut where either side turns a corner. The run is extended by one pair at each
     /// end if that pair coincides but was not compared because links already glue it.
-    fn add_run(
+    fn add_seam_run(
         &self,
-        pairing: Pairing,
+        pairing: RimPairing,
         start: usize,
         count: usize,
-        classes: &Classes,
+        classes: &NodeClasses,
         seams: &mut Vec<Seam>,
     ) -> Result<()> {
         let n = self.len();
         let same = |k: usize| {
-            self.class(classes, k) == self.class(classes, pairing.partner(k))
-                || coincide(self.place(k), self.place(pairing.partner(k)), self.tolerance)
+            self.class_of(classes, k) == self.class_of(classes, pairing.partner(k))
+                || are_coincident(self.position(k), self.position(pairing.partner(k)), self.tolerance)
         };
         let before = usize::from(count < n && same(start + n - 1));
         let after = usize::from(count < n && same(start + count));
@@ -169,7 +170,7 @@ impl Rim<'_> {
             steps /= 2;
         }
         while steps > 0 {
-            let (a, b) = (self.run(k, true), self.run(pairing.partner(k), !pairing.reversed));
+            let (a, b) = (self.run_along_side(k, true), self.run_along_side(pairing.partner(k), !pairing.reversed));
             let straight = a.1.min(b.1).min(steps);
             alloc::push(seams, Seam { a: a.0, b: b.0, count: straight as u32 + 1 })?;
             (k, steps) = (k + straight, steps - straight);
@@ -179,36 +180,36 @@ impl Rim<'_> {
 
     /// Returns the straight run from rim node k round the rim, or back, and the number of steps up
     /// to the corner.
-    fn run(&self, k: usize, forwards: bool) -> (Run, usize) {
-        let (k, corners) = (k % self.len(), self.corners());
+    fn run_along_side(&self, k: usize, forwards: bool) -> (SeamRun, usize) {
+        let (k, corners) = (k % self.len(), self.side_starts());
         // Back from a corner leads along the previous side.
         let k = if k == 0 && !forwards { corners[4] } else { k };
         let side = (0..4).rposition(|side| if forwards { corners[side] <= k } else { corners[side] < k }).unwrap_or(0);
         let steps = if forwards { corners[side + 1] - k } else { k - corners[side] };
-        let (i, j) = self.node(k);
+        let (i, j) = self.row_and_column(k);
         let along = if forwards { 1 } else { -1 };
         let (row_step, column_step) = [(0, along), (along, 0), (0, -along), (-along, 0)][side];
-        (Run { row: i as u32, column: j as u32, row_step, column_step }, steps)
+        (SeamRun { row: i as u32, column: j as u32, row_step, column_step }, steps)
     }
 }
 
 /// A grid cell: three whole numbers, or three coordinates.
-type Cell = [f64; 3];
+type GridCell = [f64; 3];
 
-fn by_cell(a: &Cell, b: &Cell) -> Ordering {
+fn compare_cells(a: &GridCell, b: &GridCell) -> Ordering {
     a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
 }
 
 /// A map from rim nodes to their partners.
 #[derive(Clone, Copy)]
-struct Pairing {
+struct RimPairing {
     /// The sum of the two places, or their difference.
     line: usize,
     reversed: bool,
     n: usize,
 }
 
-impl Pairing {
+impl RimPairing {
     fn partner(self, k: usize) -> usize {
         let k = k % self.n;
         (if self.reversed { self.line + self.n - k } else { k + self.line }) % self.n

@@ -23,9 +23,9 @@ impl Direction {
     }
 
     /// Orders a row and a column: the coordinate in this direction comes first, so `Right`
-    /// exchanges them. It also converts back: node k of line i has row and column `ordered(i, k)`,
-    /// where line i is row i (`Down`) or column i.
-    pub(crate) fn ordered<T>(self, row: T, column: T) -> (T, T) {
+    /// exchanges them. It also converts back: node k of line i has row and column
+    /// `order_along_first(i, k)`, where line i is row i (`Down`) or column i.
+    pub(crate) fn order_along_first<T>(self, row: T, column: T) -> (T, T) {
         match self {
             Direction::Right => (column, row),
             Direction::Down => (row, column),
@@ -33,8 +33,8 @@ impl Direction {
     }
 
     /// Returns the number of nodes in this direction, and across it along a joined side.
-    pub(crate) fn extent(self, shape: Shape) -> (usize, usize) {
-        self.ordered(shape.rows(), shape.columns())
+    pub(crate) fn extents_along_and_across(self, shape: Shape) -> (usize, usize) {
+        self.order_along_first(shape.rows(), shape.columns())
     }
 
     /// Returns the link in this direction from node `k` of line `i` to the next line.

@@ -9,7 +9,7 @@
 //! Union-find with parity then partitions the cells into two sides of the folds. O(nodes).
 
 use super::hidden_cells::HiddenCells;
-use super::{Classes, Net, Planes, Real, Shape, each};
+use super::{Net, NodeClasses, Real, Shape, XyzMatrices, each};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -20,7 +20,7 @@ use gusset_mesh::Scalar;
 
 /// The result of a fold test at a link or a cell.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum FoldTest {
+enum FoldTestResult {
     Folded,
     Unfolded,
     /// The cell is smaller than the error, or missing.
@@ -28,12 +28,12 @@ enum FoldTest {
 }
 
 /// The approximate number of cells that a thread tests between progress reports.
-const BLOCK: usize = 1 << 14;
+const CELLS_PER_REPORT: usize = 1 << 14;
 const STAGE: &str = "detecting folds";
 
 /// The factor on error margins before the deformation: a near-fold that existed before does not
 /// count.
-const MARGIN_BEFORE: f64 = 8.0;
+const OLD_MARGIN_FACTOR: f64 = 8.0;
 
 /// Returns the sign of each cell: -1 if it is turned over, otherwise 1. Empty if nothing is folded.
 ///
@@ -41,37 +41,39 @@ const MARGIN_BEFORE: f64 = 8.0;
 /// If they do not divide it, because a fold ends within the surface, the cells at the fold are
 /// turned over.
 pub(super) fn fold_signs(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<i8>> {
-    let (shape, classes, hidden) = (before.shape(), Classes::new(before.topology())?, HiddenCells::new(before)?);
+    let (shape, classes, hidden) = (before.shape(), NodeClasses::new(before.topology())?, HiddenCells::new(before)?);
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let search = FoldSearch { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
-        let (lines, part) = ((BLOCK / shape.columns()).max(1), job.part(0.0, 0.5));
+        let (lines, part) = ((CELLS_PER_REPORT / shape.columns()).max(1), job.part(0.0, 0.5));
         let blocks = par::map_cancellable(&part, STAGE, par::ranges(shape.rows() - 1, lines), |mut rows| {
-            rows.any(|i| search.is_folded_in_row(i))
+            rows.any(|i| search.has_fold_in_row(i))
         })?;
-        if blocks.contains(&true) { search.partition(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }
+        if blocks.contains(&true) { search.cell_signs(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }
     }))
 }
 
 /// Two adjacent cells and their common link.
-type Pair = ([u32; 2], [(usize, usize); 2]);
+type AdjacentCells = ([u32; 2], [(usize, usize); 2]);
 
 struct FoldSearch<'a, A, B> {
     shape: Shape,
-    classes: &'a Classes,
+    classes: &'a NodeClasses,
     hidden: &'a HiddenCells,
-    old: &'a Planes<'a, A>,
-    new: &'a Planes<'a, B>,
+    old: &'a XyzMatrices<'a, A>,
+    new: &'a XyzMatrices<'a, B>,
     tolerance: f64,
 }
 
 impl<A: Real, B: Real> FoldSearch<'_, A, B> {
-    fn is_folded_in_row(&self, i: usize) -> bool {
-        (0..self.shape.columns() - 1)
-            .any(|j| self.is_crossed(i, j) || self.pairs(i, j).any(|pair| self.test_new_fold(pair) == FoldTest::Folded))
+    fn has_fold_in_row(&self, i: usize) -> bool {
+        (0..self.shape.columns() - 1).any(|j| {
+            self.is_newly_crossed(i, j)
+                || self.adjacent_cells(i, j).any(|pair| self.test_new_fold(pair) == FoldTestResult::Folded)
+        })
     }
 
     /// Cell (i, j) with its neighbours to the east and south, also across a closed side.
-    fn pairs(&self, i: usize, j: usize) -> impl Iterator<Item = Pair> + '_ {
+    fn adjacent_cells(&self, i: usize, j: usize) -> impl Iterator<Item = AdjacentCells> + '_ {
         let shape = self.shape;
         let (east, south) = ((j + 1) % (shape.columns() - 1), (i + 1) % (shape.rows() - 1));
         let pairs = [
@@ -89,37 +91,38 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     }
 
     /// Tests whether two cells are folded onto each other now and were not before.
-    fn test_new_fold(&self, (cells, link): Pair) -> FoldTest {
+    fn test_new_fold(&self, (cells, link): AdjacentCells) -> FoldTestResult {
         let cells = cells.map(|cell| self.shape.cell_place(cell));
-        let before = || test_link(self.old, link, cells, self.tolerance, MARGIN_BEFORE);
-        match test_link(self.new, link, cells, self.tolerance, 1.0) {
-            FoldTest::Folded if before() != FoldTest::Unfolded => FoldTest::Unfolded,
+        let before = || test_fold_at_link(self.old, link, cells, self.tolerance, OLD_MARGIN_FACTOR);
+        match test_fold_at_link(self.new, link, cells, self.tolerance, 1.0) {
+            FoldTestResult::Folded if before() != FoldTestResult::Unfolded => FoldTestResult::Unfolded,
             now => now,
         }
     }
 
     /// Returns true if opposite sides of cell (i, j) cross and did not before.
-    fn is_crossed(&self, i: usize, j: usize) -> bool {
-        test_cell(self.new, i, j, self.tolerance, 1.0) == FoldTest::Folded
-            && test_cell(self.old, i, j, self.tolerance, MARGIN_BEFORE) == FoldTest::Unfolded
+    fn is_newly_crossed(&self, i: usize, j: usize) -> bool {
+        test_crossed_sides(self.new, i, j, self.tolerance, 1.0) == FoldTestResult::Folded
+            && test_crossed_sides(self.old, i, j, self.tolerance, OLD_MARGIN_FACTOR) == FoldTestResult::Unfolded
             && !self.hidden.contains(i, j)
     }
 
     /// Returns for each cell 1 if it is oriented like the majority of its component, or -1 if it is
     /// folded over.
-    fn partition(&self, job: &Job<'_>) -> Result<Vec<i8>> {
+    fn cell_signs(&self, job: &Job<'_>) -> Result<Vec<i8>> {
         let count = self.shape.cell_count();
         let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
         let mut sets = ParitySets::new(count)?;
         let mut folded = Vec::new();
-        let step = |cell: u32, from: f64| job.part(from, from + 0.4).step_every(BLOCK, cell as usize, count, STAGE);
-        for pair in cells().flat_map(|(i, j)| self.pairs(i, j)) {
+        let step =
+            |cell: u32, from: f64| job.part(from, from + 0.4).step_every(CELLS_PER_REPORT, cell as usize, count, STAGE);
+        for pair in cells().flat_map(|(i, j)| self.adjacent_cells(i, j)) {
             let [a, b] = pair.0;
             step(a, 0.0)?;
             match self.test_new_fold(pair) {
-                FoldTest::Folded => alloc::push(&mut folded, [a, b])?,
-                FoldTest::Unfolded => _ = sets.union(a, b, false),
-                FoldTest::Undecided => {}
+                FoldTestResult::Folded => alloc::push(&mut folded, [a, b])?,
+                FoldTestResult::Unfolded => _ = sets.union(a, b, false),
+                FoldTestResult::Undecided => {}
             }
         }
         let mut at_ends = Vec::new();
@@ -145,14 +148,14 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
         at_ends.into_iter().for_each(|cell| signs[cell as usize] = -1);
         for ((sign, (i, j)), cell) in signs.iter_mut().zip(cells()).zip(0..) {
             step(cell, 0.6)?;
-            *sign = if self.is_crossed(i, j) { -1 } else { *sign };
+            *sign = if self.is_newly_crossed(i, j) { -1 } else { *sign };
         }
         Ok(signs)
     }
 }
 
 /// Returns the error bound of nodes: the tolerance and their rounding.
-fn error<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
+fn error_bound<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
     let epsilon = if T::SCALAR == Scalar::F32 { f64::from(f32::EPSILON) } else { f64::EPSILON };
     let largest = points.iter().fold(0.0, |largest: f64, point| largest.max(point.abs().max_element()));
     tolerance + 8.0 * epsilon * largest
@@ -160,58 +163,65 @@ fn error<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
 
 /// Differences of nodes and their error bound, scaled so that products neither overflow nor
 /// underflow.
-fn scale_vectors<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
+fn scale_to_largest<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
     let largest = vectors.iter().fold(0.0, |largest: f64, vector| largest.max(vector.abs().max_element()));
     (vectors.map(|vector| vector / largest), error / largest)
 }
 
 /// Tests two cells at a link: on the same side of it, in one plane.
-fn test_link<T: Real>(
-    planes: &Planes<'_, T>,
+fn test_fold_at_link<T: Real>(
+    planes: &XyzMatrices<'_, T>,
     link: [(usize, usize); 2],
     cells: [(usize, usize); 2],
     tolerance: f64,
     margin: f64,
-) -> FoldTest {
+) -> FoldTestResult {
     let [p, q] = link.map(|(i, j)| planes.get(i, j));
-    let cells = cells.map(|(i, j)| planes.corners(i, j));
-    let error = error::<T>(cells.as_flattened(), tolerance);
+    let cells = cells.map(|(i, j)| planes.cell_corners(i, j));
+    let error = error_bound::<T>(cells.as_flattened(), tolerance);
     // Twice the vectors from the link to the middle of the opposite sides.
     let [u, v] = cells.map(|[a, b, c, d]| (a - p) + (b - p) + (c - q) + (d - q));
-    let ([along, u, v], error) = scale_vectors([q - p, u, v], error);
+    let ([along, u, v], error) = scale_to_largest([q - p, u, v], error);
     let [one, other] = [u, v].map(|away| along.cross(away));
     let is_wide = |area: DVec3, away: DVec3| area.length() > 2.0 * error * (along.length() + away.length());
     if !(is_wide(one, u) && is_wide(other, v)) {
-        return FoldTest::Undecided;
+        return FoldTestResult::Undecided;
     }
     // The error bound of the volume.
     let off = 2.0 * margin * error * (u.cross(v).length() + 2.0 * one.length() + 2.0 * other.length());
-    if one.dot(other) > 0.0 && one.dot(v).abs() <= off { FoldTest::Folded } else { FoldTest::Unfolded }
+    if one.dot(other) > 0.0 && one.dot(v).abs() <= off { FoldTestResult::Folded } else { FoldTestResult::Unfolded }
 }
 
 /// Tests a cell: two opposite sides cross.
-fn test_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64, margin: f64) -> FoldTest {
-    let points @ [a, b, c, d] = planes.corners(i, j);
-    let error = error::<T>(&points, tolerance);
-    let found = [cross([a, b], [d, c], error, margin), cross([a, d], [b, c], error, margin)];
-    if found.contains(&FoldTest::Folded) {
-        FoldTest::Folded
+fn test_crossed_sides<T: Real>(
+    planes: &XyzMatrices<'_, T>,
+    i: usize,
+    j: usize,
+    tolerance: f64,
+    margin: f64,
+) -> FoldTestResult {
+    let points @ [a, b, c, d] = planes.cell_corners(i, j);
+    let error = error_bound::<T>(&points, tolerance);
+    let found =
+        [test_crossing_segments([a, b], [d, c], error, margin), test_crossing_segments([a, d], [b, c], error, margin)];
+    if found.contains(&FoldTestResult::Folded) {
+        FoldTestResult::Folded
     } else if points.iter().all(|point| point.is_finite()) {
-        FoldTest::Unfolded
+        FoldTestResult::Unfolded
     } else {
-        FoldTest::Undecided
+        FoldTestResult::Undecided
     }
 }
 
 /// Tests two segments, p q and r s: they cross between their ends, or miss each other
 /// by less than the margin.
-fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> FoldTest {
-    let ([u, v, across], error) = scale_vectors([q - p, s - r, r - p], error);
+fn test_crossing_segments([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> FoldTestResult {
+    let ([u, v, across], error) = scale_to_largest([q - p, s - r, r - p], error);
     let normal = u.cross(v);
     let (area, size) = (normal.length(), u.length() + v.length());
     let is_wide = area * margin > 2.0 * error * size;
     if !is_wide {
-        return FoldTest::Undecided;
+        return FoldTestResult::Undecided;
     }
     let unit = normal / area;
     // The parameters of the crossing, and their error bound.
@@ -220,5 +230,5 @@ fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> Fol
     let slack = if margin > 1.0 { -slack } else { slack };
     let is_between = |part: f64| part > slack && part < 1.0 - slack;
     let is_near = across.dot(unit).abs() <= 2.0 * margin * error * (1.0 + across.length() * size / area);
-    if is_near && is_between(t) && is_between(w) { FoldTest::Folded } else { FoldTest::Unfolded }
+    if is_near && is_between(t) && is_between(w) { FoldTestResult::Folded } else { FoldTestResult::Unfolded }
 }

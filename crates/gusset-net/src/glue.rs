@@ -1,14 +1,14 @@
 //! Gluing in one step: by coordinates, by pairs of nodes, by links, in canonical form, with
 //! positions.
 //!
-//! [`reglued`] finds the new gluing before [`reglue`] sets it, so that a net changes as a whole or
-//! not at all.
+//! [`find_gluing`] finds the new gluing before [`set_gluing`] sets it, so that a net changes as a
+//! whole or not at all.
 
 use super::Net;
-use super::analyse::absorb;
+use super::analyse::contract_links;
 use super::detect_gluing::detect_gluing;
-use super::field::snap_to;
-use super::topology::{Classes, Gluing, Topology};
+use super::field::snap_groups;
+use super::topology::{Gluing, NodeClasses, Topology};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
@@ -20,9 +20,9 @@ pub struct GlueOptions<'a> {
     pub detect: Option<f64>,
     /// Glues these pairs of nodes; see [`Topology::glued`].
     pub gluings: &'a [Gluing],
-    /// Contracts these links; see [`absorb`].
+    /// Contracts these links; see [`contract_links`].
     pub links: &'a [u32],
-    /// Brings the gluing into its canonical form; see [`Topology::saturated`].
+    /// Brings the gluing into its canonical form; see [`Topology::canonical_form`].
     pub saturate: bool,
 }
 
@@ -30,8 +30,9 @@ pub struct GlueOptions<'a> {
 /// O(nodes).
 ///
 /// # Errors
-/// Errors of [`detect_gluing()`], [`Topology::glued`], [`absorb`] and [`Topology::saturated`].
-pub fn reglued(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Result<Option<Topology>> {
+/// Errors of [`detect_gluing()`], [`Topology::glued`], [`contract_links`] and
+/// [`Topology::canonical_form`].
+pub fn find_gluing(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Result<Option<Topology>> {
     let mut made: Option<Topology> = None;
     if let Some(tolerance) = options.detect {
         let topology = detect_gluing(net.coordinates(), tolerance, &job.part(0.0, 0.5))?;
@@ -43,11 +44,11 @@ pub fn reglued(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Resul
     }
     if !options.links.is_empty() {
         let old = made.as_ref().unwrap_or(net.topology());
-        made = Some(absorb(old, options.links.iter().copied(), &job.part(0.7, 0.9))?);
+        made = Some(contract_links(old, options.links.iter().copied(), &job.part(0.7, 0.9))?);
     }
     if options.saturate {
         let old = made.as_ref().unwrap_or(net.topology());
-        made = Some(old.saturated_cancellable(&job.part(0.9, 1.0), "saturating")?);
+        made = Some(old.canonical_form_cancellable(&job.part(0.9, 1.0), "saturating")?);
     }
     Ok(made)
 }
@@ -58,12 +59,12 @@ pub fn reglued(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Resul
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-pub fn reglue(net: &mut Net<'_>, topology: Option<Topology>, snap: bool, job: &Job<'_>) -> Result<u64> {
+pub fn set_gluing(net: &mut Net<'_>, topology: Option<Topology>, snap: bool, job: &Job<'_>) -> Result<u64> {
     let classes = topology.as_ref().unwrap_or(net.topology());
-    let groups = if snap { Some(Classes::new(classes)?.groups()?) } else { None };
-    job.memory()?;
+    let groups = if snap { Some(NodeClasses::new(classes)?.groups()?) } else { None };
+    job.check_memory()?;
     if let Some(topology) = topology {
         net.set_topology(topology);
     }
-    Ok(groups.map_or(0, |groups| snap_to(&groups, net)))
+    Ok(groups.map_or(0, |groups| snap_groups(&groups, net)))
 }

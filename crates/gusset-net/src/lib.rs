@@ -7,7 +7,7 @@
 //!
 //! | subject | where |
 //! |---|---|
-//! | size, numbering, coordinates, the net itself | [`Shape`], [`Planes`], [`Coordinates`], [`Net`] |
+//! | size, numbering, coordinates, the net itself | [`Shape`], [`XyzMatrices`], [`Coordinates`], [`Net`] |
 //! | gluing, classes of glued nodes, the 18 local gluings | [`topology`] |
 //! | the surface after gluing | [`complex`] |
 //! | whether glued nodes coincide; the gluing that coordinates imply | [`Net::validate`]; [`detect_gluing()`] |
@@ -46,7 +46,6 @@ mod model;
 mod morph;
 pub mod normals;
 pub mod planarise;
-mod planes;
 pub mod primitive;
 mod real;
 mod reformat;
@@ -59,8 +58,9 @@ pub mod stream;
 pub mod topology;
 pub mod transform;
 mod validate;
+mod xyz_matrices;
 
-pub use arrange::Turn;
+pub use arrange::GridSymmetry;
 pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties};
 pub use copy::CopyOptions;
 pub use detect_gluing::detect_gluing;
@@ -69,10 +69,10 @@ pub use join::{JoinOptions, concatenate, concatenate_all};
 pub use model::{Coordinates, Net};
 pub use morph::{MorphPath, morph};
 pub use planarise::planarise;
-pub use planes::Planes;
 pub use real::Real;
 pub use reformat::Replication;
 pub use settle::settle;
 pub use shape::{MAX_NODES, Shape};
-pub use topology::{Classes, Matrix, Seam, Sides, Topology};
-pub use validate::{Finding, FindingKind};
+pub use topology::{LinkMatrix, NodeClasses, Seam, Sides, Topology};
+pub use validate::{FindingKind, ValidationFinding};
+pub use xyz_matrices::XyzMatrices;

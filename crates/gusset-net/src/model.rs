@@ -2,7 +2,7 @@
 //!
 //! Invariant: coordinates and topology have one shape. Accessors are O(1).
 
-use super::{Bridge, Planes, Real, Shape, Topology};
+use super::{Bridge, Real, Shape, Topology, XyzMatrices};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -12,9 +12,9 @@ use gusset_mesh::Scalar;
 #[derive(Debug)]
 pub enum Coordinates<'a> {
     /// Single precision: 12 bytes a node.
-    F32(Planes<'a, f32>),
+    F32(XyzMatrices<'a, f32>),
     /// Double precision: 24 bytes a node.
-    F64(Planes<'a, f64>),
+    F64(XyzMatrices<'a, f64>),
 }
 
 /// Evaluates one body for coordinates of either type: `each!(&net.coordinates, planes => body)`.
@@ -29,14 +29,14 @@ macro_rules! each {
     };
 }
 
-impl<'a> From<Planes<'a, f32>> for Coordinates<'a> {
-    fn from(planes: Planes<'a, f32>) -> Self {
+impl<'a> From<XyzMatrices<'a, f32>> for Coordinates<'a> {
+    fn from(planes: XyzMatrices<'a, f32>) -> Self {
         Coordinates::F32(planes)
     }
 }
 
-impl<'a> From<Planes<'a, f64>> for Coordinates<'a> {
-    fn from(planes: Planes<'a, f64>) -> Self {
+impl<'a> From<XyzMatrices<'a, f64>> for Coordinates<'a> {
+    fn from(planes: XyzMatrices<'a, f64>) -> Self {
         Coordinates::F64(planes)
     }
 }
@@ -48,8 +48,8 @@ impl Coordinates<'_> {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn zeroed(shape: Shape, scalar: Scalar) -> Result<Coordinates<'static>> {
         Ok(match scalar {
-            Scalar::F32 => Coordinates::F32(Planes::zeroed(shape)?),
-            Scalar::F64 => Coordinates::F64(Planes::zeroed(shape)?),
+            Scalar::F32 => Coordinates::F32(XyzMatrices::zeroed(shape)?),
+            Scalar::F64 => Coordinates::F64(XyzMatrices::zeroed(shape)?),
         })
     }
 
@@ -191,13 +191,13 @@ impl<'a> Net<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn converted(&self, scalar: Scalar) -> Result<Net<'static>> {
-        fn planes<A: Real, B: Real>(from: &Planes<'_, A>) -> Result<Planes<'static, B>> {
+        fn convert_matrices<A: Real, B: Real>(from: &XyzMatrices<'_, A>) -> Result<XyzMatrices<'static, B>> {
             from.converted(|to, from| to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::from_f64(from.into())))
         }
         let coordinates = match scalar {
             _ if scalar == self.coordinates.scalar() => self.coordinates.copied()?,
-            Scalar::F32 => Coordinates::F32(each!(&self.coordinates, from => planes(from)?)),
-            Scalar::F64 => Coordinates::F64(each!(&self.coordinates, from => planes(from)?)),
+            Scalar::F32 => Coordinates::F32(each!(&self.coordinates, from => convert_matrices(from)?)),
+            Scalar::F64 => Coordinates::F64(each!(&self.coordinates, from => convert_matrices(from)?)),
         };
         let bridges = alloc::collect(self.bridges.iter().cloned())?;
         Ok(Net { coordinates, topology: self.topology.copied()?, bridges })

@@ -3,7 +3,7 @@
 //! The path of a node depends only on its two positions and the time. Nodes that are equal in both
 //! nets, such as glued ones, therefore stay equal bit for bit. O(nodes).
 
-use super::{Classes, Net, Real, each};
+use super::{Net, NodeClasses, Real, each};
 use glam::{DMat3, DVec3};
 use gusset_base::choices;
 use gusset_base::error::{Error, Result};
@@ -42,25 +42,25 @@ choices! { for MorphPath:
 /// [`Error::Cancelled`].
 pub fn morph(a: &Net<'_>, b: &Net<'_>, t: f64, path: MorphPath, job: &Job<'_>) -> Result<Net<'static>> {
     Error::require((0.0..=1.0).contains(&t), "t", t)?;
-    check(a, b)?;
+    check_compatible_nets(a, b)?;
     job.step(0.0, "morph")?;
     let mut made = a.copied()?;
     if t == 0.0 {
         return Ok(made);
     }
-    let way = Way::new(a, b, t, path, &job.part(0.0, 0.3))?;
+    let way = MorphMotion::new(a, b, t, path, &job.part(0.0, 0.3))?;
     let (shape, job) = (a.shape(), job.part(0.3, 1.0));
     each!(made.coordinates_mut(), planes => {
         for i in 0..shape.rows() {
             job.step_every((1 << 16) / shape.columns() + 1, i, shape.rows(), "morph")?;
-            way.row(b, i, planes.row_mut(i));
+            way.morph_row(b, i, planes.row_mut(i));
         }
     });
     Ok(made)
 }
 
 /// Checks that two nets have the same shape, type and gluing.
-fn check(a: &Net<'_>, b: &Net<'_>) -> Result<()> {
+fn check_compatible_nets(a: &Net<'_>, b: &Net<'_>) -> Result<()> {
     let sizes = [a, b].map(|net| [net.shape().rows() as u32, net.shape().columns() as u32]);
     if let Some(k) = (0..2).find(|&k| sizes[0][k] != sizes[1][k]) {
         return Err(Error::SidesDiffer { a: sizes[0][k], b: sizes[1][k] });
@@ -68,7 +68,7 @@ fn check(a: &Net<'_>, b: &Net<'_>) -> Result<()> {
     if a.coordinates().scalar() != b.coordinates().scalar() {
         return Err(Error::MixedScalars);
     }
-    let [first, second] = [Classes::new(a.topology())?, Classes::new(b.topology())?];
+    let [first, second] = [NodeClasses::new(a.topology())?, NodeClasses::new(b.topology())?];
     let differ = |&node: &u32| first.representative(node) != second.representative(node);
     match (0..a.shape().node_count() as u32).find(differ) {
         Some(node) => Err(Error::GluingsDiffer { node }),
@@ -78,7 +78,7 @@ fn check(a: &Net<'_>, b: &Net<'_>) -> Result<()> {
 }
 
 /// The means of two nets, and the rotations of the first and the second net at a time.
-struct Way {
+struct MorphMotion {
     t: f64,
     /// A power of two in which products of coordinates are in range.
     unit: f64,
@@ -88,10 +88,10 @@ struct Way {
     rotations: Option<[DMat3; 2]>,
 }
 
-impl Way {
+impl MorphMotion {
     fn new(a: &Net<'_>, b: &Net<'_>, t: f64, path: MorphPath, job: &Job<'_>) -> Result<Self> {
         if path == MorphPath::Linear {
-            return Ok(Way { t, unit: 1.0, means: [DVec3::ZERO; 2], rotations: None });
+            return Ok(MorphMotion { t, unit: 1.0, means: [DVec3::ZERO; 2], rotations: None });
         }
         let (nodes, job) = (a.shape().node_count() as u32, *job);
         let exist = |pair: &[DVec3; 2]| pair.iter().all(|p| p.is_finite());
@@ -110,11 +110,11 @@ impl Way {
         });
         let turn = best_rotation(covariance);
         let part = |t: f64| DMat3::from_quat(fraction_of_rotation(turn, t));
-        Ok(Way { t, unit, means, rotations: Some([part(t), part(t - 1.0)]) })
+        Ok(MorphMotion { t, unit, means, rotations: Some([part(t), part(t - 1.0)]) })
     }
 
     /// Moves the nodes of a row of the first net.
-    fn row<T: Real>(&self, b: &Net<'_>, i: usize, row: [&mut [T]; 3]) {
+    fn morph_row<T: Real>(&self, b: &Net<'_>, i: usize, row: [&mut [T]; 3]) {
         let (t, [x, y, z]) = (self.t, row);
         for (j, ((x, y), z)) in x.iter_mut().zip(y).zip(z).enumerate() {
             let (from, to) = (DVec3::new((*x).into(), (*y).into(), (*z).into()), b.get(i, j));

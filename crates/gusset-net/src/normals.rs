@@ -12,8 +12,8 @@
 use super::chunks::{lines_per_block, zip3};
 use super::hidden_cells::HiddenCells;
 use super::shape::corner_places;
-use super::topology::{Groups, Reduced};
-use super::{Classes, Coordinates, Net, Planes, Real};
+use super::topology::{NodeGroups, ReducedCell};
+use super::{Coordinates, Net, NodeClasses, Real, XyzMatrices};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -56,38 +56,43 @@ pub fn normals_into(net: &Net<'_>, out: &mut Coordinates<'_>, job: &Job<'_>) -> 
         return Err(Error::ArrayTooShort { what: "normals", needed, given });
     }
     match (net.coordinates(), out) {
-        (Coordinates::F32(planes), Coordinates::F32(out)) => write(net, planes, out, job),
-        (Coordinates::F64(planes), Coordinates::F64(out)) => write(net, planes, out, job),
+        (Coordinates::F32(planes), Coordinates::F32(out)) => write_normals(net, planes, out, job),
+        (Coordinates::F64(planes), Coordinates::F64(out)) => write_normals(net, planes, out, job),
         _ => Err(Error::MixedScalars),
     }
 }
 
-fn write<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
+fn write_normals<T: Real>(
+    net: &Net<'_>,
+    planes: &XyzMatrices<'_, T>,
+    out: &mut XyzMatrices<'_, T>,
+    job: &Job<'_>,
+) -> Result<u64> {
     job.step(0.0, STAGE)?;
-    let corners = CornerSums::new(net, planes)?;
-    let without: u64 = rows(&corners, out, &job.part(0.0, 0.8))?.into_iter().sum();
-    Ok(without + write_glued(&corners, out, &job.part(0.8, 1.0))?)
+    let corners = CornerNormalSums::new(net, planes)?;
+    let without: u64 = write_unglued_normals(&corners, out, &job.part(0.0, 0.8))?.into_iter().sum();
+    Ok(without + write_glued_normals(&corners, out, &job.part(0.8, 1.0))?)
 }
 
 /// The data for sums over the corners at a node.
-struct CornerSums<'a, T> {
-    planes: &'a Planes<'a, T>,
+struct CornerNormalSums<'a, T> {
+    planes: &'a XyzMatrices<'a, T>,
     matrices: [&'a [T]; 3],
     hidden: HiddenCells,
-    classes: Classes,
-    groups: Groups,
+    classes: NodeClasses,
+    groups: NodeGroups,
     /// The nodes that are glued to others.
     glued: BitSet,
     sign: f64,
 }
 
-impl<'a, T: Real> CornerSums<'a, T> {
-    fn new(net: &'a Net<'_>, planes: &'a Planes<'_, T>) -> Result<Self> {
-        let classes = Classes::new(net.topology())?;
+impl<'a, T: Real> CornerNormalSums<'a, T> {
+    fn new(net: &'a Net<'_>, planes: &'a XyzMatrices<'_, T>) -> Result<Self> {
+        let classes = NodeClasses::new(net.topology())?;
         let groups = classes.groups()?;
         let mut glued = BitSet::new(net.shape().node_count())?;
         groups.nodes().iter().for_each(|&node| glued.insert(node));
-        Ok(CornerSums {
+        Ok(CornerNormalSums {
             planes,
             matrices: planes.matrices(),
             hidden: HiddenCells::new(net)?,
@@ -102,21 +107,21 @@ impl<'a, T: Real> CornerSums<'a, T> {
         self.glued.contains(self.planes.shape().node(i, j))
     }
 
-    fn point(&self, i: usize, j: usize) -> DVec3 {
+    fn position(&self, i: usize, j: usize) -> DVec3 {
         let at = i * self.planes.stride() + j;
         DVec3::from_array(self.matrices.map(|matrix| matrix[at].into()))
     }
 
     /// Returns the sum over the corners of the existing cells at node (i, j). If several corners of
     /// a cell belong to one vertex, the cell counts once, at the first of them.
-    fn sum(&self, i: usize, j: usize) -> VectorSum {
+    fn sum_at_node(&self, i: usize, j: usize) -> BoundedVectorSum {
         let shape = self.planes.shape();
-        let mut sum = VectorSum::default();
+        let mut sum = BoundedVectorSum::default();
         for (ci, corner_row) in [(i.wrapping_sub(1), 1), (i, 0)] {
             for (cj, corner_column) in [(j.wrapping_sub(1), 1), (j, 0)] {
                 if ci < shape.rows() - 1 && cj < shape.columns() - 1 && !self.hidden.contains(ci, cj) {
                     let corner = if corner_row == 0 { corner_column } else { 3 - corner_column };
-                    sum = sum.add(VectorSum::new(self.corner(ci, cj, corner)));
+                    sum = sum.add(BoundedVectorSum::new(self.corner_cross_product(ci, cj, corner)));
                 }
             }
         }
@@ -125,14 +130,14 @@ impl<'a, T: Real> CornerSums<'a, T> {
 
     /// Returns the cross product of the sides at a corner of cell (i, j); zero if the cell is
     /// missing or reduced to a line or a point.
-    fn corner(&self, i: usize, j: usize, corner: usize) -> DVec3 {
-        let points = corner_places(i, j).map(|(i, j)| self.point(i, j));
+    fn corner_cross_product(&self, i: usize, j: usize, corner: usize) -> DVec3 {
+        let points = corner_places(i, j).map(|(i, j)| self.position(i, j));
         if !points.iter().all(|point| point.is_finite()) {
             return DVec3::ZERO;
         }
         let classes = self.classes.corners(i, j);
         let is_first = !classes[..corner].contains(&classes[corner]);
-        if !is_first || Reduced::new(classes).polygon().is_none() {
+        if !is_first || ReducedCell::new(classes).polygon().is_none() {
             return DVec3::ZERO;
         }
         let other = |step: usize| {
@@ -143,7 +148,7 @@ impl<'a, T: Real> CornerSums<'a, T> {
     }
 
     /// Returns the unit vector along a sum, or zero if the terms cancel up to rounding.
-    fn unit(&self, sum: VectorSum) -> DVec3 {
+    fn normalise_sum(&self, sum: BoundedVectorSum) -> DVec3 {
         // Scaled first, as squares of small sums would underflow.
         let largest = sum.vector.abs().max_element();
         if largest.is_finite() && largest > 8.0 * f64::EPSILON * sum.size {
@@ -155,7 +160,7 @@ impl<'a, T: Real> CornerSums<'a, T> {
 
     /// Returns true if a node near (i, j) is missing.
     fn is_near_missing(&self, i: usize, j: usize) -> bool {
-        (i - 1..=i + 1).any(|i| (j - 1..=j + 1).any(|j| !self.point(i, j).is_finite()))
+        (i - 1..=i + 1).any(|i| (j - 1..=j + 1).any(|j| !self.position(i, j).is_finite()))
     }
 
     fn is_near_hidden(&self, i: usize, j: usize) -> bool {
@@ -165,35 +170,42 @@ impl<'a, T: Real> CornerSums<'a, T> {
 
 /// A sum of vectors, and of their 1-norms, which bounds its rounding error.
 #[derive(Debug, Clone, Copy, Default)]
-struct VectorSum {
+struct BoundedVectorSum {
     vector: DVec3,
     size: f64,
 }
 
-impl VectorSum {
+impl BoundedVectorSum {
     fn new(vector: DVec3) -> Self {
-        VectorSum { vector, size: vector.abs().element_sum() }
+        BoundedVectorSum { vector, size: vector.abs().element_sum() }
     }
 
     fn add(self, other: Self) -> Self {
-        VectorSum { vector: self.vector + other.vector, size: self.size + other.size }
+        BoundedVectorSum { vector: self.vector + other.vector, size: self.size + other.size }
     }
 }
 
 /// Writes the normals of all nodes that are not glued; inner nodes use the fast path. Returns the
 /// number of nodes without a normal for each block.
-fn rows<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<Vec<u64>> {
+fn write_unglued_normals<T: Real>(
+    corners: &CornerNormalSums<'_, T>,
+    out: &mut XyzMatrices<'_, T>,
+    job: &Job<'_>,
+) -> Result<Vec<u64>> {
     let (shape, stride) = (out.shape(), out.stride());
     let lines = lines_per_block(stride);
     let blocks = zip3(out.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride)));
     par::map_cancellable(job, STAGE, blocks.enumerate(), |(block, matrices)| {
         let rows = zip3(matrices.map(|matrix| matrix.chunks_mut(stride))).enumerate();
-        rows.map(|(line, rows)| row(corners, block * lines + line, rows.map(|row| &mut row[..shape.columns()]))).sum()
+        rows.map(|(line, rows)| {
+            write_normals_of_row(corners, block * lines + line, rows.map(|row| &mut row[..shape.columns()]))
+        })
+        .sum()
     })
 }
 
 /// Writes the normals of row i.
-fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u64 {
+fn write_normals_of_row<T: Real>(corners: &CornerNormalSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u64 {
     let shape = corners.planes.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let mut without = 0;
@@ -201,7 +213,7 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
         if corners.is_glued(i, j) {
             return;
         }
-        let normal = corners.unit(corners.sum(i, j)).to_array();
+        let normal = corners.normalise_sum(corners.sum_at_node(i, j)).to_array();
         (0..3).for_each(|axis| out[axis][j] = T::from_f64(normal[axis]));
         without += u64::from(normal == [0.0; 3]);
     };
@@ -214,8 +226,8 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
     exact(w - 1, &mut out);
     let rows = [i - 1, i, i + 1].map(|i| corners.planes.row(i));
     let [x, y, z] = &mut out;
-    let all_in_range = simd::run(Differences { rows, sign: T::from_f64(corners.sign), x, y, z });
-    let mut ends = [i - 1, i, i + 1].into_iter().flat_map(|i| [corners.point(i, 0), corners.point(i, w - 1)]);
+    let all_in_range = simd::run(CentralDifferences { rows, sign: T::from_f64(corners.sign), x, y, z });
+    let mut ends = [i - 1, i, i + 1].into_iter().flat_map(|i| [corners.position(i, 0), corners.position(i, w - 1)]);
     if !all_in_range || !ends.all(DVec3::is_finite) || !corners.hidden.is_empty() {
         for j in 1..w - 1 {
             // If the squared length overflowed or underflowed, the length is not 1.
@@ -231,14 +243,18 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
 
 /// Writes the normals of glued nodes, from the sum over all nodes of each class. Returns the
 /// number of nodes without a normal.
-fn write_glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
+fn write_glued_normals<T: Real>(
+    corners: &CornerNormalSums<'_, T>,
+    out: &mut XyzMatrices<'_, T>,
+    job: &Job<'_>,
+) -> Result<u64> {
     let (shape, groups) = (out.shape(), &corners.groups);
     let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
     let mut normals = alloc::zeroed(groups.len())?;
     par::map_cancellable(job, STAGE, normals.chunks_mut(CLASSES_PER_TASK).enumerate(), |(chunk, normals)| {
         for (normal, k) in normals.iter_mut().zip(CLASSES_PER_TASK * chunk..) {
-            let sum = places(k).fold(VectorSum::default(), |sum, (i, j)| sum.add(corners.sum(i, j)));
-            *normal = corners.unit(sum).to_array();
+            let sum = places(k).fold(BoundedVectorSum::default(), |sum, (i, j)| sum.add(corners.sum_at_node(i, j)));
+            *normal = corners.normalise_sum(sum).to_array();
         }
     })?;
     let mut without = 0;
@@ -254,7 +270,7 @@ fn write_glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, jo
 
 /// Central differences for the middle one of three rows, without its first and last node. Returns
 /// true if every squared length was in the range that keeps its digits.
-struct Differences<'a, T> {
+struct CentralDifferences<'a, T> {
     rows: [[&'a [T]; 3]; 3],
     sign: T,
     x: &'a mut [T],
@@ -262,18 +278,18 @@ struct Differences<'a, T> {
     z: &'a mut [T],
 }
 
-impl<T: Real> Kernel for Differences<'_, T> {
+impl<T: Real> Kernel for CentralDifferences<'_, T> {
     type Output = bool;
 
     #[inline(always)]
     fn run(self) -> bool {
-        differences(self.rows, self.sign, self.x, self.y, self.z)
+        central_differences(self.rows, self.sign, self.x, self.y, self.z)
     }
 }
 
 /// This is a separate function, because only arguments are known not to alias.
 #[inline(always)]
-fn differences<T: Real>(
+fn central_differences<T: Real>(
     [north, middle, south]: [[&[T]; 3]; 3],
     sign: T,
     x: &mut [T],
@@ -313,7 +329,7 @@ mod tests {
         let rows = [0, 3, 6].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);
         let [wide, narrow] = [true, false].map(|wide| {
             let [mut x, mut y, mut z] = [0; 3].map(|_| vec![0.0f32; 61]);
-            let kernel = Differences { rows, sign: -1.0, x: &mut x, y: &mut y, z: &mut z };
+            let kernel = CentralDifferences { rows, sign: -1.0, x: &mut x, y: &mut y, z: &mut z };
             assert!(if wide { simd::run(kernel) } else { kernel.run() });
             [x, y, z].concat().into_iter().map(f32::to_bits).collect::<Vec<u32>>()
         });

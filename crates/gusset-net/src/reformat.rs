@@ -6,8 +6,8 @@
 //! classes, faces and volume stay the same. O(nodes).
 
 use super::arrange::{Rearrangement, map_seam, merge_seams};
-use super::topology::{Links, Matrix, Run, Seam};
-use super::{Bridge, Direction, Net, Planes, Real, Shape, Topology, each};
+use super::topology::{ContractedLinks, LinkMatrix, Seam, SeamRun};
+use super::{Bridge, Direction, Net, Real, Shape, Topology, XyzMatrices, each};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -45,13 +45,18 @@ impl Net<'_> {
     ) -> Result<Net<'static>> {
         // The error then names both numbers.
         Shape::new(rows, columns)?;
-        let row_starts = starts(self.topology(), Direction::Down, rows, replication[0], "rows")?;
-        let column_starts = starts(self.topology(), Direction::Right, columns, replication[1], "columns")?;
-        let mut topology = self.topology().rows_replicated(&row_starts)?;
+        let row_starts = starts_of_replicated_lines(self.topology(), Direction::Down, rows, replication[0], "rows")?;
+        let column_starts =
+            starts_of_replicated_lines(self.topology(), Direction::Right, columns, replication[1], "columns")?;
+        let mut topology = self.topology().replicate_rows(&row_starts)?;
         if columns > self.shape().columns() {
-            topology = topology.map_lines(Direction::Right, |topology| topology.rows_replicated(&column_starts))?;
+            topology =
+                topology.map_rows_or_columns(Direction::Right, |topology| topology.replicate_rows(&column_starts))?;
         }
-        let map = Rearrangement::Selection { rows: &old_indices(&row_starts)?, columns: &old_indices(&column_starts)? };
+        let map = Rearrangement::Selection {
+            rows: &old_index_of_each_row(&row_starts)?,
+            columns: &old_index_of_each_row(&column_starts)?,
+        };
         let mut net = self.rearranged(&map, topology, job)?;
         for bridge in self.bridges() {
             let bridge = bridge.with_moved_lines(|i| row_starts[i as usize], |j| column_starts[j as usize]);
@@ -77,7 +82,7 @@ impl Net<'_> {
 
     /// Returns the rows (`Down`) or columns that duplicate the previous one.
     fn duplicate_lines(&self, axis: Direction) -> Result<Vec<u32>> {
-        let count = axis.extent(self.shape()).0;
+        let count = axis.extents_along_and_across(self.shape()).0;
         let mut needed = alloc::filled(false, count)?;
         for bridge in self.bridges() {
             let line = if bridge.direction == axis { bridge.at } else { bridge.start };
@@ -102,8 +107,8 @@ impl Net<'_> {
         if removed.is_empty() {
             return self.copied();
         }
-        let kept = complement(axis.extent(self.shape()).0, removed)?;
-        let topology = self.topology().map_lines(axis, |topology| topology.rows_kept(&kept))?;
+        let kept = indices_not_removed(axis.extents_along_and_across(self.shape()).0, removed)?;
+        let topology = self.topology().map_rows_or_columns(axis, |topology| topology.keep_rows(&kept))?;
         let mut net = self.with_lines(axis, &kept, topology, job)?;
         let place = |i: u32| kept.partition_point(|&k| k < i) as u32;
         for bridge in self.bridges() {
@@ -127,8 +132,8 @@ impl Net<'_> {
         topology: Topology,
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
-        let all = alloc::collect((0..axis.extent(topology.shape()).1).map(|i| i as u32))?;
-        let (rows, columns) = axis.ordered(lines, &all);
+        let all = alloc::collect((0..axis.extents_along_and_across(topology.shape()).1).map(|i| i as u32))?;
+        let (rows, columns) = axis.order_along_first(lines, &all);
         self.rearranged(&Rearrangement::Selection { rows, columns }, topology, job)
     }
 }
@@ -142,24 +147,24 @@ impl Bridge {
             Direction::Right => (column(self.at), column(inner), row(self.start), row(self.end)),
             Direction::Down => (row(self.at), row(inner), column(self.start), column(self.end)),
         };
-        Bridge { at, rows: at - inner, start, end, ..self.unadapted() }
+        Bridge { at, rows: at - inner, start, end, ..self.without_adaptations() }
     }
 }
 
 /// Returns the start of each row (`Down`) or column after enlarging to `count`; one entry more than
 /// there are now. `option` names the count in an error.
-pub(crate) fn starts(
+pub(crate) fn starts_of_replicated_lines(
     topology: &Topology,
     axis: Direction,
     count: usize,
     replication: Replication,
     option: &'static str,
 ) -> Result<Vec<u32>> {
-    let old = axis.extent(topology.shape()).0;
+    let old = axis.extents_along_and_across(topology.shape()).0;
     Error::require(count >= old, option, count as f64)?;
     let copies = count - old;
     let mut times: Vec<u32> = alloc::filled(1, old)?;
-    let poles = [0, old - 1].map(|i| topology.is_point(axis, i));
+    let poles = [0, old - 1].map(|i| topology.is_line_contracted(axis, i));
     match (replication, poles) {
         (Replication::First, _) => times[0] += copies as u32,
         (Replication::Last, _) => times[old - 1] += copies as u32,
@@ -181,11 +186,13 @@ pub(crate) fn starts(
             times.iter_mut().enumerate().for_each(|(i, times)| *times += share(i + 1) - share(i));
         }
     }
-    sums(times.into_iter())
+    prefix_sums(times.into_iter())
 }
 
 /// Returns the prefix sums of a list, starting with 0.
-pub(crate) fn sums<T: Copy + Default + Add<Output = T>>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
+pub(crate) fn prefix_sums<T: Copy + Default + Add<Output = T>>(
+    items: impl ExactSizeIterator<Item = T>,
+) -> Result<Vec<T>> {
     let mut sums = alloc::filled(T::default(), items.len() + 1)?;
     for (k, item) in items.enumerate() {
         sums[k + 1] = sums[k] + item;
@@ -194,87 +201,87 @@ pub(crate) fn sums<T: Copy + Default + Add<Output = T>>(items: impl ExactSizeIte
 }
 
 /// Returns the old index of each new row.
-fn old_indices(starts: &[u32]) -> Result<Vec<u32>> {
+fn old_index_of_each_row(starts: &[u32]) -> Result<Vec<u32>> {
     alloc::gather((0..).zip(starts.windows(2)).flat_map(|(i, ends)| (ends[0]..ends[1]).map(move |_| i)))
 }
 
 /// Returns the new rows that are copies of the previous one.
-pub(crate) fn copies(starts: &[u32]) -> Result<Vec<u32>> {
+pub(crate) fn rows_that_are_copies(starts: &[u32]) -> Result<Vec<u32>> {
     alloc::gather(starts.windows(2).flat_map(|ends| ends[0] + 1..ends[1]))
 }
 
 /// Returns the starts of rows among `count`, given which are copies.
-pub(crate) fn starts_of_copies(count: usize, copies: &[u32]) -> Result<Vec<u32>> {
-    let mut starts = complement(count, copies)?;
+pub(crate) fn starts_from_copies(count: usize, copies: &[u32]) -> Result<Vec<u32>> {
+    let mut starts = indices_not_removed(count, copies)?;
     alloc::push(&mut starts, count as u32)?;
     Ok(starts)
 }
 
 /// Returns the numbers of 0..count that an ascending list does not contain.
-fn complement(count: usize, removed: &[u32]) -> Result<Vec<u32>> {
+fn indices_not_removed(count: usize, removed: &[u32]) -> Result<Vec<u32>> {
     let mut removed = removed.iter().peekable();
     alloc::gather((0..count as u32).filter(|i| removed.next_if_eq(&i).is_none()))
 }
 
 impl Topology {
     /// Returns true if all links along row i (`Down`) or column i are contracted by name.
-    pub(crate) fn is_point(&self, axis: Direction, i: usize) -> bool {
+    pub(crate) fn is_line_contracted(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
-        (0..axis.extent(shape).1 - 1).all(|k| self.contracts(axis.link_along(shape, i, k)))
+        (0..axis.extents_along_and_across(shape).1 - 1).all(|k| self.is_contracted(axis.link_along(shape, i, k)))
     }
 
     /// Returns true if row or column i, not the first, is glued to the previous one link by link,
     /// and both are glued within themselves in the same way.
     fn is_duplicate_line(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
-        let along = |i: usize, k: usize| self.contracts(axis.link_along(shape, i, k));
-        (0..axis.extent(shape).1)
-            .all(|k| self.contracts(axis.link_across(shape, i - 1, k)) && along(i - 1, k) == along(i, k))
+        let along = |i: usize, k: usize| self.is_contracted(axis.link_along(shape, i, k));
+        (0..axis.extents_along_and_across(shape).1)
+            .all(|k| self.is_contracted(axis.link_across(shape, i - 1, k)) && along(i - 1, k) == along(i, k))
     }
 
     /// Row i is rows `starts[i]..starts[i + 1]`. O(contracted links + pairs of seams).
-    pub(crate) fn rows_replicated(&self, starts: &[u32]) -> Result<Self> {
+    pub(crate) fn replicate_rows(&self, starts: &[u32]) -> Result<Self> {
         let (old, rows) = (self.shape(), starts[self.shape().rows()] as usize);
         if rows == old.rows() {
             return Ok(self.clone());
         }
         let shape = Shape::new(rows, old.columns())?;
-        let mut links = Matrix::empty(shape)?;
-        self.contracted().for_each(|link| {
+        let mut links = LinkMatrix::empty(shape)?;
+        self.contracted_links().for_each(|link| {
             let (i, j) = old.place(link / 2);
             // A vertical link starts at the last copy.
             let copies = if link % 2 == 0 { starts[i]..starts[i + 1] } else { starts[i + 1] - 1..starts[i + 1] };
             copies.for_each(|i| links.set(2 * shape.node(i as usize, j) + link % 2, true));
         });
-        copies(starts)?.into_iter().for_each(|i| links.contract_row_down(shape, i as usize - 1));
+        rows_that_are_copies(starts)?.into_iter().for_each(|i| links.contract_links_below_row(shape, i as usize - 1));
         let mut seams = Vec::new();
         for &seam in self.seams() {
-            if let Some(seam) = along_rows(seam, starts) {
+            if let Some(seam) = replicate_seam_along_rows(seam, starts) {
                 alloc::push(&mut seams, seam)?;
             } else {
                 map_seam(seam, |(i, j)| Some((i64::from(starts[i as usize]), j)), &mut seams)?;
             }
         }
-        Ok(Topology::assembled(shape, Links::Matrix(links), seams, self.is_reversed()))
+        Ok(Topology::assemble_unchecked(shape, ContractedLinks::Matrix(links), seams, self.is_reversed()))
     }
 
     /// The topology of the rows of a list, which is in order and has at least two; the others are
     /// taken to duplicate the one before. Rows that become neighbours are glued where all links
     /// between them were contracted.
-    pub(crate) fn rows_kept(&self, kept: &[u32]) -> Result<Self> {
+    pub(crate) fn keep_rows(&self, kept: &[u32]) -> Result<Self> {
         let old = self.shape();
         let (h, w) = (old.rows(), old.columns());
         let shape = Shape::new(kept.len(), w)?;
-        let mut links = Matrix::empty(shape)?;
+        let mut links = LinkMatrix::empty(shape)?;
         for (new, &i) in kept.iter().enumerate() {
             let i = i as usize;
             // The rows up to the next that is kept.
             let end = kept.get(new + 1).map_or(h + kept[0] as usize, |&next| next as usize);
             for j in 0..w {
-                if self.contracts(old.horizontal_link(i, j)) {
+                if self.is_contracted(old.horizontal_link(i, j)) {
                     links.set(shape.horizontal_link(new, j), true);
                 }
-                if (i..end).all(|i| self.contracts(old.vertical_link(i % h, j))) {
+                if (i..end).all(|i| self.is_contracted(old.vertical_link(i % h, j))) {
                     links.set(shape.vertical_link(new, j), true);
                 }
             }
@@ -284,25 +291,30 @@ impl Topology {
         for &seam in self.seams() {
             map_seam(seam, |(i, j)| Some((place(i), j)), &mut seams)?;
         }
-        Ok(Topology::assembled(shape, Links::Matrix(links), merge_seams(&seams)?, self.is_reversed()))
+        Ok(Topology::assemble_unchecked(
+            shape,
+            ContractedLinks::Matrix(links),
+            merge_seams(&seams)?,
+            self.is_reversed(),
+        ))
     }
 }
 
 /// Returns a seam from column to column within the same rows, as closed rows of a net within a
 /// larger one make, extended through all copies.
-fn along_rows(seam: Seam, starts: &[u32]) -> Option<Seam> {
+fn replicate_seam_along_rows(seam: Seam, starts: &[u32]) -> Option<Seam> {
     let Seam { a, b, count } = seam;
     let same = a.row == b.row && a.row_step == b.row_step && a.column_step == 0 && b.column_step == 0;
     if !same || a.row_step.abs() != 1 {
         return None;
     }
-    let last = a.place(count - 1).0 as u32;
+    let last = a.node_place(count - 1).0 as u32;
     let (first, last) = (a.row.min(last) as usize, a.row.max(last) as usize);
-    let run = |run: Run| Run::along_column(starts[first], run.column, 1);
+    let run = |run: SeamRun| SeamRun::along_column(starts[first], run.column, 1);
     Some(Seam { a: run(a), b: run(b), count: starts[last + 1] - starts[first] })
 }
 
-impl<T: Real> Planes<'_, T> {
+impl<T: Real> XyzMatrices<'_, T> {
     /// Returns true if row i (`Down`) or column i has the bits of the one before.
     fn is_duplicate_line(&self, axis: Direction, i: usize) -> bool {
         let stride = self.stride();

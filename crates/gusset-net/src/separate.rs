@@ -2,7 +2,7 @@
 //!
 //! All nodes of a component move to one place. O(nodes), plus a sort of the unglued nodes.
 
-use super::topology::{Classes, Gluing};
+use super::topology::{Gluing, NodeClasses};
 use super::{Net, Shape};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -37,8 +37,8 @@ impl Net<'_> {
         let topology = self.topology().unglued(gluings)?;
         let mut moves = Vec::new();
         if separation > 0.0 {
-            let (before, after) = (Classes::new(self.topology())?, Classes::new(&topology)?);
-            moves = SplitVertices::new(&before, &after)?.moves(self, &before, separation / 2.0)?;
+            let (before, after) = (NodeClasses::new(self.topology())?, NodeClasses::new(&topology)?);
+            moves = SplitVertices::new(&before, &after)?.component_moves(self, &before, separation / 2.0)?;
         }
         let shape = self.shape();
         for (component, position) in &moves {
@@ -61,7 +61,7 @@ struct SplitVertices {
 }
 
 impl SplitVertices {
-    fn new(before: &Classes, after: &Classes) -> Result<Self> {
+    fn new(before: &NodeClasses, after: &NodeClasses) -> Result<Self> {
         let component = |node: u32| after.representative(node);
         let (mut nodes, mut split) = (Vec::new(), Vec::new());
         for class in before.groups()?.iter() {
@@ -76,10 +76,10 @@ impl SplitVertices {
     }
 
     /// Returns the components that move, and their new positions.
-    fn moves(&self, net: &Net<'_>, before: &Classes, step: f64) -> Result<Vec<(Vec<u32>, DVec3)>> {
+    fn component_moves(&self, net: &Net<'_>, before: &NodeClasses, step: f64) -> Result<Vec<(Vec<u32>, DVec3)>> {
         let mut moves = Vec::new();
         for component in self.nodes.chunk_by(|a, b| a[1] == b[1]) {
-            let links = [true, false].map(|whole| self.sum_of_links(net, before, component, whole));
+            let links = [true, false].map(|whole| self.sum_of_outward_links(net, before, component, whole));
             if let Some(direction) = links.into_iter().find_map(DVec3::try_normalize) {
                 let nodes = alloc::collect(component.iter().map(|&[.., node]| node))?;
                 alloc::push(&mut moves, (nodes, net.position(component[0][2]) + direction * step))?;
@@ -90,20 +90,20 @@ impl SplitVertices {
 
     /// Returns the sum of the links that lead out of the vertex of a component. If `whole`, only
     /// links to vertices that stay whole count.
-    fn sum_of_links(&self, net: &Net<'_>, before: &Classes, component: &[[u32; 3]], whole: bool) -> DVec3 {
+    fn sum_of_outward_links(&self, net: &Net<'_>, before: &NodeClasses, component: &[[u32; 3]], whole: bool) -> DVec3 {
         let out = |&(node, neighbour): &(u32, u32)| {
             before.representative(neighbour) != before.representative(node)
                 && !(whole && self.split.binary_search(&neighbour).is_ok())
         };
         let links =
-            component.iter().flat_map(|&[.., node]| neighbours(net.shape(), node).map(move |other| (node, other)));
+            component.iter().flat_map(|&[.., node]| neighbour_nodes(net.shape(), node).map(move |other| (node, other)));
         let vectors = links.filter(out).map(|(node, neighbour)| net.position(neighbour) - net.position(node));
         vectors.filter(|vector| vector.is_finite()).sum()
     }
 }
 
 /// Returns the nodes next to a node, without closing links.
-fn neighbours(shape: Shape, node: u32) -> impl Iterator<Item = u32> {
+fn neighbour_nodes(shape: Shape, node: u32) -> impl Iterator<Item = u32> {
     let ((i, j), w) = (shape.place(node), shape.columns() as u32);
     let around = [
         (i > 0).then(|| node - w),

@@ -2,9 +2,9 @@
 //! checked by the coincidence of the coordinates of glued nodes"), and warnings about legal but
 //! suspicious gluings. O(nodes), plus a sort of the findings.
 
-use super::coincidence::{coincide, coincident_links};
-use super::topology::star_links;
-use super::{Classes, Net, Shape, Topology, each};
+use super::coincidence::{are_coincident, for_each_coincident_link};
+use super::topology::links_of_star;
+use super::{Net, NodeClasses, Shape, Topology, each};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -19,7 +19,7 @@ pub enum FindingKind {
     /// A violation: two nodes that a seam glues are apart, or one of them is missing.
     SeamApart,
     /// A warning: other gluings identify the two ends of a link between neighbours, so that the
-    /// link is a loop unless it is contracted, as [`Topology::saturated`] does.
+    /// link is a loop unless it is contracted, as [`Topology::canonical_form`] does.
     Loop,
     /// A warning: the two ends of a link coincide and are not glued.
     ZeroLength,
@@ -36,7 +36,7 @@ impl FindingKind {
 
 /// One finding.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Finding {
+pub struct ValidationFinding {
     /// The kind.
     pub kind: FindingKind,
     /// The two nodes; the ends of the row or column for [`FindingKind::FewNodes`].
@@ -57,21 +57,21 @@ impl Net<'_> {
     /// [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is
     /// negative or not finite, [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn validate(&self, tolerance: f64, job: &Job<'_>) -> Result<Vec<Finding>> {
+    pub fn validate(&self, tolerance: f64, job: &Job<'_>) -> Result<Vec<ValidationFinding>> {
         Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
         let (topology, shape) = (self.topology(), self.shape());
-        let classes = Classes::new(topology)?;
+        let classes = NodeClasses::new(topology)?;
         let mut findings = Vec::new();
         let ends = |nodes: [u32; 2]| nodes.map(|node| self.position(node));
         let mut add = |kind, element, nodes| {
             let [a, b] = ends(nodes);
-            alloc::push(&mut findings, Finding { kind, nodes, element, distance: (b - a).length() })
+            alloc::push(&mut findings, ValidationFinding { kind, nodes, element, distance: (b - a).length() })
         };
         let apart = |nodes| {
             let [a, b] = ends(nodes);
-            !coincide(a, b, tolerance) && (a.is_finite() || b.is_finite())
+            !are_coincident(a, b, tolerance) && (a.is_finite() || b.is_finite())
         };
-        for link in topology.contracted().filter(|&link| apart(shape.ends(link))) {
+        for link in topology.contracted_links().filter(|&link| apart(shape.ends(link))) {
             add(FindingKind::LinkApart, link, shape.ends(link))?;
         }
         for (number, seam) in (0..).zip(topology.seams()) {
@@ -79,40 +79,41 @@ impl Net<'_> {
                 add(FindingKind::SeamApart, number, pair)?;
             }
         }
-        for link in loops(topology, &classes)? {
+        for link in find_loop_links(topology, &classes)? {
             add(FindingKind::Loop, link, shape.ends(link))?;
         }
-        each!(self.coordinates(), planes => coincident_links(planes, tolerance, job, |link| {
-            if classes.contracts(link) { Ok(()) } else { add(FindingKind::ZeroLength, link, shape.ends(link)) }
+        each!(self.coordinates(), planes => for_each_coincident_link(planes, tolerance, job, |link| {
+            if classes.has_identified_ends(link) { Ok(()) } else { add(FindingKind::ZeroLength, link, shape.ends(link)) }
         }))?;
-        for link in few_nodes(topology) {
+        for link in find_links_closing_short_lines(topology) {
             add(FindingKind::FewNodes, link, shape.ends(link))?;
         }
-        let key = |finding: &Finding| (finding.kind, finding.element, finding.nodes);
+        let key = |finding: &ValidationFinding| (finding.kind, finding.element, finding.nodes);
         sort::sort(&mut findings, |a, b| key(a).cmp(&key(b)), &job.part(1.0, 1.0), "sorting findings")?;
         Ok(findings)
     }
 }
 
 /// Returns the links between neighbours that belong to one class but are not contracted by name.
-fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
+fn find_loop_links(topology: &Topology, classes: &NodeClasses) -> Result<Vec<u32>> {
     let shape = topology.shape();
     let mut loops = Vec::new();
-    classes.each_glued(|node, _| {
+    classes.for_each_glued_node(|node, _| {
         let (i, j) = shape.place(node);
-        let is_loop = |&link: &u32| shape.is_inner(link) && !topology.contracts(link) && classes.contracts(link);
-        star_links(shape, i, j).into_iter().filter(is_loop).try_for_each(|link| alloc::push(&mut loops, link))
+        let is_loop =
+            |&link: &u32| shape.is_inner(link) && !topology.is_contracted(link) && classes.has_identified_ends(link);
+        links_of_star(shape, i, j).into_iter().filter(is_loop).try_for_each(|link| alloc::push(&mut loops, link))
     })?;
     sort_distinct(&mut loops);
     Ok(loops)
 }
 
 /// Returns the first link that closes a row of fewer than four nodes, and a column.
-fn few_nodes(topology: &Topology) -> impl Iterator<Item = u32> {
+fn find_links_closing_short_lines(topology: &Topology) -> impl Iterator<Item = u32> {
     let shape: Shape = topology.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let rows = (0..if w < 4 { h } else { 0 }).map(move |i| shape.horizontal_link(i, w - 1));
     let columns = (0..if h < 4 { w } else { 0 }).map(move |j| shape.vertical_link(h - 1, j));
-    let contracted = |link: &u32| topology.contracts(*link);
+    let contracted = |link: &u32| topology.is_contracted(*link);
     rows.filter(contracted).take(1).chain(columns.filter(contracted).take(1))
 }

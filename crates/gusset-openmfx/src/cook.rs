@@ -1,10 +1,10 @@
 //! Cooks an effect: runs a filter on meshes and parameters of the host, and returns its output to
 //! the host.
 
-use super::abi::{Handle, MAIN_OUTPUT, MESSAGE_ERROR, MESSAGE_LOG, PROP_TIME, Status};
-use super::effects::{Effect, Knob, KnobKind, SUIT};
-use super::meshes::{self, HostMeshData, Polygons};
-use super::suites::{Fault, HostMesh, Parameters, Suites};
+use super::effects::{EffectParameter, FilterEffect, ParameterKind, SUIT_INPUTS_NAME};
+use super::host_meshes::{self, HostMeshData, PolygonFaces};
+use super::ofx_abi::{HostHandle, MAIN_OUTPUT, MESSAGE_ERROR, MESSAGE_LOG, OfxStatus, PROP_TIME};
+use super::suites::{EffectFault, HostMesh, HostParameters, HostSuites};
 use gusset::capi::guard::catch_panic;
 use gusset::capi::status::{Failure, gusset_status};
 use gusset::error::Error;
@@ -15,44 +15,49 @@ use std::ffi::c_int;
 use std::ops::ControlFlow;
 
 /// Asks the host whether to continue.
-struct Watch<'a> {
-    suites: &'a Suites,
-    instance: Handle,
+struct HostProgress<'a> {
+    suites: &'a HostSuites,
+    instance: HostHandle,
 }
 
-impl Progress for Watch<'_> {
+impl Progress for HostProgress<'_> {
     fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
         if self.suites.is_aborted(self.instance) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     fn note(&self, message: &str) {
-        self.suites.message(self.instance, MESSAGE_LOG, message);
+        self.suites.show_message(self.instance, MESSAGE_LOG, message);
     }
 }
 
 /// Runs the action `OfxMeshEffectActionCook`.
-pub(super) fn cook(effect: &Effect, suites: &Suites, instance: Handle, in_args: Handle) -> Result<(), Status> {
-    let time = suites.properties(in_args).double(PROP_TIME).unwrap_or(0.0);
+pub(super) fn run_cook_action(
+    effect: &FilterEffect,
+    suites: &HostSuites,
+    instance: HostHandle,
+    in_args: HostHandle,
+) -> Result<(), OfxStatus> {
+    let time = suites.property_set_of(in_args).get_double(PROP_TIME).unwrap_or(0.0);
     catch_panic(|| run_filter(effect, suites, instance, time)).map_err(|fault| match fault {
-        Fault::Host(status) => status,
-        Fault::Ours(Failure { status: gusset_status::GUSSET_ERROR_OUT_OF_MEMORY, .. }) => Status::MEMORY,
+        EffectFault::Host(status) => status,
+        EffectFault::Ours(Failure { status: gusset_status::GUSSET_ERROR_OUT_OF_MEMORY, .. }) => OfxStatus::MEMORY,
         // The host itself asked to stop, so it gets no message.
-        Fault::Ours(Failure { status: gusset_status::GUSSET_ERROR_CANCELLED, .. }) => Status::FAILED,
-        Fault::Ours(failure) => {
-            suites.message(instance, MESSAGE_ERROR, &failure.message);
-            Status::FAILED
+        EffectFault::Ours(Failure { status: gusset_status::GUSSET_ERROR_CANCELLED, .. }) => OfxStatus::FAILED,
+        EffectFault::Ours(failure) => {
+            suites.show_message(instance, MESSAGE_ERROR, &failure.message);
+            OfxStatus::FAILED
         }
     })
 }
 
 /// An input, with the data that it must own.
 enum OwnedInput<'a> {
-    Mesh(&'a HostMeshData<'a>, Polygons),
+    Mesh(&'a HostMeshData<'a>, PolygonFaces),
     Curves(Curves),
 }
 
-fn run_filter(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> Result<(), Fault> {
-    let watch = Watch { suites, instance };
+fn run_filter(effect: &FilterEffect, suites: &HostSuites, instance: HostHandle, time: f64) -> Result<(), EffectFault> {
+    let watch = HostProgress { suites, instance };
     let job = Job::new(0, &watch);
     let hosts = open_inputs(effect, suites, instance, time)?;
     let mut read: Vec<(InputKind, HostMeshData<'_>)> = Vec::new();
@@ -60,7 +65,7 @@ fn run_filter(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> 
         match HostMeshData::new(mesh, &job.part(0.0, 0.0))? {
             Some(mut mesh) => {
                 if let Some((_, first)) = read.first() {
-                    mesh.transform_to(first)?;
+                    mesh.transform_to_space_of(first)?;
                 }
                 read.push((*kind, mesh));
             }
@@ -70,40 +75,40 @@ fn run_filter(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> 
     }
     let given = alloc::try_collect(read.iter().map(|(kind, mesh)| {
         Ok::<_, Error>(match kind {
-            InputKind::Mesh => OwnedInput::Mesh(mesh, mesh.polygons()?),
-            InputKind::Curves => OwnedInput::Curves(mesh.curves()?),
+            InputKind::Mesh => OwnedInput::Mesh(mesh, mesh.faces_without_loose_edges()?),
+            InputKind::Curves => OwnedInput::Curves(mesh.to_curves()?),
         })
     }))?;
     let inputs = alloc::try_collect(given.iter().map(|given| match given {
-        OwnedInput::Mesh(mesh, polygons) => mesh.mesh(polygons, &job.part(0.0, 0.05)),
+        OwnedInput::Mesh(mesh, polygons) => mesh.to_mesh_input(polygons, &job.part(0.0, 0.05)),
         OwnedInput::Curves(curves) => Ok(Input::Curves(curves)),
     }))?;
-    let values = values(effect, &suites.parameters(instance)?, time, &inputs)?;
+    let values = read_parameter_values(effect, &suites.parameters_of_effect(instance)?, time, &inputs)?;
     let outputs = effect.filter.run(&inputs, &values, &job.part(0.05, 1.0))?;
     for output in &outputs {
         if let Output::Text(text) = output {
-            suites.message(instance, MESSAGE_LOG, text);
+            suites.show_message(instance, MESSAGE_LOG, text);
         }
     }
-    let to = suites.mesh(instance, MAIN_OUTPUT, time)?.ok_or(Status::FAILED)?;
+    let to = suites.open_input_mesh(instance, MAIN_OUTPUT, time)?.ok_or(OfxStatus::FAILED)?;
     match (effect.output.and_then(|place| outputs.get(place)), read.first()) {
-        (Some(Output::Mesh(mesh, _)), _) => meshes::write_mesh(&to, mesh),
-        (Some(Output::Curves(curves)), _) => meshes::write_curves(&to, curves),
-        (_, Some((_, first))) => first.write(&to),
-        (_, None) => meshes::write_curves(&to, &Curves::default()),
+        (Some(Output::Mesh(mesh, _)), _) => host_meshes::write_mesh(&to, mesh),
+        (Some(Output::Curves(curves)), _) => host_meshes::write_curves(&to, curves),
+        (_, Some((_, first))) => first.write_unchanged(&to),
+        (_, None) => host_meshes::write_curves(&to, &Curves::default()),
     }
 }
 
 /// Opens the host's meshes. Optional inputs that are not available are skipped.
 fn open_inputs<'a>(
-    effect: &Effect,
-    suites: &'a Suites,
-    instance: Handle,
+    effect: &FilterEffect,
+    suites: &'a HostSuites,
+    instance: HostHandle,
     time: f64,
-) -> Result<Vec<(InputKind, HostMesh<'a>)>, Fault> {
+) -> Result<Vec<(InputKind, HostMesh<'a>)>, EffectFault> {
     let mut hosts = Vec::new();
     for (number, slot) in effect.inputs.iter().enumerate() {
-        match suites.mesh(instance, &slot.name, time) {
+        match suites.open_input_mesh(instance, &slot.name, time) {
             Ok(Some(mesh)) => hosts.push((slot.kind, mesh)),
             Ok(None) if number < effect.filter.min_inputs => return Err(Error::EmptyMesh { what: "faces" }.into()),
             Err(status) if number < effect.filter.min_inputs => return Err(status.into()),
@@ -115,14 +120,19 @@ fn open_inputs<'a>(
 
 /// Reads the values of all parameters. If requested, values that equal their defaults are replaced
 /// by values suggested for the inputs.
-fn values(effect: &Effect, parameters: &Parameters<'_>, time: f64, inputs: &[Input<'_>]) -> Result<Vec<f64>, Status> {
+fn read_parameter_values(
+    effect: &FilterEffect,
+    parameters: &HostParameters<'_>,
+    time: f64,
+    inputs: &[Input<'_>],
+) -> Result<Vec<f64>, OfxStatus> {
     let mut values = effect.filter.plain_defaults();
     for knob in &effect.knobs {
         read_parameter(parameters, knob, time, &mut values[knob.first..])?;
     }
     if effect.filter.has_suggestions() {
         let mut suit = 1;
-        parameters.value(SUIT, time, &mut suit)?;
+        parameters.read_value(SUIT_INPUTS_NAME, time, &mut suit)?;
         if suit != 0 {
             let plain = effect.filter.plain_defaults();
             let better = effect.filter.defaults(inputs);
@@ -137,24 +147,30 @@ fn values(effect: &Effect, parameters: &Parameters<'_>, time: f64, inputs: &[Inp
 }
 
 /// Reads the values of a parameter, starting from its defaults.
-fn read_parameter(parameters: &Parameters<'_>, knob: &Knob, time: f64, values: &mut [f64]) -> Result<(), Status> {
-    match knob.kind {
-        KnobKind::Boolean | KnobKind::Integer | KnobKind::Choice => {
+fn read_parameter(
+    parameters: &HostParameters<'_>,
+    parameter: &EffectParameter,
+    time: f64,
+    values: &mut [f64],
+) -> Result<(), OfxStatus> {
+    match parameter.kind {
+        ParameterKind::Boolean | ParameterKind::Integer | ParameterKind::Choice => {
             let mut value = values[0] as c_int;
-            parameters.value(&knob.name, time, &mut value)?;
-            values[0] = if knob.kind == KnobKind::Boolean { f64::from(u8::from(value != 0)) } else { value.into() };
+            parameters.read_value(&parameter.name, time, &mut value)?;
+            values[0] =
+                if parameter.kind == ParameterKind::Boolean { f64::from(u8::from(value != 0)) } else { value.into() };
         }
-        KnobKind::Double => parameters.value(&knob.name, time, &mut values[0])?,
-        KnobKind::Angle => {
+        ParameterKind::Double => parameters.read_value(&parameter.name, time, &mut values[0])?,
+        ParameterKind::Angle => {
             // The conversion of a default to degrees and back may round.
             let shown = values[0].to_degrees();
             let mut value = shown;
-            parameters.value(&knob.name, time, &mut value)?;
-            values[0] = if value == shown { values[0] } else { clamp_rounding(value.to_radians(), knob) };
+            parameters.read_value(&parameter.name, time, &mut value)?;
+            values[0] = if value == shown { values[0] } else { clamp_rounding(value.to_radians(), parameter) };
         }
-        KnobKind::Vector => {
+        ParameterKind::Vector => {
             let mut vector = [values[0], values[1], values[2]];
-            parameters.double_3d(&knob.name, time, &mut vector)?;
+            parameters.read_double_3d(&parameter.name, time, &mut vector)?;
             values[..3].copy_from_slice(&vector);
         }
     }
@@ -162,7 +178,7 @@ fn read_parameter(parameters: &Parameters<'_>, knob: &Knob, time: f64, values: &
 }
 
 /// Clamps a value that left its range only by rounding.
-fn clamp_rounding(value: f64, knob: &Knob) -> f64 {
+fn clamp_rounding(value: f64, knob: &EffectParameter) -> f64 {
     let nearest = value.clamp(knob.param.min, knob.param.max);
     if (nearest - value).abs() <= 4.0 * f64::EPSILON * value.abs() { nearest } else { value }
 }

@@ -1,18 +1,24 @@
 //! Describes an effect to a host. Labels, hints and ranges that the host does not support are
 //! skipped.
 
-use super::abi::{
-    CONTEXT_FILTER, CONTEXT_GENERAL, CONTEXT_GENERATOR, Handle, MAIN_OUTPUT, PARAM_BOOLEAN, PARAM_CHOICE, PARAM_DOUBLE,
-    PARAM_DOUBLE_3D, PARAM_DOUBLE_ANGLE, PARAM_INTEGER, PARAM_PROP_CHOICE, PARAM_PROP_DEFAULT, PARAM_PROP_DOUBLE_TYPE,
-    PARAM_PROP_HINT, PARAM_PROP_INCREMENT, PARAM_PROP_MAX, PARAM_PROP_MIN, PROP_CONTEXTS, PROP_DESCRIPTION, PROP_LABEL,
-    PROP_REQUEST_TRANSFORM, Status,
+use super::effects::{
+    EffectParameter, FilterEffect, ParameterKind, SUIT_INPUTS_HINT, SUIT_INPUTS_LABEL, SUIT_INPUTS_NAME,
 };
-use super::effects::{Effect, Knob, KnobKind, SUIT, SUIT_HINT, SUIT_LABEL};
-use super::suites::{Parameters, Properties, Suites};
+use super::ofx_abi::{
+    CONTEXT_FILTER, CONTEXT_GENERAL, CONTEXT_GENERATOR, HostHandle, MAIN_OUTPUT, OfxStatus, PARAM_BOOLEAN,
+    PARAM_CHOICE, PARAM_DOUBLE, PARAM_DOUBLE_3D, PARAM_DOUBLE_ANGLE, PARAM_INTEGER, PARAM_PROP_CHOICE,
+    PARAM_PROP_DEFAULT, PARAM_PROP_DOUBLE_TYPE, PARAM_PROP_HINT, PARAM_PROP_INCREMENT, PARAM_PROP_MAX, PARAM_PROP_MIN,
+    PROP_CONTEXTS, PROP_DESCRIPTION, PROP_LABEL, PROP_REQUEST_TRANSFORM,
+};
+use super::suites::{HostParameters, HostSuites, PropertySet};
 use std::ffi::c_int;
 
 /// Runs the action `OfxActionDescribe`.
-pub(super) fn describe(effect: &'static Effect, suites: &Suites, descriptor: Handle) -> Result<(), Status> {
+pub(super) fn describe_effect(
+    effect: &'static FilterEffect,
+    suites: &HostSuites,
+    descriptor: HostHandle,
+) -> Result<(), OfxStatus> {
     if let Some(properties) = suites.effect_properties(descriptor) {
         let context = match effect.inputs.len() {
             0 => CONTEXT_GENERATOR,
@@ -34,50 +40,50 @@ pub(super) fn describe(effect: &'static Effect, suites: &Suites, descriptor: Han
     }
     let output = suites.define_input(descriptor, MAIN_OUTPUT)?;
     let _ = output.set_text(PROP_LABEL, 0, c"Output");
-    let parameters = suites.parameters(descriptor)?;
-    for knob in &effect.knobs {
-        define_parameter(&parameters, knob)?;
+    let parameters = suites.parameters_of_effect(descriptor)?;
+    for parameter in &effect.knobs {
+        define_parameter(&parameters, parameter)?;
     }
     if effect.filter.has_suggestions() {
-        let properties = parameters.define(PARAM_BOOLEAN, SUIT)?;
-        let _ = properties.set_text(PROP_LABEL, 0, SUIT_LABEL);
-        let _ = properties.set_text(PARAM_PROP_HINT, 0, SUIT_HINT);
+        let properties = parameters.define_parameter(PARAM_BOOLEAN, SUIT_INPUTS_NAME)?;
+        let _ = properties.set_text(PROP_LABEL, 0, SUIT_INPUTS_LABEL);
+        let _ = properties.set_text(PARAM_PROP_HINT, 0, SUIT_INPUTS_HINT);
         properties.set_int(PARAM_PROP_DEFAULT, 0, 1)?;
     }
     Ok(())
 }
 
-fn define_parameter(parameters: &Parameters<'_>, knob: &'static Knob) -> Result<(), Status> {
+fn define_parameter(parameters: &HostParameters<'_>, knob: &'static EffectParameter) -> Result<(), OfxStatus> {
     let kind = match knob.kind {
-        KnobKind::Boolean => PARAM_BOOLEAN,
-        KnobKind::Integer => PARAM_INTEGER,
-        KnobKind::Choice => PARAM_CHOICE,
-        KnobKind::Double | KnobKind::Angle => PARAM_DOUBLE,
-        KnobKind::Vector => PARAM_DOUBLE_3D,
+        ParameterKind::Boolean => PARAM_BOOLEAN,
+        ParameterKind::Integer => PARAM_INTEGER,
+        ParameterKind::Choice => PARAM_CHOICE,
+        ParameterKind::Double | ParameterKind::Angle => PARAM_DOUBLE,
+        ParameterKind::Vector => PARAM_DOUBLE_3D,
     };
-    let properties = parameters.define(kind, &knob.name)?;
+    let properties = parameters.define_parameter(kind, &knob.name)?;
     let _ = properties.set_text(PROP_LABEL, 0, &knob.label);
     let _ = properties.set_text(PARAM_PROP_HINT, 0, &knob.hint);
     match knob.kind {
-        KnobKind::Boolean | KnobKind::Integer | KnobKind::Choice => define_integer(properties, knob),
-        KnobKind::Double | KnobKind::Angle | KnobKind::Vector => define_double(properties, knob),
+        ParameterKind::Boolean | ParameterKind::Integer | ParameterKind::Choice => define_integer(properties, knob),
+        ParameterKind::Double | ParameterKind::Angle | ParameterKind::Vector => define_double(properties, knob),
     }
 }
 
-fn define_integer(properties: Properties, knob: &'static Knob) -> Result<(), Status> {
+fn define_integer(properties: PropertySet, knob: &'static EffectParameter) -> Result<(), OfxStatus> {
     for (place, choice) in knob.choices.iter().enumerate() {
         let _ = properties.set_text(PARAM_PROP_CHOICE, place, choice);
     }
-    if knob.kind == KnobKind::Integer {
+    if knob.kind == ParameterKind::Integer {
         let _ = properties.set_int(PARAM_PROP_MIN, 0, knob.param.min as c_int);
         let _ = properties.set_int(PARAM_PROP_MAX, 0, knob.param.max as c_int);
     }
     properties.set_int(PARAM_PROP_DEFAULT, 0, knob.default[0] as c_int)
 }
 
-fn define_double(properties: Properties, knob: &Knob) -> Result<(), Status> {
-    let shown = |value: f64| if knob.kind == KnobKind::Angle { value.to_degrees() } else { value };
-    if knob.kind == KnobKind::Angle {
+fn define_double(properties: PropertySet, knob: &EffectParameter) -> Result<(), OfxStatus> {
+    let shown = |value: f64| if knob.kind == ParameterKind::Angle { value.to_degrees() } else { value };
+    if knob.kind == ParameterKind::Angle {
         let _ = properties.set_text(PARAM_PROP_DOUBLE_TYPE, 0, PARAM_DOUBLE_ANGLE);
     }
     if knob.param.step > 0.0 {

@@ -5,16 +5,16 @@ use gusset_base::error::{Element, Error, Result};
 use std::borrow::Borrow;
 
 /// Returns the unit vector of a direction.
-pub(super) fn unit_vector(given: DVec3, option: &'static str) -> Result<DVec3> {
-    check_finite(given, option)?;
+pub(super) fn unit_vector(direction: DVec3, option: &'static str) -> Result<DVec3> {
+    check_finite(direction, option)?;
     // Scaling first avoids overflow and underflow.
-    let largest = given.abs().max_element();
+    let largest = direction.abs().max_element();
     Error::require(largest > 0.0, option, 0.0)?;
-    Ok((given / largest).normalize())
+    Ok((direction / largest).normalize())
 }
 
-pub(super) fn check_finite(given: DVec3, option: &'static str) -> Result<()> {
-    given.to_array().into_iter().try_for_each(|x| Error::require(x.is_finite(), option, x))
+pub(super) fn check_finite(vector: DVec3, option: &'static str) -> Result<()> {
+    vector.to_array().into_iter().try_for_each(|x| Error::require(x.is_finite(), option, x))
 }
 
 /// Checks that levels (planes, angles, values) are finite and strictly increasing.
@@ -24,7 +24,7 @@ pub(super) fn check_ascending(levels: &[f64], option: &'static str) -> Result<()
 }
 
 /// Returns [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.
-pub(super) fn finite_nodes(nodes: impl IntoIterator<Item = impl Borrow<DVec3>>) -> Result<()> {
+pub(super) fn check_nodes_finite(nodes: impl IntoIterator<Item = impl Borrow<DVec3>>) -> Result<()> {
     nodes.into_iter().enumerate().try_for_each(|(index, node)| {
         match node.borrow().to_array().into_iter().find(|x| !x.is_finite()) {
             Some(value) => Err(Error::NotFinite { element: Element::Node, index: index as u64, value }),
@@ -34,10 +34,10 @@ pub(super) fn finite_nodes(nodes: impl IntoIterator<Item = impl Borrow<DVec3>>) 
 }
 
 /// Returns the first `count` points of an array, after a check that they are finite.
-pub(super) fn finite_points<'a>(given: &'a [DVec3], count: u64, what: &'static str) -> Result<&'a [DVec3]> {
-    let Some(points) = usize::try_from(count).ok().and_then(|count| given.get(..count)) else {
-        return Err(Error::ArrayTooShort { what, needed: 24 * count, given: 24 * given.len() as u64 });
+pub(super) fn first_finite_points<'a>(points: &'a [DVec3], count: u64, what: &'static str) -> Result<&'a [DVec3]> {
+    let Some(points) = usize::try_from(count).ok().and_then(|count| points.get(..count)) else {
+        return Err(Error::ArrayTooShort { what, needed: 24 * count, given: 24 * points.len() as u64 });
     };
-    finite_nodes(points)?;
+    check_nodes_finite(points)?;
     Ok(points)
 }

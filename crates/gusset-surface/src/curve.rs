@@ -3,9 +3,9 @@
 //! The paper treats curves like surfaces with one dimension less: points take the place of
 //! coordinate curves, and arcs of cells.
 
-use super::axis::{Axis, TAPS};
-use super::cells::Cells;
-use super::checks::finite_nodes;
+use super::axis::{GridAxis, NODES_PER_CUBIC};
+use super::cells::SheetCells;
+use super::checks::check_nodes_finite;
 use super::{Scheme, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -27,23 +27,23 @@ const SEGMENTS_PER_REPORT: usize = 1 << 12;
 /// four on a closed curve; [`Error::CurveNotClosed`]; [`Error::TooLarge`], [`Error::OutOfMemory`],
 /// [`Error::Cancelled`]. O(nodes).
 pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme, job: &Job<'_>) -> Result<Curve> {
-    if nodes.len() < Axis::least_lines(closed) {
+    if nodes.len() < GridAxis::min_line_count(closed) {
         return Err(Error::NetTooSmall { rows: 1, columns: nodes.len() as u64 });
     }
     Error::check_count("nodes", nodes.len() as u64, u64::from(u32::MAX / 3))?;
-    finite_nodes(nodes)?;
+    check_nodes_finite(nodes)?;
     if closed && nodes.first() != nodes.last() {
         return Err(Error::CurveNotClosed);
     }
-    let axis = Axis::new(nodes.len(), closed, scheme);
-    let inner = |weights: &[f64; TAPS], lines: &[usize; TAPS]| {
+    let axis = GridAxis::new(nodes.len(), closed, scheme);
+    let inner = |weights: &[f64; NODES_PER_CUBIC], lines: &[usize; NODES_PER_CUBIC]| {
         weights.iter().zip(lines).map(|(&weight, &line)| weight * nodes[line]).sum::<DVec3>()
     };
-    let segments = (0..axis.cells()).map(|cell| {
-        let (lines, weights) = axis.taps(cell);
+    let segments = (0..axis.interval_count()).map(|cell| {
+        let (lines, weights) = axis.nodes_and_weights(cell);
         [nodes[cell], inner(&weights[1], &lines), inner(&weights[2], &lines), nodes[cell + 1]]
     });
-    join_segments(segments, axis.cells(), closed, job)
+    join_segments(segments, axis.interval_count(), closed, job)
 }
 
 /// Joins segments of equal degree, each of which begins where the previous one ends.
@@ -87,12 +87,12 @@ impl Sheet<'_> {
     }
 
     fn coordinate_curve(&self, direction: usize, at: f64, job: &Job<'_>) -> Result<Curve> {
-        let (line, within) = place(at, self.cells()[direction])?;
-        let (count, closed) = (self.cells()[1 - direction], self.seams()[1 - direction]);
+        let (line, within) = cell_and_parameter(at, self.cells()[direction])?;
+        let (count, closed) = (self.cells()[1 - direction], self.has_exact_seams()[1 - direction]);
         each_sheet!(self, cells => {
             let patch = |k: usize| match direction {
-                0 => Cells::patch(cells, line, k).transposed(),
-                _ => Cells::patch(cells, k, line),
+                0 => SheetCells::cell_patch(cells, line, k).transposed(),
+                _ => SheetCells::cell_patch(cells, k, line),
             };
             join_segments((0..count).map(|k| patch(k).points.map(|row| evaluate(&row, within))), count, closed, job)
         })
@@ -100,8 +100,8 @@ impl Sheet<'_> {
 }
 
 /// The cell of a parameter that counts cells, and the parameter within the cell.
-fn place(at: f64, cells: usize) -> Result<(usize, f64)> {
-    Error::require((0.0..=cells as f64).contains(&at), "parameter", at)?;
-    let cell = (at as usize).min(cells - 1);
-    Ok((cell, at - cell as f64))
+fn cell_and_parameter(parameter: f64, cells: usize) -> Result<(usize, f64)> {
+    Error::require((0.0..=cells as f64).contains(&parameter), "parameter", parameter)?;
+    let cell = (parameter as usize).min(cells - 1);
+    Ok((cell, parameter - cell as f64))
 }

@@ -15,10 +15,10 @@
 //!
 //! O(nodes), by the vector instructions of `sweep`.
 
-use super::axis::{Axis, TAPS, Weights};
+use super::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
 use super::nodes::Nodes;
-use super::sweep::Sweep;
-use super::widen_kernel::Sums;
+use super::sweep::WeightedSumSweep;
+use super::widen_kernel::SumWeights;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -26,10 +26,10 @@ use gusset_base::geom::aabb::Aabb;
 use std::ops::Range;
 
 /// Weights that compute the differences of the inner Bézier points from the thirds of the chord.
-fn chord_deviation_weights(weights: &Weights) -> Sums<2> {
+fn chord_deviation_weights(weights: &BezierWeights) -> SumWeights<2> {
     let [start, first, second, end] = weights;
-    let mut deviation = [[0.0; TAPS]; 2];
-    for k in 0..TAPS {
+    let mut deviation = [[0.0; NODES_PER_CUBIC]; 2];
+    for k in 0..NODES_PER_CUBIC {
         let third = (end[k] - start[k]) / 3.0;
         deviation[0][k] = first[k] - start[k] - third;
         deviation[1][k] = second[k] - end[k] + third;
@@ -38,24 +38,25 @@ fn chord_deviation_weights(weights: &Weights) -> Sums<2> {
 }
 
 /// Computes the displacement boxes of the blocks in some rows of blocks, row by row.
-pub(super) fn displacements(
+pub(super) fn compute_displacement_boxes(
     nodes: &Nodes<'_>,
-    [u, v]: [&Axis; 2],
+    [u, v]: [&GridAxis; 2],
     block_rows: Range<usize>,
     boxes: &mut [Aabb],
 ) -> Result<()> {
-    let sweep = Sweep { nodes, u, v, sums: chord_deviation_weights };
+    let sweep = WeightedSumSweep { nodes, u, v, sums: chord_deviation_weights };
     let mut along = alloc::filled(Aabb::EMPTY, boxes.len())?;
     sweep.sweep_rows(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
     sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
         let across = ranges.bounding_box(columns.start..columns.end + 1);
-        boxes[k] = enlarged_box(three_quarter_box(along[k]), u.lebesgue()).sum(three_quarter_box(across));
+        boxes[k] = box_of_weighted_sums(three_quarter_box(along[k]), u.lebesgue_constant())
+            .minkowski_sum(three_quarter_box(across));
     })
 }
 
 /// A box that contains every weighted sum of points of `bounds` whose weights sum to 1 and whose
 /// absolute weights sum to at most `lebesgue`.
-pub(super) fn enlarged_box(bounds: Aabb, lebesgue: f64) -> Aabb {
+pub(super) fn box_of_weighted_sums(bounds: Aabb, lebesgue: f64) -> Aabb {
     let more = 0.5 * (lebesgue - 1.0) * (bounds.high - bounds.low);
     Aabb { low: bounds.low - more, high: bounds.high + more }
 }

@@ -3,9 +3,9 @@
 //! The error of a grid's surface is estimated by comparing the scheme's cubic with the quintic
 //! through six nodes in a row. Control nets bound the flatness. O(cells), on the job's threads.
 
-use super::axis::{Axis, TAPS};
-use super::cells::{Cells, by_cell, by_row};
-use super::normal::angle;
+use super::axis::{GridAxis, NODES_PER_CUBIC};
+use super::cells::{SheetCells, compute_by_cell, compute_by_row};
+use super::normal::angle_between_unit_vectors;
 use super::{Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::error::Result;
@@ -35,7 +35,7 @@ impl Sheet<'_> {
             return alloc::filled(0.0, rows * columns);
         };
         let defects = grid.axes().map(QuinticDefects::new);
-        by_row(self.cells(), "estimating errors", job, |i, errors: &mut [f64]| {
+        compute_by_row(self.cells(), "estimating errors", job, |i, errors: &mut [f64]| {
             let along = |row: usize, j: usize| defects[1].largest_difference(j, |column| grid.nodes().get(row, column));
             let across = |column: usize| defects[0].largest_difference(i, |row| grid.nodes().get(row, column));
             let mut left = across(0);
@@ -52,8 +52,8 @@ impl Sheet<'_> {
     /// pair of triangles that a diagonal splits the cell into.
     pub fn flatness(&self, i: usize, j: usize) -> [f64; 2] {
         each_sheet!(self, cells => {
-            let patch = Cells::patch(cells, i, j);
-            let ([[a, b], [c, d]], bilinear) = (patch.corners(), patch.deviation());
+            let patch = SheetCells::cell_patch(cells, i, j);
+            let ([[a, b], [c, d]], bilinear) = (patch.corner_points(), patch.bilinear_deviation());
             [bilinear, bilinear + 0.25 * ((a - b) - (c - d)).length()]
         })
     }
@@ -62,7 +62,7 @@ impl Sheet<'_> {
     /// are u = 0 and u = 1, then v = 0 and v = 1.
     pub fn poles(&self) -> [[bool; 2]; 2] {
         let last = self.cells().map(|count| count - 1);
-        [0, 1].map(|k| [self.line_is_point(k, 0, false), self.line_is_point(k, last[k], true)])
+        [0, 1].map(|k| [self.is_node_line_point(k, 0, false), self.is_node_line_point(k, last[k], true)])
     }
 
     /// Computes [`Sheet::flatness`] for each cell, row by row. O(cells).
@@ -71,7 +71,7 @@ impl Sheet<'_> {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn flatnesses(&self, job: &Job<'_>) -> Result<Vec<[f64; 2]>> {
-        by_cell(self.cells(), "bounding deviations", job, |[i, j]| self.flatness(i, j))
+        compute_by_cell(self.cells(), "bounding deviations", job, |[i, j]| self.flatness(i, j))
     }
 
     /// The largest angle between the normals on both sides of a border between cells, sampled at
@@ -88,23 +88,29 @@ impl Sheet<'_> {
 
 /// Computes [`Sheet::crease`]: compares each cell with the next ones in u and in v.
 fn crease_of_cells<const N: usize>(
-    cells: &impl Cells<N>,
+    cells: &impl SheetCells<N>,
     [closed_u, closed_v]: [bool; 2],
     job: &Job<'_>,
 ) -> Result<f64> {
-    let [rows, columns] = cells.counts();
+    let [rows, columns] = cells.cell_counts();
     let in_chunk = |range: Range<usize>| {
-        let mut worst = CreaseAngle::default();
+        let mut worst = LargestCreaseAngle::default();
         let mut next = None;
         for (i, j) in range.map(|k| (k / columns, k % columns)) {
-            let patch = next.take().unwrap_or_else(|| cells.patch(i, j));
+            let patch = next.take().unwrap_or_else(|| cells.cell_patch(i, j));
             if i + 1 < rows || closed_u {
-                let below = cells.patch((i + 1) % rows, j);
-                worst.join(patch.normals_at_side(false, true), below.normals_at_side(false, false));
+                let below = cells.cell_patch((i + 1) % rows, j);
+                worst.include_normals(
+                    patch.unit_normals_along_side(false, true),
+                    below.unit_normals_along_side(false, false),
+                );
             }
             if j + 1 < columns || closed_v {
-                let right = cells.patch(i, (j + 1) % columns);
-                worst.join(patch.normals_at_side(true, true), right.normals_at_side(true, false));
+                let right = cells.cell_patch(i, (j + 1) % columns);
+                worst.include_normals(
+                    patch.unit_normals_along_side(true, true),
+                    right.unit_normals_along_side(true, false),
+                );
                 next = (j + 1 < columns).then_some(right);
             }
         }
@@ -117,18 +123,18 @@ fn crease_of_cells<const N: usize>(
 /// The largest angle so far. `chord` is the squared chord between its unit vectors; it increases
 /// with the angle, and is cheaper to compute.
 #[derive(Default)]
-struct CreaseAngle {
+struct LargestCreaseAngle {
     chord: f64,
     angle: f64,
 }
 
-impl CreaseAngle {
+impl LargestCreaseAngle {
     /// Compares the normals on both sides of a border. Skips zero vectors.
-    fn join(&mut self, one: [DVec3; 3], other: [DVec3; 3]) {
+    fn include_normals(&mut self, one: [DVec3; 3], other: [DVec3; 3]) {
         for (a, b) in one.into_iter().zip(other) {
             let chord = a.distance_squared(b);
             if chord > self.chord && a != DVec3::ZERO && b != DVec3::ZERO {
-                *self = CreaseAngle { chord, angle: self.angle.max(angle(a, b)) };
+                *self = LargestCreaseAngle { chord, angle: self.angle.max(angle_between_unit_vectors(a, b)) };
             }
         }
     }
@@ -137,18 +143,18 @@ impl CreaseAngle {
 /// Weights of the difference between the quintic and the scheme's cubic, at three parameters of
 /// each interval of an axis.
 struct QuinticDefects<'a> {
-    axis: &'a Axis,
+    axis: &'a GridAxis,
     /// Weights of the nodes, by position of the interval among its nodes, then by parameter (1/4,
     /// 1/2, 3/4). Their sum is quintic minus cubic. `None` with fewer than 5 nodes.
-    weights: Option<[[[f64; TAPS]; 3]; TAPS - 1]>,
+    weights: Option<[[[f64; NODES_PER_CUBIC]; 3]; NODES_PER_CUBIC - 1]>,
 }
 
 impl<'a> QuinticDefects<'a> {
-    fn new(axis: &'a Axis) -> Self {
-        let nodes = if axis.is_closed() { TAPS } else { TAPS.min(axis.cells() + 1) };
-        let mut weights = [[[0.0; TAPS]; 3]; TAPS - 1];
+    fn new(axis: &'a GridAxis) -> Self {
+        let nodes = if axis.is_closed() { NODES_PER_CUBIC } else { NODES_PER_CUBIC.min(axis.interval_count() + 1) };
+        let mut weights = [[[0.0; NODES_PER_CUBIC]; 3]; NODES_PER_CUBIC - 1];
         for (place, at) in weights.iter_mut().enumerate() {
-            let Some(points) = axis.weights_at(place) else { continue };
+            let Some(points) = axis.weights_at_position(place) else { continue };
             for (k, weights) in at.iter_mut().enumerate() {
                 let t = 0.25 * (k + 1) as f64;
                 let s = 1.0 - t;
@@ -167,8 +173,9 @@ impl<'a> QuinticDefects<'a> {
     /// The largest difference in an interval of a line of nodes.
     fn largest_difference(&self, cell: usize, node: impl Fn(usize) -> DVec3) -> f64 {
         let Some(all) = &self.weights else { return f64::INFINITY };
-        let nodes = self.axis.taps(cell).0.map(node);
-        let difference = |weights: &[f64; TAPS]| weights.iter().zip(&nodes).map(|(&w, &node)| w * node).sum::<DVec3>();
-        all[self.axis.place(cell)].iter().map(|weights| difference(weights).length()).fold(0.0, f64::max)
+        let nodes = self.axis.nodes_and_weights(cell).0.map(node);
+        let difference =
+            |weights: &[f64; NODES_PER_CUBIC]| weights.iter().zip(&nodes).map(|(&w, &node)| w * node).sum::<DVec3>();
+        all[self.axis.position_among_nodes(cell)].iter().map(|weights| difference(weights).length()).fold(0.0, f64::max)
     }
 }

@@ -12,36 +12,36 @@ use std::collections::BinaryHeap;
 /// but deterministic.
 #[derive(Debug)]
 pub(super) struct Frontier<T, K = ()> {
-    heap: BinaryHeap<Entry<T, K>>,
+    heap: BinaryHeap<FrontierEntry<T, K>>,
 }
 
 #[derive(Debug)]
-struct Entry<T, K> {
+struct FrontierEntry<T, K> {
     bound: f64,
     key: K,
     task: T,
 }
 
 /// The entry with the smallest bound compares as the greatest, so that the heap returns it first.
-impl<T, K: Ord> Ord for Entry<T, K> {
+impl<T, K: Ord> Ord for FrontierEntry<T, K> {
     fn cmp(&self, other: &Self) -> Ordering {
         other.bound.total_cmp(&self.bound).then_with(|| other.key.cmp(&self.key))
     }
 }
 
-impl<T, K: Ord> PartialOrd for Entry<T, K> {
+impl<T, K: Ord> PartialOrd for FrontierEntry<T, K> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<T, K: Ord> PartialEq for Entry<T, K> {
+impl<T, K: Ord> PartialEq for FrontierEntry<T, K> {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl<T, K: Ord> Eq for Entry<T, K> {}
+impl<T, K: Ord> Eq for FrontierEntry<T, K> {}
 
 impl<T, K: Ord> Default for Frontier<T, K> {
     fn default() -> Self {
@@ -56,9 +56,9 @@ impl<T, K: Ord> Frontier<T, K> {
 
     /// Adds a task, all of whose distances are at least `bound`.
     pub(super) fn push(&mut self, bound: f64, key: K, task: T) -> Result<(), Error> {
-        let bytes = size_of::<Entry<T, K>>() as u64;
+        let bytes = size_of::<FrontierEntry<T, K>>() as u64;
         self.heap.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
-        self.heap.push(Entry { bound, key, task });
+        self.heap.push(FrontierEntry { bound, key, task });
         Ok(())
     }
 }
@@ -66,29 +66,29 @@ impl<T, K: Ord> Frontier<T, K> {
 /// A search that opens its tasks by rising lower bounds.
 pub(super) trait BranchAndBound {
     /// A part of the search space that may contain a solution.
-    type Task;
+    type SearchTask;
     /// Orders tasks of equal bound.
-    type Key: Ord;
+    type TieBreakKey: Ord;
     /// The reason why the whole search ends early.
-    type Stop;
+    type StopReason;
 
     /// The queue of waiting tasks.
-    fn frontier(&mut self) -> &mut Frontier<Self::Task, Self::Key>;
+    fn frontier(&mut self) -> &mut Frontier<Self::SearchTask, Self::TieBreakKey>;
 
     /// False if the search wants no task with this bound or a higher one.
-    fn is_wanted(&mut self, bound: f64) -> bool;
+    fn is_bound_wanted(&mut self, bound: f64) -> bool;
 
     /// Extracts solutions from a task, and adds its parts to the frontier.
-    fn branch(&mut self, bound: f64, task: Self::Task) -> Result<(), Self::Stop>;
+    fn branch_task(&mut self, bound: f64, task: Self::SearchTask) -> Result<(), Self::StopReason>;
 
     /// Opens tasks until the queue is empty, or its first task is not wanted. Returns the smallest
     /// bound of the tasks left, if any.
-    fn run(&mut self) -> Result<Option<f64>, Self::Stop> {
-        while let Some(Entry { bound, task, .. }) = self.frontier().heap.pop() {
-            if !self.is_wanted(bound) {
+    fn search_best_first(&mut self) -> Result<Option<f64>, Self::StopReason> {
+        while let Some(FrontierEntry { bound, task, .. }) = self.frontier().heap.pop() {
+            if !self.is_bound_wanted(bound) {
                 return Ok(Some(bound));
             }
-            self.branch(bound, task)?;
+            self.branch_task(bound, task)?;
         }
         Ok(None)
     }
@@ -100,27 +100,27 @@ mod tests {
 
     /// Finds the smallest of some numbers by halving ranges of them, and counts the ranges it
     /// opens.
-    struct LeastNumber<'a> {
+    struct SmallestNumberSearch<'a> {
         numbers: &'a [f64],
         frontier: Frontier<(usize, usize), usize>,
         best: f64,
         opened: usize,
     }
 
-    impl BranchAndBound for LeastNumber<'_> {
-        type Task = (usize, usize);
-        type Key = usize;
-        type Stop = Error;
+    impl BranchAndBound for SmallestNumberSearch<'_> {
+        type SearchTask = (usize, usize);
+        type TieBreakKey = usize;
+        type StopReason = Error;
 
         fn frontier(&mut self) -> &mut Frontier<(usize, usize), usize> {
             &mut self.frontier
         }
 
-        fn is_wanted(&mut self, bound: f64) -> bool {
+        fn is_bound_wanted(&mut self, bound: f64) -> bool {
             bound < self.best
         }
 
-        fn branch(&mut self, bound: f64, (from, to): (usize, usize)) -> Result<(), Error> {
+        fn branch_task(&mut self, bound: f64, (from, to): (usize, usize)) -> Result<(), Error> {
             self.opened += 1;
             if to - from == 1 {
                 assert_eq!(bound, self.numbers[from]);
@@ -139,10 +139,10 @@ mod tests {
     fn exact_bounds_lead_straight_to_the_smallest_number() {
         let numbers: Vec<f64> = (0..64).map(|k| f64::from(k * 37 % 64)).collect();
         let mut search =
-            LeastNumber { numbers: &numbers, frontier: Frontier::default(), best: f64::INFINITY, opened: 0 };
+            SmallestNumberSearch { numbers: &numbers, frontier: Frontier::default(), best: f64::INFINITY, opened: 0 };
         search.frontier.push(0.0, 0, (0, 64)).unwrap();
         // The second smallest number is in a task that is left.
-        assert_eq!(search.run().unwrap(), Some(1.0));
+        assert_eq!(search.search_best_first().unwrap(), Some(1.0));
         assert_eq!((search.best, search.opened), (0.0, 7));
     }
 

@@ -5,12 +5,12 @@
 //! their common side to the last bit, because the same operations compute it from the same nodes.
 //! O(1) for each patch; no memory besides the nodes.
 
-use super::axis::{Axis, TAPS, Weights};
-use super::cells::{BLOCK, Cells};
-use super::displacements::displacements;
-use super::nodes::{Nodes, Window};
-use super::subdivision::Field;
-use super::tangents::tangents;
+use super::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
+use super::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
+use super::displacements::compute_displacement_boxes;
+use super::nodes::{NodeWindow, Nodes};
+use super::subdivision::BernsteinField;
+use super::tangents::compute_tangent_boxes;
 use super::{Patch, Scheme};
 use glam::{DVec2, DVec3};
 use gusset_base::error::Result;
@@ -24,8 +24,8 @@ use std::ops::Range;
 #[derive(Debug, Clone)]
 pub struct Grid<'a> {
     nodes: Nodes<'a>,
-    u: Axis,
-    v: Axis,
+    u: GridAxis,
+    v: GridAxis,
 }
 
 impl<'a> Grid<'a> {
@@ -38,9 +38,9 @@ impl<'a> Grid<'a> {
     /// nodes and the repeated one; [`SidesApart`](gusset_base::Error::SidesApart) with the place of
     /// the largest gap, if a closed direction does not end where it begins.
     pub fn new(nodes: Nodes<'a>, closed: [bool; 2], scheme: Scheme) -> Result<Self> {
-        let [u, v] = Axis::new_pair([nodes.rows(), nodes.columns()], closed, scheme)?;
+        let [u, v] = GridAxis::new_pair([nodes.rows(), nodes.columns()], closed, scheme)?;
         nodes.check_finite()?;
-        nodes.check_closed(closed)?;
+        nodes.check_closed_directions(closed)?;
         Ok(Grid { nodes, u, v })
     }
 
@@ -51,7 +51,7 @@ impl<'a> Grid<'a> {
 
     /// The numbers of cells in u and in v.
     pub fn cells(&self) -> [usize; 2] {
-        [self.u.cells(), self.v.cells()]
+        [self.u.interval_count(), self.v.interval_count()]
     }
 
     /// Whether the grid is closed in u and in v.
@@ -60,113 +60,121 @@ impl<'a> Grid<'a> {
     }
 
     /// The two directions, which define how the cubics follow from the nodes.
-    pub(crate) fn axes(&self) -> [&Axis; 2] {
+    pub(crate) fn axes(&self) -> [&GridAxis; 2] {
         [&self.u, &self.v]
     }
 
     /// The patch over the cell between the nodes (i, j) and (i + 1, j + 1).
     pub fn patch(&self, i: usize, j: usize) -> Patch<4> {
-        let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
+        let ((rows, row_weights), (columns, column_weights)) =
+            (self.u.nodes_and_weights(i), self.v.nodes_and_weights(j));
         // First the sums across the rows, for all coordinates of all columns at once, then along
         // them. The outer points are nodes, or sums over one line of nodes. Both cells on that line
         // therefore compute the same bits.
-        let direct = rows.map(|row| self.nodes.window(row, &columns));
-        let read =
-            if direct[0].is_none() { rows.map(|row| self.nodes.read(row, &columns)) } else { [[0.0; 3 * TAPS]; TAPS] };
-        let nodes: [&Window; TAPS] = std::array::from_fn(|k| direct[k].unwrap_or(&read[k]));
-        let (row, column) = (self.u.place(i), self.v.place(j));
-        let inner = [weighted_sum(&row_weights[1], &nodes), weighted_sum(&row_weights[2], &nodes)];
+        let direct = rows.map(|row| self.nodes.borrow_window(row, &columns));
+        let read = if direct[0].is_none() {
+            rows.map(|row| self.nodes.copy_window(row, &columns))
+        } else {
+            [[0.0; 3 * NODES_PER_CUBIC]; NODES_PER_CUBIC]
+        };
+        let nodes: [&NodeWindow; NODES_PER_CUBIC] = std::array::from_fn(|k| direct[k].unwrap_or(&read[k]));
+        let (row, column) = (self.u.position_among_nodes(i), self.v.position_among_nodes(j));
+        let inner = [weighted_sum_of_rows(&row_weights[1], &nodes), weighted_sum_of_rows(&row_weights[2], &nodes)];
         let mut points = [[DVec3::ZERO; 4]; 4];
         for (points, line) in points.iter_mut().zip([nodes[row], &inner[0], &inner[1], nodes[row + 1]]) {
-            *points = bezier(line, column, column_weights);
+            *points = bezier_points_of_line(line, column, column_weights);
         }
         Patch { points }
     }
 }
 
-/// Returns the weighted sum of TAPS rows of nodes, node by node.
+/// Returns the weighted sum of six rows of nodes, node by node.
 #[inline(always)]
-fn weighted_sum(weights: &[f64; TAPS], lines: &[&Window; TAPS]) -> Window {
-    let mut sum = [0.0; 3 * TAPS];
+fn weighted_sum_of_rows(weights: &[f64; NODES_PER_CUBIC], lines: &[&NodeWindow; NODES_PER_CUBIC]) -> NodeWindow {
+    let mut sum = [0.0; 3 * NODES_PER_CUBIC];
     for (weight, line) in weights.iter().zip(lines) {
         sum.iter_mut().zip(*line).for_each(|(sum, x)| *sum += weight * x);
     }
     sum
 }
 
-/// The Bézier points between the points `place` and `place + 1` of a line.
+/// The Bézier points between the points `position` and `position + 1` of a line.
 #[inline(always)]
-fn bezier(line: &Window, place: usize, weights: &Weights) -> [DVec3; 4] {
+fn bezier_points_of_line(line: &NodeWindow, position: usize, weights: &BezierWeights) -> [DVec3; 4] {
     let point = |k: usize| DVec3::new(line[3 * k], line[3 * k + 1], line[3 * k + 2]);
-    let inner = |weights: &[f64; TAPS]| (0..TAPS).fold(DVec3::ZERO, |sum, k| sum + weights[k] * point(k));
-    [point(place), inner(&weights[1]), inner(&weights[2]), point(place + 1)]
+    let inner =
+        |weights: &[f64; NODES_PER_CUBIC]| (0..NODES_PER_CUBIC).fold(DVec3::ZERO, |sum, k| sum + weights[k] * point(k));
+    [point(position), inner(&weights[1]), inner(&weights[2]), point(position + 1)]
 }
 
-/// The four Bézier points of the interval after node `place`.
+/// The four Bézier points of the interval after node `position`.
 #[inline(always)]
-fn bezier_pairs(nodes: &[DVec2; TAPS], place: usize, weights: &Weights) -> [DVec2; 4] {
-    let inner = |weights: &[f64; TAPS]| (1..TAPS).fold(weights[0] * nodes[0], |sum, k| sum + weights[k] * nodes[k]);
-    [nodes[place], inner(&weights[1]), inner(&weights[2]), nodes[place + 1]]
+fn bezier_points_of_pairs(nodes: &[DVec2; NODES_PER_CUBIC], position: usize, weights: &BezierWeights) -> [DVec2; 4] {
+    let inner = |weights: &[f64; NODES_PER_CUBIC]| {
+        (1..NODES_PER_CUBIC).fold(weights[0] * nodes[0], |sum, k| sum + weights[k] * nodes[k])
+    };
+    [nodes[position], inner(&weights[1]), inner(&weights[2]), nodes[position + 1]]
 }
 
-impl Cells<4> for Grid<'_> {
-    fn counts(&self) -> [usize; 2] {
+impl SheetCells<4> for Grid<'_> {
+    fn cell_counts(&self) -> [usize; 2] {
         self.cells()
     }
 
     #[inline]
-    fn corner(&self, i: usize, j: usize) -> DVec3 {
+    fn corner_point(&self, i: usize, j: usize) -> DVec3 {
         self.nodes.get(i, j)
     }
 
     #[inline(always)]
-    fn line(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; BLOCK + 1] {
-        let mut line = [[0.0; 3]; BLOCK + 1];
-        match self.nodes.packed::<{ 3 * (BLOCK + 1) }>(i, j) {
-            Some(packed) if count == BLOCK => line.as_flattened_mut().copy_from_slice(packed),
-            _ => line = std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array()),
+    fn corner_row(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; CELLS_PER_BLOCK_SIDE + 1] {
+        let mut line = [[0.0; 3]; CELLS_PER_BLOCK_SIDE + 1];
+        match self.nodes.contiguous_numbers::<{ 3 * (CELLS_PER_BLOCK_SIDE + 1) }>(i, j) {
+            Some(packed) if count == CELLS_PER_BLOCK_SIDE => line.as_flattened_mut().copy_from_slice(packed),
+            _ => line = std::array::from_fn(|k| self.corner_point(i, j + k.min(count)).to_array()),
         }
         line
     }
 
-    fn patch(&self, i: usize, j: usize) -> Patch<4> {
+    fn cell_patch(&self, i: usize, j: usize) -> Patch<4> {
         Grid::patch(self, i, j)
     }
 
     /// Computes the sums of [`Grid::patch`] for heights of nodes instead of points. The first and
     /// the last of four Bézier points are nodes.
-    fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<4>; 2] {
-        let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
-        let (from_row, from_column) = (self.u.place(i), self.v.place(j));
-        let mut along = [[DVec2::ZERO; 4]; TAPS];
+    fn coordinates_along(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [BernsteinField<4>; 2] {
+        let ((rows, row_weights), (columns, column_weights)) =
+            (self.u.nodes_and_weights(i), self.v.nodes_and_weights(j));
+        let (from_row, from_column) = (self.u.position_among_nodes(i), self.v.position_among_nodes(j));
+        let mut along = [[DVec2::ZERO; 4]; NODES_PER_CUBIC];
         for (points, &row) in along.iter_mut().zip(&rows) {
-            let mut heights = [DVec2::ZERO; TAPS];
+            let mut heights = [DVec2::ZERO; NODES_PER_CUBIC];
             for (height, &column) in heights.iter_mut().zip(&columns) {
                 let from = self.nodes.get(row, column) - origin;
                 *height = DVec2::new(from.dot(across[0]), from.dot(across[1]));
             }
-            *points = bezier_pairs(&heights, from_column, column_weights);
+            *points = bezier_points_of_pairs(&heights, from_column, column_weights);
         }
-        let mut fields = [Field { c: [[0.0; 4]; 4] }; 2];
+        let mut fields = [BernsteinField { c: [[0.0; 4]; 4] }; 2];
         for b in 0..4 {
-            let mut column = [DVec2::ZERO; TAPS];
+            let mut column = [DVec2::ZERO; NODES_PER_CUBIC];
             column.iter_mut().zip(&along).for_each(|(height, row)| *height = row[b]);
-            for (a, pair) in bezier_pairs(&column, from_row, row_weights).into_iter().enumerate() {
+            for (a, pair) in bezier_points_of_pairs(&column, from_row, row_weights).into_iter().enumerate() {
                 (fields[0].c[a][b], fields[1].c[a][b]) = (pair.x, pair.y);
             }
         }
         fields
     }
 
-    fn is_smooth_around(&self, i: usize, j: usize) -> bool {
-        self.u.is_smooth_around(i) && self.v.is_smooth_around(j)
+    fn is_smooth_around_cell(&self, i: usize, j: usize) -> bool {
+        self.u.is_interval_smooth_at_ends(i) && self.v.is_interval_smooth_at_ends(j)
     }
 
-    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()> {
-        displacements(&self.nodes, self.axes(), block_rows, boxes)
+    fn fill_displacement_boxes(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()> {
+        compute_displacement_boxes(&self.nodes, self.axes(), block_rows, boxes)
     }
 
-    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()> {
-        tangents(&self.nodes, self.axes(), block_rows, boxes)
+    fn fill_tangent_boxes(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()> {
+        compute_tangent_boxes(&self.nodes, self.axes(), block_rows, boxes)
     }
 }

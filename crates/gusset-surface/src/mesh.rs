@@ -6,7 +6,7 @@
 //! and Markot 1986, "Surface algorithms using bounds on derivatives"). Control nets give the
 //! bounds.
 
-use super::cells::Cells;
+use super::cells::SheetCells;
 use super::{Patch, Place, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -86,10 +86,10 @@ impl ParameterLines {
 
 /// Bounds of the second derivatives S_uu, S_uv, S_vv.
 #[derive(Clone, Copy, Default)]
-struct DerivativeBounds([f64; 3]);
+struct SecondDerivativeBounds([f64; 3]);
 
-impl DerivativeBounds {
-    fn from_patch<const N: usize>(patch: &Patch<N>) -> DerivativeBounds {
+impl SecondDerivativeBounds {
+    fn from_patch<const N: usize>(patch: &Patch<N>) -> SecondDerivativeBounds {
         let (points, degree) = (&patch.points, (N - 1) as f64);
         let mut squares = [0.0_f64; 3];
         for (a, b) in (0..N).flat_map(|a| (0..N).map(move |b| (a, b))) {
@@ -107,13 +107,13 @@ impl DerivativeBounds {
             }
         }
         let [uu, uv, vv] = squares.map(f64::sqrt);
-        DerivativeBounds([degree * (degree - 1.0) * uu, degree * degree * uv, degree * (degree - 1.0) * vv])
+        SecondDerivativeBounds([degree * (degree - 1.0) * uu, degree * degree * uv, degree * (degree - 1.0) * vv])
     }
 
     /// Bound of the distance between the surface and the triangles, if a cell has m x n parts.
-    fn deviation(&self, m: f64, n: f64) -> f64 {
+    fn triangle_deviation(&self, u_parts: f64, v_parts: f64) -> f64 {
         let [uu, uv, vv] = self.0;
-        0.125 * (uu / (m * m) + 2.0 * uv / (m * n) + vv / (n * n))
+        0.125 * (uu / (u_parts * u_parts) + 2.0 * uv / (u_parts * v_parts) + vv / (v_parts * v_parts))
     }
 }
 
@@ -128,11 +128,11 @@ impl Sheet<'_> {
         Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
         Error::require(!options.least.contains(&0), "parts", 0.0)?;
         let lattice = MeshLattice::new(self, options, &job.part(0.0, 0.3))?;
-        lattice.mesh(options.triangles, &job.part(0.3, 1.0))
+        lattice.build_mesh(options.triangles, &job.part(0.3, 1.0))
     }
 
-    fn derivative_bounds(&self, i: usize, j: usize) -> DerivativeBounds {
-        each_sheet!(self, cells => DerivativeBounds::from_patch(&Cells::patch(cells, i, j)))
+    fn second_derivative_bounds(&self, i: usize, j: usize) -> SecondDerivativeBounds {
+        each_sheet!(self, cells => SecondDerivativeBounds::from_patch(&SheetCells::cell_patch(cells, i, j)))
     }
 }
 
@@ -140,8 +140,13 @@ impl Sheet<'_> {
 type ParameterLine = (u32, f64);
 
 /// The lines of one direction, and whether each of them is a single point.
-fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Result<(Vec<ParameterLine>, Vec<bool>)> {
-    let is_point = |cell: usize, end: bool| sheet.line_is_point(direction, cell, end);
+fn parameter_lines(
+    sheet: &Sheet<'_>,
+    direction: usize,
+    parts: &[f64],
+    count: usize,
+) -> Result<(Vec<ParameterLine>, Vec<bool>)> {
+    let is_point = |cell: usize, end: bool| sheet.is_node_line_point(direction, cell, end);
     let mut lines = alloc::with_capacity(count + 1)?;
     let mut points = alloc::with_capacity(count + 1)?;
     for (cell, &parts) in parts.iter().enumerate() {
@@ -180,7 +185,7 @@ impl<'a> MeshLattice<'a> {
         for i in 0..rows {
             job.step(0.8 * i as f64 / rows as f64, "bounding second derivatives")?;
             for j in 0..columns {
-                let bend = sheet.derivative_bounds(i, j);
+                let bend = sheet.second_derivative_bounds(i, j);
                 parts[0][i] = parts[0][i].max(least(bend.0[0]));
                 parts[1][j] = parts[1][j].max(least(bend.0[2]));
                 bends.push(bend);
@@ -202,16 +207,16 @@ impl<'a> MeshLattice<'a> {
             return Err(Error::TooLarge { what: "corners", count: corners as u64, limit: MAX_ELEMENTS });
         }
         let deviations =
-            bends.iter().enumerate().map(|(k, of)| of.deviation(parts[0][k / columns], parts[1][k % columns]));
+            bends.iter().enumerate().map(|(k, of)| of.triangle_deviation(parts[0][k / columns], parts[1][k % columns]));
         let deviation = deviations.fold(0.0, f64::max);
-        let (lines_u, points_u) = lines(sheet, 0, &parts[0], counts[0] as usize)?;
-        let (lines_v, points_v) = lines(sheet, 1, &parts[1], counts[1] as usize)?;
+        let (lines_u, points_u) = parameter_lines(sheet, 0, &parts[0], counts[0] as usize)?;
+        let (lines_v, points_v) = parameter_lines(sheet, 1, &parts[1], counts[1] as usize)?;
         let meeting = if points_u.contains(&true) { points_v.iter().position(|&point| point) } else { None };
         Ok(MeshLattice { sheet, lines: [lines_u, lines_v], points: [points_u, points_v], meeting, deviation })
     }
 
     /// The first pair of lines that meet at the vertex where lines a and b meet.
-    fn first_lines(&self, a: usize, b: usize) -> (usize, usize) {
+    fn first_lines_of_vertex(&self, a: usize, b: usize) -> (usize, usize) {
         let (a, b) = (a % self.lines[0].len(), b % self.lines[1].len());
         match (self.points[0][a], self.points[1][b], self.meeting) {
             (false, false, _) => (a, b),
@@ -221,13 +226,13 @@ impl<'a> MeshLattice<'a> {
         }
     }
 
-    fn mesh(&self, triangles: bool, job: &Job<'_>) -> Result<SurfaceMesh> {
+    fn build_mesh(&self, triangles: bool, job: &Job<'_>) -> Result<SurfaceMesh> {
         let [height, width] = [0, 1].map(|k| self.lines[k].len());
         let mut vertices = alloc::filled(u32::MAX, height * width)?;
         let (mut positions, mut places, mut normals) = (Vec::new(), Vec::new(), Vec::new());
         for a in 0..height {
             job.step(0.8 * a as f64 / height as f64, "evaluating")?;
-            for b in (0..width).filter(|&b| self.first_lines(a, b) == (a, b)) {
+            for b in (0..width).filter(|&b| self.first_lines_of_vertex(a, b) == (a, b)) {
                 let ((i, u), (j, v)) = (self.lines[0][a], self.lines[1][b]);
                 vertices[a * width + b] = positions.len() as u32;
                 alloc::push(&mut positions, self.sheet.jet(i as usize, j as usize, u, v).point.to_array())?;
@@ -259,7 +264,7 @@ impl<'a> MeshLattice<'a> {
             for b in 0..wide {
                 let [p, q, r, s] = [(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)].map(|(a, b)| {
                     let place = (a * (wide + 1) + b) as u32;
-                    let (a, b) = self.first_lines(a, b);
+                    let (a, b) = self.first_lines_of_vertex(a, b);
                     (vertices[a * width + b], place)
                 });
                 if triangles {

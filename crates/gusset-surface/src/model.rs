@@ -1,6 +1,6 @@
 //! Surfaces: sheets with their index.
 
-use super::index::{Cones, NormalCone, Pyramid};
+use super::index::{BoxPyramid, ConePyramid, NormalCone};
 use super::{Jet, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -30,7 +30,7 @@ pub const SMALLEST_COORDINATE: f64 = 1e-30;
 /// A surface and its index. A surface is immutable, so any number of threads may query it.
 #[derive(Debug)]
 pub struct Surface<'a> {
-    sheets: Vec<(Sheet<'a>, Pyramid)>,
+    sheets: Vec<(Sheet<'a>, BoxPyramid)>,
     bounds: Aabb,
     tolerance: f64,
 }
@@ -52,9 +52,9 @@ impl<'a> Surface<'a> {
         let count = sheets.len();
         for (k, sheet) in sheets.into_iter().enumerate() {
             let part = job.share(k, count);
-            let index = each_sheet!(&sheet, cells => Pyramid::build(cells, &part))?;
-            check_range(k, index.bounds())?;
-            bounds = bounds.union(index.bounds());
+            let index = each_sheet!(&sheet, cells => BoxPyramid::build(cells, &part))?;
+            check_single_precision_range(k, index.bounding_box())?;
+            bounds = bounds.union(index.bounding_box());
             indexed.push((sheet, index));
         }
         if indexed.is_empty() {
@@ -81,7 +81,7 @@ impl<'a> Surface<'a> {
     }
 
     /// Sheet k and its index.
-    pub(crate) fn indexed(&self, k: usize) -> (&Sheet<'a>, &Pyramid) {
+    pub(crate) fn sheet_and_index(&self, k: usize) -> (&Sheet<'a>, &BoxPyramid) {
         let (sheet, index) = &self.sheets[k];
         (sheet, index)
     }
@@ -110,19 +110,19 @@ impl<'a> Surface<'a> {
 
     /// The unit normal at a place whose derivatives are known.
     #[inline]
-    pub(crate) fn normal_by(&self, place: Place, jet: &Jet) -> DVec3 {
-        jet.regular_normal(self.slope_noise()).unwrap_or_else(|| self.normal(place))
+    pub(crate) fn normal_from_jet(&self, place: Place, jet: &Jet) -> DVec3 {
+        jet.unit_normal_if_regular(self.max_derivative_rounding()).unwrap_or_else(|| self.normal(place))
     }
 
     /// True if the tangents at a place define a normal in spite of rounding.
-    pub(crate) fn is_regular(&self, place: Place) -> bool {
-        self.jet(place).regular_normal(self.slope_noise()).is_some()
+    pub(crate) fn is_regular_at(&self, place: Place) -> bool {
+        self.jet(place).unit_normal_if_regular(self.max_derivative_rounding()).is_some()
     }
 
     /// Upper bound of the error of a patch's derivatives that rounding of its control points
     /// causes.
     #[inline]
-    fn slope_noise(&self) -> f64 {
+    fn max_derivative_rounding(&self) -> f64 {
         1024.0 * f64::EPSILON * self.max_coordinate()
     }
 
@@ -133,7 +133,7 @@ impl<'a> Surface<'a> {
     }
 
     /// The diagonal of the box.
-    pub(crate) fn diagonal(&self) -> f64 {
+    pub(crate) fn box_diagonal(&self) -> f64 {
         self.bounds.diagonal()
     }
 
@@ -153,13 +153,13 @@ impl<'a> Surface<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn build_cones(&self, job: &Job<'_>) -> Result<()> {
-        (0..self.len()).try_for_each(|k| self.cones(k, &job.share(k, self.len())).map(|_| ()))
+        (0..self.len()).try_for_each(|k| self.cones_of_sheet(k, &job.share(k, self.len())).map(|_| ()))
     }
 
     /// The cones of sheet k. Builds them if necessary.
-    pub(crate) fn cones(&self, k: usize, job: &Job<'_>) -> Result<&Cones> {
+    pub(crate) fn cones_of_sheet(&self, k: usize, job: &Job<'_>) -> Result<&ConePyramid> {
         let (sheet, index) = &self.sheets[k];
-        each_sheet!(sheet, cells => index.cones(cells, job))
+        each_sheet!(sheet, cells => index.cones_or_build(cells, job))
     }
 
     /// A cone that contains all unit normals of a block of a sheet, including the limits at poles.
@@ -169,17 +169,17 @@ impl<'a> Surface<'a> {
     /// rows and two columns of blocks. Returns `None` if the block does not exist, or if the cones
     /// were not built.
     pub fn normal_cone(&self, sheet: usize, level: usize, [r, c]: [usize; 2]) -> Option<NormalCone> {
-        self.sheets.get(sheet)?.1.known_cones()?.get(level, r, c)
+        self.sheets.get(sheet)?.1.cones_if_built()?.cone_of_block(level, r, c)
     }
 
     /// Size of the cones of normals in bytes; 0 before they are built.
     pub fn cone_bytes(&self) -> usize {
-        self.sheets.iter().filter_map(|(_, index)| index.known_cones()).map(Cones::bytes).sum()
+        self.sheets.iter().filter_map(|(_, index)| index.cones_if_built()).map(ConePyramid::byte_size).sum()
     }
 
     /// Size of the index in bytes, without the cones.
     pub fn index_bytes(&self) -> usize {
-        self.sheets.iter().map(|(_, index)| index.bytes()).sum()
+        self.sheets.iter().map(|(_, index)| index.byte_size()).sum()
     }
 }
 
@@ -188,13 +188,13 @@ impl Surface<'_> {
     /// Builds cones that exclude nothing, so that searches run as if without cones.
     pub(crate) fn disable_cones(&mut self, job: &Job<'_>) -> Result<()> {
         self.build_cones(job)?;
-        self.sheets.iter_mut().for_each(|(_, index)| index.disable_cones());
+        self.sheets.iter_mut().for_each(|(_, index)| index.make_cones_exclude_nothing());
         Ok(())
     }
 }
 
 /// Returns [`Error::SheetOutOfRange`] if single precision cannot hold the sheet's bounding box.
-fn check_range(sheet: usize, bounds: Aabb) -> Result<()> {
+fn check_single_precision_range(sheet: usize, bounds: Aabb) -> Result<()> {
     // Overflows produce NaN, which is out of range too.
     let largest = [bounds.low, bounds.high]
         .iter()

@@ -1,7 +1,7 @@
 //! The nodes of a grid: a strided view of the caller's numbers, or a shared copy.
 
-use super::axis::TAPS;
-use super::checks::finite_nodes;
+use super::axis::NODES_PER_CUBIC;
+use super::checks::check_nodes_finite;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use std::borrow::Cow;
@@ -11,23 +11,23 @@ use std::sync::Arc;
 pub const MAX_NODES: u64 = (1 << 31) - 1;
 
 /// Coordinates of six nodes.
-pub(super) type Window = [f64; 3 * TAPS];
+pub(super) type NodeWindow = [f64; 3 * NODES_PER_CUBIC];
 
 /// The caller's numbers, or numbers that copies of a sheet share.
 #[derive(Debug, Clone)]
-enum Data<'a> {
+enum NodeData<'a> {
     Borrowed(&'a [f64]),
     Shared(Arc<[f64]>),
 }
 
-impl std::ops::Deref for Data<'_> {
+impl std::ops::Deref for NodeData<'_> {
     type Target = [f64];
 
     #[inline]
     fn deref(&self) -> &[f64] {
         match self {
-            Data::Borrowed(data) => data,
-            Data::Shared(data) => data,
+            NodeData::Borrowed(data) => data,
+            NodeData::Shared(data) => data,
         }
     }
 }
@@ -35,7 +35,7 @@ impl std::ops::Deref for Data<'_> {
 /// Nodes in rows: x, y, z of node (i, j) begin at index `i * row_stride + j * column_stride`.
 #[derive(Debug, Clone)]
 pub struct Nodes<'a> {
-    data: Data<'a>,
+    data: NodeData<'a>,
     rows: usize,
     columns: usize,
     row_stride: usize,
@@ -57,8 +57,8 @@ impl<'a> Nodes<'a> {
         column_stride: usize,
     ) -> Result<Self> {
         let data = match data.into() {
-            Cow::Borrowed(data) => Data::Borrowed(data),
-            Cow::Owned(data) => Data::Shared(data.into()),
+            Cow::Borrowed(data) => NodeData::Borrowed(data),
+            Cow::Owned(data) => NodeData::Shared(data.into()),
         };
         let count = (rows as u64).saturating_mul(columns as u64);
         if rows < 2 || columns < 2 {
@@ -103,20 +103,24 @@ impl<'a> Nodes<'a> {
     /// `K` numbers that begin with node (i, j), if the nodes of a row are contiguous and K numbers
     /// exist.
     #[inline(always)]
-    pub(super) fn packed<const K: usize>(&self, i: usize, j: usize) -> Option<&[f64; K]> {
+    pub(super) fn contiguous_numbers<const K: usize>(&self, i: usize, j: usize) -> Option<&[f64; K]> {
         if self.column_stride == 3 { self.data[i * self.row_stride + 3 * j..].first_chunk() } else { None }
     }
 
     /// The coordinates of six nodes of a row without a copy, if the nodes are contiguous.
     #[inline(always)]
-    pub(super) fn window(&self, i: usize, columns: &[usize; TAPS]) -> Option<&Window> {
-        if columns[TAPS - 1] == columns[0] + TAPS - 1 { self.packed(i, columns[0]) } else { None }
+    pub(super) fn borrow_window(&self, i: usize, columns: &[usize; NODES_PER_CUBIC]) -> Option<&NodeWindow> {
+        if columns[NODES_PER_CUBIC - 1] == columns[0] + NODES_PER_CUBIC - 1 {
+            self.contiguous_numbers(i, columns[0])
+        } else {
+            None
+        }
     }
 
     /// Returns a function that reads a node as four numbers for vector instructions. The fourth is
     /// padding.
     #[inline(always)]
-    pub(super) fn quads(&self) -> impl Fn(usize, usize) -> [f64; 4] {
+    pub(super) fn four_number_reader(&self) -> impl Fn(usize, usize) -> [f64; 4] {
         let (data, strides): (&[f64], _) = (&self.data, [self.row_stride, self.column_stride]);
         move |i, j| {
             let at = i * strides[0] + j * strides[1];
@@ -129,8 +133,8 @@ impl<'a> Nodes<'a> {
 
     /// Copies the coordinates of six nodes of a row.
     #[inline(always)]
-    pub(super) fn read(&self, i: usize, columns: &[usize; TAPS]) -> Window {
-        let mut window = [0.0; 3 * TAPS];
+    pub(super) fn copy_window(&self, i: usize, columns: &[usize; NODES_PER_CUBIC]) -> NodeWindow {
+        let mut window = [0.0; 3 * NODES_PER_CUBIC];
         for (node, &column) in window.chunks_exact_mut(3).zip(columns) {
             let at = i * self.row_stride + column * self.column_stride;
             node.copy_from_slice(&self.data[at..at + 3]);
@@ -140,31 +144,31 @@ impl<'a> Nodes<'a> {
 
     /// The coordinates of a row, if its nodes are contiguous.
     #[inline]
-    pub(super) fn packed_row(&self, i: usize) -> Option<&[f64]> {
+    pub(super) fn contiguous_row(&self, i: usize) -> Option<&[f64]> {
         let at = i * self.row_stride;
         (self.column_stride == 3).then(|| &self.data[at..at + 3 * self.columns])
     }
 
     /// Returns [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.
     pub(crate) fn check_finite(&self) -> Result<()> {
-        finite_nodes((0..self.rows).flat_map(|i| (0..self.columns).map(move |j| self.get(i, j))))
+        check_nodes_finite((0..self.rows).flat_map(|i| (0..self.columns).map(move |j| self.get(i, j))))
     }
 
     /// Returns [`Error::SidesApart`] with the place of the largest gap, unless the last line of
     /// each closed direction repeats the first one.
-    pub(super) fn check_closed(&self, [closed_u, closed_v]: [bool; 2]) -> Result<()> {
+    pub(super) fn check_closed_directions(&self, [closed_u, closed_v]: [bool; 2]) -> Result<()> {
         let gap = |a: [usize; 2], b: [usize; 2]| self.get(a[0], a[1]).distance(self.get(b[0], b[1]));
         if closed_u {
-            check_gaps((0..self.columns).map(|j| gap([0, j], [self.rows - 1, j])))?;
+            check_closing_gaps((0..self.columns).map(|j| gap([0, j], [self.rows - 1, j])))?;
         }
         if closed_v {
-            check_gaps((0..self.rows).map(|i| gap([i, 0], [i, self.columns - 1])))?;
+            check_closing_gaps((0..self.rows).map(|i| gap([i, 0], [i, self.columns - 1])))?;
         }
         Ok(())
     }
 }
 
-fn check_gaps(gaps: impl Iterator<Item = f64>) -> Result<()> {
+fn check_closing_gaps(gaps: impl Iterator<Item = f64>) -> Result<()> {
     let worst = gaps.zip(0..).fold((0.0, 0), |worst, gap| if gap.0 > worst.0 { gap } else { worst });
     match worst {
         (0.0, _) => Ok(()),

@@ -6,8 +6,8 @@
 //! different lines may differ, as at the apex of a cone. Their largest difference is called the
 //! spread.
 
-use super::cells::Cells;
-use super::patch::regular_normal;
+use super::cells::SheetCells;
+use super::patch::unit_normal_if_regular;
 use super::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::geom::bernstein::{binomial_row, evaluate, evaluate_with_slope, restrict};
@@ -41,21 +41,21 @@ impl Normal {
 }
 
 /// The angle between unit vectors.
-pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
+pub(super) fn angle_between_unit_vectors(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b))
 }
 
 impl<const N: usize> Patch<N> {
     /// Length up to which a derivative may be rounding of control points.
-    pub(super) fn noise(&self) -> f64 {
+    pub(super) fn derivative_noise(&self) -> f64 {
         let largest = self.points.as_flattened().iter().fold(DVec3::ZERO, |most, p| most.max(p.abs()));
         (4 * N * N) as f64 * f64::EPSILON * largest.max_element()
     }
 
     /// True if the side u = 0 (u = 1 if `end`) is a single point.
-    pub(super) fn side_is_point(&self, end: bool) -> bool {
+    pub(super) fn is_u_side_point(&self, end: bool) -> bool {
         let side = &self.points[if end { N - 1 } else { 0 }];
-        let noise = self.noise();
+        let noise = self.derivative_noise();
         side.iter().all(|p| p.distance(side[0]) <= noise)
     }
 
@@ -63,7 +63,7 @@ impl<const N: usize> Patch<N> {
     ///
     /// The control vectors of the product are sums of products of the control vectors of S_u and
     /// S_v, weighted by products of binomials.
-    pub(super) fn has_no_area(&self) -> bool {
+    pub(super) fn has_zero_area(&self) -> bool {
         let p = &self.points;
         let step_u = |a: usize, b: usize| p[a + 1][b] - p[a][b];
         let step_v = |a: usize, b: usize| p[a][b + 1] - p[a][b];
@@ -72,7 +72,7 @@ impl<const N: usize> Patch<N> {
         for (a, b) in (0..N - 1).flat_map(|a| (0..N).map(move |b| (a, b))) {
             longest = longest.max(step_u(a, b).length()).max(step_v(b, a).length());
         }
-        let noise = 2.0 * self.noise() * longest;
+        let noise = 2.0 * self.derivative_noise() * longest;
         // i = a + c and j = b + d, where a and d are below N - 1.
         let split = |k: usize| k.saturating_sub(N - 1)..=k.min(N - 2);
         (0..2 * N - 2).flat_map(|i| (0..2 * N - 2).map(move |j| (i, j))).all(|(i, j)| {
@@ -87,40 +87,40 @@ impl<const N: usize> Patch<N> {
     }
 
     /// The unit normal, and whether the surface is regular; zero if no normal exists.
-    fn normal(&self, u: f64, v: f64) -> Normal {
-        let (jet, noise) = (self.jet(u, v), self.noise());
-        if let Some(direction) = jet.regular_normal(noise) {
+    fn normal_with_kind(&self, u: f64, v: f64) -> Normal {
+        let (jet, noise) = (self.jet(u, v), self.derivative_noise());
+        if let Some(direction) = jet.unit_normal_if_regular(noise) {
             return Normal { direction, kind: NormalKind::Regular, spread: 0.0 };
         }
-        let limits = [self.limit(u, v, noise), -self.transposed().limit(v, u, noise)];
+        let limits = [self.normal_limit_along_u(u, v, noise), -self.transposed().normal_limit_along_u(v, u, noise)];
         match limits {
             [DVec3::ZERO, DVec3::ZERO] => Normal::NONE,
             [DVec3::ZERO, direction] | [direction, DVec3::ZERO] => {
                 Normal { direction, kind: NormalKind::Limit, spread: 0.0 }
             }
-            [a, b] => Normal { direction: a, kind: NormalKind::Limit, spread: angle(a, b) },
+            [a, b] => Normal { direction: a, kind: NormalKind::Limit, spread: angle_between_unit_vectors(a, b) },
         }
     }
 
     /// The unit normals at the ends and the middle of the side u = 0 (u = 1 if `end`). If `across`,
     /// the side is v = 0 or v = 1. A normal is zero where none exists.
-    pub(super) fn normals_at_side(&self, across: bool, end: bool) -> [DVec3; 3] {
+    pub(super) fn unit_normals_along_side(&self, across: bool, end: bool) -> [DVec3; 3] {
         let net = if across { self.transposed() } else { *self };
         let (side, next) = if end { (N - 1, N - 2) } else { (0, 1) };
         let from_side = if end == across { 1.0 } else { -1.0 } * (N - 1) as f64;
         let steps: [DVec3; N] = std::array::from_fn(|k| (net.points[next][k] - net.points[side][k]) * from_side);
-        let (noise, at) = (self.noise(), f64::from(u8::from(end)));
+        let (noise, at) = (self.derivative_noise(), f64::from(u8::from(end)));
         [0.0, 0.5, 1.0].map(|t| {
             // `from_side` corrects the sign for steps backwards, and for the order of the tangents.
             let (off, along) = (evaluate(&steps, t), evaluate_with_slope(&net.points[side], t)[1]);
             let [u, v] = if across { [t, at] } else { [at, t] };
-            regular_normal(off, along, noise).unwrap_or_else(|| self.normal(u, v).direction)
+            unit_normal_if_regular(off, along, noise).unwrap_or_else(|| self.normal_with_kind(u, v).direction)
         })
     }
 
     /// The limit of the unit normal along the line of constant v, from the side with more room;
     /// zero if the normal vanishes along the whole line.
-    fn limit(&self, u: f64, v: f64, noise: f64) -> DVec3 {
+    fn normal_limit_along_u(&self, u: f64, v: f64, noise: f64) -> DVec3 {
         let across = self.points.map(|row| evaluate_with_slope(&row, v));
         let (down, from) = (u > 0.5, if u > 0.5 { 1.0 - u } else { u });
         let along = |k: usize| {
@@ -154,23 +154,23 @@ impl Sheet<'_> {
     /// The unit normal along S_u x S_v at parameters (u, v) of the cell at (i, j). On a side that
     /// is a single point, the limit along a coordinate line; zero if no normal exists.
     pub fn normal(&self, i: usize, j: usize, u: f64, v: f64) -> DVec3 {
-        each_sheet!(self, cells => Cells::patch(cells, i, j).normal(u, v)).direction
+        each_sheet!(self, cells => SheetCells::cell_patch(cells, i, j).normal_with_kind(u, v)).direction
     }
 
     /// The unit normal, how it was obtained, and its spread. O(1), but O(cells along the side) at a
     /// collapsed side.
     pub fn normal_limit(&self, i: usize, j: usize, u: f64, v: f64) -> Normal {
-        let mut here = each_sheet!(self, cells => Cells::patch(cells, i, j).normal(u, v));
+        let mut here = each_sheet!(self, cells => SheetCells::cell_patch(cells, i, j).normal_with_kind(u, v));
         if here.kind == NormalKind::Limit {
             for (direction, t) in [u, v].into_iter().enumerate() {
                 let cell = |k: usize| if direction == 0 { [i, k] } else { [k, j] };
-                let has = |&k: &usize| self.side_is_point(direction, cell(k)[0], cell(k)[1], t == 1.0);
+                let has = |&k: &usize| self.is_cell_side_point(direction, cell(k)[0], cell(k)[1], t == 1.0);
                 let (start, count) = ([j, i][direction], self.cells()[1 - direction]);
                 if (t == 0.0 || t == 1.0) && has(&start) {
                     let before = (0..=start).rev().take_while(has);
                     for k in before.chain((start..count).take_while(has)) {
                         let place = |other: f64| if direction == 0 { [t, other] } else { [other, t] };
-                        self.spread(&mut here, cell(k), [0.0, 0.5, 1.0].map(place));
+                        self.widen_spread(&mut here, cell(k), [0.0, 0.5, 1.0].map(place));
                     }
                 }
             }
@@ -179,30 +179,30 @@ impl Sheet<'_> {
     }
 
     /// Increases the spread by the normals at other places of a cell.
-    fn spread(&self, here: &mut Normal, [i, j]: [usize; 2], places: [[f64; 2]; 3]) {
+    fn widen_spread(&self, here: &mut Normal, [i, j]: [usize; 2], places: [[f64; 2]; 3]) {
         for [u, v] in places {
             let other = self.normal(i, j, u, v);
             if other != DVec3::ZERO {
-                here.spread = here.spread.max(angle(here.direction, other));
+                here.spread = here.spread.max(angle_between_unit_vectors(here.direction, other));
             }
         }
     }
 
     /// True if a side of a cell is a single point. Direction 0 means the side u = 0 (u = 1 if
     /// `end`), direction 1 the side v = 0 or v = 1.
-    pub(crate) fn side_is_point(&self, direction: usize, i: usize, j: usize, end: bool) -> bool {
+    pub(crate) fn is_cell_side_point(&self, direction: usize, i: usize, j: usize, end: bool) -> bool {
         each_sheet!(self, cells => {
-            let patch = Cells::patch(cells, i, j);
-            if direction == 0 { patch.side_is_point(end) } else { patch.transposed().side_is_point(end) }
+            let patch = SheetCells::cell_patch(cells, i, j);
+            if direction == 0 { patch.is_u_side_point(end) } else { patch.transposed().is_u_side_point(end) }
         })
     }
 
     /// True if the whole line of nodes before a row (direction 0) or column of cells is a single
     /// point. If `end`, tests the line after it.
-    pub(super) fn line_is_point(&self, direction: usize, cell: usize, end: bool) -> bool {
+    pub(super) fn is_node_line_point(&self, direction: usize, cell: usize, end: bool) -> bool {
         (0..self.cells()[1 - direction]).all(|k| {
             let [i, j] = if direction == 0 { [cell, k] } else { [k, cell] };
-            self.side_is_point(direction, i, j, end)
+            self.is_cell_side_point(direction, i, j, end)
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Tensor-product Bézier patches: points, derivatives and subdivision by de Casteljau's algorithm.
 
 use glam::DVec3;
-use gusset_base::geom::bernstein::{halves, reduce};
+use gusset_base::geom::bernstein::{halves, reduce_by_casteljau};
 
 /// Control points `points[a][b]` of degree N - 1 in u (first index) and in v, over 0 <= u, v <= 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,9 +29,9 @@ pub struct Jet {
 
 /// The point and the first two derivatives of a Bézier curve. De Casteljau's algorithm stops at the
 /// last three points.
-fn curve<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 3] {
+fn curve_point_and_derivatives<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 3] {
     let mut work = *points;
-    reduce(&mut work, t, 3);
+    reduce_by_casteljau(&mut work, t, 3);
     let degree = (N - 1) as f64;
     let second = (work[2] - 2.0 * work[1] + work[0]) * (degree * (degree - 1.0));
     let (left, right) = (work[0].lerp(work[1], t), work[1].lerp(work[2], t));
@@ -49,19 +49,19 @@ impl<const N: usize> Patch<N> {
     pub fn jet(&self, u: f64, v: f64) -> Jet {
         // First in u, for all columns at once, then in v.
         let [points, first, second] = self.iso_curve_controls(u);
-        let [point, v1, vv] = curve(&points, v);
-        let [u1, uv, _] = curve(&first, v);
-        let [uu, ..] = curve(&second, v);
+        let [point, v1, vv] = curve_point_and_derivatives(&points, v);
+        let [u1, uv, _] = curve_point_and_derivatives(&first, v);
+        let [uu, ..] = curve_point_and_derivatives(&second, v);
         Jet { point, u: u1, v: v1, uu, uv, vv }
     }
 
     /// The control points in v of the iso-curve at u, and of its first two derivatives with respect
-    /// to u. Applies [`curve`] to each column.
+    /// to u. Applies [`curve_point_and_derivatives`] to each column.
     #[inline(always)]
     fn iso_curve_controls(&self, u: f64) -> [[DVec3; N]; 3] {
         let mut work = self.points;
         let low = 1.0 - u;
-        reduce(&mut work, u, 3);
+        reduce_by_casteljau(&mut work, u, 3);
         let degree = (N - 1) as f64;
         let mut rows = [[DVec3::ZERO; N]; 3];
         for b in 0..N {
@@ -100,7 +100,7 @@ impl<const N: usize> Patch<N> {
 
 /// The unit normal of the tangent plane; `None` if the tangents do not span a plane.
 #[inline]
-pub(super) fn regular_normal(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
+pub(super) fn unit_normal_if_regular(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
     let normal = u.cross(v);
     let (u, v) = (u.length_squared(), v.length_squared());
     let spans = normal.length_squared() > 1e-20 * u * v && u.min(v) > noise * noise;
@@ -117,7 +117,7 @@ impl Jet {
     /// The unit normal along S_u x S_v. Returns `None` if the surface is singular or nearly
     /// singular there, or if a tangent is not longer than `noise`.
     #[inline]
-    pub(crate) fn regular_normal(&self, noise: f64) -> Option<DVec3> {
-        regular_normal(self.u, self.v, noise)
+    pub(crate) fn unit_normal_if_regular(&self, noise: f64) -> Option<DVec3> {
+        unit_normal_if_regular(self.u, self.v, noise)
     }
 }

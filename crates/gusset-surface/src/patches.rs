@@ -1,8 +1,8 @@
 //! Sheets of Bézier patches that the caller gives.
 
 use super::Patch;
-use super::cells::{BLOCK, Cells, cells_of_block};
-use super::checks::finite_points;
+use super::cells::{CELLS_PER_BLOCK_SIDE, SheetCells, cells_of_block};
+use super::checks::first_finite_points;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -23,12 +23,12 @@ pub struct Patches<const N: usize> {
     rows: usize,
     columns: usize,
     closed: [bool; 2],
-    origin: Option<Arc<Origin>>,
+    origin: Option<Arc<SplineOrigin>>,
 }
 
 /// The spline from which patches were converted.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Origin {
+pub(crate) struct SplineOrigin {
     /// A bound of the distance to the spline at equal parameters. If the bound is 0, rounding may
     /// add to it.
     pub(crate) deviation: f64,
@@ -54,8 +54,8 @@ impl<const N: usize> Patches<N> {
             return Err(Error::EmptyMesh { what: "patches" });
         }
         Error::check_count("control points", total, super::MAX_NODES)?;
-        let points = finite_points(points, total, "control points")?;
-        let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::elevated(net, degrees)))?;
+        let points = first_finite_points(points, total, "control points")?;
+        let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::from_lower_degrees(net, degrees)))?;
         Ok(Self::from_patches(patches, rows, columns))
     }
 
@@ -72,12 +72,12 @@ impl<const N: usize> Patches<N> {
     }
 
     /// Returns the patches with a record of the spline they were converted from.
-    pub(crate) fn with_origin(self, origin: Origin) -> Self {
+    pub(crate) fn with_spline_origin(self, origin: SplineOrigin) -> Self {
         Patches { origin: Some(Arc::new(origin)), ..self }
     }
 
     /// The spline that the patches were converted from, if any.
-    pub(crate) fn origin(&self) -> Option<&Origin> {
+    pub(crate) fn spline_origin(&self) -> Option<&SplineOrigin> {
         self.origin.as_deref()
     }
 
@@ -100,7 +100,7 @@ impl<const N: usize> Patches<N> {
 
 impl<const N: usize> Patch<N> {
     /// Raises a control net of lower degrees to degree N - 1.
-    pub(crate) fn elevated(net: &[DVec3], [p, q]: [usize; 2]) -> Patch<N> {
+    pub(crate) fn from_lower_degrees(net: &[DVec3], [p, q]: [usize; 2]) -> Patch<N> {
         let mut points = [[DVec3::ZERO; N]; N];
         for (row, given) in points.iter_mut().zip(net.chunks_exact(q + 1)) {
             row[..=q].copy_from_slice(given);
@@ -111,43 +111,43 @@ impl<const N: usize> Patch<N> {
     }
 }
 
-impl<const N: usize> Cells<N> for Patches<N> {
-    fn counts(&self) -> [usize; 2] {
+impl<const N: usize> SheetCells<N> for Patches<N> {
+    fn cell_counts(&self) -> [usize; 2] {
         [self.rows, self.columns]
     }
 
-    fn corner(&self, i: usize, j: usize) -> DVec3 {
+    fn corner_point(&self, i: usize, j: usize) -> DVec3 {
         let (r, c) = (i.min(self.rows - 1), j.min(self.columns - 1));
         let side = |on: bool| if on { N - 1 } else { 0 };
         self.get(r, c).points[side(i > r)][side(j > c)]
     }
 
-    fn patch(&self, i: usize, j: usize) -> Patch<N> {
+    fn cell_patch(&self, i: usize, j: usize) -> Patch<N> {
         *self.get(i, j)
     }
 
-    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()> {
-        let across = self.columns.div_ceil(BLOCK);
+    fn fill_displacement_boxes(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()> {
+        let across = self.columns.div_ceil(CELLS_PER_BLOCK_SIDE);
         for (k, bounds) in boxes.iter_mut().enumerate() {
-            for [i, j] in cells_of_block([block_rows.start + k / across, k % across], self.counts()) {
+            for [i, j] in cells_of_block([block_rows.start + k / across, k % across], self.cell_counts()) {
                 let patch = self.get(i, j);
                 // The bilinear patch uses the corners that searches see. Where sides differ, they
                 // are a neighbour's corners.
-                let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner(i, j));
-                let corners = patch.corners();
+                let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner_point(i, j));
+                let corners = patch.corner_points();
                 let gap = Aabb::from_points(corners.as_flattened().iter().zip(seen).map(|(&own, seen)| own - seen));
-                *bounds = bounds.union(patch.displacements().sum(gap));
+                *bounds = bounds.union(patch.displacement_box().minkowski_sum(gap));
             }
         }
         Ok(())
     }
 
-    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()> {
-        let across = self.columns.div_ceil(BLOCK);
+    fn fill_tangent_boxes(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()> {
+        let across = self.columns.div_ceil(CELLS_PER_BLOCK_SIDE);
         for (k, boxes) in boxes.iter_mut().enumerate() {
-            let cells = cells_of_block([block_rows.start + k / across, k % across], self.counts());
+            let cells = cells_of_block([block_rows.start + k / across, k % across], self.cell_counts());
             *boxes = cells
-                .map(|[i, j]| self.get(i, j).tangents())
+                .map(|[i, j]| self.get(i, j).tangent_boxes())
                 .fold([Aabb::EMPTY; 2], |[all_u, all_v], [u, v]| [all_u.union(u), all_v.union(v)]);
         }
         Ok(())

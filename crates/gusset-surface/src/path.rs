@@ -72,23 +72,23 @@ impl Paths {
 
     /// The points of path k.
     pub fn points_of(&self, k: usize) -> &[DVec3] {
-        &self.points[self.range(k)]
+        &self.points[self.point_range(k)]
     }
 
     /// The range of the points of path k.
-    pub(crate) fn range(&self, k: usize) -> Range<usize> {
+    pub(crate) fn point_range(&self, k: usize) -> Range<usize> {
         self.ends[k] as usize..self.ends[k + 1] as usize
     }
 
-    /// Removes points of intersection paths that are at most `least` from the previous point,
+    /// Removes points of intersection paths that are at most `max_gap` from the previous point,
     /// except first and last ones. At a pole the parameters move, but the point does not.
-    pub(super) fn drop_repeats(&mut self, least: f64) {
+    pub(super) fn drop_repeated_points(&mut self, max_gap: f64) {
         let mut kept = 0;
         for path in 0..self.len() {
-            let (range, first) = (self.range(path), kept);
+            let (range, first) = (self.point_range(path), kept);
             self.ends[path] = first as u32;
             for n in range.clone() {
-                let is_repeat = n > range.start && self.points[n].distance(self.points[kept - 1]) <= least;
+                let is_repeat = n > range.start && self.points[n].distance(self.points[kept - 1]) <= max_gap;
                 if is_repeat && n + 1 < range.end {
                     continue;
                 }
@@ -109,28 +109,28 @@ impl Paths {
     }
 
     /// Reserves memory for `count` more points.
-    pub(super) fn reserve(&mut self, count: usize) -> Result<()> {
+    pub(super) fn reserve_points(&mut self, count: usize) -> Result<()> {
         alloc::reserve(&mut self.places, count)?;
         alloc::reserve(&mut self.points, count)?;
         alloc::reserve(&mut self.normals, count)
     }
 
     /// Adds a point to the unfinished path.
-    pub(super) fn push(&mut self, place: Place, point: DVec3, normal: DVec3) -> Result<()> {
+    pub(super) fn push_point(&mut self, place: Place, point: DVec3, normal: DVec3) -> Result<()> {
         alloc::push(&mut self.places, place)?;
         alloc::push(&mut self.points, point)?;
         alloc::push(&mut self.normals, normal)
     }
 
     /// Keeps only the first `count` points.
-    pub(super) fn truncate(&mut self, count: usize) {
+    pub(super) fn truncate_points(&mut self, count: usize) {
         self.places.truncate(count);
         self.points.truncate(count);
         self.normals.truncate(count);
     }
 
     /// Ends the unfinished path at the last point.
-    pub(super) fn end(&mut self, closed: bool, level: u32) -> Result<()> {
+    pub(super) fn end_path(&mut self, closed: bool, level: u32) -> Result<()> {
         Error::check_count("points of curves", self.points.len() as u64, u32::MAX.into())?;
         alloc::push(&mut self.ends, self.points.len() as u32)?;
         alloc::push(&mut self.closed, closed)?;

@@ -2,16 +2,16 @@
 
 /// Ranges of the components of the cross product of two vectors, each given by ranges of
 /// components.
-pub(crate) fn cross(u: [[f64; 2]; 3], v: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
+pub(crate) fn cross_product_ranges(u: [[f64; 2]; 3], v: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
     [0, 1, 2].map(|k| {
         let (k, l) = ((k + 1) % 3, (k + 2) % 3);
-        let (first, second) = (times(u[k], v[l]), times(u[l], v[k]));
+        let (first, second) = (interval_product(u[k], v[l]), interval_product(u[l], v[k]));
         [first[0] - second[1], first[1] - second[0]]
     })
 }
 
 /// The product of two intervals.
-fn times(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+fn interval_product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     let products = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
     let (low, high) = (|x: f64, y: f64| if x < y { x } else { y }, |x: f64, y: f64| if x > y { x } else { y });
     [
@@ -22,7 +22,7 @@ fn times(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// The smallest and the largest angle between the third axis and a vector whose components lie
 /// within ranges.
-pub(crate) fn angles(ranges: &[[f64; 2]; 3], noise: f64) -> [f64; 2] {
+pub(crate) fn angle_range_to_third_axis(ranges: &[[f64; 2]; 3], noise: f64) -> [f64; 2] {
     let [first, second, along] = ranges.map(|[low, high]| [low - noise, high + noise]);
     let least = |[low, high]: [f64; 2]| if low > 0.0 { low } else { (-high).max(0.0) };
     let most = |[low, high]: [f64; 2]| high.max(-low);

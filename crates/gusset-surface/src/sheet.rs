@@ -1,7 +1,7 @@
 //! The kinds of sheets, and a macro that treats them alike.
 
-use super::cells::Cells;
-use super::patches::Origin;
+use super::cells::SheetCells;
+use super::patches::SplineOrigin;
 use super::{Grid, Jet, Patches};
 use glam::DVec3;
 
@@ -31,7 +31,7 @@ pub(crate) use each_sheet;
 impl Sheet<'_> {
     /// The numbers of cells in u and in v.
     pub fn cells(&self) -> [usize; 2] {
-        each_sheet!(self, cells => cells.counts())
+        each_sheet!(self, cells => cells.cell_counts())
     }
 
     /// Whether the sheet is closed in u and in v, so that the first line of cells follows the last
@@ -40,39 +40,39 @@ impl Sheet<'_> {
         each_sheet!(self, cells => cells.is_closed())
     }
 
-    fn origin(&self) -> Option<&Origin> {
+    fn spline_origin(&self) -> Option<&SplineOrigin> {
         match self {
             Sheet::Grid(_) => None,
-            Sheet::Cubic(patches) => patches.origin(),
-            Sheet::High(patches) => patches.origin(),
+            Sheet::Cubic(patches) => patches.spline_origin(),
+            Sheet::High(patches) => patches.spline_origin(),
         }
     }
 
     /// A bound of the distance between the sheet and the rational spline that it was converted
     /// from, at equal parameters and including rounding. 0 for all other sheets.
     pub fn deviation(&self) -> f64 {
-        self.origin().map_or(0.0, |origin| origin.deviation)
+        self.spline_origin().map_or(0.0, |origin| origin.deviation)
     }
 
     /// The spline's parameters at the borders of cells in u and in v, for a sheet that was
     /// converted from a spline. Parameters are linear within a cell. `None` for other sheets.
     pub fn knots(&self) -> Option<&[Vec<f64>; 2]> {
-        self.origin().map(|origin| &origin.knots)
+        self.spline_origin().map(|origin| &origin.knots)
     }
 
     /// The corner of cells at (i, j).
     pub fn corner(&self, i: usize, j: usize) -> DVec3 {
-        each_sheet!(self, cells => cells.corner(i, j))
+        each_sheet!(self, cells => cells.corner_point(i, j))
     }
 
     /// The position and the derivatives at parameters (u, v) of the cell at (i, j).
     pub fn jet(&self, i: usize, j: usize, u: f64, v: f64) -> Jet {
-        each_sheet!(self, cells => Cells::patch(cells, i, j).jet(u, v))
+        each_sheet!(self, cells => SheetCells::cell_patch(cells, i, j).jet(u, v))
     }
 
     /// Whether the cells on both sides of the line that closes u, or v, share it to the last bit.
     /// True for closed grids; the sides of given patches may differ slightly.
-    pub(crate) fn seams(&self) -> [bool; 2] {
+    pub(crate) fn has_exact_seams(&self) -> [bool; 2] {
         if let Sheet::Grid(grid) = self { grid.is_closed() } else { [false; 2] }
     }
 }

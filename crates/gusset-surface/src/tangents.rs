@@ -8,32 +8,32 @@
 //! at most O. S_u therefore lies in B, enlarged by (L - 1) / 2 of its size at both ends, and by O
 //! e.
 
-use super::axis::{Axis, TAPS, Weights};
-use super::displacements::enlarged_box;
+use super::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
+use super::displacements::box_of_weighted_sums;
 use super::nodes::Nodes;
-use super::sweep::Sweep;
-use super::widen_kernel::Sums;
+use super::sweep::WeightedSumSweep;
+use super::widen_kernel::SumWeights;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::aabb::Aabb;
 use std::ops::Range;
 
 /// Weights that compute the control vectors of the derivative.
-fn derivative_weights(weights: &Weights) -> Sums<3> {
-    std::array::from_fn(|b| std::array::from_fn::<_, TAPS, _>(|k| 3.0 * (weights[b + 1][k] - weights[b][k])))
+fn control_vector_weights(weights: &BezierWeights) -> SumWeights<3> {
+    std::array::from_fn(|b| std::array::from_fn::<_, NODES_PER_CUBIC, _>(|k| 3.0 * (weights[b + 1][k] - weights[b][k])))
 }
 
 /// Boxes of control vectors: on a block's own lines, and on all lines that its cells depend on.
 #[derive(Clone, Copy)]
-struct VectorBoxes {
+struct ControlVectorBoxes {
     own: Aabb,
     all: Aabb,
 }
 
-impl VectorBoxes {
-    const EMPTY: VectorBoxes = VectorBoxes { own: Aabb::EMPTY, all: Aabb::EMPTY };
+impl ControlVectorBoxes {
+    const EMPTY: ControlVectorBoxes = ControlVectorBoxes { own: Aabb::EMPTY, all: Aabb::EMPTY };
 
-    fn add(&mut self, bounds: Aabb, own: bool) {
+    fn add_box(&mut self, bounds: Aabb, own: bool) {
         self.all = self.all.union(bounds);
         if own {
             self.own = self.own.union(bounds);
@@ -41,36 +41,37 @@ impl VectorBoxes {
     }
 
     /// A box of the weighted sums of lines along `axis`.
-    fn sums(&self, axis: &Axis) -> Aabb {
-        let beside = (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.outer_lebesgue();
-        let grown = enlarged_box(self.own, axis.lebesgue());
+    fn box_of_sums(&self, axis: &GridAxis) -> Aabb {
+        let beside =
+            (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.lebesgue_constant_of_outer_nodes();
+        let grown = box_of_weighted_sums(self.own, axis.lebesgue_constant());
         Aabb { low: grown.low - beside, high: grown.high + beside }
     }
 }
 
 /// Computes the boxes of S_u and S_v over the blocks in some rows of blocks, row by row.
-pub(super) fn tangents(
+pub(super) fn compute_tangent_boxes(
     nodes: &Nodes<'_>,
-    [u, v]: [&Axis; 2],
+    [u, v]: [&GridAxis; 2],
     block_rows: Range<usize>,
     boxes: &mut [[Aabb; 2]],
 ) -> Result<()> {
-    let sweep = Sweep { nodes, u, v, sums: derivative_weights };
+    let sweep = WeightedSumSweep { nodes, u, v, sums: control_vector_weights };
     // S_v.
-    let mut along = alloc::filled(VectorBoxes::EMPTY, boxes.len())?;
-    sweep.sweep_rows(block_rows.clone(), |k, found, own| along[k].add(found, own))?;
+    let mut along = alloc::filled(ControlVectorBoxes::EMPTY, boxes.len())?;
+    sweep.sweep_rows(block_rows.clone(), |k, found, own| along[k].add_box(found, own))?;
     sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
-        let mut across = VectorBoxes::EMPTY;
-        across.add(ranges.bounding_box(columns.start..columns.end + 1), true);
-        v.lines_for(columns).for_each(|j| across.add(ranges.bounding_box(j..j + 1), false));
-        boxes[k] = [across.sums(v), along[k].sums(u)];
+        let mut across = ControlVectorBoxes::EMPTY;
+        across.add_box(ranges.bounding_box(columns.start..columns.end + 1), true);
+        v.lines_of_cells(columns).for_each(|j| across.add_box(ranges.bounding_box(j..j + 1), false));
+        boxes[k] = [across.box_of_sums(v), along[k].box_of_sums(u)];
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cells::{BLOCK, Cells};
+    use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
     use crate::{Grid, Patch, Scheme};
     use glam::DVec3;
     use gusset_base::testing::cases;
@@ -95,12 +96,12 @@ mod tests {
                 }
             }
             let grid = Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap();
-            let [rows, columns] = cells.map(|count| count.div_ceil(BLOCK));
+            let [rows, columns] = cells.map(|count| count.div_ceil(CELLS_PER_BLOCK_SIDE));
             let mut boxes = vec![[Aabb::EMPTY; 2]; rows * columns];
-            grid.tangents(0..rows, &mut boxes).unwrap();
+            grid.fill_tangent_boxes(0..rows, &mut boxes).unwrap();
             for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
                 let patch: Patch<4> = Grid::patch(&grid, i, j);
-                let bounds = &boxes[i / BLOCK * columns + j / BLOCK];
+                let bounds = &boxes[i / CELLS_PER_BLOCK_SIDE * columns + j / CELLS_PER_BLOCK_SIDE];
                 for k in 0..121 {
                     let jet = patch.jet(f64::from(k / 11) / 10.0, f64::from(k % 11) / 10.0);
                     for (tangent, bounds) in [jet.u, jet.v].into_iter().zip(bounds) {

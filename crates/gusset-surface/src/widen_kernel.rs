@@ -1,31 +1,36 @@
 //! Widens ranges by weighted sums of six lines, with vector instructions.
 
-use super::axis::TAPS;
+use super::axis::NODES_PER_CUBIC;
 use gusset_base::simd::Kernel;
 
 /// Weights of `K` sums.
-pub(super) type Sums<const K: usize> = [[f64; TAPS]; K];
+pub(super) type SumWeights<const K: usize> = [[f64; NODES_PER_CUBIC]; K];
 
 /// Widens ranges to include weighted sums of six lines, coordinate by coordinate.
-pub(super) struct WidenKernel<'a, const K: usize> {
-    pub(super) sums: Sums<K>,
-    pub(super) lines: [&'a [f64]; TAPS],
+pub(super) struct WidenRangesKernel<'a, const K: usize> {
+    pub(super) sums: SumWeights<K>,
+    pub(super) lines: [&'a [f64]; NODES_PER_CUBIC],
     pub(super) low: &'a mut [f64],
     pub(super) high: &'a mut [f64],
 }
 
-impl<const K: usize> Kernel for WidenKernel<'_, K> {
+impl<const K: usize> Kernel for WidenRangesKernel<'_, K> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let WidenKernel { sums, lines, low, high } = self;
-        widen(&sums, lines, low, high);
+        let WidenRangesKernel { sums, lines, low, high } = self;
+        widen_ranges(&sums, lines, low, high);
     }
 }
 
 #[inline(always)]
-pub(super) fn widen<const K: usize>(sums: &Sums<K>, lines: [&[f64]; TAPS], low: &mut [f64], high: &mut [f64]) {
+pub(super) fn widen_ranges<const K: usize>(
+    sums: &SumWeights<K>,
+    lines: [&[f64]; NODES_PER_CUBIC],
+    low: &mut [f64],
+    high: &mut [f64],
+) {
     let count = low.len();
     let high = &mut high[..count];
     let [a, b, c, d, e, f] = lines.map(|line| &line[..count]);

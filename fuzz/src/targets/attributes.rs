@@ -90,7 +90,7 @@ fn carried(mesh: &MeshView<'_>, way: u8, choice: u8) {
         let (sources, row) = (corners.row(c).0, vertices.row(v as usize).0);
         let is_old = made.face_offsets.partition_point(|&end| end as usize <= c) <= mesh.faces().len();
         if let (&[source], true) = (sources, is_old && way % 4 != 1) {
-            let vertex = mesh.faces().split_corner(source);
+            let vertex = mesh.faces().corner_before_merging(source);
             assert!(
                 row.contains(&vertex),
                 "corner {c}: of vertex {vertex}, at one of {row:?}, way {way} {}",

@@ -7,8 +7,8 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::complex::Complex;
-use gusset::net::topology::{CellDiagonal, Gluing, Run, occurrences};
-use gusset::net::{Classes, Matrix, Net, Seam, Shape, Sides, Topology, detect_gluing};
+use gusset::net::topology::{CellDiagonal, Gluing, SeamRun, find_gluing_occurrences};
+use gusset::net::{LinkMatrix, Net, NodeClasses, Seam, Shape, Sides, Topology, detect_gluing};
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {
@@ -19,7 +19,7 @@ pub(crate) fn run(bytes: &[u8]) {
     let gluings: Vec<Gluing> = requests.iter().take(12).map(|&request| gluing(request)).collect();
     let plain = Topology::from_sides(shape, sides);
     let Ok(glued) = plain.glued(&gluings) else { return };
-    let (classes, truth) = (Classes::new(&glued).expect("few nodes"), united(&glued));
+    let (classes, truth) = (NodeClasses::new(&glued).expect("few nodes"), united(&glued));
     for (a, b) in (0..truth.len()).flat_map(|a| (0..a).map(move |b| (a, b))) {
         let same = classes.representative(a as u32) == classes.representative(b as u32);
         assert_eq!(same, truth[a] == truth[b], "{a} {b} {gluings:?}");
@@ -33,13 +33,13 @@ pub(crate) fn run(bytes: &[u8]) {
         assert_eq!(euler, 2 * complex.components as i64 - 2 * genus - complex.boundary.len() as i64, "{gluings:?}");
     }
     let matrix = glued.matrix().expect("few nodes");
-    let again = Matrix::from_bytes(shape, &matrix.to_bytes(shape).expect("few nodes")).expect("its own bytes");
+    let again = LinkMatrix::from_bytes(shape, &matrix.to_bytes(shape).expect("few nodes")).expect("its own bytes");
     assert!(matrix.links().eq(again.links()));
-    let _ = (glued.unglued(&gluings), agreed(choice, |job| occurrences(&glued, false, job)));
+    let _ = (glued.unglued(&gluings), agreed(choice, |job| find_gluing_occurrences(&glued, false, job)));
     // Each class in a place of its own.
     let place =
         |i: usize, j: usize| DVec3::new(truth[i * columns + j] as f64, (truth[i * columns + j] % 3) as f64, 0.0);
-    let net = Net::from_fn(glued.saturated().expect("few nodes"), Scalar::F64, place).expect("few nodes");
+    let net = Net::from_fn(glued.canonical_form().expect("few nodes"), Scalar::F64, place).expect("few nodes");
     if let Ok(found) = detect_gluing(net.coordinates(), 0.0, &Job::default()) {
         let found = united(&found);
         for (a, b) in (0..found.len()).flat_map(|a| (0..a).map(move |b| (a, b))) {
@@ -59,7 +59,7 @@ fn gluing([kind, a, b, c, d, e]: [u8; 6]) -> Gluing {
             diagonal: if b % 2 == 0 { CellDiagonal::Falling } else { CellDiagonal::Rising },
         },
         _ => {
-            let run = |row: u8, column: u8| Run {
+            let run = |row: u8, column: u8| SeamRun {
                 row: u32::from(row % 8),
                 column: u32::from(column % 8),
                 row_step: i32::from(row / 8 % 3) - 1,

@@ -15,6 +15,16 @@ mod net_edit;
 mod net_ops;
 mod outline;
 mod overlaps;
+mod read_3mf;
+mod read_dxf;
+mod read_gltf;
+mod read_obj;
+mod read_off;
+mod read_ply;
+mod read_points;
+mod read_scan_list;
+mod read_stl;
+mod read_svg;
 mod scene;
 mod sew;
 mod stitch;
@@ -44,6 +54,16 @@ pub const TARGETS: &[Target] = &[
     ("net_ops", net_ops::run),
     ("outline", outline::run),
     ("overlaps", overlaps::run),
+    ("read_3mf", read_3mf::run),
+    ("read_dxf", read_dxf::run),
+    ("read_gltf", read_gltf::run),
+    ("read_obj", read_obj::run),
+    ("read_off", read_off::run),
+    ("read_ply", read_ply::run),
+    ("read_points", read_points::run),
+    ("read_scan_list", read_scan_list::run),
+    ("read_stl", read_stl::run),
+    ("read_svg", read_svg::run),
     ("scene", scene::run),
     ("sew", sew::run),
     ("stitch", stitch::run),
@@ -52,4 +72,21 @@ pub const TARGETS: &[Target] = &[
     ("surface_nearest", surface_nearest::run),
     ("surface_paths", surface_paths::run),
     ("weld_orient", weld_orient::run),
+];
+
+/// The first inputs of a target: its name, and what makes them.
+pub type Seeds = (&'static str, fn() -> Vec<Vec<u8>>);
+
+/// First inputs of the targets that read files: valid and hostile files. The other targets make valid cases of any bytes.
+pub const SEEDS: &[Seeds] = &[
+    ("read_3mf", read_3mf::seeds),
+    ("read_dxf", read_dxf::seeds),
+    ("read_gltf", read_gltf::seeds),
+    ("read_obj", read_obj::seeds),
+    ("read_off", read_off::seeds),
+    ("read_ply", read_ply::seeds),
+    ("read_points", read_points::seeds),
+    ("read_scan_list", read_scan_list::seeds),
+    ("read_stl", read_stl::seeds),
+    ("read_svg", read_svg::seeds),
 ];

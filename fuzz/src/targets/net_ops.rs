@@ -7,7 +7,7 @@ use gusset::Job;
 use gusset::net::convert::MeshOptions;
 use gusset::net::measure::measure;
 use gusset::net::normals::normals;
-use gusset::net::stream::{Mode, StreamOptions, decode, encode};
+use gusset::net::stream::{StreamMode, StreamOptions, decode, encode};
 use gusset::net::{Direction, JoinOptions, Net, concatenate};
 
 fn same(a: &Net<'_>, b: &Net<'_>) -> bool {
@@ -28,7 +28,7 @@ pub(crate) fn run(bytes: &[u8]) {
         input::expect_valid(&made.mesh, |_| {});
     }
     if let Ok(joined) = concatenate(&a, &b, &JoinOptions::new(Direction::Down), &job) {
-        let stream = encode(&joined, &StreamOptions::new(Mode::Lossless), &job).expect("a net can be encoded");
+        let stream = encode(&joined, &StreamOptions::new(StreamMode::Lossless), &job).expect("a net can be encoded");
         assert!(same(&joined, &decode(&stream, &job).expect("what was encoded can be decoded")));
         let _ = joined.split(0, &job);
     }

@@ -5,7 +5,7 @@ use crate::agree::agreed;
 use crate::input;
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::scene::{Content, Scene};
+use gusset::net::scene::{EntryContent, Scene};
 use gusset::net::{Net, Shape, Sides, Topology};
 use std::sync::Arc;
 
@@ -43,7 +43,7 @@ pub(crate) fn run(bytes: &[u8]) {
             }
         }
         for (k, entry) in (0..).zip(&mut model) {
-            if let (Some(Some(list)), Ok(Content::Group(now))) = (entry, scene.content(k)) {
+            if let (Some(Some(list)), Ok(EntryContent::Group(now))) = (entry, scene.content(k)) {
                 // Which of several equal children goes is the scene's choice.
                 let sorted = |list: &[u32]| {
                     let mut list = list.to_vec();

@@ -3,7 +3,7 @@
 //! tests/net/stream.rs forges them.
 
 use gusset::Job;
-use gusset::net::stream::{Mode, StreamDecoder, StreamOptions, decode, encode};
+use gusset::net::stream::{StreamDecoder, StreamMode, StreamOptions, decode, encode};
 
 /// Nodes; what claims to have more is refused in pieces.
 const LIMIT: u64 = 1 << 22;
@@ -17,7 +17,8 @@ pub(crate) fn run(bytes: &[u8]) {
     let small = |net: &gusset::net::Net<'_>| net.shape().node_count() as u64 <= LIMIT;
     assert_eq!(whole.as_ref().is_ok_and(small), pieces.is_ok());
     if let Ok(net) = whole {
-        let again = encode(&net, &StreamOptions::new(Mode::Lossless), &Job::default()).expect("a net can be encoded");
+        let again =
+            encode(&net, &StreamOptions::new(StreamMode::Lossless), &Job::default()).expect("a net can be encoded");
         decode(&again, &Job::default()).expect("what was encoded can be decoded");
     }
 }

@@ -1,7 +1,7 @@
 //! Curves from curves: Parts, other degrees, offsets.
 
 use crate::capi::context::{create, create_and_tell, gusset_context};
-use crate::capi::curve::{gusset_curve, gusset_place, view};
+use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
@@ -16,7 +16,7 @@ pub struct gusset_offset_options {
     pub struct_size: usize,
     /// Wanted deviation, above 0.
     pub tolerance: f64,
-    /// No segment is halved at this number of segments; 0: 65536.
+    /// Halving stops at this many segments; 0: 65536.
     pub max_segments: usize,
     /// Degree of segments, 2 or 3; 0: 3.
     pub degree: u32,
@@ -30,15 +30,15 @@ pub struct gusset_offset_options {
 pub struct gusset_offset_report {
     /// sizeof(gusset_offset_report).
     pub struct_size: usize,
-    /// Largest distance from the true offset, sampled at 16 places in each segment.
+    /// Largest distance from the true offset at 16 places a segment.
     pub deviation: f64,
     /// Corners of the original, bridged by straight segments.
     pub corners: usize,
     /// 1: the deviation is within the tolerance.
     /// @flag
     pub reached: u32,
-    /// 1: a radius of curvature is at most the distance; the offset has cusps or runs backwards
-    /// there.
+    /// 1: a radius of curvature is at most the distance: there are cusps, or the offset runs
+    /// backwards.
     /// @flag
     pub tight: u32,
 }
@@ -55,8 +55,8 @@ impl gusset_offset_options {
 
 /// Cuts an open part out of a curve.
 ///
-/// On a closed curve the part may pass the start, and goes round once if from equals to. A curve of
-/// n segments ends at segment n - 1, t = 1.
+/// On a closed curve the part may pass the start; if from equals to, it is the whole. A curve of n
+/// segments ends at segment n - 1, t = 1.
 ///
 /// @errors NO_SUCH_ELEMENT (0: from, 1: to), OUT_OF_RANGE (to precedes from on an open curve),
 ///     TOO_LARGE
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn gusset_curve_part_create(
     part: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, part, "part", |job| {
-        Ok(gusset_curve(view(curve, "curve")?.sub_curve(from.checked()?, to.checked()?, job)?))
+        Ok(gusset_curve(view_of_curve(curve, "curve")?.sub_curve(from.checked()?, to.checked()?, job)?))
     })
 }
 
@@ -85,20 +85,20 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
     curve: *const gusset_curve,
     reversed: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, reversed, "reversed", |job| Ok(gusset_curve(view(curve, "curve")?.reversed(job)?)))
+    create(context, reversed, "reversed", |job| Ok(gusset_curve(view_of_curve(curve, "curve")?.reversed(job)?)))
 }
 
-/// Raises and lowers the degrees of a curve's segments.
+/// Raises and lowers degrees of segments.
 ///
 /// Raising is exact. Lowering is a least-squares fit with fixed ends.
 ///
 /// @param lowest least degree, 1 to 64.
 /// @param highest greatest degree, lowest to 64.
-/// @param tolerance a segment with a greater deviation is not lowered; at least 0, or INFINITY.
-/// @param deviations receives a bound of each segment's deviation; for a segment not lowered, the
+/// @param tolerance largest deviation of lowered segments; at least 0, or INFINITY.
+/// @param deviations receives a bound of each segment's deviation; if it is not lowered, the
 ///     deviation that lowering would cause. May be NULL.
 /// @errors OUT_OF_RANGE (degree, tolerance), TOO_LARGE
-/// @complexity O(degree) a new control point of raised segments, O(degree^3) a lowered segment.
+/// @complexity O(degree) a control point of raised segments, O(degree^3) a lowered segment.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_change_degree_create(
@@ -111,9 +111,9 @@ pub unsafe extern "C" fn gusset_curve_change_degree_create(
     changed: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, changed, "changed", |job| {
-        let done = view(curve, "curve")?.with_degrees([lowest as usize, highest as usize], tolerance, job)?;
+        let done = view_of_curve(curve, "curve")?.with_degrees([lowest as usize, highest as usize], tolerance, job)?;
         if !deviations.is_null() {
-            input::results(deviations, done.deviations.len(), "deviations")?.copy_from_slice(&done.deviations);
+            input::result_buffer(deviations, done.deviations.len(), "deviations")?.copy_from_slice(&done.deviations);
         }
         Ok(gusset_curve(done.curve))
     })
@@ -123,7 +123,7 @@ pub unsafe extern "C" fn gusset_curve_change_degree_create(
 ///
 /// Self-intersections are not removed.
 ///
-/// @param distance to the left, or to the right if negative; finite.
+/// @param distance to the left; right if negative; finite.
 /// @param options required; its tolerance must be set.
 /// @param report may be NULL.
 /// @errors CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     let moved = |job: &Job<'_>| {
         let out = out?;
         let options = input::read(options, false, "options")?.checked()?;
-        let done = view(curve, "curve")?.offset(distance, &options, job)?;
+        let done = view_of_curve(curve, "curve")?.offset(distance, &options, job)?;
         let told = gusset_offset_report {
             struct_size: 0,
             deviation: done.deviation,
@@ -154,7 +154,7 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     };
     create_and_tell(context, offset, "offset", moved, |told| {
         if let Some((out, report)) = told {
-            out.write(report);
+            out.write_known_fields(report);
         }
     })
 }

@@ -1,10 +1,10 @@
 //! Curves in other forms: SVG paths, TrueType contours, B-splines.
 
 use crate::capi::context::{create, gusset_context, lend};
-use crate::capi::curve::{gusset_curve, view};
+use crate::capi::curve::{gusset_curve, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::lent;
+use crate::capi::input::lend_list;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::ops::{Contour, Spline};
 use glam::DVec3;
@@ -17,10 +17,10 @@ pub type gusset_curve_format = u32;
 /// flipped.
 pub const GUSSET_CURVE_FORMAT_SVG: gusset_curve_format = 0;
 /// TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the
-/// middle between two of them.
+/// middle of two.
 pub const GUSSET_CURVE_FORMAT_CONTOUR: gusset_curve_format = 1;
-/// Clamped B-spline, for curves of one degree n. A joint with one tangent becomes a knot of
-/// multiplicity n - 1 without a control point.
+/// Clamped B-spline, for curves of one degree n. Smooth joints become knots of multiplicity n - 1
+/// without control points.
 pub const GUSSET_CURVE_FORMAT_SPLINE: gusset_curve_format = 2;
 
 /// An exported curve.
@@ -36,7 +36,7 @@ pub struct gusset_curve_form {
 
 handle! { gusset_curve_form }
 
-/// Lent parts of an exported curve; parts of other formats are empty.
+/// Lent parts of an exported curve; other formats' are empty.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_form_view {
@@ -46,12 +46,12 @@ pub struct gusset_curve_form_view {
     pub text: *const c_char,
     /// Length without the final 0.
     pub text_length: usize,
-    /// x, y, z of contour points or control points of a spline.
+    /// Contour points, or control points of a spline.
     /// @shape point_count 3
     pub points: *const f64,
     /// Number of points.
     pub point_count: usize,
-    /// Contour: 1 for a point on the curve, 0 for a point off it.
+    /// Contour: 1 for a point on the curve.
     /// @shape point_count
     /// @flag
     pub on_curve: *const u8,
@@ -69,7 +69,7 @@ versioned! { gusset_curve_form_view: 72 }
 /// Exports a curve.
 ///
 /// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: distance from the middle within which a joint
-///     is omitted, at least 0. Rounding is always allowed.
+///     is omitted, at least 0, besides rounding.
 /// @errors CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for
 ///     SVG), OUT_OF_RANGE (tolerance; degree, see gusset_curve_change_degree_create)
 /// @complexity O(points).
@@ -83,7 +83,7 @@ pub unsafe extern "C" fn gusset_curve_export_create(
     form: *mut *mut gusset_curve_form,
 ) -> gusset_status {
     create(context, form, "form", |job| {
-        let view = view(curve, "curve")?;
+        let view = view_of_curve(curve, "curve")?;
         match format {
             GUSSET_CURVE_FORMAT_SVG => {
                 let mut text = view.svg_path(job)?.into_bytes();
@@ -98,7 +98,7 @@ pub unsafe extern "C" fn gusset_curve_export_create(
                 let Spline { controls: points, knots, degree } = view.spline(job)?;
                 Ok(gusset_curve_form { points, knots, degree, ..Default::default() })
             }
-            other => Err(Failure::unknown("format", other.into())),
+            other => Err(Failure::unknown_value("format", other.into())),
         }
     })
 }
@@ -110,8 +110,6 @@ pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form)
 }
 
 /// Lends the parts.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_form_get_view(
@@ -122,10 +120,10 @@ pub unsafe extern "C" fn gusset_curve_form_get_view(
         struct_size: size_of::<gusset_curve_form_view>(),
         text: if form.text.is_empty() { c"".as_ptr() } else { form.text.as_ptr().cast() },
         text_length: form.text.len().saturating_sub(1),
-        points: lent(&form.points).cast(),
+        points: lend_list(&form.points).cast(),
         point_count: form.points.len(),
-        on_curve: lent(&form.on_curve),
-        knots: lent(&form.knots),
+        on_curve: lend_list(&form.on_curve),
+        knots: lend_list(&form.knots),
         knot_count: form.knots.len(),
         degree: form.degree,
     })

@@ -3,12 +3,12 @@
 //! @source Nadopta, introduction.
 
 use crate::capi::context::{create, gusset_context, lend};
-use crate::capi::curve::outline::{Given, gusset_outline, gusset_outlines};
+use crate::capi::curve::outline::{GivenOutlines, gusset_outline, gusset_outlines};
 use crate::capi::curve::outline_options::gusset_outline_options;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::Tagged;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, flag, lent};
+use crate::capi::input::{self, choice, flag, lend_list};
 use crate::capi::mesh::{self, gusset_indices};
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::Options;
@@ -21,16 +21,15 @@ pub type gusset_correspondence_rule = u32;
 /// By index; all sections have the same number of points.
 pub const GUSSET_CORRESPONDENCE_GIVEN: gusset_correspondence_rule = 0;
 /// Equal arc lengths of each section, or between corners common to all. Closed sections start where
-/// the twist is least, and are reversed if oriented opposite to the first. Open sections run from
-/// first to last point.
+/// the twist is least, and are reversed if opposite to the first; open ones run from first to last
+/// point.
 pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: gusset_correspondence_rule = 1;
-/// Half-planes at equal angles round the axis, straight or bent; the farthest of several crossings.
+/// Half-planes at equal angles round the axis; the farthest of several crossings.
 pub const GUSSET_CORRESPONDENCE_ANGLE: gusset_correspondence_rule = 2;
 /// Landmarks of each section, and equal arc lengths between them.
 pub const GUSSET_CORRESPONDENCE_LANDMARKS: gusset_correspondence_rule = 3;
 
-/// A grid of nodes on a body, with a curve across through each row and a curve along through each
-/// column.
+/// A grid of nodes on a body, with a curve across each row and along each column.
 pub struct gusset_frame {
     pub(crate) grid: NodeGrid,
     pub(crate) across: Tagged<gusset_outline>,
@@ -64,8 +63,7 @@ pub struct gusset_frame_options {
     pub struct_size: usize,
     /// Correspondence of points between sections.
     pub correspondence: gusset_correspondence_rule,
-    /// Number of columns. With ARC_LENGTH and ANGLE, nodes in each section. With LANDMARKS, parts
-    /// between two consecutive landmarks.
+    /// ARC_LENGTH, ANGLE: nodes in each section. LANDMARKS: parts between two landmarks.
     pub columns: u32,
     /// 1: the first section follows the last.
     /// @flag
@@ -82,24 +80,24 @@ pub struct gusset_frame_options {
     pub reserved: u32,
     /// ANGLE: a point of the axis.
     pub axis_point: [f64; 3],
-    /// ANGLE: direction of the axis; seen against it angles grow counter-clockwise.
+    /// ANGLE: direction of the axis; seen against it, angles grow counter-clockwise.
     pub axis_direction: [f64; 3],
     /// ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
     pub reference: [f64; 3],
-    /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and
-    /// axis_direction. The axis follows circles through three consecutive points; the reference
-    /// does not rotate about it. NULL: straight.
+    /// ANGLE: a point of a bent axis for each section, in place of axis_point and axis_direction.
+    /// The axis follows circles through three points each; the reference does not rotate about it.
+    /// NULL: straight.
     /// @shape axis_point_count 3
     pub axis_points: *const f64,
     /// Number of sections.
     pub axis_point_count: usize,
-    /// LANDMARKS: for each section the same number of indices into its own points, in order.
+    /// LANDMARKS: for each section the same number of indices of its points, in order.
     pub landmarks: gusset_indices,
-    /// Options of the curves across; NULL: defaults.
+    /// Options of the curves across.
     pub across: *const gusset_outline_options,
-    /// Options of the curves along; NULL: defaults.
+    /// Options of the curves along.
     pub along: *const gusset_outline_options,
-    /// GIVEN: indices of missing points over all sections, in any order. Their coordinates are not
+    /// GIVEN: indices of missing points over all sections, in any order; their coordinates are not
     /// read. Each is interpolated by a Catmull-Rom curve through up to two nodes before and after
     /// it in the column, with centripetal parameters from adjacent columns.
     pub missing: gusset_indices,
@@ -111,22 +109,22 @@ pub struct gusset_frame_options {
 pub struct gusset_frame_view {
     /// sizeof(gusset_frame_view).
     pub struct_size: usize,
-    /// Number of sections.
+    /// Sections.
     pub rows: usize,
-    /// Number of nodes in a section.
+    /// Nodes in a section.
     pub columns: usize,
-    /// x, y, z of each node.
+    /// Nodes.
     /// @shape rows columns 3
     pub nodes: *const f64,
-    /// Unit tangent of the curve across at each node, x, y, z; 0 if undefined.
+    /// Unit tangent of the curve across at each node; 0 if undefined.
     /// @shape rows columns 3
     pub across: *const f64,
     /// Unit tangents of the curves along.
     /// @shape rows columns 3
     pub along: *const f64,
-    /// One curve for each section, owned by the frame. Node i of row k is its point k columns + i.
+    /// A curve for each section, owned by the frame. Node i of row k is its point k columns + i.
     pub curves_across: *const gusset_outline,
-    /// One curve for each column, owned by the frame. Node i of row k is its point i rows + k.
+    /// A curve for each column, owned by the frame. Node i of row k is its point i rows + k.
     pub curves_along: *const gusset_outline,
     /// By section: 1 if it was reversed.
     /// @shape rows
@@ -136,10 +134,9 @@ pub struct gusset_frame_view {
     pub ambiguous: gusset_indices,
     /// Nodes that are corners of the curve across, ascending.
     pub corners: gusset_indices,
-    /// Largest rotation of a closed section's nodes relative to the previous section; 0 for open
-    /// sections.
+    /// Largest rotation of a closed section's nodes from the previous section; 0 for open ones.
     pub max_twist: f64,
-    /// Largest distance between the two curves at a node, relative to the nodes' box.
+    /// Largest distance between two curves at a node, relative to the nodes' box.
     pub max_gap: f64,
     /// Smallest sine of the angle between two curves at a node.
     pub min_sine: f64,
@@ -175,7 +172,7 @@ impl gusset_frame_options {
                 reference: DVec3::from_array(self.reference),
             },
             GUSSET_CORRESPONDENCE_LANDMARKS => Correspondence::Landmarks { points: landmarks, parts: columns },
-            other => return Err(Failure::unknown("correspondence", other.into())),
+            other => return Err(Failure::unknown_value("correspondence", other.into())),
         };
         let across = input::read_nested(self.across, "across", gusset_outline_options::checked)?;
         let along = input::read_nested(self.along, "along", gusset_outline_options::checked)?;
@@ -187,11 +184,10 @@ impl gusset_frame_options {
 ///
 /// @param sections at least 2, for a ring 3.
 /// @errors as gusset_outline_create, OUT_OF_RANGE (sections, columns, landmarks, axis; missing
-///     points without GIVEN), NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (names
-///     section and column: half-plane misses the section; section is not a curve; no node before or
-///     after a missing one)
+///     points without GIVEN), NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (section
+///     and column: half-plane misses the section; no curve; no node before or after a missing one)
 /// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3);
-///     with more corners, none is common.
+///     with more, none is common.
 /// @source Nadopta, introduction.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -203,16 +199,17 @@ pub unsafe extern "C" fn gusset_frame_create(
 ) -> gusset_status {
     create(context, frame, "frame", |job| {
         let options = input::read(options, true, "options")?;
-        let landmarks = mesh::indices(&raw const options.landmarks, "landmarks")?.unwrap_or_default();
-        let axis = input::list::<[f64; 3]>(options.axis_points.cast(), options.axis_point_count, "axis_points")?;
+        let landmarks = mesh::read_indices(&raw const options.landmarks, "landmarks")?.unwrap_or_default();
+        let axis =
+            input::copy_input_items::<[f64; 3]>(options.axis_points.cast(), options.axis_point_count, "axis_points")?;
         let axis = alloc::collect(axis.into_iter().map(DVec3::from_array))?;
         let axis = if options.axis_points.is_null() { None } else { Some(axis.as_slice()) };
-        let missing = mesh::indices(&raw const options.missing, "missing")?.unwrap_or_default();
+        let missing = mesh::read_indices(&raw const options.missing, "missing")?.unwrap_or_default();
         let options = options.checked(&landmarks, &missing, axis)?;
-        let given = Given::read(sections)?;
-        let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
-        let closed = given.outlines().closed;
-        let (across, along) = (Tagged::part(gusset_outline(across)), Tagged::part(gusset_outline(along)));
+        let given = GivenOutlines::read_outlines(sections)?;
+        let Frame { grid, across, along } = self::frame(&given.as_outlines(), &options, job)?;
+        let closed = given.as_outlines().closed;
+        let (across, along) = (Tagged::new_part(gusset_outline(across)), Tagged::new_part(gusset_outline(along)));
         Ok(gusset_frame {
             grid,
             across,
@@ -227,20 +224,20 @@ pub unsafe extern "C" fn gusset_frame_create(
 
 /// Makes the offset of a frame.
 ///
-/// Directions come from circles through neighbouring nodes. Offsets of planes, spheres, and round
-/// cylinders with perpendicular sections are exact. Curves have the options of the original.
+/// Directions come from circles through neighbouring nodes, exact for planes, spheres, and round
+/// cylinders with perpendicular sections. Curves have the original's options.
 ///
 /// Each node moves by its distance:
 /// - Closed sections: outwards, or inwards if negative.
-/// - Open sections: along D x d, the derivatives from section to section and within a section; with
-///   GUSSET_OFFSET_IN_SECTION, away from the chord of the section's ends.
+/// - Open sections: along D x d, the derivatives across and within sections; with
+///   GUSSET_OFFSET_IN_SECTION, away from the chord of the ends.
 /// - Nodes without a direction stay.
 ///
 /// @param distances finite lengths.
-/// @param distance_count 1: one for all; rows: one for each section; rows x columns: one for each
-///     node, row by row.
+/// @param distance_count 1: for all; rows: for each section; rows x columns: for each node, row by
+///     row.
 /// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance), as gusset_frame_create (new nodes)
-/// @complexity O(nodes), plus the curves.
+/// @complexity O(nodes), plus curves.
 /// @source Nadopta, introduction.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -253,8 +250,8 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
     offset: *mut *mut gusset_frame,
 ) -> gusset_status {
     create(context, offset, "offset", |job| {
-        let frame = handle::get(frame, "frame")?;
-        let distances = input::list(distances, distance_count, "distances")?;
+        let frame = handle::get_object(frame, "frame")?;
+        let distances = input::copy_input_items(distances, distance_count, "distances")?;
         let options = FrameOptions {
             across: frame.options,
             along: frame.options_along,
@@ -263,7 +260,7 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
         };
         let Frame { grid, across, along } =
             crate::curve::frame::offset(&frame.grid, frame.closed, &distances, choice(direction)?, &options, job)?;
-        let (across, along) = (Tagged::part(gusset_outline(across)), Tagged::part(gusset_outline(along)));
+        let (across, along) = (Tagged::new_part(gusset_outline(across)), Tagged::new_part(gusset_outline(along)));
         let (options, options_along, closed, ring) = (frame.options, frame.options_along, frame.closed, frame.ring);
         Ok(gusset_frame { grid, across, along, options, options_along, closed, ring })
     })
@@ -276,8 +273,6 @@ pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
 }
 
 /// Lends nodes and curves.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_get_view(
@@ -290,31 +285,31 @@ pub unsafe extern "C" fn gusset_frame_get_view(
             struct_size: size_of::<gusset_frame_view>(),
             rows: grid.rows,
             columns: grid.columns,
-            nodes: lent(&grid.nodes).cast(),
-            across: lent(&grid.across).cast(),
-            along: lent(&grid.along).cast(),
-            curves_across: frame.across.lent(),
-            curves_along: frame.along.lent(),
-            turned: lent(&grid.turned),
-            ambiguous: gusset_indices::lend(&grid.ambiguous),
-            corners: gusset_indices::lend(&grid.corners),
+            nodes: lend_list(&grid.nodes).cast(),
+            across: lend_list(&grid.across).cast(),
+            along: lend_list(&grid.along).cast(),
+            curves_across: frame.across.as_handle(),
+            curves_along: frame.along.as_handle(),
+            turned: lend_list(&grid.turned),
+            ambiguous: gusset_indices::lend_indices(&grid.ambiguous),
+            corners: gusset_indices::lend_indices(&grid.corners),
             max_twist: grid.max_twist,
             max_gap: grid.max_gap,
             min_sine: grid.min_sine,
-            filled: gusset_indices::lend(&grid.filled),
+            filled: gusset_indices::lend_indices(&grid.filled),
         }
     })
 }
 
 /// Cuts the curves along by a plane, and makes a new section through the crossings.
 ///
-/// The section has the options of the curves across. Point i is the first crossing of column i.
+/// The section has the options of the curves across; point i is the first crossing of column i.
 ///
-/// @param point x, y, z.
-/// @param normal x, y, z, not 0.
+/// @param point of the plane.
+/// @param normal not 0.
 /// @param section receives one outline.
-/// @errors as gusset_outline_create, OUT_OF_RANGE (normal), NOT_FINITE, NO_NODE (value: the column
-///     that the plane does not cross)
+/// @errors as gusset_outline_create, OUT_OF_RANGE (normal), NOT_FINITE, NO_NODE (value: column not
+///     crossed)
 /// @complexity O(segments).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -326,8 +321,8 @@ pub unsafe extern "C" fn gusset_frame_slice_create(
     section: *mut *mut gusset_outline,
 ) -> gusset_status {
     create(context, section, "section", |job| {
-        let frame = handle::get(frame, "frame")?;
-        let (point, normal) = (input::vector(point, "point")?, input::vector(normal, "normal")?);
+        let frame = handle::get_object(frame, "frame")?;
+        let (point, normal) = (input::read_vector(point, "point")?, input::read_vector(normal, "normal")?);
         let cut = slice(&frame.along.0, point, normal, frame.closed, &frame.options, job)?;
         Ok(gusset_outline(cut.curve))
     })

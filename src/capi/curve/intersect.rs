@@ -1,10 +1,10 @@
 //! Intersections of curves: Intersections, tangency points and samples.
 
 use crate::capi::context::{create, gusset_context, lend};
-use crate::capi::curve::{gusset_curve, gusset_place, view};
+use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, lent};
+use crate::capi::input::{self, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::ops::{NearMisses, Overlap, PlaneIntersections, Spacing, TangentAngles};
@@ -14,7 +14,7 @@ use crate::job::Job;
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// Places on a curve, or on two curves.
+/// Places on one or two curves.
 #[derive(Default)]
 pub struct gusset_places {
     places: Vec<gusset_place>,
@@ -33,26 +33,26 @@ handle! { gusset_places }
 pub struct gusset_places_view {
     /// sizeof(gusset_places_view).
     pub struct_size: usize,
-    /// The places, ordered along the first curve.
+    /// Places, ordered along the first curve.
     /// @shape count
     pub places: *const gusset_place,
     /// Number of places.
     pub count: usize,
-    /// x, y, z at each place.
+    /// Points at the places.
     /// @shape count 3
     pub points: *const f64,
-    /// Intersections: places on the second curve, or later places on the same curve. Else NULL.
+    /// Intersections: places on the second curve, or later ones on the same curve. Else NULL.
     /// @shape count
     pub others: *const gusset_place,
-    /// Common parts, four places each: start and end on the first curve, the same on the second.
-    /// For tangent angles: start and end, twice.
+    /// Common parts, four places each: start and end on the first curve, then on the second. For
+    /// tangent angles: start and end, twice.
     /// @shape overlap_count 4
     pub overlaps: *const gusset_place,
     /// Number of overlaps.
     pub overlap_count: usize,
-    /// Segments that lie entirely in the plane or line.
+    /// Segments in the plane or line.
     pub inside: gusset_indices,
-    /// 1: a pair of segments was not resolved, because they agree within rounding over a long part.
+    /// 1: segments that agree within rounding over a long part were not resolved.
     /// @flag
     pub undecided: u32,
     /// 0.
@@ -67,11 +67,11 @@ pub type gusset_sample_rule = u32;
 pub const GUSSET_SAMPLE_COUNT: gusset_sample_rule = 0;
 /// A point every `amount` of arc length, and the end of an open curve.
 pub const GUSSET_SAMPLE_STEP: gusset_sample_rule = 1;
-/// Chords within `amount` of the curve. Each segment is halved at most 20 times, to 1e-12 of its
+/// Chords within `amount` of the curve. Segments are halved at most 20 times, to 1e-12 of their
 /// size.
 pub const GUSSET_SAMPLE_CHORD: gusset_sample_rule = 2;
 
-fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {
+fn to_c_places(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {
     alloc::collect(places.map(gusset_place::from))
 }
 
@@ -82,7 +82,7 @@ impl gusset_places {
         job: &Job<'_>,
     ) -> Result<Self, Failure> {
         let points = curve.points_at(&found.places, job)?;
-        let places = list(found.places.into_iter())?;
+        let places = to_c_places(found.places.into_iter())?;
         Ok(gusset_places { places, points, inside: found.inside, ..Self::default() })
     }
 
@@ -90,17 +90,17 @@ impl gusset_places {
         let points = curve.points_at(&found.places, job)?;
         let part = |[from, to]: [Place; 2]| [from, to, from, to].map(gusset_place::from);
         let overlaps = alloc::collect(found.intervals.into_iter().map(part))?;
-        Ok(gusset_places { places: list(found.places.into_iter())?, points, overlaps, ..Self::default() })
+        Ok(gusset_places { places: to_c_places(found.places.into_iter())?, points, overlaps, ..Self::default() })
     }
 
     /// Places on `curve` and on another curve.
-    pub(crate) fn from_meetings(found: &NearMisses, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
+    pub(crate) fn from_near_misses(found: &NearMisses, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
         let NearMisses { places, overlaps, undecided } = found;
         let at = alloc::collect(places.iter().map(|near| near.a))?;
         let ends = |part: &Overlap| [part.a[0], part.a[1], part.b[0], part.b[1]].map(gusset_place::from);
         Ok(gusset_places {
-            places: list(at.iter().copied())?,
-            others: list(places.iter().map(|near| near.b))?,
+            places: to_c_places(at.iter().copied())?,
+            others: to_c_places(places.iter().map(|near| near.b))?,
             points: curve.points_at(&at, job)?,
             overlaps: alloc::collect(overlaps.iter().map(ends))?,
             inside: Vec::new(),
@@ -111,10 +111,10 @@ impl gusset_places {
 
 /// Finds where a curve crosses or touches a plane.
 ///
-/// For the line through `point` along (x, y) in the plane z = 0, use the normal (-y, x, 0).
+/// For a line along (x, y) in the plane z = 0, the normal is (-y, x, 0).
 ///
-/// @param point x, y, z of a point of the plane.
-/// @param normal x, y, z, not 0.
+/// @param point a point of the plane.
+/// @param normal not 0.
 /// @errors OUT_OF_RANGE (normal), NOT_FINITE
 /// @complexity O(points + degree^2 crossings).
 #[unsafe(no_mangle)]
@@ -127,8 +127,11 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let (view, point, normal) =
-            (view(curve, "curve")?, input::vector(point, "point")?, input::vector(normal, "normal")?);
+        let (view, point, normal) = (
+            view_of_curve(curve, "curve")?,
+            input::read_vector(point, "point")?,
+            input::read_vector(normal, "normal")?,
+        );
         gusset_places::from_plane_intersections(
             view.intersect_plane(point, normal, &job.part(0.0, 0.9))?,
             &view,
@@ -137,17 +140,15 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     })
 }
 
-/// Finds where two curves meet or come within a distance, or where a plane curve meets itself.
+/// Finds where two curves meet or come within a distance, or a plane curve meets itself.
 ///
-/// If within is 0 and both curves are plane, the result has crossings and touches. Otherwise it has
-/// the local minima of the distance, each once. Joints of adjacent segments are not
-/// self-intersections.
+/// If within is 0 and both curves are plane, the result has crossings and touches, else the local
+/// minima of the distance, each once. Joints are not self-intersections.
 ///
 /// @param other NULL: self-intersections.
 /// @param within a length, finite, 0 if other is NULL; in space raised to 1e-12 of the curves'
 ///     size.
-/// @param places overlaps are parts that are common, stay within the distance, or cannot be
-///     separated.
+/// @param places overlaps are common, stay within the distance, or cannot be separated.
 /// @errors OUT_OF_RANGE (within), CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within
 ///     is not 0)
 /// @complexity Bounded for each pair of segments whose boxes are within the distance.
@@ -161,25 +162,25 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let one = view(curve, "curve")?;
-        let other = (!other.is_null()).then(|| view(other, "other")).transpose()?;
+        let one = view_of_curve(curve, "curve")?;
+        let other = (!other.is_null()).then(|| view_of_curve(other, "other")).transpose()?;
         let found = one.meetings(other.as_ref(), within, &job.part(0.0, 0.9))?;
-        gusset_places::from_meetings(&found, &one, &job.part(0.9, 1.0))
+        gusset_places::from_near_misses(&found, &one, &job.part(0.9, 1.0))
     })
 }
 
-/// Finds all points where the tangent of a curve makes an angle with a direction.
+/// Finds all points where a curve's tangent makes an angle with a direction.
 ///
-/// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, tangents
-/// of both segments, not those between. Angles within 1e-7 of 0, pi / 2 and pi are set to them.
-/// Tangents are parallel to the direction, or opposite, to 1e-9.
+/// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, of both
+/// segments, not between. Angles within 1e-7 of 0, pi / 2 and pi are set to them. Tangents are
+/// parallel to the direction, or opposite, to 1e-9.
 ///
-/// @param direction x, y, z, not 0.
+/// @param direction not 0.
 /// @param angle 0 to pi.
-/// @param places overlaps are parts with a constant angle, such as straight segments.
+/// @param places overlaps have a constant angle.
 /// @errors OUT_OF_RANGE (direction, angle), NOT_FINITE (direction)
 /// @complexity O(points + degree^2 places).
-/// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
+/// @source Leus, task b, for curves.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
@@ -190,7 +191,7 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let (view, direction) = (view(curve, "curve")?, input::vector(direction, "direction")?);
+        let (view, direction) = (view_of_curve(curve, "curve")?, input::read_vector(direction, "direction")?);
         gusset_places::from_tangent_angles(
             view.tangents_at_angle(direction, angle, &job.part(0.0, 0.9))?,
             &view,
@@ -214,16 +215,16 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let view = view(curve, "curve")?;
+        let view = view_of_curve(curve, "curve")?;
         let spacing = match rule {
             GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => Spacing::Count(amount as usize),
             GUSSET_SAMPLE_COUNT => return Err(Error::OptionOutOfRange { option: "amount", value: amount }.into()),
             GUSSET_SAMPLE_STEP => Spacing::Step(amount),
             GUSSET_SAMPLE_CHORD => Spacing::Chord(amount),
-            other => return Err(Failure::unknown("rule", other.into())),
+            other => return Err(Failure::unknown_value("rule", other.into())),
         };
         let found = view.sampled(spacing, job)?;
-        let places = list(found.places.into_iter())?;
+        let places = to_c_places(found.places.into_iter())?;
         Ok(gusset_places { places, points: found.points, ..Default::default() })
     })
 }
@@ -235,8 +236,6 @@ pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
 }
 
 /// Lends the places.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_places_get_view(
@@ -245,13 +244,13 @@ pub unsafe extern "C" fn gusset_places_get_view(
 ) -> gusset_status {
     lend!(places, view, |found| gusset_places_view {
         struct_size: size_of::<gusset_places_view>(),
-        places: lent(&found.places),
+        places: lend_list(&found.places),
         count: found.places.len(),
-        points: lent(&found.points).cast(),
-        others: lent(&found.others),
-        overlaps: lent(found.overlaps.as_flattened()),
+        points: lend_list(&found.points).cast(),
+        others: lend_list(&found.others),
+        overlaps: lend_list(found.overlaps.as_flattened()),
         overlap_count: found.overlaps.len(),
-        inside: gusset_indices::lend(&found.inside),
+        inside: gusset_indices::lend_indices(&found.inside),
         undecided: found.undecided.into(),
         reserved: 0,
     })

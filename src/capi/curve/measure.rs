@@ -1,7 +1,9 @@
 //! Measures of curves: Derivatives, lengths, nearest points, bounds and moments.
 
 use crate::capi::context::{answer_struct, guard, gusset_context};
-use crate::capi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
+use crate::capi::curve::{
+    checked_product, gusset_curve, gusset_place, read_places, read_points, view_of_curve, write_points,
+};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
@@ -45,26 +47,25 @@ pub const GUSSET_CURVE_MEASURE_MOMENTS: gusset_curve_measure_flags = 16;
 pub struct gusset_curve_measures {
     /// sizeof(gusset_curve_measures).
     pub struct_size: usize,
-    /// Measures that are present; all other fields are 0.
+    /// Present measures; all else is 0.
     pub defined: gusset_curve_measure_flags,
     /// 0.
     pub reserved: u32,
     /// Arc length without the chord.
     pub length: f64,
-    /// Least x, y, z of the bounding box.
+    /// Low corner of the bounding box.
     pub low: [f64; 3],
-    /// Greatest x, y, z of the bounding box.
+    /// High corner.
     pub high: [f64; 3],
     /// Mean of the points by arc length.
     pub centre: [f64; 3],
-    /// Half the integral of r x dr. In the plane z = 0 it is (0, 0, signed area), negative for
-    /// clockwise curves.
+    /// Half the integral of r x dr; in the plane z = 0, (0, 0, signed area), negative if clockwise.
     pub area_vector: [f64; 3],
     /// Length of area_vector: area of the largest shadow.
     pub area: f64,
-    /// Centroid of the enclosed region; the curve's start if the area is 0.
+    /// Centroid of the region; the start if the area is 0.
     pub centroid: [f64; 2],
-    /// Integrals of x x, x y and y y about the centroid, with the area's sign.
+    /// Integrals of x x, x y and y y about it, with the area's sign.
     pub second: [f64; 3],
 }
 
@@ -72,23 +73,23 @@ versioned! { gusset_curve_measures: 168 }
 fixed! { gusset_curve_nearest_point: 48 }
 
 /// Computes a value at many places of a curve.
-fn at_places(
+fn compute_at_places(
     context: *const gusset_context,
     curve: *const gusset_curve,
     (places, count): (*const gusset_place, usize),
     answer: impl FnOnce(&CurveView<'_>, &[Place], &Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
-    guard(context, |job| answer(&view(curve, "curve")?, &self::places(places, count, "places")?, job))
+    guard(context, |job| answer(&view_of_curve(curve, "curve")?, &self::read_places(places, count, "places")?, job))
 }
 
 /// Pairs a result with the caller's buffer for it.
-fn room<'a, T>(
+fn with_result_buffer<'a, T>(
     out: *mut f64,
     (count, each): (usize, usize),
     name: &'static str,
     made: T,
 ) -> Result<(T, &'a mut [f64]), Failure> {
-    Ok((made, input::results(out, times(count, each, name)?, name)?))
+    Ok((made, input::result_buffer(out, checked_product(count, each, name)?, name)?))
 }
 
 /// Computes points, derivatives, tangents and curvatures at places.
@@ -96,11 +97,11 @@ fn room<'a, T>(
 /// NULL outputs are not computed. After an error, nothing is written.
 ///
 /// @param order highest derivative, 0 to 64; read only with `derivatives`.
-/// @param derivatives receives 3 (order + 1) count numbers: for each place the point x, y, z, then
-///     the derivatives by t in order; 0 beyond the degree.
-/// @param tangents receives 3 count numbers: unit tangents x, y, z; 0 on a segment without extent.
-/// @param curvatures receives count numbers, 1 / radius. On plane segments, positive if turning
-///     from x to y. Infinite where the first derivative is 0.
+/// @param derivatives receives 3 (order + 1) count numbers: for each place the point, then
+///     derivatives by t in order; 0 beyond the degree.
+/// @param tangents receives count unit tangents; 0 on a segment without extent.
+/// @param curvatures receives count numbers, 1 / radius, on plane segments positive if turning from
+///     x to y. Infinite where the first derivative is 0.
 /// @errors NO_SUCH_ELEMENT (place), OUT_OF_RANGE (order)
 /// @complexity O(degree^2) a place and output.
 #[unsafe(no_mangle)]
@@ -115,7 +116,7 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
     tangents: *mut f64,
     curvatures: *mut f64,
 ) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places, job| {
+    compute_at_places(context, curve, (places, count), |curve, places, job| {
         let asked = [derivatives, tangents, curvatures].map(|out| !out.is_null());
         let parts = asked.iter().filter(|&&asked| asked).count();
         let share = |k: usize| {
@@ -126,20 +127,25 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
         let directions = share(1).map(|job| curve.tangents_at(places, &job)).transpose()?;
         let bends = share(2).map(|job| curve.curvatures_at(places, &job)).transpose()?;
         // Check all outputs before writing any.
-        let points = points.map(|points| room(derivatives, (points.len(), 3), "derivatives", points)).transpose()?;
-        let directions = directions.map(|made| room(tangents, (count, 3), "tangents", made)).transpose()?;
-        if let Some((bends, out)) = bends.map(|made| room(curvatures, (count, 1), "curvatures", made)).transpose()? {
+        let points = points
+            .map(|points| with_result_buffer(derivatives, (points.len(), 3), "derivatives", points))
+            .transpose()?;
+        let directions =
+            directions.map(|made| with_result_buffer(tangents, (count, 3), "tangents", made)).transpose()?;
+        if let Some((bends, out)) =
+            bends.map(|made| with_result_buffer(curvatures, (count, 1), "curvatures", made)).transpose()?
+        {
             out.copy_from_slice(&bends);
         }
-        points.into_iter().chain(directions).for_each(|(made, out)| write(&made, out));
+        points.into_iter().chain(directions).for_each(|(made, out)| write_points(&made, out));
         Ok(())
     })
 }
 
-/// Finds the nearest point of a curve for each given point.
+/// Finds the nearest point for each given point.
 ///
-/// @param points x, y, z of each point, packed, finite.
-/// @param out receives count results.
+/// @param points finite.
+/// @param out receives count answers.
 /// @errors EMPTY_CURVE, NOT_FINITE, TOO_LARGE
 /// @complexity About O(log segments + degree^2) a point, parallel.
 #[unsafe(no_mangle)]
@@ -152,8 +158,8 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     out: *mut gusset_curve_nearest_point,
 ) -> gusset_status {
     guard(context, |job| {
-        let (view, points) = (view(curve, "curve")?, self::points(points, count, 3)?);
-        let out = input::results(out, count, "out")?;
+        let (view, points) = (view_of_curve(curve, "curve")?, self::read_points(points, count, 3)?);
+        let out = input::result_buffer(out, count, "out")?;
         for (to, n) in out.iter_mut().zip(view.nearest(&points, job)?) {
             *to = gusset_curve_nearest_point { place: n.place.into(), point: n.point.to_array(), distance: n.distance };
         }
@@ -161,7 +167,7 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     })
 }
 
-/// Computes the arc lengths from the start of a curve to places.
+/// Computes arc lengths from the start to places.
 ///
 /// @param out receives count lengths.
 /// @errors NO_SUCH_ELEMENT (place)
@@ -175,8 +181,8 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     count: usize,
     out: *mut f64,
 ) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places, job| {
-        let out = input::results(out, count, "out")?;
+    compute_at_places(context, curve, (places, count), |curve, places, job| {
+        let out = input::result_buffer(out, count, "out")?;
         let lengths = curve.lengths(&job.part(0.0, 0.5))?;
         let job = job.part(0.5, 1.0);
         for (k, (to, &place)) in out.iter_mut().zip(places).enumerate() {
@@ -187,10 +193,10 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     })
 }
 
-/// Finds the places at arc lengths from the start of a curve, clamped to its ends.
+/// Finds the places at arc lengths from the start, clamped to the ends.
 ///
 /// @param out receives count places.
-/// @param lengths count arc lengths from the start.
+/// @param lengths arc lengths.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
 /// @complexity O(points + count log segments).
 #[unsafe(no_mangle)]
@@ -203,9 +209,9 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     out: *mut gusset_place,
 ) -> gusset_status {
     guard(context, |job| {
-        let measured = view(curve, "curve")?.lengths(&job.part(0.0, 0.5))?;
-        let (lengths, job) = (input::list(lengths, count, "lengths")?, job.part(0.5, 1.0));
-        for (k, (to, length)) in input::results(out, count, "out")?.iter_mut().zip(lengths).enumerate() {
+        let measured = view_of_curve(curve, "curve")?.lengths(&job.part(0.0, 0.5))?;
+        let (lengths, job) = (input::copy_input_items(lengths, count, "lengths")?, job.part(0.5, 1.0));
+        for (k, (to, length)) in input::result_buffer(out, count, "out")?.iter_mut().zip(lengths).enumerate() {
             job.step_every(PLACES_PER_REPORT, k, count, "places at lengths")?;
             *to = measured.place(length)?.into();
         }
@@ -215,9 +221,8 @@ pub unsafe extern "C" fn gusset_curve_places_at(
 
 /// Measures a curve.
 ///
-/// `defined` lacks the flag of an undefined measure. The length is accurate to 1e-13, the centre is
-/// computed from 16 chords a segment. All others, and lengths up to degree 2, are exact except for
-/// rounding.
+/// `defined` lacks undefined measures. The length is accurate to 1e-13, the centre comes from 16
+/// chords a segment. All others, and lengths up to degree 2, are exact up to rounding.
 ///
 /// @param flags 0: all.
 /// @complexity O(points) for length and bounds, otherwise O(sum of degree^2).
@@ -230,13 +235,13 @@ pub unsafe extern "C" fn gusset_curve_measure(
     measures: *mut gusset_curve_measures,
 ) -> gusset_status {
     answer_struct(context, (measures, "measures"), |job| {
-        Ok(view(curve, "curve")?.measures(selection(flags)?, job)?.into())
+        Ok(view_of_curve(curve, "curve")?.measures(measure_selection(flags)?, job)?.into())
     })
 }
 
-fn selection(flags: gusset_curve_measure_flags) -> Result<MeasureSelection, Failure> {
+fn measure_selection(flags: gusset_curve_measure_flags) -> Result<MeasureSelection, Failure> {
     if flags > 2 * GUSSET_CURVE_MEASURE_MOMENTS - 1 {
-        return Err(Failure::unknown("flags", flags.into()));
+        return Err(Failure::unknown_value("flags", flags.into()));
     }
     let has = |flag| flags == 0 || flags & flag != 0;
     Ok(MeasureSelection {

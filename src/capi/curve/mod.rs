@@ -1,4 +1,4 @@
-//! Curves: Curves of Bezier segments, and places on them. Input arrays may have any alignment.
+//! Curves: Curves of Bezier segments, and places on them.
 //!
 //! @source Textbook properties of Bezier curves: Bernstein bases, de Casteljau, hodographs.
 
@@ -13,7 +13,7 @@ pub mod frame;
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, flag, lent};
+use crate::capi::input::{self, flag, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_OFFSETS;
 use crate::capi::status::{Failure, gusset_status};
@@ -46,15 +46,14 @@ pub struct gusset_place {
 pub struct gusset_curve_view {
     /// sizeof(gusset_curve_view).
     pub struct_size: usize,
-    /// x, y, z of control points; z is 0 for a plane curve.
+    /// Control points; z is 0 for a plane curve.
     /// @shape control_count 3
     pub controls: *const f64,
     /// Number of control points.
     pub control_count: usize,
-    /// 0, then the index of each segment's last control point: segment k has the control points
-    /// ends[k] to ends[k + 1].
+    /// Segment k has the control points ends[k] to ends[k + 1].
     pub ends: gusset_indices,
-    /// 1: the curve is closed.
+    /// 1 if closed.
     /// @flag
     pub closed: u32,
     /// 0.
@@ -76,48 +75,48 @@ impl gusset_place {
     pub(crate) fn checked(self) -> Result<Place, Failure> {
         match self.reserved {
             0 => Ok(Place { segment: self.segment, t: self.t }),
-            other => Err(Failure::unknown("reserved", other.into())),
+            other => Err(Failure::unknown_value("reserved", other.into())),
         }
     }
 }
 
 /// Reads the caller's places, at any alignment.
-pub(crate) fn places(data: *const gusset_place, count: usize, name: &'static str) -> Result<Vec<Place>, Failure> {
-    alloc::try_collect(input::items(data, count, name)?.map(gusset_place::checked))
+pub(crate) fn read_places(data: *const gusset_place, count: usize, name: &'static str) -> Result<Vec<Place>, Failure> {
+    alloc::try_collect(input::input_items(data, count, name)?.map(gusset_place::checked))
 }
 
 /// Reads the caller's packed points: x, y, z of each.
-pub(crate) fn points(data: *const f64, count: usize, dimension: usize) -> Result<Vec<DVec3>, Failure> {
-    named_points(data, (count, dimension), "points")
+pub(crate) fn read_points(data: *const f64, count: usize, dimension: usize) -> Result<Vec<DVec3>, Failure> {
+    read_named_points(data, (count, dimension), "points")
 }
 
 /// Reads the caller's packed points of a given dimension.
-fn named_points(
+fn read_named_points(
     data: *const f64,
     (count, dimension): (usize, usize),
     name: &'static str,
 ) -> Result<Vec<DVec3>, Failure> {
     let needed = Points::bytes_needed(0, count, dimension)?;
-    let bytes = input::bytes(data.cast::<c_void>(), needed, 1, name)?;
+    let bytes = input::input_bytes(data.cast::<c_void>(), needed, 1, name)?;
     let points = Points::strided(bytes, 0, count, dimension)?;
     Ok(alloc::collect((0..count).map(|i| points.get(i)))?)
 }
 
 /// Returns a view of the caller's curve.
-pub(crate) fn view<'a>(curve: *const gusset_curve, name: &'static str) -> Result<CurveView<'a>, Failure> {
-    Ok(handle::get(curve, name)?.0.view())
+pub(crate) fn view_of_curve<'a>(curve: *const gusset_curve, name: &'static str) -> Result<CurveView<'a>, Failure> {
+    Ok(handle::get_object(curve, name)?.0.view())
 }
 
 /// Writes points as x, y, z.
-pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
+pub(crate) fn write_points(points: &[DVec3], out: &mut [f64]) {
     out.chunks_exact_mut(3).zip(points).for_each(|(to, p)| to.copy_from_slice(&p.to_array()));
 }
 
 /// Makes a curve from its control points.
 ///
-/// Segments have degree 1 to 64. Coordinates are finite.
+/// Segments have degree 1 to 64; coordinates are finite.
 ///
-/// @param controls x, y or x, y, z of each control point, packed.
+/// @param controls x, y or x, y, z of each control point.
 /// @param control_count at most 2^30; 0: no segments, and ends is {0}.
 /// @param dimension 2 or 3.
 /// @param ends 0, then the rising index of each segment's last control point; the last is
@@ -139,13 +138,13 @@ pub unsafe extern "C" fn gusset_curve_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |job| {
-        let controls = named_points(controls, (control_count, dimension as usize), "controls")?;
+        let controls = read_named_points(controls, (control_count, dimension as usize), "controls")?;
         if end_count == 0 || end_count > control_count.max(1) {
             let message =
                 format!("end_count is {end_count}; {control_count} control points need 1 to {control_count} ends");
             return Err(Failure { value: end_count as f64, ..Failure::new(GUSSET_ERROR_BAD_OFFSETS, message) });
         }
-        let ends = input::list(ends, end_count, "ends")?;
+        let ends = input::copy_input_items(ends, end_count, "ends")?;
         Ok(gusset_curve(CurveView::new(&controls, &ends, flag(closed, "closed")?)?.to_owned_cancellable(job)?))
     })
 }
@@ -157,8 +156,6 @@ pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
 }
 
 /// Lends the control points.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_get_view(
@@ -169,9 +166,9 @@ pub unsafe extern "C" fn gusset_curve_get_view(
         let view = curve.0.view();
         gusset_curve_view {
             struct_size: size_of::<gusset_curve_view>(),
-            controls: lent(view.points()).cast(),
+            controls: lend_list(view.points()).cast(),
             control_count: view.points().len(),
-            ends: gusset_indices::lend(view.ends()),
+            ends: gusset_indices::lend_indices(view.ends()),
             closed: view.is_closed().into(),
             reserved: 0,
         }
@@ -179,7 +176,7 @@ pub unsafe extern "C" fn gusset_curve_get_view(
 }
 
 /// Returns the product of two counts; `what` names the buffer in the error.
-pub(crate) fn times(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
+pub(crate) fn checked_product(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
     let product = count.checked_mul(each);
     product
         .ok_or_else(|| Failure::from(Error::SizeOverflow { what, count: (count as u64).saturating_mul(each as u64) }))

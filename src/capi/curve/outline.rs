@@ -1,13 +1,13 @@
-//! Outlines: Curves through given points: the inverse problem of Bezier curves.
+//! Outlines: Curves through given points.
 //!
 //! @source Nadopta.
 
 use crate::capi::context::{create, guard, gusset_context, lend};
 use crate::capi::curve::outline_options::{gusset_fit_status, gusset_outline_options};
-use crate::capi::curve::{gusset_curve, times};
+use crate::capi::curve::{checked_product, gusset_curve};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, flag, lent};
+use crate::capi::input::{self, flag, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::{
@@ -36,28 +36,28 @@ pub struct gusset_constraint {
     pub point: u32,
     /// Demand on a curve at a point.
     pub kind: gusset_constraint_kind,
-    /// x, y, z (z = 0 for plane outlines), or an angle, 0, 0.
+    /// A vector (z = 0 for plane outlines), or an angle, 0, 0.
     pub tangent: [f64; 3],
 }
 
-/// Outlines in arrays of the caller, borrowed without a copy, at any alignment.
+/// Outlines in arrays of the caller.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outlines {
     /// sizeof(gusset_outlines).
     pub struct_size: usize,
-    /// Doubles x, y or x, y, z at the start of every point_stride bytes; finite.
+    /// Doubles x, y or x, y, z at every stride; finite.
     pub points: *const c_void,
     /// Bytes from point to point; 0: no gaps.
     pub point_stride: usize,
     /// Points of all outlines, at most 2^30.
     pub point_count: usize,
-    /// outline_count + 1 offsets of outlines into points, from 0, not decreasing. NULL with
-    /// outline_count 0: one outline of all points.
+    /// outline_count + 1 offsets into points, from 0, not decreasing. NULL with outline_count 0:
+    /// one outline.
     pub offsets: *const u32,
     /// Number of outlines.
     pub outline_count: usize,
-    /// Ascending by point, at most one for each; or NULL. The first of merged points counts.
+    /// Ascending by point, at most one each; or NULL. The first of merged points counts.
     pub constraints: *const gusset_constraint,
     /// Number of constraints.
     pub constraint_count: usize,
@@ -74,8 +74,8 @@ handle! { gusset_outline }
 
 impl gusset_outline {
     /// Returns the curve of outline `index`.
-    pub(crate) fn curve(&self, index: usize) -> Result<CurveView<'_>, Failure> {
-        if index < self.0.len() { Ok(self.0.curve(index)) } else { Err(Failure::no_such("outline", index)) }
+    pub(crate) fn curve_of_outline(&self, index: usize) -> Result<CurveView<'_>, Failure> {
+        if index < self.0.len() { Ok(self.0.curve(index)) } else { Err(Failure::no_such_element("outline", index)) }
     }
 }
 
@@ -91,9 +91,9 @@ pub struct gusset_outline_view {
     pub struct_size: usize,
     /// Number of outlines.
     pub outline_count: usize,
-    /// Points of all outlines.
+    /// Number of points.
     pub point_count: usize,
-    /// x, y, z of each control point; z = 0 for plane outlines.
+    /// Control points; z = 0 for plane outlines.
     /// @shape control_count 3
     pub controls: *const f64,
     /// Number of control points.
@@ -103,7 +103,7 @@ pub struct gusset_outline_view {
     /// 2 outline_count + 2 offsets.
     /// @shape outline_count+1 2
     pub starts: *const usize,
-    /// Segment of each point, in its curve.
+    /// Segment of each point.
     pub segments: gusset_indices,
     /// Parameter of each point in its segment, 0 to 1.
     /// @shape point_count
@@ -122,8 +122,7 @@ pub struct gusset_outline_report {
     pub struct_size: usize,
     /// Outcome of an outline.
     pub fit: gusset_fit_status,
-    /// Largest number of sweeps or iterations between corners, at most max_sweeps; 0 if none are
-    /// needed.
+    /// Most sweeps or iterations between corners, at most max_sweeps.
     pub iterations: u32,
     /// Steps of GUSSET_SOLVER_STEP.
     pub steps: u64,
@@ -135,11 +134,11 @@ pub struct gusset_outline_report {
     /// Largest sine of the angle between tangents at a smooth joint.
     pub max_joint_sine: f64,
     /// GUSSET_JOINT_PARAMETER_G2: largest difference of curvatures at a joint, relative to the
-    /// larger, or to 1 / size if both are less. Else 0.
+    /// larger, at least to 1 / size. Else 0.
     pub max_curvature_gap: f64,
     /// Largest move of a control point in the last iteration.
     pub last_move: f64,
-    /// Points with a status other than GUSSET_POINT_OK.
+    /// Points that are not GUSSET_POINT_OK.
     pub not_ok_count: u32,
     /// 0.
     pub reserved: u32,
@@ -153,41 +152,41 @@ versioned! {
 fixed! { gusset_constraint: 32 }
 
 /// The caller's outlines: the points in place, everything else copied.
-pub(crate) struct Given<'a> {
+pub(crate) struct GivenOutlines<'a> {
     points: Points<'a>,
     offsets: Option<Vec<u32>>,
     constraints: Vec<Constraint>,
     closed: bool,
 }
 
-impl Given<'_> {
-    pub(crate) fn read(outlines: *const gusset_outlines) -> Result<Self, Failure> {
+impl GivenOutlines<'_> {
+    pub(crate) fn read_outlines(outlines: *const gusset_outlines) -> Result<Self, Failure> {
         let given = input::read(outlines, false, "outlines")?;
         let closed = flag(given.closed, "closed")?;
         let dimension = given.dimension as usize;
         let size = Points::bytes_needed(given.point_stride, given.point_count, dimension)?;
-        let points = input::bytes(given.points, size, 1, "points")?;
+        let points = input::input_bytes(given.points, size, 1, "points")?;
         let points = Points::strided(points, given.point_stride, given.point_count, dimension)?;
         Error::check_count("outlines", given.outline_count as u64, MAX_POINTS as u64)?;
         Error::check_count("constraints", given.constraint_count as u64, MAX_POINTS as u64)?;
         let offsets = if given.offsets.is_null() && given.outline_count == 0 {
             None
         } else {
-            Some(input::list(given.offsets, given.outline_count + 1, "offsets")?)
+            Some(input::copy_input_items(given.offsets, given.outline_count + 1, "offsets")?)
         };
         let size = size_of::<gusset_constraint>();
-        let bytes = input::bytes(given.constraints.cast(), given.constraint_count, size, "constraints")?;
-        let constraints = alloc::try_collect(bytes.chunks_exact(size).map(constraint))?;
-        Ok(Given { points, offsets, constraints, closed })
+        let bytes = input::input_bytes(given.constraints.cast(), given.constraint_count, size, "constraints")?;
+        let constraints = alloc::try_collect(bytes.chunks_exact(size).map(read_constraint))?;
+        Ok(GivenOutlines { points, offsets, constraints, closed })
     }
 
-    pub(crate) fn outlines(&self) -> Outlines<'_> {
-        let Given { points, offsets, constraints, closed } = self;
+    pub(crate) fn as_outlines(&self) -> Outlines<'_> {
+        let GivenOutlines { points, offsets, constraints, closed } = self;
         Outlines { points: *points, offsets: offsets.as_deref(), closed: *closed, constraints }
     }
 }
 
-fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
+fn read_constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
     let [point, kind]: [u32; 2] = bytemuck::pod_read_unaligned(&bytes[..8]);
     let kind = match kind {
         GUSSET_CONSTRAINT_TANGENT => {
@@ -195,21 +194,20 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
         }
         GUSSET_CONSTRAINT_CORNER => PointConstraint::Corner,
         GUSSET_CONSTRAINT_TANGENT_ANGLE => PointConstraint::TangentAngle(bytemuck::pod_read_unaligned(&bytes[8..16])),
-        other => return Err(Failure::unknown("kind", other.into())),
+        other => return Err(Failure::unknown_value("kind", other.into())),
     };
     Ok(Constraint { point, kind })
 }
 
 /// Fits a Bézier curve through the points of each outline.
 ///
-/// If a constraint at a point cannot be met, the point's status says so. The curve still passes
-/// through the point if possible.
+/// If a constraint cannot be met, the point's status says so; the curve still passes through the
+/// point if possible.
 ///
 /// @errors OUT_OF_RANGE (an option or the dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE,
-///     NOT_FINITE (point), NO_SUCH_ELEMENT (constraint: its point does not exist or is out of
-///     order)
-/// @complexity O(points) for composite, blended and cubic curves. With GUSSET_JOINT_PARAMETER_G2,
-///     takes about 1,500 bytes for each point of the largest outline, besides the result.
+///     NOT_FINITE (point), NO_SUCH_ELEMENT (constraint: no such point, or out of order)
+/// @complexity O(points) for composite, blended and cubic curves. GUSSET_JOINT_PARAMETER_G2 takes
+///     about 1,500 bytes a point of the largest outline, besides the result.
 /// @source T. Nadopta (see the README).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -221,8 +219,8 @@ pub unsafe extern "C" fn gusset_outline_create(
 ) -> gusset_status {
     create(context, outline, "outline", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let given = Given::read(outlines)?;
-        Ok(gusset_outline(fit(&given.outlines(), &options, job)?))
+        let given = GivenOutlines::read_outlines(outlines)?;
+        Ok(gusset_outline(fit(&given.as_outlines(), &options, job)?))
     })
 }
 
@@ -233,8 +231,6 @@ pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
 }
 
 /// Lends the curves.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_view(
@@ -245,21 +241,20 @@ pub unsafe extern "C" fn gusset_outline_get_view(
         struct_size: size_of::<gusset_outline_view>(),
         outline_count: done.len(),
         point_count: done.parameters().len(),
-        controls: lent(done.points()).cast(),
+        controls: lend_list(done.points()).cast(),
         control_count: done.points().len(),
-        ends: gusset_indices::lend(done.ends()),
-        starts: lent(done.starts().as_flattened()),
-        segments: gusset_indices::lend(done.segments()),
-        parameters: lent(done.parameters()),
-        statuses: lent(done.statuses()).cast(),
+        ends: gusset_indices::lend_indices(done.ends()),
+        starts: lend_list(done.starts().as_flattened()),
+        segments: gusset_indices::lend_indices(done.segments()),
+        parameters: lend_list(done.parameters()),
+        statuses: lend_list(done.statuses()).cast(),
     })
 }
 
 /// Reports on one outline.
 ///
-/// @param index an outline, from 0.
+/// @param index an outline.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_report(
@@ -268,7 +263,7 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     report: *mut gusset_outline_report,
 ) -> gusset_status {
     lend!(outline, report, |gusset_outline(done)| {
-        let report = done.reports().get(index).ok_or_else(|| Failure::no_such("outline", index))?;
+        let report = done.reports().get(index).ok_or_else(|| Failure::no_such_element("outline", index))?;
         gusset_outline_report {
             struct_size: size_of::<gusset_outline_report>(),
             fit: report.status as gusset_fit_status,
@@ -285,9 +280,9 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     })
 }
 
-/// Copies the curve of one outline, for example for gusset_curve_measure.
+/// Copies the curve of one outline.
 ///
-/// @param index an outline, from 0.
+/// @param index an outline.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(segments).
 #[unsafe(no_mangle)]
@@ -299,25 +294,24 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |job| {
-        Ok(gusset_curve(handle::get(outline, "outline")?.curve(index)?.to_owned_cancellable(job)?))
+        Ok(gusset_curve(handle::get_object(outline, "outline")?.curve_of_outline(index)?.to_owned_cancellable(job)?))
     })
 }
 
-/// Finds the section of each point: the quadratic through it and its neighbours with its control
-/// point on the method's guide.
+/// Finds the section of each point, with its control point on the method's guide.
 ///
 /// A tangent constraint sets the section's direction at its point; at the end of an open outline,
-/// the direction of the neighbour's section there. If it fails, the method applies; if the normal
-/// fails, the bisector. The status says so.
+/// of the neighbour's section there. If it fails, the method applies; if the normal fails, the
+/// bisector. The status says so.
 ///
-/// @param options method, alpha and solver are read; tolerance and max_steps with
-///     GUSSET_SOLVER_STEP. All must be valid.
-/// @param controls receives x, y, z of each section's control point; ends of open outlines receive
-///     their own point. May be NULL.
-/// @param parameters receives each point's parameter on its section; 0 and 1 at ends of open
-///     outlines. May be NULL.
-/// @param statuses receives the gusset_point_status of each point; may be NULL.
-/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections; may be NULL.
+/// @param options only method, alpha and solver, and with GUSSET_SOLVER_STEP tolerance and
+///     max_steps; all must be valid.
+/// @param controls receives the control points, at ends of open outlines their own points; may be
+///     NULL.
+/// @param parameters receives each point's parameter on its section, 0 and 1 at ends of open
+///     outlines; may be NULL.
+/// @param statuses receives the gusset_point_status of each point, or NULL.
+/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections, or NULL.
 /// @errors as gusset_outline_create
 /// @complexity O(n); no memory.
 /// @source Nadopta; B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the
@@ -333,31 +327,31 @@ pub unsafe extern "C" fn gusset_outlines_find_sections(
     statuses: *mut u8,
     steps: *mut u64,
 ) -> gusset_status {
-    let steps = input::optional_output(steps, 0, "steps");
+    let steps = input::cleared_optional_output(steps, 0, "steps");
     guard(context, |job| {
         let steps = steps?;
         let options = input::read(options, true, "options")?.checked()?;
-        let given = Given::read(outlines)?;
-        let outlines = given.outlines();
+        let given = GivenOutlines::read_outlines(outlines)?;
+        let outlines = given.as_outlines();
         let count = outlines.points.len();
-        let mut controls = room(controls, (count, 3), "controls")?.chunks_exact_mut(3);
-        let mut parameters = room(parameters, (count, 1), "parameters")?.iter_mut();
-        let mut statuses = room(statuses, (count, 1), "statuses")?.iter_mut();
+        let mut controls = optional_result_buffer(controls, (count, 3), "controls")?.chunks_exact_mut(3);
+        let mut parameters = optional_result_buffer(parameters, (count, 1), "parameters")?.iter_mut();
+        let mut statuses = optional_result_buffer(statuses, (count, 1), "statuses")?.iter_mut();
         let visit = |section: Section, status: PointStatus| {
             controls.next().into_iter().for_each(|to| to.copy_from_slice(&section.control.to_array()));
             parameters.next().into_iter().for_each(|to| *to = section.t);
             statuses.next().into_iter().for_each(|to| *to = status as u8);
         };
-        input::set(steps, visit_sections(&outlines, &options, visit, job)?);
+        input::set_optional_output(steps, visit_sections(&outlines, &options, visit, job)?);
         Ok(())
     })
 }
 
 /// Returns the caller's buffer for `each` numbers a point; `None` if it is NULL.
-fn room<'a, T: bytemuck::Pod>(
+fn optional_result_buffer<'a, T: bytemuck::Pod>(
     out: *mut T,
     (count, each): (usize, usize),
     name: &'static str,
 ) -> Result<&'a mut [T], Failure> {
-    input::results(out, if out.is_null() { 0 } else { times(count, each, name)? }, name)
+    input::result_buffer(out, if out.is_null() { 0 } else { checked_product(count, each, name)? }, name)
 }

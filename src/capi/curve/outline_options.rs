@@ -9,9 +9,9 @@ use crate::curve::{Ends, JointParameter, Lock, Method, Mode, Options, Solver};
 pub type gusset_curve_kind = u32;
 /// Quadratic segments, G1, one control point for each point.
 pub const GUSSET_CURVE_KIND_COMPOSITE: gusset_curve_kind = 0;
-/// One Bézier curve, for up to about 20 points. Its degree is n through n + 1 points, plus 1 for
-/// each end tangent, and n + 2 through n points of a closed outline, whose seam is smooth. Above
-/// degree 64, a composite curve is made.
+/// One Bézier curve, for up to about 20 points. Its degree is n through n + 1 points, plus 1 an end
+/// tangent. Through n points of a closed outline it is n + 2, with a smooth seam. Above degree 64,
+/// it is composite.
 pub const GUSSET_CURVE_KIND_SINGLE: gusset_curve_kind = 1;
 /// Cubic segments that blend adjacent sections linearly: C1 in the knots of the method's exponent,
 /// G1 with GUSSET_METHOD_NORMAL. GUSSET_METHOD_BISECTOR gives the centripetal Catmull-Rom spline.
@@ -27,18 +27,18 @@ pub const GUSSET_CURVE_KIND_CHAIN: gusset_curve_kind = 5;
 
 /// Guide of a section's control point.
 ///
-/// A section is the quadratic through a point and its two neighbours. Its guide is a line from the
-/// point to the neighbours' chord. With GUSSET_LOCK_DATA_GUIDE, and for separate sections, the
-/// control point lies on the guide. Other locks use only the parameter that the guide defines.
+/// A section is the quadratic through a point and its two neighbours, its guide a line from the
+/// point to their chord. With GUSSET_LOCK_DATA_GUIDE, and for separate sections, the control point
+/// lies on the guide. Other locks use only the parameter that it defines.
 pub type gusset_section_method = u32;
-/// The bisector of the angle at the point. Always defined.
+/// The bisector of the angle at the point; always defined.
 pub const GUSSET_METHOD_BISECTOR: gusset_section_method = 0;
-/// The median. Always defined.
+/// The median; always defined.
 pub const GUSSET_METHOD_MEDIAN: gusset_section_method = 1;
-/// The normal of the chord. If its foot is outside the chord, the bisector applies, or the nearer
-/// end of the chord with GUSSET_LOCK_SELF_CONSISTENT.
+/// The normal of the chord. If its foot is outside the chord, the bisector applies, or the chord's
+/// nearer end with GUSSET_LOCK_SELF_CONSISTENT.
 pub const GUSSET_METHOD_NORMAL: gusset_section_method = 2;
-/// The symmedian. Always defined.
+/// The symmedian; always defined.
 pub const GUSSET_METHOD_SYMMEDIAN: gusset_section_method = 3;
 /// Parameter a^alpha / (a^alpha + b^alpha) for the distances a, b from the neighbours: median at
 /// alpha = 0, bisector at 1/2, symmedian at 1.
@@ -46,14 +46,14 @@ pub const GUSSET_METHOD_ALPHA: gusset_section_method = 4;
 
 /// Rule for the parameters of points.
 pub type gusset_parameter_lock = u32;
-/// The method's parameter on the triangle of the given points. Always solvable. Control points are
+/// The method's parameter on the triangle of the given points. Always solvable, with control points
 /// near the guides.
 pub const GUSSET_LOCK_PARAMETER: gusset_parameter_lock = 0;
-/// The method's parameter on the section's own triangle. With the normal, several solutions may
-/// exist; the solver determines which is found.
+/// The method's parameter on the section's own triangle. With the normal, solutions depend on the
+/// solver.
 pub const GUSSET_LOCK_SELF_CONSISTENT: gusset_parameter_lock = 1;
-/// Control points on the guides of the given points' triangles, where possible. Points of outlines
-/// that are not planar get GUSSET_POINT_OUT_OF_PLANE and GUSSET_LOCK_PARAMETER.
+/// Control points on the guides of the given points' triangles, where possible. Unless the outline
+/// is planar, points get GUSSET_POINT_OUT_OF_PLANE and GUSSET_LOCK_PARAMETER.
 pub const GUSSET_LOCK_DATA_GUIDE: gusset_parameter_lock = 2;
 
 /// Positions of joints of composite curves.
@@ -63,7 +63,7 @@ pub const GUSSET_JOINT_PARAMETER_HALF: gusset_joint_parameter = 0;
 /// From chords to the power of the method's exponent: the quadratic B-spline in these knots, C1.
 pub const GUSSET_JOINT_PARAMETER_KNOT: gusset_joint_parameter = 1;
 /// Continuous curvature, by cubic segments in the triangles of the quadratics; 0 at inflections of
-/// the control polygon. If the outline is not planar, curvatures agree in magnitude only, and
+/// the control polygon. Unless the outline is planar, curvatures agree in magnitude only, and
 /// points get GUSSET_POINT_OUT_OF_PLANE.
 pub const GUSSET_JOINT_PARAMETER_G2: gusset_joint_parameter = 2;
 
@@ -80,9 +80,9 @@ pub type gusset_outline_ends = u32;
 pub const GUSSET_ENDS_FREE: gusset_outline_ends = 0;
 /// Perpendicular to the first chord (first to third point) and to the last.
 pub const GUSSET_ENDS_PERPENDICULAR: gusset_outline_ends = 1;
-/// Parallel to the x-axis, in the sense of the first and last legs.
+/// Parallel to the x-axis, in the sense of first and last legs.
 pub const GUSSET_ENDS_LEVEL: gusset_outline_ends = 2;
-/// Parallel to the y-axis, in the sense of the first and last legs.
+/// Parallel to the y-axis, in the sense of first and last legs.
 pub const GUSSET_ENDS_UPRIGHT: gusset_outline_ends = 3;
 /// Level or upright, whichever is nearer to GUSSET_ENDS_PERPENDICULAR.
 pub const GUSSET_ENDS_LEVEL_OR_UPRIGHT: gusset_outline_ends = 4;
@@ -165,38 +165,36 @@ pub struct gusset_outline_options {
     pub joint: gusset_joint_parameter,
     /// Method of solution.
     pub solver: gusset_outline_solver,
-    /// For open outlines and parts between corners. A constraint on the end tangent takes
-    /// precedence.
+    /// For open outlines and parts between corners; constraints take precedence.
     pub ends: gusset_outline_ends,
     /// 0 to 1.
     /// @when method GUSSET_METHOD_ALPHA
     pub alpha: f64,
-    /// Composite parameters are clamped to this and 1 minus this: 0.001 to 1/2; 0: 1/6.
+    /// Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 1/6.
     pub parameter_limit: f64,
-    /// Largest distance of neighbours that are merged, below 1; 0: 1e-12. 1e-300 merges equal
-    /// points only.
+    /// Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.
     pub repeat_tolerance: f64,
-    /// Points where the polygon turns by more are corners. At least 0; 0, or pi and more: none.
+    /// Points where the polygon turns by more are corners; at least 0; 0, or pi and more: none.
     pub corner_angle: f64,
     /// Iterations end when no move exceeds it; below 1; 0: 1e-12.
     pub tolerance: f64,
-    /// Maximum sweeps or iterations between two corners; 0: 200.
+    /// Most sweeps or iterations between corners; 0: 200.
     pub max_sweeps: u32,
-    /// Maximum steps at a point in a sweep; 0: 20,000.
+    /// Most steps at a point in a sweep; 0: 20,000.
     pub max_steps: u32,
 }
 
 versioned! { gusset_outline_options: 80 }
 
 /// Converts the method in the options.
-pub(crate) fn method(options: &gusset_outline_options) -> Result<Method, Failure> {
+pub(crate) fn to_section_method(options: &gusset_outline_options) -> Result<Method, Failure> {
     match options.method {
         GUSSET_METHOD_BISECTOR => Ok(Method::Bisector),
         GUSSET_METHOD_MEDIAN => Ok(Method::Median),
         GUSSET_METHOD_NORMAL => Ok(Method::Normal),
         GUSSET_METHOD_SYMMEDIAN => Ok(Method::Symmedian),
         GUSSET_METHOD_ALPHA => Ok(Method::Alpha(options.alpha)),
-        other => Err(Failure::unknown("method", other.into())),
+        other => Err(Failure::unknown_value("method", other.into())),
     }
 }
 
@@ -228,7 +226,7 @@ impl gusset_outline_options {
         let or_count = |value: u32, default: u32| if value == 0 { default } else { value };
         Ok(Options {
             mode: choice(self.curve)?,
-            method: method(&self)?,
+            method: to_section_method(&self)?,
             lock: choice(self.lock)?,
             joint: choice(self.joint)?,
             solver: choice(self.solver)?,

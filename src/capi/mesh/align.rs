@@ -19,29 +19,28 @@ use gusset_base::alloc;
 pub type gusset_alignment_start = u32;
 /// As given, moved by poses if any.
 pub const GUSSET_ALIGN_AS_GIVEN: gusset_alignment_start = 0;
-/// Principal axes on the ones of the first piece, in the one of four ways that puts most of the
-/// piece on it. For pieces that show the same object whole.
+/// Principal axes on the first piece's, in the one of four ways that puts most of the piece on it.
+/// For pieces that show one object whole.
 pub const GUSSET_ALIGN_PRINCIPAL_AXES: gusset_alignment_start = 1;
-/// Rims of like shape put together; the rims then hold the pieces. For parts of one cut or broken
-/// surface that do not overlap.
+/// Rims of like shape put together; they then hold the pieces. For parts of a cut or broken surface
+/// without overlap.
 pub const GUSSET_ALIGN_RIMS: gusset_alignment_start = 2;
 
 /// Verdict on the pose of a piece.
 pub type gusset_aligned_reason = u32;
 /// Trusted: the piece fits trusted pieces, up to the first. The fit is judged to a mean edge: a
-/// slightly scaled or mirrored smooth surface may pass. See rms and converged. Pieces that could
-/// only slide together also pass.
+/// slightly scaled or mirrored smooth surface may pass. Pieces that could only slide together also
+/// pass.
 pub const GUSSET_ALIGNED_TRUSTED: gusset_aligned_reason = 0;
 /// The piece lacks faces with area, or overlaps others too little.
 pub const GUSSET_ALIGNED_NO_OVERLAP: gusset_aligned_reason = 1;
 /// Too much of the piece near others is off their surfaces.
 pub const GUSSET_ALIGNED_POOR_FIT: gusset_aligned_reason = 2;
-/// Up to the noise of normals, the piece is free to slide or turn, as on planes, spheres or
-/// cylinders.
+/// Up to the noise of normals, the piece is free to slide or turn.
 pub const GUSSET_ALIGNED_UNDETERMINED: gusset_aligned_reason = 3;
 /// Most of the overlap has opposite normals: the piece is inside out, or mirrored.
 pub const GUSSET_ALIGNED_FACES_OTHER_WAY: gusset_aligned_reason = 4;
-/// The piece overlaps nothing, and is over 50 times larger or smaller than the first; its unit
+/// The piece overlaps nothing, and is over 50 times larger or smaller than the first: its unit
 /// probably differs.
 pub const GUSSET_ALIGNED_OTHER_SIZE: gusset_aligned_reason = 5;
 /// The piece fits untrusted pieces only.
@@ -55,7 +54,7 @@ pub struct gusset_alignment_options {
     pub struct_size: usize,
     /// Initial poses.
     pub start: gusset_alignment_start,
-    /// Points of each piece to match; 0: 2,000.
+    /// Points of a piece to match; 0: 2,000.
     pub samples: u32,
     /// Rigid motions of the pieces, or NULL.
     /// @when start GUSSET_ALIGN_AS_GIVEN
@@ -63,9 +62,8 @@ pub struct gusset_alignment_options {
     pub poses: *const gusset_transform,
     /// Number of pieces, or 0.
     pub pose_count: usize,
-    /// Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a
-    /// tenth of the largest piece's box diagonal. Pieces may start about this far from their final
-    /// poses.
+    /// Largest distance of matched points, and about how far a piece may move; finite, at least 0.
+    /// 0: a tenth of the largest piece's box diagonal.
     pub max_distance: f64,
     /// Rounds in each of two stages, at most; 0: 100.
     pub max_rounds: u32,
@@ -79,8 +77,8 @@ pub struct gusset_alignment_options {
 pub struct gusset_aligned_piece {
     /// Rigid motion from the given positions.
     pub pose: gusset_transform,
-    /// How firmly overlaps hold the piece, 0 to 1; 1 for the first piece. The RMS change of matched
-    /// distances under the unit motion that changes them least. Turns are in radii of the piece.
+    /// How firmly overlaps hold the piece, 0 to 1; 1 for the first. RMS change of matched distances
+    /// under the unit motion that changes them least, turns in radii of the piece.
     pub hold: f64,
     /// Verdict on the pose of a piece.
     pub reason: gusset_aligned_reason,
@@ -94,17 +92,17 @@ pub struct gusset_aligned_piece {
 pub struct gusset_overlap {
     /// The pieces, ascending.
     pub pieces: [u32; 2],
-    /// Fraction of points of each piece that lie on the other, within a mean edge; 0 to 1.
+    /// Fraction of each piece's points on the other, within a mean edge; 0 to 1.
     pub shares: [f64; 2],
-    /// Mean distance of the points on the other surface from it, in the unit of the positions.
+    /// Mean distance of these points from the other surface.
     pub mean: f64,
     /// RMS distance of these points.
     pub rms: f64,
-    /// Fraction of points within 8 mean edges of the other piece that lie on it, 0 to 1.
+    /// Fraction on the other piece of the points within 8 mean edges of it, 0 to 1.
     pub fit: f64,
     /// Points on the other piece.
     pub count: u32,
-    /// 1 if count is at least 30 and fit at least 2/3, else 0.
+    /// 1 if count is at least 30 and fit at least 2/3.
     /// @flag
     pub trusted: u32,
 }
@@ -127,7 +125,7 @@ pub struct gusset_alignment_view {
     pub overlap_count: usize,
     /// Rounds done.
     pub rounds: u32,
-    /// 1 if the pieces stopped moving, 0 if the rounds ran out.
+    /// 1 if the pieces stopped moving before the rounds ran out.
     /// @flag
     pub converged: u32,
 }
@@ -157,13 +155,13 @@ c_enum! {
     }
 }
 
-fn pose(given: gusset_transform) -> Pose {
+fn to_pose(given: gusset_transform) -> Pose {
     let row = |k: usize| DVec3::from_slice(&given.rows[4 * k..]);
     let translation = DVec3::new(given.rows[3], given.rows[7], given.rows[11]);
     Pose { rotation: DMat3::from_cols(row(0), row(1), row(2)).transpose(), translation }
 }
 
-fn transform(pose: &Pose) -> gusset_transform {
+fn to_c_transform(pose: &Pose) -> gusset_transform {
     let [x, y, z] = [0, 1, 2].map(|k| pose.rotation.row(k));
     let t = pose.translation;
     gusset_transform { rows: [x.x, x.y, x.z, t.x, y.x, y.y, y.z, t.y, z.x, z.y, z.z, t.z] }
@@ -172,7 +170,7 @@ fn transform(pose: &Pose) -> gusset_transform {
 impl gusset_alignment {
     fn new(done: &Alignment) -> Result<Self, Error> {
         let piece = |piece: &Aligned| gusset_aligned_piece {
-            pose: transform(&piece.pose),
+            pose: to_c_transform(&piece.pose),
             hold: piece.hold,
             reason: piece.reason.number(),
             reserved: 0,
@@ -195,21 +193,19 @@ impl gusset_alignment {
     }
 }
 
-/// Finds rigid motions after which overlapping pieces fit, all at once. The first piece stays.
+/// Finds rigid motions that fit overlapping pieces, all at once. The first piece stays.
 ///
 /// Points match the nearest points of other pieces, except beyond borders, or if normals differ by
-/// over 45 degrees. Distant matches weigh less. A piece without overlap stays where it starts; an
-/// underdetermined piece may slide. An untrusted pose is not an error; see reason.
+/// over 45 degrees. Distant matches weigh less. A piece without overlap stays at its start; an
+/// underdetermined piece may slide.
 ///
-/// @param pieces at least one; struct_size of the first holds for all.
-/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces),
-///     OUT_OF_RANGE (max_distance; or a pose that is not rigid, its number is the report's index),
-///     COUNT_DIFFERS (fewer poses than pieces), TOO_LARGE
+/// @param pieces as for gusset_join.
+/// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance; a pose that is not rigid,
+///     by index), COUNT_DIFFERS (fewer poses than pieces), TOO_LARGE
 /// @complexity O(V log V) for V vertices of a piece, and in each of usually 10 to 30 rounds
-///     O(samples log V) for each piece and neighbour; GUSSET_ALIGN_RIMS: 512^2 for each two pieces.
-///     Memory linear.
-/// @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994);
-///     P. Neugebauer (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019).
+///     O(samples log V) a piece and neighbour; GUSSET_ALIGN_RIMS: 512^2 for two pieces.
+/// @source Besl and McKay 1992; Chen and Medioni 1992; Turk and Levoy 1994; Neugebauer 1997;
+///     Rusinkiewicz 2019.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_alignment_create(
@@ -221,18 +217,18 @@ pub unsafe extern "C" fn gusset_alignment_create(
 ) -> gusset_status {
     create(context, alignment, "alignment", |job| {
         let options = input::read(options, true, "options")?;
-        let poses = alloc::collect(input::items(options.poses, options.pose_count, "poses")?.map(pose))?;
+        let poses = alloc::collect(input::input_items(options.poses, options.pose_count, "poses")?.map(to_pose))?;
         let start = match options.start {
             GUSSET_ALIGN_AS_GIVEN if poses.is_empty() => Start::AsGiven,
             GUSSET_ALIGN_AS_GIVEN => Start::Poses(&poses),
             GUSSET_ALIGN_PRINCIPAL_AXES => Start::PrincipalAxes,
             GUSSET_ALIGN_RIMS => Start::Rims,
-            other => return Err(Failure::unknown("start", other.into())),
+            other => return Err(Failure::unknown_value("start", other.into())),
         };
         let max_distance = (options.max_distance != 0.0).then_some(options.max_distance);
         let how = Options { start, max_distance, samples: options.samples, max_rounds: options.max_rounds };
-        let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         Ok(gusset_alignment::new(&align(&views, &how, &job.part(0.1, 1.0))?)?)
     })
 }
@@ -244,8 +240,6 @@ pub unsafe extern "C" fn gusset_alignment_destroy(alignment: *mut gusset_alignme
 }
 
 /// Lends the poses and overlaps.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_alignment_get_view(
@@ -254,9 +248,9 @@ pub unsafe extern "C" fn gusset_alignment_get_view(
 ) -> gusset_status {
     lend!(alignment, view, |alignment| gusset_alignment_view {
         struct_size: size_of::<gusset_alignment_view>(),
-        pieces: input::lent(&alignment.pieces),
+        pieces: input::lend_list(&alignment.pieces),
         piece_count: alignment.pieces.len(),
-        overlaps: input::lent(&alignment.overlaps),
+        overlaps: input::lend_list(&alignment.overlaps),
         overlap_count: alignment.overlaps.len(),
         rounds: alignment.rounds,
         converged: alignment.converged.into(),

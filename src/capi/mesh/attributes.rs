@@ -31,26 +31,25 @@ pub const GUSSET_VALUE_U16: gusset_value_type = 4;
 /// 32-bit unsigned integers.
 pub const GUSSET_VALUE_U32: gusset_value_type = 5;
 
-/// Rule that combines the values of several sources. An element with one source keeps its value bit
-/// for bit.
+/// Rule that combines the values of several sources. A single source's value stays bit for bit.
 pub type gusset_rule = u32;
-/// Weighted mean, as for colours; integers are rounded.
+/// Weighted mean; integers are rounded.
 pub const GUSSET_RULE_LINEAR: gusset_rule = 0;
-/// Directions of three floats: weighted mean on the sphere, of length 1. Directions of faces that
-/// the operation turned over are negated.
+/// Directions of three floats: weighted mean on the sphere, of length 1. Faces that the operation
+/// turned over negate theirs.
 pub const GUSSET_RULE_NORMAL: gusset_rule = 1;
 /// Bone weights, at least 0: weighted mean. The max_influences largest (the first of equals) are
 /// kept and scaled to the sum 1, or to the largest value of an integer type.
 pub const GUSSET_RULE_SKIN_WEIGHTS: gusset_rule = 2;
-/// Value of the source with the largest weight (the first of equals), as for materials.
+/// Value of the source with the largest weight (the first of equals).
 pub const GUSSET_RULE_NEAREST: gusset_rule = 3;
-/// Texture coordinates. For vertices and faces: the weighted mean. At corners of new faces:
-/// - The weighted mean where both sides are on one chart.
+/// Texture coordinates. Vertices and faces: weighted mean. Corners of new faces:
+/// - Weighted mean where both sides are on one chart.
 /// - Elsewhere each new face continues the unfolded chart of its old face, up to a seam in the
 ///   middle.
-/// - At the cut of a chart that closes on itself, values are shifted by the jump at the cut. If the
-///   jump is not a repeat of the texture, the face continues its own chart. No face runs back over
-///   the chart.
+/// - At the cut of a chart that closes on itself, values are shifted by the jump there. If the jump
+///   does not repeat the texture, the face continues its own chart. No face runs back over the
+///   chart.
 /// - A rim is on one chart as long as old faces have equal values at common vertices. The sides of
 ///   a gap are on one chart if most new faces agree: values from the far side deviate from the
 ///   continued chart by less than half the distance to the old edge and its length combined.
@@ -73,8 +72,7 @@ c_enum! {
     }
 }
 
-/// Describes an attribute: which elements have values, the type of a value, and the rule that
-/// combines the values of several sources.
+/// Describes an attribute of elements.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_channel {
@@ -82,14 +80,13 @@ pub struct gusset_channel {
     pub struct_size: usize,
     /// Elements that have values.
     pub domain: gusset_domain,
-    /// Type of the values; 0 is not valid.
+    /// Type of values; 0 is invalid.
     pub value_type: gusset_value_type,
-    /// Number of values of an element, 1 to 4096.
+    /// Values of an element, 1 to 4096.
     pub components: u32,
     /// Rule that combines the values of several sources.
     pub rule: gusset_rule,
-    /// Number of weights that GUSSET_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0:
-    /// all.
+    /// Weights that GUSSET_RULE_SKIN_WEIGHTS keeps for elements with several sources; 0: all.
     pub max_influences: u32,
     /// 0.
     pub reserved: u32,
@@ -99,10 +96,10 @@ pub struct gusset_channel {
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Zeroable)]
 pub struct gusset_channel_values {
-    /// Components of each element at the start of every stride, at any alignment. NULL with count
-    /// 0: the input lacks them; its elements get 0, and new elements the values of other sources.
+    /// Components of each element at every stride. NULL with count 0: the input lacks them; its
+    /// elements get 0, and new elements the values of other sources.
     pub values: *const c_void,
-    /// Number of vertices, corners or faces of the input.
+    /// Vertices, corners or faces of the input.
     pub count: usize,
     /// Bytes from one element to the next; 0 if packed.
     pub stride: usize,
@@ -111,21 +108,21 @@ pub struct gusset_channel_values {
 versioned! { gusset_channel: 32 reserved }
 fixed! { gusset_channel_values: 24 }
 
-/// Transfers values from the elements of inputs to the elements of a result.
+/// Transfers values from elements of inputs to a result's.
 ///
-/// Elements without sources, or whose sources all lack the values, get 0.
+/// Elements without sources that have values get 0.
 ///
-/// @param inputs values of each input of the origins, in order, at any alignment.
-/// @param values receives the components of each element at the start of every stride, at any
-///     alignment; bytes between do not change. Must not overlap the inputs' values.
+/// @param inputs values of each input of the origins, in order.
+/// @param values receives the components of each element at every stride, at any alignment; bytes
+///     between do not change. Must not overlap the inputs' values.
 /// @param count room in elements, at least the elements of the result.
 /// @param stride bytes from one element to the next; 0 if packed.
 /// @errors OUT_OF_RANGE (components; value_type and components that the rule refuses; a negative
 ///     skin weight, with element and input), NOT_FINITE (with element and input, except for
 ///     GUSSET_RULE_NEAREST), COUNT_DIFFERS (of inputs, or of values, with the input), BAD_STRIDE,
 ///     BUFFER_TOO_SMALL, OVERLAP
-/// @complexity O(sources and elements) on the context's threads; no memory, except for
-///     GUSSET_RULE_TEXTURE, linear in the corners of new faces.
+/// @complexity O(sources and elements), parallel; no memory, except for GUSSET_RULE_TEXTURE, linear
+///     in the corners of new faces.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_attributes_apply(
@@ -140,13 +137,13 @@ pub unsafe extern "C" fn gusset_attributes_apply(
 ) -> gusset_status {
     guard(context, |job| {
         let given = input::read(channel, false, "channel")?;
-        let origins = &handle::get(origins, "origins")?.0;
-        carry_over(origins, given, (inputs, input_count), (values, count, stride), job)
+        let origins = &handle::get_object(origins, "origins")?.0;
+        carry_over_channel(origins, given, (inputs, input_count), (values, count, stride), job)
     })
 }
 
 /// The body of [`gusset_attributes_apply`], with the caller's channel, inputs and room for values.
-pub(crate) fn carry_over(
+pub(crate) fn carry_over_channel(
     origins: &Origins,
     given: gusset_channel,
     (inputs, input_count): (*const gusset_channel_values, usize),
@@ -179,7 +176,7 @@ pub(crate) fn carry_over(
         }
         let size =
             Strided::span(one.count, one.stride, channel.size(), "values").map_err(|error| of_input(error.into()))?;
-        let bytes = input::bytes(one.values, size, 1, "values").map_err(of_input)?;
+        let bytes = input::input_bytes(one.values, size, 1, "values").map_err(of_input)?;
         let range = bytes.as_ptr_range();
         if !bytes.is_empty() && (range.start as usize) < room_range.end && room_range.start < range.end as usize {
             return Err(of_input(Failure::new(GUSSET_ERROR_OVERLAP, "values overlaps the values of an input")));
@@ -191,18 +188,18 @@ pub(crate) fn carry_over(
         let message = format!("values has room for {count} elements, but {needed} are needed");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
-    let out = input::results(values.cast::<u8>(), room, "values")?;
+    let out = input::result_buffer(values.cast::<u8>(), room, "values")?;
     let mut out = Output::new(out, stride, count, channel.values())?;
     Ok(apply(origins, &channel, &mut out, job)?)
 }
 
-/// Finds which vertices of a mesh are one, for the field merge of gusset_mesh_view.
+/// Finds which vertices are one, for merge of gusset_mesh_view.
 ///
-/// Vertices with equal keys are one, as after splits at seams of texture coordinates or normals.
-/// Without keys, vertices at equal finite positions are one; -0 equals 0.
+/// Vertices with equal keys are one; without keys, vertices at equal finite positions, -0 equal to
+/// 0.
 ///
-/// @param keys one for each vertex, at any alignment; NULL: positions.
-/// @param merge receives for each vertex the smallest vertex that it is one with; at any alignment.
+/// @param keys one for each vertex; NULL: positions.
+/// @param merge receives for each vertex the smallest that it is one with; at any alignment.
 /// @errors as gusset_mesh_view
 /// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
 #[unsafe(no_mangle)]
@@ -215,14 +212,14 @@ pub unsafe extern "C" fn gusset_mesh_find_merge(
 ) -> gusset_status {
     guard(context, |job| {
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let count = mesh.positions().len();
-        let keys = (!keys.is_null()).then(|| input::list(keys, count, "keys")).transpose()?;
+        let keys = (!keys.is_null()).then(|| input::copy_input_items(keys, count, "keys")).transpose()?;
         let found = merge_map(&mesh, keys.as_deref(), &job.part(0.1, 1.0))?;
         if merge.is_null() {
-            return Err(Failure::null("merge"));
+            return Err(Failure::null_argument("merge"));
         }
-        input::results(merge.cast::<u8>(), 4 * count, "merge")?.copy_from_slice(bytemuck::cast_slice(&found));
+        input::result_buffer(merge.cast::<u8>(), 4 * count, "merge")?.copy_from_slice(bytemuck::cast_slice(&found));
         Ok(())
     })
 }

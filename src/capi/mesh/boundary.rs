@@ -1,4 +1,4 @@
-//! Boundary loops: Finds the boundary loops of a mesh, and reports defects.
+//! Boundary loops: Finds boundary loops and defects.
 //!
 //! @source Nesterenko, algorithm 1, as corrected.
 
@@ -6,31 +6,31 @@ use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey,
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, lent};
+use crate::capi::input::{self, choice, lend_list};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
 use crate::mesh::{Defect, NONE};
 use gusset_base::alloc;
 
-/// Treatment of edges with three or more faces.
+/// Treatment of non-manifold edges.
 pub type gusset_non_manifold = u32;
-/// Each face at the edge has its own border there; loops along it are always closed.
+/// Each face has its own border there; loops along it are always closed.
 pub const GUSSET_NON_MANIFOLD_CUT: gusset_non_manifold = 0;
-/// Only edges with exactly one face belong to loops. At other edges loops end, as open chains.
+/// Loops have boundary edges only, and end at non-manifold ones as open chains.
 pub const GUSSET_NON_MANIFOLD_STOP: gusset_non_manifold = 1;
 
 /// Part of the mesh that is checked.
 pub type gusset_survey = u32;
 /// Every edge: all defects are reported, and flagged on the loops.
 pub const GUSSET_SURVEY_WHOLE_MESH: gusset_survey = 0;
-/// The boundary only, many times faster. The whole mesh is checked only if the boundary is open,
-/// touches itself, is not oriented or has edges with three faces.
+/// The boundary only, many times faster. Checks the whole mesh if the boundary is open, touches
+/// itself, is not oriented or has edges with three faces.
 ///
-/// Other defects are not reported. Edges with equally many faces in both directions, two or more,
-/// do not cut loops.
+/// Other defects are not reported. Edges with equal numbers of faces in both directions, two or
+/// more, do not cut loops.
 ///
-/// The search relies on hashes. It fails on ordinary meshes with a probability below 2^-64, but a
-/// malicious mesh may hide a boundary: for untrusted meshes, use GUSSET_SURVEY_WHOLE_MESH.
+/// The search relies on hashes. It fails with a probability below 2^-64, but a malicious mesh may
+/// hide a boundary: for untrusted meshes, use GUSSET_SURVEY_WHOLE_MESH.
 pub const GUSSET_SURVEY_BOUNDARY_ONLY: gusset_survey = 1;
 
 /// Properties of a loop.
@@ -40,9 +40,9 @@ pub type gusset_loop_flags = u32;
 pub const GUSSET_LOOP_OPEN: gusset_loop_flags = 1;
 /// The loop passes a vertex where the surface touches itself.
 pub const GUSSET_LOOP_BOW_TIE: gusset_loop_flags = 2;
-/// The loop was cut from a longer walk at a vertex that the walk passes twice.
+/// The loop was cut from a longer walk that passes a vertex twice.
 pub const GUSSET_LOOP_SPLIT: gusset_loop_flags = 4;
-/// The loop runs along, or ends at, an edge with three or more faces.
+/// The loop runs along, or ends at, a non-manifold edge.
 pub const GUSSET_LOOP_NON_MANIFOLD: gusset_loop_flags = 8;
 /// The faces along the loop disagree in orientation.
 pub const GUSSET_LOOP_NOT_ORIENTED: gusset_loop_flags = 16;
@@ -54,7 +54,7 @@ pub const GUSSET_LOOP_ZERO_LENGTH: gusset_loop_flags = 32;
 pub type gusset_edge_flags = u8;
 /// The loop runs this edge against its face.
 pub const GUSSET_EDGE_REVERSED: gusset_edge_flags = 1;
-/// The edge has three or more faces.
+/// The edge is non-manifold.
 pub const GUSSET_EDGE_NON_MANIFOLD: gusset_edge_flags = 2;
 /// The edge has length 0.
 pub const GUSSET_EDGE_ZERO_LENGTH: gusset_edge_flags = 4;
@@ -80,11 +80,11 @@ pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: gusset_defect_kind = 2;
 /// An edge has three or more half-edges: index is the first, count their number. A face may count
 /// twice.
 pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: gusset_defect_kind = 3;
-/// The faces at a vertex (index) form more than one fan. Fans end at edges with three or more
-/// faces, whose ends are listed too where a loop passes them.
+/// The faces at a vertex (index) form more than one fan. Ends of non-manifold edges are listed too
+/// where a loop passes them.
 pub const GUSSET_DEFECT_BOW_TIE: gusset_defect_kind = 4;
 
-/// Boundary loops of a mesh. It does not refer to the mesh.
+/// Boundary loops of a mesh.
 pub struct gusset_boundary {
     boundary: Boundary,
     defects: Vec<gusset_defect>,
@@ -98,14 +98,14 @@ handle! { gusset_boundary }
 pub struct gusset_boundary_options {
     /// sizeof(gusset_boundary_options).
     pub struct_size: usize,
-    /// Treatment of edges with three or more faces.
+    /// Treatment of non-manifold edges.
     pub non_manifold: gusset_non_manifold,
     /// Part of the mesh that is checked.
     pub survey: gusset_survey,
 }
 
-/// Boundary loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last edge of a
-/// loop to vertices[0].
+/// Boundary loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], cyclically in a
+/// loop.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_loop_view {
@@ -113,7 +113,7 @@ pub struct gusset_loop_view {
     pub struct_size: usize,
     /// Vertices, each once. A closed loop starts at its smallest half-edge.
     pub vertices: gusset_indices,
-    /// Half-edge (position in face_corners) of each edge.
+    /// Half-edge of each edge.
     pub half_edges: gusset_indices,
     /// Face beside each edge.
     pub faces: gusset_indices,
@@ -124,7 +124,7 @@ pub struct gusset_loop_view {
     pub length: f64,
     /// Properties of the loop; 0 if ordinary and closed.
     pub flags: gusset_loop_flags,
-    /// Number of the walk that the loop was cut from.
+    /// Walk that the loop was cut from.
     pub walk: u32,
 }
 
@@ -136,9 +136,9 @@ pub struct gusset_defect {
     pub kind: gusset_defect_kind,
     /// Face, half-edge or vertex.
     pub index: u32,
-    /// Second element, if kind has one; otherwise UINT32_MAX.
+    /// Second element, or UINT32_MAX.
     pub other: u32,
-    /// Number of half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; otherwise 0.
+    /// Half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; else 0.
     pub count: u32,
 }
 
@@ -148,13 +148,12 @@ pub struct gusset_defect {
 pub struct gusset_boundary_view {
     /// sizeof(gusset_boundary_view).
     pub struct_size: usize,
-    /// Number of loops and open chains; 0 if the mesh is closed.
+    /// Loops and open chains; 0 if the mesh is closed.
     pub loop_count: usize,
-    /// Number of walks that loops were cut from. Loops that touch share a walk if it passes from
-    /// one to the other.
+    /// Walks that loops were cut from. Loops that touch share a walk if it passes from one to the
+    /// other.
     pub walk_count: usize,
-    /// Degenerate faces, orientation conflicts and non-manifold edges of the mesh, and bow-ties on
-    /// its boundary.
+    /// Degenerate faces, orientation conflicts, non-manifold edges, and bow-ties on the boundary.
     /// @shape defect_count
     pub defects: *const gusset_defect,
     /// Number of defects.
@@ -187,24 +186,20 @@ impl From<&Defect> for gusset_defect {
     }
 }
 
-/// Finds all boundary loops of a mesh: chains of edges with exactly one face.
+/// Finds all boundary loops: chains of boundary edges.
 ///
 /// Loops run as the faces along them: seen from outside, with counter-clockwise faces, the surface
-/// is on the left and the hole on the right.
-/// - Each loop passes a vertex once: a boundary that touches itself is cut. A loop may have two
-///   vertices.
+/// is on the left.
+/// - Each loop passes a vertex once: a boundary that touches itself is cut. A loop may have only
+///   two vertices.
 /// - Loops are in the order of their smallest half-edges.
-/// - Walks along only edges with three or more faces are left out, except loops cut from other
-///   walks.
+/// - Walks along only non-manifold edges are left out, except loops cut from other walks.
 /// - A face with fewer than three sides between different vertices lacks a border; its neighbours
 ///   count as adjacent.
-/// - Defects are not errors.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex;
-///     GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B) for B boundary edges; linear memory.
-/// @source Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round
-///     each vertex.
+/// @complexity O(H log d); GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B) for B boundary edges.
+/// @source Nesterenko, algorithm 1, corrected.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_create(
@@ -216,7 +211,7 @@ pub unsafe extern "C" fn gusset_boundary_create(
     create(context, boundary, "boundary", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let boundary = boundary_loops(&mesh, &options, &job.part(0.2, 1.0))?;
         let defects = alloc::collect(boundary.defects().iter().map(gusset_defect::from))?;
         Ok(gusset_boundary { boundary, defects })
@@ -229,9 +224,7 @@ pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary)
     handle::destroy(boundary);
 }
 
-/// Lends the counts and defects of a boundary.
-///
-/// @complexity O(1).
+/// Lends the counts and defects.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_get_view(
@@ -242,16 +235,15 @@ pub unsafe extern "C" fn gusset_boundary_get_view(
         struct_size: size_of::<gusset_boundary_view>(),
         loop_count: boundary.len(),
         walk_count: boundary.walk_count() as usize,
-        defects: lent(defects),
+        defects: lend_list(defects),
         defect_count: defects.len(),
     })
 }
 
-/// Lends one loop of a boundary.
+/// Lends one loop.
 ///
 /// @param index below loop_count of gusset_boundary_view.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_get_loop(
@@ -260,13 +252,13 @@ pub unsafe extern "C" fn gusset_boundary_get_loop(
     view: *mut gusset_loop_view,
 ) -> gusset_status {
     lend!(boundary, view, |boundary| {
-        let found = boundary.boundary.get(index).ok_or_else(|| Failure::no_such("loop", index))?;
+        let found = boundary.boundary.get(index).ok_or_else(|| Failure::no_such_element("loop", index))?;
         gusset_loop_view {
             struct_size: size_of::<gusset_loop_view>(),
-            vertices: gusset_indices::lend(found.vertices),
-            half_edges: gusset_indices::lend(found.half_edges),
-            faces: gusset_indices::lend(found.faces),
-            edge_flags: lent(found.edge_flags),
+            vertices: gusset_indices::lend_indices(found.vertices),
+            half_edges: gusset_indices::lend_indices(found.half_edges),
+            faces: gusset_indices::lend_indices(found.faces),
+            edge_flags: lend_list(found.edge_flags),
             length: found.length,
             flags: found.flags.0,
             walk: found.walk,

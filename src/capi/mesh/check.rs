@@ -18,10 +18,10 @@ pub const GUSSET_MESH_CLOSED: gusset_mesh_flags = 1;
 pub const GUSSET_MESH_MANIFOLD: gusset_mesh_flags = 2;
 /// The two faces of each edge run it in opposite directions.
 pub const GUSSET_MESH_ORIENTED: gusset_mesh_flags = 4;
-/// The mesh is oriented, or becomes so if faces are turned over.
+/// The mesh is oriented, or would be after turning faces over.
 pub const GUSSET_MESH_ORIENTABLE: gusset_mesh_flags = 8;
 
-/// Findings of a check. It does not refer to the mesh.
+/// Findings of a check.
 pub struct gusset_check(Check);
 
 handle! { gusset_check }
@@ -32,36 +32,34 @@ handle! { gusset_check }
 pub struct gusset_check_view {
     /// sizeof(gusset_check_view).
     pub struct_size: usize,
-    /// Vertices, including unused ones.
+    /// Vertices, also unused ones.
     pub vertex_count: u32,
-    /// Distinct edges: pairs of different vertices, consecutive in a face.
+    /// Distinct edges, between different vertices.
     pub edge_count: u32,
     /// Faces.
     pub face_count: u32,
     /// Components: faces connected by shared edges.
     pub component_count: u32,
-    /// Walks along the boundary, as walk_count of gusset_boundary_view.
+    /// As walk_count of gusset_boundary_view.
     pub boundary_walk_count: u32,
     /// Properties of a mesh.
     pub properties: gusset_mesh_flags,
-    /// Used vertices - edges + all faces: the Euler characteristic if no face is degenerate.
+    /// Used vertices - edges + faces: the Euler characteristic without degenerate faces.
     pub euler: i64,
-    /// Handles of all components together. -1 if the mesh is not manifold or not orientable, or has
-    /// a degenerate face.
+    /// Handles of all components together; -1 if not manifold or orientable, or with a degenerate
+    /// face.
     pub genus: i64,
-    /// Half-edges of edges with exactly one face.
+    /// Half-edges of boundary edges.
     pub boundary_edges: gusset_indices,
-    /// First half-edge of each edge with three or more faces.
+    /// First half-edge of each non-manifold edge.
     pub non_manifold_edges: gusset_indices,
     /// Ends of non-manifold edges, and bow-ties.
     pub non_manifold_vertices: gusset_indices,
-    /// Vertices whose faces form more than one fan. Fans end at non-manifold edges, whose ends are
-    /// usually included.
+    /// Vertices whose faces form more than one fan; usually also ends of non-manifold edges.
     pub bow_ties: gusset_indices,
     /// First half-edge of each edge whose two faces run it in the same direction.
     pub orientation_conflicts: gusset_indices,
-    /// Faces with the same cycle of vertices, in either direction, as an earlier face; none
-    /// degenerate.
+    /// Faces with the cycle of vertices of an earlier face, in either direction; none degenerate.
     pub duplicate_faces: gusset_indices,
     /// Faces that repeat a vertex.
     pub degenerate_faces: gusset_indices,
@@ -73,10 +71,10 @@ pub struct gusset_check_view {
 
 versioned! { gusset_check_view: 192 }
 
-/// Checks the topology of a mesh. Defects are not errors.
+/// Checks the topology of a mesh.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
+/// @complexity O(H log d).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_create(
@@ -86,7 +84,7 @@ pub unsafe extern "C" fn gusset_check_create(
 ) -> gusset_status {
     create(context, check, "check", |job| {
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         Ok(gusset_check(self::check(&mesh, &job.part(0.2, 1.0))?))
     })
 }
@@ -97,9 +95,7 @@ pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
     handle::destroy(check);
 }
 
-/// Lends the findings of a check.
-///
-/// @complexity O(1).
+/// Lends the findings.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_get_view(
@@ -121,15 +117,15 @@ pub unsafe extern "C" fn gusset_check_get_view(
                 | bit(c.orientable, GUSSET_MESH_ORIENTABLE),
             euler: c.euler,
             genus: c.genus.map_or(-1, i64::from),
-            boundary_edges: gusset_indices::lend(&c.boundary_edges),
-            non_manifold_edges: gusset_indices::lend(&c.non_manifold_edges),
-            non_manifold_vertices: gusset_indices::lend(&c.non_manifold_vertices),
-            bow_ties: gusset_indices::lend(&c.bow_ties),
-            orientation_conflicts: gusset_indices::lend(&c.orientation_conflicts),
-            duplicate_faces: gusset_indices::lend(&c.duplicate_faces),
-            degenerate_faces: gusset_indices::lend(&c.degenerate_faces),
-            zero_area_faces: gusset_indices::lend(&c.zero_area_faces),
-            unused_vertices: gusset_indices::lend(&c.unused_vertices),
+            boundary_edges: gusset_indices::lend_indices(&c.boundary_edges),
+            non_manifold_edges: gusset_indices::lend_indices(&c.non_manifold_edges),
+            non_manifold_vertices: gusset_indices::lend_indices(&c.non_manifold_vertices),
+            bow_ties: gusset_indices::lend_indices(&c.bow_ties),
+            orientation_conflicts: gusset_indices::lend_indices(&c.orientation_conflicts),
+            duplicate_faces: gusset_indices::lend_indices(&c.duplicate_faces),
+            degenerate_faces: gusset_indices::lend_indices(&c.degenerate_faces),
+            zero_area_faces: gusset_indices::lend_indices(&c.zero_area_faces),
+            unused_vertices: gusset_indices::lend_indices(&c.unused_vertices),
         }
     })
 }

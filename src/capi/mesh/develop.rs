@@ -6,8 +6,8 @@
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice};
-use crate::capi::mesh::develop_report::{Development, gusset_develop_report};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::develop_report::{DevelopedSurface, gusset_develop_report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
 use crate::develop::{Cuts, Distortion, Options, develop};
@@ -29,17 +29,17 @@ pub struct gusset_develop_options {
     pub struct_size: usize,
     /// Distortion that a development minimises.
     pub distortion: gusset_distortion,
-    /// Largest number of darts: cuts from the border of a chart to where it is curved.
+    /// Most darts: cuts from a chart's border to where it is curved.
     pub max_darts: u32,
-    /// Vertices of the paths to cut along, path after path. Consecutive vertices are connected by
-    /// the shortest path along edges. A path of one vertex cuts nothing.
+    /// Vertices of the paths to cut along, path after path, connected by the shortest paths along
+    /// edges. A path of one vertex cuts nothing.
     pub cuts: gusset_indices,
     /// Start of each path in cuts, and the end of the last. Empty: one path.
     pub cut_offsets: gusset_indices,
-    /// Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
+    /// Darts stop once no length changes by a larger factor; above 1, finite. 0: no limit.
     pub max_stretch: f64,
-    /// Largest number of steps of a descent. Charts whose border would meet itself, and
-    /// GUSSET_DISTORTION_RIGID, need several descents. 0: 200.
+    /// Most steps of a descent; 0: 200. Charts whose border would meet itself, and
+    /// GUSSET_DISTORTION_RIGID, need several descents.
     pub max_iterations: u32,
     /// 0.
     pub reserved: u32,
@@ -63,37 +63,33 @@ impl gusset_develop_options {
     }
 }
 
-/// Flattens a surface with the least distortion, as a pattern to cut it from.
+/// Flattens a surface with the least distortion.
 ///
-/// The surface is cut along the given paths. Components that are not discs are then opened along
-/// short paths. Each connected component of the rest is a chart. The result has the scalar type of
-/// the surface and z = 0; its faces keep their order and first corners, and are counter-clockwise.
-/// For nets and sheets, see gusset_net_to_mesh and gusset_sheet_to_mesh.
-/// - A chart that unfolds about its edges keeps their lengths: cylinders, cones, tangent
-///   developables in plane strips. The error is at most 1e-10 of the length, or of 1e-3 mean edges
-///   if more, before rounding, which grows with the distance from the origin. The chart may overlap
-///   itself, and rounding may turn over triangles without area.
+/// The surface is cut along the given paths; components that are not discs are then opened along
+/// short paths. Each connected component of the rest is a chart. The result has the surface's
+/// scalar type and z = 0; faces keep their order and first corners, and are counter-clockwise.
+/// - A chart that unfolds about its edges keeps their lengths. The error is at most 1e-10 of the
+///   length, or of 1e-3 mean edges if more, before rounding, which grows with the distance from the
+///   origin. The chart may overlap itself, and rounding may turn over triangles without area.
 /// - Other charts descend to the least distortion. The map is one-to-one: no triangle is turned
 ///   over, and the border does not meet itself. If this ends the descent early, finish is
 ///   GUSSET_CHART_STALLED.
 /// - Darts are made while they lower the distortion, from the border to the vertex with the worst
-///   scale in a conformal map.
-/// - Each chart is turned so that its border has the greatest variance along x.
+///   conformal scale.
+/// - Each chart's border has the greatest variance along x.
 /// - A vertex on a cut becomes several. Merged vertices count as the smallest.
-/// - Edges with three or more faces, or two that disagree in orientation, are borders, not cuts.
+/// - Non-manifold edges, and edges whose faces disagree in orientation, are borders, not cuts.
 /// - Polygons are measured by triangles. A triangle flatter than 1e-7 of its longest side, or
 ///   smaller than 1e-7 of the mean edge, counts as that large.
 /// - A conformal map has the area of the surface.
 ///
 /// @errors as gusset_mesh_view, OUT_OF_RANGE (max_stretch), BAD_OFFSETS (cut_offsets),
-///     INDEX_OUT_OF_RANGE (input of the report is the cut, index the place in it),
-///     CUT_NOT_CONNECTED (likewise), REPEATED_CORNER
-/// @complexity O(H log H) for H half-edges if charts unfold; otherwise O(n^1.5) for n vertices of a
-///     chart, each step and each dart; memory O(n log n).
-/// @source M. Rabinovich et al., Scalable locally injective mappings (2017), for the descent; B.
-///     Levy et al., Least squares conformal maps (2002); J. Erickson, K. Whittlesey, Greedy optimal
-///     homotopy and homology generators (2005), for the cuts that open; M. Ben-Chen et al.,
-///     Conformal flattening by curvature prescription and metric scaling (2008), for darts.
+///     INDEX_OUT_OF_RANGE (input is the cut, index the place in it), CUT_NOT_CONNECTED (likewise),
+///     REPEATED_CORNER
+/// @complexity O(H log H) if charts unfold; else O(n^1.5) for n vertices of a chart, each step and
+///     each dart; memory O(n log n).
+/// @source Rabinovich et al. 2017, for the descent; Levy et al., Least squares conformal maps,
+///     2002; Erickson and Whittlesey 2005, for opening cuts; Ben-Chen et al. 2008, for darts.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_develop(
@@ -104,24 +100,23 @@ pub unsafe extern "C" fn gusset_develop(
 ) -> gusset_status {
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?;
-        let cuts = mesh::indices(&raw const options.cuts, "cuts")?.unwrap_or_default();
-        let offsets = mesh::indices(&raw const options.cut_offsets, "cut_offsets")?.unwrap_or_default();
+        let cuts = mesh::read_indices(&raw const options.cuts, "cuts")?.unwrap_or_default();
+        let offsets = mesh::read_indices(&raw const options.cut_offsets, "cut_offsets")?.unwrap_or_default();
         let options = options.checked(&cuts, &offsets)?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let done = self::develop(&given_mesh.view(), &options, &job.part(0.1, 1.0))?;
-        Ok(gusset_result(Made::Develop(Development::new(done, &job.part(1.0, 1.0))?)))
+        let done = self::develop(&given_mesh.mesh_view(), &options, &job.part(0.1, 1.0))?;
+        Ok(gusset_result(OperationResult::Develop(DevelopedSurface::new(done, &job.part(1.0, 1.0))?)))
     })
 }
 
-/// Lends the flat points, charts and cuts, for a result of gusset_develop.
+/// Lends the report of a development.
 ///
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_develop(
     result: *const gusset_result,
     report: *mut gusset_develop_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_develop", Made::Develop(development) => development.report())
+    report!(result, report, "gusset_develop", OperationResult::Develop(development) => development.develop_report())
 }

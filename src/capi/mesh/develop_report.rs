@@ -1,7 +1,7 @@
-//! Developments: reports: Charts, cuts and distortion of a development.
+//! Developments: reports: Charts, cuts and distortion.
 
 use crate::capi::glue::{fixed, versioned};
-use crate::capi::input::lent;
+use crate::capi::input::lend_list;
 use crate::capi::mesh::gusset_indices;
 use crate::develop::{Chart, CutKind, Developed, Finish};
 use crate::error::Error;
@@ -18,9 +18,9 @@ pub const GUSSET_CHART_CONVERGED: gusset_chart_finish = 1;
 pub const GUSSET_CHART_ITERATION_LIMIT: gusset_chart_finish = 2;
 /// The requested conformal map.
 pub const GUSSET_CHART_CONFORMAL: gusset_chart_finish = 3;
-/// The map with the least symmetric distortion, because the conformal map folds or overlaps.
+/// The map with the least symmetric distortion: the conformal map folds or overlaps.
 pub const GUSSET_CHART_NOT_CONFORMAL: gusset_chart_finish = 4;
-/// Some triangles are turned over, because no map without folds was found.
+/// Some triangles are turned over: no map without folds was found.
 pub const GUSSET_CHART_FOLDED: gusset_chart_finish = 5;
 /// Descended until no step gained: the border would meet itself, or rounding hides the gain. Cuts
 /// or darts may help.
@@ -39,7 +39,7 @@ pub const GUSSET_CUT_DART: gusset_cut_kind = 2;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_chart {
-    /// First vertex of the chart in the result. Its vertices are consecutive.
+    /// First vertex in the result; the chart's vertices are consecutive.
     pub first_vertex: u32,
     /// Number of vertices.
     pub vertex_count: u32,
@@ -49,16 +49,15 @@ pub struct gusset_chart {
     pub finish: gusset_chart_finish,
     /// Steps of all descents.
     pub iterations: u32,
-    /// Pairs of border edges that meet in the plane, except neighbours. With GUSSET_CHART_EXACT,
-    /// only crossings by more than 1e-8 of the root of the area count. 0 unless finish is
-    /// GUSSET_CHART_EXACT or GUSSET_CHART_FOLDED.
+    /// Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT:
+    /// crossings by more than 1e-8 of the root of the area. GUSSET_CHART_FOLDED: all. Else 0.
     pub overlaps: u32,
-    /// Triangles that are turned over. 0 unless finish is GUSSET_CHART_FOLDED.
+    /// Triangles turned over; 0 unless finish is GUSSET_CHART_FOLDED.
     pub folds: u32,
     /// 0.
     pub reserved: u32,
-    /// Symmetric Dirichlet energy: the mean over the area of s^2 + 1 / s^2, summed over both
-    /// singular values s of the map to the plane. The least is 4, for an isometry.
+    /// Symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 for both
+    /// singular values s of the map. An isometry has the least, 4.
     pub energy: f64,
     /// Largest factor by which a length grows.
     pub max_stretch: f64,
@@ -76,14 +75,14 @@ pub struct gusset_chart {
 pub struct gusset_develop_report {
     /// sizeof(gusset_develop_report).
     pub struct_size: usize,
-    /// x, y of each vertex in the plane, always in double precision.
+    /// x, y of each vertex in the plane.
     /// @shape vertex_map 2
     pub points: *const f64,
-    /// Vertex of the surface for each vertex. Vertices on cuts repeat.
+    /// Vertex of the surface for each vertex; repeats on cuts.
     pub vertex_map: gusset_indices,
     /// Chart of each face.
     pub face_charts: gusset_indices,
-    /// Largest and smallest factor by which lengths grow, two numbers for each face.
+    /// Largest and smallest factor by which lengths grow, for each face.
     /// @shape face_charts 2
     pub stretches: *const f64,
     /// Charts in the order of their first faces, side by side along x.
@@ -91,13 +90,13 @@ pub struct gusset_develop_report {
     pub charts: *const gusset_chart,
     /// Number of charts.
     pub chart_count: usize,
-    /// Cut edges of the surface, two vertices each: first given, then opening, then dart cuts.
+    /// Cut edges of the surface, two vertices each: given, opening, then dart cuts.
     /// @shape * 2
     pub cut_edges: gusset_indices,
     /// GUSSET_CUT_... of each cut edge.
     /// @choice gusset_cut_kind
     pub cut_kinds: gusset_indices,
-    /// Number of darts.
+    /// Darts.
     pub darts: u32,
     /// 0.
     pub reserved: u32,
@@ -134,7 +133,7 @@ impl From<&Chart> for gusset_chart {
     }
 }
 
-fn kind(kind: CutKind) -> u32 {
+fn cut_kind_code(kind: CutKind) -> u32 {
     match kind {
         CutKind::Given => GUSSET_CUT_GIVEN,
         CutKind::Opening => GUSSET_CUT_OPENING,
@@ -143,35 +142,35 @@ fn kind(kind: CutKind) -> u32 {
 }
 
 /// A surface in the plane, and the reports on its charts and cuts.
-pub(crate) struct Development {
+pub(crate) struct DevelopedSurface {
     pub(crate) done: Developed,
     charts: Vec<gusset_chart>,
     cut_edges: Vec<u32>,
     cut_kinds: Vec<u32>,
 }
 
-impl Development {
+impl DevelopedSurface {
     pub(crate) fn new(done: Developed, job: &Job<'_>) -> Result<Self, Error> {
         let stage = "putting the pieces together";
-        Ok(Development {
+        Ok(DevelopedSurface {
             charts: alloc::collect_cancellable(done.charts.iter().map(gusset_chart::from), job, stage)?,
             cut_edges: alloc::gather(done.cut_edges.iter().flat_map(|&(ends, _)| ends))?,
-            cut_kinds: alloc::collect(done.cut_edges.iter().map(|&(_, why)| kind(why)))?,
+            cut_kinds: alloc::collect(done.cut_edges.iter().map(|&(_, why)| cut_kind_code(why)))?,
             done,
         })
     }
 
-    pub(crate) fn report(&self) -> gusset_develop_report {
+    pub(crate) fn develop_report(&self) -> gusset_develop_report {
         gusset_develop_report {
             struct_size: size_of::<gusset_develop_report>(),
-            points: lent(&self.done.points).cast(),
-            vertex_map: gusset_indices::lend(&self.done.vertex_map),
-            face_charts: gusset_indices::lend(&self.done.face_charts),
-            stretches: lent(&self.done.stretches).cast(),
-            charts: lent(&self.charts),
+            points: lend_list(&self.done.points).cast(),
+            vertex_map: gusset_indices::lend_indices(&self.done.vertex_map),
+            face_charts: gusset_indices::lend_indices(&self.done.face_charts),
+            stretches: lend_list(&self.done.stretches).cast(),
+            charts: lend_list(&self.charts),
             chart_count: self.charts.len(),
-            cut_edges: gusset_indices::lend(&self.cut_edges),
-            cut_kinds: gusset_indices::lend(&self.cut_kinds),
+            cut_edges: gusset_indices::lend_indices(&self.cut_edges),
+            cut_kinds: gusset_indices::lend_indices(&self.cut_kinds),
             darts: self.done.darts,
             reserved: 0,
         }

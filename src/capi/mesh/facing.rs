@@ -5,9 +5,9 @@
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, fill, lent};
+use crate::capi::input::{self, choice, fill_buffer, lend_list};
 use crate::capi::mesh::gusset_indices;
-use crate::capi::mesh::stitch_options::{gusset_centres, gusset_facing_run, gusset_tolerance_mode, tolerance};
+use crate::capi::mesh::stitch_options::{gusset_centres, gusset_facing_run, gusset_tolerance_mode, to_tolerance};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
@@ -35,8 +35,7 @@ pub struct gusset_facing_options {
     pub run: gusset_facing_run,
     /// Source of the tolerance.
     pub tolerance_mode: gusset_tolerance_mode,
-    /// Facing vertices are farther than this from the plane of their loop. In the unit of the
-    /// points; finite, at least 0.
+    /// As in gusset_stitch_options.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
     /// Centre of a loop.
@@ -55,17 +54,16 @@ pub struct gusset_facing_view {
     pub centre: [[f64; 3]; 2],
     /// Normals C_2 - C_1 and C_1 - C_2 of the planes, equations 6 and 7.
     pub normal: [[f64; 3]; 2],
-    /// Distance of each vertex from the plane of its loop, positive towards the other loop.
+    /// Signed distance of each vertex from its plane, positive towards the other loop.
     /// @shape counts
     pub distances: [*const f64; 2],
-    /// First index and number of vertices of each run of facing vertices, alternating. A run may
-    /// pass the end of the loop.
+    /// First index and length of each run of facing vertices, alternating; a run may pass the
+    /// loop's end.
     /// @shape * 2
     pub runs: [gusset_indices; 2],
-    /// First index and number of vertices of the chosen run, as arc_a and arc_b of
-    /// gusset_stitch_options.
+    /// The chosen run, as arc_a and arc_b of gusset_stitch_options.
     pub taken: [[u32; 2]; 2],
-    /// Number of vertices of each loop.
+    /// Vertices of each loop.
     pub counts: [usize; 2],
 }
 
@@ -73,30 +71,30 @@ versioned! { gusset_facing_options: 24 reserved, gusset_facing_view: 184 }
 
 impl gusset_facing_options {
     fn checked(self) -> Result<Options, Failure> {
-        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
+        let tolerance = to_tolerance(self.tolerance_mode, self.tolerance)?;
         Ok(Options { run: choice(self.run)?, tolerance, centres: choice(self.centres)? })
     }
 }
 
 /// Returns the first place of a run, and its number of vertices.
-fn pair(arc: &Arc) -> [u32; 2] {
+fn first_and_count(arc: &Arc) -> [u32; 2] {
     [arc.first as u32, arc.count as u32]
 }
 
 /// Reads the caller's packed points.
-pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
+pub(crate) fn read_loop_points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
     Error::check_count(name, count as u64, MAX_ELEMENTS)?;
-    Ok(alloc::collect(input::items(data.cast(), count, name)?.map(DVec3::from_array))?)
+    Ok(alloc::collect(input::input_items(data.cast(), count, name)?.map(DVec3::from_array))?)
 }
 
 /// Finds the vertices of two loops that face each other.
 ///
-/// @param points_a packed x, y, z of count_a vertices in order, at least 1.
+/// @param points_a count_a vertices in order, at least 1.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (the centres
-///     coincide, or no vertex of a loop exceeds the tolerance, as with coaxial rims)
-/// @complexity O((N + M) log M); memory linear.
-/// @source Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+///     coincide, or no vertex of a loop exceeds the tolerance)
+/// @complexity O((N + M) log M).
+/// @source Nesterenko, algorithm 2, equations 5-7.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_create(
@@ -110,10 +108,10 @@ pub unsafe extern "C" fn gusset_facing_create(
 ) -> gusset_status {
     create(context, facing, "facing", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let a = points(points_a, count_a, "points_a")?;
-        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
+        let a = read_loop_points(points_a, count_a, "points_a")?;
+        let b = read_loop_points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
         let found = self::facing(&a, &b, &options, job)?;
-        let pairs = |arcs: &[Arc]| alloc::collect(arcs.iter().map(pair));
+        let pairs = |arcs: &[Arc]| alloc::collect(arcs.iter().map(first_and_count));
         let runs = [pairs(&found.runs[0])?, pairs(&found.runs[1])?];
         Ok(gusset_facing { found, runs })
     })
@@ -126,8 +124,6 @@ pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
 }
 
 /// Lends the facing vertices.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_get_view(
@@ -138,9 +134,9 @@ pub unsafe extern "C" fn gusset_facing_get_view(
         struct_size: size_of::<gusset_facing_view>(),
         centre: found.planes.centres.map(|c| c.to_array()),
         normal: found.planes.normals.map(|n| n.to_array()),
-        distances: found.distances.each_ref().map(|list| lent(list)),
-        runs: runs.each_ref().map(|list| gusset_indices::lend(list.as_flattened())),
-        taken: found.taken.each_ref().map(pair),
+        distances: found.distances.each_ref().map(|list| lend_list(list)),
+        runs: runs.each_ref().map(|list| gusset_indices::lend_indices(list.as_flattened())),
+        taken: found.taken.each_ref().map(first_and_count),
         counts: found.distances.each_ref().map(Vec::len),
     })
 }
@@ -150,11 +146,11 @@ pub unsafe extern "C" fn gusset_facing_get_view(
 ///
 /// @param n segments of the longer polyline: N - 1 if open with N vertices, N if closed.
 /// @param m segments of the other polyline, at most n (OUT_OF_RANGE).
-/// @param j receives n + 1 numbers; NULL with capacity 0 asks for the count.
+/// @param j receives n + 1 numbers.
 /// @param written receives the count.
-/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL (only the count is written)
+/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL
 /// @complexity O(n).
-/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_meridians_index(
@@ -165,10 +161,10 @@ pub unsafe extern "C" fn gusset_meridians_index(
     written: *mut usize,
 ) -> gusset_status {
     guard_change(ptr::null(), |job| {
-        let written = input::output(written, 0, "written")?;
+        let written = input::cleared_output(written, 0, "written")?;
         if m > n {
             return Err(Error::OptionOutOfRange { option: "m", value: m.into() }.into());
         }
-        fill((j, capacity, "j"), n as usize + 1, written, job, || Ok(index_rule(n, m)))
+        fill_buffer((j, capacity, "j"), n as usize + 1, written, job, || Ok(index_rule(n, m)))
     })
 }

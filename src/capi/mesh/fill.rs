@@ -6,10 +6,10 @@ use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice, flag};
-use crate::capi::mesh::fill_report::{Fill, gusset_fill_report, gusset_fill_weight};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::fill_report::{FillResult, gusset_fill_report, gusset_fill_weight};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{
-    GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE, gusset_fairing, gusset_intersections, gusset_outward, outward,
+    GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE, gusset_fairing, gusset_intersections, gusset_outward, to_outward,
 };
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status::GUSSET_ERROR_NULL_ARGUMENT;
@@ -24,7 +24,7 @@ use gusset_base::alloc;
 pub type gusset_fill_keep = u32;
 /// All loops are holes.
 pub const GUSSET_KEEP_NONE: gusset_fill_keep = 0;
-/// The longest loop (the first of equals), as the outline of a sheet.
+/// The longest loop (the first of equals).
 pub const GUSSET_KEEP_LONGEST: gusset_fill_keep = 1;
 /// Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot
 /// product with their component's, and a length of at least half the component's area.
@@ -34,13 +34,12 @@ pub const GUSSET_KEEP_BORDERS: gusset_fill_keep = 2;
 pub type gusset_fill_together = u32;
 /// Each loop gets its own patch.
 pub const GUSSET_TOGETHER_APART: gusset_fill_together = 0;
-/// All filled loops share one patch of genus 0. If they are not coplanar, the limit is about 160
-/// loops.
+/// All filled loops share one patch of genus 0. Unless coplanar, at most about 160 loops.
 pub const GUSSET_TOGETHER_ONE: gusset_fill_together = 1;
-/// Loops share a patch where it has less weight than separate patches.
-/// - Tried are pairs whose boxes overlap after each grows on all sides by half its diagonal, about
-///   8 for each loop and 256 in all (the log says if exceeded).
-/// - The pair with the largest relative gain comes first. A patch has at most 16 loops.
+/// Loops share a patch where it weighs less than separate patches.
+/// - Pairs are tried whose boxes, grown by half their diagonals, overlap: about 8 a loop and 256 in
+///   all (the log says if exceeded).
+/// - The largest relative gain comes first. A patch has at most 16 loops.
 /// - With GUSSET_WEIGHT_AREA, the ends of a short tube share a patch along the tube.
 pub const GUSSET_TOGETHER_CHEAPEST: gusset_fill_together = 2;
 
@@ -48,7 +47,7 @@ pub const GUSSET_TOGETHER_CHEAPEST: gusset_fill_together = 2;
 pub type gusset_fill_refinement = u32;
 /// No new vertices.
 pub const GUSSET_REFINE_NONE: gusset_fill_refinement = 0;
-/// New vertices as dense as the vertices around the hole.
+/// New vertices as dense as those around the hole.
 pub const GUSSET_REFINE_RIM_DENSITY: gusset_fill_refinement = 1;
 
 /// Smoothness between faired patches and the old surface.
@@ -56,7 +55,7 @@ pub type gusset_fill_continuity = u32;
 /// Tangent continuity: fairing minimises the squared Laplacian.
 pub const GUSSET_CONTINUITY_C1: gusset_fill_continuity = 0;
 /// Curvature continuity: fairing minimises the squared gradient of the Laplacian. Two rings of old
-/// faces around each rim, with their noise, determine the curvature.
+/// faces at the rim, with their noise, determine the curvature.
 pub const GUSSET_CONTINUITY_C2: gusset_fill_continuity = 1;
 
 /// Options of gusset_fill. Default: all holes, without new vertices.
@@ -69,40 +68,39 @@ pub struct gusset_fill_options {
     pub weight: gusset_fill_weight,
     /// New vertices of patches.
     pub refine: gusset_fill_refinement,
-    /// Fairing of new vertices. Without new vertices it is ignored, and the log says so.
+    /// Fairing; ignored without new vertices.
     pub fairing: gusset_fairing,
-    /// Loops that stay open. Read only if all loops are selected.
+    /// Loops that stay open, if all loops are selected.
     pub keep: gusset_fill_keep,
-    /// Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO
-    /// avoids them, REPORT reports them, IGNORE does not look for them.
+    /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE
+    /// ignores them.
     pub intersections: gusset_intersections,
-    /// If 1, fills and turns over nothing. The report says which loops would be filled, by which
-    /// weight and finish. It does not predict failed triangulations or shared patches.
+    /// 1: changes nothing, but reports which loops would be filled, by which weight and finish.
+    /// Failed triangulations and shared patches are not predicted.
     /// @flag
     pub plan_only: u32,
-    /// Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most
-    /// twofold. 0: 50,000, or 4 for each rim vertex if more, and as many again for sharp angles
-    /// there.
+    /// Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most
+    /// twofold. 0: 50,000, or 4 a rim vertex if more; twice that for sharp angles.
     pub max_new_vertices: u32,
     /// Most edges of a loop to fill. 0: no limit.
     pub max_edges: u32,
     /// Largest length of a loop to fill, at least 0. 0: no limit.
     pub max_length: f64,
-    /// Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
+    /// Largest diagonal of the loop's axis-aligned box, likewise.
     pub max_diameter: f64,
-    /// Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
+    /// Largest area, as in gusset_hole, likewise.
     pub max_area: f64,
-    /// Orientation of closed components of the result, patches included.
+    /// For closed components of the result, patches included.
     pub outward: gusset_outward,
-    /// Choice of loops that share a patch. Read only without groups.
+    /// Loops that share a patch, if groups is NULL.
     pub together: gusset_fill_together,
-    /// Group number of each given loop, loop_count in all. Loops with equal numbers share a patch
-    /// of genus 0, without loops left open for their own reasons. NULL: see together.
+    /// Group of each given loop, loop_count in all. Loops of a group share a patch of genus 0,
+    /// without loops left open for their own reasons. NULL: see together.
     /// @shape loop_count
     pub groups: *const u32,
     /// Smoothness between faired patches and the old surface.
     pub continuity: gusset_fill_continuity,
-    /// If 1, creases of the old surface end at the rim.
+    /// 1: creases of the old surface end at the rim.
     /// @flag
     pub ignore_creases: u32,
 }
@@ -129,7 +127,7 @@ impl gusset_fill_options {
         let refinement = match self.refine {
             GUSSET_REFINE_NONE => Refinement::None,
             GUSSET_REFINE_RIM_DENSITY => Refinement::RimDensity(self.max_new_vertices),
-            other => return Err(Failure::unknown("refine", other.into())),
+            other => return Err(Failure::unknown_value("refine", other.into())),
         };
         let limits = Limits {
             edges: (self.max_edges != 0).then_some(self.max_edges),
@@ -148,63 +146,61 @@ impl gusset_fill_options {
             keep: choice(self.keep)?,
             together: choice(self.together)?,
             plan_only: flag(self.plan_only, "plan_only")?,
-            outward: outward(self.outward, Outward::Keep)?,
+            outward: to_outward(self.outward, Outward::Keep)?,
         })
     }
 
     /// Copies the loops' group numbers.
-    fn groups(self, loops: *const gusset_indices, count: usize) -> Result<Option<Vec<u32>>, Failure> {
+    fn read_groups(self, loops: *const gusset_indices, count: usize) -> Result<Option<Vec<u32>>, Failure> {
         if self.groups.is_null() {
             return Ok(None);
         }
         if loops.is_null() {
             return Err(Failure::new(GUSSET_ERROR_NULL_ARGUMENT, "groups are given, but loops is NULL"));
         }
-        input::list(self.groups, count, "groups").map(Some)
+        input::copy_input_items(self.groups, count, "groups").map(Some)
     }
 }
 
 /// Copies the caller's loops; `None` means all.
-fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u32>>>, Failure> {
+fn read_loops(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u32>>>, Failure> {
     Error::check_count("loops", count as u64, MAX_ELEMENTS)?;
     if loops.is_null() {
-        return if count == 0 { Ok(None) } else { Err(Failure::null("loops")) };
+        return if count == 0 { Ok(None) } else { Err(Failure::null_argument("loops")) };
     }
     let list = |i| {
-        let found = mesh::indices(loops.wrapping_add(i), "the data of a loop").map(Option::unwrap_or_default);
+        let found = mesh::read_indices(loops.wrapping_add(i), "the data of a loop").map(Option::unwrap_or_default);
         found.map_err(|failure| failure.with_item(i))
     };
     alloc::try_collect((0..count).map(list)).map(Some)
 }
 
-/// Fills holes of a mesh: closes boundary loops by triangles, oriented like the surrounding
-/// surface.
+/// Fills holes: closes boundary loops by triangles, oriented like the surrounding surface.
 ///
-/// Loops that cannot be filled stay open; gusset_hole gives the reason. The result has the old
-/// vertices, with their bits, then the new ones; the old faces, then the new triangles, hole by
-/// hole.
-/// - No new edge joins two vertices of one old face: a closed result stays closed when its polygons
+/// Loops that cannot be filled stay open; see gusset_hole_status. The result has the old vertices,
+/// bit for bit, then new ones; the old faces, then new triangles, hole by hole.
+/// - No new edge joins two vertices of an old face: a closed result stays closed if its polygons
 ///   are triangulated.
-/// - With the default weight or GUSSET_WEIGHT_AREA, a planar hole, even with islands, gets no
-///   overlapping triangles if its rims do not cross.
-/// - In a patch of one loop, creases of the old surface continue: matching pairs are joined, three
-///   or more meet in a new vertex. Without new vertices, only straight pairs are joined. Other
-///   creases end at the rim.
-/// - Loops of a shared patch stay open if two of them share a vertex or the search, which is not
+/// - With the default weight or GUSSET_WEIGHT_AREA, planar holes whose rims do not cross, even with
+///   islands, get no overlapping triangles.
+/// - In a patch of one loop, creases continue: matching pairs are joined, three or more meet in a
+///   new vertex. Without new vertices, only straight pairs are joined. Other creases end at the
+///   rim.
+/// - Loops of a shared patch stay open if two share a vertex, or the search, which is not
 ///   exhaustive, fails. GUSSET_TOGETHER_CHEAPEST gives them separate patches.
 /// - A patch that intersects itself or other faces, by an exact test, is retried with less fairing,
-///   other weights and no new vertices. The one with the fewest intersections is kept.
-/// - Faired vertices stay in the box of the rims, grown on all sides by half its diagonal.
+///   other weights and no new vertices. The fewest intersections win.
+/// - Faired vertices stay in the rims' box, grown on all sides by half its diagonal.
 ///
-/// @param loops vertices of each loop in order, in either direction. Consecutive vertices, and the
-///     last and the first, form an edge with exactly one face. NULL with loop_count 0: all loops.
-/// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (input of the report is the loop, index the
-///     place in it), NULL_ARGUMENT (groups without loops), OUT_OF_RANGE, TOO_LARGE
+/// @param loops vertices of each loop in order, in either direction, cyclically joined by boundary
+///     edges. NULL with loop_count 0: all loops.
+/// @errors as gusset_mesh_view, INDEX_OUT_OF_RANGE (input is the loop, index the place in it),
+///     NULL_ARGUMENT (groups without loops), OUT_OF_RANGE, TOO_LARGE
 /// @complexity O(n^3) time, 30 n^2 bytes for a loop of n <= 128 vertices. Otherwise linear memory:
 ///     O(n), coarse to fine; planar O(n log n); shared patches O(n log n) for few loops, O(n^3) for
-///     many. Also O(H log d) for H half-edges, at most d at a vertex, O(m^1.5) for m new vertices
-///     of a hole, and O(n log n), at worst O(n^2), for intersections with n faces near holes.
-/// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+///     many. Also O(H log d), O(m^1.5) for m new vertices of a hole, and O(n log n), at worst
+///     O(n^2), for intersections with n faces near holes.
+/// @source Barequet and Sharir 1995; Liepa 2003.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill(
@@ -219,13 +215,14 @@ pub unsafe extern "C" fn gusset_fill(
         let given_options = input::read(options, true, "options")?;
         let options = given_options.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
-        let given = given(loops, loop_count)?;
-        let merged =
-            |loops: Vec<Vec<u32>>| alloc::gather(loops.into_iter().map(|vertices| mesh::merged(&mesh, vertices)));
+        let mesh = given_mesh.mesh_view();
+        let given = read_loops(loops, loop_count)?;
+        let merged = |loops: Vec<Vec<u32>>| {
+            alloc::gather(loops.into_iter().map(|vertices| mesh::map_to_merged_vertices(&mesh, vertices)))
+        };
         let given = given.map(merged).transpose()?;
         let slices = given.as_ref().map(|loops| alloc::collect(loops.iter().map(Vec::as_slice))).transpose()?;
-        let numbers = given_options.groups(loops, loop_count)?;
+        let numbers = given_options.read_groups(loops, loop_count)?;
         let groups = match (&slices, &numbers) {
             (Some(loops), Some(numbers)) => alloc::collect(loops.iter().copied().zip(numbers.iter().copied()))?,
             _ => Vec::new(),
@@ -237,19 +234,18 @@ pub unsafe extern "C" fn gusset_fill(
         };
         let mut filled = fill_holes(&mesh, selection, &options, &job.part(0.1, 0.95))?;
         filled.keep_splits(&[&mesh], &job.part(0.95, 1.0))?;
-        Ok(gusset_result(Made::Fill(Fill::new(filled)?)))
+        Ok(gusset_result(OperationResult::Fill(FillResult::new(filled)?)))
     })
 }
 
-/// Lends the report on each loop, for a result of gusset_fill.
+/// Lends the report of a filling.
 ///
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_fill(
     result: *const gusset_result,
     report: *mut gusset_fill_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_fill", Made::Fill(fill) => fill.report())
+    report!(result, report, "gusset_fill", OperationResult::Fill(fill) => fill.fill_report())
 }

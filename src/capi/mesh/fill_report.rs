@@ -1,7 +1,7 @@
-//! Holes: reports: The outcome for each loop.
+//! Holes: reports: Outcomes of loops.
 
 use crate::capi::glue::{c_enum, fixed, versioned};
-use crate::capi::input::{Choice, lent};
+use crate::capi::input::{Choice, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::error::Error;
 use crate::fill::{Filled, Finish, Hole, HoleStatus, Weight};
@@ -9,14 +9,13 @@ use gusset_base::alloc;
 
 /// Weight that the triangulation of a hole minimises.
 pub type gusset_fill_weight = u32;
-/// Best continuation of the surrounding surface: the area if the rim is planar, otherwise the sum
-/// of
+/// Best continuation of the surface: the area if the rim is planar, else the sum of
 /// - 2 sin(t / 2) over all edges, the rim included, for angles t between normals;
-/// - the mean squared distance of the triangles from the missing surface, estimated from the
-///   tangent planes at the rim, in units of 1/140 of its length.
+/// - the mean squared distance of triangles from the missing surface, estimated from tangent planes
+///   at the rim, in units of 1/140 of its length.
 pub const GUSSET_WEIGHT_CONTINUATION: gusset_fill_weight = 0;
-/// Sum of the areas and, over all edges, the rim included, squared length times 1 - cosine of the
-/// angle between the normals.
+/// Sum of the areas and, over all edges, the rim included, of squared length * (1 - cos(angle
+/// between normals)).
 pub const GUSSET_WEIGHT_AREA_AND_BEND: gusset_fill_weight = 1;
 /// Largest angle between neighbouring faces, old faces at the rim included; then the area.
 pub const GUSSET_WEIGHT_BEND_THEN_AREA: gusset_fill_weight = 2;
@@ -42,34 +41,31 @@ pub const GUSSET_HOLE_KEPT: gusset_hole_status = 1;
 pub const GUSSET_HOLE_TOO_LARGE: gusset_hole_status = 2;
 /// Left open: it is an open chain.
 pub const GUSSET_HOLE_OPEN: gusset_hole_status = 3;
-/// Left open: it runs along an edge with three or more faces.
+/// Left open: it runs along a non-manifold edge.
 pub const GUSSET_HOLE_NON_MANIFOLD: gusset_hole_status = 4;
 /// Left open: the faces along it disagree in orientation.
 pub const GUSSET_HOLE_NOT_ORIENTED: gusset_hole_status = 5;
 /// Left open: a given loop has fewer than three vertices, or passes a vertex twice.
 pub const GUSSET_HOLE_NOT_SIMPLE: gusset_hole_status = 6;
-/// Left open: an edge of a given loop does not have exactly one face, or belongs to an earlier
-/// loop.
+/// Left open: an edge of a given loop is not a boundary edge, or belongs to an earlier loop.
 pub const GUSSET_HOLE_NOT_FREE: gusset_hole_status = 7;
-/// Left open: every triangulation has an edge between two vertices of one old face, or no shared
-/// patch was found.
+/// Left open: every triangulation joins two vertices of one old face, or no shared patch was found.
 pub const GUSSET_HOLE_NO_TRIANGULATION: gusset_hole_status = 8;
 
 /// Report on one loop.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_hole {
-    /// First vertex of the loop in rims, with the surface on the left before closed components were
-    /// turned outwards. A given loop that is not simple, free or oriented is as given.
+    /// First vertex of the loop in rims, surface on the left before components are turned outwards;
+    /// as given if not simple, free or oriented.
     pub rim_first: usize,
     /// Number of its vertices.
     pub rim_count: usize,
-    /// First face of the patch in the result. Loops that share a patch have the same faces and
-    /// vertices.
+    /// First face of the patch in the result; the same for loops that share a patch.
     pub face_first: usize,
     /// Number of its faces.
     pub face_count: usize,
-    /// First new vertex of the patch in the result.
+    /// First new vertex of the patch.
     pub vertex_first: usize,
     /// Number of these.
     pub vertex_count: usize,
@@ -77,17 +73,17 @@ pub struct gusset_hole {
     pub length: f64,
     /// Diagonal of the axis-aligned box of the loop.
     pub diameter: f64,
-    /// Area of the triangles from the edges of the loop to the mean of its vertices: the area of a
-    /// planar convex hole, more for others.
+    /// Area of the triangles from the loop's edges to the mean of its vertices: exact for a planar
+    /// convex hole, else more.
     pub area: f64,
     /// Outcome for one loop.
     pub status: gusset_hole_status,
-    /// Weight of the triangulation: as requested, or one with fewer intersections.
+    /// As requested, or one with fewer intersections.
     pub weight: gusset_fill_weight,
-    /// Finish of the patch: as requested, or simpler with fewer intersections.
+    /// As requested, or simpler with fewer intersections.
     pub finish: gusset_patch_finish,
-    /// Number of the patch, from 0, in the order of faces; equal for loops that share it.
-    /// UINT32_MAX: no patch, always with plan_only.
+    /// Patch number, in the order of faces; equal for loops that share it. UINT32_MAX: none, always
+    /// with plan_only.
     pub patch: u32,
 }
 
@@ -97,30 +93,28 @@ pub struct gusset_hole {
 pub struct gusset_fill_report {
     /// sizeof(gusset_fill_report).
     pub struct_size: usize,
-    /// Each given loop, or all loops as gusset_boundary_get_loop numbers them.
+    /// Given loops, or all as gusset_boundary_get_loop numbers them.
     /// @shape hole_count
     pub holes: *const gusset_hole,
     /// Number of loops.
     pub hole_count: usize,
     /// Vertices of all loops.
     pub rims: gusset_indices,
-    /// Three rim vertices for each new vertex, in the order of the new vertices.
+    /// Three rim vertices for each new vertex.
     /// @shape * 3
     pub parents: gusset_indices,
-    /// Weights of the parents, at least 0, with sum 1 for each new vertex. They give its nearest
-    /// point on the plain triangulation of the rims: the vertex itself if its patch is flat, or is
-    /// not faired and not creased.
+    /// Weights of the parents, at least 0, sum 1. They give the nearest point on the plain
+    /// triangulation of the rims: the vertex itself in a flat patch, or without fairing and
+    /// creases.
     /// @shape parents 3
     pub weights: *const f64,
-    /// Pairs of intersecting faces, two indices each, ascending, the larger index first: a new
-    /// face. Every contact counts, decided exactly, except at shared or coincident vertices and
-    /// edges.
+    /// Pairs of intersecting faces, ascending, as in gusset_stitch_report: first the larger index,
+    /// a new face.
     /// @shape * 2
     pub intersections: gusset_indices,
-    /// Faces that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first corner; the
-    /// others are reversed.
+    /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
     pub turned_outwards: gusset_indices,
-    /// 1 if intersections were looked for, otherwise 0.
+    /// 1 if searched for.
     /// @flag
     pub intersections_known: u32,
     /// 0.
@@ -176,29 +170,31 @@ impl gusset_hole {
 }
 
 /// A mesh with filled holes, and the reports on its loops.
-pub(crate) struct Fill {
+pub(crate) struct FillResult {
     pub(crate) done: Filled,
     holes: Vec<gusset_hole>,
 }
 
-impl Fill {
+impl FillResult {
     pub(crate) fn new(done: Filled) -> Result<Self, Error> {
         let holes = alloc::collect(done.holes.iter().map(gusset_hole::new))?;
-        Ok(Fill { done, holes })
+        Ok(FillResult { done, holes })
     }
 
-    pub(crate) fn report(&self) -> gusset_fill_report {
-        let Fill { done, holes } = self;
+    pub(crate) fn fill_report(&self) -> gusset_fill_report {
+        let FillResult { done, holes } = self;
         gusset_fill_report {
             struct_size: size_of::<gusset_fill_report>(),
-            holes: lent(holes),
+            holes: lend_list(holes),
             hole_count: holes.len(),
-            rims: gusset_indices::lend(&done.rims),
-            parents: gusset_indices::lend(done.parents.as_flattened()),
-            weights: lent(done.weights.as_flattened()),
-            intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
+            rims: gusset_indices::lend_indices(&done.rims),
+            parents: gusset_indices::lend_indices(done.parents.as_flattened()),
+            weights: lend_list(done.weights.as_flattened()),
+            intersections: gusset_indices::lend_indices(
+                done.intersections.as_deref().unwrap_or_default().as_flattened(),
+            ),
             intersections_known: u32::from(done.intersections.is_some()),
-            turned_outwards: gusset_indices::lend(&done.turned_outwards),
+            turned_outwards: gusset_indices::lend_indices(&done.turned_outwards),
             reserved: 0,
         }
     }

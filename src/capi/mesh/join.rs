@@ -1,45 +1,41 @@
 //! Joining: Joins many open pieces to one mesh.
 //!
-//! @source Nesterenko for a single gap; the rest is our own.
+//! @source Nesterenko for a single gap.
 
 use crate::assemble::assemble;
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::input;
-use crate::capi::mesh::join_options::{gusset_join_options, pairs};
-use crate::capi::mesh::join_report::{Join, gusset_join_report};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::join_options::{gusset_join_options, read_loop_pairs};
+use crate::capi::mesh::join_report::{JoinResult, gusset_join_report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::{self, GivenMesh, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use gusset_base::alloc;
 
-/// Joins open pieces into one mesh. As the options say, sews coincident borders, orients
-/// components, joins facing loops by strips, fills holes, and turns closed components outwards. A
-/// pair that cannot be joined is not an error; see the outcome of each joint.
+/// Joins open pieces into one mesh: sews coincident borders, orients components, joins facing loops
+/// by strips, fills holes, and turns closed components outwards, as the options say.
 ///
 /// The result has the vertices of pieces, strips, then patches; faces likewise. Positions have the
-/// scalar type of the first piece; old ones keep their bits. Unless overlaps says so, overlapping
-/// pieces are not trimmed; strips then enclose the overlap.
+/// first piece's scalar type; old ones keep their bits. Strips enclose overlaps that are not
+/// trimmed.
 ///
 /// Facing loops of different components are joined, by the best one-to-one choice:
-/// - Whole loops, if the conormals (tangents off the surface) of each point to the other, with no
+/// - Whole loops, if the conormals (tangents off the surface) of each point to the other, without a
 ///   much nearer loop between.
 /// - Whole loops, if 9/10 of the vertices of each are nearest to the other, at similar distances or
 ///   once round it. Similar: the ninth decile is at most 4 times the first, or the vertex spacing.
 /// - Else runs of mutually nearest vertices, by open strips.
 ///
-/// @param pieces at least one, each of one or more components; struct_size of the first holds for
-///     all.
-/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces),
-///     MIXED_SCALARS (a piece has f64 positions and the first f32), OUT_OF_RANGE (a tolerance,
-///     max_gap, or an entry of pairs or excluded: the report has its number as index, 0 or 1 for
-///     its loop as input, and the missing piece, else the vertex, as value. The piece or vertex
-///     does not exist; or in pairs, no vertex is named, no or several joinable loops pass it, or
-///     its loop is named before), TOO_LARGE
-/// @complexity O(H log d + V log V) for H half-edges, at most d edges at a vertex and V vertices on
-///     loops, plus gusset_stitch for each strip, gusset_fill for each hole, and a pass over all
-///     faces for each strip faired or tested for intersections. Memory linear.
-/// @source Nesterenko for a single gap; the rest is our own.
+/// @param pieces at least one; struct_size of the first holds for all.
+/// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, OUT_OF_RANGE (a tolerance, max_gap, or
+///     an entry of pairs or excluded: index is the entry, input its loop 0 or 1, value the missing
+///     piece, else the vertex. The piece or vertex does not exist. In pairs, also: no vertex, no or
+///     several joinable loops at it, or a loop named before), TOO_LARGE
+/// @complexity O(H log d + V log V) for V vertices on loops, gusset_stitch for each strip,
+///     gusset_fill for each hole, a pass over all faces for each strip faired or tested for
+///     intersections.
+/// @source Nesterenko for a single gap.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_join(
@@ -52,11 +48,11 @@ pub unsafe extern "C" fn gusset_join(
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?;
         let trim = input::read_nested(options.trim_options, "trim_options", Ok)?;
-        let viewpoints = trim.viewpoints().map_err(|failure| failure.with_field("trim_options"))?;
-        let mut given = pairs(options.pairs, options.pair_count, "pairs")?;
-        let mut excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
-        let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
+        let viewpoints = trim.read_viewpoints().map_err(|failure| failure.with_field("trim_options"))?;
+        let mut given = read_loop_pairs(options.pairs, options.pair_count, "pairs")?;
+        let mut excluded = read_loop_pairs(options.excluded, options.excluded_count, "excluded")?;
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         for selector in given.iter_mut().chain(&mut excluded).flatten() {
             if let Some(view) = views.get(selector.piece as usize) {
                 selector.vertex = view.faces().merge_of(selector.vertex);
@@ -65,19 +61,18 @@ pub unsafe extern "C" fn gusset_join(
         let options = options.checked([&given, &excluded], trim, &viewpoints)?;
         let mut done = assemble(&views, &options, &job.part(0.1, 0.95))?;
         done.keep_splits(&alloc::gather(views.iter())?, &job.part(0.95, 1.0))?;
-        Ok(gusset_result(Made::Join(Join::new(done)?)))
+        Ok(gusset_result(OperationResult::Join(JoinResult::new(done)?)))
     })
 }
 
 /// Lends the report of a join.
 ///
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_join(
     result: *const gusset_result,
     report: *mut gusset_join_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_join", Made::Join(join) => join.report())
+    report!(result, report, "gusset_join", OperationResult::Join(join) => join.join_report())
 }

@@ -1,11 +1,12 @@
-//! Options of joining: Which borders are joined, and how.
+//! Options of joining: Which borders are joined.
 
 use crate::assemble::{MaxGap, Options, Overlaps, Selector};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input::{self, flag};
 use crate::capi::mesh::fill::gusset_fill_options;
 use crate::capi::mesh::stitch_options::{
-    GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_orientation, gusset_outward, gusset_stitch_options, outward,
+    GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_orientation, gusset_outward, gusset_stitch_options,
+    to_outward,
 };
 use crate::capi::mesh::trim::gusset_trim_options;
 use crate::capi::mesh::weld::gusset_weld_options;
@@ -28,13 +29,13 @@ pub const GUSSET_WELDING_EDGE_TO_EDGE: gusset_welding = 2;
 
 /// Widest gap to close.
 pub type gusset_gap = u32;
-/// Limits by size. The width of a gap is the mean distance from a loop to the nearest points of the
-/// other, the larger of both.
+/// The width of a gap is the larger mean distance from either loop to the nearest points of the
+/// other.
 /// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean
-///   radius if more. The mean radius is the mean distance of the vertices from their centre. The
-///   only two loops, on two pieces, are always joined.
+///   radius (mean distance from the loop's centre) if more. The only two loops, on two pieces, are
+///   always joined.
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
-/// - Slits (see gusset_joint): half the mean radius, and at most one mean edge.
+/// - Slits: half the mean radius, and at most one mean edge.
 /// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 pub const GUSSET_GAP_AUTO: gusset_gap = 0;
 
@@ -46,8 +47,8 @@ pub type gusset_overlaps = u32;
 /// Overlapping pieces stay unchanged.
 pub const GUSSET_OVERLAPS_KEEP: gusset_overlaps = 0;
 
-/// One piece of each overlap is kept, as by gusset_trim_create, and the gaps are closed. Strips
-/// that would intersect other faces are left to hole filling.
+/// One piece of each overlap is kept, as by gusset_trim_create, and gaps are closed. Strips that
+/// would intersect other faces are left to hole filling.
 pub const GUSSET_OVERLAPS_TRIM: gusset_overlaps = 1;
 
 /// Two loops of the pieces.
@@ -69,8 +70,7 @@ pub struct gusset_join_options {
     /// Treatment of coincident borders.
     pub weld: gusset_welding,
     /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components
-    /// against the ones that they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores
-    /// outward.
+    /// against those that they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
     /// @values GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP
     pub orientation: gusset_orientation,
     /// Widest gap to close.
@@ -84,36 +84,35 @@ pub struct gusset_join_options {
     /// 1 fills the remaining holes.
     /// @flag
     pub fill: u32,
-    /// Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none.
+    /// Widest gap to close, finite, at least 0; 0 closes none.
     /// @when gap GUSSET_GAP_GIVEN
     pub max_gap: f64,
-    /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit
-    /// twice (see gusset_joint). No loop is in two pairs.
+    /// Pairs of whole loops to join at any distance, or NULL. A pair is two loops, or a slit twice
+    /// (see gusset_joint). No loop is in two pairs.
     /// @shape pair_count
     pub pairs: *const gusset_loop_pair,
     /// Number of pairs.
     pub pair_count: usize,
-    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after
-    /// welding excludes nothing.
+    /// Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding
+    /// exclude nothing.
     /// @shape excluded_count
     pub excluded: *const gusset_loop_pair,
     /// Number of excluded pairs.
     pub excluded_count: usize,
-    /// Options of welding; NULL for the defaults.
+    /// Options of welding.
     pub weld_options: *const gusset_weld_options,
-    /// Options of strips; NULL for the defaults. Only meridians, search, start, rows, row_count,
-    /// cells, fairing, intersections and finish are used; all must be valid.
+    /// Options of strips: only meridians, search, start, rows, row_count, cells, fairing,
+    /// intersections and finish are used; all must be valid.
     pub strip_options: *const gusset_stitch_options,
-    /// Options of filling; NULL for the defaults. groups, outward and plan_only are ignored, but
-    /// outward and plan_only must be valid. GUSSET_INTERSECTIONS_REPORT acts as
-    /// GUSSET_INTERSECTIONS_IGNORE.
+    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    /// GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
     pub fill_options: *const gusset_fill_options,
-    /// Side that closed components face, by default outwards, walls of cavities included. Other
-    /// components mostly keep the orientation of the first piece.
+    /// Closed components face outwards by default. Others mostly keep the first piece's
+    /// orientation.
     pub outward: gusset_outward,
     /// Treatment of overlapping pieces.
     pub overlaps: gusset_overlaps,
-    /// Options of trimming; NULL for the defaults.
+    /// Options of trimming.
     /// @when overlaps GUSSET_OVERLAPS_TRIM
     pub trim_options: *const gusset_trim_options,
 }
@@ -122,14 +121,14 @@ versioned! { gusset_join_options: 104 }
 fixed! { gusset_loop_pair: 16 }
 
 /// Reads the caller's pairs.
-pub(crate) fn pairs(
+pub(crate) fn read_loop_pairs(
     data: *const gusset_loop_pair,
     count: usize,
     name: &'static str,
 ) -> Result<Vec<[Selector; 2]>, Failure> {
     Error::check_count(name, count as u64, MAX_ELEMENTS)?;
     let pair = |[p, q, v, w]: [u32; 4]| [Selector { piece: p, vertex: v }, Selector { piece: q, vertex: w }];
-    Ok(alloc::collect(input::items(data.cast(), count, name)?.map(pair))?)
+    Ok(alloc::collect(input::input_items(data.cast(), count, name)?.map(pair))?)
 }
 
 impl gusset_join_options {
@@ -144,22 +143,22 @@ impl gusset_join_options {
                 Some(input::read_nested(self.weld_options, "weld_options", gusset_weld_options::checked)?)
             }
             GUSSET_WELDING_NONE => None,
-            other => return Err(Failure::unknown("weld", other.into())),
+            other => return Err(Failure::unknown_value("weld", other.into())),
         };
         let keep_orientation = match self.orientation {
             GUSSET_ORIENTATION_FIX => false,
             GUSSET_ORIENTATION_KEEP => true,
-            other => return Err(Failure::unknown("orientation", other.into())),
+            other => return Err(Failure::unknown_value("orientation", other.into())),
         };
         let max_gap = match self.gap {
             GUSSET_GAP_AUTO => MaxGap::Auto,
             GUSSET_GAP_GIVEN => MaxGap::Given(self.max_gap),
-            other => return Err(Failure::unknown("gap", other.into())),
+            other => return Err(Failure::unknown_value("gap", other.into())),
         };
         let overlaps = match self.overlaps {
             GUSSET_OVERLAPS_KEEP => Overlaps::Keep,
             GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(viewpoints)),
-            other => return Err(Failure::unknown("overlaps", other.into())),
+            other => return Err(Failure::unknown_value("overlaps", other.into())),
         };
         let fill = input::read_nested(self.fill_options, "fill_options", gusset_fill_options::checked)?;
         Ok(Options {
@@ -167,7 +166,7 @@ impl gusset_join_options {
             weld,
             edge_to_edge: self.weld == GUSSET_WELDING_EDGE_TO_EDGE,
             keep_orientation,
-            outward: outward(self.outward, Outward::Closed)?,
+            outward: to_outward(self.outward, Outward::Closed)?,
             max_gap,
             whole_loops_only: flag(self.whole_loops_only, "whole_loops_only")?,
             within_components: flag(self.within_components, "within_components")?,

@@ -2,7 +2,7 @@
 
 use crate::assemble::{Assembly, Joint, LeftLoop, Outcome, Reason};
 use crate::capi::glue::{c_enum, fixed, versioned};
-use crate::capi::input::{Choice, lent};
+use crate::capi::input::{Choice, lend_list};
 use crate::capi::mesh::fill_report::gusset_hole;
 use crate::capi::mesh::gusset_indices;
 use crate::capi::mesh::stitch_options::gusset_finish;
@@ -56,42 +56,41 @@ pub const GUSSET_LEFT_TAKEN: gusset_left_reason = 7;
 /// The pair with the nearest loop is excluded.
 pub const GUSSET_LEFT_EXCLUDED: gusset_left_reason = 8;
 
-/// Indices of a piece in the result.
+/// Indices of a piece's elements in the result, UINT32_MAX if removed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_piece_map {
-    /// Index in the result of each vertex, or UINT32_MAX if removed; several may share one.
+    /// Index of each vertex; several may share one.
     pub vertices: gusset_indices,
-    /// Index in the result of each face, or UINT32_MAX if removed. A split triangle has the index
-    /// of its first part; the others follow.
+    /// Index of each face; for a split triangle, of its first part, which the others follow.
     pub faces: gusset_indices,
 }
 
-/// Two loops, or runs of loops, that face each other across a gap.
+/// Two loops, or runs of loops, that face each other. Indices are in the result.
 ///
-/// If borders coincide along a part only, sewing leaves a slit: a loop along the rest of both
-/// borders. A slit may be joined with itself. Then both sides are on it, one with both ends; whole
-/// is 0, and the strip lacks interior rows.
+/// If borders coincide in part, sewing leaves a slit: a loop along the rest of both. In a slit
+/// joined with itself, both sides are on it, one with both ends; whole is 0, and the strip lacks
+/// interior rows.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_joint {
-    /// Vertices of each side in the result, in order, before components are turned outwards. If
-    /// joined, the sides run together from the first meridian on.
+    /// Vertices of each side in order, before components are turned outwards. If joined, both run
+    /// from the first meridian on.
     pub side: [gusset_indices; 2],
     /// Mean width of the gap.
     pub gap: f64,
-    /// First new vertex in the result.
+    /// First new vertex.
     pub vertex_first: usize,
-    /// New vertices.
+    /// Number of new vertices.
     pub vertex_count: usize,
-    /// First face of the strip in the result.
+    /// First face of the strip.
     pub face_first: usize,
-    /// Faces of the strip.
+    /// Number of faces.
     pub face_count: usize,
-    /// Pairs of intersecting faces, two indices each, as in gusset_stitch_report.
+    /// Pairs of intersecting faces, as in gusset_stitch_report.
     /// @shape * 2
     pub intersections: gusset_indices,
-    /// 1 if intersections were searched for.
+    /// 1 if searched for.
     /// @flag
     pub intersections_known: u32,
     /// Outcome of a joint.
@@ -99,19 +98,19 @@ pub struct gusset_joint {
     /// 1 if both sides are whole loops.
     /// @flag
     pub whole: u32,
-    /// Surface that was made; a strip may replace a blend.
+    /// Surface made; a strip may replace a blend.
     pub finish: gusset_finish,
 }
 
-/// Boundary loop of the sewn pieces without a strip, even if filled later; see holes.
+/// Boundary loop of the sewn pieces without a strip, even if filled later.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_left_loop {
     /// Vertices in the result, in order.
     pub vertices: gusset_indices,
     /// Mean distance to the loop nearest to most vertices, on another component if any. Infinite
-    /// without one, or if this loop cannot carry a strip. For a slit that is too wide, the mean
-    /// distance of its sides.
+    /// without one, or if this loop cannot carry a strip. For a slit too wide: mean distance of its
+    /// sides.
     pub gap: f64,
     /// Largest gap that could be joined; 0 without another loop.
     pub allowed_gap: f64,
@@ -137,7 +136,7 @@ pub struct gusset_join_report {
     pub joints: *const gusset_joint,
     /// Number of joints.
     pub joint_count: usize,
-    /// Loops without a strip, even if filled later, by smallest vertex.
+    /// Loops without a strip, by smallest vertex.
     /// @shape left_count
     pub left: *const gusset_left_loop,
     /// Number of loops.
@@ -147,10 +146,10 @@ pub struct gusset_join_report {
     pub holes: *const gusset_hole,
     /// Number of holes.
     pub hole_count: usize,
-    /// Vertices of the rims of holes, in the order before components are turned outwards.
+    /// Rim vertices of holes, in the order before components are turned outwards.
     pub hole_rims: gusset_indices,
-    /// Faces of pieces, by index in the result, that are reversed against their pieces. New faces
-    /// are never listed; they agree with the faces beside them.
+    /// Old faces reversed against their pieces, by index in the result. New faces agree with the
+    /// faces beside them.
     pub turned: gusset_indices,
     /// A face of each non-orientable component.
     pub one_sided: gusset_indices,
@@ -163,7 +162,7 @@ pub struct gusset_join_report {
     pub sewn_edges: u32,
     /// Boundary loops of the result.
     pub loops_left: u32,
-    /// Edges of the result with three or more faces.
+    /// Non-manifold edges of the result.
     pub non_manifold_edges: u32,
     /// Points at which boundary edges were split.
     pub splits: u32,
@@ -176,7 +175,7 @@ pub struct gusset_join_report {
 }
 
 /// Joined pieces, and the reports on them.
-pub(crate) struct Join {
+pub(crate) struct JoinResult {
     pub(crate) done: Assembly,
     pieces: Vec<gusset_piece_map>,
     joints: Vec<gusset_joint>,
@@ -210,27 +209,29 @@ c_enum! {
     }
 }
 
-impl Join {
+impl JoinResult {
     pub(crate) fn new(done: Assembly) -> Result<Self, Error> {
         let map = |map: &IndexMap| gusset_piece_map {
-            vertices: gusset_indices::lend(&map.vertices),
-            faces: gusset_indices::lend(&map.faces),
+            vertices: gusset_indices::lend_indices(&map.vertices),
+            faces: gusset_indices::lend_indices(&map.faces),
         };
         let joint = |joint: &Joint| gusset_joint {
-            side: joint.sides.each_ref().map(|side| gusset_indices::lend(side)),
+            side: joint.sides.each_ref().map(|side| gusset_indices::lend_indices(side)),
             gap: joint.gap,
             vertex_first: joint.vertices.start as usize,
             vertex_count: joint.vertices.len(),
             face_first: joint.faces.start as usize,
             face_count: joint.faces.len(),
-            intersections: gusset_indices::lend(joint.intersections.as_deref().unwrap_or_default().as_flattened()),
+            intersections: gusset_indices::lend_indices(
+                joint.intersections.as_deref().unwrap_or_default().as_flattened(),
+            ),
             intersections_known: joint.intersections.is_some().into(),
             outcome: joint.outcome.number(),
             whole: joint.whole.into(),
             finish: joint.finish.number(),
         };
         let left = |left: &LeftLoop| gusset_left_loop {
-            vertices: gusset_indices::lend(&left.vertices),
+            vertices: gusset_indices::lend_indices(&left.vertices),
             gap: left.gap,
             allowed_gap: left.allowed_gap,
             reason: left.reason.number(),
@@ -238,7 +239,7 @@ impl Join {
         };
         let turned = alloc::gather((0u32..).zip(&done.turned).filter(|&(_, &turned)| turned).map(|(f, _)| f))?;
         // The lists behind these pointers lie on the heap and do not move.
-        Ok(Join {
+        Ok(JoinResult {
             pieces: alloc::collect(done.maps.iter().map(map))?,
             joints: alloc::collect(done.joints.iter().map(joint))?,
             left: alloc::collect(done.left.iter().map(left))?,
@@ -248,21 +249,21 @@ impl Join {
         })
     }
 
-    pub(crate) fn report(&self) -> gusset_join_report {
+    pub(crate) fn join_report(&self) -> gusset_join_report {
         gusset_join_report {
             struct_size: size_of::<gusset_join_report>(),
-            pieces: lent(&self.pieces),
+            pieces: lend_list(&self.pieces),
             piece_count: self.pieces.len(),
-            joints: lent(&self.joints),
+            joints: lend_list(&self.joints),
             joint_count: self.joints.len(),
-            left: lent(&self.left),
+            left: lend_list(&self.left),
             left_count: self.left.len(),
-            holes: lent(&self.holes),
+            holes: lend_list(&self.holes),
             hole_count: self.holes.len(),
-            hole_rims: gusset_indices::lend(&self.done.hole_rims),
-            turned: gusset_indices::lend(&self.turned),
-            one_sided: gusset_indices::lend(&self.done.one_sided),
-            zero_volume: gusset_indices::lend(&self.done.zero_volume),
+            hole_rims: gusset_indices::lend_indices(&self.done.hole_rims),
+            turned: gusset_indices::lend_indices(&self.turned),
+            one_sided: gusset_indices::lend_indices(&self.done.one_sided),
+            zero_volume: gusset_indices::lend_indices(&self.done.zero_volume),
             welded_vertices: self.done.welded_vertices,
             sewn_edges: self.done.sewn_edges,
             loops_left: self.done.loops_left,

@@ -1,4 +1,5 @@
-//! Meshes: Views of polygon meshes in memory of the caller or of a result.
+//! Meshes: Polygon meshes in memory of the caller or of a result. An edge with one face is a
+//! boundary edge, with three or more a non-manifold edge. Memory is linear unless stated.
 
 pub mod result;
 pub mod join;
@@ -23,7 +24,7 @@ pub mod origins;
 pub mod attributes;
 
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::{self, Choice, choice, lent};
+use crate::capi::input::{self, Choice, choice, lend_list};
 use crate::capi::status::Failure;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_FACE_LAYOUT;
 use crate::error::Error;
@@ -32,17 +33,17 @@ use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions
 use gusset_base::alloc;
 use std::ffi::c_void;
 
-/// The type of coordinates.
+/// Type of coordinates.
 pub type gusset_scalar = u32;
 /// 32-bit floats.
 pub const GUSSET_F32: gusset_scalar = 1;
 /// 64-bit floats.
 pub const GUSSET_F64: gusset_scalar = 2;
-/// The type of indices.
+/// Type of indices.
 pub type gusset_index = u32;
 /// 32-bit unsigned integers.
 pub const GUSSET_U32: gusset_index = 0;
-/// Reserved; returns GUSSET_ERROR_UNKNOWN_VALUE.
+/// Reserved: GUSSET_ERROR_UNKNOWN_VALUE.
 pub const GUSSET_U64: gusset_index = 1;
 
 /// Array of indices.
@@ -55,13 +56,12 @@ pub struct gusset_indices {
     pub count: usize,
 }
 
-/// Polygon mesh in the caller's arrays (input), or in the arrays of a result (output). Input arrays
-/// may have any alignment, and must not change during the call; their lengths are not checked.
-/// Counts are checked before elements. An output has packed positions, face_offsets, and face_size
-/// 0. An input has
-/// - at least one vertex and one face (EMPTY_MESH),
+/// Polygon mesh in arrays of the caller (input) or of a result (output). Input arrays must not
+/// change during the call; their lengths are not checked. Counts are checked before elements.
+/// Outputs have packed positions, face_offsets, and face_size 0. Inputs have
+/// - a vertex and a face (EMPTY_MESH),
 /// - at most 2^32 - 2 vertices, and as many corners (TOO_LARGE),
-/// - at least 3 corners in each face (FACE_TOO_SMALL),
+/// - at least 3 corners a face (FACE_TOO_SMALL),
 /// - indices below vertex_count (INDEX_OUT_OF_RANGE),
 /// - finite coordinates at vertices of faces (NOT_FINITE),
 /// - a valid layout (BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS, BAD_MERGE).
@@ -70,7 +70,7 @@ pub struct gusset_indices {
 pub struct gusset_mesh_view {
     /// sizeof(gusset_mesh_view).
     pub struct_size: usize,
-    /// x, y, z at the start of each stride.
+    /// x, y, z at each stride.
     pub positions: *const c_void,
     /// Bytes from one position to the next; 0 if packed.
     pub position_stride: usize,
@@ -85,16 +85,16 @@ pub struct gusset_mesh_view {
     pub face_count: usize,
     /// GUSSET_F32 or GUSSET_F64; must be set, as 0 is invalid.
     pub scalar: gusset_scalar,
-    /// The type of indices.
+    /// Type of indices.
     pub index: gusset_index,
     /// Corners of every face, or 0 with face_offsets.
     pub face_size: u32,
     /// 0.
     pub reserved: u32,
-    /// Representative of each vertex, itself or another vertex; or NULL. Vertices with the same
-    /// representative are one vertex of the surface, so texture seams are not borders; see
-    /// gusset_mesh_find_merge. A representative represents itself, and its position counts. Results
-    /// list representatives; their faces keep the given vertices.
+    /// Representative of each vertex, or NULL. Vertices with one representative are one vertex of
+    /// the surface, so texture seams are not borders; see gusset_mesh_find_merge. A representative
+    /// represents itself, and its position counts. Results list representatives; their faces keep
+    /// the given vertices.
     pub merge: *const c_void,
 }
 
@@ -107,32 +107,32 @@ pub(crate) struct GivenMesh<'a> {
 }
 
 impl GivenMesh<'_> {
-    pub(crate) fn view(&self) -> MeshView<'_> {
+    pub(crate) fn mesh_view(&self) -> MeshView<'_> {
         self.merged.as_ref().map_or(self.mesh, |(merge, corners)| self.mesh.merged(merge, corners))
     }
 }
 
 /// Reads and validates the caller's mesh number `number`.
 pub(crate) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>) -> Result<GivenMesh<'a>, Failure> {
-    checked(view, "mesh", job).map_err(|failure| failure.with_input(number))
+    read_and_validate_mesh(view, "mesh", job).map_err(|failure| failure.with_input(number))
 }
 
 /// Reads an array of the caller's meshes, whose structs must be as large as the first one.
-pub(crate) fn meshes<'a>(
+pub(crate) fn read_meshes<'a>(
     views: *const gusset_mesh_view,
     count: usize,
     job: &Job<'_>,
 ) -> Result<Vec<GivenMesh<'a>>, Failure> {
     Error::check_count("pieces", count as u64, MAX_ELEMENTS)?;
-    let views = input::structs(views, count, "pieces")?.enumerate();
+    let views = input::struct_pointers(views, count, "pieces")?.enumerate();
     alloc::try_collect(views.map(|(k, view)| {
-        let read = |view| checked(view, "piece", &job.share(k, count));
+        let read = |view| read_and_validate_mesh(view, "piece", &job.share(k, count));
         view.and_then(read).map_err(|failure| failure.with_input(k as u32))
     }))
 }
 
 /// Validates a mesh of the caller; `name` is the name of its view in errors.
-pub(crate) fn checked<'a>(
+pub(crate) fn read_and_validate_mesh<'a>(
     view: *const gusset_mesh_view,
     name: &'static str,
     job: &Job<'_>,
@@ -140,7 +140,7 @@ pub(crate) fn checked<'a>(
     let view = input::read(view, false, name)?;
     let scalar = choice(view.scalar)?;
     if view.index != GUSSET_U32 {
-        return Err(Failure::unknown("index", view.index.into()));
+        return Err(Failure::unknown_value("index", view.index.into()));
     }
     // Before the layout, because the arrays of an empty mesh may be NULL.
     for (what, count) in [("vertices", view.vertex_count), ("faces", view.face_count)] {
@@ -155,71 +155,71 @@ pub(crate) fn checked<'a>(
     // Check all counts before reading any element.
     let position_bytes = Positions::bytes_needed(view.position_stride, view.vertex_count, scalar)?;
     let offset_count = Faces::offset_count(view.face_count)?;
-    let positions = input::bytes(view.positions, position_bytes, 1, "positions")?;
+    let positions = input::input_bytes(view.positions, position_bytes, 1, "positions")?;
     let positions = Positions::strided(positions, view.position_stride, view.vertex_count, scalar)?;
     let faces = if view.face_offsets.is_null() {
         let corners = Faces::corner_count(view.face_size, view.face_count)?;
-        let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
+        let corners = input::input_bytes(view.face_corners, corners, 4, "face_corners")?;
         Faces::uniform(corners, view.face_size, view.face_count)?
     } else {
-        let offsets = input::bytes(view.face_offsets, offset_count, 4, "face_offsets")?;
+        let offsets = input::input_bytes(view.face_offsets, offset_count, 4, "face_offsets")?;
         // The offsets first: a wrong last entry would overstate the length of the corners.
         let corners = Faces::check_offsets(offsets, view.face_count, job)?;
-        let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
+        let corners = input::input_bytes(view.face_corners, corners, 4, "face_corners")?;
         Faces::with_offsets(offsets, corners, view.face_count)?
     };
     if view.merge.is_null() {
         return Ok(GivenMesh { mesh: MeshView::new(positions, faces, job)?, merged: None });
     }
-    let merge = input::bytes(view.merge, view.vertex_count, 4, "merge")?;
+    let merge = input::input_bytes(view.merge, view.vertex_count, 4, "merge")?;
     let mesh = MeshView::new(positions, faces, &job.part(0.0, 0.7))?;
     let corners = mesh.merged_corners(merge, &job.part(0.7, 1.0))?;
     Ok(GivenMesh { mesh, merged: Some((merge, corners)) })
 }
 
 /// Lends the arrays of `mesh`.
-pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
+pub(crate) fn lend_mesh(mesh: &Mesh) -> gusset_mesh_view {
     let scalar = mesh.positions.view().scalar();
     gusset_mesh_view {
         struct_size: 0,
         positions: match &mesh.positions {
-            PositionBuffer::F32(points) => lent(points).cast(),
-            PositionBuffer::F64(points) => lent(points).cast(),
+            PositionBuffer::F32(points) => lend_list(points).cast(),
+            PositionBuffer::F64(points) => lend_list(points).cast(),
         },
         position_stride: scalar.position_size(),
         vertex_count: mesh.positions.len(),
-        face_offsets: lent(&mesh.face_offsets).cast(),
-        face_corners: lent(&mesh.face_corners).cast(),
+        face_offsets: lend_list(&mesh.face_offsets).cast(),
+        face_corners: lend_list(&mesh.face_corners).cast(),
         face_count: mesh.face_count(),
         scalar: scalar.number(),
         index: GUSSET_U32,
         face_size: 0,
         reserved: 0,
-        merge: lent(&mesh.merge).cast(),
+        merge: lend_list(&mesh.merge).cast(),
     }
 }
 
 impl gusset_indices {
     /// Lends a slice; NULL for an empty one.
-    pub(crate) fn lend(indices: &[u32]) -> Self {
-        gusset_indices { data: lent(indices), count: indices.len() }
+    pub(crate) fn lend_indices(indices: &[u32]) -> Self {
+        gusset_indices { data: lend_list(indices), count: indices.len() }
     }
 }
 
 /// Maps vertices to the vertices that they are merged into.
-pub(crate) fn merged(mesh: &MeshView<'_>, mut vertices: Vec<u32>) -> Vec<u32> {
+pub(crate) fn map_to_merged_vertices(mesh: &MeshView<'_>, mut vertices: Vec<u32>) -> Vec<u32> {
     vertices.iter_mut().for_each(|v| *v = mesh.faces().merge_of(*v));
     vertices
 }
 
 /// Copies the caller's indices, which may have any alignment; `None` for a NULL struct.
-pub(crate) fn indices(given: *const gusset_indices, name: &'static str) -> Result<Option<Vec<u32>>, Failure> {
+pub(crate) fn read_indices(given: *const gusset_indices, name: &'static str) -> Result<Option<Vec<u32>>, Failure> {
     if given.is_null() {
         return Ok(None);
     }
     let given = *input::reference(given, name)?;
     Error::check_count("indices", given.count as u64, MAX_ELEMENTS)?;
-    input::list(given.data, given.count, name).map(Some)
+    input::copy_input_items(given.data, given.count, name).map(Some)
 }
 
 c_enum! { scalar: Scalar { GUSSET_F32 => F32, GUSSET_F64 => F64 } }

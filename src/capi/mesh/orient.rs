@@ -5,9 +5,9 @@
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, lent};
-use crate::capi::mesh::result::{Made, gusset_result, report};
-use crate::capi::mesh::stitch_options::{gusset_outward, outward};
+use crate::capi::input::{self, lend_list};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
+use crate::capi::mesh::stitch_options::{gusset_outward, to_outward};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::repair::orient::{Options, Outward, orient};
@@ -19,7 +19,7 @@ use gusset_base::alloc;
 pub struct gusset_orient_options {
     /// sizeof(gusset_orient_options).
     pub struct_size: usize,
-    /// Orientation of closed components.
+    /// For closed components.
     pub outward: gusset_outward,
     /// 0.
     pub reserved: u32,
@@ -31,7 +31,7 @@ pub struct gusset_orient_options {
 pub struct gusset_orient_report {
     /// sizeof(gusset_orient_report).
     pub struct_size: usize,
-    /// For each face, 1 if it was turned over, otherwise 0.
+    /// For each face, 1 if it was turned over.
     /// @shape face_count
     /// @flag
     pub turned: *const u8,
@@ -39,14 +39,13 @@ pub struct gusset_orient_report {
     pub face_count: usize,
     /// Smallest face of each non-orientable component, ascending.
     pub one_sided_faces: gusset_indices,
-    /// For each non-orientable component, a half-edge at which its faces cannot agree.
+    /// For each of them, a half-edge at which its faces cannot agree.
     pub one_sided_half_edges: gusset_indices,
-    /// Number of faces turned over.
+    /// Faces turned over.
     pub turned_faces: u32,
-    /// Number of components: faces connected across edges with two faces. A degenerate face is a
-    /// component.
+    /// Components: faces connected across edges with two faces. A degenerate face is a component.
     pub component_count: u32,
-    /// Number of closed components that face outwards only because of GUSSET_OUTWARD_CLOSED.
+    /// Closed components that face outwards only by GUSSET_OUTWARD_CLOSED.
     pub inverted_components: u32,
     /// 0.
     pub reserved: u32,
@@ -56,13 +55,12 @@ versioned! { gusset_orient_options: 16 reserved, gusset_orient_report: 72 }
 
 /// Turns faces over until the two faces of each edge run it in opposite directions.
 ///
-/// In each component the fewest faces are turned; on a tie, its smallest face stays. Edges with
-/// three or more faces connect nothing. A non-orientable component, such as a Moebius strip, stays
-/// unchanged and is listed. A turned face keeps its first corner; the others are reversed. Vertices
-/// and the order of faces do not change.
+/// In each component the fewest faces are turned; on a tie, its smallest face stays. Non-manifold
+/// edges connect nothing. Non-orientable components stay unchanged and are listed. A turned face
+/// keeps its first corner. Vertices and the order of faces do not change.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
+/// @complexity O(H log d).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_orient(
@@ -72,36 +70,35 @@ pub unsafe extern "C" fn gusset_orient(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = Options { outward: outward(input::read(options, true, "options")?.outward, Outward::Keep)? };
+        let options = Options { outward: to_outward(input::read(options, true, "options")?.outward, Outward::Keep)? };
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let mut done = self::orient(&mesh, &options, &job.part(0.2, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
         let one_sided = [
             alloc::collect(done.one_sided.iter().map(|found| found.face))?,
             alloc::collect(done.one_sided.iter().map(|found| found.half_edge))?,
         ];
-        Ok(gusset_result(Made::Orient(done, one_sided)))
+        Ok(gusset_result(OperationResult::Orient(done, one_sided)))
     })
 }
 
-/// Lends the flags, lists and counts, for a result of gusset_orient.
+/// Lends the report of an orientation.
 ///
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_orient(
     result: *const gusset_result,
     report: *mut gusset_orient_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_orient", Made::Orient(done, one_sided) => gusset_orient_report {
+    report!(result, report, "gusset_orient", OperationResult::Orient(done, one_sided) => gusset_orient_report {
         struct_size: size_of::<gusset_orient_report>(),
         // A bool is one byte, 0 or 1.
-        turned: lent(&done.turned).cast(),
+        turned: lend_list(&done.turned).cast(),
         face_count: done.turned.len(),
-        one_sided_faces: gusset_indices::lend(&one_sided[0]),
-        one_sided_half_edges: gusset_indices::lend(&one_sided[1]),
+        one_sided_faces: gusset_indices::lend_indices(&one_sided[0]),
+        one_sided_half_edges: gusset_indices::lend_indices(&one_sided[1]),
         turned_faces: done.turned_faces,
         component_count: done.components,
         inverted_components: done.inverted_components,

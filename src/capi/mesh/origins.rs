@@ -1,10 +1,10 @@
-//! Origins: Gives the source elements of each vertex, corner and face of a result.
+//! Origins: Sources of elements.
 
 use crate::attributes::{Domain, Origins};
 use crate::capi::context::lend;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{choice, lent};
+use crate::capi::input::{choice, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::gusset_status;
 
@@ -25,11 +25,11 @@ c_enum! {
     }
 }
 
-/// Source elements of each vertex, corner and face of a result. It does not refer to the result.
+/// Sources of a result's vertices, corners and faces.
 ///
 /// - An old element has itself, a merged vertex all its vertices in equal parts.
 /// - A new vertex has the rim vertices around it, by its place on plain triangles between them,
-///   without fairing. A vertex put on an edge has the ends of the edge.
+///   before fairing. A vertex put on an edge has its ends.
 /// - A new face has the face across the nearest rim edge (the first of equals). Its corners have
 ///   the old corners there, on its own side if it shares an edge with old faces.
 pub struct gusset_origins(pub(crate) Origins);
@@ -42,16 +42,15 @@ handle! { gusset_origins }
 pub struct gusset_origins_view {
     /// sizeof(gusset_origins_view).
     pub struct_size: usize,
-    /// Element k has the entries offsets[k] to offsets[k + 1] - 1 of sources and weights, or none.
-    /// One entry more than elements.
+    /// Element k has the sources and weights offsets[k] to offsets[k + 1] - 1, if any.
     pub offsets: gusset_indices,
     /// Sources, numbered through all inputs.
     pub sources: gusset_indices,
-    /// Weight of each source, above 0, with sum 1 for each element.
+    /// Weight of each source, above 0, sum 1.
     /// @shape sources
     pub weights: *const f64,
-    /// Input i has the sources starts[i] to starts[i + 1] - 1. One entry more than inputs. Inputs
-    /// are the meshes, pieces or polylines in order, or the single mesh, net or sheet.
+    /// Input i has the sources starts[i] to starts[i + 1] - 1. Inputs are the meshes, pieces,
+    /// polylines, net or sheet in order.
     pub starts: gusset_indices,
 }
 
@@ -63,9 +62,7 @@ pub unsafe extern "C" fn gusset_origins_destroy(origins: *mut gusset_origins) {
     handle::destroy(origins);
 }
 
-/// Lends the origins of the vertices, corners or faces of a result.
-///
-/// @complexity O(1).
+/// Lends the origins of one domain.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_origins_get_view(
@@ -78,10 +75,10 @@ pub unsafe extern "C" fn gusset_origins_get_view(
         let table = of.table(domain);
         gusset_origins_view {
             struct_size: 0,
-            offsets: gusset_indices::lend(table.offsets()),
-            sources: gusset_indices::lend(table.source_indices()),
-            weights: lent(table.weights()),
-            starts: gusset_indices::lend(of.starts(domain)),
+            offsets: gusset_indices::lend_indices(table.offsets()),
+            sources: gusset_indices::lend_indices(table.source_indices()),
+            weights: lend_list(table.weights()),
+            starts: gusset_indices::lend_indices(of.starts(domain)),
         }
     })
 }

@@ -4,9 +4,9 @@ use crate::attributes::Origins;
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::mesh::develop_report::Development;
-use crate::capi::mesh::fill_report::Fill;
-use crate::capi::mesh::join_report::Join;
+use crate::capi::mesh::develop_report::DevelopedSurface;
+use crate::capi::mesh::fill_report::FillResult;
+use crate::capi::mesh::join_report::JoinResult;
 use crate::capi::mesh::origins::gusset_origins;
 use crate::capi::mesh::{self, gusset_mesh_view};
 use crate::capi::status::gusset_status::GUSSET_ERROR_WRONG_HANDLE;
@@ -22,117 +22,117 @@ use crate::repair::weld::Weld;
 use crate::stitch::{Quality, Ruled, Stitch};
 use crate::surface::SurfaceMesh;
 
-/// Mesh made by an operation, such as gusset_join, with its report, such as gusset_result_get_join
-/// lends.
-pub struct gusset_result(pub(crate) Made);
+/// Mesh made by an operation, and its report. Only the getter of this report accepts it; the others
+/// return WRONG_HANDLE.
+pub struct gusset_result(pub(crate) OperationResult);
 
 handle! { gusset_result }
 
 /// The result of an operation.
 #[allow(clippy::large_enum_variant, reason = "each lies in a handle, on the heap")]
-pub(crate) enum Made {
-    Join(Join),
+pub(crate) enum OperationResult {
+    Join(JoinResult),
     Stitch(Stitch),
     Strip(Ruled),
-    Fill(Fill),
+    Fill(FillResult),
     Weld(Weld),
     Sew(Sew),
     /// With a face and a half-edge of each component that cannot be oriented.
     Orient(Oriented, [Vec<u32>; 2]),
-    Develop(Development),
+    Develop(DevelopedSurface),
     NetMesh(NetMesh),
     /// With the place of each vertex.
     SheetMesh(SurfaceMesh, Vec<gusset_surface_place>),
 }
 
-impl Made {
+impl OperationResult {
     /// Returns the C function that made the result.
-    fn operation(&self) -> &'static str {
+    fn operation_name(&self) -> &'static str {
         match self {
-            Made::Join(_) => "gusset_join",
-            Made::Stitch(_) => "gusset_stitch",
-            Made::Strip(_) => "gusset_strip",
-            Made::Fill(_) => "gusset_fill",
-            Made::Weld(_) => "gusset_weld",
-            Made::Sew(_) => "gusset_sew",
-            Made::Orient(..) => "gusset_orient",
-            Made::Develop(_) => "gusset_develop",
-            Made::NetMesh(_) => "gusset_net_to_mesh",
-            Made::SheetMesh(..) => "gusset_sheet_to_mesh",
+            OperationResult::Join(_) => "gusset_join",
+            OperationResult::Stitch(_) => "gusset_stitch",
+            OperationResult::Strip(_) => "gusset_strip",
+            OperationResult::Fill(_) => "gusset_fill",
+            OperationResult::Weld(_) => "gusset_weld",
+            OperationResult::Sew(_) => "gusset_sew",
+            OperationResult::Orient(..) => "gusset_orient",
+            OperationResult::Develop(_) => "gusset_develop",
+            OperationResult::NetMesh(_) => "gusset_net_to_mesh",
+            OperationResult::SheetMesh(..) => "gusset_sheet_to_mesh",
         }
     }
 
     /// Returns the failure if the report belongs to another operation.
-    pub(crate) fn wrong_operation(&self, operation: &str) -> Failure {
-        let message = format!("the result was made by {}, not by {operation}", self.operation());
+    pub(crate) fn wrong_operation_failure(&self, operation: &str) -> Failure {
+        let message = format!("the result was made by {}, not by {operation}", self.operation_name());
         Failure::new(GUSSET_ERROR_WRONG_HANDLE, message)
     }
 
-    fn mesh(&self) -> &Mesh {
+    fn result_mesh(&self) -> &Mesh {
         match self {
-            Made::Join(join) => &join.done.mesh,
-            Made::Stitch(stitch) => &stitch.mesh,
-            Made::Strip(strip) => &strip.mesh,
-            Made::Fill(fill) => &fill.done.mesh,
-            Made::Weld(weld) => &weld.mesh,
-            Made::Sew(sew) => &sew.mesh,
-            Made::Orient(orient, _) => &orient.mesh,
-            Made::Develop(development) => &development.done.mesh,
-            Made::NetMesh(net) => &net.mesh,
-            Made::SheetMesh(sheet, _) => &sheet.mesh,
+            OperationResult::Join(join) => &join.done.mesh,
+            OperationResult::Stitch(stitch) => &stitch.mesh,
+            OperationResult::Strip(strip) => &strip.mesh,
+            OperationResult::Fill(fill) => &fill.done.mesh,
+            OperationResult::Weld(weld) => &weld.mesh,
+            OperationResult::Sew(sew) => &sew.mesh,
+            OperationResult::Orient(orient, _) => &orient.mesh,
+            OperationResult::Develop(development) => &development.done.mesh,
+            OperationResult::NetMesh(net) => &net.mesh,
+            OperationResult::SheetMesh(sheet, _) => &sheet.mesh,
         }
     }
 
-    fn origins(&self, job: &Job<'_>) -> Result<Origins, Error> {
+    fn result_origins(&self, job: &Job<'_>) -> Result<Origins, Error> {
         match self {
-            Made::Join(join) => Origins::from_assembly(&join.done, job),
-            Made::Stitch(stitch) => Origins::from_stitch(stitch, job),
-            Made::Strip(strip) => Origins::from_ruled(strip, job),
-            Made::Fill(fill) => Origins::from_filled(&fill.done, job),
-            Made::Weld(weld) => Origins::from_weld(weld, job),
-            Made::Sew(sew) => Origins::from_sew(sew, job),
-            Made::Orient(orient, _) => Origins::from_oriented(orient, job),
-            Made::Develop(development) => Origins::from_developed(&development.done, job),
-            Made::NetMesh(net) => Origins::from_net_mesh(net, job),
-            Made::SheetMesh(sheet, _) => Origins::from_surface_mesh(sheet, job),
+            OperationResult::Join(join) => Origins::from_assembly(&join.done, job),
+            OperationResult::Stitch(stitch) => Origins::from_stitch(stitch, job),
+            OperationResult::Strip(strip) => Origins::from_ruled(strip, job),
+            OperationResult::Fill(fill) => Origins::from_filled(&fill.done, job),
+            OperationResult::Weld(weld) => Origins::from_weld(weld, job),
+            OperationResult::Sew(sew) => Origins::from_sew(sew, job),
+            OperationResult::Orient(orient, _) => Origins::from_oriented(orient, job),
+            OperationResult::Develop(development) => Origins::from_developed(&development.done, job),
+            OperationResult::NetMesh(net) => Origins::from_net_mesh(net, job),
+            OperationResult::SheetMesh(sheet, _) => Origins::from_surface_mesh(sheet, job),
         }
     }
 }
 
-/// `report!(result, report, "gusset_x", Made::X(it) => struct)` fills the caller's struct `report`
+/// `report!(result, report, "gusset_x", OperationResult::X(it) => struct)` fills the caller's struct `report`
 /// from a result of `gusset_x`. It rejects the result of another operation.
 macro_rules! report {
     ($result:ident, $report:ident, $operation:literal, $made:pat => $body:expr) => {
         $crate::capi::context::lend!($result, $report, |result| {
-            let $made = &result.0 else { return Err(result.0.wrong_operation($operation)) };
+            let $made = &result.0 else { return Err(result.0.wrong_operation_failure($operation)) };
             $body
         })
     };
 }
 pub(crate) use report;
 
-/// Quality of the new faces of a stitch or a filling, and of the whole result.
+/// Quality of new faces and the result.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_quality_report {
     /// sizeof(gusset_quality_report).
     pub struct_size: usize,
-    /// Smallest angle of new triangles, in radians; 0 if one is degenerate.
+    /// Smallest angle of new triangles; 0 if one is degenerate.
     pub min_angle: f64,
     /// Largest aspect ratio of new triangles, longest side / (2 sqrt(3) inradius): 1 if
     /// equilateral, infinite if degenerate.
     pub max_aspect: f64,
-    /// Longest edge of new faces, in the unit of the positions.
+    /// Longest edge of new faces.
     pub max_edge: f64,
-    /// Area of new faces, in the square of that unit.
+    /// Area of new faces.
     pub area: f64,
     /// New triangles of area 0.
     pub degenerate_faces: u32,
     /// Boundary loops of the result.
     pub loops_left: u32,
-    /// Edges of the result with three or more faces.
+    /// Non-manifold edges of the result.
     pub non_manifold_edges: u32,
-    /// Edges of the result whose two faces disagree in orientation.
+    /// Edges whose two faces disagree in orientation.
     pub orientation_conflicts: u32,
 }
 
@@ -161,21 +161,18 @@ pub unsafe extern "C" fn gusset_result_destroy(result: *mut gusset_result) {
 }
 
 /// Lends the mesh.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_mesh(
     result: *const gusset_result,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    lend!(result, view, |result| mesh::lend(result.0.mesh()))
+    lend!(result, view, |result| mesh::lend_mesh(result.0.result_mesh()))
 }
 
-/// Reports the quality of a result of gusset_stitch or gusset_fill.
+/// Reports the quality of a stitch or filling.
 ///
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_quality(
@@ -183,27 +180,26 @@ pub unsafe extern "C" fn gusset_result_get_quality(
     report: *mut gusset_quality_report,
 ) -> gusset_status {
     lend!(result, report, |result| match &result.0 {
-        Made::Stitch(stitch) => (&stitch.quality).into(),
-        Made::Fill(fill) => (&fill.done.quality).into(),
-        other => return Err(other.wrong_operation("gusset_stitch or gusset_fill")),
+        OperationResult::Stitch(stitch) => (&stitch.quality).into(),
+        OperationResult::Fill(fill) => (&fill.done.quality).into(),
+        other => return Err(other.wrong_operation_failure("gusset_stitch or gusset_fill")),
     })
 }
 
-/// Finds the sources of the vertices, corners and faces of a result. The inputs are the meshes,
-/// pieces, net or sheet of the operation, in order:
+/// Finds the sources of a result's vertices, corners and faces in the operation's meshes, pieces,
+/// net or sheet:
 /// - A strip has two polylines; its corners and faces lack sources.
 /// - A corner that gusset_sew added on an edge has the corners of its face at both ends.
-/// - A vertex of a development comes from one vertex; its corners and faces are the ones of the
-///   surface.
-/// - A vertex of the mesh of a net has the first of its nodes, a face its cell. A corner has the
-///   node of its own cell, so both sides of a seam differ.
-/// - A sheet has (rows + 1) * (columns + 1) nodes between its cells, row by row. Vertices and
-///   corners have the nodes of their cell, by parameters; faces have their cells. Where the sheet
-///   closes, corners have the nodes on the side of their face.
+/// - Corners and faces of a development are the surface's; each vertex has one source.
+/// - In the mesh of a net, a vertex has its first node, a face its cell, a corner its own cell's
+///   node: both sides of a seam differ.
+/// - A sheet has (rows + 1) * (columns + 1) nodes, row by row. Vertices and corners have the nodes
+///   of their cell, by parameters; faces have their cells. Where the sheet closes, corners have the
+///   nodes on their face's side.
 ///
 /// @errors TOO_LARGE
-/// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner
-///     and face (sheet: 52 for each vertex and corner), plus linear in n.
+/// @complexity O(H log n) for n corners of new faces; 16 bytes an element (sheet: 52 a vertex or
+///     corner), plus linear in n.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_origins_create(
@@ -211,12 +207,14 @@ pub unsafe extern "C" fn gusset_result_origins_create(
     result: *const gusset_result,
     origins: *mut *mut gusset_origins,
 ) -> gusset_status {
-    create(context, origins, "origins", |job| Ok(gusset_origins(handle::get(result, "result")?.0.origins(job)?)))
+    create(context, origins, "origins", |job| {
+        Ok(gusset_origins(handle::get_object(result, "result")?.0.result_origins(job)?))
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Made;
+    use super::OperationResult;
     use crate::job::Job;
     use crate::mesh::{Faces, MeshView, Positions};
     use crate::repair::weld::{Options, weld};
@@ -226,8 +224,8 @@ mod tests {
         let (points, corners) = ([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2]]);
         let job = Job::default();
         let mesh = MeshView::new(Positions::from(&points[..]), Faces::triangles(&corners).unwrap(), &job).unwrap();
-        let made = Made::Weld(weld(&mesh, &Options::default(), &job).unwrap());
-        let message = made.wrong_operation("gusset_stitch").message;
+        let made = OperationResult::Weld(weld(&mesh, &Options::default(), &job).unwrap());
+        let message = made.wrong_operation_failure("gusset_stitch").message;
         assert_eq!(message, "the result was made by gusset_weld, not by gusset_stitch");
     }
 }

@@ -4,7 +4,7 @@ use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input;
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::weld::gusset_weld_options;
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
@@ -16,24 +16,23 @@ use crate::repair::sew::sew;
 pub struct gusset_sew_report {
     /// sizeof(gusset_sew_report).
     pub struct_size: usize,
-    /// Index of each old vertex in the result; UINT32_MAX if removed as unused.
+    /// Index of each old vertex in the result, as in gusset_weld_report.
     pub vertex_map: gusset_indices,
-    /// Index in the result of the first part of each old face; UINT32_MAX if dropped.
+    /// Index of each old face's first part in the result; UINT32_MAX if dropped.
     pub face_map: gusset_indices,
     /// Old face of each face of the result.
     pub face_origin: gusset_indices,
-    /// Old vertices that coincide with another, or lie inside a boundary edge, and were not sewn to
-    /// it.
+    /// Old vertices that coincide with another, or lie inside a boundary edge, but are not sewn.
     pub left_vertices: gusset_indices,
-    /// Number of vertices merged into a smaller one.
+    /// Vertices merged into a smaller one.
     pub welded_vertices: u32,
-    /// Number of edges with two faces made from boundary edges or parts of them.
+    /// Edges made from boundary edges or their parts.
     pub sewn_edges: u32,
-    /// Number of points at which boundary edges were split.
+    /// Points at which boundary edges were split.
     pub splits: u32,
-    /// Number of old faces that were cut or gained corners.
+    /// Old faces that were cut or gained corners.
     pub split_faces: u32,
-    /// Number of dropped old faces.
+    /// Dropped old faces.
     pub dropped_faces: u32,
     /// 0.
     pub reserved: u32,
@@ -43,23 +42,22 @@ pub struct gusset_sew_report {
 
 versioned! { gusset_sew_report: 104 }
 
-/// Sews coincident borders, also where their vertices do not match.
+/// Sews coincident borders.
 /// - Vertices are welded as by gusset_weld.
 /// - Where a vertex of one border then lies inside a boundary edge of another (a T-junction), the
-///   edge is split if exactly two pieces coincide. Triangles with split edges are cut into
-///   triangles, none turned over; larger faces gain corners.
+///   edge is split if exactly two pieces coincide. Triangles are cut into triangles, none turned
+///   over; larger faces gain corners.
 /// - Borders are welded again.
-/// - A vertex lies inside an edge if it is within the tolerance of the edge and not of its ends.
-///   The edge must be longer than twice the tolerance; see gusset_weld_options for its default.
-/// - Splitting makes no edges with three or more faces and no degenerate faces.
-/// - The result has the old faces in order, or their parts in their places. Among merged vertices
-///   the smallest remains, with its position bits. New vertices have the position of an old one.
+/// - A vertex lies inside an edge, longer than twice the tolerance, if it is within the tolerance
+///   of the edge and not of its ends.
+/// - Splitting makes no non-manifold edges and no degenerate faces.
+/// - The result has the old faces in order, or their parts in their places. The smallest of merged
+///   vertices remains, bit for bit. New vertices have the position of an old one.
 ///
-/// @param options as for gusset_weld. GUSSET_WELD_ALL welds all vertices before edges are split,
-///     borders afterwards.
+/// @param options as for gusset_weld. GUSSET_WELD_ALL welds all vertices before the splits, borders
+///     afterwards.
 /// @errors as gusset_weld, TOO_LARGE (the result)
-/// @complexity O(H log H) for H half-edges, if valences are small and few vertices lie inside each
-///     edge; linear memory.
+/// @complexity O(H log H), if valences are small and few vertices lie inside each edge.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sew(
@@ -71,29 +69,28 @@ pub unsafe extern "C" fn gusset_sew(
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
-        Ok(gusset_result(Made::Sew(done)))
+        Ok(gusset_result(OperationResult::Sew(done)))
     })
 }
 
-/// Lends the maps, lists and counts, for a result of gusset_sew.
+/// Lends the report of a sewing.
 ///
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_sew(
     result: *const gusset_result,
     report: *mut gusset_sew_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_sew", Made::Sew(done) => gusset_sew_report {
+    report!(result, report, "gusset_sew", OperationResult::Sew(done) => gusset_sew_report {
         struct_size: size_of::<gusset_sew_report>(),
-        vertex_map: gusset_indices::lend(&done.vertex_map),
-        face_map: gusset_indices::lend(&done.face_map),
-        face_origin: gusset_indices::lend(&done.face_origin),
-        left_vertices: gusset_indices::lend(&done.left_vertices),
+        vertex_map: gusset_indices::lend_indices(&done.vertex_map),
+        face_map: gusset_indices::lend_indices(&done.face_map),
+        face_origin: gusset_indices::lend_indices(&done.face_origin),
+        left_vertices: gusset_indices::lend_indices(&done.left_vertices),
         welded_vertices: done.welded_vertices,
         sewn_edges: done.sewn_edges,
         splits: done.splits,

@@ -6,27 +6,27 @@
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, Choice, lent};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::input::{self, Choice, lend_list};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{gusset_finish, gusset_stitch_options};
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::stitch::{Request, stitch};
 use gusset_base::alloc;
 
-/// Parts of a stitch. Index 0 is the first mesh, 1 the second.
+/// Parts of a stitch, by index in the result. Entry 0 is of the first mesh, 1 of the second.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_stitch_report {
     /// sizeof(gusset_stitch_report).
     pub struct_size: usize,
-    /// Index in the result of each old vertex; empty for a missing second mesh.
+    /// Index of each old vertex; empty for a missing second mesh.
     pub vertex_map: [gusset_indices; 2],
-    /// Index in the result of each old face.
+    /// Index of each old face.
     pub face_map: [gusset_indices; 2],
-    /// Vertices of each rim in the result, side by side from the first meridian on. Rim 0 has its
-    /// surface on the left, rim 1 on the right, before components are turned outwards. The mesh of
-    /// the strip begins with rim 0, then rim 1.
+    /// Vertices of each rim, side by side from the first meridian on. The surface is left of rim 0
+    /// and right of rim 1, before components are turned outwards. The strip's mesh begins with rim
+    /// 0, then rim 1.
     pub rim: [gusset_indices; 2],
     /// Pairs (i, j) of rim indices, the matrix H; meridian k is (data[2 k], data[2 k + 1]). Whole
     /// rims of N and M vertices: from (0, 0) to (N, M), where index N is 0 again. Arcs: to (N - 1,
@@ -34,80 +34,72 @@ pub struct gusset_stitch_report {
     /// also both.
     /// @shape * 2
     pub meridians: gusset_indices,
-    /// The matrix P: vertices of the result, row by row from rim 0 to rim 1. One column for each
-    /// meridian.
+    /// The matrix P: vertices row by row from rim 0 to rim 1, a column for each meridian.
     /// @shape row_count+2 *
     pub matrix: gusset_indices,
-    /// Three rim vertices for each new vertex; new vertices are the last of the result. In a row:
-    /// the ends of the meridian, the one on rim 1 twice. In a blend: the corners of the strip
-    /// triangle that holds the unfaired vertex.
+    /// Three rim vertices for each new vertex; new vertices come last. In a row: the ends of the
+    /// meridian, the one on rim 1 twice. In a blend: the corners of the strip triangle that holds
+    /// the unfaired vertex.
     /// @shape * 3
     pub parents: gusset_indices,
-    /// Weights of the parents, at least 0 with sum 1 for each new vertex. In row k of r: 1 - k /
-    /// (r + 1), k / (r + 1), 0.
+    /// Weights of the parents, at least 0, sum 1. In row k of r: 1 - k / (r + 1), k / (r + 1), 0.
     /// @shape parents 3
     pub weights: *const f64,
-    /// First face of the strip, which comes last in the result.
+    /// First face of the strip, which comes last.
     pub strip_face_first: usize,
-    /// Faces of the strip: N + M triangles for whole rims without interior rows, except for a
-    /// blend.
+    /// Faces of the strip: N + M triangles for whole rims without rows, except in a blend.
     pub strip_face_count: usize,
     /// Interior rows, two less than in the matrix; 0 for a blend.
     pub row_count: u32,
     /// 1 for a closed band, 0 for a strip between arcs.
     /// @flag
     pub closed: u32,
-    /// 1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first
+    /// 1 if the component of rim 1 was reversed to agree with rim 0; faces keep their first
     /// corners.
     /// @flag
     pub turned: u32,
-    /// 1 if intersections were searched for.
+    /// 1 if searched for.
     /// @flag
     pub intersections_known: u32,
-    /// Pairs of intersecting faces of the result, two indices each: first a strip face, the larger
-    /// one if both are. Shared or coincident vertices and edges do not count; any other contact
-    /// does. The test is exact. Quads are split by their shorter diagonals, other polygons into
-    /// fans from their first corners. A self-intersecting polygon is paired with itself.
+    /// Pairs of intersecting faces: first a strip face, the larger one if both are. Any contact
+    /// counts, by an exact test, except at shared or coincident vertices and edges. Quads are split
+    /// by their shorter diagonals, other polygons into fans from their first corners. A
+    /// self-intersecting polygon is paired with itself.
     /// @shape * 2
     pub intersections: gusset_indices,
-    /// Times that the fairing of rows, or of the kept blend, was moved back.
+    /// Times that fairing of rows, or of the kept blend, was moved back.
     pub back_off_count: u32,
-    /// Surface that was made; a strip may replace a blend.
+    /// Surface made; a strip may replace a blend.
     pub finish: gusset_finish,
-    /// Faces of the result that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first
-    /// corner.
+    /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
     pub turned_outwards: gusset_indices,
 }
 
 versioned! { gusset_stitch_report: 192 }
 
-/// Joins two boundary loops, of two meshes or of one, by a strip of new faces. The strip is a
-/// closed band between whole loops, or open between facing arcs.
+/// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band
+/// between whole loops, or open between facing arcs.
 ///
-/// Vertices of the result: A, B, then new ones; faces: A, B, then the strip. Every old face is
-/// kept. Positions have the scalar type of A; old ones keep their bits. An arc of one vertex gets a
-/// fan, which touches its piece there only. Two arcs of one vertex each get one meridian and no
-/// face.
+/// The result has the vertices of A, B, then new ones; all faces of A, B, then the strip. Positions
+/// have the scalar type of A; old ones keep their bits. An arc of one vertex gets a fan, which
+/// touches its piece there only; two such arcs get one meridian and no face.
 ///
-/// @param loop_a vertices of each loop in order, in either direction, cyclically joined by edges
-///     with exactly one face. If both loops are NULL, the two nearest ones are joined. If one is
-///     NULL, the nearest to the other is chosen. Candidates are closed, of at least 3 vertices,
-///     manifold and consistently oriented; two of one mesh share no vertex.
+/// @param loop_a vertices of each loop in order, in either direction, cyclically joined by boundary
+///     edges. If both loops are NULL, the two nearest are joined; if one, the nearest to the other.
+///     Candidates are closed, of at least 3 vertices, manifold and consistently oriented; two of
+///     one mesh share no vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
 /// @param loop_b as loop_a, for mesh_b, or for mesh_a if mesh_b is NULL.
-/// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP (one mesh: no two loops
-///     without a shared vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
-///     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has
-///     f32 and B f64 positions), TOO_LARGE
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex. Meridians O(N M), above
-///     2^21 pairs of vertices and for simple rules O((N + M) log M). Fairing and intersections O(n
-///     log n), and a test for each pair of overlapping triangle boxes. Blend of n vertices
-///     O(n^1.5), nearly linear in narrow gaps. Choice of loops: a box test for each pair. Memory
-///     linear. GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26 pairs, and 8 M bytes for each
-///     2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and _SMOOTH take 2 bytes for each pair, 8 if
-///     the best strip would repeat an edge. Several threads and two starts double that.
-/// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their
-///     start: N + 1 and M + 1 points.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT,
+///     LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
+///     ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS, TOO_LARGE
+/// @complexity O(H log d). Meridians O(N M), above 2^21 pairs of vertices and for simple rules O((N
+///     + M) log M). Fairing and intersections O(n log n), and a test for each pair of overlapping
+///     triangle boxes. Blend of n vertices O(n^1.5), nearly linear in narrow gaps. Choice of loops:
+///     a box test a pair. GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26 pairs, and 8 M
+///     bytes for each 2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and _SMOOTH take 2 bytes a
+///     pair, 8 if the best strip would repeat an edge. Several threads and two starts double that.
+/// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch(
@@ -123,60 +115,57 @@ pub unsafe extern "C" fn gusset_stitch(
         let options = input::read(options, true, "options")?.checked()?;
         let given_a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
         let given_b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
-        let (a, b) = (given_a.view(), given_b.as_ref().map(GivenMesh::view));
-        let loop_a = mesh::indices(loop_a, "loop_a")?.map(|vertices| mesh::merged(&a, vertices));
-        let loop_b = mesh::indices(loop_b, "loop_b").map_err(|failure| failure.with_input(1))?;
-        let loop_b = loop_b.map(|vertices| mesh::merged(b.as_ref().unwrap_or(&a), vertices));
+        let (a, b) = (given_a.mesh_view(), given_b.as_ref().map(GivenMesh::mesh_view));
+        let loop_a = mesh::read_indices(loop_a, "loop_a")?.map(|vertices| mesh::map_to_merged_vertices(&a, vertices));
+        let loop_b = mesh::read_indices(loop_b, "loop_b").map_err(|failure| failure.with_input(1))?;
+        let loop_b = loop_b.map(|vertices| mesh::map_to_merged_vertices(b.as_ref().unwrap_or(&a), vertices));
         let request = Request { a: &a, loop_a: loop_a.as_deref(), b: b.as_ref(), loop_b: loop_b.as_deref() };
         let mut done = self::stitch(&request, &options, &job.part(0.2, 0.95))?;
         let inputs = [Some(&a), b.as_ref()];
         done.keep_splits(&alloc::gather(inputs.into_iter().flatten())?, &job.part(0.95, 1.0))?;
-        Ok(gusset_result(Made::Stitch(done)))
+        Ok(gusset_result(OperationResult::Stitch(done)))
     })
 }
 
-/// Lends the strip of a stitch alone: the vertices of both rims, the new vertices and the new
-/// faces.
+/// Lends the strip alone: rim vertices, new vertices, new faces.
 ///
-/// @errors as gusset_result_get_stitch
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_strip_mesh(
     result: *const gusset_result,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    report!(result, view, "gusset_stitch", Made::Stitch(done) => mesh::lend(&done.strip))
+    report!(result, view, "gusset_stitch", OperationResult::Stitch(done) => mesh::lend_mesh(&done.strip))
 }
 
 /// Lends the report of a stitch.
 ///
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_stitch(
     result: *const gusset_result,
     report: *mut gusset_stitch_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_stitch", Made::Stitch(done) => gusset_stitch_report {
+    report!(result, report, "gusset_stitch", OperationResult::Stitch(done) => gusset_stitch_report {
         struct_size: size_of::<gusset_stitch_report>(),
-        vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.vertices)),
-        face_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.faces)),
-        rim: done.rims.each_ref().map(|rim| gusset_indices::lend(rim)),
-        meridians: gusset_indices::lend(done.meridians.as_flattened()),
-        matrix: gusset_indices::lend(&done.matrix),
-        parents: gusset_indices::lend(done.parents.as_flattened()),
-        weights: lent(done.weights.as_flattened()),
+        vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend_indices(&map.vertices)),
+        face_map: done.maps.each_ref().map(|map| gusset_indices::lend_indices(&map.faces)),
+        rim: done.rims.each_ref().map(|rim| gusset_indices::lend_indices(rim)),
+        meridians: gusset_indices::lend_indices(done.meridians.as_flattened()),
+        matrix: gusset_indices::lend_indices(&done.matrix),
+        parents: gusset_indices::lend_indices(done.parents.as_flattened()),
+        weights: lend_list(done.weights.as_flattened()),
         strip_face_first: done.strip_faces.start as usize,
         strip_face_count: done.strip_faces.len(),
         row_count: done.rows,
         closed: done.closed.into(),
         turned: done.turned.into(),
         intersections_known: done.intersections.is_some().into(),
-        intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
+        intersections: gusset_indices::lend_indices(done.intersections.as_deref().unwrap_or_default().as_flattened()),
         back_off_count: done.back_offs,
         finish: done.finish.number(),
-        turned_outwards: gusset_indices::lend(&done.turned_outwards),
+        turned_outwards: gusset_indices::lend_indices(&done.turned_outwards),
     })
 }

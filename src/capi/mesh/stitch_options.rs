@@ -9,11 +9,11 @@ use crate::stitch::{
     Cells, Extent, Fairing, Finish, Intersections, MeridianSearch, Meridians, Options, Orientation, Rows, Start,
 };
 
-/// Rule for the meridians. A meridian is an edge of the strip from rim A to rim B.
+/// Rule for the meridians. A meridian is a strip's edge from rim A to rim B.
 pub type gusset_meridians = u32;
 /// Triangle strip that best continues both surfaces. It bends little, above all along the rims, and
-/// follows the tangent planes there. The default search stays near the strip of least area. In
-/// gusset_strip it is the strip of least area.
+/// follows the tangent planes there. The default search stays near the strip of least area, which
+/// gusset_strip makes.
 pub const GUSSET_MERIDIANS_CONTINUATION: gusset_meridians = 0;
 /// Vertices paired in proportion to their indices, O(N + M); suits evenly spaced rims.
 pub const GUSSET_MERIDIANS_INDEX: gusset_meridians = 1;
@@ -29,14 +29,14 @@ pub const GUSSET_MERIDIANS_MIN_DIAGONAL: gusset_meridians = 4;
 /// between normals)).
 pub const GUSSET_MERIDIANS_SMOOTH: gusset_meridians = 5;
 /// Least sum of squared meridian lengths (dynamic time warping): quads where both rims advance,
-/// else triangles. Suits strips with interior rows.
+/// else triangles. Suits interior rows.
 pub const GUSSET_MERIDIANS_QUAD: gusset_meridians = 6;
 /// Triangle strip of least area through the first meridian.
 pub const GUSSET_MERIDIANS_MIN_AREA: gusset_meridians = 7;
 
 /// Search effort.
 pub type gusset_strip_search = u32;
-/// Exact up to 2^21 pairs of vertices. Beyond that coarse to fine, in nearly linear time and linear
+/// Exact up to 2^21 pairs of vertices. Beyond, coarse to fine in nearly linear time and linear
 /// memory, usually within 0.1 % of the optimum.
 pub const GUSSET_SEARCH_AUTO: gusset_strip_search = 0;
 /// Exact, in O(N M) time; gusset_stitch states the memory.
@@ -44,8 +44,8 @@ pub const GUSSET_SEARCH_EXACT: gusset_strip_search = 1;
 
 /// First meridian of a closed strip.
 pub type gusset_strip_start = u32;
-/// The closest pair of vertices, or the closest one after rotating rim B along rim A to the best
-/// fit. The better strip is kept.
+/// The better strip from the closest pair of vertices, or from the closest after rotating rim B
+/// along rim A to the best fit.
 pub const GUSSET_START_AUTO: gusset_strip_start = 0;
 /// The closest pair of vertices.
 pub const GUSSET_START_CLOSEST: gusset_strip_start = 1;
@@ -53,18 +53,18 @@ pub const GUSSET_START_CLOSEST: gusset_strip_start = 1;
 /// The first points; gusset_strip only.
 pub const GUSSET_START_GIVEN: gusset_strip_start = 2;
 
-/// The positions of new vertices.
+/// Positions of new vertices.
 pub type gusset_fairing = u32;
 /// New vertices divide the meridians of a strip evenly, or lie on the first triangulation of a
 /// patch.
 pub const GUSSET_FAIRING_NONE: gusset_fairing = 0;
-/// The new surface bends like a thin plate and meets the old one smoothly. The sum of squared
-/// Laplacians over new vertices and rims is least. Rims and ends of an open strip stay fixed.
+/// The new surface bends like a thin plate and meets the old one smoothly: least sum of squared
+/// Laplacians over new vertices and rims. Rims and ends of an open strip stay fixed.
 pub const GUSSET_FAIRING_THIN_PLATE: gusset_fairing = 1;
 
-/// The treatment of faces that intersect each other.
+/// Treatment of intersecting faces.
 pub type gusset_intersections = u32;
-/// Intersections of the strip are found, and reduced in these cases:
+/// Finds intersections of the strip, and reduces them:
 /// - A triangle strip without rows by GUSSET_MERIDIANS_CONTINUATION is rerouted; the best strip
 ///   tried is kept.
 /// - Faired rows move back locally, at most 12 times; straight rows are kept if they intersect
@@ -80,9 +80,8 @@ pub const GUSSET_INTERSECTIONS_REPORT: gusset_intersections = 2;
 /// Treatment of opposite orientations.
 pub type gusset_orientation = u32;
 /// If the component of rim B is oriented against rim A, it is reversed, whichever is inside out.
-/// Within one component nothing is reversed. Whole rims are compared as curves. If both face the
-/// same way, as in a U-bend, the sides of their surfaces decide. An inconclusive comparison
-/// reverses nothing.
+/// Within one component nothing is reversed. Whole rims are compared as curves. If both face one
+/// way, the sides of their surfaces decide. An inconclusive comparison reverses nothing.
 pub const GUSSET_ORIENTATION_FIX: gusset_orientation = 0;
 /// Opposite orientations return GUSSET_ERROR_ORIENTATION_CONFLICT.
 pub const GUSSET_ORIENTATION_REFUSE: gusset_orientation = 1;
@@ -112,7 +111,7 @@ pub const GUSSET_RUN_LONGEST: gusset_facing_run = 1;
 pub type gusset_centres = u32;
 /// Mean of the vertices.
 pub const GUSSET_CENTRES_VERTICES: gusset_centres = 0;
-/// Mean along the curve, independent of the vertex spacing.
+/// Mean along the curve, independent of vertex spacing.
 pub const GUSSET_CENTRES_LENGTH: gusset_centres = 1;
 
 /// Number of interior rows.
@@ -135,29 +134,27 @@ pub const GUSSET_CELLS_QUADS: gusset_strip_cells = 1;
 pub type gusset_finish = u32;
 /// Strip of meridians, with interior rows.
 pub const GUSSET_FINISH_STRIP: gusset_finish = 0;
-/// Smooth joint, tangent to both pieces. Its triangles are about as fine as along the rims, graded
-/// in between, without sharp angles where the rims allow. It follows a strip without rows, and
-/// smooths its ridges. A tube closes a gap in a tube, within some per cent of the radius across a
-/// few radii. Meridians and matrix describe the strip, not edges of the result. The options rows,
-/// cells and fairing are ignored, with a log message if set.
+/// Smooth joint, tangent to both pieces. Triangles are about as fine as along the rims, graded
+/// between, without sharp angles where the rims allow. It smooths the ridges of a strip without
+/// rows. A tube closes a gap in a tube, within some per cent of the radius across a few radii.
+/// Meridians and matrix describe the strip, not edges of the result. Ignores rows, cells and
+/// fairing.
 ///
-/// The strip is kept, with a log message, if every blend intersects more or needs too many
-/// vertices. The limit is about 50,000 new vertices, or 16 for each rim vertex if more. To meet it,
-/// edges grow up to twice as long.
+/// The strip is kept if every blend intersects more, or exceeds about 50,000 new vertices, or 16 a
+/// rim vertex if more. To meet that limit, edges grow up to twice as long.
 pub const GUSSET_FINISH_BLEND: gusset_finish = 1;
 
 /// Source of the tolerance.
 pub type gusset_tolerance_mode = u32;
-/// Uses the rounding error of the coordinates. For facing vertices this is at most 2^-16 (32-bit
-/// positions) or 2^-45 (64-bit positions) times the largest coordinate of the loops. For welding,
-/// see gusset_weld_options.
+/// Uses the rounding error of the coordinates. For facing vertices: at most 2^-16 (32-bit) or 2^-45
+/// (64-bit) times the loops' largest coordinate. For welding, see gusset_weld_options.
 pub const GUSSET_TOLERANCE_AUTO: gusset_tolerance_mode = 0;
 /// Uses the given tolerance.
 pub const GUSSET_TOLERANCE_GIVEN: gusset_tolerance_mode = 1;
 /// Uses tolerance 0; welding then requires equal positions.
 pub const GUSSET_TOLERANCE_EXACT: gusset_tolerance_mode = 2;
 
-/// The side that closed components of a result face.
+/// Side that closed components face.
 pub type gusset_outward = u32;
 /// GUSSET_OUTWARD_CLOSED in gusset_join, else GUSSET_OUTWARD_KEEP.
 pub const GUSSET_OUTWARD_AUTO: gusset_outward = 0;
@@ -179,9 +176,9 @@ pub struct gusset_stitch_options {
     pub meridians: gusset_meridians,
     /// Treatment of opposite orientations.
     pub orientation: gusset_orientation,
-    /// Shift of the first meridian along rim B, in vertices, from the closest pair that no edge
-    /// joins. Counted in the direction of rim A, modulo the length of rim B. If not 0, no other
-    /// start is tried. Must be 0 if arcs are joined (OUT_OF_RANGE).
+    /// Shift of the first meridian along rim B from the closest pair that no edge joins. Counted in
+    /// vertices in the direction of rim A, modulo rim B. If not 0, no other start is tried. 0 for
+    /// arcs (OUT_OF_RANGE).
     pub twist: i64,
     /// Part of the loops to join.
     pub extent: gusset_stitch_extent,
@@ -196,12 +193,11 @@ pub struct gusset_stitch_options {
     pub cells: gusset_strip_cells,
     /// Source of the tolerance.
     pub tolerance_mode: gusset_tolerance_mode,
-    /// Facing vertices are farther than this from the plane of their loop. In the unit of the
-    /// positions; finite, at least 0.
+    /// Facing vertices are farther than this from the plane of their loop; finite, at least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
-    /// First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the
-    /// loop as given, and may pass its end.
+    /// First index on loop A as given, and number of vertices, 1 to the loop's length. The arc may
+    /// pass the loop's end.
     /// @when extent GUSSET_EXTENT_ARCS
     pub arc_a: [u32; 2],
     /// As arc_a, for loop B.
@@ -211,13 +207,13 @@ pub struct gusset_stitch_options {
     pub search: gusset_strip_search,
     /// First meridian of a closed strip.
     pub start: gusset_strip_start,
-    /// Positions of interior rows; ignored without rows, with a log message if set.
+    /// Positions of interior rows; ignored without rows.
     pub fairing: gusset_fairing,
-    /// The treatment of faces that intersect each other.
+    /// Treatment of intersecting faces.
     pub intersections: gusset_intersections,
     /// Centre of a loop.
     pub centres: gusset_centres,
-    /// The side that closed components of a result face.
+    /// Side that closed components face.
     pub outward: gusset_outward,
     /// Surface between the rims.
     pub finish: gusset_finish,
@@ -262,9 +258,9 @@ impl gusset_stitch_options {
             GUSSET_EXTENT_ARCS => Extent::Arcs(
                 [self.arc_a, self.arc_b].map(|[first, count]| Arc { first: first as usize, count: count as usize }),
             ),
-            other => return Err(Failure::unknown("extent", other.into())),
+            other => return Err(Failure::unknown_value("extent", other.into())),
         };
-        let rows = rows(self.rows, self.row_count)?;
+        let rows = to_rows(self.rows, self.row_count)?;
         Ok(Options {
             meridians: choice(self.meridians)?,
             search: choice(self.search)?,
@@ -273,44 +269,44 @@ impl gusset_stitch_options {
             twist: self.twist,
             extent,
             run: choice(self.run)?,
-            tolerance: tolerance(self.tolerance_mode, self.tolerance)?,
+            tolerance: to_tolerance(self.tolerance_mode, self.tolerance)?,
             centres: choice(self.centres)?,
             rows,
             cells: choice(self.cells)?,
             fairing: choice(self.fairing)?,
             finish: choice(self.finish)?,
             intersections: choice(self.intersections)?,
-            outward: outward(self.outward, Outward::Keep)?,
+            outward: to_outward(self.outward, Outward::Keep)?,
         })
     }
 }
 
 /// Returns the orientation of closed components, `default` if the caller leaves it open.
-pub(crate) fn outward(given: gusset_outward, default: Outward) -> Result<Outward, Failure> {
+pub(crate) fn to_outward(given: gusset_outward, default: Outward) -> Result<Outward, Failure> {
     match given {
         GUSSET_OUTWARD_AUTO => Ok(default),
         GUSSET_OUTWARD_KEEP => Ok(Outward::Keep),
         GUSSET_OUTWARD_CLOSED => Ok(Outward::Closed),
-        other => Err(Failure::unknown("outward", other.into())),
+        other => Err(Failure::unknown_value("outward", other.into())),
     }
 }
 
 /// Returns the inner rows for a mode.
-pub(crate) fn rows(mode: u32, count: u32) -> Result<Rows, Failure> {
+pub(crate) fn to_rows(mode: u32, count: u32) -> Result<Rows, Failure> {
     match mode {
         GUSSET_ROWS_NONE => Ok(Rows::None),
         GUSSET_ROWS_MEAN_EDGE => Ok(Rows::MeanEdge),
         GUSSET_ROWS_COUNT => Ok(Rows::Count(count)),
-        other => Err(Failure::unknown("rows", other.into())),
+        other => Err(Failure::unknown_value("rows", other.into())),
     }
 }
 
 /// Returns the tolerance for a mode, if one is given.
-pub(crate) fn tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure> {
+pub(crate) fn to_tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure> {
     match mode {
         GUSSET_TOLERANCE_AUTO => Ok(None),
         GUSSET_TOLERANCE_GIVEN => Ok(Some(given)),
         GUSSET_TOLERANCE_EXACT => Ok(Some(0.0)),
-        other => Err(Failure::unknown("tolerance_mode", other.into())),
+        other => Err(Failure::unknown_value("tolerance_mode", other.into())),
     }
 }

@@ -1,16 +1,16 @@
-//! Strips: Builds a strip of triangles between two polylines that belong to no mesh.
+//! Strips: Builds a strip between two polylines without a mesh.
 //!
 //! @source H. Fuchs, Z. Kedem and S. Uselton (1977); Nesterenko.
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, choice, flag, lent};
-use crate::capi::mesh::facing::points;
+use crate::capi::input::{self, choice, flag, lend_list};
+use crate::capi::mesh::facing::read_loop_points;
 use crate::capi::mesh::gusset_indices;
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{
     GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, gusset_meridians, gusset_row_rule, gusset_strip_cells,
-    gusset_strip_search, gusset_strip_start, rows,
+    gusset_strip_search, gusset_strip_start, to_rows,
 };
 use crate::capi::status::{Failure, gusset_status};
 use crate::stitch::{RuledOptions, Start, ruled};
@@ -30,7 +30,7 @@ pub struct gusset_strip_options {
     /// 1 if the polylines are closed.
     /// @flag
     pub closed: u32,
-    /// Number of interior rows; the mean edge is of both polylines.
+    /// Number of interior rows; mean edges are of both polylines.
     pub rows: gusset_row_rule,
     /// Interior rows.
     /// @when rows GUSSET_ROWS_COUNT
@@ -49,14 +49,14 @@ pub struct gusset_strip_report {
     pub struct_size: usize,
     /// Points of A and B that the first meridian joins.
     pub start: [u32; 2],
-    /// Pairs (i, j) of indices from start on; count is twice their number. Closed polylines of N
-    /// and M points: from (0, 0) to (N, M), where index N is 0 again. Open ones: to (N - 1, M - 1).
+    /// Pairs (i, j) of indices from start on, as in gusset_stitch_report: to (N, M) if closed, else
+    /// to (N - 1, M - 1).
     /// @shape * 2
     pub meridians: gusset_indices,
-    /// The matrix P: vertices of the mesh, row by row from A to B, a column for each meridian.
+    /// The matrix P: vertices row by row from A to B, a column for each meridian.
     /// @shape row_count+2 *
     pub matrix: gusset_indices,
-    /// Ends on A and B of the meridian of each new vertex; new vertices come last.
+    /// Ends on A and B of each new vertex's meridian; new vertices come last.
     /// @shape * 2
     pub parents: gusset_indices,
     /// Weight of each second parent, 0 to 1: k / (r + 1) in row k of r.
@@ -76,25 +76,25 @@ impl gusset_strip_options {
             GUSSET_START_AUTO => Some(Start::Auto),
             GUSSET_START_CLOSEST => Some(Start::Closest),
             GUSSET_START_GIVEN => None,
-            other => return Err(Failure::unknown("start", other.into())),
+            other => return Err(Failure::unknown_value("start", other.into())),
         };
         let closed = flag(self.closed, "closed")?;
         let (meridians, search) = (choice(self.meridians)?, choice(self.search)?);
-        let (rows, cells) = (rows(self.rows, self.row_count)?, choice(self.cells)?);
+        let (rows, cells) = (to_rows(self.rows, self.row_count)?, choice(self.cells)?);
         Ok((closed, RuledOptions { meridians, search, start, rows, cells }))
     }
 }
 
-/// Builds a strip of faces between two polylines side by side, as gusset_stitch does between rims.
+/// Builds a strip, as gusset_stitch does between rims.
 ///
 /// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against
 /// A, along B. If both sides advance at once, the shorter diagonal splits a quad into triangles.
 ///
-/// @param points_a packed x, y, z of count_a points in order, at least 1; if closed at least 3, the
-///     first not repeated.
+/// @param points_a count_a points in order, at least 1; if closed at least 3, the first not
+///     repeated.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, NO_STRIP
-/// @complexity Meridians as in gusset_stitch, plus linear in the mesh; memory likewise.
+/// @complexity Meridians as in gusset_stitch, plus linear in the mesh; likewise memory.
 /// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best
 ///     strips.
 #[unsafe(no_mangle)]
@@ -110,29 +110,28 @@ pub unsafe extern "C" fn gusset_strip(
 ) -> gusset_status {
     create(context, result, "result", |job| {
         let (closed, options) = input::read(options, true, "options")?.checked()?;
-        let a = points(points_a, count_a, "points_a")?;
-        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
-        Ok(gusset_result(Made::Strip(ruled(&a, &b, closed, &options, job)?)))
+        let a = read_loop_points(points_a, count_a, "points_a")?;
+        let b = read_loop_points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
+        Ok(gusset_result(OperationResult::Strip(ruled(&a, &b, closed, &options, job)?)))
     })
 }
 
 /// Lends the report of a strip.
 ///
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_strip(
     result: *const gusset_result,
     report: *mut gusset_strip_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_strip", Made::Strip(done) => gusset_strip_report {
+    report!(result, report, "gusset_strip", OperationResult::Strip(done) => gusset_strip_report {
         struct_size: size_of::<gusset_strip_report>(),
         start: done.start,
-        meridians: gusset_indices::lend(done.meridians.as_flattened()),
-        matrix: gusset_indices::lend(&done.matrix),
-        parents: gusset_indices::lend(done.parents.as_flattened()),
-        weights: lent(&done.weights),
+        meridians: gusset_indices::lend_indices(done.meridians.as_flattened()),
+        matrix: gusset_indices::lend_indices(&done.matrix),
+        parents: gusset_indices::lend_indices(done.parents.as_flattened()),
+        weights: lend_list(&done.weights),
         row_count: done.rows,
         reserved: 0,
     })

@@ -19,19 +19,18 @@ use gusset_base::alloc;
 pub struct gusset_trim_options {
     /// sizeof(gusset_trim_options).
     pub struct_size: usize,
-    /// Largest distance of surfaces that count as one, in the unit of the positions, finite, at
-    /// least 0. 0: 4 mean edges of the coarser piece.
+    /// Largest distance of surfaces that count as one, finite, at least 0. 0: 4 mean edges of the
+    /// coarser piece.
     pub max_distance: f64,
-    /// Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
+    /// Largest angle between their normals, at least 0, below pi / 2; 0: 60 degrees.
     pub max_angle: f64,
-    /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles
-    /// weigh less.
+    /// A point for each piece, or NULL. Parts seen at flat angles weigh less.
     /// @shape viewpoint_count 3
     pub viewpoints: *const f64,
     /// Number of pieces, or 0.
     pub viewpoint_count: usize,
-    /// Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that
-    /// other pieces also show. Holes below that limit are not made.
+    /// Islands of fewer faces are removed; 0: 30. The limit is 20 times that for islands that other
+    /// pieces also show. Holes below that limit are not made.
     pub min_faces: u32,
     /// 0.
     pub reserved: u32,
@@ -58,7 +57,7 @@ pub struct gusset_trim_view {
     pub pieces: *const gusset_trimmed_piece,
     /// Number of pieces.
     pub piece_count: usize,
-    /// Faces removed at last, with their neighbours, as they intersect an earlier piece.
+    /// Faces removed at last, with their neighbours, for intersecting an earlier piece.
     pub crossings: u32,
     /// 0.
     pub reserved: u32,
@@ -76,7 +75,7 @@ versioned! { gusset_trim_options: 48 reserved, gusset_trim_view: 32 }
 fixed! { gusset_trimmed_piece: 24 }
 
 impl gusset_trim_options {
-    /// Converts the options; `viewpoints` come from [`gusset_trim_options::viewpoints`].
+    /// Converts the options; `viewpoints` come from [`gusset_trim_options::read_viewpoints`].
     pub(crate) fn checked(self, viewpoints: &[DVec3]) -> Options<'_> {
         Options {
             max_distance: (self.max_distance != 0.0).then_some(self.max_distance),
@@ -86,30 +85,28 @@ impl gusset_trim_options {
         }
     }
 
-    pub(crate) fn viewpoints(&self) -> Result<Vec<DVec3>, Failure> {
-        let given = input::items(self.viewpoints.cast::<[f64; 3]>(), self.viewpoint_count, "viewpoints")?;
+    pub(crate) fn read_viewpoints(&self) -> Result<Vec<DVec3>, Failure> {
+        let given = input::input_items(self.viewpoints.cast::<[f64; 3]>(), self.viewpoint_count, "viewpoints")?;
         Ok(alloc::collect(given.map(DVec3::from_array))?)
     }
 }
 
-/// Chooses the faces to keep where pieces overlap. One piece of each overlap is kept, with a narrow
-/// gap that gusset_join closes; see GUSSET_OVERLAPS_TRIM.
+/// Keeps one piece of each overlap, with a narrow gap that gusset_join closes; see
+/// GUSSET_OVERLAPS_TRIM.
 ///
 /// Cuts run where two pieces are equally good; up to noise, the earlier piece is kept. A vertex is
-/// better farther from borders of its piece, in mean edges, and seen less flat from its viewpoint.
+/// better farther from its piece's borders, in mean edges, and seen less flat from its viewpoint.
 /// Loops of under 32 vertices are holes, not borders. A vertex lies on another piece if the nearest
 /// point is close, faces the same way, and is not on a border. No vertex moves, and no face is
-/// split. Removed are parts thinner than two faces, small islands, faces attached by one vertex,
-/// and faces that intersect an earlier piece.
+/// split. Parts thinner than two faces, small islands, faces attached by one vertex, and faces that
+/// intersect an earlier piece are removed.
 ///
-/// @param pieces as in gusset_alignment_create, in one coordinate system.
-/// @errors as gusset_mesh_view (input of the report is the piece), EMPTY_MESH (without pieces),
-///     OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a viewpoint), COUNT_DIFFERS (fewer
-///     viewpoints than pieces), TOO_LARGE
-/// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, up to
-///     quadratic in the faces at one place. Memory linear.
-/// @source Based on G. Turk and M. Levoy, Zippered polygon meshes from range images
-///     (1994), who clip one mesh at the other's border.
+/// @param pieces as for gusset_join, in one coordinate system.
+/// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a
+///     viewpoint), COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE
+/// @complexity O(V log F) for V vertices of a piece and F faces of each near piece, up to quadratic
+///     in the faces at one place.
+/// @source After Turk and Levoy 1994.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_trim_create(
@@ -121,13 +118,13 @@ pub unsafe extern "C" fn gusset_trim_create(
 ) -> gusset_status {
     create(context, trim, "trim", |job| {
         let options = input::read(options, true, "options")?;
-        let viewpoints = options.viewpoints()?;
-        let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
+        let viewpoints = options.read_viewpoints()?;
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         let done = self::trim(&views, &options.checked(&viewpoints), &job.part(0.1, 1.0))?;
         // The lists behind these pointers lie on the heap and do not move.
         let pieces = done.kept.iter().zip(&done.covered).map(|(kept, &covered)| gusset_trimmed_piece {
-            kept: gusset_indices::lend(kept),
+            kept: gusset_indices::lend_indices(kept),
             covered_vertices: covered as usize,
         });
         Ok(gusset_trim { pieces: alloc::collect(pieces)?, done })
@@ -141,14 +138,12 @@ pub unsafe extern "C" fn gusset_trim_destroy(trim: *mut gusset_trim) {
 }
 
 /// Lends the kept faces.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_trim_get_view(trim: *const gusset_trim, view: *mut gusset_trim_view) -> gusset_status {
     lend!(trim, view, |trim| gusset_trim_view {
         struct_size: size_of::<gusset_trim_view>(),
-        pieces: input::lent(&trim.pieces),
+        pieces: input::lend_list(&trim.pieces),
         piece_count: trim.pieces.len(),
         crossings: trim.done.crossings,
         reserved: 0,

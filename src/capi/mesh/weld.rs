@@ -4,25 +4,24 @@ use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice, flag};
-use crate::capi::mesh::result::{Made, gusset_result, report};
-use crate::capi::mesh::stitch_options::{gusset_tolerance_mode, tolerance};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
+use crate::capi::mesh::stitch_options::{gusset_tolerance_mode, to_tolerance};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
 use crate::repair::weld::{Options, Vertices, weld};
 
 /// Vertices that are welded.
 pub type gusset_weld_vertices = u32;
-/// Ends of boundary edges: coincident borders are sewn edge to edge.
+/// Ends of boundary edges: sews coincident borders edge to edge.
 pub const GUSSET_WELD_BOUNDARY: gusset_weld_vertices = 0;
-/// All vertices that faces use, for triangle soups.
+/// All used vertices, for triangle soups.
 pub const GUSSET_WELD_ALL: gusset_weld_vertices = 1;
 
 /// Treatment of coincident corners of one face.
 pub type gusset_collapse = u32;
 /// Corners of one face stay apart.
 pub const GUSSET_COLLAPSE_NEVER: gusset_collapse = 0;
-/// Corners of one face may be merged. A face left with fewer than three different vertices is
-/// dropped.
+/// Corners of one face may be merged. Faces left with fewer than three vertices are dropped.
 pub const GUSSET_COLLAPSE_ALLOW: gusset_collapse = 1;
 
 /// Treatment of vertices that no face uses.
@@ -41,16 +40,15 @@ pub struct gusset_weld_options {
     /// Vertices that are welded.
     pub vertices: gusset_weld_vertices,
     /// Distance at which vertices coincide.
-    /// - GUSSET_TOLERANCE_GIVEN: at most tolerance.
     /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
-    /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 of the largest coordinate for 32-bit positions, 2^-48
-    ///   for 64-bit ones, or, if more, twice the last decimal place that positions show. At each
-    ///   vertex it is at most a quarter of the shortest edge, so that no edge collapses.
-    /// - Last decimal place: let D be the largest power of ten up to the longest side of the box of
-    ///   the vertices. The place is the largest of 1e-5 D, 1e-6 D, ... of which a third of the
-    ///   coordinates of the largest order of magnitude, or of the differences between consecutive
-    ///   vertices, are multiples. Multiples of 1e-4 D are left out; at least eight other numbers
-    ///   are needed.
+    /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate,
+    ///   or, if more, twice the last decimal place that positions show. At each vertex at most a
+    ///   quarter of the shortest edge.
+    /// - Last decimal place: let D be the largest power of ten up to the longest side of the
+    ///   vertices' box. The place is the largest of 1e-5 D, 1e-6 D, ... that divides a third of
+    ///   certain numbers: coordinates of the largest order of magnitude, or differences between
+    ///   consecutive vertices. Multiples of 1e-4 D are left out; at least eight other numbers are
+    ///   needed.
     pub tolerance_mode: gusset_tolerance_mode,
     /// Largest distance of coincident vertices, finite, at least 0.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
@@ -67,20 +65,19 @@ pub struct gusset_weld_options {
 pub struct gusset_weld_report {
     /// sizeof(gusset_weld_report).
     pub struct_size: usize,
-    /// Index of each old vertex in the result; UINT32_MAX if removed as unused.
+    /// Index of each vertex in the result; UINT32_MAX if removed as unused.
     pub vertex_map: gusset_indices,
-    /// Index of each old face in the result; UINT32_MAX if dropped.
+    /// Index of each face in the result; UINT32_MAX if dropped.
     pub face_map: gusset_indices,
-    /// Half-edges of boundary edges that coincide with another edge and were not sewn to it. Three
-    /// or more coincide, or sewing would collapse a face or put three or more faces at an edge.
+    /// Half-edges of boundary edges that coincide with another edge but are not sewn.
     pub left_edges: gusset_indices,
-    /// Vertices that coincide with another and were not merged with it.
+    /// Vertices that coincide with another but are not merged.
     pub left_vertices: gusset_indices,
-    /// Number of vertices merged into a smaller one.
+    /// Vertices merged into a smaller one.
     pub welded_vertices: u32,
-    /// Number of edges with two faces made from two boundary edges.
+    /// Edges made from two boundary edges.
     pub sewn_edges: u32,
-    /// Number of dropped faces.
+    /// Dropped faces.
     pub dropped_faces: u32,
     /// 0.
     pub reserved: u32,
@@ -96,7 +93,7 @@ impl gusset_weld_options {
     pub(crate) fn checked(self) -> Result<Options, Failure> {
         Ok(Options {
             vertices: choice(self.vertices)?,
-            tolerance: tolerance(self.tolerance_mode, self.tolerance)?,
+            tolerance: to_tolerance(self.tolerance_mode, self.tolerance)?,
             collapse: flag(self.collapse, "collapse")?,
             remove_unused: flag(self.unused, "unused")?,
         })
@@ -105,20 +102,19 @@ impl gusset_weld_options {
 
 /// Merges coincident vertices.
 /// - By default, borders are sewn: where exactly two boundary edges coincide, in either direction,
-///   they and their ends become one.
-/// - Edges stay apart, and are listed, where three or more coincide or sewing would collapse a face
-///   or put three or more faces at an edge: a manifold stays a manifold.
-/// - Coincident vertices without an edge to sew stay apart, as where two holes touch.
-/// - With GUSSET_WELD_ALL, all coincident vertices are merged, regardless of edges.
+///   they become one.
+/// - Edges stay apart, and are listed, where three or more coincide, or sewing would collapse a
+///   face or make a non-manifold edge: a manifold stays a manifold.
+/// - Coincident vertices without an edge to sew stay apart.
+/// - GUSSET_WELD_ALL merges all coincident vertices.
 /// - In ascending order, each unclaimed vertex claims the unclaimed vertices within the tolerance,
-///   nearest first. Merging does not chain.
-/// - The result has the old faces in order, each from its own first corner, and the remaining
-///   vertices in order. Among merged vertices the smallest remains, with its position bits. A
-///   result without faces is not a valid input.
+///   nearest first, without chains.
+/// - The result has the old faces, each from its first corner, and the remaining vertices in order.
+///   The smallest of merged vertices remains, bit for bit. A result without faces is not a valid
+///   input.
 ///
-/// @errors as gusset_mesh_view, OUT_OF_RANGE (the tolerance)
-/// @complexity O(H log H) for H half-edges, if valences are small and few corners of one face
-///     coincide; linear memory.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE (tolerance)
+/// @complexity O(H log H), if valences are small and few corners of one face coincide.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_weld(
@@ -130,29 +126,28 @@ pub unsafe extern "C" fn gusset_weld(
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let mut done = self::weld(&mesh, &options, &job.part(0.1, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
-        Ok(gusset_result(Made::Weld(done)))
+        Ok(gusset_result(OperationResult::Weld(done)))
     })
 }
 
-/// Lends the maps, lists and counts, for a result of gusset_weld.
+/// Lends the report of a weld.
 ///
-/// @errors WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_weld(
     result: *const gusset_result,
     report: *mut gusset_weld_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_weld", Made::Weld(done) => gusset_weld_report {
+    report!(result, report, "gusset_weld", OperationResult::Weld(done) => gusset_weld_report {
         struct_size: size_of::<gusset_weld_report>(),
-        vertex_map: gusset_indices::lend(&done.vertex_map),
-        face_map: gusset_indices::lend(&done.face_map),
-        left_edges: gusset_indices::lend(&done.left_edges),
-        left_vertices: gusset_indices::lend(&done.left_vertices),
+        vertex_map: gusset_indices::lend_indices(&done.vertex_map),
+        face_map: gusset_indices::lend_indices(&done.face_map),
+        left_edges: gusset_indices::lend_indices(&done.left_edges),
+        left_vertices: gusset_indices::lend_indices(&done.left_vertices),
         welded_vertices: done.welded_vertices,
         sewn_edges: done.sewn_edges,
         dropped_faces: done.dropped_faces,

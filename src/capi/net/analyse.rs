@@ -3,17 +3,17 @@
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, lent};
-use crate::capi::net::field::{Given, fields, gusset_field};
-use crate::capi::net::{gusset_net, read};
+use crate::capi::input::{self, lend_list};
+use crate::capi::net::field::{GivenField, gusset_field, read_fields};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Result;
-use crate::net::analyse::{Analysis, analyse, analyse_field};
+use crate::net::analyse::{DeformationAnalysis, analyse, analyse_field};
 use gusset_base::alloc;
 
 /// Effects of a deformation on a net.
 pub struct gusset_net_analysis {
-    analysis: Analysis,
+    analysis: DeformationAnalysis,
     contracted: Vec<u32>,
     stars: Vec<u32>,
 }
@@ -21,35 +21,35 @@ pub struct gusset_net_analysis {
 handle! { gusset_net_analysis }
 
 impl gusset_net_analysis {
-    fn new(analysis: Analysis) -> Result<Self> {
+    fn new(analysis: DeformationAnalysis) -> Result<Self> {
         let contracted = alloc::collect(analysis.contracted.iter().map(|found| found.link))?;
         let stars = alloc::collect(analysis.contracted.iter().map(|found| found.star.number() as u32))?;
         Ok(gusset_net_analysis { analysis, contracted, stars })
     }
 }
 
-/// Effects of a deformation. See gusset_net for indices.
+/// Effects of a deformation.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_analysis_view {
     /// sizeof(gusset_net_analysis_view).
     pub struct_size: usize,
-    /// Ratio of new to old length of each link; NaN if the old length is 0 or an end is missing.
+    /// New / old length of each link; NaN if the old length is 0 or an end is missing.
     /// @shape link_count
     pub links: *const f64,
     /// 2 * rows * columns.
     pub link_count: usize,
-    /// Ratio of new to old area of each cell; NaN if the old area is 0 or the cell is absent.
-    /// Negative for folds or, with fields, negative determinants.
+    /// New / old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for
+    /// folds or, with fields, negative determinants.
     /// @shape cell_count
     pub cells: *const f64,
-    /// Jacobian determinant of the fields at the centre of each cell; NULL if nets are compared.
+    /// The fields' Jacobian determinant at each cell's centre; NULL if nets are compared.
     /// @shape cell_count
     pub determinants: *const f64,
     /// (rows - 1) * (columns - 1).
     pub cell_count: usize,
-    /// Links that the deformation contracted to a point although the net does not glue their ends.
-    /// To glue them, pass them as links of gusset_glue_options.
+    /// Newly contracted links, whose ends the net does not glue; to glue them, use links of
+    /// gusset_glue_options.
     /// @shape contracted_count
     pub contracted: *const u32,
     /// For each contracted link, the local gluing of its first node once all are contracted: 0 to
@@ -69,7 +69,7 @@ pub struct gusset_net_analysis_view {
     pub folded: *const u32,
     /// Number of folded cells.
     pub folded_count: usize,
-    /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard.
+    /// 1: a soft deformation, nothing newly glued, torn or folded; 0: hard.
     /// @flag
     pub soft: u32,
     /// 0.
@@ -78,36 +78,35 @@ pub struct gusset_net_analysis_view {
 
 versioned! { gusset_net_analysis_view: 112 }
 
-/// Deformation to analyse; the default is none.
+/// Deformation to analyse; default: none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_analysis_options {
     /// sizeof(gusset_net_analysis_options).
     pub struct_size: usize,
-    /// Deformed net of the same size; NULL: fields deform the net.
+    /// Deformed net of equal size; NULL: see fields.
     pub after: *const gusset_net,
-    /// Fields, as for gusset_net_deform.
+    /// As for gusset_net_deform.
     /// @shape field_count
     pub fields: *const gusset_field,
-    /// Number of fields; 0 beside after.
+    /// 0 beside after.
     pub field_count: usize,
-    /// Time, as for gusset_net_deform.
+    /// As for gusset_net_deform.
     pub time: f64,
-    /// Lengths up to this count as 0; at least 0 and finite.
+    /// Lengths up to this count as 0; at least 0, finite.
     pub tolerance: f64,
 }
 
 versioned! { gusset_net_analysis_options: 48 }
 
-/// Finds what a deformation glues, tears, folds and stretches; the net stays unchanged.
+/// Finds what a deformation glues, tears, folds and stretches, without deforming the net.
 ///
-/// @param net the net before the deformation.
-/// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing would join both
-///     diagonals of the cell), as gusset_net_deform
-/// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), and memory for a copy of the
-///     net and 8 bytes a cell.
-/// @source Deryagin, soft and hard deformations. Links are measured: a zero of the Jacobian neither
-///     implies gluing nor follows from it.
+/// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing), as
+///     gusset_net_deform
+/// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), a copy of the net and 8 bytes
+///     a cell.
+/// @source Deryagin, soft and hard deformations, by links: a zero of the Jacobian does not imply
+///     gluing or follow from it.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_create(
@@ -118,22 +117,20 @@ pub unsafe extern "C" fn gusset_net_analysis_create(
 ) -> gusset_status {
     create(context, analysis, "analysis", |job| {
         let options = input::read(options, true, "options")?;
-        let given = fields(options.fields, options.field_count, options.time)?;
+        let given = read_fields(options.fields, options.field_count, options.time)?;
         let found = if options.after.is_null() {
-            let steps = alloc::collect(given.iter().map(Given::step))?;
-            analyse_field(read(net)?, &steps, options.tolerance, job)?
+            let steps = alloc::collect(given.iter().map(GivenField::to_step))?;
+            analyse_field(net_of_handle(net)?, &steps, options.tolerance, job)?
         } else if given.is_empty() {
-            analyse(read(net)?, read(options.after)?, options.tolerance, job)?
+            analyse(net_of_handle(net)?, net_of_handle(options.after)?, options.tolerance, job)?
         } else {
-            return Err(Failure::unknown("field_count, beside after,", options.field_count as u64));
+            return Err(Failure::unknown_value("field_count, beside after,", options.field_count as u64));
         };
         Ok(gusset_net_analysis::new(found)?)
     })
 }
 
 /// Lends an analysis.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_get_view(
@@ -141,20 +138,20 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
     view: *mut gusset_net_analysis_view,
 ) -> gusset_status {
     lend!(analysis, view, |gusset_net_analysis { analysis, contracted, stars }| {
-        let Analysis { links, cells, determinants, torn, folded, .. } = analysis;
+        let DeformationAnalysis { links, cells, determinants, torn, folded, .. } = analysis;
         gusset_net_analysis_view {
             struct_size: 0,
-            links: lent(links),
+            links: lend_list(links),
             link_count: links.len(),
-            cells: lent(cells),
-            determinants: lent(determinants),
+            cells: lend_list(cells),
+            determinants: lend_list(determinants),
             cell_count: cells.len(),
-            contracted: lent(contracted),
-            stars: lent(stars),
+            contracted: lend_list(contracted),
+            stars: lend_list(stars),
             contracted_count: contracted.len(),
-            torn: lent(torn),
+            torn: lend_list(torn),
             torn_count: torn.len(),
-            folded: lent(folded),
+            folded: lend_list(folded),
             folded_count: folded.len(),
             soft: analysis.is_soft().into(),
             reserved: 0,

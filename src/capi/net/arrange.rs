@@ -5,9 +5,9 @@ use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, choice, flag};
 use crate::capi::mesh::gusset_scalar;
-use crate::capi::net::{edit, gusset_net};
+use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
-use crate::net::{CopyOptions, Direction, Replication, Shape, Turn};
+use crate::net::{CopyOptions, Direction, GridSymmetry, Replication, Shape};
 
 /// Direction within a net.
 pub type gusset_direction = u32;
@@ -16,7 +16,7 @@ pub const GUSSET_DIRECTION_RIGHT: gusset_direction = 0;
 /// From row to row.
 pub const GUSSET_DIRECTION_DOWN: gusset_direction = 1;
 
-/// Rows or columns replicated to enlarge a net.
+/// Replicated rows or columns.
 pub type gusset_replication = u32;
 /// All, as equally as possible.
 pub const GUSSET_REPLICATE_UNIFORM: gusset_replication = 0;
@@ -24,9 +24,9 @@ pub const GUSSET_REPLICATE_UNIFORM: gusset_replication = 0;
 pub const GUSSET_REPLICATE_FIRST: gusset_replication = 1;
 /// The last.
 pub const GUSSET_REPLICATE_LAST: gusset_replication = 2;
-/// The one with the given index.
+/// The one at the given index.
 pub const GUSSET_REPLICATE_AT: gusset_replication = 3;
-/// The first and last in equal shares if both are poles; the pole if one is; else as UNIFORM.
+/// The first and last equally if both are poles; the pole if one is; else as UNIFORM.
 pub const GUSSET_REPLICATE_AT_POLES: gusset_replication = 4;
 /// Different sizes are an error; for gusset_concatenate_options only.
 pub const GUSSET_REPLICATE_REFUSE: gusset_replication = 5;
@@ -50,8 +50,8 @@ pub const GUSSET_NET_TURN_TRANSPOSE: gusset_net_turn = 6;
 /// Exchanges rows and columns, and reverses both.
 pub const GUSSET_NET_TURN_ANTITRANSPOSE: gusset_net_turn = 7;
 
-/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert.
-/// Defaults: no step.
+/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert. Default:
+/// none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_copy_options {
@@ -59,20 +59,19 @@ pub struct gusset_net_copy_options {
     pub struct_size: usize,
     /// First row of the part.
     pub row_first: usize,
-    /// Rows of the part, at least 2; 0: all from row_first on.
+    /// Rows of the part, at least 2; 0: the rest.
     pub row_count: usize,
     /// First column of the part.
     pub column_first: usize,
-    /// Columns of the part, at least 2; 0: all from column_first on.
+    /// Columns of the part, at least 2; 0: the rest.
     pub column_count: usize,
-    /// Rows after replication, at least the present number; 0: no replication. Links between copies
-    /// are contracted.
+    /// Rows after replication, at least the present number; 0: none. Links between copies are
+    /// contracted.
     pub rows: usize,
     /// Columns after replication, likewise.
     pub columns: usize,
-    /// 1: removes rows and columns that repeat the previous one. All links between both are
-    /// contracted; coordinates and links along them are equal. Two rows, two columns and the ends
-    /// of bridges stay.
+    /// 1: removes rows and columns that repeat the previous one: equal coordinates and links,
+    /// contracted links between both. Two rows, two columns and the ends of bridges stay.
     /// @flag
     pub compact: u32,
     /// For rows.
@@ -85,9 +84,9 @@ pub struct gusset_net_copy_options {
     /// Column to replicate.
     /// @when column_replication GUSSET_REPLICATE_AT
     pub column_index: u32,
-    /// Symmetry that is applied.
+    /// Symmetry.
     pub turn: gusset_net_turn,
-    /// Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become
+    /// Type of coordinates; 0: unchanged. Conversion to float rounds; overflowing nodes become
     /// missing.
     pub scalar: gusset_scalar,
     /// 0.
@@ -98,7 +97,7 @@ versioned! { gusset_net_copy_options: 88 reserved }
 
 c_enum! {
     direction: Direction { GUSSET_DIRECTION_RIGHT => Right, GUSSET_DIRECTION_DOWN => Down }
-    turn: Turn {
+    turn: GridSymmetry {
         GUSSET_NET_TURN_NONE => None,
         GUSSET_NET_TURN_QUARTER => Quarter,
         GUSSET_NET_TURN_HALF => Half,
@@ -111,14 +110,14 @@ c_enum! {
 }
 
 /// Converts the rows or columns that the caller replicates.
-pub(crate) fn replication(value: gusset_replication, index: u32) -> Result<Replication, Failure> {
+pub(crate) fn to_replication(value: gusset_replication, index: u32) -> Result<Replication, Failure> {
     match value {
         GUSSET_REPLICATE_UNIFORM => Ok(Replication::Uniform),
         GUSSET_REPLICATE_FIRST => Ok(Replication::First),
         GUSSET_REPLICATE_LAST => Ok(Replication::Last),
         GUSSET_REPLICATE_AT => Ok(Replication::At(index)),
         GUSSET_REPLICATE_AT_POLES => Ok(Replication::AtPoles),
-        other => Err(Failure::unknown("replication", other.into())),
+        other => Err(Failure::unknown_value("replication", other.into())),
     }
 }
 
@@ -137,8 +136,8 @@ impl gusset_net_copy_options {
             rows: (self.rows != 0).then_some(self.rows),
             columns: (self.columns != 0).then_some(self.columns),
             replication: [
-                replication(self.row_replication, self.row_index)?,
-                replication(self.column_replication, self.column_index)?,
+                to_replication(self.row_replication, self.row_index)?,
+                to_replication(self.column_replication, self.column_index)?,
             ],
             turn: choice(self.turn)?,
             scalar: if self.scalar == 0 { None } else { Some(choice(self.scalar)?) },
@@ -146,17 +145,15 @@ impl gusset_net_copy_options {
     }
 }
 
-/// Copies a net with its gluing and bridges: all or a part, compacted, enlarged, turned or
-/// converted.
+/// Copies a net, or a part, with gluing and bridges: compacted, enlarged, turned or converted.
 ///
-/// - An unchanged copy shares memory until either net changes.
-/// - A part keeps links, runs of seams and bridges inside it. Links back to the first row or column
-///   need a part with all rows or columns.
+/// - An unchanged copy shares memory until a net changes.
+/// - A part keeps links, runs of seams and bridges inside it; links back to the first row or column
+///   if it has all rows or columns.
 /// - Without conversion, coordinates keep their bits.
 ///
-/// @errors NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part or index beyond the
-///     net, or fewer rows or columns than present), CROSSING_CELL (both diagonals of a cell are
-///     glued once gluing outside the part is lost), TOO_LARGE
+/// @errors NET_TOO_SMALL, OUT_OF_RANGE (a part or index beyond the net, or fewer rows or columns
+///     than present), CROSSING_CELL (once gluing outside the part is lost), TOO_LARGE
 /// @complexity O(nodes) for each step; O(1) for an unchanged copy, except in the caller's memory.
 /// @source Deryagin, "Reformatting".
 #[unsafe(no_mangle)]
@@ -168,18 +165,18 @@ pub unsafe extern "C" fn gusset_net_copy_create(
     copy: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, copy, "copy", |job| {
-        let (handle, options) = (handle::get(net, "net")?, input::read(options, true, "options")?);
+        let (handle, options) = (handle::get_object(net, "net")?, input::read(options, true, "options")?);
         let net = handle.net();
         match net.changed_copy(&options.checked(net.shape())?, job)? {
             Some(changed) => Ok(gusset_net::new(changed)),
-            None => Ok(gusset_net::from_shared(handle.share()?)),
+            None => Ok(gusset_net::from_shared(handle.share_net()?)),
         }
     })
 }
 
-/// Makes nodes missing that have a coordinate equal to value.
+/// Makes nodes with a coordinate equal to value missing.
 ///
-/// @param value marker of missing data.
+/// @param value marks missing data.
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -189,7 +186,7 @@ pub unsafe extern "C" fn gusset_net_clear_no_data(
     value: f64,
 ) -> gusset_status {
     guard_change(context, |job| {
-        edit(net, job)?.clear_no_data(value);
+        net_of_handle_mut(net, job)?.clear_no_data(value);
         Ok(())
     })
 }

@@ -3,24 +3,23 @@
 use crate::capi::context::{answer, create, guard_change, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, fill, flag};
+use crate::capi::input::{self, fill_buffer, flag};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::net::glue::{GUSSET_TYPE_NONE, gusset_gluing_type};
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
-use crate::net::Classes;
-use crate::net::topology::{GluingType, Groups, Occurrence, occurrences};
+use crate::net::NodeClasses;
+use crate::net::topology::{GluingOccurrence, GluingType, NodeGroups, find_gluing_occurrences};
 
 /// Returns the caller's number of a type.
-fn number(found: Option<GluingType>) -> gusset_gluing_type {
+fn gluing_type_code(found: Option<GluingType>) -> gusset_gluing_type {
     found.map_or(GUSSET_TYPE_NONE, |kind| kind.number() as u32)
 }
 
 /// Writes for each node the first node of its point.
 ///
-/// @param classes room for capacity numbers, at least rows * columns; NULL and capacity 0 to count.
-/// @param capacity size of classes.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param classes receives rows * columns numbers.
+/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL
 /// @complexity O(nodes); 4 bytes a node.
 #[unsafe(no_mangle)]
@@ -32,24 +31,24 @@ pub unsafe extern "C" fn gusset_net_classes(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
-        let net = read(net)?;
-        fill((classes, capacity, "classes"), net.shape().node_count(), written?, job, || {
-            let classes = Classes::new_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
-            Ok(classes.table_cancellable(&job.part(0.8, 1.0), "classes")?)
+        let net = net_of_handle(net)?;
+        fill_buffer((classes, capacity, "classes"), net.shape().node_count(), written?, job, || {
+            let classes = NodeClasses::new_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
+            Ok(classes.representatives_cancellable(&job.part(0.8, 1.0), "classes")?)
         })
     })
 }
 
 /// Points of several glued nodes.
-pub struct gusset_net_groups(Groups);
+pub struct gusset_net_groups(NodeGroups);
 
 handle! { gusset_net_groups }
 
 /// Finds the points of several glued nodes.
 ///
-/// @complexity O(rows + columns) if only sides are glued, else O(nodes); and a sort of the glued
+/// @complexity O(rows + columns) if only sides are glued, else O(nodes), plus a sort of glued
 ///     nodes.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -59,7 +58,7 @@ pub unsafe extern "C" fn gusset_net_groups_create(
     groups: *mut *mut gusset_net_groups,
 ) -> gusset_status {
     create(context, groups, "groups", |job| {
-        Ok(gusset_net_groups(Classes::new_cancellable(read(net)?.topology(), job, "groups")?.groups()?))
+        Ok(gusset_net_groups(NodeClasses::new_cancellable(net_of_handle(net)?.topology(), job, "groups")?.groups()?))
     })
 }
 
@@ -78,8 +77,6 @@ pub struct gusset_net_groups_view {
 versioned! { gusset_net_groups_view: 40 }
 
 /// Lends the groups.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_groups_get_view(
@@ -88,8 +85,8 @@ pub unsafe extern "C" fn gusset_net_groups_get_view(
 ) -> gusset_status {
     lend!(groups, view, |gusset_net_groups(groups)| gusset_net_groups_view {
         struct_size: 0,
-        offsets: gusset_indices::lend(groups.offsets()),
-        members: gusset_indices::lend(groups.nodes()),
+        offsets: gusset_indices::lend_indices(groups.offsets()),
+        members: gusset_indices::lend_indices(groups.nodes()),
     })
 }
 
@@ -109,9 +106,9 @@ pub const GUSSET_GLUING_PLACE_CELL: gusset_gluing_place = 1;
 /// Finds the local gluing at a node or cell.
 ///
 /// @param element node or cell.
-/// @param cyclic 1: links of a node back to the first row or column count. 0 or 1.
-/// @param found receives the type; GUSSET_TYPE_NONE for a node without glued links and for a quad.
-///     A node has at most GUSSET_TYPE_ALL.
+/// @param cyclic 1: links back to the first row or column count; else 0.
+/// @param found receives the type, for a node at most GUSSET_TYPE_ALL; GUSSET_TYPE_NONE for a node
+///     without glued links and for a quad.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1) if only sides are glued, else O(nodes).
 /// @source Deryagin, Fig. 4.
@@ -126,19 +123,19 @@ pub unsafe extern "C" fn gusset_net_classify(
     found: *mut gusset_gluing_type,
 ) -> gusset_status {
     answer(context, (found, "found"), GUSSET_TYPE_NONE, |job| {
-        let (topology, cyclic) = (read(net)?.topology(), flag(cyclic, "cyclic")?);
-        Ok(number(match place {
+        let (topology, cyclic) = (net_of_handle(net)?.topology(), flag(cyclic, "cyclic")?);
+        Ok(gluing_type_code(match place {
             GUSSET_GLUING_PLACE_NODE => topology.node_type(element, cyclic, job)?,
             GUSSET_GLUING_PLACE_CELL => topology.cell_type(element, job)?,
-            other => return Err(Failure::unknown("place", other.into())),
+            other => return Err(Failure::unknown_value("place", other.into())),
         }))
     })
 }
 
-/// Counts the local gluings of a net by type.
+/// Counts the local gluings by type.
 ///
-/// @param nodes receives 18 counts of nodes, as for cyclic 0; may be NULL.
-/// @param cells receives 18 counts of cells; may be NULL.
+/// @param nodes receives 18 counts, as for cyclic 0, or NULL.
+/// @param cells receives 18 counts, or NULL.
 /// @complexity O(nodes); 4 bytes a node.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -148,11 +145,11 @@ pub unsafe extern "C" fn gusset_net_histogram(
     nodes: *mut u64,
     cells: *mut u64,
 ) -> gusset_status {
-    let outputs = [(nodes, "nodes"), (cells, "cells")].map(|(out, name)| counts(out, name));
+    let outputs = [(nodes, "nodes"), (cells, "cells")].map(|(out, name)| count_buffer(out, name));
     guard_change(context, |job| {
         let [nodes, cells] = outputs;
         let (nodes, cells) = (nodes?, cells?);
-        let histogram = crate::net::topology::histogram(read(net)?.topology(), job)?;
+        let histogram = crate::net::topology::gluing_histogram(net_of_handle(net)?.topology(), job)?;
         job.finish()?;
         nodes.copy_from_slice(&histogram.nodes[..nodes.len()]);
         cells.copy_from_slice(&histogram.cells[..cells.len()]);
@@ -161,11 +158,11 @@ pub unsafe extern "C" fn gusset_net_histogram(
 }
 
 /// Returns the cleared buffer for the counts; empty if the caller omits it.
-fn counts<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], Failure> {
-    input::cleared(out, if out.is_null() { 0 } else { GluingType::COUNT }, name)
+fn count_buffer<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], Failure> {
+    input::cleared_result_buffer(out, if out.is_null() { 0 } else { GluingType::COUNT }, name)
 }
 
-/// Local gluing of a net: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4.
+/// Local gluing: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_gluing_occurrence {
@@ -173,30 +170,29 @@ pub struct gusset_gluing_occurrence {
     pub place: gusset_gluing_place,
     /// Node or cell.
     pub element: u32,
-    /// Local gluing (Deryagin, Fig. 4).
+    /// Local gluing of Deryagin's figure 4.
     pub kind: gusset_gluing_type,
-    /// At a node: number of nodes glued to it. At a cell: number of glued links, at most 3; 1 for a
-    /// diagonal.
+    /// At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal.
     pub a: u32,
-    /// At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: number of
-    /// other links between them, 0 or 1. For a diagonal: 2. Else UINT32_MAX.
+    /// At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: other
+    /// links between them, 0 or 1. For a diagonal: 2. Else UINT32_MAX.
     pub b: u32,
-    /// Number of nodes united.
+    /// United nodes.
     pub node_order: u32,
-    /// Number of links united; 1 if none.
+    /// United links; 1 if none.
     pub link_order: u32,
-    /// Number of nodes of the point; exceeds node_order where gluings meet, as at a pole.
+    /// Nodes of the point; exceeds node_order where gluings meet.
     pub class_size: u32,
 }
 
 fixed! { gusset_gluing_occurrence: 32 }
 
-impl From<&Occurrence> for gusset_gluing_occurrence {
-    fn from(found: &Occurrence) -> Self {
+impl From<&GluingOccurrence> for gusset_gluing_occurrence {
+    fn from(found: &GluingOccurrence) -> Self {
         gusset_gluing_occurrence {
             place: if found.on_cell { GUSSET_GLUING_PLACE_CELL } else { GUSSET_GLUING_PLACE_NODE },
             element: found.element,
-            kind: number(Some(found.kind)),
+            kind: gluing_type_code(Some(found.kind)),
             a: found.signature.a.into(),
             b: found.signature.b.map_or(u32::MAX, u32::from),
             node_order: found.signature.node_order.into(),
@@ -206,14 +202,13 @@ impl From<&Occurrence> for gusset_gluing_occurrence {
     }
 }
 
-/// Writes all local gluings of a net: at its nodes in order, then at its cells.
+/// Writes all local gluings: of nodes in order, then of cells.
 ///
 /// @param cyclic as for gusset_net_classify.
-/// @param found room for capacity gluings; NULL and capacity 0 to count.
-/// @param capacity size of found.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param found receives the gluings.
+/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL
-/// @complexity O(nodes); 4 bytes a node, and memory for the result.
+/// @complexity O(nodes); 4 bytes a node, and the result.
 /// @source Deryagin, Fig. 4.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -225,10 +220,12 @@ pub unsafe extern "C" fn gusset_net_gluing_occurrences(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
         let written = written?;
-        let all = occurrences(read(net)?.topology(), flag(cyclic, "cyclic")?, job)?;
-        fill((found, capacity, "found"), all.len(), written, job, || Ok(all.iter().map(gusset_gluing_occurrence::from)))
+        let all = find_gluing_occurrences(net_of_handle(net)?.topology(), flag(cyclic, "cyclic")?, job)?;
+        fill_buffer((found, capacity, "found"), all.len(), written, job, || {
+            Ok(all.iter().map(gusset_gluing_occurrence::from))
+        })
     })
 }

@@ -4,7 +4,7 @@ use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::mesh::gusset_indices;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::complex::Complex;
 
@@ -27,25 +27,24 @@ pub const GUSSET_NET_ORIENTED: gusset_net_flags = 4;
 /// Consistent after reversal of some faces.
 pub const GUSSET_NET_ORIENTABLE: gusset_net_flags = 8;
 
-/// Quotient complex: the surface of a net with glued nodes merged.
+/// Quotient complex: the surface of a net.
 pub struct gusset_net_complex(Complex);
 
 handle! { gusset_net_complex }
 
-/// Counts and defects of a complex. Vertices are given by their smallest nodes, edges as pairs;
-/// lists are sorted.
+/// Counts and defects of a complex, in sorted lists. A vertex is its smallest node, an edge a pair.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_complex_view {
     /// sizeof(gusset_net_complex_view).
     pub struct_size: usize,
-    /// Vertices.
+    /// Number of vertices.
     pub vertex_count: u64,
-    /// Edges; links with equal ends are one edge.
+    /// Edges; links with equal ends are one.
     pub edge_count: u64,
-    /// Quads.
+    /// Number of quads.
     pub quad_count: u64,
-    /// Triangles.
+    /// Number of triangles.
     pub triangle_count: u64,
     /// Cells reduced to an edge.
     pub digon_count: u64,
@@ -53,11 +52,11 @@ pub struct gusset_net_complex_view {
     pub point_count: u64,
     /// Cells folded along a diagonal to two edges.
     pub fold_count: u64,
-    /// Edges of one face.
+    /// Number of boundary edges.
     pub boundary_edge_count: u64,
-    /// Connected components.
+    /// Number of connected components.
     pub component_count: u64,
-    /// Euler characteristic, vertices - edges + faces.
+    /// Vertices - edges + faces.
     pub euler: i64,
     /// Handles, or crosscaps if not orientable, of all components together; -1 if not manifold.
     pub genus: i64,
@@ -70,28 +69,28 @@ pub struct gusset_net_complex_view {
     pub boundary_offsets: gusset_indices,
     /// Vertices of all chains, with faces on the left.
     pub boundary_nodes: gusset_indices,
-    /// For each chain: 0 for a loop, 1 if it ends at edges of three or more faces.
+    /// For each chain: 1 if it ends at branches, 0 for a loop.
     /// @flag
     pub boundary_open: gusset_indices,
     /// Edges without faces.
     /// @shape * 2
     pub wires: gusset_indices,
-    /// Edges of three or more faces.
+    /// Non-manifold edges.
     /// @shape * 2
     pub branches: gusset_indices,
-    /// Vertices whose faces form several fans that meet only there.
+    /// Vertices whose faces form several fans.
     pub pinches: gusset_indices,
-    /// Edges that two faces traverse in the same direction.
+    /// Edges that two faces traverse in one direction.
     /// @shape * 2
     pub conflicts: gusset_indices,
 }
 
 versioned! { gusset_net_complex_view: 216 }
 
-/// Determines the surface of a net with glued nodes merged. Defects are not errors.
+/// Determines the surface of a net.
 ///
 /// @errors TOO_LARGE (more than 2^31 boundary edges)
-/// @complexity O(nodes), and a sort of the elements at glued nodes; linear memory.
+/// @complexity O(nodes), plus a sort of the elements at glued nodes; linear memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_create(
@@ -101,18 +100,16 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     quotient: *mut *mut gusset_net_complex,
 ) -> gusset_status {
     create(context, quotient, "quotient", |job| {
-        let net = read(net)?;
+        let net = net_of_handle(net)?;
         Ok(gusset_net_complex(match cells {
             GUSSET_NET_CELLS_ALL => Complex::from_topology(net.topology(), job)?,
             GUSSET_NET_CELLS_PRESENT => Complex::from_net(net, job)?,
-            other => return Err(Failure::unknown("cells", other.into())),
+            other => return Err(Failure::unknown_value("cells", other.into())),
         }))
     })
 }
 
-/// Lends the counts and defects of a complex.
-///
-/// @complexity O(1).
+/// Lends the counts and defects.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_get_view(
@@ -139,13 +136,13 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
                 | bit(c.conflicts.is_empty(), GUSSET_NET_ORIENTED)
                 | bit(c.orientable, GUSSET_NET_ORIENTABLE),
             reserved: 0,
-            boundary_offsets: gusset_indices::lend(c.boundary.offsets()),
-            boundary_nodes: gusset_indices::lend(c.boundary.nodes()),
-            boundary_open: gusset_indices::lend(c.boundary.open()),
-            wires: gusset_indices::lend(c.wires.as_flattened()),
-            branches: gusset_indices::lend(c.branches.as_flattened()),
-            pinches: gusset_indices::lend(&c.pinches),
-            conflicts: gusset_indices::lend(c.conflicts.as_flattened()),
+            boundary_offsets: gusset_indices::lend_indices(c.boundary.offsets()),
+            boundary_nodes: gusset_indices::lend_indices(c.boundary.nodes()),
+            boundary_open: gusset_indices::lend_indices(c.boundary.open_chains()),
+            wires: gusset_indices::lend_indices(c.wires.as_flattened()),
+            branches: gusset_indices::lend_indices(c.branches.as_flattened()),
+            pinches: gusset_indices::lend_indices(&c.pinches),
+            conflicts: gusset_indices::lend_indices(c.conflicts.as_flattened()),
         }
     })
 }

@@ -1,10 +1,10 @@
-//! Fields: Deforms and projects nets by chains of fields, constant or keyed in time.
+//! Fields: Deforms and projects nets by chains of fields.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice};
-use crate::capi::net::transform::{gusset_axis, matrix, vector};
-use crate::capi::net::{edit, gusset_net};
+use crate::capi::net::transform::{affine_from_numbers, first_three_numbers, gusset_axis};
+use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
@@ -18,59 +18,56 @@ use gusset_base::alloc;
 /// - w is the coordinate on axis; u and v are the next two in the cycle x, y, z.
 /// - "Linear in t": each point moves by t times its displacement.
 pub type gusset_field_kind = u32;
-/// Affine map, linear in t: three rows of four numbers. It never changes the reversed flag of the
-/// net.
+/// Affine map, linear in t: three rows of four numbers. The net's reversed flag stays.
 pub const GUSSET_FIELD_AFFINE: gusset_field_kind = 1;
 /// Right-handed rotation about axis by the angle t values[0] (w - values[1]).
 pub const GUSSET_FIELD_TWIST: gusset_field_kind = 2;
 /// Scaling of u and v by 1 + t values[0] (w - values[1]).
 pub const GUSSET_FIELD_TAPER: gusset_field_kind = 3;
-/// Bends axis from w = values[1] to values[2] into an arc of curvature t values[0] towards u. Axis
-/// continues straight beyond; values[2] may be infinite.
+/// Bends axis from w = values[1] to values[2] into an arc of curvature t values[0] towards u.
+/// Straight beyond; values[2] may be infinite.
 pub const GUSSET_FIELD_BEND: gusset_field_kind = 4;
 /// Adds t values[0] times the coordinate on other_axis to w.
 pub const GUSSET_FIELD_SHEAR: gusset_field_kind = 5;
-/// Central projection onto a sphere, linear in t: centre values[0..2], radius values[3] > 0.
+/// Central projection onto a sphere of centre values[0..2], radius values[3] > 0; linear in t.
 /// Undefined at the centre.
 pub const GUSSET_FIELD_SPHERIFY: gusset_field_kind = 6;
 /// Rolls space around a cylinder of radius r = values[0] > 0. Then u and v become (r + v) sin(u /
-/// r) and (r + v) cos(u / r). For t < 1, the curvature is t / r. Lengths in the sheet v = 0 are
-/// kept.
+/// r) and (r + v) cos(u / r). For t < 1, the curvature is t / r. Lengths in the sheet v = 0 stay.
 pub const GUSSET_FIELD_CYLINDER_WRAP: gusset_field_kind = 7;
 /// Rolls space into a torus about axis: radius R = values[0] > 0, tube radius r = values[1] > 0.
-/// The coordinates u, v, w become the arc around axis, the arc around the tube, and the height
-/// above the torus.
+/// Coordinates u, v, w become the arc around axis, the arc around the tube, and the height above
+/// the torus.
 ///
-/// - t up to 1/2: a sheet rolls into a straight tube of curvature 2 t / r, and keeps lengths.
-/// - t above 1/2: the tube bends to curvature (2 t - 1) / R, and its circles keep their lengths.
+/// - t up to 1/2: a sheet rolls into a straight tube of curvature 2 t / r; lengths stay.
+/// - t above 1/2: the tube bends to curvature (2 t - 1) / R; its circles keep their lengths.
 pub const GUSSET_FIELD_TORUS_WRAP: gusset_field_kind = 8;
-/// Free-form deformation of the box from values[0..2] to values[3..5] by a tensor product of
-/// Bernstein polynomials. Points outside the box stay. The box has a uniform grid of control
-/// points, 2 to 32 along each axis. offsets has the displacement of each control point; x varies
-/// fastest, then y. At strength t, each point moves by t times its displacement.
+/// Free-form deformation of the box from values[0..2] to values[3..5] by tensor-product Bernstein
+/// polynomials, linear in t. Points outside the box stay. The box has a uniform grid of control
+/// points, 2 to 32 along each axis, displaced by offsets; x varies fastest, then y.
 pub const GUSSET_FIELD_LATTICE: gusset_field_kind = 9;
 /// Projective map by a 4 x 4 matrix, row by row; linear in t. Undefined where the fourth
 /// homogeneous coordinate is 0.
 pub const GUSSET_FIELD_PROJECTION: gusset_field_kind = 10;
-/// Parallel projection, linear in t: onto the plane through values[0..2] with normal values[3..5],
-/// along values[6..8].
+/// Parallel projection onto the plane through values[0..2] with normal values[3..5], along
+/// values[6..8]; linear in t.
 pub const GUSSET_FIELD_PARALLEL: gusset_field_kind = 11;
-/// Central projection from the eye values[0..2], linear in t: onto the plane through values[3..5]
-/// with normal values[6..8]. Undefined in the parallel plane through the eye.
+/// Central projection from the eye values[0..2] onto the plane through values[3..5] with normal
+/// values[6..8]; linear in t. Undefined in the parallel plane through the eye.
 pub const GUSSET_FIELD_PERSPECTIVE: gusset_field_kind = 12;
-/// Rolls space into a cone about axis. The circle w = 0 has radius r = values[0] > 0. The
-/// coordinates u, v, w become the arc of this circle, the height above the cone, and the length
-/// along generators. Generators lean towards axis by a = values[1], from -pi/2 to pi/2; the apex is
-/// at w = r / sin(a).
+/// Rolls space into a cone about axis. The circle w = 0 has radius r = values[0] > 0. Coordinates
+/// u, v, w become the arc of this circle, the height above the cone, and the length along
+/// generators. They lean towards axis by a = values[1], -pi/2 to pi/2; the apex is at w = r /
+/// sin(a).
 ///
-/// For t < 1, generators lean by t a, and the curvature is t / r. Generators keep their lengths.
-/// The circle at w becomes 1 - (t / r) w sin(t a) times as long.
+/// For t < 1, generators lean by t a, and the curvature is t / r. Generators keep their lengths;
+/// the circle at w becomes 1 - (t / r) w sin(t a) times as long.
 pub const GUSSET_FIELD_CONE_WRAP: gusset_field_kind = 13;
-/// Rolls space into a sphere about axis, of radius r = values[0] > 0. The coordinates u, v, w
-/// become the arc of the equator, the arc of the meridian, and the height above the sphere. The
-/// ranges 0 <= u <= 2 pi r and |v| <= pi r / 2 cover the sphere.
+/// Rolls space into a sphere about axis, of radius r = values[0] > 0. Coordinates u, v, w become
+/// the arc of the equator, the arc of the meridian, and the height above the sphere. The ranges
+/// 0 <= u <= 2 pi r and |v| <= pi r / 2 cover the sphere.
 ///
-/// - t up to 1/2: a sheet rolls into a tube of curvature 2 t / r, and keeps lengths.
+/// - t up to 1/2: a sheet rolls into a tube of curvature 2 t / r; lengths stay.
 /// - t above 1/2: meridians bend to curvature q / r, q = 2 t - 1, and keep their lengths. The
 ///   parallel at v becomes 1 - (1 - cos(q v / r)) / q times as long.
 pub const GUSSET_FIELD_SPHERE_WRAP: gusset_field_kind = 14;
@@ -98,12 +95,12 @@ pub struct gusset_field {
     pub other_axis: gusset_axis,
     /// Interpolation of strengths between two keys.
     pub easing: gusset_easing,
-    /// Strength t; it multiplies the strength of keys.
+    /// Strength t, times the keys'.
     pub strength: f64,
     /// Finite numbers, as the kind says; the rest is not read.
     pub values: [f64; 16],
-    /// Pairs of finite time and strength, with increasing times. Strength is constant before the
-    /// first key and after the last. NULL: it does not depend on time.
+    /// Finite pairs of time and strength, by increasing time. Strength is constant before the first
+    /// key and after the last. NULL: constant.
     pub keys: *const f64,
     /// Number of pairs.
     pub key_count: usize,
@@ -118,33 +115,37 @@ pub struct gusset_field {
 versioned! { gusset_field: 200 reserved }
 
 /// A field of the caller, and its current strength.
-pub(crate) struct Given {
+pub(crate) struct GivenField {
     field: Box<dyn Field>,
     strength: f64,
 }
 
-impl Given {
-    pub(crate) fn step(&self) -> Step<'_> {
-        Step { field: &*self.field, strength: self.strength }
+impl GivenField {
+    pub(crate) fn to_step(&self) -> DeformationStep<'_> {
+        DeformationStep { field: &*self.field, strength: self.strength }
     }
 }
 
 /// Reads the caller's fields at a time.
-pub(crate) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<Given>, Failure> {
+pub(crate) fn read_fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<GivenField>, Failure> {
     Error::check_count("fields", count as u64, MAX_ELEMENTS)?;
     let given = |field: *const gusset_field| {
         let given = input::read(field, false, "fields")?;
         let (field, strength) = (given.checked()?, given.strength_at(time)?);
         Error::require(strength.is_finite(), "strength", strength)?;
-        Ok(Given { field, strength })
+        Ok(GivenField { field, strength })
     };
-    let fields = input::structs(fields, count, "fields")?.enumerate();
+    let fields = input::struct_pointers(fields, count, "fields")?.enumerate();
     alloc::try_collect(fields.map(|(k, field)| field.and_then(given).map_err(|failure: Failure| failure.with_item(k))))
 }
 
 /// Reads groups of N numbers, at any alignment.
-fn groups<const N: usize>(data: *const f64, count: usize, name: &'static str) -> Result<Vec<[f64; N]>, Failure> {
-    input::list(data.cast(), count, name)
+fn read_groups_of<const N: usize>(
+    data: *const f64,
+    count: usize,
+    name: &'static str,
+) -> Result<Vec<[f64; N]>, Failure> {
+    input::copy_input_items(data.cast(), count, name)
 }
 
 c_enum! { easing: Easing { GUSSET_EASING_LINEAR => Linear, GUSSET_EASING_SMOOTH => Smooth, GUSSET_EASING_HOLD => Hold } }
@@ -153,33 +154,41 @@ impl gusset_field {
     fn checked(&self) -> Result<Box<dyn Field>, Failure> {
         let (v, about) = (&self.values, || choice(self.axis));
         Ok(match self.kind {
-            GUSSET_FIELD_AFFINE => Box::new(matrix(v)?),
+            GUSSET_FIELD_AFFINE => Box::new(affine_from_numbers(v)?),
             GUSSET_FIELD_TWIST => Box::new(twist(about()?, v[0], v[1])?),
             GUSSET_FIELD_TAPER => Box::new(taper(about()?, v[0], v[1])?),
             GUSSET_FIELD_BEND => Box::new(bend(about()?, v[0], v[1], v[2])?),
             GUSSET_FIELD_SHEAR => Box::new(shear(about()?, choice(self.other_axis)?, v[0])?),
-            GUSSET_FIELD_SPHERIFY => Box::new(spherify(vector(v), v[3])?),
+            GUSSET_FIELD_SPHERIFY => Box::new(spherify(first_three_numbers(v), v[3])?),
             GUSSET_FIELD_CYLINDER_WRAP => Box::new(cylinder_wrap(about()?, v[0])?),
             GUSSET_FIELD_TORUS_WRAP => Box::new(torus_wrap(about()?, v[0], v[1])?),
             GUSSET_FIELD_CONE_WRAP => Box::new(cone_wrap(about()?, v[0], v[1])?),
             GUSSET_FIELD_SPHERE_WRAP => Box::new(sphere_wrap(about()?, v[0])?),
-            GUSSET_FIELD_LATTICE => Box::new(self.lattice()?),
+            GUSSET_FIELD_LATTICE => Box::new(self.read_lattice()?),
             GUSSET_FIELD_PROJECTION => {
                 Box::new(projection([0, 4, 8, 12].map(|k| [v[k], v[k + 1], v[k + 2], v[k + 3]]))?)
             }
-            GUSSET_FIELD_PARALLEL => Box::new(parallel_projection(vector(v), vector(&v[3..]), vector(&v[6..]))?),
-            GUSSET_FIELD_PERSPECTIVE => Box::new(perspective_projection(vector(v), vector(&v[3..]), vector(&v[6..]))?),
-            other => return Err(Failure::unknown("kind", other.into())),
+            GUSSET_FIELD_PARALLEL => Box::new(parallel_projection(
+                first_three_numbers(v),
+                first_three_numbers(&v[3..]),
+                first_three_numbers(&v[6..]),
+            )?),
+            GUSSET_FIELD_PERSPECTIVE => Box::new(perspective_projection(
+                first_three_numbers(v),
+                first_three_numbers(&v[3..]),
+                first_three_numbers(&v[6..]),
+            )?),
+            other => return Err(Failure::unknown_value("kind", other.into())),
         })
     }
 
-    fn lattice(&self) -> Result<Lattice, Failure> {
+    fn read_lattice(&self) -> Result<Lattice, Failure> {
         let counts = self.counts.map(|count| count as usize);
-        let (low, high) = (vector(&self.values), vector(&self.values[3..]));
+        let (low, high) = (first_three_numbers(&self.values), first_three_numbers(&self.values[3..]));
         // Counts that will be rejected do not tell how much there is to read.
         let good = counts.iter().all(|count| (2..=Lattice::MAX_POINTS).contains(count));
         let count = if good { counts.iter().product() } else { 0 };
-        let offsets: Vec<[f64; 3]> = groups(self.offsets, count, "offsets")?;
+        let offsets: Vec<[f64; 3]> = read_groups_of(self.offsets, count, "offsets")?;
         Ok(Lattice::new(low, high, counts, &alloc::collect(offsets.into_iter().map(DVec3::from_array))?)?)
     }
 
@@ -187,28 +196,25 @@ impl gusset_field {
         if self.keys.is_null() && self.key_count == 0 {
             return Ok(self.strength);
         }
-        let keys = groups(self.keys, self.key_count, "keys")?;
+        let keys = read_groups_of(self.keys, self.key_count, "keys")?;
         if !time.is_finite() {
             return Err(Error::OptionOutOfRange { option: "time", value: time }.into());
         }
-        Ok(self.strength * Timed::new(&keys, choice(self.easing)?)?.strength(time))
+        Ok(self.strength * TimedStrength::new(&keys, choice(self.easing)?)?.strength_at(time))
     }
 }
 
-/// Moves all nodes of a net by a chain of fields, in the given order.
+/// Moves a net by a chain of fields, in the given order.
 ///
-/// - For a map of your own, write to the coordinates that gusset_net_edit lends, then call
-///   gusset_net_glue with snap.
+/// - For maps of your own, see gusset_net_edit, then snap of gusset_glue_options.
 /// - Computation is in double precision; coordinates are rounded once.
 /// - Fields of strength 0 change no bit.
-/// - Glued nodes with equal bits keep equal bits. Missing nodes stay missing.
+/// - Equal bits of glued nodes stay equal. Missing nodes stay missing.
 /// - If every field is defined everywhere, a node that overflows becomes missing.
 ///
-/// @param fields the chain.
-/// @param count number of fields.
-/// @param time time of fields with keys. For animation, deform a copy of the net at rest.
-/// @errors OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED (with the node: a partly
-///     undefined chain is undefined or overflows there)
+/// @param time time of keys. For animation, deform a copy of the net at rest.
+/// @errors OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED (node where a partly undefined
+///     chain is undefined or overflows)
 /// @complexity O(nodes x fields); twice that if a field is partly undefined.
 /// @source Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
 #[unsafe(no_mangle)]
@@ -221,17 +227,16 @@ pub unsafe extern "C" fn gusset_net_deform(
     time: f64,
 ) -> gusset_status {
     guard_change(context, |job| {
-        let given = self::fields(fields, count, time)?;
-        let steps = alloc::collect(given.iter().map(Given::step))?;
-        Ok(deform(edit(net, job)?, &steps, job)?)
+        let given = self::read_fields(fields, count, time)?;
+        let steps = alloc::collect(given.iter().map(GivenField::to_step))?;
+        Ok(deform(net_of_handle_mut(net, job)?, &steps, job)?)
     })
 }
 
-/// Moves every node of a net along its normal. Glued nodes stay together; nodes without a normal
-/// stay.
+/// Moves every node along its normal. Glued nodes stay together; nodes without a normal stay.
 ///
-/// @param distance a finite length of either sign.
-/// @errors OUT_OF_RANGE (distance), FIELD_UNDEFINED (the first node that would overflow)
+/// @param distance finite, of either sign.
+/// @errors OUT_OF_RANGE (distance), FIELD_UNDEFINED (first node to overflow)
 /// @complexity O(nodes); memory of the size of the coordinates.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -240,5 +245,5 @@ pub unsafe extern "C" fn gusset_net_displace(
     net: *mut gusset_net,
     distance: f64,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(displace(edit(net, job)?, distance, job)?))
+    guard_change(context, |job| Ok(displace(net_of_handle_mut(net, job)?, distance, job)?))
 }

@@ -3,12 +3,12 @@
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, flag};
-use crate::capi::net::gluing::{gusset_seam, seam};
-use crate::capi::net::{edit, gusset_net, read};
+use crate::capi::net::gluing::{gusset_seam, to_seam};
+use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::net::MAX_NODES;
-use crate::net::glue::{self, GlueOptions, reglued};
+use crate::net::glue::{self, GlueOptions, find_gluing};
 use crate::net::topology::{CellDiagonal, Gluing, GluingType};
 use gusset_base::alloc;
 
@@ -16,8 +16,8 @@ use gusset_base::alloc;
 pub type gusset_gluing_kind = u32;
 /// The two ends of link element.
 pub const GUSSET_GLUING_LINK: gusset_gluing_kind = 0;
-/// Node element and its neighbours in the mask: east 1, south 2, west 4, north 8. Links at the
-/// sides lead to the opposite side.
+/// Node element and its neighbours in the mask: east 1, south 2, west 4, north 8. Links at sides
+/// lead to the opposite side.
 pub const GUSSET_GLUING_STAR: gusset_gluing_kind = 1;
 /// The ends of links of cell element in the mask: top 1, right 2, bottom 4, left 8.
 pub const GUSSET_GLUING_CELL: gusset_gluing_kind = 2;
@@ -41,13 +41,13 @@ pub struct gusset_gluing {
     pub mask: u32,
     /// 0.
     pub reserved: u32,
-    /// Seam, read for GUSSET_GLUING_SEAM only.
+    /// For GUSSET_GLUING_SEAM only.
     pub seam: gusset_seam,
 }
 
 const _: () = assert!(size_of::<gusset_gluing>() == 56);
 
-/// Local gluing (Deryagin, Fig. 4).
+/// Local gluing of Deryagin's figure 4.
 pub type gusset_gluing_type = u32;
 /// Nothing is glued.
 pub const GUSSET_TYPE_NONE: gusset_gluing_type = 0xffff_ffff;
@@ -93,9 +93,9 @@ impl gusset_gluing {
         let has_mask = !matches!(self.kind, GUSSET_GLUING_LINK | GUSSET_GLUING_SEAM);
         if self.reserved != 0 || (!has_mask && self.mask != 0) {
             let (name, value) = if self.reserved != 0 { ("reserved", self.reserved) } else { ("mask", self.mask) };
-            return Err(Failure::unknown(name, value.into()));
+            return Err(Failure::unknown_value(name, value.into()));
         }
-        let unknown = || Failure::unknown("mask", self.mask.into());
+        let unknown = || Failure::unknown_value("mask", self.mask.into());
         let mask = u8::try_from(self.mask).map_err(|_| unknown())?;
         Ok(match self.kind {
             GUSSET_GLUING_LINK => Gluing::Link(self.element),
@@ -106,19 +106,19 @@ impl gusset_gluing {
                     [CellDiagonal::Falling, CellDiagonal::Rising].get(usize::from(mask).wrapping_sub(1)).copied();
                 Gluing::CellDiagonal { cell: self.element, diagonal: diagonal.ok_or_else(unknown)? }
             }
-            GUSSET_GLUING_SEAM => Gluing::Seam(seam(&self.seam)?),
+            GUSSET_GLUING_SEAM => Gluing::Seam(to_seam(&self.seam)?),
             GUSSET_GLUING_TYPE => {
                 Gluing::from_type(GluingType::from_number(self.mask).ok_or_else(unknown)?, self.element)
             }
-            other => return Err(Failure::unknown("kind", other.into())),
+            other => return Err(Failure::unknown_value("kind", other.into())),
         })
     }
 }
 
 /// Reads the caller's gluings, at any alignment.
-fn gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
+fn read_gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
     Error::check_count("gluings", count as u64, MAX_NODES)?;
-    let given = input::items(data, count, "gluings")?.enumerate();
+    let given = input::input_items(data, count, "gluings")?.enumerate();
     alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.with_item(k))))
 }
 
@@ -128,27 +128,27 @@ fn gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Fail
 pub struct gusset_glue_options {
     /// sizeof(gusset_glue_options).
     pub struct_size: usize,
-    /// For detect: largest distance of coincident nodes, at least 0 and finite.
+    /// For detect: largest distance of coincident nodes; at least 0, finite.
     pub tolerance: f64,
-    /// Gluings to add, at any alignment.
+    /// Gluings to add.
     /// @shape gluing_count
     pub gluings: *const gusset_gluing,
     /// Number of gluings.
     pub gluing_count: usize,
-    /// Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
+    /// Links to contract; see contracted of gusset_net_analysis_view.
     /// @shape link_count
     pub links: *const u32,
     /// Number of links.
     pub link_count: usize,
-    /// 1: replaces the gluing by the one that coordinates imply. It glues coincident neighbours,
-    /// and coincident runs of two or more side nodes in either direction. The orientation stays.
+    /// 1: replaces the gluing by the one that coordinates imply: of coincident neighbours, and of
+    /// coincident runs of two or more side nodes in either direction. The orientation stays.
     /// @flag
     pub detect: u32,
-    /// 1: canonical form. Every link whose ends are one point is contracted, and redundant seams
-    /// are dropped. Nets that glue equal neighbours then have equal matrices. detect implies it.
+    /// 1: canonical form. Links with ends in one point are contracted, and redundant seams dropped.
+    /// Nets that glue equal neighbours then have equal matrices. detect implies it.
     /// @flag
     pub saturate: u32,
-    /// 1: moves all nodes of a point to its first node, bit for bit.
+    /// 1: moves the nodes of a point to its first node, bit for bit.
     /// @flag
     pub snap: u32,
     /// 0.
@@ -157,14 +157,13 @@ pub struct gusset_glue_options {
 
 versioned! { gusset_glue_options: 64 reserved }
 
-/// Glues nodes of a net, and optionally moves glued nodes together.
+/// Glues nodes, and optionally moves glued nodes together.
 ///
-/// @param moved receives the number of nodes whose bits changed; may be NULL.
+/// @param moved receives the count of changed nodes, or NULL.
 /// @errors OUT_OF_RANGE (tolerance, a mask above 15), NO_SUCH_ELEMENT (a link, node or cell),
-///     BAD_SEAM (with the index of the gluing), CROSSING_CELL (both diagonals of a cell would be
-///     glued), TOO_LARGE
-/// @complexity O(nodes + glued pairs); detect adds a sort of the side nodes. snap alone: O(rows +
-///     columns) if only sides are glued, else O(nodes).
+///     BAD_SEAM (by index of the gluing), CROSSING_CELL, TOO_LARGE
+/// @complexity O(nodes + glued pairs); detect sorts the side nodes. snap alone: O(rows + columns)
+///     if only sides are glued, else O(nodes).
 /// @source Deryagin, "Local gluings of nodes".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -174,32 +173,31 @@ pub unsafe extern "C" fn gusset_net_glue(
     options: *const gusset_glue_options,
     moved: *mut u64,
 ) -> gusset_status {
-    let moved = input::optional_output(moved, 0, "moved");
+    let moved = input::cleared_optional_output(moved, 0, "moved");
     guard_change(context, |job| {
         let (moved, options) = (moved?, input::read(options, false, "options")?);
         let detect = flag(options.detect, "detect")?.then_some(options.tolerance);
         let (saturate, snap) = (flag(options.saturate, "saturate")?, flag(options.snap, "snap")?);
-        let gluings = gluings(options.gluings, options.gluing_count)?;
+        let gluings = read_gluings(options.gluings, options.gluing_count)?;
         Error::check_count("links", options.link_count as u64, 2 * MAX_NODES)?;
-        let links = input::list(options.links, options.link_count, "links")?;
-        let topology = reglued(read(net)?, &GlueOptions { detect, gluings: &gluings, links: &links, saturate }, job)?;
-        input::set(moved, glue::reglue(edit(net, job)?, topology, snap, job)?);
+        let links = input::copy_input_items(options.links, options.link_count, "links")?;
+        let topology =
+            find_gluing(net_of_handle(net)?, &GlueOptions { detect, gluings: &gluings, links: &links, saturate }, job)?;
+        input::set_optional_output(moved, glue::set_gluing(net_of_handle_mut(net, job)?, topology, snap, job)?);
         Ok(())
     })
 }
 
 /// Unglues pairs of nodes: frees their links and cuts their seams.
 ///
-/// Nodes that other gluings connect stay one point. Pairs that are not glued are ignored.
+/// Nodes that other gluings connect stay one point. Pairs not glued are ignored.
 ///
-/// @param gluings pairs to unglue, at any alignment.
-/// @param count number of gluings.
 /// @param separation gap between the pieces of a point, or 0. Each piece moves by half of it
-///     towards the mean of its neighbours, preferably those that do not split. A piece without
-///     neighbours, or at their mean, stays.
-/// @param moved receives the number of pieces that moved; may be NULL.
+///     towards the mean of its neighbours, preferably unsplit ones. A piece without neighbours, or
+///     at their mean, stays.
+/// @param moved receives the count of moved pieces, or NULL.
 /// @errors as gusset_net_glue, OUT_OF_RANGE (separation negative or not finite)
-/// @complexity O(nodes), and a sort of the pairs.
+/// @complexity O(nodes), plus a sort of pairs.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_unglue(
@@ -210,10 +208,10 @@ pub unsafe extern "C" fn gusset_net_unglue(
     separation: f64,
     moved: *mut u64,
 ) -> gusset_status {
-    let moved = input::optional_output(moved, 0, "moved");
+    let moved = input::cleared_optional_output(moved, 0, "moved");
     guard_change(context, |job| {
-        let (moved, gluings) = (moved?, self::gluings(gluings, count)?);
-        input::set(moved, edit(net, job)?.unglue(&gluings, separation)? as u64);
+        let (moved, gluings) = (moved?, self::read_gluings(gluings, count)?);
+        input::set_optional_output(moved, net_of_handle_mut(net, job)?.unglue(&gluings, separation)? as u64);
         Ok(())
     })
 }

@@ -2,18 +2,18 @@
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{fixed, versioned};
-use crate::capi::input::{self, fill, flag};
-use crate::capi::net::net_handle::{gusset_net, read, reglue};
+use crate::capi::input::{self, fill_buffer, flag};
+use crate::capi::net::net_handle::{gusset_net, net_of_handle, replace_gluing};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::job::Job;
-use crate::net::topology::{Links, Run};
-use crate::net::{MAX_NODES, Matrix, Seam, Shape, Sides, Topology};
+use crate::net::topology::{ContractedLinks, SeamRun};
+use crate::net::{LinkMatrix, MAX_NODES, Seam, Shape, Sides, Topology};
 use gusset_base::alloc;
 use std::ptr;
 
-/// Seam: glues node k of run A to node k of run B. Node k of A is (row_a + k * row_step_a,
-/// column_a + k * column_step_a).
+/// Seam: glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k
+/// of run B.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_seam {
@@ -33,7 +33,7 @@ pub struct gusset_seam {
     pub row_step_b: i32,
     /// As for A.
     pub column_step_b: i32,
-    /// Number of nodes, at least 1; 1 if all steps are 0.
+    /// Nodes, at least 1; 1 if all steps are 0.
     pub count: u32,
     /// 0.
     pub reserved: u32,
@@ -58,7 +58,7 @@ pub const GUSSET_SIDES_POLE_RIGHT: gusset_sides = 32;
 pub const GUSSET_SIDES_SHEET: gusset_sides = 0;
 /// Rows are closed.
 pub const GUSSET_SIDES_TUBE: gusset_sides = 1;
-/// Rows are closed, the first and last are poles: spheres, and cylinders or cones with caps.
+/// Rows are closed, the first and last are poles.
 pub const GUSSET_SIDES_TWO_POLES: gusset_sides = 13;
 /// All four sides are one point.
 pub const GUSSET_SIDES_ONE_POLE: gusset_sides = 60;
@@ -72,8 +72,7 @@ pub struct gusset_net_gluing {
     /// sizeof(gusset_net_gluing).
     pub struct_size: usize,
     /// Characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link, else 0. Row
-    /// 2i has the horizontal links of row i, row 2i + 1 the vertical ones. NULL: sides gives all
-    /// links.
+    /// 2i has the horizontal links of row i, row 2i + 1 the vertical ones. NULL: sides.
     pub matrix: *const u8,
     /// Additional seams.
     pub seams: *const gusset_seam,
@@ -81,7 +80,7 @@ pub struct gusset_net_gluing {
     pub seam_count: usize,
     /// Sides; 0 with a matrix.
     pub sides: gusset_sides,
-    /// 1: faces have the opposite orientation.
+    /// 1: opposite orientation of faces.
     pub reversed: u32,
 }
 
@@ -89,9 +88,9 @@ versioned! { gusset_net_gluing: 40 }
 fixed! { gusset_seam: 40 }
 
 /// Converts the caller's sides.
-pub(crate) fn sides(bits: gusset_sides) -> Result<Sides, Failure> {
+pub(crate) fn sides_from_bits(bits: gusset_sides) -> Result<Sides, Failure> {
     if bits > 63 {
-        return Err(Failure::unknown("sides", bits.into()));
+        return Err(Failure::unknown_value("sides", bits.into()));
     }
     let on = |side: gusset_sides| bits & side != 0;
     Ok(Sides {
@@ -105,7 +104,7 @@ pub(crate) fn sides(bits: gusset_sides) -> Result<Sides, Failure> {
 }
 
 /// Converts sides for the caller.
-pub(crate) fn sides_bits(sides: Sides) -> gusset_sides {
+pub(crate) fn sides_to_bits(sides: Sides) -> gusset_sides {
     let bit = |on: bool, side: gusset_sides| if on { side } else { 0 };
     bit(sides.rows_closed, GUSSET_SIDES_ROWS_CLOSED)
         | bit(sides.columns_closed, GUSSET_SIDES_COLUMNS_CLOSED)
@@ -116,11 +115,11 @@ pub(crate) fn sides_bits(sides: Sides) -> gusset_sides {
 }
 
 /// Converts a seam of the caller.
-pub(crate) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
+pub(crate) fn to_seam(seam: &gusset_seam) -> Result<Seam, Failure> {
     if seam.reserved != 0 {
-        return Err(Failure::unknown("reserved", seam.reserved.into()));
+        return Err(Failure::unknown_value("reserved", seam.reserved.into()));
     }
-    let run = |row, column, row_step, column_step| Run { row, column, row_step, column_step };
+    let run = |row, column, row_step, column_step| SeamRun { row, column, row_step, column_step };
     Ok(Seam {
         a: run(seam.row_a, seam.column_a, seam.row_step_a, seam.column_step_a),
         b: run(seam.row_b, seam.column_b, seam.row_step_b, seam.column_step_b),
@@ -129,9 +128,9 @@ pub(crate) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
 }
 
 /// Reads the caller's seams, at any alignment.
-pub(crate) fn seams(data: *const gusset_seam, count: usize) -> Result<Vec<Seam>, Failure> {
+pub(crate) fn read_seams(data: *const gusset_seam, count: usize) -> Result<Vec<Seam>, Failure> {
     Error::check_count("seams", count as u64, MAX_NODES)?;
-    alloc::try_collect(input::items(data, count, "seams")?.map(|given| seam(&given)))
+    alloc::try_collect(input::input_items(data, count, "seams")?.map(|given| to_seam(&given)))
 }
 
 impl From<&Seam> for gusset_seam {
@@ -153,22 +152,26 @@ impl From<&Seam> for gusset_seam {
 }
 
 /// Converts the caller's topology; NULL means that nothing is glued.
-pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing, job: &Job<'_>) -> Result<Topology, Failure> {
+pub(crate) fn read_topology(
+    shape: Shape,
+    gluing: *const gusset_net_gluing,
+    job: &Job<'_>,
+) -> Result<Topology, Failure> {
     let gluing = input::read(gluing, true, "gluing")?;
     let links = if gluing.matrix.is_null() {
-        Links::Sides(sides(gluing.sides)?)
+        ContractedLinks::Sides(sides_from_bits(gluing.sides)?)
     } else if gluing.sides != 0 {
-        return Err(Failure::unknown("sides, beside a matrix,", gluing.sides.into()));
+        return Err(Failure::unknown_value("sides, beside a matrix,", gluing.sides.into()));
     } else {
-        let bytes = input::bytes(gluing.matrix.cast(), 2 * shape.node_count(), 1, "matrix")?;
-        Links::Matrix(Matrix::from_bytes(shape, bytes)?)
+        let bytes = input::input_bytes(gluing.matrix.cast(), 2 * shape.node_count(), 1, "matrix")?;
+        ContractedLinks::Matrix(LinkMatrix::from_bytes(shape, bytes)?)
     };
-    let seams = seams(gluing.seams, gluing.seam_count)?;
+    let seams = read_seams(gluing.seams, gluing.seam_count)?;
     Ok(Topology::new_cancellable(shape, links, &seams, job, "gluing")?
         .with_reversed(flag(gluing.reversed, "reversed")?))
 }
 
-/// Replaces the gluing of a net; positions stay.
+/// Replaces the gluing; positions stay.
 ///
 /// @param gluing NULL: nothing is glued.
 /// @errors as gusset_net_create
@@ -180,7 +183,7 @@ pub unsafe extern "C" fn gusset_net_set_gluing(
     net: *mut gusset_net,
     gluing: *const gusset_net_gluing,
 ) -> gusset_status {
-    reglue(context, net, |net, job| topology(net.shape(), gluing, job))
+    replace_gluing(context, net, |net, job| read_topology(net.shape(), gluing, job))
 }
 
 /// Gluing of a net in normal form: sides replace links, and links replace seams, where possible.
@@ -195,21 +198,19 @@ pub struct gusset_net_gluing_report {
     pub seam_count: usize,
     /// Number of bridges.
     pub bridge_count: usize,
-    /// Sides, if they describe all links; else UINT32_MAX, and the matrix does.
+    /// Sides, if they describe all links; else UINT32_MAX.
     pub sides: gusset_sides,
-    /// 1: faces have the opposite orientation.
+    /// 1: opposite orientation of faces.
     /// @flag
     pub reversed: u32,
 }
 
 versioned! { gusset_net_gluing_report: 40 }
 
-/// Describes the gluing of a net, and writes its characteristic matrix and seams.
+/// Writes the gluing of a net. NULL with capacity 0 skips an array.
 ///
-/// @param matrix room for matrix_capacity bytes, as in gusset_net_gluing; NULL and capacity 0 to
-///     skip.
+/// @param matrix receives the characteristic matrix.
 /// @param matrix_capacity at least matrix_size of the report.
-/// @param seams room for seam_capacity seams; NULL and capacity 0 to skip.
 /// @param seam_capacity at least seam_count of the report.
 /// @errors BUFFER_TOO_SMALL
 /// @complexity O(seams) for seams, O(nodes) for the matrix, else O(1).
@@ -225,7 +226,7 @@ pub unsafe extern "C" fn gusset_net_get_gluing(
 ) -> gusset_status {
     let report = input::output_struct(report, "report");
     guard_change(ptr::null(), |job| {
-        let (report, net) = (report?, read(net)?);
+        let (report, net) = (report?, net_of_handle(net)?);
         let (topology, shape) = (net.topology(), net.shape());
         let all = topology.seams();
         let mut found = gusset_net_gluing_report {
@@ -233,13 +234,15 @@ pub unsafe extern "C" fn gusset_net_get_gluing(
             matrix_size: 2 * shape.node_count(),
             seam_count: all.len(),
             bridge_count: net.bridges().len(),
-            sides: topology.sides().map_or(u32::MAX, sides_bits),
+            sides: topology.sides().map_or(u32::MAX, sides_to_bits),
             reversed: topology.is_reversed().into(),
         };
         let (matrix, seams) = ((matrix, matrix_capacity, "matrix"), (seams, seam_capacity, "seams"));
-        fill(matrix, found.matrix_size, &mut found.matrix_size, job, || Ok(topology.matrix()?.to_bytes(shape)?))?;
-        fill(seams, all.len(), &mut found.seam_count, job, || Ok(all.iter().map(gusset_seam::from)))?;
-        report.write(found);
+        fill_buffer(matrix, found.matrix_size, &mut found.matrix_size, job, || {
+            Ok(topology.matrix()?.to_bytes(shape)?)
+        })?;
+        fill_buffer(seams, all.len(), &mut found.seam_count, job, || Ok(all.iter().map(gusset_seam::from)))?;
+        report.write_known_fields(found);
         Ok(())
     })
 }

@@ -4,8 +4,8 @@ use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, Choice, choice, flag};
-use crate::capi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, replication};
-use crate::capi::net::{edit, gusset_net, read};
+use crate::capi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, to_replication};
+use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
 use crate::capi::status::gusset_status::GUSSET_ERROR_OVERLAP;
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::{Element, Error};
@@ -19,8 +19,8 @@ pub type gusset_bridge_mode = u32;
 pub const GUSSET_BRIDGE_KEEP: gusset_bridge_mode = 0;
 /// Absent cells.
 pub const GUSSET_BRIDGE_HIDE: gusset_bridge_mode = 1;
-/// The two sides, coincident within a tolerance, become one. Positions stay; snap of
-/// gusset_glue_options makes them equal.
+/// The two sides, coincident within a tolerance, become one. Positions stay; see snap of
+/// gusset_glue_options.
 pub const GUSSET_BRIDGE_WELD: gusset_bridge_mode = 2;
 
 /// Form of a bridge.
@@ -32,18 +32,18 @@ pub const GUSSET_BRIDGE_TUBE: gusset_bridge_kind = 1;
 /// Edge between sides that are a point each.
 pub const GUSSET_BRIDGE_THREAD: gusset_bridge_kind = 2;
 
-/// Physical properties of a bridge, for gusset_net_settle. The caller chooses the unit of force.
-/// Lines run across the bridge along links.
+/// Physical properties of a bridge, for gusset_net_settle, in any unit of force. Lines run across
+/// the bridge along links.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_bridge_properties {
-    /// Force in each line of a thread or ribbon, force per length in a tube's film; at least 0.
+    /// Force in each line of a thread or ribbon, or per length in a tube's film; at least 0.
     pub tension: f64,
     /// Force that doubles the length of a line; at least 0.
     pub elasticity: f64,
     /// Bending stiffness of each line, force times squared length; at least 0. Infinity: rigid.
     pub stiffness: f64,
-    /// Number for the caller's use.
+    /// For the caller's use.
     pub user: u64,
 }
 
@@ -62,18 +62,17 @@ pub struct gusset_concatenate_options {
     pub direction: gusset_direction,
     /// Treatment of the cells of a bridge.
     pub mode: gusset_bridge_mode,
-    /// Enlargement of nets with fewer nodes along the side.
+    /// For nets with fewer nodes along the side.
     pub equalise: gusset_replication,
     /// Row or column to replicate.
     /// @when equalise GUSSET_REPLICATE_AT
     pub equalise_index: u32,
-    /// Rotation of each net except the first along its closed side, in nodes.
+    /// Rotation in nodes of each later net along its closed side.
     pub twist: u32,
-    /// 1: flips nets along the side if their orientation differs from the first; 0: refuses them.
+    /// 1: flips nets along the side if oriented unlike the first; 0: refuses them.
     /// @flag
     pub turn: u32,
-    /// Inner rows or columns of each new bridge, evenly on straight lines; 0 for
-    /// GUSSET_BRIDGE_WELD.
+    /// Inner rows or columns of each new bridge, evenly on lines; 0 for GUSSET_BRIDGE_WELD.
     pub rows: u32,
     /// 0.
     pub reserved: u32,
@@ -85,7 +84,7 @@ pub struct gusset_concatenate_options {
 pub struct gusset_bridge {
     /// sizeof(gusset_bridge).
     pub struct_size: usize,
-    /// Properties that the caller gave.
+    /// Properties given.
     pub properties: gusset_bridge_properties,
     /// Direction from the first net to the second.
     pub direction: gusset_direction,
@@ -126,7 +125,7 @@ impl gusset_concatenate_options {
             direction: choice(self.direction)?,
             mode: choice(self.mode)?,
             tolerance: self.tolerance,
-            equalise: if refuse { None } else { Some(replication(self.equalise, self.equalise_index)?) },
+            equalise: if refuse { None } else { Some(to_replication(self.equalise, self.equalise_index)?) },
             twist: self.twist,
             turn: flag(self.turn, "turn")?,
             properties: self.properties.into(),
@@ -136,26 +135,24 @@ impl gusset_concatenate_options {
 }
 
 /// Reads the nets of an array of handles.
-fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
+fn nets_of_handles<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
     Error::check_count("nets", count as u64, MAX_NODES)?;
-    let handles = handle::list(handles, count, "net")?;
+    let handles = handle::get_objects(handles, count, "net")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.net())))
 }
 
 /// Joins nets side by side into one.
 ///
-/// Each net keeps its gluing and bridges; links that close it along the direction become seams. A
+/// Nets keep their gluing and bridges; links that close them along the direction become seams. A
 /// new bridge joins consecutive nets; its index follows the second net's bridges.
 /// gusset_net_split_create is the inverse.
 ///
-/// @param nets at least one net, of one scalar type; repetition is allowed.
-/// @param net_count number of nets.
+/// @param nets at least one, of one scalar type; may repeat.
 /// @errors EMPTY_SCENE (no nets), MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER
-///     (sizes with GUSSET_REPLICATE_REFUSE; welded sides apart, with place and distance),
+///     (sizes with GUSSET_REPLICATE_REFUSE; welded sides apart, by place and distance),
 ///     OUT_OF_RANGE (tolerance, twist of an open side, rows of a welded bridge), CROSSING_CELL,
 ///     TOO_LARGE
-/// @complexity O(nodes of the result); memory also for copies of nets that are enlarged, rotated or
-///     flipped.
+/// @complexity O(nodes of the result); memory also for copies of enlarged, rotated or flipped nets.
 /// @source Deryagin, "Concatenation".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -168,19 +165,18 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
 ) -> gusset_status {
     create(context, joined, "joined", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        Ok(gusset_net::new(concatenate_all(&self::nets(nets, net_count)?, &options, job)?))
+        Ok(gusset_net::new(concatenate_all(&self::nets_of_handles(nets, net_count)?, &options, job)?))
     })
 }
 
-/// Splits a net at a bridge that runs from side to side, and removes the bridge.
+/// Splits a net at a bridge from side to side, and removes it.
 ///
 /// Unless changed since, both nets are as before joining, bit for bit; copies that equalised sizes
-/// are removed. In a net joined repeatedly, split the last bridge first. Gluing across the bridge
-/// is lost.
+/// are removed. Split the last bridge first. Gluing across the bridge is lost.
 ///
-/// @param bridge index of the bridge.
-/// @errors OVERLAP (first and second are one pointer), NO_SUCH_ELEMENT (also if the bridge does not
-///     run from side to side), CROSSING_CELL
+/// @param bridge its index.
+/// @errors OVERLAP (first and second are one pointer), NO_SUCH_ELEMENT (also for a bridge not from
+///     side to side), CROSSING_CELL
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -191,26 +187,27 @@ pub unsafe extern "C" fn gusset_net_split_create(
     first: *mut *mut gusset_net,
     second: *mut *mut gusset_net,
 ) -> gusset_status {
-    let slots = [input::output(first, ptr::null_mut(), "first"), input::output(second, ptr::null_mut(), "second")];
+    let slots = [
+        input::cleared_output(first, ptr::null_mut(), "first"),
+        input::cleared_output(second, ptr::null_mut(), "second"),
+    ];
     guard_change(context, |job| {
         let [first, second] = slots;
         let (first, second) = (first?, second?);
         if ptr::eq(first, second) {
             return Err(Failure::new(GUSSET_ERROR_OVERLAP, "first and second are the same place"));
         }
-        let parts = read(net)?.split(bridge, job)?.map(|part| handle::boxed(gusset_net::new(part)));
+        let parts = net_of_handle(net)?.split(bridge, job)?.map(|part| handle::boxed(gusset_net::new(part)));
         job.finish()?;
-        [*first, *second] = parts.map(handle::give);
+        [*first, *second] = parts.map(handle::into_handle);
         Ok(())
     })
 }
 
-/// Describes a bridge of a net.
+/// Describes a bridge.
 ///
 /// @param index below bridge_count of gusset_net_gluing_report.
-/// @param bridge receives the struct; set its struct_size.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_bridge(
@@ -240,11 +237,11 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
 /// Changes the mode and properties of a bridge.
 ///
 /// @param index as for gusset_net_get_bridge.
-/// @param tolerance for welding: largest distance of coincident nodes, at least 0.
-/// @param properties new properties; NULL keeps the old ones.
+/// @param tolerance for welding, as in gusset_concatenate_options.
+/// @param properties NULL: the old ones.
 /// @errors NO_SUCH_ELEMENT, OUT_OF_RANGE (tolerance, or welding a bridge with inner rows),
-///     SIDES_DIFFER (with place and distance), CROSSING_CELL
-/// @complexity O(nodes) if welding begins or ends, or if the net shares memory; else O(1).
+///     SIDES_DIFFER (by place and distance), CROSSING_CELL
+/// @complexity O(nodes) if welding begins or ends, or the net shares memory; else O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_set_bridge(
@@ -258,7 +255,7 @@ pub unsafe extern "C" fn gusset_net_set_bridge(
     guard_change(context, |job| {
         let mode = choice(mode)?;
         let given = (!properties.is_null()).then(|| input::reference(properties, "properties")).transpose()?;
-        let net = edit(net, job)?;
+        let net = net_of_handle_mut(net, job)?;
         net.set_bridge_mode(index, mode, tolerance)?;
         if let Some(&given) = given {
             net.bridges_mut()[index].properties = given.into();

@@ -3,7 +3,7 @@
 use crate::capi::context::{answer_struct, guard_change, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::measure::{bilinear_area, measure, moments, planarity};
 
@@ -25,8 +25,8 @@ pub struct gusset_net_measure_report {
     pub struct_size: usize,
     /// Sum of |(c - a) x (d - b)| / 2 for cells a, b, c, d; exact if planar.
     pub area: f64,
-    /// Volume enclosed by a closed two-sided net, positive if normals point outwards. For an open
-    /// net: volume of the cone to the first node.
+    /// Enclosed volume of a closed two-sided net, positive if normals point outwards; else volume
+    /// of the cone to the first node.
     pub volume: f64,
     /// Sum of the cells' area vectors; 0 for closed nets.
     pub area_vector: [f64; 3],
@@ -34,22 +34,22 @@ pub struct gusset_net_measure_report {
     pub low: [f64; 3],
     /// Largest coordinates, likewise.
     pub high: [f64; 3],
-    /// Area of the cells' bilinear patches, up to rounding; exceeds area if cells are not planar.
+    /// Area of the cells' bilinear patches, up to rounding; exceeds area unless cells are planar.
     /// All layers of a folded patch count.
     pub bilinear_area: f64,
     /// Bound of the error of bilinear_area.
     pub bilinear_error: f64,
-    /// Volume of the body that a closed net encloses; negative if normals point inwards.
+    /// Volume of the body in a closed net; negative if normals point inwards.
     pub body_volume: f64,
-    /// Centre of mass of the body; NaN if its volume is 0.
+    /// Centroid of the body; NaN if its volume is 0.
     pub centroid: [f64; 3],
     /// Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2
-    /// and so on; else of -x y and so on.
+    /// etc.; else of -x y etc.
     /// @shape 3 3
     pub inertia: [f64; 9],
 }
 
-/// Planarity of the cells of a net.
+/// Planarity of cells.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_planarity_report {
@@ -61,7 +61,7 @@ pub struct gusset_net_planarity_report {
     pub worst_cell: u64,
     /// Mean deviation; NaN without cells.
     pub mean: f64,
-    /// Number of cells above the tolerance.
+    /// Cells above the tolerance.
     pub above: u64,
 }
 
@@ -70,7 +70,7 @@ versioned! {
     gusset_net_planarity_report: 40,
 }
 
-/// Measures areas, volume, bounding box, centroid and inertia of a net.
+/// Measures a net.
 ///
 /// Absent cells do not count. Volumes, centroid and inertia are exact for bilinear cells, up to
 /// rounding. If squares or cubes of coordinates overflow (about 1e77), results are infinite or NaN.
@@ -85,9 +85,9 @@ pub unsafe extern "C" fn gusset_net_measure(
     report: *mut gusset_net_measure_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let net = read(net)?;
+        let net = net_of_handle(net)?;
         if measures > 7 {
-            return Err(Failure::unknown("measures", measures.into()));
+            return Err(Failure::unknown_value("measures", measures.into()));
         }
         let wanted = |which: gusset_net_measures| measures & which != 0;
         let mut report = gusset_net_measure_report::default();
@@ -111,15 +111,14 @@ pub unsafe extern "C" fn gusset_net_measure(
     })
 }
 
-/// Measures the planarity of the cells of a net.
+/// Measures the planarity of cells.
 ///
-/// The deviation of a cell is the distance of its corners from their mean plane, divided by the
-/// longer diagonal. It is 0 for triangles and less, NaN for absent cells.
+/// A cell's deviation is the distance of its corners from their mean plane, divided by the longer
+/// diagonal; 0 for triangles and less, NaN for absent cells.
 ///
-/// @param tolerance at least 0, for above in the report.
-/// @param cells room for capacity deviations, one a cell; NULL and capacity 0 to skip.
-/// @param capacity size of cells.
-/// @param written receives the number of cells, also with BUFFER_TOO_SMALL.
+/// @param tolerance for above in the report, at least 0.
+/// @param cells receives each cell's deviation.
+/// @param written receives the number of cells.
 /// @errors BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance)
 /// @complexity O(nodes); 8 bytes a cell.
 #[unsafe(no_mangle)]
@@ -133,12 +132,12 @@ pub unsafe extern "C" fn gusset_net_planarity(
     written: *mut usize,
     report: *mut gusset_net_planarity_report,
 ) -> gusset_status {
-    let (written, report) = (input::output(written, 0, "written"), input::output_struct(report, "report"));
+    let (written, report) = (input::cleared_output(written, 0, "written"), input::output_struct(report, "report"));
     guard_change(context, |job| {
         let (written, report) = (written?, report?);
-        let found = planarity(read(net)?, tolerance, job)?;
-        input::copy((cells, capacity, "cells"), &found.cells, written, job)?;
-        report.write(gusset_net_planarity_report {
+        let found = planarity(net_of_handle(net)?, tolerance, job)?;
+        input::copy_to_buffer((cells, capacity, "cells"), &found.cells, written, job)?;
+        report.write_known_fields(gusset_net_planarity_report {
             struct_size: 0,
             worst: found.worst.map_or(0.0, |(off, _)| off),
             worst_cell: found.worst.map_or(u64::MAX, |(_, cell)| cell.into()),

@@ -3,16 +3,16 @@
 use crate::capi::context::{create, create_and_tell, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, flag, lent};
+use crate::capi::input::{self, choice, flag, lend_list};
 use crate::capi::mesh::gusset_scalar;
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights, net_of_triangles};
-use crate::net::{Coordinates, Net, Planes, Real, Shape};
+use crate::net::{Coordinates, Net, Real, Shape, XyzMatrices};
 use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
@@ -22,7 +22,7 @@ use std::ptr;
 pub type gusset_net_faces = u32;
 /// Quads, and triangles where one side of a cell is a point.
 pub const GUSSET_NET_QUADS: gusset_net_faces = 0;
-/// Triangles, cut by the shorter diagonal, or by the other one if that edge exists already.
+/// Triangles, cut by the shorter diagonal, or the other if that edge exists.
 pub const GUSSET_NET_TRIANGLES_SHORTER: gusset_net_faces = 1;
 /// Triangles, cut from (i, j) to (i + 1, j + 1), with the same exception.
 pub const GUSSET_NET_TRIANGLES_FIXED: gusset_net_faces = 2;
@@ -35,7 +35,7 @@ pub struct gusset_net_mesh_options {
     pub struct_size: usize,
     /// Faces of a net's mesh.
     pub faces: gusset_net_faces,
-    /// 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex.
+    /// 1: one vertex for each node; 0: glued nodes are one vertex.
     /// @flag
     pub no_weld: u32,
     /// 1: keeps finite vertices without faces and wires.
@@ -49,8 +49,8 @@ pub struct gusset_net_mesh_options {
     pub texture: u32,
     /// 0.
     pub reserved: u32,
-    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. For range
-    /// images, 4 removes faces across depth jumps.
+    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. 4 removes
+    /// depth jumps from range images.
     pub max_edge_ratio: f64,
 }
 
@@ -66,13 +66,12 @@ pub struct gusset_net_mesh_report {
     pub node_of_vertex: gusset_indices,
     /// Cell of each face.
     pub cell_of_face: gusset_indices,
-    /// Edges without faces, two vertices each, from cells whose opposite sides are glued.
+    /// Edges without faces, two vertices each: cells whose opposite sides are glued.
     /// @shape * 2
     pub wires: gusset_indices,
-    /// For each corner of the mesh, the index of its pair in texture_coordinates; empty unless
-    /// requested.
+    /// For each corner, its pair in texture_coordinates; empty unless requested.
     pub texture_corners: gusset_indices,
-    /// Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side.
+    /// Pairs (column, row), 0 to 1. A vertex on a seam has a pair on each side.
     /// @shape texture_count 2
     pub texture_coordinates: *const f64,
     /// Number of pairs.
@@ -85,28 +84,27 @@ pub struct gusset_net_mesh_report {
 pub struct gusset_heights {
     /// sizeof(gusset_heights).
     pub struct_size: usize,
-    /// Number of rows, at least 2.
+    /// At least 2.
     pub rows: usize,
-    /// Number of columns, at least 2.
+    /// At least 2.
     pub columns: usize,
-    /// Heights of type scalar, contiguous in rows, at any alignment. NaN and infinity mark missing
-    /// nodes.
+    /// Heights of type scalar, contiguous in rows. NaN and infinity mark missing nodes.
     pub values: *const c_void,
-    /// Bytes from row to row; 0: rows without gaps.
+    /// Bytes from row to row; 0: no gaps.
     pub row_stride: usize,
     /// x from column to column, y from row to row; finite, not 0, of either sign.
     pub spacing: [f64; 2],
     /// Position of node (0, 0) at height 0.
     pub origin: [f64; 3],
-    /// Height that marks a missing node; read if has_no_data is 1.
+    /// Height of missing nodes, if has_no_data is 1.
     pub no_data: f64,
     /// 0 or 1.
     pub has_no_data: u32,
-    /// Type of the heights and of the net.
+    /// Type of heights and net.
     pub scalar: gusset_scalar,
 }
 
-/// Faces by which the given mesh represents each cell of the grid.
+/// Faces of a cell of the given grid.
 pub type gusset_grid_cells = u32;
 /// One quad for each cell; a triangle beside a pole.
 pub const GUSSET_GRID_QUADS: gusset_grid_cells = 0;
@@ -119,7 +117,7 @@ pub const GUSSET_GRID_TRIANGLES: gusset_grid_cells = 1;
 pub struct gusset_net_grid_options {
     /// sizeof(gusset_net_grid_options).
     pub struct_size: usize,
-    /// Faces by which the given mesh represents each cell of the grid.
+    /// Faces of a cell of the given grid.
     pub cells: gusset_grid_cells,
     /// 1: only the component of face must be a grid; 0: the whole mesh.
     /// @when cells GUSSET_GRID_QUADS
@@ -144,7 +142,7 @@ pub struct gusset_net_grid_view {
     pub face_of_cell: gusset_indices,
 }
 
-/// Correspondence between a net and the mesh it was found in.
+/// Correspondence between a net and its mesh.
 pub struct gusset_net_grid {
     vertex_of_node: Vec<u32>,
     face_of_cell: Vec<u32>,
@@ -167,7 +165,7 @@ impl gusset_net_mesh_options {
                 GUSSET_NET_QUADS => None,
                 GUSSET_NET_TRIANGLES_SHORTER => Some(Diagonal::Shorter),
                 GUSSET_NET_TRIANGLES_FIXED => Some(Diagonal::Fixed),
-                other => return Err(Failure::unknown("faces", other.into())),
+                other => return Err(Failure::unknown_value("faces", other.into())),
             },
             weld: !flag(self.no_weld, "no_weld")?,
             keep_unused: flag(self.keep_unused, "keep_unused")?,
@@ -180,11 +178,11 @@ impl gusset_net_mesh_options {
 
 /// Makes the mesh of a net.
 ///
-/// Glued nodes become one vertex: a closed net becomes a closed mesh. Absent cells are omitted; a
-/// mesh without faces is not an error. Faces have the orientation of the net.
+/// Glued nodes become one vertex: a closed net becomes a closed mesh. Absent cells are omitted; the
+/// mesh may lack faces. Faces have the net's orientation.
 ///
 /// @errors OUT_OF_RANGE (max_edge_ratio), TOO_LARGE (2^32 - 1 corners or more)
-/// @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
+/// @complexity O(nodes), and O(w log w) for w cells with opposite sides glued.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_to_mesh(
@@ -195,40 +193,39 @@ pub unsafe extern "C" fn gusset_net_to_mesh(
 ) -> gusset_status {
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        Ok(gusset_result(Made::NetMesh(read(net)?.to_mesh(&options, job)?)))
+        Ok(gusset_result(OperationResult::NetMesh(net_of_handle(net)?.to_mesh(&options, job)?)))
     })
 }
 
-/// Lends the maps between a net and its mesh, for a result of gusset_net_to_mesh.
+/// Lends the maps.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_net_mesh(
     result: *const gusset_result,
     report: *mut gusset_net_mesh_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_net_to_mesh", Made::NetMesh(made) => {
+    report!(result, report, "gusset_net_to_mesh", OperationResult::NetMesh(made) => {
         let (coordinates, corners) =
             made.texture.as_ref().map_or((&[][..], &[][..]), |texture| (&texture.coordinates, &texture.corners));
         gusset_net_mesh_report {
             struct_size: size_of::<gusset_net_mesh_report>(),
-            vertex_of_node: gusset_indices::lend(&made.vertex_of_node),
-            node_of_vertex: gusset_indices::lend(&made.node_of_vertex),
-            cell_of_face: gusset_indices::lend(&made.cell_of_face),
-            wires: gusset_indices::lend(made.wires.as_flattened()),
-            texture_corners: gusset_indices::lend(corners),
-            texture_coordinates: lent(coordinates).cast(),
+            vertex_of_node: gusset_indices::lend_indices(&made.vertex_of_node),
+            node_of_vertex: gusset_indices::lend_indices(&made.node_of_vertex),
+            cell_of_face: gusset_indices::lend_indices(&made.cell_of_face),
+            wires: gusset_indices::lend_indices(made.wires.as_flattened()),
+            texture_corners: gusset_indices::lend_indices(corners),
+            texture_coordinates: lend_list(coordinates).cast(),
             texture_count: coordinates.len(),
         }
     })
 }
 
 /// Copies the caller's numbers, at any alignment, without the gaps between rows.
-fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Failure> {
+fn read_heights<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Failure> {
     let (count, stride, row) = (shape.rows(), heights.row_stride, shape.columns() * size_of::<T>());
-    let bytes = input::bytes(heights.values, Strided::span(count, stride, row, "rows of values")?, 1, "values")?;
+    let bytes = input::input_bytes(heights.values, Strided::span(count, stride, row, "rows of values")?, 1, "values")?;
     let rows = Strided::new(bytes, count, stride, row, "rows of values")?;
     let mut values = alloc::with_capacity(shape.node_count())?;
     for i in 0..count {
@@ -237,13 +234,13 @@ fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Fai
     Ok(values)
 }
 
-fn from_heights<T: Real>(heights: &gusset_heights, job: &Job<'_>) -> Result<Net<'static>, Failure>
+fn net_of_c_heights<T: Real>(heights: &gusset_heights, job: &Job<'_>) -> Result<Net<'static>, Failure>
 where
-    Coordinates<'static>: From<Planes<'static, T>>,
+    Coordinates<'static>: From<XyzMatrices<'static, T>>,
 {
     let shape = Shape::new(heights.rows, heights.columns)?;
     let has_no_data = flag(heights.has_no_data, "has_no_data")?;
-    let values = values::<T>(shape, heights)?;
+    let values = read_heights::<T>(shape, heights)?;
     let heights = Heights {
         shape,
         values: &values,
@@ -258,10 +255,8 @@ where
 /// Makes a net from heights over a grid: node (i, j) is at origin + (j spacing[0], i spacing[1],
 /// height).
 ///
-/// Missing heights become missing nodes. Faces are counter-clockwise from above, for any sign of
-/// spacing.
+/// Faces are counter-clockwise from above, for any sign of spacing.
 ///
-/// @param heights the grid.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OUT_OF_RANGE (spacing, origin)
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
@@ -274,30 +269,28 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
     create(context, net, "net", |job| {
         let heights = input::read(heights, false, "heights")?;
         Ok(gusset_net::new(match choice(heights.scalar)? {
-            Scalar::F32 => from_heights::<f32>(&heights, job)?,
-            Scalar::F64 => from_heights::<f64>(&heights, job)?,
+            Scalar::F32 => net_of_c_heights::<f32>(&heights, job)?,
+            Scalar::F64 => net_of_c_heights::<f64>(&heights, job)?,
         }))
     })
 }
 
-/// Finds rows and columns in a mesh, and makes the net of its vertices, bit for bit.
+/// Finds rows and columns in a mesh, and makes their net, bit for bit.
 ///
-/// The quads form a rectangle, possibly closed in either direction. Fans of triangles around poles
-/// may adjoin its first and last row. Rows follow the only closed direction, or else the first edge
-/// of the first quad.
+/// The quads, at least one row, form a rectangle, possibly closed in either direction. Fans of
+/// triangles around poles may adjoin its first and last row. Rows follow the only closed direction,
+/// else the first edge of the first quad.
 ///
 /// With GUSSET_GRID_TRIANGLES, one diagonal of either direction cuts each quad.
 ///
-/// - If several pairings of triangles form a grid, the choice is deterministic. On a torus, it may
-///   close with a shift, unlike the original rows and columns.
-/// - Tubes and tori with irregular diagonals may be refused.
-/// - Poles of open sheets with fewer than six triangles may be refused.
-/// - At least one row of quads is required.
+/// - If several pairings of triangles form a grid, the choice is deterministic; a torus may close
+///   with a shift, unlike the original rows and columns.
+/// - Tubes and tori with irregular diagonals, and poles of open sheets with fewer than six
+///   triangles, may be refused.
 ///
-/// @param grid receives the correspondence of net and mesh; may be NULL.
+/// @param grid receives the correspondence, or NULL.
 /// @errors NO_GRID (a face that violates the grid)
-/// @complexity O(H log d) for H half-edges and valence d. Closed triangle meshes without distinct
-///     poles take several attempts.
+/// @complexity O(H log d). Closed triangle meshes without distinct poles take several attempts.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_from_mesh_create(
@@ -307,24 +300,24 @@ pub unsafe extern "C" fn gusset_net_from_mesh_create(
     grid: *mut *mut gusset_net_grid,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    let slot = input::optional_output(grid, ptr::null_mut(), "grid");
+    let slot = input::cleared_optional_output(grid, ptr::null_mut(), "grid");
     let found = |job: &Job<'_>| {
         let slot = slot?;
         let options = input::read(options, true, "options")?;
         let face = flag(options.has_face, "has_face")?.then_some(options.face);
         let given_mesh = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let (view, job) = (given_mesh.view(), job.part(0.1, 1.0));
+        let (view, job) = (given_mesh.mesh_view(), job.part(0.1, 1.0));
         let found = match options.cells {
             GUSSET_GRID_QUADS => net_of_grid(&view, face, &job)?,
             GUSSET_GRID_TRIANGLES => net_of_triangles(&view, &job)?,
-            other => return Err(Failure::unknown("cells", other.into())),
+            other => return Err(Failure::unknown_value("cells", other.into())),
         };
         let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
         Ok((gusset_net::new(found.net), (slot, handle::boxed(gusset_net_grid { vertex_of_node, face_of_cell }))))
     };
     create_and_tell(context, net, "net", found, |(slot, grid)| {
         if let Some(slot) = slot {
-            *slot = handle::give(grid);
+            *slot = handle::into_handle(grid);
         }
     })
 }
@@ -336,8 +329,6 @@ pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
 }
 
 /// Lends a grid.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_grid_get_view(
@@ -346,7 +337,7 @@ pub unsafe extern "C" fn gusset_net_grid_get_view(
 ) -> gusset_status {
     lend!(grid, view, |grid| gusset_net_grid_view {
         struct_size: size_of::<gusset_net_grid_view>(),
-        vertex_of_node: gusset_indices::lend(&grid.vertex_of_node),
-        face_of_cell: gusset_indices::lend(&grid.face_of_cell),
+        vertex_of_node: gusset_indices::lend_indices(&grid.vertex_of_node),
+        face_of_cell: gusset_indices::lend_indices(&grid.face_of_cell),
     })
 }

@@ -27,31 +27,30 @@ use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input::{self, Choice, choice};
 use crate::capi::mesh::gusset_scalar;
-use crate::capi::net::gluing::{gusset_net_gluing, topology};
+use crate::capi::net::gluing::{gusset_net_gluing, read_topology};
 use crate::capi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::job::Job;
 use crate::mesh::Scalar;
-use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
+use crate::net::{Coordinates, Net, Real, Shape, XyzMatrices, each};
 use std::ffi::c_void;
 
 pub use net_handle::gusset_net;
-pub(crate) use net_handle::{edit, read};
+pub(crate) use net_handle::{net_of_handle, net_of_handle_mut};
 
-/// Coordinate matrices. Number (i, j) of each begins i * row_stride + j * column_stride bytes after
-/// the first. Layouts may be interleaved or column-major.
+/// Coordinate matrices, possibly interleaved or column-major. Number (i, j) of each begins i *
+/// row_stride + j * column_stride bytes after the first.
 ///
-/// Normals follow the cross product of increasing column and increasing row; the normals of a sheet
-/// of surface.h are opposite.
+/// Normals follow the cross product of increasing column and increasing row.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_view {
     /// sizeof(gusset_net_view).
     pub struct_size: usize,
-    /// Rows of nodes, at least 2.
+    /// At least 2.
     pub rows: usize,
-    /// Columns of nodes, at least 2; rows * columns is at most 2^31 - 1.
+    /// At least 2; rows * columns is at most 2^31 - 1.
     pub columns: usize,
     /// First coordinates.
     pub x: *mut c_void,
@@ -59,7 +58,7 @@ pub struct gusset_net_view {
     pub y: *mut c_void,
     /// Third coordinates.
     pub z: *mut c_void,
-    /// Bytes from row to row; 0: rows without gaps.
+    /// Bytes from row to row; 0: no gaps.
     pub row_stride: usize,
     /// Bytes from number to number in a row; 0: no gaps.
     pub column_stride: usize,
@@ -75,18 +74,18 @@ versioned! { gusset_net_view: 72 reserved }
 pub type gusset_net_memory = u32;
 /// Copied to the library's memory.
 pub const GUSSET_NET_MEMORY_COPY: gusset_net_memory = 0;
-/// The caller's memory, which changes with the net.
+/// The caller's memory; changes with the net.
 pub const GUSSET_NET_MEMORY_BORROW: gusset_net_memory = 1;
 
 /// The layout of the caller's matrices: bytes from row to row, from number to number, and spanned
 /// by one matrix.
-struct Layout {
+struct MatrixLayout {
     row: usize,
     column: usize,
     span: usize,
 }
 
-impl Layout {
+impl MatrixLayout {
     fn new(shape: Shape, arrays: &gusset_net_view, size: usize) -> Result<Self, Failure> {
         let overflow = || Failure::from(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 });
         let extent = |count: usize, stride: usize, each: usize| {
@@ -105,13 +104,13 @@ impl Layout {
             (row, width)
         } else {
             let span = extent(shape.rows(), row, width)?;
-            return if span <= isize::MAX as usize { Ok(Layout { row, column, span }) } else { Err(overflow()) };
+            return if span <= isize::MAX as usize { Ok(MatrixLayout { row, column, span }) } else { Err(overflow()) };
         };
         Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 }.into())
     }
 
     /// Returns the offset of number (i, j).
-    fn at(&self, i: usize, j: usize) -> usize {
+    fn byte_offset(&self, i: usize, j: usize) -> usize {
         i * self.row + j * self.column
     }
 }
@@ -122,16 +121,20 @@ fn rows_per_report(shape: Shape) -> usize {
 }
 
 /// Copies the caller's matrices, which may have any alignment.
-fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view, job: &Job<'_>) -> Result<Planes<'static, T>, Failure> {
+fn copy_matrices<T: Real>(
+    shape: Shape,
+    arrays: &gusset_net_view,
+    job: &Job<'_>,
+) -> Result<XyzMatrices<'static, T>, Failure> {
     let size = size_of::<T>();
-    let layout = Layout::new(shape, arrays, size)?;
-    let mut planes = Planes::zeroed(shape)?;
+    let layout = MatrixLayout::new(shape, arrays, size)?;
+    let mut planes = XyzMatrices::zeroed(shape)?;
     for (axis, (from, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
-        let (from, job) = (input::bytes(from, layout.span, 1, name)?, job.share(axis, 3));
+        let (from, job) = (input::input_bytes(from, layout.span, 1, name)?, job.share(axis, 3));
         for i in 0..shape.rows() {
             job.step_every(rows_per_report(shape), i, shape.rows(), "copying a net")?;
             let to = &mut planes.row_mut(i)[axis];
-            let from = &from[layout.at(i, 0)..];
+            let from = &from[layout.byte_offset(i, 0)..];
             if layout.column == size {
                 bytemuck::cast_slice_mut::<T, u8>(to).copy_from_slice(&from[..shape.columns() * size]);
             } else {
@@ -144,9 +147,9 @@ fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view, job: &Job<'_>) -> Res
 }
 
 /// Borrows the caller's matrices.
-fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
+fn borrow_matrices<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<XyzMatrices<'static, T>, Failure> {
     let size = size_of::<T>();
-    let layout = Layout::new(shape, arrays, size)?;
+    let layout = MatrixLayout::new(shape, arrays, size)?;
     if layout.column != size || !layout.row.is_multiple_of(size) {
         let message = "a net in the caller's memory needs contiguous numbers in a row, and rows a multiple of the number size apart";
         return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
@@ -155,23 +158,23 @@ fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'s
     if (0..3).any(|k| starts[k].abs_diff(starts[(k + 1) % 3]) < layout.span) && starts.iter().all(|&start| start != 0) {
         return Err(Failure::new(GUSSET_ERROR_OVERLAP, "the matrices x, y and z overlap"));
     }
-    let matrix = |data: *mut c_void, name| input::results::<T>(data.cast(), layout.span / size, name);
+    let matrix = |data: *mut c_void, name| input::result_buffer::<T>(data.cast(), layout.span / size, name);
     let matrices = [matrix(arrays.x, "x")?, matrix(arrays.y, "y")?, matrix(arrays.z, "z")?];
-    Ok(Planes::borrowed(shape, layout.row / size, matrices)?)
+    Ok(XyzMatrices::borrowed(shape, layout.row / size, matrices)?)
 }
 
 /// Copies coordinates to the caller's matrices, which may have any alignment.
-fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_view, job: &Job<'_>) -> Result<(), Failure> {
+fn write_matrices<T: Real>(net: &Net<'_>, arrays: &gusset_net_view, job: &Job<'_>) -> Result<(), Failure> {
     let (shape, size) = (net.shape(), size_of::<T>());
-    let layout = Layout::new(shape, arrays, size)?;
+    let layout = MatrixLayout::new(shape, arrays, size)?;
     for (axis, (to, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
-        let (to, job) = (input::results::<u8>(to.cast(), layout.span, name)?, job.share(axis, 3));
+        let (to, job) = (input::result_buffer::<u8>(to.cast(), layout.span, name)?, job.share(axis, 3));
         for i in 0..shape.rows() {
             job.step_every(rows_per_report(shape), i, shape.rows(), "reading a net")?;
             each!(net.coordinates(), planes => {
                 for (j, &value) in planes.row(i)[axis].iter().enumerate() {
-                    let at = layout.at(i, j);
-                    put::<T>(&mut to[at..at + size], value);
+                    let at = layout.byte_offset(i, j);
+                    write_number::<T>(&mut to[at..at + size], value);
                 }
             });
         }
@@ -180,7 +183,7 @@ fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_view, job: &Job<'_>) -> Res
 }
 
 /// Writes a number in another type, or in its own type bit for bit.
-fn put<T: Real>(to: &mut [u8], value: impl Real) {
+fn write_number<T: Real>(to: &mut [u8], value: impl Real) {
     if size_of_val(&value) == size_of::<T>() {
         to.copy_from_slice(bytemuck::bytes_of(&value));
     } else {
@@ -190,16 +193,14 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 
 /// Makes a net from coordinates.
 ///
-/// - GUSSET_NET_MEMORY_COPY: they may have any alignment.
-/// - GUSSET_NET_MEMORY_BORROW: they are aligned, without gaps in rows. row_stride is a multiple of
-///   the scalar's size. Matrices must not overlap, and stay valid until the net is destroyed.
+/// Borrowed matrices are aligned, without gaps in rows; row_stride is a multiple of the scalar's
+/// size. They do not overlap, and stay valid until the net is destroyed.
 ///
-/// @param view the coordinates.
 /// @param gluing NULL: nothing is glued.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OVERLAP, OUT_OF_RANGE (a byte of the matrix),
-///     BAD_SEAM (with the seam), CROSSING_CELL (with the cell)
+///     BAD_SEAM, CROSSING_CELL
 /// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 byte if sides do not give
-///     the gluing. Borrowed: O(1) without matrix and seams.
+///     the gluing. Borrowed without matrix and seams: O(1).
 /// @source Deryagin, "Model of the tetragonal regular network".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -211,33 +212,33 @@ pub unsafe extern "C" fn gusset_net_create(
     net: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, net, "net", |job| match memory {
-        GUSSET_NET_MEMORY_COPY => net_of(view, gluing, false, job),
-        GUSSET_NET_MEMORY_BORROW => net_of(view, gluing, true, job),
-        other => Err(Failure::unknown("memory", other.into())),
+        GUSSET_NET_MEMORY_COPY => create_net_of_view(view, gluing, false, job),
+        GUSSET_NET_MEMORY_BORROW => create_net_of_view(view, gluing, true, job),
+        other => Err(Failure::unknown_value("memory", other.into())),
     })
 }
 
 /// Creates a net of the caller's matrices, borrowed or copied.
-fn net_of(
+fn create_net_of_view(
     view: *const gusset_net_view,
     gluing: *const gusset_net_gluing,
     borrow: bool,
     job: &Job<'_>,
 ) -> Result<gusset_net, Failure> {
-    fn planes<T: Real>(
+    fn read_matrices<T: Real>(
         shape: Shape,
         arrays: &gusset_net_view,
         borrow: bool,
         job: &Job<'_>,
-    ) -> Result<Planes<'static, T>, Failure> {
-        if borrow { borrowed(shape, arrays) } else { copied(shape, arrays, job) }
+    ) -> Result<XyzMatrices<'static, T>, Failure> {
+        if borrow { borrow_matrices(shape, arrays) } else { copy_matrices(shape, arrays, job) }
     }
     let (arrays, shape) = read_view(view)?;
     let coordinates = match choice(arrays.scalar)? {
-        Scalar::F32 => Coordinates::F32(planes(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
-        Scalar::F64 => Coordinates::F64(planes(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
+        Scalar::F32 => Coordinates::F32(read_matrices(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
+        Scalar::F64 => Coordinates::F64(read_matrices(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
     };
-    Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing, &job.part(0.5, 1.0))?)))
+    Ok(gusset_net::new(Net::new(coordinates, read_topology(shape, gluing, &job.part(0.5, 1.0))?)))
 }
 
 fn read_view(view: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
@@ -251,7 +252,7 @@ pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
     handle::destroy(net);
 }
 
-fn lend(net: &Net<'_>) -> gusset_net_view {
+fn lend_net(net: &Net<'_>) -> gusset_net_view {
     each!(net.coordinates(), planes => {
         let matrices = planes.matrices();
         let size = size_of_val(&matrices[0][0]);
@@ -271,16 +272,14 @@ fn lend(net: &Net<'_>) -> gusset_net_view {
     })
 }
 
-/// Lends the size and coordinates of a net, for reading only.
-///
-/// @complexity O(1).
+/// Lends the coordinates for reading.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, view: *mut gusset_net_view) -> gusset_status {
-    lend!(net, view, |net| lend(net.net()))
+    lend!(net, view, |net| lend_net(net.net()))
 }
 
-/// Lends the coordinates of a net for writing, until the next call with this net.
+/// Lends the coordinates for writing, until the next call with this net.
 ///
 /// The caller keeps glued nodes equal; see snap of gusset_glue_options. Shared memory is copied
 /// first.
@@ -296,22 +295,22 @@ pub unsafe extern "C" fn gusset_net_edit(
     let out = input::output_struct(view, "view");
     guard_change(context, |job| {
         let out = out?;
-        let net = edit(net, job)?;
-        let mut lent = lend(net);
+        let net = net_of_handle_mut(net, job)?;
+        let mut lent = lend_net(net);
         // The pointers must be derived from a mutable borrow, because the caller may write through
         // them.
         let pointers: [*mut c_void; 3] = each!(net.coordinates_mut(), planes => {
             planes.matrices_mut().map(|matrix| matrix.as_mut_ptr().cast())
         });
         [lent.x, lent.y, lent.z] = pointers;
-        out.write(lent);
+        out.write_known_fields(lent);
         Ok(())
     })
 }
 
-/// Copies the coordinates of a net to the caller's matrices.
+/// Copies the coordinates to the caller's matrices.
 ///
-/// @param view matrices of the net's size, with any layout and scalar type. Conversion to float
+/// @param view matrices of the net's size, in any layout and scalar type. Conversion to float
 ///     rounds. Bytes in gaps stay.
 /// @errors SIDES_DIFFER (another size), BAD_STRIDE
 /// @complexity O(nodes).
@@ -323,15 +322,15 @@ pub unsafe extern "C" fn gusset_net_read(
     view: *const gusset_net_view,
 ) -> gusset_status {
     guard(context, |job| {
-        let net = read(net)?;
+        let net = net_of_handle(net)?;
         let (arrays, shape) = read_view(view)?;
         let (given, needed) = ([shape.rows(), shape.columns()], [net.shape().rows(), net.shape().columns()]);
         if let Some(k) = (0..2).find(|&k| given[k] != needed[k]) {
             return Err(Error::SidesDiffer { a: needed[k] as u32, b: given[k] as u32 }.into());
         }
         match choice(arrays.scalar)? {
-            Scalar::F32 => write::<f32>(net, &arrays, job),
-            Scalar::F64 => write::<f64>(net, &arrays, job),
+            Scalar::F32 => write_matrices::<f32>(net, &arrays, job),
+            Scalar::F64 => write_matrices::<f64>(net, &arrays, job),
         }
     })
 }

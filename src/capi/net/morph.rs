@@ -3,7 +3,7 @@
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::c_enum;
 use crate::capi::input::choice;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status;
 use crate::net::{MorphPath, morph};
 
@@ -11,20 +11,20 @@ use crate::net::{MorphPath, morph};
 pub type gusset_morph_path = u32;
 /// Straight.
 pub const GUSSET_MORPH_LINEAR: gusset_morph_path = 0;
-/// Uniform best-fitting rotation; the rest is straight in the rotating frame. A rigidly moved net
-/// keeps its shape.
+/// Uniform best-fitting rotation, straight in the rotating frame. A rigidly moved net keeps its
+/// shape.
 pub const GUSSET_MORPH_RIGID: gusset_morph_path = 1;
 
 c_enum! { path: MorphPath { GUSSET_MORPH_LINEAR => Linear, GUSSET_MORPH_RIGID => Rigid } }
 
 /// Interpolates between two nets with equal rows, columns, scalar type and gluing.
 ///
-/// Nodes with equal bits in both nets, as glued ones, keep equal bits. Bridges are as in first. A
-/// node missing in either net is missing.
+/// Nodes with equal bits in both nets keep equal bits. Bridges are as in first. A node missing in
+/// either net is missing.
 ///
 /// @param t time, from 0 (the bits of first) to 1 (the bits of second).
 /// @errors OUT_OF_RANGE (t), SIDES_DIFFER (another size; see gusset_net_copy_options),
-///     MIXED_SCALARS, GLUINGS_DIFFER (with the node), ORIENTATION_CONFLICT (one net is reversed)
+///     MIXED_SCALARS, GLUINGS_DIFFER (node), ORIENTATION_CONFLICT (one net is reversed)
 /// @complexity O(nodes).
 /// @source Horn 1987, for the rotation.
 #[unsafe(no_mangle)]
@@ -38,6 +38,6 @@ pub unsafe extern "C" fn gusset_net_morph_create(
     between: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, between, "between", |job| {
-        Ok(gusset_net::new(morph(read(first)?, read(second)?, t, choice(path)?, job)?))
+        Ok(gusset_net::new(morph(net_of_handle(first)?, net_of_handle(second)?, t, choice(path)?, job)?))
     })
 }

@@ -10,10 +10,10 @@ use std::sync::Arc;
 /// Net: a matrix of nodes with coordinates, and its gluing.
 ///
 /// - Node (i, j) has index i * columns + j; cell (i, j) has i * (columns - 1) + j.
-/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column. The last node
+/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column; the last node
 ///   links to the first.
-/// - A node with a NaN or infinite coordinate is missing. Absent cells have a missing corner or
-///   belong to a hidden bridge.
+/// - A node with a NaN or infinite coordinate is missing. A cell with a missing corner, or of a
+///   hidden bridge, is absent.
 pub struct gusset_net(Arc<Net<'static>>);
 
 handle! { gusset_net }
@@ -30,9 +30,9 @@ impl gusset_net {
     }
 
     /// Returns the net, for changes. A scene or a copy that shares it keeps the old state.
-    pub(crate) fn edit(&mut self, job: &Job<'_>) -> Result<&mut Net<'static>, Failure> {
+    pub(crate) fn edit_unshared(&mut self, job: &Job<'_>) -> Result<&mut Net<'static>, Failure> {
         let own = if Arc::get_mut(&mut self.0).is_none() { Some(Arc::new(self.0.copied()?)) } else { None };
-        job.memory()?;
+        job.check_memory()?;
         if let Some(own) = own {
             self.0 = own;
         }
@@ -40,7 +40,7 @@ impl gusset_net {
     }
 
     /// Returns the current net, to be shared. A net in the host's memory is copied.
-    pub(crate) fn share(&self) -> Result<Arc<Net<'static>>, Failure> {
+    pub(crate) fn share_net(&self) -> Result<Arc<Net<'static>>, Failure> {
         if self.0.coordinates().is_borrowed() { Ok(Arc::new(self.0.copied()?)) } else { Ok(self.0.clone()) }
     }
 
@@ -51,24 +51,24 @@ impl gusset_net {
 }
 
 /// Returns the net of a handle, for reading.
-pub(crate) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failure> {
-    Ok(handle::get(net, "net")?.net())
+pub(crate) fn net_of_handle<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failure> {
+    Ok(handle::get_object(net, "net")?.net())
 }
 
 /// Returns the net of a handle, for changes.
-pub(crate) fn edit<'a>(net: *mut gusset_net, job: &Job<'_>) -> Result<&'a mut Net<'static>, Failure> {
-    handle::get_mut(net, "net")?.edit(job)
+pub(crate) fn net_of_handle_mut<'a>(net: *mut gusset_net, job: &Job<'_>) -> Result<&'a mut Net<'static>, Failure> {
+    handle::get_object_mut(net, "net")?.edit_unshared(job)
 }
 
 /// Replaces the gluing of a net.
-pub(crate) fn reglue(
+pub(crate) fn replace_gluing(
     context: *const gusset_context,
     net: *mut gusset_net,
     topology: impl FnOnce(&Net<'_>, &Job<'_>) -> Result<Topology, Failure>,
 ) -> gusset_status {
     guard_change(context, |job| {
-        let topology = topology(read(net)?, job)?;
-        edit(net, job)?.set_topology(topology);
+        let topology = topology(net_of_handle(net)?, job)?;
+        net_of_handle_mut(net, job)?.set_topology(topology);
         Ok(())
     })
 }

@@ -2,30 +2,38 @@
 
 use crate::capi::context::{answer_optional, gusset_context};
 use crate::capi::input;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
 use crate::capi::status::{Failure, gusset_status};
 use crate::mesh::Scalar;
 use crate::net::normals::normals_into;
-use crate::net::{Coordinates, Net, Planes, Real, each};
+use crate::net::{Coordinates, Net, Real, XyzMatrices, each};
 use std::ffi::c_void;
 
 /// Returns the caller's buffers as matrices of the net's size.
-fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) -> Result<Planes<'static, T>, Failure> {
+fn matrices_of_buffers<T: Real>(
+    net: &Net<'_>,
+    buffers: [*mut c_void; 3],
+    capacity: usize,
+) -> Result<XyzMatrices<'static, T>, Failure> {
     let count = net.shape().node_count();
     if capacity < count {
         let message = format!("x, y and z have room for {capacity} numbers, but {count} are needed");
         return Err(Failure { value: count as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
-    check_overlap(net, buffers, count * size_of::<T>())?;
+    check_no_overlap(net, buffers, count * size_of::<T>())?;
     let [x, y, z] = buffers.map(<*mut c_void>::cast::<T>);
-    let matrices = [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
-    Ok(Planes::borrowed(net.shape(), 0, matrices)?)
+    let matrices = [
+        input::result_buffer(x, count, "x")?,
+        input::result_buffer(y, count, "y")?,
+        input::result_buffer(z, count, "z")?,
+    ];
+    Ok(XyzMatrices::borrowed(net.shape(), 0, matrices)?)
 }
 
 /// Checks that the buffers do not overlap each other or the coordinates, which may have been lent
 /// to the host.
-fn check_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Result<(), Failure> {
+fn check_no_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Result<(), Failure> {
     let ranges: [(usize, usize); 3] = each!(net.coordinates(), planes => {
         planes.matrices().map(|matrix| (matrix.as_ptr() as usize, size_of_val(matrix)))
     });
@@ -38,21 +46,20 @@ fn check_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Resu
     if good || is_null { Ok(()) } else { Err(Failure::new(GUSSET_ERROR_OVERLAP, "x, y, z and the net overlap")) }
 }
 
-/// Computes the unit normal of every node of a net.
+/// Computes the unit normal of every node.
 ///
-/// Normals follow the cross product of increasing column and increasing row; reversed nets have
-/// opposite normals. All cells at a glued point give its nodes one normal, equal in bits. Absent
-/// cells do not count.
+/// Normals follow gusset_net_view; reversed nets have opposite ones. All cells at a glued point
+/// give its nodes one normal, equal in bits. Absent cells do not count.
 ///
-/// @param x receives first coordinates: rows x columns aligned numbers of the net's scalar type.
-///     Buffers must not overlap each other or the net.
-/// @param y receives the second coordinates.
-/// @param z receives the third coordinates.
+/// @param x receives x: rows x columns aligned numbers of the net's scalar type. Buffers must not
+///     overlap each other or the net.
+/// @param y receives y.
+/// @param z receives z.
 /// @param capacity size of each buffer, in numbers.
-/// @param missing_count receives the number of nodes without a normal, which get zeros; may be
-///     NULL. They are missing, or the areas of their cells vanish or cancel.
+/// @param missing_count receives the number of nodes without a normal, which get zeros: they are
+///     missing, or their cells' areas vanish or cancel. May be NULL.
 /// @errors BUFFER_TOO_SMALL, OVERLAP
-/// @complexity O(nodes); one bit a node, and memory for glued nodes.
+/// @complexity O(nodes); a bit a node, and memory for glued nodes.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_normals(
@@ -65,10 +72,10 @@ pub unsafe extern "C" fn gusset_net_normals(
     missing_count: *mut u64,
 ) -> gusset_status {
     answer_optional(context, (missing_count, "missing_count"), 0, |job| {
-        let net = read(net)?;
+        let net = net_of_handle(net)?;
         let mut out = match net.coordinates().scalar() {
-            Scalar::F32 => Coordinates::F32(planes(net, [x, y, z], capacity)?),
-            Scalar::F64 => Coordinates::F64(planes(net, [x, y, z], capacity)?),
+            Scalar::F32 => Coordinates::F32(matrices_of_buffers(net, [x, y, z], capacity)?),
+            Scalar::F64 => Coordinates::F64(matrices_of_buffers(net, [x, y, z], capacity)?),
         };
         Ok(normals_into(net, &mut out, job)?)
     })

@@ -3,7 +3,7 @@
 use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, flag};
-use crate::capi::net::{edit, gusset_net};
+use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::gusset_status;
 use crate::error::Error;
 use crate::net::planarise::{PlanariseOptions, planarise};
@@ -18,14 +18,13 @@ pub struct gusset_planarise_options {
     /// Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0:
     /// 1e-10, or 4e-7 for float.
     pub tolerance: f64,
-    /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL:
-    /// all may move.
+    /// For each node, 1: it stays with all nodes glued to it. NULL: all may move.
     /// @shape fixed_count
     /// @flag
     pub fixed: *const u8,
-    /// Number of bytes: rows * columns; 0 with NULL.
+    /// rows * columns; 0 with NULL.
     pub fixed_count: usize,
-    /// Largest number of steps; 0: 100.
+    /// Most steps; 0: 100.
     pub max_iterations: u32,
     /// 1: boundary vertices of the surface stay.
     /// @flag
@@ -40,7 +39,7 @@ pub struct gusset_planarise_report {
     pub struct_size: usize,
     /// Initial diagonal of the bounding box.
     pub size: f64,
-    /// Absolute tolerance: relative tolerance times size.
+    /// Tolerance times size.
     pub tolerance: f64,
     /// Largest initial distance of corners from their mean plane.
     pub deviation_before: f64,
@@ -52,23 +51,22 @@ pub struct gusset_planarise_report {
     pub rms_displacement: f64,
     /// Cell with deviation_after; 2^64 - 1 without quads.
     pub worst_cell: u64,
-    /// Number of steps; 0 if all cells were planar, and no bit changed.
+    /// Steps; 0 if all cells were planar and no bit changed.
     pub iterations: u32,
-    /// 1: deviation_after is within the tolerance; 0: approximate result.
+    /// 1: deviation_after is within the tolerance.
     /// @flag
     pub converged: u32,
 }
 
 versioned! { gusset_planarise_options: 40, gusset_planarise_report: 72 }
 
-/// Moves the nodes of a net until all cells are planar, with locally least squared displacement.
+/// Makes all cells planar, with locally least squared displacement.
 ///
 /// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count.
-/// Failure to converge is not an error.
 ///
 /// @errors OUT_OF_RANGE (tolerance), COUNT_DIFFERS (fixed_count too small)
 /// @complexity For each step O(n^1.5) time and O(n log n) memory for n cells.
-/// @threads It uses one thread.
+/// @threads Uses one thread.
 /// @source Deryagin, "Closures"; Liu et al. 2006.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -80,13 +78,13 @@ pub unsafe extern "C" fn gusset_net_planarise(
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
         let given = input::read(options, true, "options")?;
-        let net = edit(net, job)?;
+        let net = net_of_handle_mut(net, job)?;
         let (needed, count) = (net.shape().node_count(), given.fixed_count);
         if !given.fixed.is_null() && count < needed {
             return Err(Error::ArrayTooShort { what: "fixed", needed: needed as u64, given: count as u64 }.into());
         }
         let count = if given.fixed.is_null() { count } else { needed };
-        let bytes = input::bytes(given.fixed.cast(), count, 1, "fixed")?;
+        let bytes = input::input_bytes(given.fixed.cast(), count, 1, "fixed")?;
         let fixed: Vec<bool> = alloc::try_collect(bytes.iter().map(|&byte| flag(byte.into(), "fixed")))?;
         let options = PlanariseOptions {
             tolerance: given.tolerance,

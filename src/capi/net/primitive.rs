@@ -9,7 +9,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::net::closure::{BoxKind, Cuboid};
 use crate::net::primitive::{Primitive, Request};
 
-/// Standard shape, the measures that it reads, the least rows x columns.
+/// Standard shape, its measures, the least rows x columns.
 pub type gusset_net_shape = u32;
 /// Rectangle at z = 0: size[0], size[1].
 pub const GUSSET_NET_PLANE: gusset_net_shape = 0;
@@ -17,9 +17,9 @@ pub const GUSSET_NET_PLANE: gusset_net_shape = 0;
 pub const GUSSET_NET_SPHERE: gusset_net_shape = 1;
 /// Sphere from a disc, its rim one point: radius. From 3 x 3 nodes.
 pub const GUSSET_NET_ONE_POLE_SPHERE: gusset_net_shape = 2;
-/// Cylinder without caps: radius, height. At least 4 columns.
+/// Open cylinder: radius, height. At least 4 columns.
 pub const GUSSET_NET_TUBE: gusset_net_shape = 3;
-/// Cylinder with caps: radius, height. From 4 x 4 nodes.
+/// Closed cylinder: radius, height. From 4 x 4 nodes.
 pub const GUSSET_NET_CYLINDER: gusset_net_shape = 4;
 /// Regular prism: sides, radius (circumscribed), height. At least 4 rows and sides + 1 columns.
 pub const GUSSET_NET_PRISM: gusset_net_shape = 5;
@@ -45,11 +45,11 @@ pub const GUSSET_NET_PILLOW: gusset_net_shape = 14;
 
 /// Layout of the caps of a box.
 pub type gusset_box_kind = u32;
-/// Each cap closes along a slit. All faces are unit quads; no seams.
+/// Each cap closes along a slit. Unit quads; no seams.
 pub const GUSSET_NET_BOX_SLIT: gusset_box_kind = 0;
-/// Crosswise unwrapping. All faces are unit quads; two seams.
+/// Crosswise unwrapping. Unit quads; two seams.
 pub const GUSSET_NET_BOX_CROSS: gusset_box_kind = 1;
-/// Concentric rings, with the fewest nodes, and triangles along the diagonals.
+/// Concentric rings, with the fewest nodes; triangles along the diagonals.
 pub const GUSSET_NET_BOX_CONCENTRIC: gusset_box_kind = 2;
 
 /// Standard shape and its measures.
@@ -58,13 +58,13 @@ pub const GUSSET_NET_BOX_CONCENTRIC: gusset_box_kind = 2;
 pub struct gusset_net_primitive {
     /// sizeof(gusset_net_primitive).
     pub struct_size: usize,
-    /// Standard shape, the measures that it reads, the least rows x columns.
+    /// Standard shape, its measures, the least rows x columns.
     pub shape: gusset_net_shape,
     /// Type of coordinates.
     pub scalar: gusset_scalar,
-    /// Rows of nodes; 0: 33. Boxes and lathes ignore it.
+    /// 0: 33. Boxes and lathes ignore it.
     pub rows: usize,
-    /// Columns of nodes; 0: 65. Boxes ignore it.
+    /// 0: 65. Boxes ignore it.
     pub columns: usize,
     /// Above 0.
     pub radius: f64,
@@ -74,11 +74,11 @@ pub struct gusset_net_primitive {
     pub height: f64,
     /// Sizes along x, y and z, above 0.
     pub size: [f64; 3],
-    /// Distance from the axis, at least 0, and height of each point, upwards, at any alignment.
-    /// Points on the axis are poles. A closed profile makes a ring.
+    /// Distance from the axis, at least 0, and height of each point, upwards. Points on the axis
+    /// are poles. A closed profile makes a ring.
     /// @shape profile_count 2
     pub profile: *const f64,
-    /// Number of points, at least 2.
+    /// At least 2.
     pub profile_count: usize,
     /// Lateral faces of a prism or pyramid, at least 3.
     pub sides: u32,
@@ -97,7 +97,7 @@ c_enum! {
 }
 
 impl gusset_net_primitive {
-    fn primitive<'a>(&self, profile: &'a [[f64; 2]]) -> Result<Primitive<'a>, Failure> {
+    fn to_primitive<'a>(&self, profile: &'a [[f64; 2]]) -> Result<Primitive<'a>, Failure> {
         let gusset_net_primitive { radius, minor_radius, height, size, sides, .. } = *self;
         Ok(match self.shape {
             GUSSET_NET_PLANE => Primitive::Plane { size: [size[0], size[1]] },
@@ -117,18 +117,16 @@ impl gusset_net_primitive {
             GUSSET_NET_KLEIN => Primitive::Klein { radius, minor_radius },
             GUSSET_NET_PROJECTIVE_PLANE => Primitive::ProjectivePlane { radius },
             GUSSET_NET_PILLOW => Primitive::Pillow { size: [size[0], size[1]], thickness: height },
-            other => return Err(Failure::unknown("shape", other.into())),
+            other => return Err(Failure::unknown_value("shape", other.into())),
         })
     }
 }
 
-/// Makes a net of a standard shape, centred at the origin, with axis z.
+/// Makes a standard shape, centred at the origin, with axis z.
 ///
 /// Glued nodes have equal bits. Closed surfaces have outward normals.
 ///
-/// @param primitive the shape.
-/// @errors OUT_OF_RANGE (a measure not positive or beyond the scalar type, too few elements),
-///     TOO_LARGE
+/// @errors OUT_OF_RANGE (a measure, too few elements), TOO_LARGE
 /// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 byte for boxes.
 /// @source Deryagin, "Closures of nets".
 #[unsafe(no_mangle)]
@@ -141,8 +139,8 @@ pub unsafe extern "C" fn gusset_net_primitive_create(
     create(context, net, "net", |job| {
         let given = input::read(primitive, false, "primitive")?;
         let point_count = if given.shape == GUSSET_NET_LATHE { given.profile_count } else { 0 };
-        let profile: Vec<[f64; 2]> = input::list(given.profile.cast(), point_count, "profile")?;
-        let (primitive, scalar) = (given.primitive(&profile)?, choice(given.scalar)?);
+        let profile: Vec<[f64; 2]> = input::copy_input_items(given.profile.cast(), point_count, "profile")?;
+        let (primitive, scalar) = (given.to_primitive(&profile)?, choice(given.scalar)?);
         let request = Request { primitive, rows: given.rows, columns: given.columns, scalar };
         Ok(gusset_net::new(request.net(job)?))
     })

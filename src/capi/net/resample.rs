@@ -4,7 +4,7 @@ use crate::capi::context::{create, create_and_tell, guard_change, gusset_context
 use crate::capi::glue::c_enum;
 use crate::capi::handle;
 use crate::capi::input::{self, choice};
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
 use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
@@ -13,26 +13,25 @@ use gusset_base::alloc;
 
 /// Interpolation of positions between nodes.
 pub type gusset_interpolation = u32;
-/// Catmull-Rom splines, with continuous tangents also across seams.
+/// Catmull-Rom splines: continuous tangents, also across seams.
 pub const GUSSET_INTERPOLATION_BICUBIC: gusset_interpolation = 0;
 /// Bilinear patches of the cells.
 pub const GUSSET_INTERPOLATION_BILINEAR: gusset_interpolation = 1;
 
-/// Largest number of levels of a pyramid.
+/// Most levels of a pyramid.
 pub const GUSSET_PYRAMID_LEVELS: usize = 32;
 
 c_enum! {
     interpolation: Interpolation { GUSSET_INTERPOLATION_BICUBIC => Bicubic, GUSSET_INTERPOLATION_BILINEAR => Bilinear }
 }
 
-/// Makes a net of rows x columns nodes, spread evenly over a net.
+/// Makes a net of rows x columns nodes, spread evenly over net.
 ///
-/// First and last rows and columns stay. A new node on an old node has its bits. The gluing stays;
+/// First and last rows and columns stay. A new node on an old one has its bits. The gluing stays;
 /// glued nodes have equal bits.
 ///
-/// @param net a net without bridges, glued along whole sides only.
-/// @param rows rows of the result, at least 2.
-/// @param columns columns of the result, at least 2.
+/// @param rows at least 2.
+/// @param columns at least 2.
 /// @errors NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
 /// @complexity O(nodes of both nets).
 #[unsafe(no_mangle)]
@@ -47,19 +46,17 @@ pub unsafe extern "C" fn gusset_net_resample_create(
 ) -> gusset_status {
     create(context, resampled, "resampled", |job| {
         let interpolation = choice(interpolation)?;
-        Ok(gusset_net::new(resample(read(net)?, rows, columns, interpolation, job)?))
+        Ok(gusset_net::new(resample(net_of_handle(net)?, rows, columns, interpolation, job)?))
     })
 }
 
-/// Removes rows, then columns, of a net within a tolerance; each time the one that causes the least
-/// deviation.
+/// Removes rows, then columns, within a tolerance, each time with the least deviation.
 ///
-/// @param net a net without bridges, glued along whole sides only.
 /// @param tolerance at least 0, may be infinite. Nodes are within half of it of the segments that
-///     replace their columns, and likewise for rows.
-/// @param rows receives indices of kept rows, with room for all rows of net; may be NULL.
+///     replace their columns; likewise for rows.
+/// @param rows receives the kept rows, with room for all rows of net; may be NULL.
 /// @param columns likewise for columns.
-/// @param deviation receives the largest deviation; may be NULL.
+/// @param deviation receives the largest deviation, or NULL.
 /// @errors OUT_OF_RANGE, GLUED_INSIDE
 /// @complexity About O(nodes x log rows).
 #[unsafe(no_mangle)]
@@ -73,21 +70,23 @@ pub unsafe extern "C" fn gusset_net_decimate_create(
     deviation: *mut f64,
     decimated: *mut *mut gusset_net,
 ) -> gusset_status {
-    let deviation = input::optional_output(deviation, 0.0, "deviation");
+    let deviation = input::cleared_optional_output(deviation, 0.0, "deviation");
     let decimated_net = |job: &Job<'_>| {
         let deviation = deviation?;
-        let found = decimate(read(net)?, tolerance, job)?;
-        write(&found.rows, rows, "rows")?;
-        write(&found.columns, columns, "columns")?;
+        let found = decimate(net_of_handle(net)?, tolerance, job)?;
+        write_indices(&found.rows, rows, "rows")?;
+        write_indices(&found.columns, columns, "columns")?;
         Ok((gusset_net::new(found.net), (deviation, found.deviation)))
     };
-    create_and_tell(context, decimated, "decimated", decimated_net, |(to, deviation)| input::set(to, deviation))
+    create_and_tell(context, decimated, "decimated", decimated_net, |(to, deviation)| {
+        input::set_optional_output(to, deviation)
+    })
 }
 
 /// Writes indices to the caller's buffer, unless it is NULL.
-fn write(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), Failure> {
+fn write_indices(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), Failure> {
     if !buffer.is_null() {
-        let to = input::results(buffer, indices.len(), name)?;
+        let to = input::result_buffer(buffer, indices.len(), name)?;
         to.iter_mut().zip(indices).for_each(|(to, &index)| *to = index as u32);
     }
     Ok(())
@@ -95,13 +94,12 @@ fn write(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), 
 
 /// Makes levels of detail: nets of 2^k + 1 rows and columns, finest first.
 ///
-/// The first level is a copy if it has such a size, else resampled to the next larger size. Each
-/// further level has every second row and column of the previous one, bit for bit.
+/// The first level is a copy if the net has such a size, else resampled to the next larger one.
+/// Each further level has every second row and column, bit for bit.
 ///
-/// @param net a net without bridges, glued along whole sides only.
-/// @param levels room for capacity handles.
-/// @param capacity size of levels; GUSSET_PYRAMID_LEVELS always suffices.
-/// @param count receives the count, also with BUFFER_TOO_SMALL (as for capacity 0).
+/// @param levels receives the handles.
+/// @param capacity GUSSET_PYRAMID_LEVELS always suffices.
+/// @param count receives the count; capacity 0 gives BUFFER_TOO_SMALL.
 /// @errors BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE
 /// @complexity O(nodes); memory for 4/3 of the first level.
 #[unsafe(no_mangle)]
@@ -114,17 +112,17 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
     capacity: usize,
     count: *mut usize,
 ) -> gusset_status {
-    let (count, slots) = (input::output(count, 0, "count"), input::handles(levels, capacity, "levels"));
+    let (count, slots) = (input::cleared_output(count, 0, "count"), input::handle_buffer(levels, capacity, "levels"));
     guard_change(context, |job| {
         let (count, slots) = (count?, slots?);
-        let made = pyramid(read(net)?, choice(interpolation)?, job)?;
+        let made = pyramid(net_of_handle(net)?, choice(interpolation)?, job)?;
         let made = alloc::collect(made.into_iter().map(|level| handle::boxed(gusset_net::new(level))))?;
         job.finish()?;
         *count = made.len();
         if capacity < made.len() {
             return Err(Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, "levels is too small"));
         }
-        slots.iter_mut().zip(made).for_each(|(slot, level)| *slot = handle::give(level));
+        slots.iter_mut().zip(made).for_each(|(slot, level)| *slot = handle::into_handle(level));
         Ok(())
     })
 }

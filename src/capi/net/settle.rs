@@ -3,7 +3,7 @@
 use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, flag};
-use crate::capi::net::{edit, gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
 use crate::capi::status::gusset_status;
 use crate::net::settle::{SettleOptions, settle};
 use gusset_base::alloc;
@@ -14,27 +14,26 @@ use gusset_base::alloc;
 pub struct gusset_settle_options {
     /// sizeof(gusset_settle_options).
     pub struct_size: usize,
-    /// Largest displacement of the last step, relative to the diagonal of the bounding box; 0:
-    /// 1e-12.
+    /// Largest displacement in the last step, relative to the bounding box's diagonal; 0: 1e-12.
     pub tolerance: f64,
     /// Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
     pub rest_ratio: f64,
-    /// Net of equal size that gives rest lengths and shapes of rigid bridges; NULL: the net itself.
+    /// Net of equal size for rest lengths and shapes of rigid bridges; NULL: the net itself.
     pub reference: *const gusset_net,
-    /// One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it.
-    /// NULL holds all.
+    /// For each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds
+    /// all.
     /// @shape free_count
     /// @flag
     pub free: *const u8,
-    /// Number of bytes, at least the number of parts; 0 with NULL.
+    /// At least the number of parts; 0 with NULL.
     pub free_count: usize,
-    /// Largest number of steps; 0: 1000.
+    /// Most steps; 0: 1000.
     pub max_iterations: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// Result of gusset_net_settle. Energies are forces times lengths, in the caller's units.
+/// Result of gusset_net_settle. Energies are forces times lengths.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_settle_report {
@@ -52,16 +51,16 @@ pub struct gusset_settle_report {
     pub residual_force: f64,
     /// Largest displacement of a point.
     pub max_displacement: f64,
-    /// Number of steps.
+    /// Steps.
     pub iterations: u32,
     /// Counted bridges with forces.
     pub settled: u32,
-    /// Counted bridges without forces: hidden, welded, or with properties 0. Their nodes stay.
+    /// Counted bridges without forces, whose nodes stay: hidden, welded, or with properties 0.
     pub idle: u32,
     /// Films with a cell below a millionth of the initial mean cell area.
     pub collapsed: u32,
     /// 1: no film collapsed, and the last step met the tolerance or was too small to lower the
-    /// energy. 0: approximate result.
+    /// energy.
     /// @flag
     pub converged: u32,
     /// 0.
@@ -72,21 +71,20 @@ versioned! { gusset_settle_options: 56 reserved, gusset_settle_report: 80 }
 
 /// Moves inner nodes of bridges, and free parts, to the equilibrium of the bridges' properties.
 ///
-/// Only bridges from side to side count, in the direction of the last of these. A bridge of
-/// infinite stiffness forms a rigid body with its two sides. If bridges connect parts without a
-/// held one, the first is held. Failure to converge is not an error.
+/// Only bridges from side to side count, in the direction of the last of them. A bridge of infinite
+/// stiffness and its two sides are a rigid body. If connected parts lack a held one, the first is
+/// held.
 ///
-/// The result is a local minimum of the sum of energies; no step increases the sum. Energies for
-/// each line across a bridge:
+/// The result is a local minimum of the sum of energies; no step increases it. Energies of a line
+/// across a bridge:
 ///
-/// - tension times its length, with nodes becoming evenly spaced. In a tube: tension times the
-///   film's area.
+/// - tension times its length, with evenly spaced nodes. In a tube: tension times the film's area.
 /// - elasticity / 2 (l - r)^2 / r for each link of length l and rest length r.
 /// - stiffness / 2 h^3 times squared second differences, h the mean rest length. Lines leave parts
-///   in the parts' direction.
+///   in their direction.
 ///
 /// @errors COUNT_DIFFERS (free_count too small), SIDES_DIFFER (reference of another size),
-///     OUT_OF_RANGE (tolerance, rest_ratio; a negative, NaN or infinite property, with the bridge),
+///     OUT_OF_RANGE (tolerance, rest_ratio; a negative, NaN or infinite property, by bridge),
 ///     NO_SUCH_ELEMENT (overlapping bridges)
 /// @complexity O(nodes), and for each step O(n^1.5) time and O(n log n) memory for n inner nodes.
 /// @threads It uses one thread.
@@ -102,8 +100,8 @@ pub unsafe extern "C" fn gusset_net_settle(
     answer_struct(context, (report, "report"), |job| {
         let given = input::read(options, true, "options")?;
         // The reference may be the net itself.
-        let reference = if given.reference.is_null() { None } else { Some(read(given.reference)?.copied()?) };
-        let bytes = input::bytes(given.free.cast(), given.free_count, 1, "free")?;
+        let reference = if given.reference.is_null() { None } else { Some(net_of_handle(given.reference)?.copied()?) };
+        let bytes = input::input_bytes(given.free.cast(), given.free_count, 1, "free")?;
         let free: Vec<bool> = alloc::try_collect(bytes.iter().map(|&byte| flag(byte.into(), "free")))?;
         let options = SettleOptions {
             tolerance: given.tolerance,
@@ -112,7 +110,7 @@ pub unsafe extern "C" fn gusset_net_settle(
             reference: reference.as_ref(),
             free: &free,
         };
-        let done = settle(edit(net, job)?, &options, job)?;
+        let done = settle(net_of_handle_mut(net, job)?, &options, job)?;
         Ok(gusset_settle_report {
             struct_size: 0,
             energy_before: done.energy_before,

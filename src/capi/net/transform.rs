@@ -3,9 +3,9 @@
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{c_enum, fixed};
 use crate::capi::input::{self, choice};
-use crate::capi::net::{edit, gusset_net};
+use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
-use crate::net::transform::{Affine, Axis, Sense, transform};
+use crate::net::transform::{Affine, Axis, RotationSense, transform};
 use glam::DVec3;
 
 /// Coordinate axis.
@@ -32,7 +32,7 @@ pub const GUSSET_OPERATION_SCALE: gusset_operation_kind = 4;
 pub const GUSSET_OPERATION_COMPRESS: gusset_operation_kind = 5;
 /// Scaling of x, y and z by values[0], values[1] and values[2].
 pub const GUSSET_OPERATION_STRETCH: gusset_operation_kind = 6;
-/// Affine map: three rows of four numbers; the fourth is the displacement.
+/// Affine map: three rows of four numbers, the last the displacement.
 pub const GUSSET_OPERATION_MATRIX: gusset_operation_kind = 7;
 
 /// Affine map.
@@ -50,56 +50,62 @@ pub struct gusset_operation {
 fixed! { gusset_operation: 104 }
 
 /// Reads three of the caller's numbers.
-pub(crate) fn vector(values: &[f64]) -> DVec3 {
+pub(crate) fn first_three_numbers(values: &[f64]) -> DVec3 {
     DVec3::from_slice(values)
 }
 
 /// Reads twelve of the caller's numbers.
-pub(crate) fn matrix(values: &[f64]) -> Result<Affine, Failure> {
+pub(crate) fn affine_from_numbers(values: &[f64]) -> Result<Affine, Failure> {
     Ok(Affine::new([0, 1, 2].map(|row| std::array::from_fn(|column| values[4 * row + column])))?)
 }
 
 c_enum! { axis: Axis { GUSSET_AXIS_X => X, GUSSET_AXIS_Y => Y, GUSSET_AXIS_Z => Z } }
 
 impl gusset_operation {
-    fn affine(&self) -> Result<Affine, Failure> {
+    fn to_affine(&self) -> Result<Affine, Failure> {
         let v = &self.values;
         if self.kind != GUSSET_OPERATION_COMPRESS && self.axis != 0 {
-            return Err(Failure::unknown("axis", self.axis.into()));
+            return Err(Failure::unknown_value("axis", self.axis.into()));
         }
         Ok(match self.kind {
-            GUSSET_OPERATION_TRANSLATE => Affine::translation(vector(v))?,
-            GUSSET_OPERATION_ROTATE => Affine::rotation(vector(v), v[3], vector(&v[4..]), Sense::RightHanded)?,
-            GUSSET_OPERATION_ROTATE_AS_PRINTED => Affine::rotation(vector(v), v[3], vector(&v[4..]), Sense::AsPrinted)?,
+            GUSSET_OPERATION_TRANSLATE => Affine::translation(first_three_numbers(v))?,
+            GUSSET_OPERATION_ROTATE => Affine::rotation(
+                first_three_numbers(v),
+                v[3],
+                first_three_numbers(&v[4..]),
+                RotationSense::RightHanded,
+            )?,
+            GUSSET_OPERATION_ROTATE_AS_PRINTED => {
+                Affine::rotation(first_three_numbers(v), v[3], first_three_numbers(&v[4..]), RotationSense::AsPrinted)?
+            }
             GUSSET_OPERATION_SCALE => Affine::scaling(v[0])?,
             GUSSET_OPERATION_COMPRESS => Affine::compression(choice(self.axis)?, v[0])?,
-            GUSSET_OPERATION_STRETCH => Affine::stretching(vector(v))?,
-            GUSSET_OPERATION_MATRIX => matrix(v)?,
-            other => return Err(Failure::unknown("kind", other.into())),
+            GUSSET_OPERATION_STRETCH => Affine::stretching(first_three_numbers(v))?,
+            GUSSET_OPERATION_MATRIX => affine_from_numbers(v)?,
+            other => return Err(Failure::unknown_value("kind", other.into())),
         })
     }
 }
 
 /// Composes the caller's operations in order.
-fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Failure> {
-    let operations = input::items(operations, count, "operations")?;
+fn compose_operations(operations: *const gusset_operation, count: usize) -> Result<Affine, Failure> {
+    let operations = input::input_items(operations, count, "operations")?;
     operations.enumerate().try_fold(Affine::IDENTITY, |chain, (k, operation)| {
         let then = |next: Affine| Ok(chain.then(&next)?);
-        operation.affine().and_then(then).map_err(|failure: Failure| failure.with_item(k))
+        operation.to_affine().and_then(then).map_err(|failure: Failure| failure.with_item(k))
     })
 }
 
-/// Moves all nodes of a net by a chain of affine maps, composed in the given order into one matrix.
+/// Moves a net by a chain of affine maps, composed in the given order into one matrix.
 ///
 /// - Computation uses the net's scalar type.
-/// - Glued nodes with equal bits keep equal bits. Missing nodes stay missing; their finite
-///   coordinates may change.
-/// - A mirroring chain changes the reversed flag of the net, so that faces keep looking outwards.
+/// - Equal bits of glued nodes stay equal. Missing nodes stay missing; their finite coordinates may
+///   change.
+/// - A mirroring chain changes the net's reversed flag, so faces still look outwards.
 ///
-/// @param operations the maps, at any alignment.
-/// @param count number of operations; may be 0.
+/// @param count may be 0.
 /// @errors OUT_OF_RANGE (a number not finite, an axis of length 0, overflow of the product),
-///     FIELD_UNDEFINED (the first node that would overflow)
+///     FIELD_UNDEFINED (first node to overflow)
 /// @complexity O(nodes); no memory.
 /// @source Deryagin, T, R, S, C.
 #[unsafe(no_mangle)]
@@ -111,7 +117,7 @@ pub unsafe extern "C" fn gusset_net_transform(
     count: usize,
 ) -> gusset_status {
     guard_change(context, |job| {
-        let affine = chain(operations, count)?;
-        Ok(transform(edit(net, job)?, &affine, job)?)
+        let affine = compose_operations(operations, count)?;
+        Ok(transform(net_of_handle_mut(net, job)?, &affine, job)?)
     })
 }

@@ -3,10 +3,10 @@
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{Choice, lent};
-use crate::capi::net::{gusset_net, read};
+use crate::capi::input::{Choice, lend_list};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status;
-use crate::net::{Finding, FindingKind};
+use crate::net::{FindingKind, ValidationFinding};
 use gusset_base::alloc;
 
 /// Kind of a finding.
@@ -20,7 +20,7 @@ pub const GUSSET_NET_FINDING_SEAM_APART: gusset_net_finding_kind = 1;
 pub const GUSSET_NET_FINDING_LOOP: gusset_net_finding_kind = 2;
 /// Warning: the ends of link element coincide without being glued.
 pub const GUSSET_NET_FINDING_ZERO_LENGTH: gusset_net_finding_kind = 3;
-/// Warning: link element closes a row or column of fewer than four nodes, which encloses nothing.
+/// Warning: link element closes a row or column of fewer than four nodes.
 pub const GUSSET_NET_FINDING_FEW_NODES: gusset_net_finding_kind = 4;
 
 /// Finding of a validation.
@@ -70,13 +70,12 @@ c_enum! {
     }
 }
 
-/// Checks that glued nodes coincide, and warns of suspicious gluing. Findings are not errors. Two
-/// missing nodes coincide.
+/// Checks that glued nodes coincide, and warns of suspicious gluing. Two missing nodes coincide.
 ///
 /// @param tolerance largest distance of coincident nodes, at least 0; 0: equal coordinates (0
 ///     equals -0).
 /// @errors OUT_OF_RANGE (tolerance)
-/// @complexity O(nodes), and a sort of the findings.
+/// @complexity O(nodes), plus a sort of the findings.
 /// @source Deryagin, "Non-spatial operations".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -87,13 +86,13 @@ pub unsafe extern "C" fn gusset_net_validation_create(
     validation: *mut *mut gusset_net_validation,
 ) -> gusset_status {
     create(context, validation, "validation", |job| {
-        let finding = |Finding { kind, element, nodes, distance }| gusset_net_finding {
+        let finding = |ValidationFinding { kind, element, nodes, distance }| gusset_net_finding {
             kind: kind.number(),
             element,
             nodes,
             distance,
         };
-        let findings = read(net)?.validate(tolerance, &job.part(0.0, 0.9))?;
+        let findings = net_of_handle(net)?.validate(tolerance, &job.part(0.0, 0.9))?;
         let findings = findings.into_iter().map(finding);
         Ok(gusset_net_validation(alloc::collect_cancellable(findings, &job.part(0.9, 1.0), "findings")?))
     })
@@ -110,7 +109,7 @@ pub unsafe extern "C" fn gusset_net_validation_get_view(
 ) -> gusset_status {
     lend!(validation, view, |gusset_net_validation(findings)| gusset_net_validation_view {
         struct_size: size_of::<gusset_net_validation_view>(),
-        findings: lent(findings),
+        findings: lend_list(findings),
         count: findings.len(),
         violation_count: findings.partition_point(|finding| finding.kind < GUSSET_NET_FINDING_LOOP),
     })

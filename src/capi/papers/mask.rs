@@ -1,15 +1,14 @@
-//! Regions of cells: Chains, diameters, cells and nodes of masks. Input arrays may have any
-//! alignment.
+//! Regions of cells: Chains, diameters, cells and nodes of masks.
 //!
 //! @source Leus.
 
 use crate::attributes::Domain;
 use crate::capi::context::{answer_struct, guard_change, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, choice, fill};
+use crate::capi::input::{self, choice, fill_buffer};
 use crate::capi::mesh::origins::gusset_domain;
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::sheet::{gusset_sheet, read};
+use crate::capi::surface::sheet::{gusset_sheet, sheet_of_handle};
 use crate::job::Job;
 use crate::surface::Sheet;
 use crate::surface::reference::{CellMask, Diameters, Lattice, chain, euler_characteristic, integer_diameter};
@@ -22,45 +21,44 @@ pub struct gusset_mask_report {
     pub struct_size: usize,
     /// Number of cells.
     pub cells: u64,
-    /// Most cells in a shortest chain between two cells; 0 without cells, 2^64 - 1 if disconnected.
+    /// Most cells in a shortest chain; 0 without cells, 2^64 - 1 if disconnected.
     pub integer_diameter: u64,
-    /// Euler characteristic, vertices - edges + cells: 1 for a connected region without holes.
+    /// Vertices - edges + cells: 1 for a connected region without holes.
     pub euler: i64,
-    /// Bound of the distance between two points: integer_diameter times the greatest Euclidean
-    /// diameter of a cell. Infinite if disconnected.
+    /// Bound of the distance of two points: integer_diameter times the greatest Euclidean diameter
+    /// of a cell; infinite if disconnected.
     pub diameter: f64,
 }
 
 versioned! { gusset_mask_report: 40 }
 
 /// Reads the caller's region; NULL means all cells.
-fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask, Failure> {
+fn read_region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask, Failure> {
     let lattice = Lattice::new(sheet);
     if words.is_null() && count == 0 {
         return Ok(CellMask::full(lattice)?);
     }
-    Ok(CellMask::from_words(lattice, &input::list(words, count, "words")?)?)
+    Ok(CellMask::from_words(lattice, &input::copy_input_items(words, count, "words")?)?)
 }
 
 /// Reads the row and column of a cell.
-fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> {
-    let bytes = input::bytes(pointer.cast(), 2, 4, name)?;
+fn read_cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> {
+    let bytes = input::input_bytes(pointer.cast(), 2, 4, name)?;
     Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(bytes).map(|k| k as usize))
 }
 
 /// Finds a shortest chain of cells in a region; consecutive cells share a node.
 ///
-/// The sum of their diameters bounds the distance between points of the first and the last cell.
+/// The sum of their diameters bounds the distance between points of the end cells.
 ///
-/// @param words the region, one bit for each cell. Cell (i, j) is bit k % 64 of word k / 64, where
-///     k = i * columns + j. NULL with count 0: all cells.
-/// @param count words, at least those that the cells need.
-/// @param from row and column of a cell of the region.
-/// @param to row and column of a cell of the region.
-/// @param cells receives row and column of each cell, from and to included. NULL with capacity 0:
-///     only the size.
+/// @param words the region, a bit a cell. Cell (i, j) is bit k % 64 of word k / 64, k = i * columns
+///     + j. NULL with count 0: all cells.
+/// @param count at least the words of all cells.
+/// @param from row and column in the region.
+/// @param to row and column in the region.
+/// @param cells receives row and column of each cell, from and to included.
 /// @param capacity in cells.
-/// @param written receives the number of cells; 0 if no chain exists.
+/// @param written receives the number of cells; 0 without a chain.
 /// @errors COUNT_DIFFERS (too few words), NO_SUCH_ELEMENT (cell), BUFFER_TOO_SMALL
 /// @complexity O(cells).
 /// @source Leus, eq. (3).
@@ -77,16 +75,16 @@ pub unsafe extern "C" fn gusset_sheet_mask_chain(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
-        let (written, region) = (written?, region(read(sheet)?, words, count)?);
-        let [from, to] = [cell(from, "from")?, cell(to, "to")?];
+        let (written, region) = (written?, read_region(sheet_of_handle(sheet)?, words, count)?);
+        let [from, to] = [read_cell(from, "from")?, read_cell(to, "to")?];
         let found = chain(&region, from, to, job)?.unwrap_or_default();
-        pairs((cells, capacity, "cells"), (found.len(), found.into_iter()), written, job)
+        write_pairs((cells, capacity, "cells"), (found.len(), found.into_iter()), written, job)
     })
 }
 
-/// Measures the integer diameter, a diameter bound and the Euler characteristic of a region.
+/// Measures a region.
 ///
 /// @param words as for gusset_sheet_mask_chain.
 /// @complexity O(cells) for compact regions, at worst O(cells^2).
@@ -101,8 +99,8 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
     report: *mut gusset_mask_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let sheet = read(sheet)?;
-        let region = region(sheet, words, count)?;
+        let sheet = sheet_of_handle(sheet)?;
+        let region = read_region(sheet, words, count)?;
         let sizes = Diameters::new(sheet, &job.part(0.0, 0.4))?.euclidean;
         let euler = euler_characteristic(&region, &job.part(0.4, 0.5))?;
         let integer = integer_diameter(&region, &job.part(0.5, 1.0))?;
@@ -122,7 +120,7 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
 ///
 /// @param words as for gusset_sheet_mask_chain.
 /// @param domain faces: cells; vertices or corners: nodes.
-/// @param elements receives row and column of each element. NULL with capacity 0: only the size.
+/// @param elements receives row and column of each element.
 /// @param capacity in elements.
 /// @param written receives the number of elements.
 /// @errors COUNT_DIFFERS (too few words), BUFFER_TOO_SMALL
@@ -139,22 +137,27 @@ pub unsafe extern "C" fn gusset_sheet_mask_elements(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
-        let (written, region, out) = (written?, region(read(sheet)?, words, count)?, (elements, capacity, "elements"));
+        let (written, region, out) =
+            (written?, read_region(sheet_of_handle(sheet)?, words, count)?, (elements, capacity, "elements"));
         match choice(domain)? {
-            Domain::Faces => pairs(out, (region.count(), region.cells()), written, job),
-            Domain::Vertices | Domain::Corners => pairs(out, (region.nodes().count(), region.nodes()), written, job),
+            Domain::Faces => write_pairs(out, (region.count(), region.cells()), written, job),
+            Domain::Vertices | Domain::Corners => {
+                write_pairs(out, (region.nodes().count(), region.nodes()), written, job)
+            }
         }
     })
 }
 
 /// Writes rows and columns to the caller's buffer.
-fn pairs(
+fn write_pairs(
     (out, capacity, name): (*mut u32, usize, &'static str),
     (count, all): (usize, impl Iterator<Item = [usize; 2]>),
     written: &mut usize,
     job: &Job<'_>,
 ) -> Result<(), Failure> {
-    fill((out.cast::<[u32; 2]>(), capacity, name), count, written, job, || Ok(all.map(|pair| pair.map(|k| k as u32))))
+    fill_buffer((out.cast::<[u32; 2]>(), capacity, name), count, written, job, || {
+        Ok(all.map(|pair| pair.map(|k| k as u32)))
+    })
 }

@@ -3,13 +3,13 @@
 //! @source Leus.
 
 use crate::capi::context::{guard_change, gusset_context};
-use crate::capi::curve::{gusset_curve, view};
+use crate::capi::curve::{gusset_curve, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input::{self, flag};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::evaluate::surface_places;
-use crate::capi::surface::sheet::{gusset_sheet, read};
+use crate::capi::surface::evaluate::read_surface_places;
+use crate::capi::surface::sheet::{gusset_sheet, sheet_of_handle};
 use crate::capi::surface::{gusset_surface, gusset_surface_place};
 use crate::curve::CurveView;
 use crate::error::{Element, Error};
@@ -32,7 +32,7 @@ pub const GUSSET_REFERENCE_PLANE: gusset_reference_object = 1;
 pub const GUSSET_REFERENCE_LINE: gusset_reference_object = 2;
 /// The segment from `point` to `point` + `direction`.
 pub const GUSSET_REFERENCE_SEGMENT: gusset_reference_object = 3;
-/// Normals at `angle` to `direction`. Distances are deviations from the angle, in radians.
+/// Normals at `angle` to `direction`. Distances are deviations from the angle.
 pub const GUSSET_REFERENCE_ANGLE: gusset_reference_object = 4;
 
 /// The curve.
@@ -42,7 +42,7 @@ pub const GUSSET_REFERENCE_SURFACE: gusset_reference_object = 6;
 /// The ray from `point` along `direction`.
 pub const GUSSET_REFERENCE_RAY: gusset_reference_object = 7;
 
-/// Task and method of Leus's search.
+/// Task and method of Leus's search. Fields name objects without prefix.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_reference_task {
@@ -50,33 +50,32 @@ pub struct gusset_reference_task {
     pub struct_size: usize,
     /// Object of a search.
     pub object: gusset_reference_object,
-    /// Cells to find. 0: cells that may have a point at most `within` away. 1: cells that may have
-    /// the nearest point.
+    /// Cells to find. 0: those that may have a point at most `within` away; 1: the nearest point.
     pub find_nearest: u32,
-    /// x, y, z; not read for angles.
+    /// Not read for angles.
     pub point: [f64; 3],
-    /// x, y, z, not 0; not read for points.
+    /// Not 0; not read for points.
     pub direction: [f64; 3],
-    /// Distance, at least 0; INFINITY: all cells. Not read if find_nearest is 1.
+    /// At least 0; INFINITY: all cells. Not read if find_nearest is 1.
     pub within: f64,
-    /// For GUSSET_REFERENCE_ANGLE: 0 to pi.
+    /// ANGLE: 0 to pi.
     pub angle: f64,
-    /// For GUSSET_REFERENCE_ANGLE: a bound of the principal curvatures of the sheet (see
-    /// gusset_sheet_measure); 0: cones of normals, which are tighter.
+    /// ANGLE: a bound of the sheet's principal curvatures (see gusset_sheet_measure); 0: cones of
+    /// normals, which are tighter.
     pub curvature: f64,
-    /// For GUSSET_REFERENCE_ANGLE. 1: a normal and its opposite are equal.
+    /// ANGLE. 1: a normal and its opposite are equal.
     pub unsigned_normals: u32,
-    /// Bound of blocks. 1: sum of the greatest bound of each ring of cells; 0: integer diameter
-    /// times the greatest.
+    /// Bound of blocks. 1: sum of each ring's greatest bound; 0: integer diameter times the
+    /// greatest.
     pub by_rings: u32,
     /// 1: visits nodes row by row, as Leus does; 0: distant nodes first.
     pub by_rows: u32,
-    /// For rows and columns of cells at an edge that an excluded block covers completely. 0: removes
-    /// them, which leaves a smaller surface; 1: keeps them.
+    /// Rows and columns of cells at an edge that an excluded block covers. 0: removes them; 1:
+    /// keeps them.
     pub keep_lines: u32,
-    /// For GUSSET_REFERENCE_CURVE.
+    /// CURVE.
     pub curve: *const gusset_curve,
-    /// For GUSSET_REFERENCE_SURFACE.
+    /// SURFACE.
     pub surface: *const gusset_surface,
 }
 
@@ -94,7 +93,7 @@ pub struct gusset_reference_report {
     pub blocks: u64,
     /// Lines of cells removed.
     pub dropped: u64,
-    /// Least distance of the evaluated nodes; of all nodes if find_nearest is 1.
+    /// Least distance of evaluated nodes; of all if find_nearest is 1.
     pub min_distance: f64,
     /// Row of the node at min_distance.
     pub row: u32,
@@ -105,7 +104,7 @@ pub struct gusset_reference_report {
 versioned! { gusset_reference_task: 104, gusset_reference_report: 56 }
 
 impl gusset_reference_task {
-    fn options(&self) -> Result<SearchOptions, Failure> {
+    fn search_options(&self) -> Result<SearchOptions, Failure> {
         let nearest = flag(self.find_nearest, "find_nearest")?;
         Ok(SearchOptions {
             goal: if nearest { Goal::Least } else { Goal::Within(self.within) },
@@ -116,7 +115,7 @@ impl gusset_reference_task {
     }
 
     /// Returns the object from which distances are measured; `None` for angles.
-    fn figure(&self) -> Result<Option<Figure<'_>>, Failure> {
+    fn distance_figure(&self) -> Result<Option<Figure<'_>>, Failure> {
         let (point, direction) = (DVec3::from_array(self.point), DVec3::from_array(self.direction));
         Ok(Some(match self.object {
             GUSSET_REFERENCE_POINT => Figure::Object(Object::Point(point)),
@@ -124,10 +123,10 @@ impl gusset_reference_task {
             GUSSET_REFERENCE_LINE => Figure::Object(Object::Line(Line::new(point, direction))),
             GUSSET_REFERENCE_SEGMENT => Figure::Object(Object::Line(Line::segment(point, point + direction))),
             GUSSET_REFERENCE_RAY => Figure::Object(Object::Line(Line::ray(point, direction))),
-            GUSSET_REFERENCE_CURVE => Figure::Curve(view(self.curve, "curve")?),
-            GUSSET_REFERENCE_SURFACE => Figure::Surface(&handle::get(self.surface, "surface")?.0),
+            GUSSET_REFERENCE_CURVE => Figure::Curve(view_of_curve(self.curve, "curve")?),
+            GUSSET_REFERENCE_SURFACE => Figure::Surface(&handle::get_object(self.surface, "surface")?.0),
             GUSSET_REFERENCE_ANGLE => return Ok(None),
-            other => return Err(Failure::unknown("object", other.into())),
+            other => return Err(Failure::unknown_value("object", other.into())),
         }))
     }
 
@@ -136,15 +135,17 @@ impl gusset_reference_task {
         Ok(AngleTarget { direction: DVec3::from_array(self.direction), angle: self.angle, unsigned })
     }
 
-    fn search(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
-        let (options, target) = (self.options()?, self.angle_target()?);
-        let Some(figure) = self.figure()? else { return self.angle_incidence(sheet, target, &options, job) };
+    fn search_sheet(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
+        let (options, target) = (self.search_options()?, self.angle_target()?);
+        let Some(figure) = self.distance_figure()? else {
+            return self.search_angle_incidence(sheet, target, &options, job);
+        };
         let diameters = Diameters::new(sheet, &job.part(0.0, 0.5))?;
         Ok(figure_incidence(sheet, &diameters, figure, &options, &job.part(0.5, 1.0))?)
     }
 
     fn search_curve(&self, curve: &CurveView<'_>, parts: usize, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
-        let (options, target, figure) = (self.options()?, self.angle_target()?, self.figure()?);
+        let (options, target, figure) = (self.search_options()?, self.angle_target()?, self.distance_figure()?);
         let arcs = Arcs::new(curve, parts, &job.part(0.0, 0.5))?;
         let job = job.part(0.5, 1.0);
         Ok(match figure {
@@ -153,7 +154,7 @@ impl gusset_reference_task {
         })
     }
 
-    fn angle_incidence(
+    fn search_angle_incidence(
         &self,
         sheet: &Sheet<'_>,
         target: AngleTarget,
@@ -170,17 +171,14 @@ impl gusset_reference_task {
     }
 }
 
-/// Finds the cells of a sheet that may satisfy a task, by Leus's search with its logical scale.
+/// Finds the cells of a sheet that may satisfy a task, by Leus's search.
 ///
 /// No qualifying cell is missing. gusset_surface answers faster.
 ///
-/// @param words receives one bit for each cell, as for gusset_sheet_mask_chain; 0 after an error.
-///     NULL with capacity 0: only the size and the report.
-/// @param capacity in words.
+/// @param words receives a bit a cell, as for gusset_sheet_mask_chain; 0 after an error.
 /// @param written receives the number of words.
 /// @param report may be NULL.
-/// @errors OUT_OF_RANGE (non-finite values, zero direction, negative distance, angle outside 0 to
-///     pi), BUFFER_TOO_SMALL
+/// @errors OUT_OF_RANGE (non-finite values, zero direction, within, angle), BUFFER_TOO_SMALL
 /// @complexity O(cells), parallel, for bounds; O(cells / 64 + nodes evaluated) for the search.
 /// @source Leus; docs/errata.md lists its errata.
 #[unsafe(no_mangle)]
@@ -194,28 +192,30 @@ pub unsafe extern "C" fn gusset_sheet_reference_mask(
     written: *mut usize,
     report: *mut gusset_reference_report,
 ) -> gusset_status {
-    mask(context, (words, capacity, written), report, task, |task, job| task.search(read(sheet)?, job))
+    run_and_write_search(context, (words, capacity, written), report, task, |task, job| {
+        task.search_sheet(sheet_of_handle(sheet)?, job)
+    })
 }
 
 /// Runs a search and writes its mask and report.
-fn mask(
+fn run_and_write_search(
     context: *const gusset_context,
     (words, capacity, written): (*mut u64, usize, *mut usize),
     report: *mut gusset_reference_report,
     task: *const gusset_reference_task,
     search: impl FnOnce(&gusset_reference_task, &Job<'_>) -> Result<SearchOutcome, Failure>,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
-    let buffer = input::cleared(words, if words.is_null() { 0 } else { capacity }, "words");
+    let written = input::cleared_output(written, 0, "written");
+    let buffer = input::cleared_result_buffer(words, if words.is_null() { 0 } else { capacity }, "words");
     let report = if report.is_null() { Ok(None) } else { input::output_struct(report, "report").map(Some) };
     guard_change(context, |job| {
         let (written, report, task) = (written?, report?, input::read(task, false, "task")?);
         buffer?;
         let found = search(&task, job)?;
-        input::copy((words, capacity, "words"), found.mask.words(), written, job)?;
+        input::copy_to_buffer((words, capacity, "words"), found.mask.words(), written, job)?;
         let ([row, column], min_distance) = found.least;
         if let Some(report) = report {
-            report.write(gusset_reference_report {
+            report.write_known_fields(gusset_reference_report {
                 struct_size: 0,
                 cells: found.mask.count() as u64,
                 evaluations: found.evaluations,
@@ -232,16 +232,14 @@ fn mask(
 
 /// Finds the arcs of a curve that may satisfy a task.
 ///
-/// Each segment is divided into `parts` arcs of equal parameter length, numbered along the curve.
-/// No qualifying arc is missing. GUSSET_REFERENCE_ANGLE refers to tangents, and unsigned_normals
-/// admits both directions; curvature and keep_lines are not read.
+/// Each segment has `parts` arcs of equal parameter length, numbered along the curve. No qualifying
+/// arc is missing. GUSSET_REFERENCE_ANGLE refers to tangents, unsigned_normals to both directions;
+/// curvature and keep_lines are not read.
 ///
 /// @param parts arcs of each segment, at least 1; at most 2^30 arcs in all.
-/// @param words receives one bit for each arc: arc k is bit k % 64 of word k / 64; 0 after an
-///     error. NULL with capacity 0: only the size and the report.
-/// @param capacity in words.
+/// @param words receives a bit an arc: arc k is bit k % 64 of word k / 64; 0 after an error.
 /// @param written receives the number of words.
-/// @param report row is 0, column is the point of the curve; may be NULL.
+/// @param report row is 0, column the point of the curve; may be NULL.
 /// @errors as gusset_sheet_reference_mask, EMPTY_CURVE, OUT_OF_RANGE (parts), TOO_LARGE
 /// @complexity O(arcs degree^2) for lengths; O(arcs / 64 + nodes evaluated) for the search.
 /// @source Leus, the last paragraph.
@@ -257,20 +255,19 @@ pub unsafe extern "C" fn gusset_curve_reference_mask(
     written: *mut usize,
     report: *mut gusset_reference_report,
 ) -> gusset_status {
-    mask(context, (words, capacity, written), report, task, |task, job| {
-        task.search_curve(&view(curve, "curve")?, parts, job)
+    run_and_write_search(context, (words, capacity, written), report, task, |task, job| {
+        task.search_curve(&view_of_curve(curve, "curve")?, parts, job)
     })
 }
 
-/// Approximates normals at places by Leus's sections, to third order in the size of cells.
+/// Approximates normals by Leus's sections, to third order in the size of cells.
 ///
 /// Two orthogonal planes parallel to the mean normal of the cell's corners cut the lines of the
-/// net. In each, a cubic through four crossings gives a tangent. gusset_surface_evaluate returns
-/// exact normals.
+/// net. In each, a cubic through four crossings gives a tangent. gusset_surface_evaluate is exact.
 ///
 /// @param places their sheet is not read; u and v are 0 to 1.
-/// @param normals receives x, y, z for each place; 0 if undefined or after an error.
-/// @errors NO_SUCH_ELEMENT (place: the cell does not exist, or a parameter is outside 0 to 1)
+/// @param normals receives count normals; 0 if undefined or after an error.
+/// @errors NO_SUCH_ELEMENT (place: no such cell, or a parameter outside 0 to 1)
 /// @complexity O(1) a place.
 /// @source Leus, fig. 1.
 #[unsafe(no_mangle)]
@@ -282,9 +279,9 @@ pub unsafe extern "C" fn gusset_sheet_normals_by_sections(
     count: usize,
     normals: *mut f64,
 ) -> gusset_status {
-    let out = input::cleared(normals.cast::<[f64; 3]>(), count, "normals");
+    let out = input::cleared_result_buffer(normals.cast::<[f64; 3]>(), count, "normals");
     guard_change(context, |job| {
-        let (out, sheet, places) = (out?, read(sheet)?, surface_places(places, count)?);
+        let (out, sheet, places) = (out?, sheet_of_handle(sheet)?, read_surface_places(places, count)?);
         let done = normals_at(sheet, &places, out, job).and_then(|()| Ok(job.finish()?));
         done.inspect_err(|_| out.fill([0.0; 3]))
     })

@@ -1,11 +1,11 @@
-//! Winged-edge tables: Baumgart's tables of a mesh, and boundary loops found in them.
+//! Winged-edge tables: Baumgart's tables of a mesh, and its boundary loops.
 //!
 //! @source Nesterenko, equations 1 to 3, after Baumgart.
 
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, laid_out_like, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, lent};
+use crate::capi::input::{self, choice, lend_list};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::error::Error;
@@ -14,18 +14,18 @@ use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, Wing
 
 /// Orientation of faces in a mesh.
 pub type gusset_winding = u32;
-/// Faces are counter-clockwise seen from outside. The winged-edge tables list each face in reverse,
-/// clockwise, as Baumgart does.
+/// Faces are counter-clockwise seen from outside. The tables list them in reverse, as Baumgart
+/// does.
 pub const GUSSET_FACES_COUNTER_CLOCKWISE: gusset_winding = 0;
-/// Faces are clockwise seen from outside, as in Baumgart's tables.
+/// Faces are clockwise seen from outside, as Baumgart's.
 pub const GUSSET_FACES_CLOCKWISE: gusset_winding = 1;
 
 /// Marks of an edge.
 /// @bits
 pub type gusset_winged_flags = u32;
-/// A record of an edge with three or more faces; it has one of them.
+/// A record of one face of a non-manifold edge.
 pub const GUSSET_WINGED_NON_MANIFOLD: gusset_winged_flags = 1;
-/// A record of an edge that two faces traverse in the same direction; it has one of them.
+/// A record of one face of an edge that two faces traverse in one direction.
 pub const GUSSET_WINGED_NOT_ORIENTED: gusset_winged_flags = 2;
 /// M = N, or a face of the edge has fewer than three proper edges.
 pub const GUSSET_WINGED_DEGENERATE: gusset_winged_flags = 4;
@@ -102,8 +102,8 @@ pub struct gusset_winged_view {
     pub edge_of_face: gusset_indices,
     /// An edge at each vertex, or UINT32_MAX.
     pub edge_of_vertex: gusset_indices,
-    /// Vertices of all boundary loops, loop after loop, surface on the left. Exactly one of L and R
-    /// of a boundary edge is NULL.
+    /// Vertices of all boundary loops, surface on the left. Exactly one of L and R of a boundary
+    /// edge is NULL.
     pub loop_vertices: gusset_indices,
     /// Edges of the loops; edge i starts at vertex i.
     pub loop_edges: gusset_indices,
@@ -117,9 +117,9 @@ pub struct gusset_winged_view {
 pub struct gusset_winged_faces_view {
     /// sizeof(gusset_winged_faces_view).
     pub struct_size: usize,
-    /// faces + 1 offsets, as in gusset_mesh_view.
+    /// As in gusset_mesh_view.
     pub face_offsets: gusset_indices,
-    /// Vertices of the faces in order, as in gusset_mesh_view.
+    /// As in gusset_mesh_view.
     pub face_corners: gusset_indices,
     /// Edge that leaves each corner.
     pub edge_of_half_edge: gusset_indices,
@@ -132,15 +132,13 @@ c_enum! { winding: Winding { GUSSET_FACES_COUNTER_CLOCKWISE => CounterClockwise,
 /// Makes the winged-edge tables of a mesh, and finds its boundary loops by Nesterenko's algorithm
 /// 1.
 ///
-/// An edge with three or more faces, or two in the same direction, becomes several marked records
-/// of one face each. A stitched mesh keeps the edge numbers of its first mesh. The loops equal
-/// the result of gusset_boundary_create, except that an edge with inconsistent faces is a boundary
-/// on both sides.
+/// A non-manifold edge, or one with two faces in one direction, becomes several marked records of
+/// one face each. A stitched mesh keeps the edge numbers of its first mesh. Loops are as of
+/// gusset_boundary_create, except that an edge with inconsistent faces is a boundary on both sides.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
-/// @source Nesterenko, equations 1-3 and algorithm 1; criterion 3 as "exactly one of L, R is NULL",
-///     as the text has it.
+/// @complexity O(H log d); linear memory.
+/// @source Nesterenko, equations 1-3 and algorithm 1; criterion 3 as "exactly one of L, R is NULL".
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_create(
@@ -152,7 +150,7 @@ pub unsafe extern "C" fn gusset_winged_create(
     create(context, winged, "winged", |job| {
         let winding = choice(input::read(options, true, "options")?.winding)?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let tables = WingedEdges::new(&mesh, winding, &job.part(0.2, 0.9))?;
         let loops = free_loops(&tables, &job.part(0.9, 1.0))?;
         Ok(gusset_winged { tables, loops })
@@ -166,8 +164,6 @@ pub unsafe extern "C" fn gusset_winged_destroy(winged: *mut gusset_winged) {
 }
 
 /// Lends the tables.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_get_view(
@@ -176,30 +172,29 @@ pub unsafe extern "C" fn gusset_winged_get_view(
 ) -> gusset_status {
     lend!(winged, view, |gusset_winged { tables, loops }| gusset_winged_view {
         struct_size: size_of::<gusset_winged_view>(),
-        edges: lent(tables.edges()).cast(),
+        edges: lend_list(tables.edges()).cast(),
         edge_count: tables.edges().len(),
-        edge_of_half_edge: gusset_indices::lend(tables.edge_of_half_edge()),
-        edge_of_face: gusset_indices::lend(tables.edge_of_face()),
-        edge_of_vertex: gusset_indices::lend(tables.edge_of_vertex()),
-        loop_vertices: gusset_indices::lend(&loops.vertices),
-        loop_edges: gusset_indices::lend(&loops.edges),
-        loop_offsets: gusset_indices::lend(&loops.offsets),
+        edge_of_half_edge: gusset_indices::lend_indices(tables.edge_of_half_edge()),
+        edge_of_face: gusset_indices::lend_indices(tables.edge_of_face()),
+        edge_of_vertex: gusset_indices::lend_indices(tables.edge_of_vertex()),
+        loop_vertices: gusset_indices::lend_indices(&loops.vertices),
+        loop_edges: gusset_indices::lend_indices(&loops.edges),
+        loop_offsets: gusset_indices::lend_indices(&loops.offsets),
     })
 }
 
-/// Reads the faces of a winged-edge table, and checks the records against each other.
+/// Reads the faces of a winged-edge table, and checks its records.
 ///
-/// Each face must be one cycle of at least three sides along the wings. Wings and faces must exist.
-/// A side without a face must have no wings. Marks are not read. Edges and edge_of_face of
+/// Each face must be one cycle of at least three sides along the wings. Wings and faces must exist;
+/// a side without a face lacks wings. Marks are not read. Edges and edge_of_face of
 /// gusset_winged_create give back its faces corner for corner.
 ///
-/// @param edges packed.
 /// @param edge_count 0: no faces.
 /// @param vertex_count exceeds every vertex of an edge.
-/// @param first_edges for each face, the edge where it begins. If both sides belong to the face, it
-///     begins from M to N. NULL: the lowest edge.
-/// @errors BAD_WINGS (edge), FACE_TOO_SMALL (also a face number that no side has), OUT_OF_RANGE
-///     (not one first edge for each face), TOO_LARGE
+/// @param first_edges for each face, the edge where it begins; from M to N if both sides are of the
+///     face. NULL: the lowest edge.
+/// @errors BAD_WINGS (edge), FACE_TOO_SMALL (also a face without sides), OUT_OF_RANGE
+///     (first_edges), TOO_LARGE
 /// @complexity O(edges) time and memory.
 /// @source Nesterenko, equation 2, read backwards.
 #[unsafe(no_mangle)]
@@ -216,8 +211,8 @@ pub unsafe extern "C" fn gusset_winged_faces_create(
     create(context, faces, "faces", |job| {
         let winding = choice(input::read(options, true, "options")?.winding)?;
         Error::check_count("edges", edge_count as u64, MAX_ELEMENTS)?;
-        let edges: Vec<WingedEdge> = input::list(edges.cast(), edge_count, "edges")?;
-        let first_edges = mesh::indices(first_edges, "first_edges")?;
+        let edges: Vec<WingedEdge> = input::copy_input_items(edges.cast(), edge_count, "edges")?;
+        let first_edges = mesh::read_indices(first_edges, "first_edges")?;
         Ok(gusset_winged_faces(self::faces(&edges, vertex_count, first_edges.as_deref(), winding, job)?))
     })
 }
@@ -229,8 +224,6 @@ pub unsafe extern "C" fn gusset_winged_faces_destroy(faces: *mut gusset_winged_f
 }
 
 /// Lends the faces.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_faces_get_view(
@@ -239,8 +232,8 @@ pub unsafe extern "C" fn gusset_winged_faces_get_view(
 ) -> gusset_status {
     lend!(faces, view, |gusset_winged_faces(found)| gusset_winged_faces_view {
         struct_size: size_of::<gusset_winged_faces_view>(),
-        face_offsets: gusset_indices::lend(&found.offsets),
-        face_corners: gusset_indices::lend(&found.corners),
-        edge_of_half_edge: gusset_indices::lend(&found.edges),
+        face_offsets: gusset_indices::lend_indices(&found.offsets),
+        face_corners: gusset_indices::lend_indices(&found.corners),
+        edge_of_half_edge: gusset_indices::lend_indices(&found.edges),
     })
 }

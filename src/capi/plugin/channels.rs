@@ -9,7 +9,7 @@ use std::ffi::c_void;
 
 /// Vertices.
 pub const GUSSET_PLUGIN_VERTICES: u32 = 0;
-/// Corners, in the order of face_corners.
+/// Corners, as in face_corners.
 pub const GUSSET_PLUGIN_CORNERS: u32 = 1;
 /// Faces.
 pub const GUSSET_PLUGIN_FACES: u32 = 2;
@@ -25,18 +25,18 @@ pub const GUSSET_PLUGIN_VALUE_U16: u32 = 4;
 /// 32-bit unsigned integers.
 pub const GUSSET_PLUGIN_VALUE_U32: u32 = 5;
 
-/// Weighted mean, as for colours; integers are rounded.
+/// Weighted mean; integers are rounded.
 pub const GUSSET_PLUGIN_RULE_LINEAR: u32 = 0;
 /// Directions of three floats: mean on the sphere, of length 1. Directions of faces that were
 /// turned over are negated.
 pub const GUSSET_PLUGIN_RULE_NORMAL: u32 = 1;
-/// Skin weights: weighted mean. The max_influences largest are kept, scaled to sum 1 or an integer
+/// Skin weights: weighted mean; the max_influences largest are kept, scaled to sum 1 or an integer
 /// type's largest value.
 pub const GUSSET_PLUGIN_RULE_SKIN_WEIGHTS: u32 = 2;
-/// Value of the source with the largest weight, as for materials and ids.
+/// Value of the source with the largest weight.
 pub const GUSSET_PLUGIN_RULE_NEAREST: u32 = 3;
-/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart. Otherwise
-/// each side's chart continues to a seam in the middle.
+/// Texture coordinates. Corners of new faces get the mean if both sides are on one chart; else each
+/// side's chart continues to a seam in the middle.
 pub const GUSSET_PLUGIN_RULE_TEXTURE: u32 = 4;
 
 // The plugin's constants equal the library's.
@@ -56,14 +56,14 @@ const _: () = assert!(
         && GUSSET_PLUGIN_RULE_TEXTURE == library::GUSSET_RULE_TEXTURE
 );
 
-/// Type of values, and rule that combines them. An element with one source keeps its value bit for
-/// bit. Without valued sources, it gets 0.
+/// Type of values, and rule that combines them. A single source's value stays bit for bit. Without
+/// valued sources, elements get 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_channel {
     /// sizeof(gusset_plugin_channel).
     pub struct_size: usize,
-    /// GUSSET_PLUGIN_VERTICES, GUSSET_PLUGIN_CORNERS or GUSSET_PLUGIN_FACES.
+    /// GUSSET_PLUGIN_VERTICES, _CORNERS or _FACES.
     pub domain: u32,
     /// GUSSET_PLUGIN_VALUE_...; 0 is invalid.
     pub value_type: u32,
@@ -82,9 +82,9 @@ pub struct gusset_plugin_channel {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_channel_values {
-    /// Components of each element, at each stride; NULL with count 0 if the input lacks them.
+    /// Components of each element at each stride; NULL with count 0 if lacking.
     pub values: *const c_void,
-    /// Number of vertices, corners or faces of the input.
+    /// Vertices, corners or faces of the input.
     pub count: usize,
     /// Stride of elements.
     pub stride: usize,
@@ -105,30 +105,29 @@ pub struct gusset_plugin_origins {
     pub struct_size: usize,
     /// Number of elements.
     pub count: usize,
-    /// count + 1 entries: element k has sources and weights offsets[k] to offsets[k + 1] - 1, if
-    /// any.
+    /// Element k has sources and weights offsets[k] to offsets[k + 1] - 1, if any.
     pub offsets: *const u32,
     /// Elements, numbered through all inputs.
     pub sources: *const u32,
-    /// Weight of each source, above 0, with sum 1 for each element.
+    /// Weight of each source, above 0, sum 1.
     pub weights: *const f64,
     /// Number of inputs.
     pub input_count: usize,
-    /// input_count + 1 entries: input i has sources starts[i] to starts[i + 1] - 1.
+    /// Input i has sources starts[i] to starts[i + 1] - 1.
     pub starts: *const u32,
 }
 
 versioned! { gusset_plugin_origins: 56 }
 fixed! { gusset_plugin_channel_values: 24 }
 
-/// extension("attributes/1"): transfers attributes to the outputs of runs with gusset_host.origins.
+/// extension("attributes/1"): transfers attributes to outputs of runs with gusset_host.origins.
 #[repr(C)]
 pub struct gusset_plugin_attributes {
     /// sizeof(gusset_plugin_attributes).
     pub struct_size: usize,
-    /// Returns 1 if the output has origins, otherwise 0.
+    /// Returns 1 if the output has origins, else 0.
     pub has_origins: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32) -> u32,
-    /// Gets the origins of the output's vertices, corners or faces, as domain says.
+    /// Gets the origins of the output's elements of a domain.
     pub origins: unsafe extern "C" fn(
         outputs: *const gusset_outputs,
         index: u32,
@@ -137,8 +136,8 @@ pub struct gusset_plugin_attributes {
     ) -> i32,
     /// Writes the values of the output's elements in O(elements and sources). host: as for run.
     /// inputs: one for each input of the run, in order. values: room for count elements, at least
-    /// the output's; no overlap with the inputs' values. failure: receives the reason of a failure,
-    /// with a static message; may be NULL.
+    /// the output's; no overlap with the inputs' values. failure: receives the reason, with a
+    /// static message; may be NULL.
     pub apply: unsafe extern "C" fn(
         outputs: *const gusset_outputs,
         index: u32,

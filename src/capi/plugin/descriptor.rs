@@ -9,7 +9,7 @@ pub const GUSSET_PLUGIN_ABI: u32 = 1;
 
 /// Success.
 pub const GUSSET_PLUGIN_DONE: i32 = 0;
-/// A parameter is outside its range, or an input has the wrong kind.
+/// A parameter is outside its range, or an input of the wrong kind.
 pub const GUSSET_PLUGIN_OUT_OF_RANGE: i32 = 5;
 /// Memory ran out.
 pub const GUSSET_PLUGIN_OUT_OF_MEMORY: i32 = 2000;
@@ -47,18 +47,17 @@ pub const GUSSET_PARAM_DIRECTION: u32 = 8;
 /// Plane a x + b y + c z = d: a, b, c (not all 0), d.
 pub const GUSSET_PARAM_PLANE: u32 = 9;
 
-/// The first output replaces the first input. Without this flag, outputs are new.
+/// The first output replaces the first input, else outputs are new.
 pub const GUSSET_FILTER_REPLACES: u32 = 1;
 
-/// The first output, a mesh, has elements of the inputs, so extension("attributes/1") transfers
+/// The first output, a mesh, has elements of the inputs; extension("attributes/1") transfers
 /// attributes.
 pub const GUSSET_FILTER_ORIGINS: u32 = 2;
 
 /// No input or parameter.
 pub const GUSSET_PLUGIN_NONE: u32 = u32::MAX;
 
-/// Polygon mesh, with the layout and rules of gusset_mesh_view in gusset.h. Input arrays are not
-/// copied.
+/// Polygon mesh, with the layout and rules of gusset_mesh_view in gusset.h. Inputs are not copied.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_mesh {
@@ -68,14 +67,14 @@ pub struct gusset_plugin_mesh {
     pub positions: *const c_void,
     /// Stride of positions.
     pub position_stride: usize,
-    /// Number of vertices, 1 to 2^32 - 2.
+    /// 1 to 2^32 - 2.
     pub vertex_count: usize,
     /// face_count + 1 entries from 0: face f has corners face_offsets[f] to face_offsets[f + 1] -
-    /// 1. NULL with face_size, never in outputs.
+    /// 1. NULL with face_size, not in outputs.
     pub face_offsets: *const c_void,
     /// Vertex of each corner, face by face.
     pub face_corners: *const c_void,
-    /// Number of faces, at least 1 in an input.
+    /// At least 1 in an input.
     pub face_count: usize,
     /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64; 0 is invalid.
     pub scalar: u32,
@@ -86,7 +85,7 @@ pub struct gusset_plugin_mesh {
     /// 0.
     pub reserved: u32,
     /// Representative of each vertex, itself or one that represents itself; NULL: all are separate.
-    /// Vertices with one representative are one, so seams of textures or normals are not borders.
+    /// Vertices with one representative are one, so seams are not borders.
     pub merge: *const c_void,
 }
 
@@ -98,8 +97,8 @@ versioned! {
     gusset_failure: 48,
 }
 
-/// Polylines. Curve c has points offsets[c] to offsets[c + 1] - 1. A closed curve also joins the
-/// last to the first.
+/// Polylines. Curve c has points offsets[c] to offsets[c + 1] - 1; if closed, the last joins the
+/// first.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_curves {
@@ -109,14 +108,14 @@ pub struct gusset_plugin_curves {
     pub points: *const c_void,
     /// Stride of points.
     pub point_stride: usize,
-    /// Number of points, at most 2^32 - 2.
+    /// At most 2^32 - 2.
     pub point_count: usize,
     /// curve_count + 1 32-bit entries, nondecreasing from 0 to point_count; may be NULL without
     /// curves.
     pub offsets: *const c_void,
     /// For each curve 0 (open) or 1 (closed); NULL: all open.
     pub closed: *const u8,
-    /// Number of curves, at most 2^32 - 2.
+    /// At most 2^32 - 2.
     pub curve_count: usize,
     /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64.
     pub scalar: u32,
@@ -124,7 +123,7 @@ pub struct gusset_plugin_curves {
     pub reserved: u32,
 }
 
-/// Input of a filter. All inputs of a call have the same struct_size.
+/// Input of a filter. All inputs of a call have one struct_size.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_input {
@@ -139,7 +138,7 @@ pub struct gusset_input {
 }
 
 /// Callbacks and settings of a call. Callbacks run on the calling thread. They must not throw, or
-/// pass the call's outputs to the plugin. Their texts are valid during the callback.
+/// pass the call's outputs to the plugin. Texts are valid during the callback.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_host {
@@ -147,15 +146,15 @@ pub struct gusset_host {
     pub struct_size: usize,
     /// First argument of the callbacks.
     pub user: *mut c_void,
-    /// Receives the part done, 0 to 1, nondecreasing, and the current work; may be NULL. If the run
-    /// succeeds, the last part is 1. A nonzero return cancels: run ends within 0.1 s for 1,000,000
-    /// input and output faces or points. Freeing more memory takes longer.
+    /// Receives the part done, 0 to 1, nondecreasing, at last 1 if the run succeeds, and the
+    /// current work; may be NULL. A nonzero return cancels: run ends within 0.1 s for 1,000,000
+    /// input and output faces or points; freeing more memory takes longer.
     pub progress: Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> i32>,
     /// Receives remarks that are not failures; may be NULL.
     pub log: Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>,
     /// 0: all threads of the machine; 1: the calling thread. Results do not depend on it.
     pub threads: u32,
-    /// 1: outputs get origins, if the filter has GUSSET_FILTER_ORIGINS. 0 saves time and memory.
+    /// 1: outputs get origins, if the filter has GUSSET_FILTER_ORIGINS; 0 saves time and memory.
     pub origins: u32,
 }
 
@@ -173,7 +172,7 @@ pub struct gusset_choice {
 pub struct gusset_param_info {
     /// sizeof(gusset_param_info).
     pub struct_size: usize,
-    /// Identifier for scripts and stored projects.
+    /// Identifier for scripts and projects.
     pub id: *const c_char,
     /// Dialog text.
     pub label: *const c_char,
@@ -181,11 +180,11 @@ pub struct gusset_param_info {
     pub help: *const c_char,
     /// GUSSET_PARAM_...
     pub kind: u32,
-    /// Number of values: 3 for points and directions, 4 for planes, otherwise 1.
+    /// 3 for points and directions, 4 for planes, else 1.
     pub arity: u32,
-    /// Smallest value of each component.
+    /// Least value of each component.
     pub min: f64,
-    /// Largest value of each component.
+    /// Greatest value of each component.
     pub max: f64,
     /// arity values; suggest adapts them to the inputs.
     pub default_values: *const f64,
@@ -195,11 +194,11 @@ pub struct gusset_param_info {
     pub choices: *const gusset_choice,
     /// Number of choices.
     pub choice_count: u32,
-    /// Index of its first value among the filter's values.
+    /// Its first value among the filter's values.
     pub first_value: u32,
 }
 
-/// Filter of the plugin. Its functions take this struct as filter.
+/// Filter. Its functions take this struct.
 #[repr(C)]
 pub struct gusset_filter {
     /// sizeof(gusset_filter).
@@ -220,11 +219,11 @@ pub struct gusset_filter {
     pub input_kinds: *const u32,
     /// GUSSET_KIND_... of each output.
     pub output_kinds: *const u32,
-    /// Number of input_kinds; 0 for filters without inputs.
+    /// 0 for filters without inputs.
     pub input_kind_count: u32,
-    /// Smallest number of inputs.
+    /// Least inputs.
     pub min_inputs: u32,
-    /// Largest number of inputs.
+    /// Most inputs.
     pub max_inputs: u32,
     /// Number of outputs.
     pub output_count: u32,
@@ -232,23 +231,23 @@ pub struct gusset_filter {
     pub flags: u32,
     /// Number of parameters.
     pub param_count: u32,
-    /// Number of values of all parameters, in their order.
+    /// Values of all parameters, in order.
     pub value_count: u32,
     /// 0.
     pub reserved: u32,
     /// Returns a parameter by its index.
     pub param: unsafe extern "C" fn(filter: *const gusset_filter, index: u32) -> *const gusset_param_info,
     /// Writes value_count defaults that suit the inputs, in O(size of the inputs). After a failure,
-    /// writes the plain defaults; run with the same inputs tells the reason.
+    /// writes plain defaults; run tells the reason.
     pub suggest: unsafe extern "C" fn(
         filter: *const gusset_filter,
         inputs: *const gusset_input,
         input_count: u32,
         values: *mut f64,
     ) -> i32,
-    /// Runs the filter. host: NULL for no callbacks and all threads. values: the first value_count
-    /// values; suggest gives the rest. outputs: receives the outputs, or the reason of a failure;
-    /// call output_free in both cases. *outputs is NULL only if memory ran out.
+    /// Runs the filter. host: NULL for no callbacks and all threads. values: the first value_count;
+    /// suggest gives the rest. outputs: receives the outputs or the reason of a failure; call
+    /// output_free in both cases. *outputs is NULL only if memory ran out.
     pub run: unsafe extern "C" fn(
         filter: *const gusset_filter,
         host: *const gusset_host,
@@ -270,21 +269,20 @@ pub struct gusset_failure {
     pub message: *const c_char,
     /// Status of the run.
     pub status: i32,
-    /// Index of the parameter outside its range, or GUSSET_PLUGIN_NONE.
+    /// Parameter outside its range, or GUSSET_PLUGIN_NONE.
     pub param: u32,
-    /// Index of the faulty input, or GUSSET_PLUGIN_NONE.
+    /// Faulty input, or GUSSET_PLUGIN_NONE.
     pub input: u32,
-    /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4 entry
-    /// of an array of offsets, 5 place in a loop, 6 none (index is a number of elements or bytes),
-    /// 7 point of all curves, 8 constraint on an outline, 9 place on a curve or surface, 12 section
-    /// or plane, 13 net node by rows, 14 net link (twice its first node, plus 1 if vertical), 15
-    /// net cell by rows, 16 seam, 17 bridge, 18 scene entry, 19 stream byte, 20 place along a net
-    /// side, 21 other given item, 30 knot, 31 row of a net of curves, 32 edge of a winged-edge
-    /// table. Later versions may add kinds.
+    /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4
+    /// offset, 5 place in a loop, 6 none (index is a count), 7 point of all curves, 8 constraint on
+    /// an outline, 9 place on a curve or surface, 12 section or plane, 13 net node by rows, 14 net
+    /// link (twice its first node, plus 1 if vertical), 15 net cell by rows, 16 seam, 17 bridge, 18
+    /// scene entry, 19 stream byte, 20 place along a net side, 21 other given item, 30 knot, 31 row
+    /// of a net of curves, 32 edge of a winged-edge table. Later versions may add kinds.
     pub element: u32,
     /// First faulty element.
     pub index: u64,
-    /// Value of that element, if it has one.
+    /// Its value, if any.
     pub value: f64,
 }
 
@@ -313,9 +311,9 @@ pub struct gusset_plugin {
     pub filter: unsafe extern "C" fn(index: u32) -> *const gusset_filter,
     /// Returns a filter by its id.
     pub find: unsafe extern "C" fn(id: *const c_char) -> *const gusset_filter,
-    /// Returns the filter's output_count after success, otherwise 0.
+    /// Returns the filter's output_count after success, else 0.
     pub output_count: unsafe extern "C" fn(outputs: *const gusset_outputs) -> u32,
-    /// Returns GUSSET_KIND_...; 0 if the output does not exist.
+    /// Returns GUSSET_KIND_..., or 0.
     pub output_kind: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32) -> u32,
     /// Lends the arrays of an output mesh.
     pub output_mesh:
@@ -323,14 +321,13 @@ pub struct gusset_plugin {
     /// Lends the arrays of output curves.
     pub output_curves:
         unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, curves: *mut gusset_plugin_curves) -> i32,
-    /// Returns the text, or NULL if the output is not a text.
+    /// Returns the text, or NULL.
     pub output_text: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32) -> *const c_char,
     /// Gets the reason of the run's failure.
     pub output_failure: unsafe extern "C" fn(outputs: *const gusset_outputs, failure: *mut gusset_failure) -> i32,
     /// Frees outputs; NULL is allowed.
     pub output_free: unsafe extern "C" fn(outputs: *mut gusset_outputs),
-    /// Returns a gusset_plugin_values for "values/1", a gusset_plugin_attributes for
-    /// "attributes/1".
+    /// Returns gusset_plugin_values for "values/1", gusset_plugin_attributes for "attributes/1".
     pub extension: unsafe extern "C" fn(name: *const c_char) -> *const c_void,
 }
 
@@ -339,11 +336,11 @@ pub struct gusset_plugin {
 pub struct gusset_plugin_values {
     /// sizeof(gusset_plugin_values).
     pub struct_size: usize,
-    /// Returns how many numbers the text has; 0 for other outputs.
+    /// Returns the number of numbers; 0 for other outputs.
     pub count: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32) -> u32,
-    /// Returns the name of number which, in snake_case and the same in all versions.
+    /// Returns the name of number which, in snake_case, equal in all versions.
     pub name: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, which: u32) -> *const c_char,
-    /// Returns number which; NaN if it does not exist. Flags are 0 or 1.
+    /// Returns number which, or NaN; flags are 0 or 1.
     pub value: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, which: u32) -> f64,
 }
 

@@ -3,9 +3,9 @@
 use super::descriptor::{
     GUSSET_PLUGIN_F32, GUSSET_PLUGIN_F64, gusset_host, gusset_input, gusset_plugin_curves, gusset_plugin_mesh,
 };
-use super::outcome::Fault;
+use super::outcome::RunFault;
 use crate::capi::glue::laid_out_like;
-use crate::capi::host::Callbacks;
+use crate::capi::host::HostCallbacks;
 use crate::capi::input::{self, choice};
 use crate::capi::mesh::{self, GUSSET_F32, GUSSET_F64, GivenMesh, gusset_mesh_view};
 use crate::capi::status::Failure;
@@ -26,53 +26,60 @@ laid_out_like! {
 }
 
 /// An input with its owned data. Meshes stay in the host's memory; curves are small and copied.
-pub(super) enum Given<'a> {
+pub(super) enum GivenInput<'a> {
     Mesh(GivenMesh<'a>),
     Curves(Curves),
 }
 
-impl Given<'_> {
-    pub(super) fn lend(&self) -> Input<'_> {
+impl GivenInput<'_> {
+    pub(super) fn as_filter_input(&self) -> Input<'_> {
         match self {
-            Given::Mesh(mesh) => Input::Mesh(mesh.view()),
-            Given::Curves(curves) => Input::Curves(curves),
+            GivenInput::Mesh(mesh) => Input::Mesh(mesh.mesh_view()),
+            GivenInput::Curves(curves) => Input::Curves(curves),
         }
     }
 }
 
 /// Reads and validates all inputs of a call. It checks their number before reading any, and each
 /// input's kind before its arrays.
-pub(super) fn inputs<'a>(
+pub(super) fn read_inputs<'a>(
     filter: &Filter,
     given: *const gusset_input,
     count: u32,
     job: &Job<'_>,
-) -> Result<Vec<Given<'a>>, Fault> {
+) -> Result<Vec<GivenInput<'a>>, RunFault> {
     filter.check_input_count(count as usize)?;
-    let given = input::structs(given, count as usize, "inputs")?;
+    let given = input::struct_pointers(given, count as usize, "inputs")?;
     alloc::try_collect(given.enumerate().map(|(k, one)| {
         let part = job.share(k, count as usize);
-        one.map_err(Fault::from).and_then(|one| read(filter, one, k, &part)).map_err(|fault| fault.with_input(k as u32))
+        one.map_err(RunFault::from)
+            .and_then(|one| read_input(filter, one, k, &part))
+            .map_err(|fault| fault.with_input(k as u32))
     }))
 }
 
-fn read<'a>(filter: &Filter, given: *const gusset_input, place: usize, job: &Job<'_>) -> Result<Given<'a>, Fault> {
+fn read_input<'a>(
+    filter: &Filter,
+    given: *const gusset_input,
+    place: usize,
+    job: &Job<'_>,
+) -> Result<GivenInput<'a>, RunFault> {
     let given = input::read(given, false, "inputs")?;
     let kind = choice(given.kind)?;
     filter.check_input_kind(place, kind)?;
     Ok(match kind {
-        InputKind::Mesh => Given::Mesh(mesh::checked(given.view.cast(), "view", job)?),
-        InputKind::Curves => Given::Curves(curves(given.view.cast(), job)?),
+        InputKind::Mesh => GivenInput::Mesh(mesh::read_and_validate_mesh(given.view.cast(), "view", job)?),
+        InputKind::Curves => GivenInput::Curves(read_curves(given.view.cast(), job)?),
     })
 }
 
-fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Failure> {
+fn read_curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Failure> {
     let view = input::read(view, false, "view")?;
     let scalar = choice(view.scalar)?;
     Error::check_count("points", view.point_count as u64, MAX_ELEMENTS)?;
     Error::check_count("curves", view.curve_count as u64, MAX_ELEMENTS)?;
     let size = Positions::bytes_needed(view.point_stride, view.point_count, scalar)?;
-    let points = input::bytes(view.points, size, 1, "points")?;
+    let points = input::input_bytes(view.points, size, 1, "points")?;
     let points = Positions::strided(points, view.point_stride, view.point_count, scalar)?;
     let mut found = Curves {
         points: alloc::with_capacity(view.point_count)?,
@@ -88,11 +95,11 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
         found.points.push(point);
     }
     if view.curve_count > 0 {
-        found.offsets = input::list(view.offsets.cast(), view.curve_count + 1, "offsets")?;
+        found.offsets = input::copy_input_items(view.offsets.cast(), view.curve_count + 1, "offsets")?;
         if !view.closed.is_null() {
-            let closed = input::bytes(view.closed.cast(), view.curve_count, 1, "closed")?;
+            let closed = input::input_bytes(view.closed.cast(), view.curve_count, 1, "closed")?;
             if let Some(&other) = closed.iter().find(|&&byte| byte > 1) {
-                return Err(Failure::unknown("closed", other.into()));
+                return Err(Failure::unknown_value("closed", other.into()));
             }
             found.closed = alloc::collect(closed.iter().map(|&byte| byte == 1))?;
         }
@@ -106,12 +113,12 @@ pub(super) fn wants_origins(host: *const gusset_host) -> Result<bool, Failure> {
     match input::read(host, true, "host")?.origins {
         0 => Ok(false),
         1 => Ok(true),
-        other => Err(Failure::unknown("origins", other.into())),
+        other => Err(Failure::unknown_value("origins", other.into())),
     }
 }
 
 /// Returns the host's number of threads, and its callbacks.
-pub(super) fn host(host: *const gusset_host) -> Result<(usize, Callbacks), Failure> {
+pub(super) fn read_host(host: *const gusset_host) -> Result<(usize, HostCallbacks), Failure> {
     let gusset_host { user, progress, log, threads, .. } = input::read(host, true, "host")?;
-    Ok((threads as usize, Callbacks { progress, progress_user: user, log, log_user: user }))
+    Ok((threads as usize, HostCallbacks { progress, progress_user: user, log, log_user: user }))
 }

@@ -6,20 +6,20 @@ use std::alloc::{Layout, alloc, dealloc};
 use std::ptr;
 
 /// The alignment of every block. Numbers of the interface need at most this.
-const ALIGN: usize = 16;
+const BLOCK_ALIGNMENT: usize = 16;
 
-fn layout(size: usize) -> Option<Layout> {
-    Layout::from_size_align(size, ALIGN).ok().filter(|layout| layout.size() > 0)
+fn block_layout(size: usize) -> Option<Layout> {
+    Layout::from_size_align(size, BLOCK_ALIGNMENT).ok().filter(|layout| layout.size() > 0)
 }
 
 /// Allocates `size` bytes with unspecified content. Returns NULL for 0 bytes, or if memory runs
 /// out. Never draws on the reserve for calls that cannot fail.
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_memory_allocate(size: usize) -> *mut u8 {
-    let Some(layout) = layout(size) else { return ptr::null_mut() };
+    let Some(layout) = block_layout(size) else { return ptr::null_mut() };
     // SAFETY: a layout of more than no bytes.
     let block = unsafe { alloc(layout) };
-    if reserve::holds(block) {
+    if reserve::contains_block(block) {
         // SAFETY: a block of that layout, which nobody has.
         unsafe { dealloc(block, layout) };
         return ptr::null_mut();
@@ -30,7 +30,7 @@ pub extern "C" fn gusset_memory_allocate(size: usize) -> *mut u8 {
 /// Frees a block of gusset_memory_allocate with its size; NULL is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_memory_free(block: *mut u8, size: usize) {
-    if let Some(layout) = layout(size).filter(|_| !block.is_null()) {
+    if let Some(layout) = block_layout(size).filter(|_| !block.is_null()) {
         // SAFETY: the caller's promise: a block of that layout.
         unsafe { dealloc(block, layout) };
     }
@@ -38,14 +38,14 @@ pub unsafe extern "C" fn gusset_memory_free(block: *mut u8, size: usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::{ALIGN, gusset_memory_allocate, gusset_memory_free};
+    use super::{BLOCK_ALIGNMENT, gusset_memory_allocate, gusset_memory_free};
 
     #[test]
     fn blocks_are_aligned_and_what_cannot_be_is_null() {
         assert!(gusset_memory_allocate(0).is_null() && gusset_memory_allocate(usize::MAX).is_null());
         let blocks = [1, 17, 4096].map(|size| (gusset_memory_allocate(size), size));
         for (block, size) in blocks {
-            assert!(!block.is_null() && block.addr().is_multiple_of(ALIGN));
+            assert!(!block.is_null() && block.addr().is_multiple_of(BLOCK_ALIGNMENT));
             // SAFETY: a block of that size, given back once.
             unsafe {
                 block.write_bytes(7, size);

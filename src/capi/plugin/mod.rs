@@ -36,5 +36,5 @@ pub extern "C" fn gusset_plugin_entry(host_abi: u32) -> *const gusset_plugin {
     if host_abi != GUSSET_PLUGIN_ABI {
         return ptr::null();
     }
-    catch_unwind(|| ptr::from_ref(&table::get().plugin)).unwrap_or(ptr::null())
+    catch_unwind(|| ptr::from_ref(&table::plugin_table().plugin)).unwrap_or(ptr::null())
 }

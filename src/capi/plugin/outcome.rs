@@ -11,15 +11,15 @@ use std::ffi::CString;
 
 /// Outputs of a run, or the reason of its failure.
 pub struct gusset_outputs {
-    pub(super) outputs: Vec<Held>,
+    pub(super) outputs: Vec<HeldOutput>,
     pub(super) message: CString,
-    pub(super) fault: Option<Fault>,
+    pub(super) fault: Option<RunFault>,
 }
 
 handle! { gusset_outputs }
 
 /// An output in the form that hosts read.
-pub(super) enum Held {
+pub(super) enum HeldOutput {
     Mesh(Mesh, Option<Box<Origins>>),
     Curves(Curves),
     Text(CString, Vec<(CString, f64)>),
@@ -27,67 +27,67 @@ pub(super) enum Held {
 
 impl gusset_outputs {
     pub(super) fn from_outputs(outputs: Vec<Output>) -> Result<Self> {
-        let outputs = alloc::try_collect(outputs.into_iter().map(Held::from_output))?;
+        let outputs = alloc::try_collect(outputs.into_iter().map(HeldOutput::from_output))?;
         Ok(gusset_outputs { outputs, message: CString::default(), fault: None })
     }
 
-    pub(super) fn failed(fault: Fault) -> Self {
+    pub(super) fn from_fault(fault: RunFault) -> Self {
         let message = CString::new(fault.failure.message.as_bytes()).unwrap_or_default();
         gusset_outputs { outputs: Vec::new(), message, fault: Some(fault) }
     }
 }
 
-impl Held {
+impl HeldOutput {
     fn from_output(output: Output) -> Result<Self> {
         Ok(match output {
-            Output::Mesh(mesh, origins) => Held::Mesh(mesh, origins),
+            Output::Mesh(mesh, origins) => HeldOutput::Mesh(mesh, origins),
             Output::Curves(mut curves) => {
                 // A host may read the first offset even without curves.
                 if curves.offsets.is_empty() {
                     curves.offsets = alloc::filled(0, 1)?;
                 }
-                Held::Curves(curves)
+                HeldOutput::Curves(curves)
             }
             Output::Text(report) => {
-                let named = |&(name, value): &(&str, f64)| Ok((text(name)?, value));
-                Held::Text(text(&report)?, alloc::try_collect(report.values().iter().map(named))?)
+                let named = |&(name, value): &(&str, f64)| Ok((to_c_string(name)?, value));
+                HeldOutput::Text(to_c_string(&report)?, alloc::try_collect(report.values().iter().map(named))?)
             }
         })
     }
 }
 
 /// Copies a text, which may be long, with a closing NUL.
-fn text(of: &str) -> Result<CString> {
+fn to_c_string(of: &str) -> Result<CString> {
     let mut bytes = alloc::with_capacity(of.len() + 1)?;
     bytes.extend_from_slice(of.as_bytes());
     Ok(CString::new(bytes).unwrap_or_default())
 }
 
 /// A failure, and the indices of the parameter and of the input at fault, if known.
-pub(super) struct Fault {
+pub(super) struct RunFault {
     pub(super) failure: Failure,
     pub(super) param: Option<u32>,
     pub(super) input: Option<u32>,
 }
 
-impl<F: Into<Failure>> From<F> for Fault {
+impl<F: Into<Failure>> From<F> for RunFault {
     fn from(failure: F) -> Self {
         let failure = failure.into();
         // Without an element, the failure need not concern an input.
-        let names_input = (failure.element != 0 || failure.input != 0) && !is_environment(&failure);
-        Fault { param: None, input: names_input.then_some(failure.input), failure }
+        let names_input = (failure.element != 0 || failure.input != 0) && !is_cancel_or_out_of_memory(&failure);
+        RunFault { param: None, input: names_input.then_some(failure.input), failure }
     }
 }
 
-impl Fault {
+impl RunFault {
     /// Attributes the fault to input `input`.
     pub(super) fn with_input(self, input: u32) -> Self {
-        if is_environment(&self.failure) { self } else { Fault { input: Some(input), ..self } }
+        if is_cancel_or_out_of_memory(&self.failure) { self } else { RunFault { input: Some(input), ..self } }
     }
 }
 
 /// Returns true for a cancel or a lack of memory, which are not an input's fault.
-fn is_environment(failure: &Failure) -> bool {
+fn is_cancel_or_out_of_memory(failure: &Failure) -> bool {
     use gusset_status::{GUSSET_ERROR_CANCELLED, GUSSET_ERROR_OUT_OF_MEMORY};
     matches!(failure.status, GUSSET_ERROR_CANCELLED | GUSSET_ERROR_OUT_OF_MEMORY)
 }

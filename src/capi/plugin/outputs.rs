@@ -4,10 +4,10 @@ use super::descriptor::{
     GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_KIND_TEXT, GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_F64, GUSSET_PLUGIN_NONE,
     gusset_failure, gusset_plugin_curves, gusset_plugin_mesh,
 };
-use super::outcome::{Fault, Held, gusset_outputs};
+use super::outcome::{HeldOutput, RunFault, gusset_outputs};
 use crate::capi::context::lend;
 use crate::capi::handle;
-use crate::capi::input::lent;
+use crate::capi::input::lend_list;
 use crate::capi::mesh::{self, gusset_mesh_view};
 use crate::capi::status::Failure;
 use std::ffi::{CStr, CString, c_char};
@@ -15,95 +15,103 @@ use std::ptr;
 
 impl gusset_outputs {
     /// Output `index`, if it exists.
-    pub(super) fn get(&self, index: u32) -> Result<&Held, Failure> {
-        self.outputs.get(index as usize).ok_or_else(|| Failure::no_such("output", index as usize))
+    pub(super) fn held_output(&self, index: u32) -> Result<&HeldOutput, Failure> {
+        self.outputs.get(index as usize).ok_or_else(|| Failure::no_such_element("output", index as usize))
     }
 }
 
 /// Output `index`, if it exists.
-pub(super) fn held<'a>(outputs: *const gusset_outputs, index: u32) -> Result<&'a Held, Failure> {
-    handle::get(outputs, "outputs").and_then(|outputs: &gusset_outputs| outputs.get(index))
+pub(super) fn held_output_of_handle<'a>(outputs: *const gusset_outputs, index: u32) -> Result<&'a HeldOutput, Failure> {
+    handle::get_object(outputs, "outputs").and_then(|outputs: &gusset_outputs| outputs.held_output(index))
 }
 
-pub(super) unsafe extern "C" fn count(outputs: *const gusset_outputs) -> u32 {
-    handle::get(outputs, "outputs").map_or(0, |outputs: &gusset_outputs| outputs.outputs.len() as u32)
+pub(super) unsafe extern "C" fn output_count(outputs: *const gusset_outputs) -> u32 {
+    handle::get_object(outputs, "outputs").map_or(0, |outputs: &gusset_outputs| outputs.outputs.len() as u32)
 }
 
-pub(super) unsafe extern "C" fn kind(outputs: *const gusset_outputs, index: u32) -> u32 {
-    held(outputs, index).map_or(0, |held| match held {
-        Held::Mesh(..) => GUSSET_KIND_MESH,
-        Held::Curves(_) => GUSSET_KIND_CURVES,
-        Held::Text(..) => GUSSET_KIND_TEXT,
+pub(super) unsafe extern "C" fn output_kind(outputs: *const gusset_outputs, index: u32) -> u32 {
+    held_output_of_handle(outputs, index).map_or(0, |held| match held {
+        HeldOutput::Mesh(..) => GUSSET_KIND_MESH,
+        HeldOutput::Curves(_) => GUSSET_KIND_CURVES,
+        HeldOutput::Text(..) => GUSSET_KIND_TEXT,
     })
 }
 
-pub(super) unsafe extern "C" fn mesh(outputs: *const gusset_outputs, index: u32, mesh: *mut gusset_plugin_mesh) -> i32 {
+pub(super) unsafe extern "C" fn output_mesh(
+    outputs: *const gusset_outputs,
+    index: u32,
+    mesh: *mut gusset_plugin_mesh,
+) -> i32 {
     // The layouts agree, as `inputs` asserts.
     let mesh = mesh.cast::<gusset_mesh_view>();
-    let status = lend!(outputs, mesh, |outputs| match outputs.get(index)? {
-        Held::Mesh(mesh, _) => mesh::lend(mesh),
-        _ => return Err(Failure::no_such("mesh", index as usize)),
+    let status = lend!(outputs, mesh, |outputs| match outputs.held_output(index)? {
+        HeldOutput::Mesh(mesh, _) => mesh::lend_mesh(mesh),
+        _ => return Err(Failure::no_such_element("mesh", index as usize)),
     });
     status as i32
 }
 
-pub(super) unsafe extern "C" fn curves(
+pub(super) unsafe extern "C" fn output_curves(
     outputs: *const gusset_outputs,
     index: u32,
     curves: *mut gusset_plugin_curves,
 ) -> i32 {
-    let status = lend!(outputs, curves, |outputs| match outputs.get(index)? {
-        Held::Curves(curves) => gusset_plugin_curves {
+    let status = lend!(outputs, curves, |outputs| match outputs.held_output(index)? {
+        HeldOutput::Curves(curves) => gusset_plugin_curves {
             struct_size: 0,
-            points: lent(&curves.points).cast(),
+            points: lend_list(&curves.points).cast(),
             point_stride: size_of::<[f64; 3]>(),
             point_count: curves.points.len(),
-            offsets: lent(&curves.offsets).cast(),
+            offsets: lend_list(&curves.offsets).cast(),
             // A bool is a byte, 0 or 1.
-            closed: lent(&curves.closed).cast(),
+            closed: lend_list(&curves.closed).cast(),
             curve_count: curves.closed.len(),
             scalar: GUSSET_PLUGIN_F64,
             reserved: 0,
         },
-        _ => return Err(Failure::no_such("set of curves", index as usize)),
+        _ => return Err(Failure::no_such_element("set of curves", index as usize)),
     });
     status as i32
 }
 
-pub(super) unsafe extern "C" fn text(outputs: *const gusset_outputs, index: u32) -> *const c_char {
-    match held(outputs, index) {
-        Ok(Held::Text(text, _)) => text.as_ptr(),
+pub(super) unsafe extern "C" fn output_text(outputs: *const gusset_outputs, index: u32) -> *const c_char {
+    match held_output_of_handle(outputs, index) {
+        Ok(HeldOutput::Text(text, _)) => text.as_ptr(),
         _ => ptr::null(),
     }
 }
 
 /// Returns the values of output `index`; empty unless it is a text.
-fn values<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, f64)] {
-    match held(outputs, index) {
-        Ok(Held::Text(_, values)) => values,
+fn values_of_text<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, f64)] {
+    match held_output_of_handle(outputs, index) {
+        Ok(HeldOutput::Text(_, values)) => values,
         _ => &[],
     }
 }
 
-pub(super) unsafe extern "C" fn value_count(outputs: *const gusset_outputs, index: u32) -> u32 {
-    values(outputs, index).len() as u32
+pub(super) unsafe extern "C" fn output_value_count(outputs: *const gusset_outputs, index: u32) -> u32 {
+    values_of_text(outputs, index).len() as u32
 }
 
-pub(super) unsafe extern "C" fn value_name(outputs: *const gusset_outputs, index: u32, which: u32) -> *const c_char {
-    values(outputs, index).get(which as usize).map_or(ptr::null(), |(name, _)| name.as_ptr())
+pub(super) unsafe extern "C" fn output_value_name(
+    outputs: *const gusset_outputs,
+    index: u32,
+    which: u32,
+) -> *const c_char {
+    values_of_text(outputs, index).get(which as usize).map_or(ptr::null(), |(name, _)| name.as_ptr())
 }
 
-pub(super) unsafe extern "C" fn value(outputs: *const gusset_outputs, index: u32, which: u32) -> f64 {
-    values(outputs, index).get(which as usize).map_or(f64::NAN, |&(_, value)| value)
+pub(super) unsafe extern "C" fn output_value(outputs: *const gusset_outputs, index: u32, which: u32) -> f64 {
+    values_of_text(outputs, index).get(which as usize).map_or(f64::NAN, |&(_, value)| value)
 }
 
-pub(super) unsafe extern "C" fn failure(outputs: *const gusset_outputs, failure: *mut gusset_failure) -> i32 {
-    let status = lend!(outputs, failure, |outputs| report(outputs.fault.as_ref(), &outputs.message));
+pub(super) unsafe extern "C" fn output_failure(outputs: *const gusset_outputs, failure: *mut gusset_failure) -> i32 {
+    let status = lend!(outputs, failure, |outputs| failure_report(outputs.fault.as_ref(), &outputs.message));
     status as i32
 }
 
 /// Returns the failure that the host receives, or the absence of one.
-pub(super) fn report(fault: Option<&Fault>, message: &CStr) -> gusset_failure {
+pub(super) fn failure_report(fault: Option<&RunFault>, message: &CStr) -> gusset_failure {
     let mut report = gusset_failure {
         struct_size: 0,
         message: message.as_ptr(),
@@ -124,6 +132,6 @@ pub(super) fn report(fault: Option<&Fault>, message: &CStr) -> gusset_failure {
     report
 }
 
-pub(super) unsafe extern "C" fn free(outputs: *mut gusset_outputs) {
+pub(super) unsafe extern "C" fn free_outputs(outputs: *mut gusset_outputs) {
     handle::destroy(outputs);
 }

@@ -2,25 +2,25 @@
 
 use crate::capi::context::{create, guard_change, gusset_context};
 use crate::capi::glue::fixed;
-use crate::capi::input::{self, choice, fill};
+use crate::capi::input::{self, choice, fill_buffer};
 use crate::capi::net::arrange::gusset_direction;
 use crate::capi::net::join::gusset_concatenate_options;
-use crate::capi::net::{gusset_net, read};
-use crate::capi::scene::{gusset_scene, scene};
+use crate::capi::net::{gusset_net, net_of_handle};
+use crate::capi::scene::{gusset_scene, scene_of_handle};
 use crate::capi::status::gusset_status;
 use crate::capi::transform::gusset_transform;
 use crate::net::scene::{Instance, Scene};
 use crate::net::{BridgeMode, Direction, JoinOptions};
 
-/// Instance: one path from a top-level entry to an entry.
+/// Instance: a path from top level to an entry.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_scene_instance {
-    /// Map into the space of the scene.
+    /// Map into the scene's space.
     pub world: gusset_transform,
     /// The entry.
     pub entry: u32,
-    /// Instance of the enclosing group; UINT32_MAX at top level.
+    /// Instance of the enclosing group, or UINT32_MAX.
     pub parent: u32,
     /// 1 unless the entry or an enclosing group is hidden.
     /// @flag
@@ -33,9 +33,8 @@ fixed! { gusset_scene_instance: 112 }
 
 /// Writes all instances: each after its group, children in order.
 ///
-/// @param instances room for capacity instances; NULL and capacity 0 to count.
-/// @param capacity size of instances.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param instances receives the instances.
+/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24 instances)
 /// @complexity O(entries + instances).
 #[unsafe(no_mangle)]
@@ -47,11 +46,11 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
         let written = written?;
-        let scene = self::scene(scene)?;
-        fill((instances, capacity, "instances"), scene.instance_count()?, written, job, || {
+        let scene = self::scene_of_handle(scene)?;
+        fill_buffer((instances, capacity, "instances"), scene.instance_count()?, written, job, || {
             Ok(scene.instances(job)?.into_iter().map(|Instance { entry, parent, visible, world }| {
                 let (world, visible) = (world.into(), visible.into());
                 gusset_scene_instance { world, entry, parent, visible, reserved: 0 }
@@ -60,14 +59,13 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
     })
 }
 
-/// Joins all visible nets into one, in the space of the scene.
+/// Joins all visible nets into one, in the scene's space.
 ///
-/// Mirrored nets are flipped if necessary: turn counts as 1. gusset_scene_unflatten_create is the
-/// inverse.
+/// Mirrored nets are flipped: turn counts as 1. gusset_scene_unflatten_create is the inverse.
 ///
 /// @param options NULL: nets from top to bottom, with hidden bridges.
-/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or too many nodes),
-///     as gusset_net_concatenate_create
+/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), as
+///     gusset_net_concatenate_create
 /// @complexity O(entries + instances + nodes).
 /// @source Deryagin, scenes as "a single whole".
 #[unsafe(no_mangle)]
@@ -84,14 +82,13 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
         } else {
             input::read(options, false, "options")?.checked()?
         };
-        Ok(gusset_net::new(self::scene(scene)?.flatten(&options, job)?))
+        Ok(gusset_net::new(self::scene_of_handle(scene)?.flatten(&options, job)?))
     })
 }
 
-/// Splits a net at the last-made bridges of a direction from side to side. The parts form one
-/// group, entry 0.
+/// Splits a net at the last-made bridges of a direction from side to side, into one group, entry 0.
 ///
-/// Parts keep their bits in the space of net; copies that equalised sizes are removed.
+/// Parts keep their bits in net's space; copies that equalised sizes are removed.
 ///
 /// @errors CROSSING_CELL
 /// @complexity O(nodes).
@@ -103,5 +100,7 @@ pub unsafe extern "C" fn gusset_scene_unflatten_create(
     direction: gusset_direction,
     scene: *mut *mut gusset_scene,
 ) -> gusset_status {
-    create(context, scene, "scene", |job| Ok(gusset_scene(Scene::from_flat_net(read(net)?, choice(direction)?, job)?)))
+    create(context, scene, "scene", |job| {
+        Ok(gusset_scene(Scene::from_flat_net(net_of_handle(net)?, choice(direction)?, job)?))
+    })
 }

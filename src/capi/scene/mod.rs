@@ -13,7 +13,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::capi::transform::gusset_transform;
 use crate::job::Job;
 use crate::net::Net;
-use crate::net::scene::{Content, EntryChanges, Scene};
+use crate::net::scene::{EntryChanges, EntryContent, Scene};
 use std::sync::Arc;
 
 /// Kind of a scene entry.
@@ -25,7 +25,7 @@ pub const GUSSET_SCENE_NET: gusset_scene_entry_kind = 0;
 /// Group of entries.
 pub const GUSSET_SCENE_GROUP: gusset_scene_entry_kind = 1;
 
-/// Scene: nets in nested groups. An entry may belong to several groups. Indices are never reused.
+/// Scene: nets in nested groups. Entries may belong to several groups; indices are never reused.
 pub struct gusset_scene(pub(crate) Scene);
 
 handle! { gusset_scene }
@@ -36,7 +36,7 @@ handle! { gusset_scene }
 pub struct gusset_scene_entry_report {
     /// sizeof(gusset_scene_entry_report).
     pub struct_size: usize,
-    /// Map into the space of its groups.
+    /// Map into its groups' space.
     pub transform: gusset_transform,
     /// Entries in a group; 0 for a net.
     pub child_count: usize,
@@ -47,21 +47,21 @@ pub struct gusset_scene_entry_report {
     pub visible: u32,
 }
 
-/// Size of a scene. A top-level entry is outside all groups.
+/// Size of a scene. Top-level entries are outside all groups.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_scene_report {
     /// sizeof(gusset_scene_report).
     pub struct_size: usize,
-    /// Instances, each a path from a top-level entry; at most UINT64_MAX.
+    /// Instances: paths from top-level entries; at most UINT64_MAX.
     pub instances: u64,
-    /// Instances that are nets.
+    /// Instances of nets.
     pub net_instances: u64,
     /// Entries that are nets.
     pub nets: u32,
     /// Entries that are groups.
     pub groups: u32,
-    /// Length of the longest path, in entries; 0 for an empty scene.
+    /// Entries of the longest path; 0 for an empty scene.
     pub levels: u32,
     /// 0.
     pub reserved: u32,
@@ -69,18 +69,18 @@ pub struct gusset_scene_report {
 
 versioned! { gusset_scene_entry_report: 120, gusset_scene_report: 40 }
 
-pub(crate) fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
-    Ok(&handle::get(scene, "scene")?.0)
+pub(crate) fn scene_of_handle<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
+    Ok(&handle::get_object(scene, "scene")?.0)
 }
 
-fn changed<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene, Failure> {
-    job.memory()?;
-    Ok(&mut handle::get_mut(scene, "scene")?.0)
+fn scene_of_handle_mut<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene, Failure> {
+    job.check_memory()?;
+    Ok(&mut handle::get_object_mut(scene, "scene")?.0)
 }
 
 /// Shares the current net of the caller, for a scene; `None` for NULL.
-fn shared(net: *const gusset_net) -> Result<Option<Arc<Net<'static>>>, Failure> {
-    if net.is_null() { Ok(None) } else { Ok(Some(handle::get(net, "net")?.share()?)) }
+fn share_net_of_handle(net: *const gusset_net) -> Result<Option<Arc<Net<'static>>>, Failure> {
+    if net.is_null() { Ok(None) } else { Ok(Some(handle::get_object(net, "net")?.share_net()?)) }
 }
 
 /// Makes an empty scene.
@@ -101,9 +101,9 @@ pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
     handle::destroy(scene);
 }
 
-/// Adds a net, as it is now, or an empty group as a top-level entry.
+/// Adds a net, as it is now, or an empty group at top level.
 ///
-/// @param net the net; NULL adds a group.
+/// @param net NULL adds a group.
 /// @param entry receives its index.
 /// @errors TOO_LARGE
 /// @complexity O(1); O(nodes) for a net in the caller's memory.
@@ -115,10 +115,10 @@ pub unsafe extern "C" fn gusset_scene_add(
     net: *const gusset_net,
     entry: *mut u32,
 ) -> gusset_status {
-    let entry = input::output(entry, u32::MAX, "entry");
+    let entry = input::cleared_output(entry, u32::MAX, "entry");
     guard_change(context, |job| {
-        let (entry, net) = (entry?, shared(net)?);
-        let scene = changed(scene, job)?;
+        let (entry, net) = (entry?, share_net_of_handle(net)?);
+        let scene = scene_of_handle_mut(scene, job)?;
         *entry = match net {
             Some(net) => scene.add_net(net)?,
             None => scene.add_group()?,
@@ -127,13 +127,13 @@ pub unsafe extern "C" fn gusset_scene_add(
     })
 }
 
-/// Appends an entry to a group. An entry may occur in it repeatedly.
+/// Appends an entry to a group, perhaps repeatedly.
 ///
 /// @param group the group.
 /// @param child the entry.
-/// @errors NO_SUCH_ELEMENT (no such entry, or group is a net), SCENE_CYCLE
-/// @complexity O(1) for a child without children or a top-level group, else O(fewer of the entries
-///     below child and above group).
+/// @errors NO_SUCH_ELEMENT (also if group is a net), SCENE_CYCLE
+/// @complexity O(1) for a child without children or a top-level group, else O(fewer entries of
+///     those below child and above group).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add_child(
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn gusset_scene_add_child(
     group: u32,
     child: u32,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(changed(scene, job)?.add_child(group, child)?))
+    guard_change(context, |job| Ok(scene_of_handle_mut(scene, job)?.add_child(group, child)?))
 }
 
 /// Removes the first occurrence of an entry from a group.
@@ -159,7 +159,7 @@ pub unsafe extern "C" fn gusset_scene_remove_child(
     group: u32,
     child: u32,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(changed(scene, job)?.remove_child(group, child)?))
+    guard_change(context, |job| Ok(scene_of_handle_mut(scene, job)?.remove_child(group, child)?))
 }
 
 /// Removes an entry from the scene and its groups; its children stay.
@@ -174,7 +174,7 @@ pub unsafe extern "C" fn gusset_scene_remove(
     scene: *mut gusset_scene,
     entry: u32,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(changed(scene, job)?.remove(entry)?))
+    guard_change(context, |job| Ok(scene_of_handle_mut(scene, job)?.remove(entry)?))
 }
 
 /// Change of visibility.
@@ -183,7 +183,7 @@ pub type gusset_visibility = u32;
 pub const GUSSET_VISIBILITY_KEEP: gusset_visibility = 0;
 /// Shows the entry.
 pub const GUSSET_VISIBILITY_SHOW: gusset_visibility = 1;
-/// Hides the entry with all its children.
+/// Hides the entry and its children.
 pub const GUSSET_VISIBILITY_HIDE: gusset_visibility = 2;
 
 /// Changes of an entry. Default: none.
@@ -194,7 +194,7 @@ pub struct gusset_scene_changes {
     pub struct_size: usize,
     /// New net, as it is now; NULL: no change.
     pub net: *const gusset_net,
-    /// New map into the space of its groups, finite; NULL: no change.
+    /// New map into its groups' space, finite; NULL: no change.
     pub transform: *const gusset_transform,
     /// Change of visibility.
     pub visibility: gusset_visibility,
@@ -207,7 +207,6 @@ versioned! { gusset_scene_changes: 32 reserved }
 /// Changes the net, transform or visibility of an entry.
 ///
 /// @param entry the entry.
-/// @param changes the changes.
 /// @errors NO_SUCH_ELEMENT (also if a group would get a net), OUT_OF_RANGE (transform)
 /// @complexity O(1); O(nodes) for a net in the caller's memory.
 #[unsafe(no_mangle)]
@@ -222,16 +221,16 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
         let given = input::read(changes, false, "changes")?;
         let transform = (!given.transform.is_null()).then(|| input::reference(given.transform, "transform"));
         let changes = EntryChanges {
-            net: shared(given.net)?,
+            net: share_net_of_handle(given.net)?,
             transform: transform.transpose()?.map(|&transform| transform.into()),
             visible: match given.visibility {
                 GUSSET_VISIBILITY_KEEP => None,
                 GUSSET_VISIBILITY_SHOW => Some(true),
                 GUSSET_VISIBILITY_HIDE => Some(false),
-                other => return Err(Failure::unknown("visibility", other.into())),
+                other => return Err(Failure::unknown_value("visibility", other.into())),
             },
         };
-        Ok(changed(scene, job)?.set_entry(entry, changes)?)
+        Ok(scene_of_handle_mut(scene, job)?.set_entry(entry, changes)?)
     })
 }
 
@@ -239,7 +238,6 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
 ///
 /// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_get_entry(
@@ -249,8 +247,8 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
 ) -> gusset_status {
     lend!(scene, report, |gusset_scene(scene)| {
         let (kind, child_count) = match scene.content(entry)? {
-            Content::Net(_) => (GUSSET_SCENE_NET, 0),
-            Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
+            EntryContent::Net(_) => (GUSSET_SCENE_NET, 0),
+            EntryContent::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
         };
         let (transform, visible) = (scene.transform(entry)?.into(), scene.is_visible(entry)?.into());
         gusset_scene_entry_report {
@@ -263,7 +261,7 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
     })
 }
 
-/// Makes a handle of an entry's net. It shares memory until changed.
+/// Makes a handle of an entry's net, which shares memory until changed.
 ///
 /// @param entry the entry.
 /// @errors NO_SUCH_ELEMENT (also for a group)
@@ -276,15 +274,14 @@ pub unsafe extern "C" fn gusset_scene_net_create(
     entry: u32,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::from_shared(self::scene(scene)?.net(entry)?.clone())))
+    create(context, net, "net", |_| Ok(gusset_net::from_shared(self::scene_of_handle(scene)?.net(entry)?.clone())))
 }
 
 /// Writes the entries of a group, in order.
 ///
 /// @param group the group.
-/// @param children room for capacity entries; NULL and capacity 0 to count.
-/// @param capacity size of children.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param children receives the entries.
+/// @param written receives the count.
 /// @errors NO_SUCH_ELEMENT (also for a net), BUFFER_TOO_SMALL
 /// @complexity O(children).
 #[unsafe(no_mangle)]
@@ -297,14 +294,19 @@ pub unsafe extern "C" fn gusset_scene_get_children(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
         let written = written?;
-        input::copy((children, capacity, "children"), self::scene(scene)?.children(group)?, written, job)
+        input::copy_to_buffer(
+            (children, capacity, "children"),
+            self::scene_of_handle(scene)?.children(group)?,
+            written,
+            job,
+        )
     })
 }
 
-/// Counts the contents of a scene.
+/// Counts the contents.
 ///
 /// @complexity O(entries + children).
 #[unsafe(no_mangle)]

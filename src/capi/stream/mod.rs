@@ -3,12 +3,12 @@
 use crate::capi::context::{answer_struct, create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, Choice, flag, lent};
+use crate::capi::input::{self, Choice, flag, lend_list};
 use crate::capi::mesh::gusset_scalar;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::MAX_NODES;
-use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode_within, encode};
+use crate::net::stream::{StreamDecoder, StreamInfo, StreamMode, StreamOptions, decode_within, encode};
 use std::ffi::c_void;
 use std::ptr;
 
@@ -18,7 +18,7 @@ pub type gusset_stream_mode = u32;
 pub const GUSSET_STREAM_QUANTISED: gusset_stream_mode = 0;
 /// Compressed bit for bit, including NaN.
 pub const GUSSET_STREAM_LOSSLESS: gusset_stream_mode = 1;
-/// Uncompressed little-endian matrices, aligned to 64 bytes for memory mapping.
+/// Uncompressed little-endian matrices, aligned to 64 bytes.
 pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
 
 /// Options of gusset_net_encode_create.
@@ -27,14 +27,13 @@ pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
 pub struct gusset_stream_options {
     /// sizeof(gusset_stream_options).
     pub struct_size: usize,
-    /// Rows of each independently coded block. 0: about 2^17 nodes a block, or one block for RAW.
+    /// Rows of each independently coded block; 0: about 2^17 nodes, or all for RAW.
     pub rows_per_block: usize,
     /// Storage of coordinates in a stream.
     pub mode: gusset_stream_mode,
     /// QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     pub bits: u32,
-    /// QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else
-    /// 0.
+    /// QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
     /// @flag
     pub per_axis: u32,
     /// 0.
@@ -47,17 +46,17 @@ pub struct gusset_stream_options {
 pub struct gusset_stream_report {
     /// sizeof(gusset_stream_report).
     pub struct_size: usize,
-    /// Rows of nodes.
+    /// Node rows.
     pub rows: usize,
-    /// Columns of nodes.
+    /// Node columns.
     pub columns: usize,
-    /// Rows of each block; the last may have fewer.
+    /// Rows of a block; the last may have fewer.
     pub rows_per_block: usize,
     /// Bytes before the first block.
     pub prelude_size: u64,
-    /// QUANTISED: coordinates of level 0; level k is at origin + k * step. Else 0.
+    /// QUANTISED: level 0; level k is at origin + k * step. Else 0.
     pub origin: [f64; 3],
-    /// QUANTISED: distance of levels. Coordinates are off by at most step / 2 and half a unit in
+    /// QUANTISED: distance of levels; coordinates are off by at most step / 2 and half a unit in
     /// the last place. Else 0.
     pub step: [f64; 3],
     /// Type of coordinates.
@@ -83,7 +82,7 @@ pub struct gusset_stream_view {
     pub struct_size: usize,
     /// First byte.
     pub data: *const c_void,
-    /// Number of bytes.
+    /// Bytes.
     pub size: usize,
 }
 
@@ -97,16 +96,18 @@ versioned! { gusset_stream_options: 32 reserved, gusset_stream_report: 104, guss
 impl gusset_stream_options {
     fn checked(self) -> Result<StreamOptions, Failure> {
         let mode = match (self.mode, self.bits) {
-            (GUSSET_STREAM_QUANTISED, 0) => Mode::Quantised { bits: 14 },
-            (GUSSET_STREAM_QUANTISED, bits) => Mode::Quantised { bits },
-            (GUSSET_STREAM_LOSSLESS, 0) => Mode::Lossless,
-            (GUSSET_STREAM_RAW, 0) => Mode::Raw,
-            (GUSSET_STREAM_LOSSLESS | GUSSET_STREAM_RAW, bits) => return Err(Failure::unknown("bits", bits.into())),
-            (other, _) => return Err(Failure::unknown("mode", other.into())),
+            (GUSSET_STREAM_QUANTISED, 0) => StreamMode::Quantised { bits: 14 },
+            (GUSSET_STREAM_QUANTISED, bits) => StreamMode::Quantised { bits },
+            (GUSSET_STREAM_LOSSLESS, 0) => StreamMode::Lossless,
+            (GUSSET_STREAM_RAW, 0) => StreamMode::Raw,
+            (GUSSET_STREAM_LOSSLESS | GUSSET_STREAM_RAW, bits) => {
+                return Err(Failure::unknown_value("bits", bits.into()));
+            }
+            (other, _) => return Err(Failure::unknown_value("mode", other.into())),
         };
         let per_axis = flag(self.per_axis, "per_axis")?;
-        if per_axis && !matches!(mode, Mode::Quantised { .. }) {
-            return Err(Failure::unknown("per_axis", self.per_axis.into()));
+        if per_axis && !matches!(mode, StreamMode::Quantised { .. }) {
+            return Err(Failure::unknown_value("per_axis", self.per_axis.into()));
         }
         Ok(StreamOptions { mode, per_axis, rows_per_block: self.rows_per_block })
     }
@@ -114,12 +115,12 @@ impl gusset_stream_options {
 
 /// Encodes a net as a stream: coordinates, gluing and bridges.
 ///
-/// - QUANTISED and LOSSLESS store one node of each glued point, and decoding repeats its bits.
-///   LOSSLESS stores all if their bits differ.
+/// - QUANTISED and LOSSLESS store one node of each glued point, whose bits decoding repeats;
+///   LOSSLESS stores all if bits differ.
 /// - QUANTISED replaces missing nodes by three NaN.
 ///
-/// @errors OUT_OF_RANGE (bits; for QUANTISED, a coordinate above a quarter of the largest double)
-/// @complexity O(nodes); threads share the blocks.
+/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double)
+/// @complexity O(nodes), parallel by blocks.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_encode_create(
@@ -130,13 +131,11 @@ pub unsafe extern "C" fn gusset_net_encode_create(
 ) -> gusset_status {
     create(context, stream, "stream", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        Ok(gusset_stream(encode(read(net)?, &options, job)?))
+        Ok(gusset_stream(encode(net_of_handle(net)?, &options, job)?))
     })
 }
 
-/// Lends the bytes of a stream.
-///
-/// @complexity O(1).
+/// Lends the bytes.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_get_view(
@@ -145,7 +144,7 @@ pub unsafe extern "C" fn gusset_stream_get_view(
 ) -> gusset_status {
     lend!(stream, view, |gusset_stream(bytes)| gusset_stream_view {
         struct_size: 0,
-        data: lent(bytes).cast(),
+        data: lend_list(bytes).cast(),
         size: bytes.len(),
     })
 }
@@ -159,8 +158,8 @@ pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
 /// Reads the header of a stream.
 ///
 /// @param data the first 128 bytes or more.
-/// @param size number of bytes.
-/// @errors BAD_STREAM (with the byte)
+/// @param size bytes.
+/// @errors BAD_STREAM (byte)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -171,11 +170,11 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     report: *mut gusset_stream_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |_| {
-        let info = StreamInfo::read(input::bytes(data, size, 1, "data")?)?;
+        let info = StreamInfo::read(input::input_bytes(data, size, 1, "data")?)?;
         let (mode, bits) = match info.mode {
-            Mode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
-            Mode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
-            Mode::Raw => (GUSSET_STREAM_RAW, 0),
+            StreamMode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
+            StreamMode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
+            StreamMode::Raw => (GUSSET_STREAM_RAW, 0),
         };
         Ok(gusset_stream_report {
             struct_size: 0,
@@ -195,14 +194,13 @@ pub unsafe extern "C" fn gusset_stream_inspect(
 
 /// Decodes a stream to a net.
 ///
-/// Damaged and malicious streams do no harm. Memory is at most 4096 nodes, or 96 KiB, for each byte
-/// of the stream.
+/// Damaged and malicious streams do no harm: memory is at most 4096 nodes, or 96 KiB, a byte.
 ///
-/// @param data the whole stream, at any alignment.
-/// @param size number of bytes.
-/// @param node_limit largest number of nodes, checked before allocation; 0: no further limit.
-/// @errors BAD_STREAM (with the byte), TOO_LARGE
-/// @complexity O(nodes); threads share the blocks.
+/// @param data the whole stream.
+/// @param size bytes.
+/// @param node_limit most nodes, checked before allocation; 0: no limit.
+/// @errors BAD_STREAM (byte), TOO_LARGE
+/// @complexity O(nodes), parallel by blocks.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_decode_create(
@@ -213,16 +211,15 @@ pub unsafe extern "C" fn gusset_net_decode_create(
     net: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, net, "net", |job| {
-        let data = input::bytes(data, size, 1, "data")?;
+        let data = input::input_bytes(data, size, 1, "data")?;
         let limit = if node_limit == 0 { u64::MAX } else { node_limit };
         Ok(gusset_net::new(decode_within(data, limit, job)?))
     })
 }
 
-/// Makes a decoder of a stream that arrives in pieces.
+/// Makes a decoder.
 ///
-/// @param node_limit largest number of nodes; 0: 2^31 - 1. Memory is allocated before the stream is
-///     complete.
+/// @param node_limit most nodes; 0: 2^31 - 1. Memory is allocated before the stream is complete.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -237,15 +234,15 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
     })
 }
 
-/// Passes the next bytes of a stream to a decoder.
+/// Passes the next bytes to a decoder.
 ///
-/// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and every further call
-/// returns it.
+/// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and further calls return
+/// it.
 ///
-/// @param data any number of bytes, at any alignment.
-/// @param size number of bytes.
-/// @param rows_done receives the number of complete rows so far; may be NULL.
-/// @errors BAD_STREAM (with the byte), TOO_LARGE
+/// @param data any number of bytes.
+/// @param size bytes.
+/// @param rows_done receives the count of complete rows, or NULL.
+/// @errors BAD_STREAM (byte), TOO_LARGE
 /// @complexity O(bytes + nodes of completed blocks).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -256,11 +253,11 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     size: usize,
     rows_done: *mut usize,
 ) -> gusset_status {
-    let rows_done = input::optional_output(rows_done, 0, "rows_done");
+    let rows_done = input::cleared_optional_output(rows_done, 0, "rows_done");
     guard_change(context, |_| {
         let rows_done = rows_done?;
-        let decoder = handle::get_mut(decoder, "decoder")?;
-        input::set(rows_done, decoder.0.push(input::bytes(data, size, 1, "data")?)?);
+        let decoder = handle::get_object_mut(decoder, "decoder")?;
+        input::set_optional_output(rows_done, decoder.0.push(input::input_bytes(data, size, 1, "data")?)?);
         Ok(())
     })
 }
@@ -276,12 +273,12 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
     decoder: *const gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| Ok(gusset_net::new(handle::get(decoder, "decoder")?.0.preview(job)?)))
+    create(context, net, "net", |job| Ok(gusset_net::new(handle::get_object(decoder, "decoder")?.0.preview(job)?)))
 }
 
 /// Makes the net of a complete stream, and resets the decoder.
 ///
-/// @errors BAD_STREAM (incomplete stream), as gusset_stream_decoder_push
+/// @errors BAD_STREAM (incomplete), as gusset_stream_decoder_push
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -290,11 +287,11 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
     decoder: *mut gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    let slot = input::output(net, ptr::null_mut(), "net");
+    let slot = input::cleared_output(net, ptr::null_mut(), "net");
     guard_change(context, |job| {
-        let (slot, decoder) = (slot?, handle::get_mut(decoder, "decoder")?);
+        let (slot, decoder) = (slot?, handle::get_object_mut(decoder, "decoder")?);
         job.finish()?;
-        *slot = handle::give(handle::boxed(gusset_net::new(decoder.0.finish()?)));
+        *slot = handle::into_handle(handle::boxed(gusset_net::new(decoder.0.finish()?)));
         Ok(())
     })
 }

@@ -3,9 +3,9 @@
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, lent};
+use crate::capi::input::{self, lend_list};
 use crate::capi::status::gusset_status;
-use crate::capi::surface::{gusset_surface, read};
+use crate::capi::surface::{gusset_surface, surface_of_handle};
 use crate::surface::Region;
 use gusset_base::alloc;
 
@@ -15,13 +15,13 @@ use gusset_base::alloc;
 pub struct gusset_surface_cell {
     /// Index of the sheet.
     pub sheet: u32,
-    /// Row of the cell.
+    /// Its row.
     pub row: u32,
-    /// Column of the cell.
+    /// Its column.
     pub column: u32,
 }
 
-/// Cells of a surface, or pairs of cells of two.
+/// Cells, or pairs of cells.
 pub struct gusset_surface_cells {
     cells: Vec<gusset_surface_cell>,
     others: Vec<gusset_surface_cell>,
@@ -32,14 +32,13 @@ pub struct gusset_surface_cells {
 
 handle! { gusset_surface_cells }
 
-/// Lent cells. For a region `others` is NULL; for pairs, the fields below it are NULL or 0.
+/// Lent cells. Region: `others` is NULL; pairs: the fields below it are NULL or 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_cells_view {
     /// sizeof(gusset_surface_cells_view).
     pub struct_size: usize,
-    /// Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both
-    /// sheets, then row, column.
+    /// Cells by sheet, row, column. Pairs: cells of the first surface by both sheets, row, column.
     /// @shape cell_count
     pub cells: *const gusset_surface_cell,
     /// Number of cells or pairs.
@@ -51,8 +50,8 @@ pub struct gusset_surface_cells_view {
     /// @shape cell_count
     /// @flag
     pub whole: *const u32,
-    /// One bit for each cell of all sheets, 1 in the region. Cell (i, j) of sheet k with c columns
-    /// has bit b = first[k] + i * c + j: mask[b / 64] >> (b % 64) & 1.
+    /// A bit for each cell, 1 in the region. Cell (i, j) of sheet k with c columns has bit b =
+    /// first[k] + i * c + j: mask[b / 64] >> (b % 64) & 1.
     /// @shape word_count
     pub mask: *const u64,
     /// Words of the mask.
@@ -69,12 +68,12 @@ fixed! { gusset_surface_cell: 12 }
 
 /// Finds the cells that have a point within a radius of a query.
 ///
-/// No cell is missed. A returned cell may lie outside by the tolerance, or more if bounded work
-/// cannot decide.
+/// No cell is missed; a cell may lie outside by the tolerance, or more if bounded work cannot
+/// decide.
 ///
-/// @param query x, y, z, up to 1e150.
+/// @param query up to 1e150.
 /// @param radius at least 0; INFINITY: all cells.
-/// @errors NOT_FINITE, OUT_OF_RANGE (radius; a coordinate beyond 1e150)
+/// @errors NOT_FINITE, OUT_OF_RANGE (radius, query)
 /// @complexity O(cells found), and one bit a cell.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -86,7 +85,7 @@ pub unsafe extern "C" fn gusset_surface_region_create(
     cells: *mut *mut gusset_surface_cells,
 ) -> gusset_status {
     create(context, cells, "cells", |job| {
-        let (surface, query) = (read(surface)?, input::vector(query, "query")?);
+        let (surface, query) = (surface_of_handle(surface)?, input::read_vector(query, "query")?);
         let Region { cells, whole, mask, first } = surface.region(query, radius, job)?;
         let cell = |[sheet, row, column]: [u32; 3]| gusset_surface_cell { sheet, row, column };
         Ok(gusset_surface_cells {
@@ -101,7 +100,7 @@ pub unsafe extern "C" fn gusset_surface_region_create(
 
 /// Finds the pairs of cells of two surfaces that may be within a distance of each other.
 ///
-/// No pair is missed; a few pairs may be farther apart.
+/// No pair is missed; a few may be farther apart.
 ///
 /// @param within a length, finite; 0: cells that may meet.
 /// @errors OUT_OF_RANGE (within), TOO_LARGE (above 2^26 pairs)
@@ -116,7 +115,7 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
     cells: *mut *mut gusset_surface_cells,
 ) -> gusset_status {
     create(context, cells, "cells", |job| {
-        let found = read(surface)?.candidates(&handle::get(other, "other")?.0, within, job)?;
+        let found = surface_of_handle(surface)?.candidates(&handle::get_object(other, "other")?.0, within, job)?;
         let part = |which: usize| {
             alloc::collect(found.iter().map(move |pair| {
                 let [row, column] = pair.cells[which];
@@ -129,8 +128,6 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
 }
 
 /// Lends the cells.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_cells_get_view(
@@ -139,13 +136,13 @@ pub unsafe extern "C" fn gusset_surface_cells_get_view(
 ) -> gusset_status {
     lend!(cells, view, |found| gusset_surface_cells_view {
         struct_size: 0,
-        cells: lent(&found.cells),
+        cells: lend_list(&found.cells),
         cell_count: found.cells.len(),
-        others: lent(&found.others),
-        whole: lent(&found.whole),
-        mask: lent(&found.mask),
+        others: lend_list(&found.others),
+        whole: lend_list(&found.whole),
+        mask: lend_list(&found.mask),
         word_count: found.mask.len(),
-        first: lent(&found.first),
+        first: lend_list(&found.first),
         sheet_count: found.first.len().saturating_sub(1),
     })
 }

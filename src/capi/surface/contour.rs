@@ -4,7 +4,7 @@ use crate::capi::context::{answer_struct, create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, flag};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, read};
+use crate::capi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, surface_of_handle};
 use crate::surface::contour::{Planes, PointSpacing};
 use glam::DVec3;
 
@@ -12,13 +12,13 @@ use glam::DVec3;
 pub type gusset_spacing_rule = u32;
 /// Points on the surface that keep chords within 1e-4 of its box diagonal.
 pub const GUSSET_POINT_SPACING_AUTO: gusset_spacing_rule = 0;
-/// Points on the surface that keep chords within `chord`, sampled at the middle and quarters of
-/// each. Where nodes are far apart, the distance may be larger.
+/// Points on the surface that keep chords within `chord`, sampled at the middle and quarters.
+/// Larger distances are possible where nodes are far apart.
 pub const GUSSET_POINT_SPACING_CHORD: gusset_spacing_rule = 1;
 /// No points.
 pub const GUSSET_POINT_SPACING_CELL_EDGES: gusset_spacing_rule = 2;
 /// `points` points on the cubic through four crossings, near the surface. Each has the place of the
-/// crossing before it. Fourth order where crossings are evenly spaced.
+/// crossing before. Fourth order where crossings are evenly spaced.
 pub const GUSSET_POINT_SPACING_LEUS: gusset_spacing_rule = 3;
 
 /// Density of points on curves.
@@ -27,8 +27,7 @@ pub const GUSSET_POINT_SPACING_LEUS: gusset_spacing_rule = 3;
 pub struct gusset_contour_options {
     /// sizeof(gusset_contour_options).
     pub struct_size: usize,
-    /// A length above 0, finite. Values below the surface's
-    /// tolerance act as the tolerance.
+    /// A length above 0, finite; at least the surface's tolerance applies.
     /// @when spacing GUSSET_POINT_SPACING_CHORD
     pub chord: f64,
     /// Curve points between crossings with cell sides.
@@ -40,16 +39,16 @@ pub struct gusset_contour_options {
 
 /// The function whose contours are drawn.
 pub type gusset_contour_kind = u32;
-/// Signed distance from the plane through `point` with the normal `direction`. Contours are
-/// sections by parallel planes.
+/// Signed distance from the plane through `point` with the normal `direction`: sections by parallel
+/// planes.
 pub const GUSSET_CONTOUR_HEIGHT: gusset_contour_kind = 0;
 /// Values at cell corners, interpolated like the surface.
 pub const GUSSET_CONTOUR_VALUES: gusset_contour_kind = 1;
-/// Angle between the normal and `direction`. Contours are isophotes; at pi / 2 they are silhouettes
-/// seen along `direction`.
+/// Angle between the normal and `direction`: isophotes, at pi / 2 silhouettes seen along
+/// `direction`.
 pub const GUSSET_CONTOUR_ANGLE: gusset_contour_kind = 2;
 
-/// A function on a surface. Only the fields of its kind are read.
+/// A function on a surface. Only the fields of its kind are read; they name it without prefix.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_contour_function {
@@ -57,20 +56,20 @@ pub struct gusset_contour_function {
     pub struct_size: usize,
     /// The function whose contours are drawn.
     pub kind: gusset_contour_kind,
-    /// For GUSSET_CONTOUR_ANGLE. 1: a normal and its opposite are equal.
+    /// ANGLE. 1: a normal and its opposite are equal.
     pub unsigned_normals: u32,
-    /// For GUSSET_CONTOUR_HEIGHT: x, y, z of a point at height 0.
+    /// HEIGHT: a point at height 0.
     pub point: [f64; 3],
-    /// For GUSSET_CONTOUR_HEIGHT and GUSSET_CONTOUR_ANGLE: x, y, z, not 0.
+    /// HEIGHT, ANGLE: not 0.
     pub direction: [f64; 3],
-    /// For GUSSET_CONTOUR_VALUES: finite, sheet after sheet, row after row; (rows + 1) x (columns +
-    /// 1) for each sheet. The closing line of a closed direction is not read.
+    /// VALUES: finite, sheet after sheet, row after row, (rows + 1) x (columns + 1) a sheet. A
+    /// closing line is not read.
     pub values: *const f64,
-    /// The number of values.
+    /// Number of values.
     pub value_count: usize,
 }
 
-/// The normal whose angle is nearest to a given angle.
+/// The normal nearest to a given angle.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct gusset_nearest_angle_report {
@@ -78,13 +77,13 @@ pub struct gusset_nearest_angle_report {
     pub struct_size: usize,
     /// Place of the normal.
     pub place: gusset_surface_place,
-    /// x, y, z of the place.
+    /// Point at the place.
     pub point: [f64; 3],
     /// The unit normal.
     pub normal: [f64; 3],
     /// Angle between normal and direction.
     pub angle: f64,
-    /// Difference from the given angle. Infinite, and all else 0, if the surface lacks normals.
+    /// Difference from the given angle; infinite, and all else 0, if the surface lacks normals.
     pub deviation: f64,
     /// Lower bound of all deviations, within 1e-9 of `deviation` unless the proof fails.
     pub bound: f64,
@@ -93,47 +92,43 @@ pub struct gusset_nearest_angle_report {
 versioned! { gusset_contour_options: 24, gusset_contour_function: 80, gusset_nearest_angle_report: 112 }
 
 /// Converts the caller's spacing of the points between crossings.
-pub(crate) fn spacing(spacing: gusset_spacing_rule, chord: f64, points: u32) -> Result<PointSpacing, Failure> {
+pub(crate) fn to_point_spacing(spacing: gusset_spacing_rule, chord: f64, points: u32) -> Result<PointSpacing, Failure> {
     Ok(match spacing {
         GUSSET_POINT_SPACING_AUTO => PointSpacing::Auto,
         GUSSET_POINT_SPACING_CHORD => PointSpacing::Chord(chord),
         GUSSET_POINT_SPACING_CELL_EDGES => PointSpacing::CellEdges,
         GUSSET_POINT_SPACING_LEUS => PointSpacing::Leus(points),
-        other => return Err(Failure::unknown("spacing", other.into())),
+        other => return Err(Failure::unknown_value("spacing", other.into())),
     })
 }
 
-/// Draws contours of a function on a surface: sections by planes, contours of values, or isophotes.
+/// Draws contours of a function.
 ///
 /// Curves are ordered by level, then by lowest cell. Seen against the normals, the function
-/// increases to the left of a curve; angles decrease to the left. A section runs along direction x
-/// normal.
+/// increases to the left of a curve (angles decrease): a section runs along direction x normal.
 ///
-/// Every curve is found, even within one cell. On a closed surface all curves are closed. Curves no
-/// larger than the tolerance are listed as unresolved.
+/// Every curve is found, even within one cell; curves up to the tolerance in size are unresolved.
+/// On a closed surface all curves are closed.
 ///
 /// Sections: a corner on a plane counts as above it.
 /// - A plane that touches corners from below gives neither a curve nor an unresolved cell.
-/// - A plane that touches from above gives closed curves round the contact, however narrow: along a
-///   row of corners, there and back.
-/// - If a plane touches or contains the surface elsewhere within rounding, the cells are
-///   unresolved.
+/// - A plane that touches from above gives closed curves round the contact, however narrow: there
+///   and back along a row of corners.
+/// - Where a plane touches or contains the surface elsewhere within rounding, cells are unresolved.
 ///
 /// Isophotes:
-/// - At the angles 0 and pi, points replace curves, as paths of one point.
+/// - At the angles 0 and pi, paths are single points.
 /// - Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves follow the common
 ///   side.
 /// - Poles that may have the angle are unresolved.
 /// - Angles are accurate to third order; GUSSET_CONTOUR_VALUES of their cosines, to fourth.
 ///
-/// @param levels rising values of the function; angles from 0 to pi, or to pi / 2 for unsigned
-///     normals.
-/// @errors OUT_OF_RANGE (non-finite numbers, zero direction, levels not rising, angle, chord,
-///     points), COUNT_DIFFERS (too few values), TOO_LARGE (too many values; 2^32 points),
-///     NOT_FINITE (value)
+/// @param levels rising values; angles 0 to pi, or to pi / 2 for unsigned normals.
+/// @errors OUT_OF_RANGE (non-finite numbers, zero direction, levels, angle, chord, points),
+///     COUNT_DIFFERS (too few values), TOO_LARGE (too many values; 2^32 points), NOT_FINITE (value)
 /// @complexity About O(count + crossed cells), parallel; O(values) for values; O(cells) once for
 ///     angles.
-/// @source Leus, "Carcasses on smooth surfaces", tasks b and d.
+/// @source Leus, tasks b and d.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_contours_create(
@@ -146,9 +141,10 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
     paths: *mut *mut gusset_surface_paths,
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
-        let (surface, options) = (read(surface)?, input::read(options, true, "options")?);
-        let between = spacing(options.spacing, options.chord, options.points)?;
-        let (function, levels) = (input::read(function, false, "function")?, input::list(levels, count, "levels")?);
+        let (surface, options) = (surface_of_handle(surface)?, input::read(options, true, "options")?);
+        let between = to_point_spacing(options.spacing, options.chord, options.points)?;
+        let (function, levels) =
+            (input::read(function, false, "function")?, input::copy_input_items(levels, count, "levels")?);
         let [point, direction] = [function.point, function.direction].map(DVec3::from_array);
         let unsigned = flag(function.unsigned_normals, "unsigned_normals")?;
         let found = match function.kind {
@@ -156,23 +152,23 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
                 surface.section(&Planes { point, normal: direction, levels: &levels }, between, job)?
             }
             GUSSET_CONTOUR_VALUES => {
-                let values = input::list(function.values, function.value_count, "values")?;
+                let values = input::copy_input_items(function.values, function.value_count, "values")?;
                 surface.contours(&values, &levels, between, job)?
             }
             GUSSET_CONTOUR_ANGLE => surface.isophotes(direction, &levels, unsigned, between, job)?,
-            other => return Err(Failure::unknown("kind", other.into())),
+            other => return Err(Failure::unknown_value("kind", other.into())),
         };
         Ok(found.try_into()?)
     })
 }
 
-/// Finds the normal whose angle with a direction is nearest to a given angle, proved to 1e-9.
+/// Finds the normal whose angle with a direction is nearest to a given one, proved to 1e-9.
 ///
-/// @param direction x, y, z, not 0.
+/// @param direction not 0.
 /// @param angle 0 to pi, or to pi / 2 for unsigned normals.
 /// @param unsigned_normals 1: a normal and its opposite are equal.
 /// @errors OUT_OF_RANGE
-/// @complexity About O(cells whose normals come near the angle), parallel; O(cells) once.
+/// @complexity About O(cells with normals near the angle), parallel; O(cells) once.
 /// @source Leus, task b.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -185,8 +181,8 @@ pub unsafe extern "C" fn gusset_surface_nearest_angle(
     report: *mut gusset_nearest_angle_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let (surface, unsigned) = (read(surface)?, flag(unsigned_normals, "unsigned_normals")?);
-        let direction = input::vector(direction, "direction")?;
+        let (surface, unsigned) = (surface_of_handle(surface)?, flag(unsigned_normals, "unsigned_normals")?);
+        let direction = input::read_vector(direction, "direction")?;
         let none = gusset_nearest_angle_report { deviation: f64::INFINITY, ..Default::default() };
         Ok(surface.nearest_angle(direction, angle, unsigned, job)?.map_or(none, |found| gusset_nearest_angle_report {
             struct_size: 0,

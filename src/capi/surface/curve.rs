@@ -2,11 +2,11 @@
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::intersect::gusset_places;
-use crate::capi::curve::{gusset_curve, points, view};
+use crate::capi::curve::{gusset_curve, read_points, view_of_curve};
 use crate::capi::handle;
 use crate::capi::input::{choice, flag};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::line_intersection::{gusset_line, lines};
+use crate::capi::surface::line_intersection::{gusset_line, read_lines};
 use crate::capi::surface::sheet::{gusset_scheme, gusset_sheet};
 use crate::surface::curve_through;
 
@@ -17,15 +17,14 @@ pub const GUSSET_ALONG_ROWS: gusset_sheet_direction = 0;
 /// Along columns: v is constant.
 pub const GUSSET_ALONG_COLUMNS: gusset_sheet_direction = 1;
 
-/// Draws a curve through points as sheets are drawn through nodes: fourth-order, a cubic between
-/// adjacent points.
+/// Draws a curve through points as sheets through nodes: fourth-order, a cubic between adjacent
+/// points.
 ///
-/// @param nodes x, y, z, finite; at least 2. If closed: at least 4, and the last repeats the first
-///     (closed paths of a surface lack it).
+/// @param nodes finite; at least 2. If closed: at least 4, and the last repeats the first.
 /// @param closed 0 or 1.
 /// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
-/// @source Leus, "Carcasses on smooth surfaces".
+/// @source Leus.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_through_create(
@@ -38,11 +37,11 @@ pub unsafe extern "C" fn gusset_curve_through_create(
 ) -> gusset_status {
     create(context, curve, "curve", |job| {
         let (scheme, closed) = (choice(scheme)?, flag(closed, "closed")?);
-        Ok(gusset_curve(curve_through(&points(nodes, count, 3)?, closed, scheme, job)?))
+        Ok(gusset_curve(curve_through(&read_points(nodes, count, 3)?, closed, scheme, job)?))
     })
 }
 
-/// Makes an exact coordinate curve of a sheet, one segment for each cell.
+/// Makes an exact coordinate curve of a sheet, one segment a cell.
 ///
 /// @param parameter the constant u or v, 0 to the number of cells in its direction.
 /// @errors OUT_OF_RANGE (parameter)
@@ -57,24 +56,23 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |job| {
-        let sheet = &handle::get(sheet, "sheet")?.0;
+        let sheet = &handle::get_object(sheet, "sheet")?.0;
         Ok(gusset_curve(match along {
             GUSSET_ALONG_ROWS => sheet.row_curve(parameter, job)?,
             GUSSET_ALONG_COLUMNS => sheet.column_curve(parameter, job)?,
-            other => return Err(Failure::unknown("along", other.into())),
+            other => return Err(Failure::unknown_value("along", other.into())),
         }))
     })
 }
 
-/// Finds where a curve meets a line, ray or segment, or comes within a distance of it.
+/// Finds where a curve meets a line, or comes within a distance of it.
 ///
-/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches. Otherwise
-/// it has the minima of distance, each once. The other places have segment 0 and the line's
-/// parameter as t.
+/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches, else the
+/// minima of distance, each once. `others` have segment 0 and the line's parameter as t.
 ///
 /// @param within a length, finite; in space raised to 1e-12 of the curve's size.
 /// @param places overlaps are parts that stay within the distance or cannot be separated.
-/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line that is not finite or has no direction)
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line not finite or without direction)
 /// @complexity Bounded for each segment whose box meets the line.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -86,8 +84,8 @@ pub unsafe extern "C" fn gusset_curve_intersect_line_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let (curve, line) = (view(curve, "curve")?, lines(line, 1)?[0]);
+        let (curve, line) = (view_of_curve(curve, "curve")?, read_lines(line, 1)?[0]);
         let found = line.meetings(&curve, within, &job.part(0.0, 0.9))?;
-        gusset_places::from_meetings(&found, &curve, &job.part(0.9, 1.0))
+        gusset_places::from_near_misses(&found, &curve, &job.part(0.9, 1.0))
     })
 }

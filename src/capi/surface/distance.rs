@@ -1,13 +1,13 @@
-//! Distances: Nearest points of a surface and a line, a plane, a curve or another surface.
+//! Distances: Nearest points of a surface and a line, plane, curve or surface.
 
 use crate::capi::context::{answer_struct, gusset_context};
-use crate::capi::curve::{gusset_curve, gusset_place, view};
+use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::line_intersection::{gusset_line, lines};
-use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::capi::surface::line_intersection::{gusset_line, read_lines};
+use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
 use crate::surface::Approach;
 use glam::DVec3;
 
@@ -22,7 +22,7 @@ pub const GUSSET_TARGET_CURVE: gusset_target_kind = 2;
 /// The surface `surface`.
 pub const GUSSET_TARGET_SURFACE: gusset_target_kind = 3;
 
-/// An object from which distance is measured. Only the fields of its kind are read.
+/// An object to measure from. Only the fields of its kind are read; they name it without prefix.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_target {
@@ -32,15 +32,15 @@ pub struct gusset_target {
     pub kind: gusset_target_kind,
     /// 0.
     pub reserved: u32,
-    /// For GUSSET_TARGET_LINE.
+    /// LINE.
     pub line: gusset_line,
-    /// For GUSSET_TARGET_PLANE: x, y, z, -1e150 to 1e150.
+    /// PLANE: -1e150 to 1e150.
     pub point: [f64; 3],
-    /// For GUSSET_TARGET_PLANE: x, y, z, not 0.
+    /// PLANE: not 0.
     pub normal: [f64; 3],
-    /// For GUSSET_TARGET_CURVE: any degree; coordinates -1e150 to 1e150.
+    /// CURVE: any degree; coordinates -1e150 to 1e150.
     pub curve: *const gusset_curve,
-    /// For GUSSET_TARGET_SURFACE.
+    /// SURFACE.
     pub surface: *const gusset_surface,
 }
 
@@ -48,35 +48,35 @@ pub struct gusset_target {
 /// @bits
 pub type gusset_distance_flags = u32;
 /// `bound` is within the tolerance of the distance, or within 2^-45 of the greatest coordinate. Not
-/// set: the proof takes too long; `bound` still holds.
+/// set: the proof takes too long; `bound` holds.
 pub const GUSSET_DISTANCE_PROVEN: gusset_distance_flags = 1;
-/// Surface and target meet at the points, except for rounding, and the distance is 0.
+/// Surface and target meet up to rounding; the distance is 0.
 pub const GUSSET_DISTANCE_MEETS: gusset_distance_flags = 2;
 
-/// The nearest points of a surface and a target.
+/// Nearest points of a surface and a target.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_distance_report {
     /// sizeof(gusset_distance_report).
     pub struct_size: usize,
-    /// Place of the surface's nearest point.
+    /// Place of the surface's point.
     pub place: gusset_surface_place,
-    /// x, y, z of the surface's nearest point.
+    /// The surface's point.
     pub point: [f64; 3],
     /// Unit normal at `point`; at a pole its limit; 0 if undefined.
     pub normal: [f64; 3],
-    /// x, y, z of the target's nearest point.
+    /// The target's point.
     pub other_point: [f64; 3],
-    /// Distance of the points.
+    /// Their distance.
     pub distance: f64,
     /// Proved lower bound of the distance.
     pub bound: f64,
-    /// For a surface: place of its nearest point; else 0.
+    /// SURFACE: place of its point; else 0.
     pub other_place: gusset_surface_place,
-    /// For a curve: place of its nearest point; else 0.
+    /// CURVE: place of its point; else 0.
     pub curve_place: gusset_place,
-    /// For a line: parameter of its nearest point. For a plane: signed distance, negative on the
-    /// side opposite to its normal. Else 0.
+    /// LINE: parameter of its point. PLANE: signed distance, negative opposite to its normal. Else
+    /// 0.
     pub parameter: f64,
     /// Properties of a distance.
     pub flags: gusset_distance_flags,
@@ -107,18 +107,17 @@ impl gusset_distance_report {
     }
 }
 
-/// Finds the nearest points of a surface and a line, a plane, a curve or another surface.
+/// Finds the nearest points of a surface and a target.
 ///
-/// Among equally near pairs of points, the choice is deterministic. If much of the surface is
-/// equally near, as a tube to its axis, the proof may fail. If a plane meets the surface, the
-/// points lie on the section.
+/// Among equally near pairs, the choice is deterministic. If much of the surface is equally near,
+/// the proof may fail. If a plane meets the surface, the points lie on the section.
 ///
-/// @param tolerance length to which the distance is proved, finite; 0: the surface's tolerance, or
-///     the greater of two.
-/// @errors OUT_OF_RANGE (tolerance; fields of `line`; a plane not finite, too large or without
-///     direction; a curve too large), EMPTY_CURVE
+/// @param tolerance length to which the distance is proved, finite; 0: the surface's, or the
+///     greater of two.
+/// @errors OUT_OF_RANGE (tolerance; `line`; a plane not finite, too large or without direction; a
+///     curve too large), EMPTY_CURVE
 /// @complexity About O(log cells), at most 50,000 pairs of pieces.
-/// @source Leus, "Carcasses on smooth surfaces", tasks c to e.
+/// @source Leus, tasks c to e.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_distance(
@@ -129,12 +128,12 @@ pub unsafe extern "C" fn gusset_surface_distance(
     report: *mut gusset_distance_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let (surface, target) = (read(surface)?, input::read(target, false, "target")?);
+        let (surface, target) = (surface_of_handle(surface)?, input::read(target, false, "target")?);
         let tolerance = (tolerance != 0.0).then_some(tolerance);
         let field = |failure: Failure| failure.with_field("target");
         Ok(match target.kind {
             GUSSET_TARGET_LINE => {
-                let found = surface.distance_to_line(&lines(&raw const target.line, 1)?[0], tolerance, job)?;
+                let found = surface.distance_to_line(&read_lines(&raw const target.line, 1)?[0], tolerance, job)?;
                 gusset_distance_report { parameter: found.other, ..gusset_distance_report::new(&found) }
             }
             GUSSET_TARGET_PLANE => {
@@ -143,15 +142,16 @@ pub unsafe extern "C" fn gusset_surface_distance(
                 gusset_distance_report { parameter: found.other, ..gusset_distance_report::new(&found) }
             }
             GUSSET_TARGET_CURVE => {
-                let found = surface.distance_to_curve(&view(target.curve, "curve").map_err(field)?, tolerance, job)?;
+                let found =
+                    surface.distance_to_curve(&view_of_curve(target.curve, "curve").map_err(field)?, tolerance, job)?;
                 gusset_distance_report { curve_place: found.other.into(), ..gusset_distance_report::new(&found) }
             }
             GUSSET_TARGET_SURFACE => {
-                let other = handle::get(target.surface, "surface").map_err(field)?;
+                let other = handle::get_object(target.surface, "surface").map_err(field)?;
                 let found = surface.distance_to_surface(&other.0, tolerance, job)?;
                 gusset_distance_report { other_place: found.other.into(), ..gusset_distance_report::new(&found) }
             }
-            other => return Err(Failure::unknown("kind", other.into())),
+            other => return Err(Failure::unknown_value("kind", other.into())),
         })
     })
 }

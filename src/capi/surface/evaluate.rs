@@ -1,26 +1,25 @@
 //! Points: Points, normals and curvatures at places of a surface.
 
 use crate::capi::context::{guard_change, gusset_context};
-use crate::capi::curve::times;
+use crate::capi::curve::checked_product;
 use crate::capi::glue::{c_enum, fixed};
 use crate::capi::input::{self, Choice};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
 use crate::error::{Element, Error};
 use crate::surface::{LocalGeometry, NormalKind, Place};
 use gusset_base::alloc;
 
 /// Kind of a normal.
 pub type gusset_normal_kind = u32;
-/// Undefined: the tangents are 0, or parallel along all lines to the point.
+/// Undefined: tangents are 0, or parallel along all lines to the point.
 pub const GUSSET_NORMAL_NONE: gusset_normal_kind = 0;
 /// Normal of the tangent plane.
 pub const GUSSET_NORMAL_REGULAR: gusset_normal_kind = 1;
 /// Limit along the coordinate line where the tangents span no plane, as at poles.
 pub const GUSSET_NORMAL_LIMIT: gusset_normal_kind = 2;
 
-/// Point, derivatives, normal and curvatures at a place. Derivatives refer to the parameters in the
-/// cell.
+/// Point, derivatives by the cell's parameters, normal and curvatures at a place.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_point {
@@ -38,13 +37,11 @@ pub struct gusset_surface_point {
     pub vv: [f64; 3],
     /// Unit normal along S_u x S_v; 0 if undefined.
     pub normal: [f64; 3],
-    /// For GUSSET_NORMAL_LIMIT: largest angle to the limits along other lines. Small at a smooth
-    /// pole, large at a cone's tip.
+    /// For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines.
     pub spread: f64,
-    /// Principal curvatures, the greater first; positive where the surface bends towards the
-    /// normal.
+    /// Principal curvatures, the greater first; positive if bent towards the normal.
     pub principal: [f64; 2],
-    /// Principal directions: two unit tangents, x, y, z each.
+    /// Principal directions: two unit tangents.
     /// @shape 2 3
     pub directions: [f64; 6],
     /// Mean curvature.
@@ -53,7 +50,7 @@ pub struct gusset_surface_point {
     pub gaussian: f64,
     /// Kind of a normal.
     pub normal_kind: gusset_normal_kind,
-    /// 1: curvatures are given; 0: the surface is not regular, and they are 0.
+    /// 0: not regular; curvatures are 0.
     /// @flag
     pub is_curved: u32,
 }
@@ -88,21 +85,21 @@ impl From<LocalGeometry> for gusset_surface_point {
 }
 
 /// Places located between two progress reports.
-const LOCATED: usize = 1 << 20;
+const PLACES_PER_REPORT: usize = 1 << 20;
 
 /// Reads the caller's places on a surface, at any alignment.
-pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
+pub(crate) fn read_surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
     let place = |(k, given): (usize, gusset_surface_place)| match given.reserved {
         0 => Ok(Place { sheet: given.sheet, cell: [given.row, given.column], u: given.u, v: given.v }),
-        other => Err(Failure::unknown("reserved", other.into()).with_item(k)),
+        other => Err(Failure::unknown_value("reserved", other.into()).with_item(k)),
     };
-    alloc::try_collect(input::items(data, count, "places")?.enumerate().map(place))
+    alloc::try_collect(input::input_items(data, count, "places")?.enumerate().map(place))
 }
 
-/// Evaluates points, derivatives, normals and curvatures at places of a surface.
+/// Evaluates a surface at places.
 ///
 /// @param results receives count points; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (place: sheet or cell does not exist, or a parameter is outside 0 to 1)
+/// @errors NO_SUCH_ELEMENT (place: no such sheet or cell, or a parameter outside 0 to 1)
 /// @complexity O(1) a place, at a pole O(cells round it); parallel.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -113,9 +110,9 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     count: usize,
     results: *mut gusset_surface_point,
 ) -> gusset_status {
-    let results = input::cleared(results, count, "results");
+    let results = input::cleared_result_buffer(results, count, "results");
     guard_change(context, |job| {
-        let (results, surface, places) = (results?, read(surface)?, surface_places(places, count)?);
+        let (results, surface, places) = (results?, surface_of_handle(surface)?, read_surface_places(places, count)?);
         let found = surface.evaluate(&places, job)?;
         job.finish()?;
         results.iter_mut().zip(found).for_each(|(result, local)| *result = local.into());
@@ -123,15 +120,14 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     })
 }
 
-/// Converts parameters of a whole sheet to places: node (i, j) has u = i and v = j.
+/// Converts parameters of a sheet to places: node (i, j) has u = i and v = j.
 ///
-/// Parameters wrap round in closed directions, and are clamped to open sides. A place has the
-/// parameters row + u and column + v.
+/// Parameters wrap round in closed directions, and are clamped to open sides.
 ///
 /// @param sheet index.
-/// @param parameters u, v of each place, packed.
+/// @param parameters u, v of each place.
 /// @param places receives count places; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if the sheet does not exist)
+/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if no such sheet)
 /// @complexity O(1) a place.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -143,13 +139,13 @@ pub unsafe extern "C" fn gusset_surface_locate(
     count: usize,
     places: *mut gusset_surface_place,
 ) -> gusset_status {
-    let places = input::cleared(places, count, "places");
+    let places = input::cleared_result_buffer(places, count, "places");
     guard_change(context, |job| {
-        let (places, surface) = (places?, read(surface)?);
-        let bytes = input::bytes(parameters.cast(), times(count, 2, "parameters")?, 8, "parameters")?;
+        let (places, surface) = (places?, surface_of_handle(surface)?);
+        let bytes = input::input_bytes(parameters.cast(), checked_product(count, 2, "parameters")?, 8, "parameters")?;
         let mut found = alloc::with_capacity(count)?;
         for (k, pair) in bytes.chunks_exact(16).enumerate() {
-            job.step_every(LOCATED, k, count, "locating")?;
+            job.step_every(PLACES_PER_REPORT, k, count, "locating")?;
             let place = surface.place(sheet as usize, bytemuck::pod_read_unaligned(pair));
             found.push(gusset_surface_place::from(
                 place.map_err(|_| Error::NoSuch { element: Element::Place, index: k as u64 })?,

@@ -1,25 +1,24 @@
-//! Lines: Intersections of lines, rays, segments and curves with a surface.
+//! Lines: Hits of lines and curves on a surface.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
-use crate::capi::curve::{gusset_curve, gusset_place, view};
+use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, lent};
+use crate::capi::input::{self, choice, lend_list};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
 use crate::curve::Place;
 use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line, Lines};
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+/// A line, ray or segment: origin + t * direction for t from `from` to `to`.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_line {
-    /// x, y, z of the point at t = 0; -1e150 to 1e150.
+    /// Point at t = 0; -1e150 to 1e150.
     pub origin: [f64; 3],
-    /// x, y, z. Its squared length must not underflow or overflow: lengths from 1e-150 to 1e150 are
-    /// safe.
+    /// The squared length must not underflow or overflow: 1e-150 to 1e150 is safe.
     pub direction: [f64; 3],
     /// Least t: -INFINITY for a line, 0 for a ray or segment; not INFINITY.
     pub from: f64,
@@ -33,7 +32,7 @@ pub type gusset_hit_selection = u32;
 pub const GUSSET_HITS_ALL: gusset_hit_selection = 0;
 /// The first hit.
 pub const GUSSET_HITS_FIRST: gusset_hit_selection = 1;
-/// Any one hit, if one exists.
+/// Any one hit.
 pub const GUSSET_HITS_ANY: gusset_hit_selection = 2;
 
 /// Kind of a hit.
@@ -44,23 +43,22 @@ pub const GUSSET_HIT_NONE: gusset_hit_kind = 0;
 pub const GUSSET_HIT_CROSSING: gusset_hit_kind = 1;
 /// It touches within the tolerance, in one point, two close points, or none.
 pub const GUSSET_HIT_TOUCH: gusset_hit_kind = 2;
-/// It runs in the surface, within the tolerance, over the whole span.
+/// It runs in the surface within the tolerance, over the whole span.
 pub const GUSSET_HIT_INSIDE: gusset_hit_kind = 3;
 
 /// A common point of a surface and a line or curve.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_hit {
-    /// Parameter on the line; for a curve, segment number + parameter on the segment.
+    /// Parameter on the line; for a curve, segment + parameter in it.
     pub t: f64,
-    /// Parameters between which line and surface agree within the tolerance; at a crossing, t
-    /// twice.
+    /// Parameters between which both agree within the tolerance; at a crossing, t twice.
     pub span: [f64; 2],
     /// Place on the surface.
     pub place: gusset_surface_place,
-    /// x, y, z on the surface.
+    /// Point on the surface.
     pub point: [f64; 3],
-    /// x, y, z of the unit normal; at a pole its limit; 0 if undefined.
+    /// Unit normal; at a pole its limit; 0 if undefined.
     pub normal: [f64; 3],
     /// Kind of a hit.
     pub kind: gusset_hit_kind,
@@ -68,7 +66,7 @@ pub struct gusset_surface_hit {
     pub reserved: u32,
 }
 
-/// Hits of lines and a curve on a surface.
+/// Hits on a surface.
 pub struct gusset_surface_hits {
     ends: Vec<u64>,
     hits: Vec<gusset_surface_hit>,
@@ -83,17 +81,17 @@ handle! { gusset_surface_hits }
 pub struct gusset_surface_hits_view {
     /// sizeof(gusset_surface_hits_view).
     pub struct_size: usize,
-    /// Number of queries: the lines, then the curve if given.
+    /// Queries: the lines, then the curve if given.
     pub query_count: usize,
-    /// Number of hits of all queries.
+    /// Number of hits.
     pub hit_count: usize,
-    /// query_count + 1 offsets: query k has the hits ends[k] to ends[k + 1] - 1.
+    /// Query k has the hits ends[k] to ends[k + 1] - 1.
     /// @shape query_count+1
     pub ends: *const u64,
     /// The hits, by rising t in each query.
     /// @shape hit_count
     pub hits: *const gusset_surface_hit,
-    /// For each hit of the curve three places on it: hit, start and end of span. Else NULL.
+    /// For each hit of the curve, places of hit, start and end of span. Else NULL.
     /// @shape on_curve_count/3 3
     pub on_curve: *const gusset_place,
     /// Number of places on the curve.
@@ -122,8 +120,8 @@ impl From<&Hit> for gusset_surface_hit {
 }
 
 /// Reads the caller's lines, at any alignment.
-pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>, Failure> {
-    let lines = input::items(lines, count, "lines")?.map(|line: gusset_line| {
+pub(crate) fn read_lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>, Failure> {
+    let lines = input::input_items(lines, count, "lines")?.map(|line: gusset_line| {
         let (origin, direction) = (DVec3::from_array(line.origin), DVec3::from_array(line.direction));
         Line { origin, direction, from: line.from, to: line.to }
     });
@@ -132,18 +130,18 @@ pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>
 
 c_enum! { selection: HitSelection { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST => First, GUSSET_HITS_ANY => Any } }
 
-/// Finds the hits of lines, rays, segments and a curve on a surface.
+/// Finds the hits of lines and a curve on a surface.
 ///
-/// No hit is missed or repeated, also at cell sides, common sides of sheets, joints of the curve
-/// and poles. Each line has the same hits as in a call with that line alone.
+/// No hit is missed or repeated, also at sides of cells and sheets, joints of the curve and poles.
+/// Hits of a line do not depend on others.
 ///
 /// @param lines NULL: none.
 /// @param curve of degree 7 at most; NULL: none.
-/// @errors OUT_OF_RANGE (a line that is not finite, has no direction, or ends before it begins;
-///     degree), EMPTY_CURVE
+/// @errors OUT_OF_RANGE (a line not finite, without direction, or ending before it begins; degree),
+///     EMPTY_CURVE
 /// @complexity About O(log cells) a line and a cell near the curve, O(1) a hit; bounded in each
-///     cell that a line or segment runs in. Parallel.
-/// @source Leus, "Carcasses on smooth surfaces", task c.
+///     cell that a line runs in. Parallel.
+/// @source Leus, task c.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_hits_create(
@@ -156,13 +154,14 @@ pub unsafe extern "C" fn gusset_surface_hits_create(
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
-        let (surface, selection) = (read(surface)?, choice(selection)?);
+        let (surface, selection) = (surface_of_handle(surface)?, choice(selection)?);
         let split = if curve.is_null() { 1.0 } else { 0.5 };
-        let Lines { mut ends, hits } = surface.lines(&self::lines(lines, count)?, selection, &job.part(0.0, split))?;
+        let Lines { mut ends, hits } =
+            surface.lines(&self::read_lines(lines, count)?, selection, &job.part(0.0, split))?;
         let mut hits = alloc::collect(hits.iter().map(gusset_surface_hit::from))?;
         let mut on_curve = Vec::new();
         if !curve.is_null() {
-            let found = surface.curve(&view(curve, "curve")?, selection, &job.part(split, 1.0))?;
+            let found = surface.curve(&view_of_curve(curve, "curve")?, selection, &job.part(split, 1.0))?;
             let number = |place: Place| f64::from(place.segment) + place.t;
             let hit = |&CurveHit { at, span, place, point, normal, tangent, multiplicity }: &CurveHit| {
                 (&Hit { at: number(at), span: span.map(number), place, point, normal, tangent, multiplicity }).into()
@@ -176,10 +175,9 @@ pub unsafe extern "C" fn gusset_surface_hits_create(
     })
 }
 
-/// Finds the first hit, of least t, of each line, ray or segment.
+/// Finds the first hit, of least t, of each line.
 ///
-/// @param hits receives count hits. Without a hit, or after an error, kind is GUSSET_HIT_NONE and
-///     all else 0.
+/// @param hits receives count hits; without a hit, or after an error, GUSSET_HIT_NONE and 0.
 /// @errors as gusset_surface_hits_create
 /// @complexity About O(log cells) a line; parallel.
 #[unsafe(no_mangle)]
@@ -191,10 +189,10 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
     count: usize,
     hits: *mut gusset_surface_hit,
 ) -> gusset_status {
-    let out = input::cleared(hits, count, "hits");
+    let out = input::cleared_result_buffer(hits, count, "hits");
     guard_change(context, |job| {
-        let (out, surface) = (out?, read(surface)?);
-        let found = surface.first_hits(&self::lines(lines, count)?, job)?;
+        let (out, surface) = (out?, surface_of_handle(surface)?);
+        let found = surface.first_hits(&self::read_lines(lines, count)?, job)?;
         job.finish()?;
         for (out, hit) in out.iter_mut().zip(&found) {
             *out = hit.as_ref().map_or(bytemuck::Zeroable::zeroed(), gusset_surface_hit::from);
@@ -204,8 +202,6 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
 }
 
 /// Lends the hits.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_hits_get_view(
@@ -216,9 +212,9 @@ pub unsafe extern "C" fn gusset_surface_hits_get_view(
         struct_size: 0,
         query_count: found.ends.len() - 1,
         hit_count: found.hits.len(),
-        ends: lent(&found.ends),
-        hits: lent(&found.hits),
-        on_curve: lent(found.on_curve.as_flattened()),
+        ends: lend_list(&found.ends),
+        hits: lend_list(&found.hits),
+        on_curve: lend_list(found.on_curve.as_flattened()),
         on_curve_count: 3 * found.on_curve.len(),
     })
 }

@@ -1,5 +1,4 @@
-//! Surfaces: Smooth surfaces that answer queries from an index. Input arrays may have any
-//! alignment.
+//! Surfaces: Smooth surfaces that answer queries from an index.
 //!
 //! @source Leus, "Carcasses on smooth surfaces".
 
@@ -20,7 +19,7 @@ pub mod curve;
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, Choice, flag, lent};
+use crate::capi::input::{self, Choice, flag, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::gusset_sheet;
@@ -29,24 +28,24 @@ use crate::surface::{Contact, ContactKind, Paths, Place, Sheet, Surface};
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// A smooth surface of one or more sheets, indexed for queries. The sheets may be destroyed.
+/// A smooth surface of sheets, indexed for queries.
 pub struct gusset_surface(pub(crate) Surface<'static>, pub(crate) Vec<gusset_surface_sheet>);
 
 handle! { gusset_surface }
 
-/// Size and numbering of a surface's sheet.
+/// Size and numbering of a sheet.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_sheet {
-    /// Rows of cells: u runs from 0 to rows. Corners have one row more.
+    /// Rows of cells: u runs from 0 to rows.
     pub rows: usize,
     /// Columns of cells, in v.
     pub columns: usize,
-    /// Number of cell (0, 0) among the cells of all sheets. Cell (i, j) has the number first_cell +
-    /// i * columns + j, which is its bit in masks of gusset_surface_cells_view.
+    /// Number of cell (0, 0) among all sheets' cells. Cell (i, j) has the number first_cell + i *
+    /// columns + j: its bit in masks of gusset_surface_cells_view.
     pub first_cell: u64,
-    /// Number of corner (0, 0) among the corners of all sheets, (rows + 1) x (columns + 1) each:
-    /// offset of its values for GUSSET_CONTOUR_VALUES.
+    /// Number of corner (0, 0) among all sheets' corners, (rows + 1) x (columns + 1) each: offset
+    /// of its values for GUSSET_CONTOUR_VALUES.
     pub first_node: u64,
     /// 1: closed in u.
     /// @flag
@@ -62,7 +61,7 @@ pub struct gusset_surface_sheet {
 pub struct gusset_surface_place {
     /// Index of the sheet.
     pub sheet: u32,
-    /// Row of the cell, between node rows row and row + 1.
+    /// Row of the cell.
     pub row: u32,
     /// Column of the cell.
     pub column: u32,
@@ -81,7 +80,7 @@ pub const GUSSET_CONTACT_POINT: gusset_contact_kind = 1;
 /// Two branches of the intersection cross, or pass each other within the tolerance.
 pub const GUSSET_CONTACT_CROSSING: gusset_contact_kind = 2;
 
-/// A point where two surfaces touch within the tolerance, with parallel normals.
+/// A point where surfaces touch within the tolerance, with parallel normals.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_contact {
@@ -91,8 +90,8 @@ pub struct gusset_surface_contact {
     pub other: gusset_surface_place,
     /// Height of the first surface above the second, along the first's normal.
     pub gap: f64,
-    /// Near the contact, points within the tolerance of the other surface lie within this distance,
-    /// except on crossing branches.
+    /// Near the contact, points within the tolerance of the other surface lie this near, except on
+    /// crossing branches.
     pub radius: f64,
     /// How two surfaces touch.
     pub kind: gusset_contact_kind,
@@ -107,10 +106,10 @@ pub struct gusset_surface_options {
     /// sizeof(gusset_surface_options).
     pub struct_size: usize,
     /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of
-    /// the diagonal of the surface's bounding box.
+    /// the surface's box diagonal.
     pub tolerance: f64,
-    /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle,
-    /// about 0.7 bytes a node; 0: the first such query builds them.
+    /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0:
+    /// the first such query builds them.
     /// @flag
     pub cones: u32,
     /// 0.
@@ -140,28 +139,27 @@ pub struct gusset_surface_paths_view {
     pub struct_size: usize,
     /// Number of curves.
     pub path_count: usize,
-    /// Number of points of all curves.
+    /// Number of points.
     pub point_count: usize,
-    /// path_count + 1 offsets: curve k has the points ends[k] to ends[k + 1] - 1.
+    /// Curve k has the points ends[k] to ends[k + 1] - 1.
     pub ends: gusset_indices,
-    /// By curve: 1 if closed. The first point is not repeated; append it for
-    /// gusset_curve_through_create.
+    /// By curve: 1 if closed. Append the first point for gusset_curve_through_create.
     /// @shape path_count
     /// @flag
     pub closed: *const u32,
     /// By curve: index of its plane, level or angle, or 0.
     /// @shape path_count
     pub levels: *const u32,
-    /// x, y, z of each point, on the surface.
+    /// The points, on the surface.
     /// @shape point_count 3
     pub points: *const f64,
-    /// Unit normals, x, y, z at each point; 0 where undefined.
+    /// Unit normal at each point; 0 where undefined.
     /// @shape point_count 3
     pub normals: *const f64,
     /// Places of the points.
     /// @shape point_count
     pub places: *const gusset_surface_place,
-    /// For intersections: places on the second surface; else NULL.
+    /// Intersections: places on the second surface; else NULL.
     /// @shape point_count
     pub others: *const gusset_surface_place,
     /// Cells that may contain a tangency, a coincidence, or pieces smaller than the tolerance.
@@ -169,7 +167,7 @@ pub struct gusset_surface_paths_view {
     pub unresolved: *const gusset_surface_place,
     /// Number of unresolved cells.
     pub unresolved_count: usize,
-    /// For intersections: points where the surfaces touch.
+    /// Intersections: points where the surfaces touch.
     /// @shape contact_count
     pub contacts: *const gusset_surface_contact,
     /// Number of contacts.
@@ -182,7 +180,7 @@ c_enum! { kind: ContactKind { GUSSET_CONTACT_POINT => Point, GUSSET_CONTACT_CROS
 
 impl gusset_surface_sheet {
     /// Returns the views of a surface's sheets.
-    pub(crate) fn all(surface: &Surface<'_>) -> Result<Vec<Self>, Error> {
+    pub(crate) fn views_of_sheets(surface: &Surface<'_>) -> Result<Vec<Self>, Error> {
         let (mut first_cell, mut first_node) = (0, 0);
         alloc::collect((0..surface.len()).map(|k| {
             let ([rows, columns], [closed_u, closed_v]) =
@@ -211,8 +209,8 @@ impl From<Contact> for gusset_surface_contact {
 }
 
 /// Returns the surface of a handle.
-pub(crate) fn read<'a>(surface: *const gusset_surface) -> Result<&'a Surface<'static>, Failure> {
-    Ok(&handle::get(surface, "surface")?.0)
+pub(crate) fn surface_of_handle<'a>(surface: *const gusset_surface) -> Result<&'a Surface<'static>, Failure> {
+    Ok(&handle::get_object(surface, "surface")?.0)
 }
 
 impl TryFrom<Paths> for gusset_surface_paths {
@@ -235,17 +233,16 @@ impl TryFrom<Paths> for gusset_surface_paths {
 }
 
 /// Reads the sheets of an array of handles; copies share their nodes.
-fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
-    let handles = handle::list(handles, count, "sheets")?;
+fn sheets_of_handles(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
+    let handles = handle::get_objects(handles, count, "sheets")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.clone())))
 }
 
-/// Makes a surface of sheets and builds its index.
+/// Makes a surface of sheets, and its index.
 ///
-/// The greatest absolute coordinate of each sheet, control points included, is 0 or from 1e-30 to
-/// 1e37.
+/// Each sheet's greatest absolute coordinate, control points included, is 0 or from 1e-30 to 1e37.
 ///
-/// @param sheets count handles, none NULL; the array at any alignment.
+/// @param sheets count handles, none NULL.
 /// @errors EMPTY_MESH (no sheets), OUT_OF_RANGE (tolerance; coordinates of a sheet)
 /// @complexity O(nodes), parallel; about 7 bytes a node, and 0.7 for cones.
 #[unsafe(no_mangle)]
@@ -259,7 +256,7 @@ pub unsafe extern "C" fn gusset_surface_create(
 ) -> gusset_status {
     create(context, surface, "surface", |job| {
         let options = input::read(options, true, "options")?;
-        let given = self::sheets(sheets, count)?;
+        let given = self::sheets_of_handles(sheets, count)?;
         let tolerance = if options.tolerance == 0.0 { None } else { Some(options.tolerance) };
         let with_cones = flag(options.cones, "cones")?;
         let split = if with_cones { 0.8 } else { 1.0 };
@@ -267,20 +264,18 @@ pub unsafe extern "C" fn gusset_surface_create(
         if with_cones {
             made.build_cones(&job.part(split, 1.0))?;
         }
-        let sheets = gusset_surface_sheet::all(&made)?;
+        let sheets = gusset_surface_sheet::views_of_sheets(&made)?;
         Ok(gusset_surface(made, sheets))
     })
 }
 
-/// Frees a surface. Its results stay valid.
+/// Frees a surface.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
     handle::destroy(surface);
 }
 
 /// Lends the curves.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_paths_get_view(
@@ -291,16 +286,16 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
         struct_size: 0,
         path_count: paths.closed.len(),
         point_count: paths.points.len(),
-        ends: gusset_indices::lend(&paths.ends),
-        closed: lent(&paths.closed),
-        levels: lent(&paths.levels),
-        points: lent(&paths.points).cast(),
-        normals: lent(&paths.normals).cast(),
-        places: lent(&paths.places),
-        others: lent(&paths.others),
-        unresolved: lent(&paths.unresolved),
+        ends: gusset_indices::lend_indices(&paths.ends),
+        closed: lend_list(&paths.closed),
+        levels: lend_list(&paths.levels),
+        points: lend_list(&paths.points).cast(),
+        normals: lend_list(&paths.normals).cast(),
+        places: lend_list(&paths.places),
+        others: lend_list(&paths.others),
+        unresolved: lend_list(&paths.unresolved),
         unresolved_count: paths.unresolved.len(),
-        contacts: lent(&paths.contacts),
+        contacts: lend_list(&paths.contacts),
         contact_count: paths.contacts.len(),
     })
 }

@@ -3,9 +3,9 @@
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, lent};
+use crate::capi::input::{self, lend_list};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
 use crate::error::Error;
 use crate::surface::{Closest, Minima};
 use glam::DVec3;
@@ -14,14 +14,13 @@ use gusset_base::alloc;
 /// Properties of a nearest point.
 /// @bits
 pub type gusset_nearest_flags = u32;
-/// A point was found. Not set: no point is within the limit; distance and bound are infinite, all
-/// else is 0.
+/// A point was found. Not set: no point within the limit; distance and bound are infinite, all else
+/// 0.
 pub const GUSSET_NEAREST_FOUND: gusset_nearest_flags = 1;
 /// `bound` is within the tolerance of the distance, or within rounding. Not set: the proof takes
-/// too long, as near centres of curvature; `bound` still holds.
+/// too long, as near centres of curvature; `bound` holds.
 pub const GUSSET_NEAREST_PROVEN: gusset_nearest_flags = 2;
-/// Another point, farther from this one than 1/100 of the distance, is equally near within the
-/// tolerance.
+/// Another point, farther away than 1/100 of the distance, is equally near within the tolerance.
 pub const GUSSET_NEAREST_AMBIGUOUS: gusset_nearest_flags = 4;
 
 /// A surface point near a query.
@@ -53,7 +52,7 @@ pub struct gusset_nearest_options {
     pub struct_size: usize,
     /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
     pub limit: f64,
-    /// For minima: maximum number, the nearest first; 0: all.
+    /// Minima: most, nearest first; 0: all.
     pub max_count: usize,
 }
 
@@ -77,10 +76,9 @@ pub struct gusset_surface_points_view {
     pub points: *const gusset_surface_nearest_point,
     /// Number of points.
     pub count: usize,
-    /// Distance below which no minimum is missing.
+    /// No minimum below this distance is missing.
     pub bound: f64,
-    /// 1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the
-    /// surface.
+    /// 0 if the search stopped at `bound`.
     /// @flag
     pub complete: u32,
     /// 0.
@@ -113,21 +111,21 @@ impl From<Option<Closest>> for gusset_surface_nearest_point {
 
 impl gusset_nearest_options {
     /// Returns the limit, or infinity if there is none.
-    fn limit(&self) -> f64 {
+    fn limit_or_infinity(&self) -> f64 {
         if self.limit == 0.0 { f64::INFINITY } else { self.limit }
     }
 }
 
-/// Finds the nearest point of a surface for each query.
+/// Finds the nearest point for each query.
 ///
 /// Among equally near points, the first by sheet, row and column is returned. Answers do not depend
 /// on other queries.
 ///
-/// @param queries x, y, z of each, packed.
-/// @param points receives count answers in the order of the queries; after an error, none is found.
-/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit; a coordinate beyond 1e150)
-/// @complexity O(log nodes) a query, parallel; near centres of curvature more, but bounded.
-/// @source Leus, "Carcasses on smooth surfaces", task a.
+/// @param queries up to 1e150.
+/// @param points receives count answers in order; after an error, none is found.
+/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit, query)
+/// @complexity O(log nodes) a query, parallel; more near centres of curvature, but bounded.
+/// @source Leus, task a.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_nearest(
@@ -138,14 +136,14 @@ pub unsafe extern "C" fn gusset_surface_nearest(
     options: *const gusset_nearest_options,
     points: *mut gusset_surface_nearest_point,
 ) -> gusset_status {
-    let mut out = input::results(points, count, "points");
+    let mut out = input::result_buffer(points, count, "points");
     out.iter_mut().for_each(|out| out.fill(None.into()));
     guard_change(context, |job| {
-        let (out, limit) = (out?, input::read(options, true, "options")?.limit());
-        let surface = read(surface)?;
+        let (out, limit) = (out?, input::read(options, true, "options")?.limit_or_infinity());
+        let surface = surface_of_handle(surface)?;
         Error::check_count("queries", count as u64, u32::MAX.into())?;
         let queries =
-            alloc::collect(input::items(queries.cast::<[f64; 3]>(), count, "queries")?.map(DVec3::from_array))?;
+            alloc::collect(input::input_items(queries.cast::<[f64; 3]>(), count, "queries")?.map(DVec3::from_array))?;
         let done = surface.closest_into(&queries, limit, out, gusset_surface_nearest_point::from, job);
         done.and_then(|()| job.finish()).inspect_err(|_| out.fill(None.into())).map_err(Failure::from)
     })
@@ -153,13 +151,13 @@ pub unsafe extern "C" fn gusset_surface_nearest(
 
 /// Finds the local minima of the distance from a query.
 ///
-/// No minimum is missed. If the distance is constant, as at a focus, one point represents all cells
-/// that touch there, GUSSET_NEAREST_AMBIGUOUS and not GUSSET_NEAREST_PROVEN. On borders and
-/// creases, no path on the surface from a minimum leads nearer.
+/// No minimum is missed. If the distance is constant, one point represents all cells that touch
+/// there, GUSSET_NEAREST_AMBIGUOUS but not GUSSET_NEAREST_PROVEN. On borders and creases, no path
+/// on the surface leads nearer.
 ///
-/// @param query x, y, z, up to 1e150.
-/// @param points receives the minima, nearest first.
-/// @errors NOT_FINITE, OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// @param query up to 1e150.
+/// @param points receives the minima.
+/// @errors NOT_FINITE, OUT_OF_RANGE (limit, query)
 /// @complexity O(cells within the limit, or up to the last of max_count minima).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -172,8 +170,8 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
 ) -> gusset_status {
     create(context, points, "points", |job| {
         let options = input::read(options, true, "options")?;
-        let (surface, query) = (read(surface)?, input::vector(query, "query")?);
-        let found = surface.local_minima(query, options.limit(), options.max_count, job)?;
+        let (surface, query) = (surface_of_handle(surface)?, input::read_vector(query, "query")?);
+        let found = surface.local_minima(query, options.limit_or_infinity(), options.max_count, job)?;
         let Minima { points, complete, bound } = found;
         let points = alloc::collect(points.into_iter().map(|point| Some(point).into()))?;
         Ok(gusset_surface_points { points, bound, complete })
@@ -181,8 +179,6 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
 }
 
 /// Lends the points.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_points_get_view(
@@ -190,7 +186,7 @@ pub unsafe extern "C" fn gusset_surface_points_get_view(
     view: *mut gusset_surface_points_view,
 ) -> gusset_status {
     lend!(points, view, |found| {
-        let (points, count) = (lent(&found.points), found.points.len());
+        let (points, count) = (lend_list(&found.points), found.points.len());
         let (bound, complete) = (found.bound, found.complete.into());
         gusset_surface_points_view { struct_size: 0, points, count, bound, complete, reserved: 0 }
     })

@@ -2,7 +2,7 @@
 
 use crate::capi::context::lend;
 use crate::capi::glue::versioned;
-use crate::capi::input::lent;
+use crate::capi::input::lend_list;
 use crate::capi::status::gusset_status;
 use crate::capi::surface::{gusset_surface, gusset_surface_sheet};
 
@@ -16,17 +16,17 @@ pub struct gusset_surface_report {
     pub sheet_count: usize,
     /// Cells of all sheets.
     pub cell_count: usize,
-    /// Corners of cells; for sheets from nodes, the nodes.
+    /// Corners of cells; nodes of sheets from nodes.
     pub node_count: usize,
     /// Bytes of the index, without nodes and cones of normals.
     pub index_bytes: usize,
-    /// Guaranteed accuracy of distances and positions in answers, as a length.
+    /// Guaranteed accuracy, as in gusset_surface_options.
     pub tolerance: f64,
-    /// Least x, y, z of a box round the surface and its control nets.
+    /// Low corner of a box round surface and control nets.
     pub low: [f64; 3],
-    /// Greatest x, y, z of the box.
+    /// High corner.
     pub high: [f64; 3],
-    /// Bytes of the cones of normals; 0 if not built (see gusset_surface_options).
+    /// Bytes of the cones of normals; 0 if not built.
     pub cone_bytes: usize,
     /// The sheets.
     /// @shape sheet_count
@@ -56,7 +56,7 @@ pub unsafe extern "C" fn gusset_surface_get_report(
             low,
             high,
             cone_bytes: surface.cone_bytes(),
-            sheets: lent(sheets),
+            sheets: lend_list(sheets),
         }
     })
 }

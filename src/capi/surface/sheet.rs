@@ -1,9 +1,9 @@
 //! Sheets: Smooth patches through a grid of nodes.
 //!
-//! @source Leus.
+//! @source Leus, "Carcasses on smooth surfaces".
 
 use crate::capi::context::{create, gusset_context};
-use crate::capi::curve::points;
+use crate::capi::curve::read_points;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag};
@@ -19,18 +19,17 @@ use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. The handles that it was made
-/// from may be destroyed.
+/// A piece of surface: rows and columns of cells, each a Bézier patch.
 pub struct gusset_sheet(pub(crate) Sheet<'static>);
 
 handle! { gusset_sheet }
 
 /// Interpolation through nodes.
 pub type gusset_scheme = u32;
-/// Bicubic from the 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
+/// Bicubic from 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
 pub const GUSSET_SCHEME_SIX_TAP: gusset_scheme = 0;
-/// Leus's bicubic through the 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump
-/// at nodes.
+/// Leus's bicubic through 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump at
+/// nodes.
 pub const GUSSET_SCHEME_FOUR_POINT: gusset_scheme = 1;
 
 /// Source of the twists S_uv at nodes.
@@ -44,9 +43,8 @@ pub const GUSSET_TWISTS_ZERO: gusset_twists = 2;
 /// The given twists.
 pub const GUSSET_TWISTS_GIVEN: gusset_twists = 3;
 
-/// Nodes of a surface, x, y, z each. Node (i, j) is at nodes + i * row_stride + j * column_stride
-/// bytes. Normals point along S_u x S_v, u running from row to row: opposite to a net of the same
-/// nodes.
+/// Nodes of a surface. Node (i, j) is at nodes + i * row_stride + j * column_stride bytes. Normals
+/// point along S_u x S_v, u running from row to row: opposite to a net of these nodes.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_nodes {
@@ -54,9 +52,9 @@ pub struct gusset_nodes {
     pub struct_size: usize,
     /// The first node.
     pub nodes: *const c_void,
-    /// Rows, at least 2. If closed in u: at least 4, and the last repeats the first.
+    /// At least 2; if closed in u, at least 4, and the last repeats the first.
     pub rows: usize,
-    /// Columns, with the same limits in v. rows * columns is at most 2^31 - 1.
+    /// Likewise in v. rows * columns is at most 2^31 - 1.
     pub columns: usize,
     /// Bytes from row to row; 0: no gaps.
     pub row_stride: usize,
@@ -67,17 +65,17 @@ pub struct gusset_nodes {
     /// Interpolation through nodes.
     /// @option
     pub scheme: gusset_scheme,
-    /// 1: closed in u; the last row repeats the first.
+    /// 1: closed in u.
     /// @option
     /// @flag
     pub closed_u: u32,
-    /// 1: closed in v; the last column repeats the first.
+    /// 1: closed in v.
     /// @option
     /// @flag
     pub closed_v: u32,
 }
 
-/// Tangents at nodes: x, y, z each, packed, row after row. The parameter step between nodes is 1.
+/// Tangents at nodes, row after row. The parameter step between nodes is 1.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_tangents {
@@ -98,13 +96,13 @@ pub struct gusset_tangents {
 versioned! { gusset_nodes: 64, gusset_tangents: 40 reserved }
 
 /// The layout of the caller's nodes, in bytes.
-struct Layout {
+struct NodeLayout {
     row: usize,
     column: usize,
     span: usize,
 }
 
-impl Layout {
+impl NodeLayout {
     fn new(nodes: &gusset_nodes, size: usize) -> Result<Self, Failure> {
         let (rows, columns) = (nodes.rows, nodes.columns);
         if rows < 2 || columns < 2 {
@@ -115,26 +113,26 @@ impl Layout {
         // With at least two columns these are at most twice the width, so the product does not
         // overflow.
         let row = if nodes.row_stride == 0 { columns * column } else { nodes.row_stride };
-        Ok(Layout { row, column, span: Strided::span(rows, row, width, "rows of nodes")? })
+        Ok(NodeLayout { row, column, span: Strided::span(rows, row, width, "rows of nodes")? })
     }
 }
 
 /// Returns the sheet of a handle.
-pub(crate) fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
-    Ok(&handle::get(sheet, "sheet")?.0)
+pub(crate) fn sheet_of_handle<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
+    Ok(&handle::get_object(sheet, "sheet")?.0)
 }
 
 /// Nodes copied between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 17;
 
 /// Copies the caller's numbers into packed form.
-fn copied_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, Failure> {
+fn copy_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, Failure> {
     let kind: Scalar = choice(nodes.scalar)?;
-    let layout = Layout::new(nodes, kind.position_size() / 3)?;
+    let layout = NodeLayout::new(nodes, kind.position_size() / 3)?;
     // Reject the size before reading anything.
     let count = nodes.rows.saturating_mul(nodes.columns);
     Error::check_count("nodes", count as u64, MAX_NODES)?;
-    let bytes = input::bytes(nodes.nodes, layout.span, 1, "nodes")?;
+    let bytes = input::input_bytes(nodes.nodes, layout.span, 1, "nodes")?;
     let mut numbers = alloc::with_capacity(3 * count)?;
     let interval = (NODES_PER_REPORT / nodes.columns.max(1)).max(1);
     for i in 0..nodes.rows {
@@ -151,8 +149,8 @@ fn copied_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, F
 }
 
 /// Borrows the caller's numbers.
-fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
-    let layout = Layout::new(nodes, 8)?;
+fn borrow_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
+    let layout = NodeLayout::new(nodes, 8)?;
     if choice::<Scalar>(nodes.scalar)? != Scalar::F64
         || !layout.row.is_multiple_of(8)
         || !layout.column.is_multiple_of(8)
@@ -160,48 +158,48 @@ fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
         let message = "nodes in the caller's memory must be f64, with strides that are multiples of 8 bytes";
         return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
     }
-    let numbers: &'static [f64] = input::results(nodes.nodes.cast::<f64>().cast_mut(), layout.span / 8, "nodes")?;
+    let numbers: &'static [f64] = input::result_buffer(nodes.nodes.cast::<f64>().cast_mut(), layout.span / 8, "nodes")?;
     Ok(Nodes::strided(numbers, nodes.rows, nodes.columns, layout.row / 8, layout.column / 8)?)
 }
 
 c_enum! { scheme: Scheme { GUSSET_SCHEME_SIX_TAP => SixTap, GUSSET_SCHEME_FOUR_POINT => FourPoint } }
 
 /// Returns the bicubic Hermite surface through nodes with the caller's tangents.
-fn with_tangents(
+fn sheet_with_tangents(
     nodes: &Nodes<'_>,
     closed: [bool; 2],
     given: &gusset_tangents,
     count: usize,
     job: &Job<'_>,
 ) -> Result<Sheet<'static>, Failure> {
-    let [u, v] = [points(given.u, count, 3)?, points(given.v, count, 3)?];
-    let twists = if given.twist == GUSSET_TWISTS_GIVEN { points(given.twists, count, 3)? } else { Vec::new() };
+    let [u, v] = [read_points(given.u, count, 3)?, read_points(given.v, count, 3)?];
+    let twists = if given.twist == GUSSET_TWISTS_GIVEN { read_points(given.twists, count, 3)? } else { Vec::new() };
     let twists = match given.twist {
         GUSSET_TWISTS_DIFFERENCES => Twists::Differences,
         GUSSET_TWISTS_ADINI => Twists::Adini,
         GUSSET_TWISTS_ZERO => Twists::Zero,
         GUSSET_TWISTS_GIVEN => Twists::Given(&twists),
-        other => return Err(Failure::unknown("twist", other.into())),
+        other => return Err(Failure::unknown_value("twist", other.into())),
     };
     Ok(Sheet::from_tangents(&Tangents { nodes, u: &u, v: &v, twists, closed }, job)?)
 }
 
-/// Makes a sheet through nodes, or the C1 bicubic Hermite surface with given tangents.
+/// Makes a sheet through nodes, or the C1 bicubic Hermite surface of given tangents.
 ///
-/// Repeated nodes and rows that are one point (poles) are allowed.
+/// Repeated nodes and poles are allowed.
 ///
-/// Borrowed nodes must stay valid and unchanged until the sheet and everything made of it are
-/// destroyed. They are f64, with address and strides that are multiples of 8.
+/// Borrowed nodes are f64, with address and strides that are multiples of 8. They must stay valid
+/// and unchanged until the sheet and everything made of it are destroyed.
 ///
-/// @param nodes finite; at any alignment, unless borrowed.
-/// @param tangents NULL: the scheme of the nodes applies. Else rows x columns finite vectors in
-///     each array. A repeated closing line must exist, but its tangents are not used.
-/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents the sheet keeps only
+/// @param nodes finite.
+/// @param tangents NULL: the nodes' scheme applies. Else rows x columns finite vectors in each
+///     array; a repeated closing line is not used.
+/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents, the sheet keeps only
 ///     patches.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or
-///     twist), SIDES_DIFFER (closed, but the ends differ; names the largest gap)
+///     twist), SIDES_DIFFER (closed, but the ends differ; with the largest gap)
 /// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
-/// @source Leus, "Carcasses on smooth surfaces".
+/// @source Leus.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_create(
@@ -215,20 +213,19 @@ pub unsafe extern "C" fn gusset_sheet_create(
         let given = input::read(nodes, false, "nodes")?;
         let with = if tangents.is_null() { None } else { Some(input::read(tangents, false, "tangents")?) };
         let split = if with.is_some() { 0.1 } else { 1.0 };
-        let nodes = if flag(borrow, "borrow")? {
-            borrowed_nodes(&given)?
-        } else {
-            copied_nodes(&given, &job.part(0.0, split))?
-        };
+        let nodes =
+            if flag(borrow, "borrow")? { borrow_nodes(&given)? } else { copy_nodes(&given, &job.part(0.0, split))? };
         let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
         Ok(gusset_sheet(match with {
-            Some(with) => with_tangents(&nodes, closed, &with, given.rows * given.columns, &job.part(split, 1.0))?,
+            Some(with) => {
+                sheet_with_tangents(&nodes, closed, &with, given.rows * given.columns, &job.part(split, 1.0))?
+            }
             None => Sheet::Grid(Grid::new(nodes, closed, choice(given.scheme)?)?),
         }))
     })
 }
 
-/// Frees a sheet. Results made of it stay valid.
+/// Frees a sheet.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sheet_destroy(sheet: *mut gusset_sheet) {
     handle::destroy(sheet);

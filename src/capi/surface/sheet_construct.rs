@@ -3,7 +3,7 @@
 
 use crate::capi::context::{create, create_and_tell, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
-use crate::capi::curve::{gusset_curve, points, times};
+use crate::capi::curve::{checked_product, gusset_curve, read_points};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, choice, flag};
@@ -18,25 +18,24 @@ use gusset_base::alloc;
 
 /// How a surface is made from a frame.
 pub type gusset_frame_surface = u32;
-/// A grid through the frame's nodes, or GUSSET_FRAME_CURVES if a curve of the frame has corners.
+/// A grid through the frame's nodes, or GUSSET_FRAME_CURVES if its curves have corners.
 pub const GUSSET_FRAME_NODES: gusset_frame_surface = 0;
 /// Gordon's surface, which contains all curves of the frame.
 pub const GUSSET_FRAME_CURVES: gusset_frame_surface = 1;
 
 /// A tensor-product B-spline, rational (NURBS) if its weights differ.
 ///
-/// Knots are finite and do not decrease. Inner knots may be repeated degree times.
-/// - Open direction: control points + degree + 1 knots, clamped or not. The surface is defined from
-///   knot degree to knot count.
+/// Knots are finite and do not decrease. Inner knots may repeat degree times.
+/// - Open direction: control points + degree + 1 knots, clamped or not; defined from knot degree to
+///   knot count.
 /// - Closed direction: control points + 1 knots, one period; control points are not repeated. Span
-///   k begins at knot k and uses the control points k - degree to k, counted cyclically.
+///   k begins at knot k and uses control points k - degree to k, cyclically.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_spline {
     /// sizeof(gusset_spline).
     pub struct_size: usize,
-    /// x, y, z of the control points, not multiplied by weights, row after row; rows follow each
-    /// other in u.
+    /// Control points, not multiplied by weights, row after row; rows follow in u.
     pub points: *const f64,
     /// Rows of control points, more than degree_u.
     pub count_u: usize,
@@ -60,15 +59,13 @@ pub struct gusset_spline {
     /// 1: closed in v.
     /// @flag
     pub closed_v: u32,
-    /// Weights of the control points, finite, above 0, at least 2^-900 of the greatest; NULL: all
-    /// equal.
+    /// Finite, above 0, at least 2^-900 of the greatest; NULL: all equal.
     pub weights: *const f64,
-    /// Largest distance from a rational spline at equal parameters. Rounding requires about 1e-13
-    /// of the size. 0: 1e-12 of the control points' box diagonal, or more where rounding requires
-    /// it.
+    /// Largest distance from a rational spline at equal parameters; rounding requires about 1e-13
+    /// of the size. 0: 1e-12 of the control points' box diagonal, or more for rounding.
     /// @option
     pub tolerance: f64,
-    /// Maximum number of cells of a rational spline; 0: 2^20.
+    /// Most cells of a rational spline; 0: 2^20.
     /// @option
     pub max_cells: usize,
 }
@@ -82,14 +79,14 @@ pub struct gusset_curve_net {
     pub struct_size: usize,
     /// Curves in v, ordered by u, of degree 7 at most. A curve that is one point is a pole.
     pub rows: *const *const gusset_curve,
-    /// 0, or at least 2, or 3 if closed_u. Without rows the surface is the skin of the columns.
+    /// 0 (a skin of the columns), or at least 2, or 3 if closed_u.
     pub row_count: usize,
     /// Curves in u, ordered by v.
     pub columns: *const *const gusset_curve,
-    /// 0, or at least 2, or 3 if closed_v. Without columns the surface is the skin of the rows.
+    /// 0 (a skin of the rows), or at least 2, or 3 if closed_v.
     pub column_count: usize,
-    /// Largest distance between two curves where they meet, finite; both move to the middle. 0:
-    /// 1e-6 of the curves' box diagonal.
+    /// Largest distance of curves that meet, finite; both move to the middle. 0: 1e-6 of the box
+    /// diagonal.
     /// @option
     pub tolerance: f64,
     /// 1: the columns are closed, and the first row follows the last.
@@ -107,27 +104,27 @@ versioned! { gusset_spline: 80, gusset_curve_net: 56 }
 c_enum! { kind: FrameSurface { GUSSET_FRAME_NODES => Nodes, GUSSET_FRAME_CURVES => Curves } }
 
 /// Borrows the caller's curves.
-fn curves<'a>(
+fn curves_of_handles<'a>(
     handles: *const *const gusset_curve,
     count: usize,
     name: &'static str,
 ) -> Result<Vec<CurveView<'a>>, Failure> {
-    let handles = handle::list(handles, count, name)?;
+    let handles = handle::get_objects(handles, count, name)?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.view())))
 }
 
-/// Makes a sheet from Bézier patches in rows and columns.
+/// Makes a sheet from Bézier patches.
 ///
 /// Adjacent patches should share sides. Repeated points and poles are allowed.
 ///
-/// @param points x, y, z: patch after patch, row after row. In each patch of (degree_u + 1) x
-///     (degree_v + 1) points, v varies fastest.
+/// @param points patch after patch, row after row; (degree_u + 1) x (degree_v + 1) points a patch,
+///     v fastest.
 /// @param degree_u 1 to 7.
 /// @param degree_v 1 to 7.
 /// @param rows of patches, at least 1.
 /// @param columns of patches, at least 1.
 /// @errors OUT_OF_RANGE (degree), EMPTY_MESH (no patches), TOO_LARGE, NOT_FINITE
-/// @complexity O(points); 384 bytes a patch up to degree 3, otherwise 1536.
+/// @complexity O(points); 384 bytes a patch up to degree 3, else 1536.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_patches_create(
@@ -145,8 +142,8 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
             return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 }.into());
         }
         let each = (degrees[0] + 1) * (degrees[1] + 1);
-        let count = times(times(rows, columns, "patches")?, each, "control points")?;
-        let points = self::points(points, count, 3)?;
+        let count = checked_product(checked_product(rows, columns, "patches")?, each, "control points")?;
+        let points = self::read_points(points, count, 3)?;
         Ok(gusset_sheet(if degree_u.max(degree_v) <= 3 {
             Sheet::Cubic(Patches::new(&points, degrees, rows, columns)?)
         } else {
@@ -156,23 +153,23 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
 }
 
 /// Makes a sheet from a B-spline surface. If all weights are equal, each non-empty knot span
-/// becomes a cell, which is exact except for rounding.
+/// becomes a cell, exact up to rounding.
 ///
-/// Rows and columns begin at the parameters 0, 1, 2, ... gusset_sheet_get_report returns the
-/// spline's parameters there, and the proved deviation.
+/// For the spline's parameters at 0, 1, 2, ... and the proved deviation, see
+/// gusset_sheet_get_report.
 ///
 /// If weights differ:
-/// - Whole rows and columns of spans are subdivided into patches of degree 7 until the tolerance is
+/// - Rows and columns of spans are subdivided into patches of degree 7 until the tolerance is
 ///   proved.
 /// - Values and first derivatives at cell corners are exact.
 /// - Tangents are continuous across sides where the rational surface's are.
-/// - A side that is one point remains exactly one point.
+/// - A side that is one point stays exactly one point.
 ///
 /// @errors OUT_OF_RANGE (degree, tolerance, weight), NET_TOO_SMALL (too few control points),
 ///     BAD_KNOTS (not finite, decreasing, repeated too often, or a span too short to subdivide),
 ///     TOO_LARGE (control points, cells), NOT_FINITE
-/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, otherwise 1536. Rational:
-///     O(cells x degree^2), parallel; 1536 bytes a cell, three times that during the call.
+/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536. Rational: O(cells x
+///     degree^2), parallel; 1536 bytes a cell, three times that during the call.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_spline_create(
@@ -182,16 +179,19 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
         let given = input::read(spline, false, "spline")?;
-        let points = points(given.points, times(given.count_u, given.count_v, "control points")?, 3)?;
-        let u = input::list(given.knots_u, given.knot_count_u, "knots_u")?;
-        let v = input::list(given.knots_v, given.knot_count_v, "knots_v")?;
+        let points = read_points(given.points, checked_product(given.count_u, given.count_v, "control points")?, 3)?;
+        let u = input::copy_input_items(given.knots_u, given.knot_count_u, "knots_u")?;
+        let v = input::copy_input_items(given.knots_v, given.knot_count_v, "knots_v")?;
         let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
         let axes = [
             SplineAxis { degree: given.degree_u as usize, knots: &u, closed: closed[0] },
             SplineAxis { degree: given.degree_v as usize, knots: &v, closed: closed[1] },
         ];
-        let weights =
-            if given.weights.is_null() { None } else { Some(input::list(given.weights, points.len(), "weights")?) };
+        let weights = if given.weights.is_null() {
+            None
+        } else {
+            Some(input::copy_input_items(given.weights, points.len(), "weights")?)
+        };
         let counts = [given.count_u, given.count_v];
         let spline = Spline { points: &points, weights: weights.as_deref(), counts, axes };
         let options = SplineOptions {
@@ -202,19 +202,18 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
     })
 }
 
-/// Makes Gordon's surface of a net of curves, which contains all of them.
+/// Makes Gordon's surface of a net of curves, which contains them all.
 ///
 /// Two rows and two columns give Coons's patch. Nodes are where each row and each column are
 /// nearest. If all rows have the same number of segments between two nodes, these are matched in
-/// order. Otherwise all rows are cut at each joint, which adds cells. Columns are treated alike.
+/// order. Else all rows are cut at each joint, which adds cells. Columns likewise.
 ///
 /// The surface is C1 where the curves are C1 over common knots without joints between nodes;
 /// elsewhere nearly C1 (see gusset_sheet_measure). Polylines keep their creases.
-/// gusset_outline_create draws smooth curves through points.
 ///
 /// @errors NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED,
-///     CURVES_APART (names row and distance; also if curves meet out of order), TOO_LARGE
-/// @complexity O(rows x columns x log segments + cells); 384 bytes a cell up to degree 3, otherwise
+///     CURVES_APART (with row and distance; also out of order), TOO_LARGE
+/// @complexity O(rows x columns x log segments + cells); 384 bytes a cell up to degree 3, else
 ///     1536.
 /// @source Gordon (1969).
 #[unsafe(no_mangle)]
@@ -226,8 +225,8 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
         let given = input::read(net, false, "net")?;
-        let rows = curves(given.rows, given.row_count, "rows")?;
-        let columns = curves(given.columns, given.column_count, "columns")?;
+        let rows = curves_of_handles(given.rows, given.row_count, "rows")?;
+        let columns = curves_of_handles(given.columns, given.column_count, "columns")?;
         let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
         let tolerance = if given.tolerance == 0.0 { None } else { Some(given.tolerance) };
         let net = CurveNet { rows: &rows, columns: &columns, closed, tolerance };
@@ -244,11 +243,10 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
 /// - A corner without a normal stays.
 ///
 /// @param distances lengths of either sign, finite.
-/// @param distance_count 1: one for all; rows + 1: one for each line of corners along v; (rows + 1)
-///     x (columns + 1): one for each corner, row by row. A closing line counts, but moves with the
-///     first.
-/// @param deviation receives the largest deviation at cell middles from the sheet moved along its
-///     normal by the corners' mean distance; or NULL.
+/// @param distance_count 1: for all; rows + 1: for each line of corners along v; (rows + 1) x
+///     (columns + 1): for each corner, row by row. A closing line counts, but moves with the first.
+/// @param deviation receives the largest deviation at cell middles from the sheet moved by the
+///     corners' mean distance; or NULL.
 /// @errors COUNT_DIFFERS (distances), NOT_FINITE (distance or corner)
 /// @complexity O(cells).
 #[unsafe(no_mangle)]
@@ -261,11 +259,11 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
     deviation: *mut f64,
     offset: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    let out = input::optional_output(deviation, 0.0, "deviation");
+    let out = input::cleared_optional_output(deviation, 0.0, "deviation");
     let moved = |job: &Job<'_>| {
         let out = out?;
-        let distances = input::list(distances, distance_count, "distances")?;
-        let (made, worst) = handle::get(sheet, "sheet")?.0.offset(&distances, job)?;
+        let distances = input::copy_input_items(distances, distance_count, "distances")?;
+        let (made, worst) = handle::get_object(sheet, "sheet")?.0.offset(&distances, job)?;
         Ok((gusset_sheet(made), out.map(|out| (out, worst))))
     };
     create_and_tell(context, offset, "offset", moved, |told| {
@@ -275,10 +273,10 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
     })
 }
 
-/// Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
+/// Makes the surface of a frame: u runs along the body, v round it, closed like the frame.
 ///
-/// @errors NET_TOO_SMALL, OUT_OF_RANGE (a curve's degree exceeds 7), CURVES_APART (nodes repeat or
-///     are out of order along a curve), NOT_FINITE
+/// @errors NET_TOO_SMALL, OUT_OF_RANGE (degree above 7), CURVES_APART (nodes of a curve repeat or
+///     are out of order), NOT_FINITE
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -289,7 +287,7 @@ pub unsafe extern "C" fn gusset_sheet_from_frame_create(
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
-        let frame = handle::get(frame, "frame")?;
+        let frame = handle::get_object(frame, "frame")?;
         let kind = choice(kind)?;
         let (grid, curves) = (&frame.grid, [&frame.across.0, &frame.along.0]);
         let closed = [frame.ring, frame.closed];

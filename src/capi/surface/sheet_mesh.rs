@@ -3,8 +3,8 @@
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
-use crate::capi::input::{self, flag, lent};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::input::{self, flag, lend_list};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::gusset_surface_place;
 use crate::capi::surface::sheet::gusset_sheet;
@@ -19,9 +19,9 @@ pub struct gusset_sheet_mesh_options {
     pub struct_size: usize,
     /// Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
     pub tolerance: f64,
-    /// Minimum parts of each cell in u; 0: 1.
+    /// Least parts of a cell in u; 0: 1.
     pub min_u: u32,
-    /// Minimum parts of each cell in v; 0: 1.
+    /// Least parts of a cell in v; 0: 1.
     pub min_v: u32,
     /// 1: triangles only; 0: quads, with triangles at poles.
     /// @flag
@@ -41,7 +41,7 @@ pub struct gusset_sheet_mesh_report {
     /// Place of each vertex; its sheet is 0.
     /// @shape vertex_count
     pub places: *const gusset_surface_place,
-    /// Unit normal of each vertex: x, y, z; 0 if undefined.
+    /// Unit normal of each vertex; 0 if undefined.
     /// @shape vertex_count 3
     pub normals: *const f64,
     /// Bound of the distance between surface and triangles, for quads divided by either diagonal.
@@ -62,8 +62,8 @@ impl gusset_sheet_mesh_options {
 
 /// Makes a mesh of a sheet.
 ///
-/// Cells of a row have the same number of parts in u, cells of a column in v. Seams and poles are
-/// closed. Faces are counter-clockwise seen from the side of S_u x S_v. The mesh may have no faces.
+/// Cells of a row share the number of parts in u, cells of a column in v. Seams and poles are
+/// closed. Faces are counter-clockwise seen from the side of S_u x S_v. The mesh may lack faces.
 ///
 /// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners or more)
 /// @complexity O(cells + vertices).
@@ -77,27 +77,26 @@ pub unsafe extern "C" fn gusset_sheet_to_mesh(
 ) -> gusset_status {
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let made = handle::get(sheet, "sheet")?.0.to_mesh(&options, job)?;
+        let made = handle::get_object(sheet, "sheet")?.0.to_mesh(&options, job)?;
         let places = alloc::collect(made.places.iter().map(|&place| gusset_surface_place::from(place)))?;
-        Ok(gusset_result(Made::SheetMesh(made, places)))
+        Ok(gusset_result(OperationResult::SheetMesh(made, places)))
     })
 }
 
-/// Lends places and normals of a result of gusset_sheet_to_mesh.
+/// Lends the places and normals.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (result of another operation)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_sheet_mesh(
     result: *const gusset_result,
     report: *mut gusset_sheet_mesh_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_sheet_to_mesh", Made::SheetMesh(made, places) => gusset_sheet_mesh_report {
+    report!(result, report, "gusset_sheet_to_mesh", OperationResult::SheetMesh(made, places) => gusset_sheet_mesh_report {
         struct_size: 0,
         vertex_count: places.len(),
-        places: lent(places),
-        normals: lent(&made.normals).cast(),
+        places: lend_list(places),
+        normals: lend_list(&made.normals).cast(),
         deviation: made.deviation,
     })
 }

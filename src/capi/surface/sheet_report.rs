@@ -20,9 +20,9 @@ pub struct gusset_sheet_report {
     pub rows: usize,
     /// Cells in v: v runs from 0 to columns.
     pub columns: usize,
-    /// Degree of the stored patches in both directions: 3 or 7.
+    /// Degree of patches in both directions: 3 or 7.
     pub degree: u32,
-    /// 1: the sheet stores nodes; 0: it stores patches.
+    /// 1: stores nodes; 0: patches.
     /// @flag
     pub is_grid: u32,
     /// 1: closed in u.
@@ -31,7 +31,7 @@ pub struct gusset_sheet_report {
     /// 1: closed in v.
     /// @flag
     pub closed_v: u32,
-    /// 1: the side u = 0 is one point, a pole.
+    /// 1: the side u = 0 is a pole, one point.
     /// @flag
     pub pole_u0: u32,
     /// 1: the side u = rows is a pole.
@@ -45,17 +45,17 @@ pub struct gusset_sheet_report {
     pub pole_v1: u32,
     /// Bound of the distance from a rational spline at equal parameters, rounding included; else 0.
     pub deviation: f64,
-    /// For a spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL.
+    /// Spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL.
     /// @shape rows+1
     pub knots_u: *const f64,
-    /// For a spline: its columns + 1 parameters at v = 0, 1, ...; else NULL.
+    /// Spline: its columns + 1 parameters at v = 0, 1, ...; else NULL.
     /// @shape columns+1
     pub knots_v: *const f64,
 }
 
 versioned! { gusset_sheet_report: 56 }
 
-/// Reports the size and the properties of a sheet.
+/// Reports on a sheet.
 ///
 /// @complexity O(cells at the sides).
 #[unsafe(no_mangle)]
@@ -102,7 +102,7 @@ pub const GUSSET_SHEET_MEASURE_CURVATURE: gusset_sheet_measure_flags = 2;
 /// `crease`.
 pub const GUSSET_SHEET_MEASURE_CREASE: gusset_sheet_measure_flags = 4;
 
-/// Measures of a whole sheet (see gusset_cell_arrays); 0 if not requested.
+/// Measures of a sheet (see gusset_cell_arrays); 0 if not requested.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sheet_measures {
@@ -112,15 +112,13 @@ pub struct gusset_sheet_measures {
     pub diameter: f64,
     /// Greatest of `intrinsic_diameters`.
     pub intrinsic_diameter: f64,
-    /// Bound of the absolute principal curvatures; infinite if the surface is not regular, as at
-    /// poles.
+    /// Bound of absolute principal curvatures; infinite if not regular, as at poles.
     pub curvature_bound: f64,
-    /// Largest angle between normals across sides of cells; 0, or rounding, on a smooth surface.
+    /// Largest angle between normals across cell sides; 0, or rounding, if smooth.
     pub crease: f64,
 }
 
-/// Arrays of one number for each cell; cell (i, j) has the index i * columns + j. NULL: not
-/// computed.
+/// Arrays of one number a cell; cell (i, j) has the index i * columns + j. NULL: not computed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_cell_arrays {
@@ -128,12 +126,12 @@ pub struct gusset_cell_arrays {
     pub struct_size: usize,
     /// Length of each array, at least the number of cells.
     pub capacity: usize,
-    /// Bounds of the distance between any two points of a cell.
+    /// Bounds of the distance of any two points of a cell.
     pub diameters: *mut f64,
-    /// Bounds of the shortest curve within a cell between any two points.
+    /// Bounds of the shortest curve in a cell between any two points.
     pub intrinsic_diameters: *mut f64,
     /// Estimates, not bounds, of the distance from the smooth surface that the nodes sample, at
-    /// equal parameters. Infinite for fewer than 5 nodes in a direction; 0 for given patches.
+    /// equal parameters. Infinite for fewer than 5 nodes in a direction; 0 for patches.
     pub errors: *mut f64,
     /// Bounds of the distance from the bilinear patch through a cell's corners.
     pub bilinear: *mut f64,
@@ -144,7 +142,7 @@ pub struct gusset_cell_arrays {
 versioned! { gusset_sheet_measures: 40, gusset_cell_arrays: 56 }
 
 /// Returns the caller's buffer for a number a cell; `None` if it is omitted.
-fn buffer<'a>(
+fn optional_cell_buffer<'a>(
     pointer: *mut f64,
     needed: usize,
     capacity: usize,
@@ -157,7 +155,7 @@ fn buffer<'a>(
         let message = format!("the buffer has room for {capacity} cells, but {needed} are needed");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
-    input::results(pointer, needed, name).map(Some)
+    input::result_buffer(pointer, needed, name).map(Some)
 }
 
 /// Measures a sheet and its cells.
@@ -179,11 +177,11 @@ pub unsafe extern "C" fn gusset_sheet_measure(
 ) -> gusset_status {
     let out = if measures.is_null() { Ok(None) } else { input::output_struct(measures, "measures").map(Some) };
     guard_change(context, |job| {
-        let (out, sheet) = (out?, &handle::get(sheet, "sheet")?.0);
+        let (out, sheet) = (out?, &handle::get_object(sheet, "sheet")?.0);
         let cells = input::read(cells, true, "cells")?;
         let all = GUSSET_SHEET_MEASURE_DIAMETERS | GUSSET_SHEET_MEASURE_CURVATURE | GUSSET_SHEET_MEASURE_CREASE;
         if parts & !all != 0 {
-            return Err(Failure::unknown("parts", parts.into()));
+            return Err(Failure::unknown_value("parts", parts.into()));
         }
         let is_wanted = |part| out.is_some() && (parts == 0 || parts & part != 0);
         let needed = sheet.cells().iter().product();
@@ -195,7 +193,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
             (cells.triangles, "triangles"),
         ];
         let [euclidean, intrinsic, errors, bilinear, triangles] =
-            wanted.map(|(to, name)| buffer(to, needed, cells.capacity, name));
+            wanted.map(|(to, name)| optional_cell_buffer(to, needed, cells.capacity, name));
         let (euclidean, intrinsic, errors) = (euclidean?, intrinsic?, errors?);
         let (bilinear, triangles) = (bilinear?, triangles?);
 
@@ -222,7 +220,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
             to.into_iter().zip(&flat).for_each(|(to, from)| to.iter_mut().zip(from).for_each(|(x, y)| *x = y[k]));
         }
         if let Some(out) = out {
-            out.write(gusset_sheet_measures {
+            out.write_known_fields(gusset_sheet_measures {
                 struct_size: 0,
                 diameter,
                 intrinsic_diameter,

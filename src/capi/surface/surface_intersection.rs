@@ -5,8 +5,8 @@ use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::contour::{gusset_spacing_rule, spacing};
-use crate::capi::surface::{gusset_surface, gusset_surface_paths, read};
+use crate::capi::surface::contour::{gusset_spacing_rule, to_point_spacing};
+use crate::capi::surface::{gusset_surface, gusset_surface_paths, surface_of_handle};
 use crate::error::Error;
 use crate::surface::contour::PointSpacing;
 use crate::surface::surface_intersection::Options;
@@ -17,14 +17,13 @@ use crate::surface::surface_intersection::Options;
 pub struct gusset_intersection_options {
     /// sizeof(gusset_intersection_options).
     pub struct_size: usize,
-    /// Largest distance of the curve from its chords, above 0 and
-    /// finite. Estimated: rare chords exceed it by about 15 %. At least the smallest of `tolerance`
-    /// and the surfaces' tolerances applies.
+    /// Largest distance of the curve from its chords, above 0, finite; rare chords exceed it by
+    /// about 15 %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
     /// @when spacing GUSSET_POINT_SPACING_CHORD
     pub chord: f64,
-    /// Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the
-    /// smaller tolerance of the surfaces. Self-intersections use at most the surface's tolerance.
-    /// Branches shorter than it and the surfaces' tolerances may be lost.
+    /// Two surfaces touch where their gap or overlap stays within this length, finite; 0: the
+    /// surfaces' smaller tolerance. Self-intersections use at most the surface's. Branches shorter
+    /// than all three may be lost.
     pub tolerance: f64,
     /// Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
     pub spacing: gusset_spacing_rule,
@@ -36,75 +35,73 @@ versioned! { gusset_intersection_options: 32 reserved }
 
 fn read_options(options: *const gusset_intersection_options) -> Result<Options, Failure> {
     let options = input::read(options, true, "options")?;
-    let chord = match spacing(options.spacing, options.chord, 0)? {
+    let chord = match to_point_spacing(options.spacing, options.chord, 0)? {
         PointSpacing::Auto => None,
         PointSpacing::CellEdges => Some(f64::INFINITY),
         PointSpacing::Chord(chord) if chord.is_infinite() => {
             return Err(Error::OptionOutOfRange { option: "chord", value: chord }.into());
         }
         PointSpacing::Chord(chord) => Some(chord),
-        PointSpacing::Leus(_) => return Err(Failure::unknown("spacing", options.spacing.into())),
+        PointSpacing::Leus(_) => return Err(Failure::unknown_value("spacing", options.spacing.into())),
     };
     Ok(Options { chord, tolerance: (options.tolerance != 0.0).then_some(options.tolerance) })
 }
 
-/// Finds the curves in which two surfaces meet, or one surface meets itself.
+/// Finds the curves in which two surfaces meet, or one meets itself.
 ///
-/// Each curve is returned once. It runs along N x N', the normals at `places` and `others`. Points
-/// and normals lie on the first surface; on the second they differ by rounding, at crossings by up
-/// to the tolerance.
+/// Each curve is returned once, and runs along N x N', the normals at `places` and `others`. Points
+/// and normals lie on the first surface; the second differs by rounding, at crossings by up to the
+/// tolerance.
 ///
 /// Two surfaces: all branches are found, except
-/// - branches shorter than the tolerance, or than the surfaces' tolerance if it is smaller (near
-///   poles, four times that);
+/// - branches shorter than the tolerance, or the surfaces' if smaller (near poles, four times
+///   that);
 /// - branches within four times that length of another branch;
 /// - parts within contacts and unresolved cells.
 ///
-/// An open path ends at a sheet's border or in an unresolved cell.
+/// Open paths end at borders of sheets or in unresolved cells.
 ///
-/// A point where the surfaces touch or branches cross is a contact if three conditions are proved:
+/// A point where surfaces touch or branches cross is a contact if proved:
 /// - Near it, both surfaces are graphs over a plane.
-/// - The second derivatives of their difference are definite (GUSSET_CONTACT_POINT) or indefinite
+/// - Second derivatives of the difference are definite (GUSSET_CONTACT_POINT) or indefinite
 ///   (GUSSET_CONTACT_CROSSING).
 /// - The gap is within the tolerance. A larger gap leaves a loop, nothing, or two separate
 ///   branches.
 ///
 /// Within a contact's radius, loops are omitted and paths run straight to its point. The radius is
-/// at most about 4 sqrt(2 tolerance / c), where c is the least curvature of the difference. At a
-/// crossing, a path turns into the branch that closes it, if one exists. A figure of eight becomes
-/// two closed paths with a common point.
+/// at most about 4 sqrt(2 tolerance / c), c the least curvature of the difference. At a crossing, a
+/// path turns into the branch that closes it, if any.
 ///
-/// Unresolved cells of the first surface are those where
+/// Cells of the first surface are unresolved where
 /// - the surfaces coincide, or touch along a curve, at a pole, at a border or to a higher order;
 /// - the work limit is exceeded, as by branches within 1e-4 of a cell of each other, or nearly
 ///   along cell sides of both surfaces.
 ///
-/// There, curves may end, split or be missing. Curves are joined across a cell if a chord is as
-/// near to both surfaces as elsewhere.
+/// There, curves may end, split or be missing, but are joined across a cell if a chord is as near
+/// to both surfaces as elsewhere.
 ///
 /// Self-intersections:
-/// - Along a closed curve the two pieces may swap (Klein bottle): it ends at its first point with
-///   `places` and `others` exchanged. A seam that turns the sheet over (Möbius band) also reverses
-///   the direction.
+/// - Along a closed curve the pieces may swap: it ends at its first point with `places` and
+///   `others` exchanged. A seam that turns the sheet over also reverses the direction.
 /// - Common points of joined cells do not count. Joined cells share a side, corner or pole, or lie
 ///   at opposite borders of a sheet with equal control points, in either order, to 64 units of
 ///   rounding of the largest coordinate.
 /// - A common border of different sheets is an intersection.
-/// - All branches longer than the tolerance are found, except in unresolved cells: at pinches,
-///   creases and singular poles, and where pieces touch or coincide.
+/// - Branches longer than the tolerance are found, except in unresolved cells: at pinches, creases
+///   and singular poles, and where pieces touch or coincide.
 /// - A curve stops before a pinch, where its pieces come within the tolerance (on rough surfaces,
-///   tens of tolerances away).
-/// - A curve along cell sides may come in many parts.
+///   tens of tolerances).
+/// - Curves along cell sides may come in many parts.
 /// - Contacts are not sought.
 ///
-/// Exchanging the surfaces may change rounding and the proved contacts.
+/// Exchanging the surfaces may change rounding and proved contacts.
 ///
-/// @param other NULL: self-intersections. If it equals `surface`, everything coincides.
+/// @param other NULL: self-intersections; if `surface`, everything coincides.
 /// @errors OUT_OF_RANGE (chord, tolerance), TOO_LARGE (above 2^26 pairs of cells)
-/// @complexity Proportional to the pairs of cells within the tolerance, with a limit for each, and
-///     to the points, about 1 / sqrt(chord); parallel. Self-intersections: also to the cells, and
-///     n^2 / 2 for n cells round a pole.
-/// @source Leus, "Carcasses on smooth surfaces", task e.
+/// @complexity Proportional to the pairs of cells within the tolerance, limited for each, and to
+///     the points, about 1 / sqrt(chord); parallel. Self-intersections: also to the cells, and n^2
+///     / 2 for n cells round a pole.
+/// @source Leus, task e.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_intersection_create(
@@ -115,11 +112,11 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
     paths: *mut *mut gusset_surface_paths,
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
-        let (surface, options) = (read(surface)?, read_options(options)?);
+        let (surface, options) = (surface_of_handle(surface)?, read_options(options)?);
         let found = if other.is_null() {
             surface.meet_itself(&options, job)?
         } else {
-            surface.meet(&handle::get(other, "other")?.0, &options, job)?
+            surface.meet(&handle::get_object(other, "other")?.0, &options, job)?
         };
         Ok(found.try_into()?)
     })

@@ -4,11 +4,12 @@ use crate::comment::{Cause, Comment};
 use crate::source::{Field, Item, Kind, Source, Type};
 use serde_json::{Map, Value, json};
 
-/// Describes all items of the library and of the plugin's table.
-pub fn describe(library: &[Source], plugin: &[Source], version: &str) -> Value {
+/// Describes all items of the library, of the plugin's table and of the table of files.
+pub fn describe(library: &[Source], plugin: &[Source], files: &[Source], version: &str) -> Value {
     let mut made = sections(library);
     made.insert("version".into(), version.into());
     made.insert("plugin".into(), Value::Object(sections(plugin)));
+    made.insert("files".into(), Value::Object(sections(files)));
     Value::Object(made)
 }
 

@@ -24,6 +24,8 @@ use std::path::Path;
 
 /// Folder of the interface.
 pub const FOLDER: &str = "src/capi";
+/// Folder of the table of files.
+const FILES_FOLDER: &str = "crates/gusset-files/src/table";
 /// The enums of C++.
 const CHOICES: &str = "include/gusset/choices.hpp";
 
@@ -42,6 +44,7 @@ pub fn library_headers(root: &Path, version: &str) -> Result<Vec<Generated>, Str
     made.push((CHOICES.to_owned(), cpp::choices(&sources, false)));
     made.extend(cpp_options::options(&sources)?);
     made.push(plugin_header(root)?);
+    made.push(files_header(root)?);
     Ok(made)
 }
 
@@ -104,12 +107,46 @@ fn plugin_sources(root: &Path) -> Result<Vec<source::Source>, String> {
 }
 
 fn plugin_of(root: &Path, sources: &[source::Source], style: &dyn headers::Style) -> Result<Generated, String> {
-    let declarations = headers::declarations(root, &format!("{FOLDER}/plugin"), "cbindgen_plugin.toml")?;
+    let folder = format!("{FOLDER}/plugin");
+    let table = Table { name: "plugin", folder: &folder, opening: include_str!("plugin.h") };
+    table_header(root, &table, sources, style)
+}
+
+/// The header of the table of files.
+///
+/// # Errors
+///
+/// As [`library_headers`].
+pub fn files_header(root: &Path) -> Result<Generated, String> {
+    let table = Table { name: "files", folder: FILES_FOLDER, opening: include_str!("files.h") };
+    table_header(root, &table, &files_sources(root)?, &headers::Plain)
+}
+
+fn files_sources(root: &Path) -> Result<Vec<source::Source>, String> {
+    source::read(&root.join(FILES_FOLDER), &[])
+}
+
+/// A header of its own: `gusset_<name>.h`.
+struct Table<'a> {
+    name: &'a str,
+    folder: &'a str,
+    /// The text above the declarations.
+    opening: &'a str,
+}
+
+fn table_header(
+    root: &Path,
+    table: &Table<'_>,
+    sources: &[source::Source],
+    style: &dyn headers::Style,
+) -> Result<Generated, String> {
+    let declarations = headers::declarations(root, table.folder, &format!("cbindgen_{}.toml", table.name))?;
     let bodies = headers::bodies(sources, &declarations, style)?;
     let body: String = bodies.iter().map(|body| body.text.as_str()).collect();
-    let (opening, above) = include_str!("plugin.h").split_once("\n\n").unwrap_or_default();
-    let frame = headers::Frame { opening, guard: "GUSSET_PLUGIN_H", above };
-    Ok(("include/gusset_plugin.h".to_owned(), headers::framed(&frame, &body)))
+    let (opening, above) = table.opening.split_once("\n\n").unwrap_or_default();
+    let guard = format!("GUSSET_{}_H", table.name.to_uppercase());
+    let frame = headers::Frame { opening, guard: &guard, above };
+    Ok((format!("include/gusset_{}.h", table.name), headers::framed(&frame, &body)))
 }
 
 /// The texts of statuses and choices as Rust source: the first sentence of each comment.
@@ -129,5 +166,6 @@ pub fn library_texts(root: &Path) -> Result<Vec<Generated>, String> {
 ///
 /// As [`library_headers`].
 pub fn library_description(root: &Path, version: &str) -> Result<String, String> {
-    Ok(description::lines(&description::describe(&sources(root)?, &plugin_sources(root)?, version)))
+    let (library, plugin, files) = (sources(root)?, plugin_sources(root)?, files_sources(root)?);
+    Ok(description::lines(&description::describe(&library, &plugin, &files, version)))
 }

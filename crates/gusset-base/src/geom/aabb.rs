@@ -20,17 +20,17 @@ impl Aabb {
     /// extent found so far along its axis.
     #[inline]
     pub fn from_points(points: impl IntoIterator<Item = impl Borrow<DVec3>>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |whole, point| whole.extended_to(*point.borrow()))
+        points.into_iter().fold(Self::EMPTY, |whole, point| whole.extended_to_point(*point.borrow()))
     }
 
     #[inline]
-    fn extended_to(self, point: DVec3) -> Self {
+    fn extended_to_point(self, point: DVec3) -> Self {
         Aabb { low: self.low.min(point), high: self.high.max(point) }
     }
 
     #[inline]
     pub fn add(&mut self, point: DVec3) {
-        *self = self.extended_to(point);
+        *self = self.extended_to_point(point);
     }
 
     #[inline]
@@ -46,7 +46,7 @@ impl Aabb {
 
     /// Returns the Minkowski sum: all sums of a point of each box.
     #[inline]
-    pub fn sum(self, other: Aabb) -> Aabb {
+    pub fn minkowski_sum(self, other: Aabb) -> Aabb {
         Aabb { low: self.low + other.low, high: self.high + other.high }
     }
 
@@ -128,11 +128,11 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn point() -> impl Strategy<Value = DVec3> {
+    fn any_point() -> impl Strategy<Value = DVec3> {
         (-3i8..4, -3i8..4, -3i8..4).prop_map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()))
     }
 
-    fn cells(whole: &Aabb) -> Vec<DVec3> {
+    fn grid_points(whole: &Aabb) -> Vec<DVec3> {
         let along = |axis: usize| (whole.low[axis] as i32..=whole.high[axis] as i32).map(f64::from);
         along(0).flat_map(|x| along(1).flat_map(move |y| along(2).map(move |z| DVec3::new(x, y, z)))).collect()
     }
@@ -141,10 +141,10 @@ mod tests {
         /// Compares with brute force over all points of small boxes on a lattice.
         #[test]
         fn distances_agree_with_brute_force(
-            p in prop::collection::vec(point(), 1..4), q in prop::collection::vec(point(), 1..4), query in point(),
+            p in prop::collection::vec(any_point(), 1..4), q in prop::collection::vec(any_point(), 1..4), query in any_point(),
         ) {
             let (a, b) = (Aabb::from_points(&p), Aabb::from_points(&q));
-            let (of_a, of_b) = (cells(&a), cells(&b));
+            let (of_a, of_b) = (grid_points(&a), grid_points(&b));
             let least = |squares: &mut dyn Iterator<Item = f64>| squares.fold(f64::INFINITY, f64::min);
             let to_point = least(&mut of_a.iter().map(|x| x.distance_squared(query)));
             prop_assert_eq!(a.distance_squared(query), to_point);
@@ -153,9 +153,9 @@ mod tests {
             prop_assert_eq!(a.overlaps(&b), between == 0.0);
             prop_assert_eq!(a.separation(&b).max_element() <= 0.0, between == 0.0);
             prop_assert_eq!(a.union(b), Aabb::from_points(p.iter().chain(&q)));
-            prop_assert_eq!(a.sum(b), Aabb::from_points(of_a.iter().flat_map(|&x| of_b.iter().map(move |&y| x + y))));
+            prop_assert_eq!(a.minkowski_sum(b), Aabb::from_points(of_a.iter().flat_map(|&x| of_b.iter().map(move |&y| x + y))));
             prop_assert_eq!(a.max_norm(), of_a.iter().map(|x| x.length()).fold(0.0, f64::max));
-            prop_assert_eq!(cells(&a.inflated(1.0)).len() as f64, (a.size() + 3.0).element_product());
+            prop_assert_eq!(grid_points(&a.inflated(1.0)).len() as f64, (a.size() + 3.0).element_product());
         }
     }
 

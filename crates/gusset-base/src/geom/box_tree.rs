@@ -9,7 +9,7 @@ use super::Aabb;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::sort::{select, select_reported};
+use crate::sort::{select_by_rank, select_reported};
 use glam::DVec3;
 
 /// The tree. Takes 48 bytes a node, with at most four nodes for each leaf.
@@ -55,7 +55,7 @@ impl BoxTree {
 
     /// Visits the leaves whose boxes are closer to `p` than the best distance so far, the nearer
     /// child first. `leaf` receives the index of a leaf and returns the new best squared distance.
-    pub fn nearest(&self, p: glam::DVec3, mut best: f64, leaf: &mut impl FnMut(usize) -> f64) {
+    pub fn visit_nearest(&self, p: glam::DVec3, mut best: f64, leaf: &mut impl FnMut(usize) -> f64) {
         // The stack holds at most one node of each level besides the current one.
         let mut stack = [(0usize, 0.0); 64];
         let mut len = 1;
@@ -120,7 +120,7 @@ impl BoxTree {
 /// spread more. Long boxes with a common end therefore stay together, like the needles of a fan,
 /// even if other boxes lie across them. The split position makes the tree over the groups complete.
 /// Reports progress before each large part. O(n log n).
-pub fn spatial_order(boxes: &[Aabb], group: usize, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
+pub fn spatial_order(boxes: &[Aabb], group_size: usize, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
     let mut order = alloc::collect((0..boxes.len()).map(|i| i as u32))?;
     let mut done = 0;
     let mut report = |count: usize| {
@@ -128,47 +128,52 @@ pub fn spatial_order(boxes: &[Aabb], group: usize, job: &Job<'_>, stage: &'stati
         done += count;
         Ok(())
     };
-    split(boxes, &mut order, group, &mut report)?;
+    split_boxes(boxes, &mut order, group_size, &mut report)?;
     Ok(order)
 }
 
 /// The largest part that is split without a progress report.
-const MAX_UNREPORTED: usize = 1 << 14;
+const MAX_UNREPORTED_BOXES: usize = 1 << 14;
 
 /// Splits a part recursively. Calls `report` with the number of boxes for each part of at most
-/// [`MAX_UNREPORTED`] boxes, and with 0 during larger ones.
-fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
-    if order.len() <= MAX_UNREPORTED {
+/// [`MAX_UNREPORTED_BOXES`] boxes, and with 0 during larger ones.
+fn split_boxes(
+    boxes: &[Aabb],
+    order: &mut [u32],
+    group_size: usize,
+    report: &mut dyn FnMut(usize) -> Result<()>,
+) -> Result<()> {
+    if order.len() <= MAX_UNREPORTED_BOXES {
         report(order.len())?;
-        split_small(boxes, order, group);
-    } else if order.len() > group {
+        split_boxes_unreported(boxes, order, group_size);
+    } else if order.len() > group_size {
         report(0)?;
-        let (end, axis) = longest_axis(boxes, order);
+        let (end, axis) = split_rule(boxes, order);
         report(0)?;
-        let split_position = split_position(order, group);
+        let split_position = split_position(order, group_size);
         select_reported(order, split_position, |i| end(&boxes[i as usize])[axis], &mut || report(0))?;
         let (first, second) = order.split_at_mut(split_position);
-        split(boxes, first, group, report)?;
-        split(boxes, second, group, report)?;
+        split_boxes(boxes, first, group_size, report)?;
+        split_boxes(boxes, second, group_size, report)?;
     }
     Ok(())
 }
 
-fn split_small(boxes: &[Aabb], order: &mut [u32], group: usize) {
-    if order.len() > group {
-        let (end, axis) = longest_axis(boxes, order);
-        let split_position = split_position(order, group);
-        select(order, split_position, |i| end(&boxes[i as usize])[axis]);
+fn split_boxes_unreported(boxes: &[Aabb], order: &mut [u32], group_size: usize) {
+    if order.len() > group_size {
+        let (end, axis) = split_rule(boxes, order);
+        let split_position = split_position(order, group_size);
+        select_by_rank(order, split_position, |i| end(&boxes[i as usize])[axis]);
         let (first, second) = order.split_at_mut(split_position);
-        split_small(boxes, first, group);
-        split_small(boxes, second, group);
+        split_boxes_unreported(boxes, first, group_size);
+        split_boxes_unreported(boxes, second, group_size);
     }
 }
 
 /// One end of the boxes, and the axis along which these ends are spread most.
 type SplitRule = (fn(&Aabb) -> DVec3, usize);
 
-fn longest_axis(boxes: &[Aabb], order: &[u32]) -> SplitRule {
+fn split_rule(boxes: &[Aabb], order: &[u32]) -> SplitRule {
     let spread = |end: fn(&Aabb) -> DVec3| Aabb::from_points(order.iter().map(|&i| end(&boxes[i as usize]))).size();
     let ends: [fn(&Aabb) -> DVec3; 2] = [|b| b.low, |b| b.high];
     let [low, high] = ends.map(spread);
@@ -177,8 +182,8 @@ fn longest_axis(boxes: &[Aabb], order: &[u32]) -> SplitRule {
 }
 
 /// Returns the position at which a part is split, a whole number of groups.
-fn split_position(order: &[u32], group: usize) -> usize {
-    group * (order.len().div_ceil(group).next_power_of_two() / 2)
+fn split_position(order: &[u32], group_size: usize) -> usize {
+    group_size * (order.len().div_ceil(group_size).next_power_of_two() / 2)
 }
 
 #[cfg(test)]
@@ -215,7 +220,7 @@ mod tests {
                 }
                 let point = query.high + k as f64 / 7.0;
                 let mut best = f64::INFINITY;
-                tree.nearest(point, best, &mut |leaf| {
+                tree.visit_nearest(point, best, &mut |leaf| {
                     let group = order.chunks(group).nth(leaf).unwrap();
                     let distance = |&i: &u32| boxes[i as usize].distance_squared(point);
                     best = group.iter().map(distance).fold(best, f64::min);

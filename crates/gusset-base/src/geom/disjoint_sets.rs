@@ -106,7 +106,7 @@ impl ParitySets {
 
     /// Returns twice the root of the set of `i`, plus 1 if `i` is opposed to the root.
     #[inline]
-    fn signed_root(&mut self, i: u32) -> u32 {
+    fn root_and_parity(&mut self, i: u32) -> u32 {
         let mut at = 2 * i;
         loop {
             let parent = self.parents[at as usize / 2];
@@ -123,13 +123,13 @@ impl ParitySets {
     /// opposed to it.
     #[inline]
     pub fn find(&mut self, i: u32) -> (u32, bool) {
-        let root = self.signed_root(i);
+        let root = self.root_and_parity(i);
         (root / 2, root & 1 == 1)
     }
 
     /// Constrains `i` to be equal or opposed to `j`. Returns false if the opposite already holds.
     pub fn union(&mut self, i: u32, j: u32, opposed: bool) -> bool {
-        let (i, j) = (self.signed_root(i), self.signed_root(j));
+        let (i, j) = (self.root_and_parity(i), self.root_and_parity(j));
         if i / 2 == j / 2 {
             return (i ^ j) & 1 == u32::from(opposed);
         }

@@ -6,14 +6,14 @@
 //! Each round adds the extreme point in the direction of -v to a simplex, and keeps the face of the
 //! simplex nearest to the origin. Invariant: for every v, however inexact, (min a . v - max b .
 //! v) / |v| is a lower bound of the distance. Each round is O(points), and there are at most
-//! `MAX_ROUNDS`.
+//! `MAX_GJK_ROUNDS`.
 
 use glam::{DMat3, DVec3};
 
 /// The number of rounds after which the current bound is returned.
-const MAX_ROUNDS: usize = 24;
+const MAX_GJK_ROUNDS: usize = 24;
 /// The relative gap between bound and distance at which the search ends.
-const RELATIVE_GAP: f64 = 1e-13;
+const MAX_RELATIVE_GAP: f64 = 1e-13;
 
 /// A lower bound of the distance between two hulls, and a nearest pair of points.
 #[derive(Debug, Clone, Copy)]
@@ -22,13 +22,13 @@ pub struct HullDistance {
     pub bound: f64,
     /// The corners whose weighted sums form the nearest pair of points, or nearly. Only the first
     /// `count` are valid.
-    pub corners: [Corner; 4],
+    pub corners: [SimplexCorner; 4],
     pub count: usize,
 }
 
 /// A point of each hull, their difference, and the weight of both in the nearest pair.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Corner {
+pub struct SimplexCorner {
     pub a: usize,
     pub b: usize,
     pub weight: f64,
@@ -38,33 +38,33 @@ pub struct Corner {
 /// Bounds the distance between the convex hulls of two non-empty sets of points. The search ends as
 /// soon as the bound exceeds `limit` or is within `tolerance` of the distance.
 pub fn hull_distance(a: &[DVec3], b: &[DVec3], limit: f64, tolerance: f64) -> HullDistance {
-    let (mut simplex, mut count) = ([Corner::default(); 4], 1);
-    simplex[0] = Corner { a: 0, b: 0, weight: 1.0, difference: a[0] - b[0] };
+    let (mut simplex, mut count) = ([SimplexCorner::default(); 4], 1);
+    simplex[0] = SimplexCorner { a: 0, b: 0, weight: 1.0, difference: a[0] - b[0] };
     let mut nearest = simplex[0].difference;
     let mut bound = 0.0_f64;
-    for _ in 0..MAX_ROUNDS {
+    for _ in 0..MAX_GJK_ROUNDS {
         let length = nearest.length();
         if length <= tolerance {
             break;
         }
         let direction = nearest / length;
-        let (i, low) = least(a, direction);
-        let (j, high) = least(b, -direction);
+        let (i, low) = support_point(a, direction);
+        let (j, high) = support_point(b, -direction);
         bound = bound.max(low + high);
         let is_known = simplex[..count].iter().any(|corner| (corner.a, corner.b) == (i, j));
-        if bound > limit || length - bound <= tolerance.max(RELATIVE_GAP * length) || is_known || count == 4 {
+        if bound > limit || length - bound <= tolerance.max(MAX_RELATIVE_GAP * length) || is_known || count == 4 {
             break;
         }
-        simplex[count] = Corner { a: i, b: j, weight: 0.0, difference: a[i] - b[j] };
+        simplex[count] = SimplexCorner { a: i, b: j, weight: 0.0, difference: a[i] - b[j] };
         count += 1;
-        let Some(next) = reduce(&mut simplex, &mut count) else { break };
+        let Some(next) = reduce_simplex(&mut simplex, &mut count) else { break };
         nearest = next;
     }
     HullDistance { bound, corners: simplex, count }
 }
 
 /// Returns the first point with the smallest product with a direction, and the product.
-fn least(points: &[DVec3], direction: DVec3) -> (usize, f64) {
+fn support_point(points: &[DVec3], direction: DVec3) -> (usize, f64) {
     let mut found = (0, f64::INFINITY);
     for (k, point) in points.iter().enumerate() {
         let along = point.dot(direction);
@@ -78,11 +78,11 @@ fn least(points: &[DVec3], direction: DVec3) -> (usize, f64) {
 /// Reduces a simplex to its face nearest to the origin, and returns that face's nearest point. It
 /// sets the weights of the face's corners. It tests only faces with the last corner, because
 /// earlier rounds have tested the others. Returns `None` if all of them are degenerate.
-fn reduce(simplex: &mut [Corner; 4], count: &mut usize) -> Option<DVec3> {
+fn reduce_simplex(simplex: &mut [SimplexCorner; 4], count: &mut usize) -> Option<DVec3> {
     let last = *count - 1;
     let mut best: Option<(f64, DVec3, usize, [f64; 4])> = None;
     for face in (0..1_usize << last).map(|others| others | 1 << last) {
-        let Some((point, weights)) = nearest_of_face(simplex, face) else { continue };
+        let Some((point, weights)) = nearest_to_origin_on_face(simplex, face) else { continue };
         let square = point.length_squared();
         if best.is_none_or(|best| square < best.0) {
             best = Some((square, point, face, weights));
@@ -91,7 +91,7 @@ fn reduce(simplex: &mut [Corner; 4], count: &mut usize) -> Option<DVec3> {
     let (_, point, face, weights) = best?;
     let mut kept = 0;
     for k in (0..*count).filter(|k| face >> k & 1 == 1) {
-        simplex[kept] = Corner { weight: weights[k], ..simplex[k] };
+        simplex[kept] = SimplexCorner { weight: weights[k], ..simplex[k] };
         kept += 1;
     }
     *count = kept;
@@ -100,7 +100,7 @@ fn reduce(simplex: &mut [Corner; 4], count: &mut usize) -> Option<DVec3> {
 
 /// Projects the origin onto the affine hull of a face's corners. Returns the projection and its
 /// weights if it lies within the face.
-fn nearest_of_face(simplex: &[Corner; 4], face: usize) -> Option<(DVec3, [f64; 4])> {
+fn nearest_to_origin_on_face(simplex: &[SimplexCorner; 4], face: usize) -> Option<(DVec3, [f64; 4])> {
     let (mut corners, mut size) = ([0; 4], 0);
     for k in (0..4).filter(|k| face >> k & 1 == 1) {
         corners[size] = k;
@@ -140,7 +140,7 @@ fn nearest_of_face(simplex: &[Corner; 4], face: usize) -> Option<(DVec3, [f64; 4
 mod tests {
     use super::*;
 
-    fn cloud(random: &mut fastrand::Rng, count: usize, flat: usize, centre: DVec3) -> Vec<DVec3> {
+    fn random_points(random: &mut fastrand::Rng, count: usize, flat: usize, centre: DVec3) -> Vec<DVec3> {
         let mut number = || 2.0 * random.f64() - 1.0;
         let axes = [0; 3].map(|_| DVec3::from_array([0; 3].map(|_| number())));
         (0..count).map(|_| centre + axes[..flat].iter().map(|&axis| number() * axis).sum::<DVec3>()).collect()
@@ -154,8 +154,8 @@ mod tests {
         let mut apart = 0;
         for k in 0..4000 {
             let away = DVec3::new(3.0 * random.f64(), random.f64(), random.f64());
-            let a = cloud(&mut random, 1 + k % 17, k % 4, DVec3::ZERO);
-            let b = cloud(&mut random, 1 + k / 17 % 9, k / 4 % 4, away);
+            let a = random_points(&mut random, 1 + k % 17, k % 4, DVec3::ZERO);
+            let b = random_points(&mut random, 1 + k / 17 % 9, k / 4 % 4, away);
             let found = hull_distance(&a, &b, f64::INFINITY, 1e-12);
             let pair: DVec3 =
                 found.corners[..found.count].iter().map(|corner| corner.weight * (a[corner.a] - b[corner.b])).sum();

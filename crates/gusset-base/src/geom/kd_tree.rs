@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::geom::Aabb;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::sort::{select, select_reported};
+use crate::sort::{select_by_rank, select_reported};
 use glam::DVec3;
 use std::ops::{ControlFlow, Range};
 
@@ -18,15 +18,15 @@ use std::ops::{ControlFlow, Range};
 const MAX_LEAF_POINTS: usize = 8;
 
 /// Ranges of at most this many points are split between two progress reports.
-const MAX_UNREPORTED: usize = 1 << 15;
+const MAX_UNREPORTED_POINTS: usize = 1 << 15;
 
 /// The smallest distance in `order` between the middles of two ranges that are not searched
 /// linearly. The smaller such range has at least 9 points, so at least 4 on either side of its
 /// middle.
-const MIN_MIDDLE_DISTANCE: usize = 5;
+const MIN_SEARCHED_MIDDLE_DISTANCE: usize = 5;
 
 /// Marks a range whose points belong to several groups.
-const MIXED: u32 = u32::MAX;
+const SEVERAL_GROUPS: u32 = u32::MAX;
 
 /// A set of points prepared for nearest-point queries.
 pub struct KdTree<'a> {
@@ -34,14 +34,14 @@ pub struct KdTree<'a> {
     order: Vec<u32>,
     /// The splitting axis of the range whose middle is at this position of `order`.
     axis: Vec<u8>,
-    /// The common group of the range whose middle is at this position, or [`MIXED`]. Empty for a
-    /// tree without groups.
+    /// The common group of the range whose middle is at this position, or [`SEVERAL_GROUPS`]. Empty
+    /// for a tree without groups.
     group: Vec<u32>,
     /// The smallest index in the range whose middle is at this position. Empty for a tree without
     /// groups.
     least: Vec<u32>,
     /// The bounding boxes of the inner ranges. The box of a range with middle index m is at m /
-    /// [`MIN_MIDDLE_DISTANCE`], rounded down. Empty for a tree without boxes.
+    /// [`MIN_SEARCHED_MIDDLE_DISTANCE`], rounded down. Empty for a tree without boxes.
     boxes: Vec<Aabb>,
     whole: Aabb,
 }
@@ -64,7 +64,7 @@ impl<'a> KdTree<'a> {
             done += count;
             Ok(())
         };
-        split_reported(points, &mut tree.order, &mut tree.axis, &mut report)?;
+        split_points_reported(points, &mut tree.order, &mut tree.axis, &mut report)?;
         Ok(tree)
     }
 
@@ -74,8 +74,8 @@ impl<'a> KdTree<'a> {
     #[inline]
     pub fn with_boxes(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = Self::new(points, job, stage)?;
-        let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(MIN_MIDDLE_DISTANCE))?;
-        tree.find_boxes(0..points.len(), &mut boxes);
+        let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(MIN_SEARCHED_MIDDLE_DISTANCE))?;
+        tree.compute_range_boxes(0..points.len(), &mut boxes);
         tree.boxes = boxes;
         Ok(tree)
     }
@@ -88,16 +88,16 @@ impl<'a> KdTree<'a> {
     }
 
     /// Stores and returns the bounding box of a range.
-    fn find_boxes(&self, range: Range<usize>, out: &mut [Aabb]) -> Aabb {
+    fn compute_range_boxes(&self, range: Range<usize>, out: &mut [Aabb]) -> Aabb {
         if range.len() <= MAX_LEAF_POINTS {
             return Aabb::from_points(self.order[range].iter().map(|&index| self.points[index as usize]));
         }
         let middle = usize::midpoint(range.start, range.end);
-        let low = self.find_boxes(range.start..middle, out);
-        let high = self.find_boxes(middle + 1..range.end, out);
+        let low = self.compute_range_boxes(range.start..middle, out);
+        let high = self.compute_range_boxes(middle + 1..range.end, out);
         let mut whole = low.union(high);
         whole.add(self.points[self.order[middle] as usize]);
-        out[middle / MIN_MIDDLE_DISTANCE] = whole;
+        out[middle / MIN_SEARCHED_MIDDLE_DISTANCE] = whole;
         whole
     }
 
@@ -105,38 +105,38 @@ impl<'a> KdTree<'a> {
     /// `groups` has the group of each point, below 2^32 - 1.
     pub fn with_groups(points: &'a [DVec3], groups: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = Self::new(points, job, stage)?;
-        let mut group = alloc::filled(MIXED, points.len())?;
-        tree.find_groups(0..points.len(), groups, &mut group);
+        let mut group = alloc::filled(SEVERAL_GROUPS, points.len())?;
+        tree.compute_range_groups(0..points.len(), groups, &mut group);
         tree.group = group;
         let mut least = alloc::filled(0, points.len())?;
-        tree.find_least(0..points.len(), &mut least);
+        tree.compute_least_indices(0..points.len(), &mut least);
         tree.least = least;
         Ok(tree)
     }
 
     /// Stores and returns the smallest index of a range; [`u32::MAX`] if the range is empty.
-    fn find_least(&self, range: Range<usize>, out: &mut [u32]) -> u32 {
+    fn compute_least_indices(&self, range: Range<usize>, out: &mut [u32]) -> u32 {
         if range.is_empty() {
             return u32::MAX;
         }
         let middle = usize::midpoint(range.start, range.end);
-        let low = self.find_least(range.start..middle, out);
-        let high = self.find_least(middle + 1..range.end, out);
+        let low = self.compute_least_indices(range.start..middle, out);
+        let high = self.compute_least_indices(middle + 1..range.end, out);
         out[middle] = low.min(high).min(self.order[middle]);
         out[middle]
     }
 
     /// Stores and returns the common group of a range.
-    fn find_groups(&self, range: Range<usize>, groups: &[u32], out: &mut [u32]) -> u32 {
+    fn compute_range_groups(&self, range: Range<usize>, groups: &[u32], out: &mut [u32]) -> u32 {
         let of = |place: usize| groups[self.order[place] as usize];
         let middle = usize::midpoint(range.start, range.end);
         let whole = if range.len() <= MAX_LEAF_POINTS {
-            let first = range.clone().next().map_or(MIXED, of);
-            if range.clone().all(|place| of(place) == first) { first } else { MIXED }
+            let first = range.clone().next().map_or(SEVERAL_GROUPS, of);
+            if range.clone().all(|place| of(place) == first) { first } else { SEVERAL_GROUPS }
         } else {
-            let low = self.find_groups(range.start..middle, groups, out);
-            let high = self.find_groups(middle + 1..range.end, groups, out);
-            if low == high && low == of(middle) { low } else { MIXED }
+            let low = self.compute_range_groups(range.start..middle, groups, out);
+            let high = self.compute_range_groups(middle + 1..range.end, groups, out);
+            if low == high && low == of(middle) { low } else { SEVERAL_GROUPS }
         };
         if !range.is_empty() {
             out[middle] = whole;
@@ -154,20 +154,20 @@ impl<'a> KdTree<'a> {
         accept: impl Fn(u32) -> bool,
     ) -> Option<(f64, u32)> {
         let mut best = (limit, u32::MAX);
-        self.search(0..self.order.len(), query, self.whole.axis_distances(query), own, &accept, &mut best);
+        self.search_nearest(0..self.order.len(), query, self.whole.axis_distances(query), own, &accept, &mut best);
         (best.1 != u32::MAX).then_some(best)
     }
 
     /// Returns the nearest point that satisfies `accept` and is not farther than `limit` (squared),
     /// as (squared distance, index). Breaks ties by the smallest index.
     pub fn nearest(&self, query: DVec3, limit: f64, accept: impl Fn(u32) -> bool) -> Option<(f64, u32)> {
-        self.nearest_in_other_groups(query, limit, MIXED, accept)
+        self.nearest_in_other_groups(query, limit, SEVERAL_GROUPS, accept)
     }
 
     /// Searches a range of `order`. `off` is the vector from the range's cell to the query, whose
     /// length bounds the distance of every point of the range from below. Skips ranges of group
     /// `own`.
-    fn search(
+    fn search_nearest(
         &self,
         range: Range<usize>,
         query: DVec3,
@@ -177,7 +177,7 @@ impl<'a> KdTree<'a> {
         best: &mut (f64, u32),
     ) {
         let middle = usize::midpoint(range.start, range.end);
-        if own != MIXED && self.group.get(middle) == Some(&own) {
+        if own != SEVERAL_GROUPS && self.group.get(middle) == Some(&own) {
             return;
         }
         // If the points coincide, skip ranges that cannot improve the index.
@@ -187,7 +187,7 @@ impl<'a> KdTree<'a> {
         // Testing the points of a leaf costs no more than testing its box.
         if !self.boxes.is_empty()
             && range.len() > MAX_LEAF_POINTS
-            && let Some(around) = self.boxes.get(middle / MIN_MIDDLE_DISTANCE)
+            && let Some(around) = self.boxes.get(middle / MIN_SEARCHED_MIDDLE_DISTANCE)
             && around.distance_squared(query) > best.0
         {
             return;
@@ -207,12 +207,12 @@ impl<'a> KdTree<'a> {
         let offset = query[axis] - self.points[self.order[middle] as usize][axis];
         let (low, high) = (range.start..middle, middle + 1..range.end);
         let (near, far) = if offset <= 0.0 { (low, high) } else { (high, low) };
-        self.search(near, query, off, own, accept, best);
+        self.search_nearest(near, query, off, own, accept, best);
         let mut beyond = off;
         beyond[axis] = offset.abs().max(off[axis]);
         // Not `<`: an equally near point of smaller index may lie beyond.
         if beyond.length_squared() <= best.0 {
-            self.search(far, query, beyond, own, accept, best);
+            self.search_nearest(far, query, beyond, own, accept, best);
         }
     }
 }
@@ -220,7 +220,7 @@ impl<'a> KdTree<'a> {
 impl KdTree<'_> {
     /// Calls `visit` with (squared distance in units of the reach, index) for every point within
     /// `reach` of the query, in unspecified order. O(log n) for each point found.
-    pub fn for_each_within(&self, query: DVec3, reach: Radius, visit: &mut impl FnMut(f64, u32)) {
+    pub fn for_each_within(&self, query: DVec3, reach: ScaledRadius, visit: &mut impl FnMut(f64, u32)) {
         let _ = self.visit_within(query, reach, &mut |squared, index| {
             visit(squared, index);
             ControlFlow::Continue(())
@@ -231,21 +231,21 @@ impl KdTree<'_> {
     pub fn visit_within(
         &self,
         query: DVec3,
-        reach: Radius,
+        reach: ScaledRadius,
         visit: &mut impl FnMut(f64, u32) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        self.search_within(0..self.order.len(), query, reach, visit)
+        self.visit_range_within(0..self.order.len(), query, reach, visit)
     }
 
-    fn search_within(
+    fn visit_range_within(
         &self,
         range: Range<usize>,
         query: DVec3,
-        reach: Radius,
+        reach: ScaledRadius,
         visit: &mut impl FnMut(f64, u32) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let mut test = |index: u32| {
-            let squared = reach.squared(self.points[index as usize] - query);
+            let squared = reach.scaled_length_squared(self.points[index as usize] - query);
             if squared <= reach.limit { visit(squared, index) } else { ControlFlow::Continue(()) }
         };
         if range.len() <= MAX_LEAF_POINTS {
@@ -255,12 +255,12 @@ impl KdTree<'_> {
         test(self.order[middle])?;
         let axis = self.axis[middle] as usize;
         let offset = self.points[self.order[middle] as usize][axis] - query[axis];
-        let near = reach.squared(DVec3::new(offset, 0.0, 0.0)) <= reach.limit;
+        let near = reach.scaled_length_squared(DVec3::new(offset, 0.0, 0.0)) <= reach.limit;
         if near || offset >= 0.0 {
-            self.search_within(range.start..middle, query, reach, visit)?;
+            self.visit_range_within(range.start..middle, query, reach, visit)?;
         }
         if near || offset <= 0.0 {
-            self.search_within(middle + 1..range.end, query, reach, visit)?;
+            self.visit_range_within(middle + 1..range.end, query, reach, visit)?;
         }
         ControlFlow::Continue(())
     }
@@ -269,42 +269,42 @@ impl KdTree<'_> {
 /// A distance scaled by a power of two close to its own size, so that its square neither overflows
 /// nor underflows.
 #[derive(Clone, Copy)]
-pub struct Radius {
+pub struct ScaledRadius {
     unit: f64,
     limit: f64,
 }
 
-impl Radius {
+impl ScaledRadius {
     /// `distance` must be finite and positive.
     #[inline]
     pub fn new(distance: f64) -> Self {
         let unit = common_unit(&[DVec3::splat(distance)]);
-        Radius { unit, limit: (distance / unit) * (distance / unit) }
+        ScaledRadius { unit, limit: (distance / unit) * (distance / unit) }
     }
 
     /// Returns true if the vector is at most as long as the radius.
     #[inline]
     pub fn contains(self, difference: DVec3) -> bool {
-        self.squared(difference) <= self.limit
+        self.scaled_length_squared(difference) <= self.limit
     }
 
     /// Returns the scaled squared length of a vector; infinite if it overflows.
-    fn squared(self, difference: DVec3) -> f64 {
+    fn scaled_length_squared(self, difference: DVec3) -> f64 {
         (difference / self.unit).length_squared()
     }
 }
 
 /// Splits a range recursively. Calls `report` for every large range, with the number of points that
 /// are split without further reports.
-fn split_reported(
+fn split_points_reported(
     points: &[DVec3],
     order: &mut [u32],
     axes: &mut [u8],
     report: &mut impl FnMut(usize) -> Result<()>,
 ) -> Result<()> {
-    if order.len() <= MAX_UNREPORTED {
+    if order.len() <= MAX_UNREPORTED_POINTS {
         report(order.len())?;
-        split(points, order, axes);
+        split_points(points, order, axes);
         return Ok(());
     }
     report(1)?;
@@ -312,16 +312,16 @@ fn split_reported(
     report(0)?;
     let middle = order.len() / 2;
     select_reported(order, middle, |i| points[i as usize][axis], &mut || report(0))?;
-    let [(left, left_axes), (right, right_axes)] = halves(order, axes, axis);
-    split_reported(points, left, left_axes, report)?;
-    split_reported(points, right, right_axes, report)
+    let [(left, left_axes), (right, right_axes)] = halves_around_middle(order, axes, axis);
+    split_points_reported(points, left, left_axes, report)?;
+    split_points_reported(points, right, right_axes, report)
 }
 
-fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
+fn split_points(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
     if order.len() > MAX_LEAF_POINTS {
         let axis = longest_axis(points, order);
-        select(order, order.len() / 2, |i| points[i as usize][axis]);
-        halves(order, axes, axis).into_iter().for_each(|(order, axes)| split(points, order, axes));
+        select_by_rank(order, order.len() / 2, |i| points[i as usize][axis]);
+        halves_around_middle(order, axes, axis).into_iter().for_each(|(order, axes)| split_points(points, order, axes));
     }
 }
 
@@ -332,7 +332,11 @@ fn longest_axis(points: &[DVec3], order: &[u32]) -> usize {
 
 /// Returns the halves on either side of the middle of a range. Stores `axis` as the axis of the
 /// middle.
-fn halves<'a>(order: &'a mut [u32], axes: &'a mut [u8], axis: usize) -> [(&'a mut [u32], &'a mut [u8]); 2] {
+fn halves_around_middle<'a>(
+    order: &'a mut [u32],
+    axes: &'a mut [u8],
+    axis: usize,
+) -> [(&'a mut [u32], &'a mut [u8]); 2] {
     let middle = order.len() / 2;
     axes[middle] = axis as u8;
     let (left, right) = order.split_at_mut(middle);
@@ -378,7 +382,7 @@ mod tests {
                 let scaled: Vec<DVec3> = points.iter().map(|&p| p * unit).collect();
                 let mut found = Vec::new();
                 let tree = KdTree::new(&scaled, &Job::default(), "").unwrap();
-                tree.for_each_within(query * unit, Radius::new(reach * unit), &mut |_, i| found.push(i));
+                tree.for_each_within(query * unit, ScaledRadius::new(reach * unit), &mut |_, i| found.push(i));
                 found.sort_unstable();
                 // Lattice points in a unit that is a power of two: nothing is rounded.
                 let close = |&i: &u32| points[i as usize].distance(query) <= reach;

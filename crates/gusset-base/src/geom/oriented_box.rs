@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 /// The largest relative round-off of a projection.
-const ROUND_OFF: f64 = 1.0 / (1u64 << 46) as f64;
+const RELATIVE_ROUND_OFF: f64 = 1.0 / (1u64 << 46) as f64;
 
 /// A box along three perpendicular axes.
 #[derive(Debug, Clone, Copy)]
@@ -32,10 +32,10 @@ impl OrientedBox {
                 }
             }
         }
-        let axes = frame(longest.1, longest.2);
+        let axes = orthonormal_frame(longest.1, longest.2);
         let mut whole = OrientedBox { axes, ..Self::EMPTY };
         for p in triangles.flatten() {
-            let (at, slack) = (whole.project(p), DVec3::splat(ROUND_OFF * p.abs().max_element()));
+            let (at, slack) = (whole.box_coordinates(p), DVec3::splat(RELATIVE_ROUND_OFF * p.abs().max_element()));
             (whole.low, whole.high) = (whole.low.min(at - slack), whole.high.max(at + slack));
         }
         whole
@@ -48,9 +48,11 @@ impl OrientedBox {
         }
         let (middle, half) = ((other.low + other.high) / 2.0, (other.high - other.low) / 2.0);
         let [x, y, z] = other.axes;
-        let centre = self.project(x * middle.x + y * middle.y + z * middle.z);
-        let reach = self.project(x).abs() * half.x + self.project(y).abs() * half.y + self.project(z).abs() * half.z;
-        let reach = reach + ROUND_OFF * (middle.abs() + half).element_sum();
+        let centre = self.box_coordinates(x * middle.x + y * middle.y + z * middle.z);
+        let reach = self.box_coordinates(x).abs() * half.x
+            + self.box_coordinates(y).abs() * half.y
+            + self.box_coordinates(z).abs() * half.z;
+        let reach = reach + RELATIVE_ROUND_OFF * (middle.abs() + half).element_sum();
         OrientedBox { axes: self.axes, low: self.low.min(centre - reach), high: self.high.max(centre + reach) }
     }
 
@@ -58,8 +60,8 @@ impl OrientedBox {
     /// content of the box.
     #[inline]
     pub fn is_beside(&self, points: &[DVec3; 3]) -> bool {
-        let slack = ROUND_OFF * points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
-        let [p, q, r] = points.map(|p| self.project(p));
+        let slack = RELATIVE_ROUND_OFF * points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
+        let [p, q, r] = points.map(|p| self.box_coordinates(p));
         (p.min(q).min(r) - slack).cmpgt(self.high).any() || (p.max(q).max(r) + slack).cmplt(self.low).any()
     }
 
@@ -68,14 +70,14 @@ impl OrientedBox {
     }
 
     #[inline]
-    fn project(&self, p: DVec3) -> DVec3 {
+    fn box_coordinates(&self, p: DVec3) -> DVec3 {
         DVec3::new(self.axes[0].dot(p), self.axes[1].dot(p), self.axes[2].dot(p))
     }
 }
 
 /// Three perpendicular unit vectors: the first along `side`, the third perpendicular to both `side`
 /// and `other`.
-fn frame(side: DVec3, other: DVec3) -> [DVec3; 3] {
+fn orthonormal_frame(side: DVec3, other: DVec3) -> [DVec3; 3] {
     let along = side.normalize_or(DVec3::X);
     // The cross product of a needle's sides is mostly round-off and may point anywhere. Use it only
     // if most of it is perpendicular to the side.
@@ -89,7 +91,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn point() -> impl Strategy<Value = DVec3> {
+    fn any_point() -> impl Strategy<Value = DVec3> {
         (-1.0..1.0, -1.0..1.0, -1.0..1.0).prop_map(|(x, y, z)| DVec3::new(x, y, z))
     }
 
@@ -98,7 +100,7 @@ mod tests {
     fn frames_are_orthonormal_for_degenerate_cross_products() {
         let mut random = fastrand::Rng::with_seed(1);
         let assert_square = |side: DVec3, other: DVec3| {
-            let axes = frame(side, other);
+            let axes = orthonormal_frame(side, other);
             for (i, j) in [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)] {
                 let expected = if i == j { 1.0 } else { 0.0 };
                 let found = axes[i].dot(axes[j]);
@@ -123,7 +125,7 @@ mod tests {
         /// shape.
         #[test]
         fn points_inside_are_not_beside(
-            base in point(), way in point(), width in 0u32..18, shift in 0u32..12,
+            base in any_point(), way in any_point(), width in 0u32..18, shift in 0u32..12,
             weights in prop::collection::vec((0.0..1.0, 0.0..1.0, 0usize..8), 1..9),
         ) {
             // A fan of needles far from the origin; the last has width 0.

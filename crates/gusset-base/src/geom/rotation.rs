@@ -1,6 +1,6 @@
 //! The rotation that best maps points to other points.
 
-use super::linear::eigen::eigen;
+use super::linear::eigen::symmetric_eigen;
 use glam::{DMat3, DQuat, DVec3};
 
 /// Returns the rotation R that maximises the trace of R^T M (B. K. P. Horn, *Closed-form solution
@@ -12,7 +12,7 @@ pub fn best_rotation(m: DMat3) -> DQuat {
     let (xy, xz, yz) = (at(1, 0) + at(0, 1), at(2, 0) + at(0, 2), at(2, 1) + at(1, 2));
     let [a, b, c] = [at(0, 0), at(1, 1), at(2, 2)];
     let k = [[a + b + c, x, y, z], [x, a - b - c, xy, xz], [y, xy, b - a - c, yz], [z, xz, yz, c - a - b]];
-    let (values, vectors) = eigen(k);
+    let (values, vectors) = symmetric_eigen(k);
     let greatest = (1..4).fold(0, |best, i| if values[i] > values[best] { i } else { best });
     let [w, x, y, z] = vectors.map(|row| row[greatest]);
     let turn = DQuat::from_xyzw(x, y, z, w).normalize();

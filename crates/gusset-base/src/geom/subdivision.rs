@@ -38,7 +38,7 @@ pub enum BoxTest<U, S> {
 
 /// The limits of the search.
 #[derive(Debug, Clone, Copy)]
-pub struct Limits {
+pub struct SubdivisionLimits {
     /// The maximum number of splits between the first box and the smallest.
     pub max_depth: u32,
     /// The maximum number of boxes to split. The box of this number and later ones are examined but
@@ -72,21 +72,21 @@ pub trait Subdivision<P, const K: usize> {
 
     /// Makes room for K parts. Override it to report a lack of memory as an error.
     #[inline(always)]
-    fn reserve(_stack: &mut Stack<P>) -> Result<(), Self::Stop> {
+    fn reserve(_stack: &mut BoxStack<P>) -> Result<(), Self::Stop> {
         Ok(())
     }
 }
 
 /// The waiting boxes, each with its depth.
-pub type Stack<P> = Vec<(P, u32)>;
+pub type BoxStack<P> = Vec<(P, u32)>;
 
 /// Examines a box, the boxes on the stack, and all their parts, depth first.
 #[inline]
 pub fn subdivide<P, const K: usize, S: Subdivision<P, K>>(
     system: &mut S,
     first: P,
-    stack: &mut Stack<P>,
-    limits: Limits,
+    stack: &mut BoxStack<P>,
+    limits: SubdivisionLimits,
 ) -> Result<(), S::Stop> {
     let mut next = Some((first, 0));
     let mut examined = 0;
@@ -127,15 +127,15 @@ pub struct UnresolvedCluster {
 }
 
 /// Boxes examined between two progress reports.
-const BOXES_PER_REPORT: usize = 1 << 11;
+const CLUSTERED_BOXES_PER_REPORT: usize = 1 << 11;
 
 /// The growth of boxes in tests of contact, which absorbs rounding.
-const GROWTH: f64 = 1.000_001;
+const CONTACT_GROWTH_FACTOR: f64 = 1.000_001;
 
 impl UnresolvedBox {
     #[inline]
     pub fn touches(&self, other: &UnresolvedBox) -> bool {
-        let gap = (self.middle - other.middle).abs() - GROWTH * (self.half + other.half);
+        let gap = (self.middle - other.middle).abs() - CONTACT_GROWTH_FACTOR * (self.half + other.half);
         gap.max_element() <= 0.0
     }
 }
@@ -143,7 +143,7 @@ impl UnresolvedBox {
 /// Appends the clusters of boxes in the order of their first boxes, and returns the index of each
 /// box's cluster. Calls `ask` regularly and returns its error. O(n log n + pairs that overlap along
 /// the first parameter).
-pub fn cluster(
+pub fn cluster_touching_boxes(
     boxes: &[UnresolvedBox],
     clusters: &mut Vec<UnresolvedCluster>,
     mut ask: impl FnMut() -> Result<()>,
@@ -152,14 +152,14 @@ pub fn cluster(
     // first box.
     let ends = |k: u32| {
         let UnresolvedBox { middle, half, .. } = boxes[k as usize];
-        [middle.x - GROWTH * half.x, middle.x + GROWTH * half.x]
+        [middle.x - CONTACT_GROWTH_FACTOR * half.x, middle.x + CONTACT_GROWTH_FACTOR * half.x]
     };
     let mut order = alloc::collect(0..boxes.len() as u32)?;
     sort::stable(&mut order, &|&a, &b| ends(a)[0].total_cmp(&ends(b)[0]).then(a.cmp(&b)));
     let mut sets = DisjointSets::new(boxes.len())?;
     let mut active: Vec<u32> = alloc::with_capacity(boxes.len())?;
     for (place, &k) in order.iter().enumerate() {
-        if place.is_multiple_of(BOXES_PER_REPORT) {
+        if place.is_multiple_of(CLUSTERED_BOXES_PER_REPORT) {
             ask()?;
         }
         // The ends are rounded, so keep boxes that just touch.
@@ -198,13 +198,13 @@ mod tests {
     use glam::DVec2;
 
     /// Solves x^2 = 2 over an interval, from the values at the ends of its parts.
-    struct SquareRoots {
+    struct SquareRootSystem {
         found: Vec<f64>,
         given_up: Vec<[f64; 2]>,
         examined: usize,
     }
 
-    impl Subdivision<[f64; 2], 2> for SquareRoots {
+    impl Subdivision<[f64; 2], 2> for SquareRootSystem {
         type Solution = f64;
         type Split = ();
         type Stop = ();
@@ -239,9 +239,9 @@ mod tests {
         }
     }
 
-    fn square_roots(max_depth: u32, max_boxes: usize) -> (SquareRoots, Result<(), ()>) {
-        let mut problem = SquareRoots { found: Vec::new(), given_up: Vec::new(), examined: 0 };
-        let done = subdivide(&mut problem, [-3.0, 9.0], &mut Vec::new(), Limits { max_depth, max_boxes });
+    fn square_roots(max_depth: u32, max_boxes: usize) -> (SquareRootSystem, Result<(), ()>) {
+        let mut problem = SquareRootSystem { found: Vec::new(), given_up: Vec::new(), examined: 0 };
+        let done = subdivide(&mut problem, [-3.0, 9.0], &mut Vec::new(), SubdivisionLimits { max_depth, max_boxes });
         (problem, done)
     }
 
@@ -277,7 +277,7 @@ mod tests {
             part(2.0, 1.0, 5.0),
         ];
         let mut clusters = Vec::new();
-        assert_eq!(cluster(&boxes, &mut clusters, || Ok(())).unwrap(), [0, 1, 0, 0, 0, 0]);
+        assert_eq!(cluster_touching_boxes(&boxes, &mut clusters, || Ok(())).unwrap(), [0, 1, 0, 0, 0, 0]);
         assert_eq!(clusters.len(), 2);
         assert_eq!((clusters[0].best.middle, clusters[0].best.residual), (boxes[2].middle, 1.0));
         assert_eq!((clusters[0].low, clusters[0].high), (DVec3::new(-0.5, -0.5, 0.0), DVec3::new(2.5, 2.5, 0.0)));

@@ -9,7 +9,7 @@ use crate::job::Job;
 use glam::DVec3;
 
 /// Queries between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 12;
+const QUERIES_PER_REPORT: usize = 1 << 12;
 
 /// A place on a set of triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +62,7 @@ impl<'a> TriangleTree<'a> {
             best.squared
         };
         let limit = guess.map_or(limit, &mut look);
-        self.tree.nearest(p, limit, &mut |leaf| self.order.get(leaf).map_or(limit, |&triangle| look(triangle)));
+        self.tree.visit_nearest(p, limit, &mut |leaf| self.order.get(leaf).map_or(limit, |&triangle| look(triangle)));
         (best.triangle != u32::MAX).then_some(best)
     }
 }
@@ -83,7 +83,7 @@ pub fn nearest_places(
     let tree = TriangleTree::new(points, triangles, stage, &job.part(0.0, 0.1))?;
     let job = job.part(0.1, 1.0);
     alloc::try_collect(places.iter().enumerate().map(|(k, &p)| {
-        job.step_every(REPORT_INTERVAL, k, places.len(), stage)?;
+        job.step_every(QUERIES_PER_REPORT, k, places.len(), stage)?;
         let found = tree.nearest(p, f64::INFINITY);
         Ok(found.map_or((triangles[0], [1.0, 0.0, 0.0]), |place| (triangles[place.triangle as usize], place.weights)))
     }))

@@ -6,82 +6,82 @@
 //! its children's updates in one dense [front](super::front). It eliminates its columns and pushes
 //! the remaining update on a stack for its parent. All sums have one fixed order on every machine.
 
-use super::front::{Front, LANES, Lanes};
+use super::frontal_matrix::{BlockColumn, FrontalMatrix, ROWS_PER_BLOCK};
 use super::supernodes::Supernodes;
-use super::symmetric::Symmetric;
+use super::symmetric::SparseSymmetric;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::sort::Buckets;
 
 /// Multiplications between two progress reports, which take a few milliseconds.
-const REPORT_INTERVAL: f64 = 16e6;
+const MULTIPLICATIONS_PER_REPORT: f64 = 16e6;
 /// The cost of moving an entry, in multiplications.
-const MOVE_COST: usize = 8;
+const MULTIPLICATIONS_PER_MOVE: usize = 8;
 
 /// The factor: for each supernode its columns of L below the diagonal, in blocks of rows.
-pub struct Factor {
+pub struct CholeskyFactor {
     pub supernodes: Supernodes,
     /// The columns of each block in turn. Entries not below the diagonal are 0.
-    pub entries: Vec<Lanes>,
+    pub entries: Vec<BlockColumn>,
     /// The inverse of D; 0 for unknowns that are left out.
     pub inverse: Vec<f64>,
 }
 
 const STAGE: &str = "solving";
 
-impl Symmetric {
+impl SparseSymmetric {
     /// Factors the matrix. An unknown whose pivot is not positive is left out: its solution will be
     /// 0, and the other unknowns solve the system without its row and column.
     ///
     /// O(sum of the squares of the columns' lengths). Memory: about 10 bytes an entry of L, less
     /// than that on the stack, and 100 bytes a row.
-    pub fn factor(&self, job: &Job<'_>) -> Result<Factor> {
+    pub fn factor(&self, job: &Job<'_>) -> Result<CholeskyFactor> {
         job.step(0.0, STAGE)?;
-        let below = self.below(&job.part(0.0, 0.0))?;
+        let below = self.entries_below_diagonal(&job.part(0.0, 0.0))?;
         let supernodes = Supernodes::new(self, &below, &job.part(0.0, 0.1))?;
         job.step(0.1, STAGE)?;
-        let costs = Costs::predict(&supernodes);
-        let mut elimination = Elimination {
+        let costs = FactorCosts::predict_from_supernodes(&supernodes);
+        let mut elimination = SupernodeElimination {
             matrix: self,
             below: &below,
-            front: Front::default(),
+            front: FrontalMatrix::default(),
             updates: alloc::with_capacity(costs.stack)?,
             local: alloc::filled(0, self.row_count())?,
             places: Vec::new(),
             diagonal: Vec::new(),
-            work: Work { job: job.part(0.1, 1.0), whole: costs.work, done: 0.0, reported: 0.0 },
+            work: FactorProgress { job: job.part(0.1, 1.0), whole: costs.work, done: 0.0, reported: 0.0 },
         };
         let (entries, inverse) = (alloc::with_capacity(costs.entries)?, alloc::filled(0.0, self.row_count())?);
-        let mut factor = Factor { supernodes, entries, inverse };
+        let mut factor = CholeskyFactor { supernodes, entries, inverse };
         job.step(0.1, STAGE)?;
         for s in 0..factor.supernodes.len() {
-            elimination.eliminate(s, &mut factor)?;
+            elimination.eliminate_supernode(s, &mut factor)?;
         }
         Ok(factor)
     }
 }
 
-impl Factor {
+impl CholeskyFactor {
     /// Returns the number of columns in each block of rows of a supernode.
-    pub fn blocks(&self, s: usize) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator + use<> {
-        blocks(self.supernodes.columns(s).len(), self.supernodes.rows(s).len())
+    pub fn columns_of_blocks(&self, s: usize) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator + use<> {
+        columns_of_blocks(self.supernodes.columns(s).len(), self.supernodes.rows_below(s).len())
     }
 }
 
 /// Returns the number of columns in each block of rows, of a supernode with the given numbers of
 /// columns and of rows below them.
-fn blocks(columns: usize, rows: usize) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator {
-    (0..(columns + rows).div_ceil(LANES)).map(move |b| columns.min(LANES * (b + 1)))
+fn columns_of_blocks(columns: usize, rows: usize) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator {
+    (0..(columns + rows).div_ceil(ROWS_PER_BLOCK)).map(move |b| columns.min(ROWS_PER_BLOCK * (b + 1)))
 }
 
 /// Returns the number of entries in a triangle with its diagonal.
-fn triangle(rows: usize) -> usize {
+fn triangle_entry_count(rows: usize) -> usize {
     rows * (rows + 1) / 2
 }
 
 /// The predicted cost of the elimination.
-struct Costs {
+struct FactorCosts {
     /// Blocks of entries in the factor.
     entries: usize,
     /// The greatest height of the stack.
@@ -90,20 +90,23 @@ struct Costs {
     work: f64,
 }
 
-impl Costs {
-    fn predict(supernodes: &Supernodes) -> Self {
-        let mut costs = Costs { entries: 0, stack: 0, work: 0.0 };
+impl FactorCosts {
+    fn predict_from_supernodes(supernodes: &Supernodes) -> Self {
+        let mut costs = FactorCosts { entries: 0, stack: 0, work: 0.0 };
         let mut height = 0;
         for s in 0..supernodes.len() {
-            let (columns, rows) = (supernodes.columns(s).len(), supernodes.rows(s).len());
-            costs.entries += blocks(columns, rows).sum::<usize>();
+            let (columns, rows) = (supernodes.columns(s).len(), supernodes.rows_below(s).len());
+            costs.entries += columns_of_blocks(columns, rows).sum::<usize>();
             let [size, rest] = [columns + rows, rows].map(|rows| rows as f64);
             // All entries are set, the columns' entries are copied out, and the rest is pushed to
             // the stack and popped.
             let moved = size * size + rest * rest / 2.0;
-            costs.work += (size * size * size - rest * rest * rest) / 6.0 + MOVE_COST as f64 * moved;
-            height -= supernodes.children(s).map(|child| triangle(supernodes.rows(child).len())).sum::<usize>();
-            height += triangle(rows);
+            costs.work += (size * size * size - rest * rest * rest) / 6.0 + MULTIPLICATIONS_PER_MOVE as f64 * moved;
+            height -= supernodes
+                .children(s)
+                .map(|child| triangle_entry_count(supernodes.rows_below(child).len()))
+                .sum::<usize>();
+            height += triangle_entry_count(rows);
             costs.stack = costs.stack.max(height);
         }
         costs
@@ -111,17 +114,17 @@ impl Costs {
 }
 
 /// The progress of the elimination.
-struct Work<'a> {
+struct FactorProgress<'a> {
     job: Job<'a>,
     whole: f64,
     done: f64,
     reported: f64,
 }
 
-impl Work<'_> {
+impl FactorProgress<'_> {
     #[inline]
-    fn spend(&mut self, multiplications: usize) -> Result<()> {
-        if self.done >= self.reported + REPORT_INTERVAL {
+    fn count_multiplications(&mut self, multiplications: usize) -> Result<()> {
+        if self.done >= self.reported + MULTIPLICATIONS_PER_REPORT {
             self.job.step(self.done / self.whole, STAGE)?;
             self.reported = self.done;
         }
@@ -130,32 +133,32 @@ impl Work<'_> {
     }
 
     #[inline]
-    fn spend_moves(&mut self, entries: usize) -> Result<()> {
-        self.spend(MOVE_COST * entries)
+    fn count_moves(&mut self, entries: usize) -> Result<()> {
+        self.count_multiplications(MULTIPLICATIONS_PER_MOVE * entries)
     }
 }
 
 /// Eliminates the supernodes in order.
-struct Elimination<'a> {
-    matrix: &'a Symmetric,
+struct SupernodeElimination<'a> {
+    matrix: &'a SparseSymmetric,
     below: &'a Buckets<(u32, f64)>,
-    front: Front,
+    front: FrontalMatrix,
     /// The stack: updates for parents that are not yet eliminated, as lower triangles, row by row.
     updates: Vec<f64>,
     /// The position in the front of each row below the front's columns.
     local: Vec<u32>,
     places: Vec<u32>,
     diagonal: Vec<f64>,
-    work: Work<'a>,
+    work: FactorProgress<'a>,
 }
 
-impl Elimination<'_> {
-    fn eliminate(&mut self, s: usize, factor: &mut Factor) -> Result<()> {
+impl SupernodeElimination<'_> {
+    fn eliminate_supernode(&mut self, s: usize, factor: &mut CholeskyFactor) -> Result<()> {
         let supernodes = &factor.supernodes;
-        let (columns, rows) = (supernodes.columns(s), supernodes.rows(s));
+        let (columns, rows) = (supernodes.columns(s), supernodes.rows_below(s));
         let (first, width) = (columns.start, columns.len());
         let work = &mut self.work;
-        self.front.reset(width + rows.len(), |count| work.spend_moves(count))?;
+        self.front.reset(width + rows.len(), |count| work.count_moves(count))?;
         rows.iter().zip(width as u32..).for_each(|(&row, to)| self.local[row as usize] = to);
         let local = &self.local;
         let place = |row: u32| if (row as usize) < columns.end { row - first as u32 } else { local[row as usize] };
@@ -171,23 +174,23 @@ impl Elimination<'_> {
             }
         }
         for child in supernodes.children(s) {
-            let rows = supernodes.rows(child);
+            let rows = supernodes.rows_below(child);
             self.places.clear();
             alloc::extend(&mut self.places, rows.iter().map(|&row| place(row)))?;
-            let left = self.updates.len() - triangle(rows.len());
-            self.front.add(&self.places, &self.updates[left..], |count| work.spend_moves(count))?;
+            let left = self.updates.len() - triangle_entry_count(rows.len());
+            self.front.add_triangle(&self.places, &self.updates[left..], |count| work.count_moves(count))?;
             self.updates.truncate(left);
         }
         let inverse = &mut factor.inverse[columns];
-        self.front.eliminate(&self.diagonal, inverse, |count| work.spend(count))?;
-        for (b, columns) in blocks(width, rows.len()).enumerate() {
-            let below_diagonal = |(k, lanes): (usize, &Lanes)| {
-                let above = (k + 1).saturating_sub(LANES * b).min(LANES);
+        self.front.eliminate_columns(&self.diagonal, inverse, |count| work.count_multiplications(count))?;
+        for (b, columns) in columns_of_blocks(width, rows.len()).enumerate() {
+            let below_diagonal = |(k, lanes): (usize, &BlockColumn)| {
+                let above = (k + 1).saturating_sub(ROWS_PER_BLOCK * b).min(ROWS_PER_BLOCK);
                 std::array::from_fn(|i| if i < above { 0.0 } else { lanes[i] })
             };
-            factor.entries.extend(self.front.block(b)[..columns].iter().enumerate().map(below_diagonal));
-            work.spend_moves(LANES * columns)?;
+            factor.entries.extend(self.front.block_columns(b)[..columns].iter().enumerate().map(below_diagonal));
+            work.count_moves(ROWS_PER_BLOCK * columns)?;
         }
-        self.front.append_rest(width, &mut self.updates, |count| work.spend_moves(count))
+        self.front.append_remaining_triangle(width, &mut self.updates, |count| work.count_moves(count))
     }
 }

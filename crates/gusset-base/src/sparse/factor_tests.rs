@@ -1,21 +1,21 @@
 //! The sparse factor against dense elimination, on random matrices.
 
-use super::factor::Factor;
-use super::front::LANES;
+use super::elimination_tree::{elimination_tree_parents, factor_column_counts};
+use super::factor::CholeskyFactor;
+use super::frontal_matrix::ROWS_PER_BLOCK;
 use super::supernodes::Supernodes;
-use super::symmetric::Symmetric;
-use super::tree::{column_counts, parents};
+use super::symmetric::SparseSymmetric;
 use crate::{Error, Job, Progress};
 use glam::DVec3;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-type Dense = Vec<Vec<f64>>;
+type DenseRows = Vec<Vec<f64>>;
 
 /// Returns the sparse form of a dense symmetric matrix: all its non-zero entries.
-fn sparse(a: &Dense) -> Symmetric {
-    let mut matrix = Symmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
+fn sparse_of_dense(a: &DenseRows) -> SparseSymmetric {
+    let mut matrix = SparseSymmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
     for (k, row) in a.iter().enumerate() {
         matrix.entries.extend((0..k).filter(|&i| row[i] != 0.0).map(|i| (i as u32, row[i])));
         matrix.start.push(matrix.entries.len());
@@ -24,13 +24,13 @@ fn sparse(a: &Dense) -> Symmetric {
     matrix
 }
 
-fn zeros(n: usize) -> Dense {
+fn zeros(n: usize) -> DenseRows {
     vec![vec![0.0; n]; n]
 }
 
 /// B^T B for a random B with about `entries` entries a row, plus a small diagonal. It resembles the
 /// squared Laplacian of a plate.
-fn random_definite(n: usize, entries: usize, random: &mut fastrand::Rng) -> Dense {
+fn random_definite(n: usize, entries: usize, random: &mut fastrand::Rng) -> DenseRows {
     let mut a = zeros(n);
     for _ in 0..n {
         let row: Vec<_> = (0..entries).map(|_| (random.usize(..n), random.f64() - 0.5)).collect();
@@ -58,25 +58,25 @@ fn grid_terms(width: usize, height: usize) -> Vec<(usize, usize, f64)> {
     terms
 }
 
-fn grid(width: usize, height: usize) -> Dense {
+fn grid_matrix(width: usize, height: usize) -> DenseRows {
     let mut a = zeros(width * height);
     grid_terms(width, height).into_iter().for_each(|(i, j, value)| a[i][j] += value);
     a
 }
 
-fn permuted(a: &Dense, order: &[usize]) -> Dense {
+fn permute_unknowns(a: &DenseRows, order: &[usize]) -> DenseRows {
     order.iter().map(|&i| order.iter().map(|&j| a[i][j]).collect()).collect()
 }
 
-fn shuffled(n: usize, random: &mut fastrand::Rng) -> Vec<usize> {
+fn random_permutation(n: usize, random: &mut fastrand::Rng) -> Vec<usize> {
     let mut order: Vec<_> = (0..n).collect();
     random.shuffle(&mut order);
     order
 }
 
 /// Solves by Gaussian elimination without pivoting, on the kept rows and columns; 0 elsewhere.
-fn solved(a: &Dense, b: &[DVec3], kept: &[usize]) -> Vec<DVec3> {
-    let mut a = permuted(a, kept);
+fn solve_kept_unknowns(a: &DenseRows, b: &[DVec3], kept: &[usize]) -> Vec<DVec3> {
+    let mut a = permute_unknowns(a, kept);
     let mut x: Vec<_> = kept.iter().map(|&k| b[k]).collect();
     let n = kept.len();
     for k in 0..n {
@@ -99,11 +99,11 @@ fn right_side(n: usize, random: &mut fastrand::Rng) -> Vec<DVec3> {
     (0..n).map(|_| DVec3::new(random.f64(), random.f64(), random.f64()) - 0.5).collect()
 }
 
-fn factor(a: &Dense) -> Factor {
-    sparse(a).factor(&Job::default()).unwrap()
+fn factor(a: &DenseRows) -> CholeskyFactor {
+    sparse_of_dense(a).factor(&Job::default()).unwrap()
 }
 
-fn solve(a: &Dense, b: &[DVec3]) -> Vec<DVec3> {
+fn solve(a: &DenseRows, b: &[DVec3]) -> Vec<DVec3> {
     let mut x = b.to_vec();
     factor(a).solve(&mut x, &Job::default()).unwrap();
     x
@@ -116,16 +116,17 @@ fn assert_close(found: &[DVec3], expected: &[DVec3], tolerance: f64, what: &str)
 }
 
 /// L as a dense matrix, in the order of elimination.
-fn unpacked(factor: &Factor) -> Dense {
+fn dense_lower_factor(factor: &CholeskyFactor) -> DenseRows {
     let n = factor.inverse.len();
     let mut lower = zeros(n);
     let mut used = 0;
     for s in 0..factor.supernodes.len() {
         let columns = factor.supernodes.columns(s);
-        let rows: Vec<_> = columns.clone().chain(factor.supernodes.rows(s).iter().map(|&row| row as usize)).collect();
-        for (b, count) in factor.blocks(s).enumerate() {
+        let rows: Vec<_> =
+            columns.clone().chain(factor.supernodes.rows_below(s).iter().map(|&row| row as usize)).collect();
+        for (b, count) in factor.columns_of_blocks(s).enumerate() {
             for (k, lanes) in columns.clone().zip(&factor.entries[used..used + count]) {
-                for (&row, &entry) in rows[LANES * b..].iter().zip(lanes) {
+                for (&row, &entry) in rows[ROWS_PER_BLOCK * b..].iter().zip(lanes) {
                     assert!(row > k || entry == 0.0, "above the diagonal");
                     lower[row][k] = entry;
                 }
@@ -138,7 +139,7 @@ fn unpacked(factor: &Factor) -> Dense {
     lower
 }
 
-fn cases() -> Vec<(String, Dense)> {
+fn test_matrices() -> Vec<(String, DenseRows)> {
     let mut random = fastrand::Rng::with_seed(7);
     let mut cases = Vec::new();
     for n in [1, 2, 3, 7, 8, 9, 24, 25, 33, 64, 100, 150] {
@@ -147,9 +148,9 @@ fn cases() -> Vec<(String, Dense)> {
         }
     }
     for (width, height) in [(40, 2), (13, 13), (16, 16)] {
-        let a = grid(width, height);
-        let order = shuffled(a.len(), &mut random);
-        cases.push((format!("shuffled grid {width} {height}"), permuted(&a, &order)));
+        let a = grid_matrix(width, height);
+        let order = random_permutation(a.len(), &mut random);
+        cases.push((format!("shuffled grid {width} {height}"), permute_unknowns(&a, &order)));
         cases.push((format!("grid {width} {height}"), a));
     }
     // An arrow matrix in either order: the factor has no fill-in, or is full.
@@ -160,16 +161,16 @@ fn cases() -> Vec<(String, Dense)> {
     arrow[69] = vec![-1.0 / 9.0; 70];
     arrow[69][69] = 70.0;
     let back: Vec<_> = (0..70).rev().collect();
-    cases.push(("dense arrow".into(), permuted(&arrow, &back)));
+    cases.push(("dense arrow".into(), permute_unknowns(&arrow, &back)));
     cases.push(("arrow".into(), arrow));
     cases
 }
 
 #[test]
 fn factors_reproduce_the_matrix() {
-    for (name, a) in cases() {
+    for (name, a) in test_matrices() {
         let factor = factor(&a);
-        let lower = unpacked(&factor);
+        let lower = dense_lower_factor(&factor);
         let order = &factor.supernodes.order;
         let size = a.iter().flatten().fold(0.0, |size: f64, entry| size.max(entry.abs()));
         for i in 0..a.len() {
@@ -185,17 +186,17 @@ fn factors_reproduce_the_matrix() {
 #[test]
 fn solutions_agree_with_dense_elimination() {
     let mut random = fastrand::Rng::with_seed(8);
-    for (name, a) in cases() {
+    for (name, a) in test_matrices() {
         let n = a.len();
         let b = right_side(n, &mut random);
         let all: Vec<_> = (0..n).collect();
-        let expected = solved(&a, &b, &all);
+        let expected = solve_kept_unknowns(&a, &b, &all);
         assert_close(&solve(&a, &b), &expected, 1e-9, &name);
         // A different numbering gives the same solution.
-        let order = shuffled(n, &mut random);
+        let order = random_permutation(n, &mut random);
         let right: Vec<_> = order.iter().map(|&k| b[k]).collect();
         let expected: Vec<_> = order.iter().map(|&k| expected[k]).collect();
-        assert_close(&solve(&permuted(&a, &order), &right), &expected, 1e-9, &name);
+        assert_close(&solve(&permute_unknowns(&a, &order), &right), &expected, 1e-9, &name);
     }
     assert!(solve(&zeros(0), &[]).is_empty());
 }
@@ -241,7 +242,7 @@ fn unknowns_without_a_positive_pivot_are_left_out() {
             let b = right_side(n, &mut random);
             let mut x = b.clone();
             factor.solve(&mut x, &Job::default()).unwrap();
-            assert_close(&x, &solved(&a, &b, &kept), 1e-9, "left out");
+            assert_close(&x, &solve_kept_unknowns(&a, &b, &kept), 1e-9, "left out");
             assert!((0..n).all(|k| kept.contains(&k) || x[k] == DVec3::ZERO), "{n}");
             assert_eq!(order.len(), n);
         }
@@ -253,7 +254,7 @@ fn unknowns_without_a_positive_pivot_are_left_out() {
 /// The entries of the factor according to a naive elimination of the pattern.
 #[test]
 fn counts_and_groups_agree_with_the_pattern() {
-    for (name, a) in cases() {
+    for (name, a) in test_matrices() {
         let n = a.len();
         let mut pattern: Vec<Vec<bool>> = a.iter().map(|row| row.iter().map(|&entry| entry != 0.0).collect()).collect();
         for k in 0..n {
@@ -263,10 +264,10 @@ fn counts_and_groups_agree_with_the_pattern() {
                 }
             }
         }
-        let matrix = sparse(&a);
-        let below = matrix.below(&Job::default()).unwrap();
-        let parent = parents(&matrix, &Job::default()).unwrap();
-        let counts = column_counts(&below, &parent, &Job::default()).unwrap();
+        let matrix = sparse_of_dense(&a);
+        let below = matrix.entries_below_diagonal(&Job::default()).unwrap();
+        let parent = elimination_tree_parents(&matrix, &Job::default()).unwrap();
+        let counts = factor_column_counts(&below, &parent, &Job::default()).unwrap();
         for k in 0..n {
             let rows: Vec<_> = (k + 1..n).filter(|&i| pattern[i][k]).collect();
             assert_eq!(counts[k] as usize, 1 + rows.len(), "{name}: column {k}");
@@ -278,13 +279,13 @@ fn counts_and_groups_agree_with_the_pattern() {
             let columns = groups.columns(s);
             assert_eq!(columns.start, next, "{name}");
             next = columns.end;
-            assert!(groups.rows(s).is_sorted_by(|i, j| i < j), "{name}");
+            assert!(groups.rows_below(s).is_sorted_by(|i, j| i < j), "{name}");
             for k in columns.clone() {
-                let has = |row: &usize| columns.contains(row) || groups.rows(s).contains(&(*row as u32));
+                let has = |row: &usize| columns.contains(row) || groups.rows_below(s).contains(&(*row as u32));
                 let old = groups.order[k] as usize;
                 let mut rows = (0..n).filter(|&i| i > old && pattern[i][old]).map(|i| groups.place[i] as usize);
                 assert!(rows.all(|row| row > k && has(&row)), "{name}: column {k}");
-                stored += columns.end - k + groups.rows(s).len();
+                stored += columns.end - k + groups.rows_below(s).len();
             }
         }
         let entries: usize = counts.iter().map(|&count| count as usize).sum();
@@ -294,12 +295,12 @@ fn counts_and_groups_agree_with_the_pattern() {
 }
 
 /// Cancels after a number of reports, and checks that fractions never decrease.
-struct Patience {
+struct CancelsAfterSteps {
     left: Cell<usize>,
     fraction: Cell<f64>,
 }
 
-impl Progress for Patience {
+impl Progress for CancelsAfterSteps {
     fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
         assert!((self.fraction.get()..=1.0).contains(&fraction), "{fraction} after {}", self.fraction.get());
         self.fraction.set(fraction);
@@ -313,14 +314,14 @@ fn progress_is_reported_regularly() {
     let n = if cfg!(debug_assertions) { 72 } else { 120 };
     let mut columns = vec![BTreeMap::<usize, f64>::new(); n * n];
     grid_terms(n, n).into_iter().for_each(|(i, j, value)| *columns[j].entry(i).or_default() += value);
-    let mut a = Symmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
+    let mut a = SparseSymmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
     for (k, column) in columns.iter().enumerate() {
         a.entries.extend(column.range(..k).map(|(&i, &value)| (i as u32, value)));
         a.start.push(a.entries.len());
         a.diagonal.push(column[&k]);
     }
     let run = |left: usize| {
-        let patience = Patience { left: Cell::new(left), fraction: Cell::new(0.0) };
+        let patience = CancelsAfterSteps { left: Cell::new(left), fraction: Cell::new(0.0) };
         let job = Job::new(1, &patience);
         let mut x = vec![DVec3::ONE; a.row_count()];
         let done = a.factor(&job.part(0.0, 0.5)).and_then(|factor| factor.solve(&mut x, &job.part(0.5, 1.0)));

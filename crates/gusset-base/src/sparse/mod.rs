@@ -1,27 +1,27 @@
 //! Sparse symmetric systems of linear equations.
 //!
 //! The factor L D L^T is computed by a multifrontal method (see `factor`), in an order of the
-//! unknowns found by nested dissection (see `order`).
+//! unknowns found by nested dissection (see `elimination_order`).
 //!
 //! | file | content |
 //! |---|---|
 //! | `symmetric` | a sparse symmetric matrix |
-//! | `order` | an order of the unknowns that keeps the factor sparse |
-//! | `tree` | the elimination tree, and the number of entries in each column of the factor |
+//! | `elimination_order` | an order of the unknowns that keeps the factor sparse |
+//! | `elimination_tree` | the elimination tree, and the number of entries in each column of the factor |
 //! | `supernodes` | columns of the factor that are computed together |
-//! | `front` | elimination in a dense matrix |
+//! | `frontal_matrix` | elimination in a dense matrix |
 //! | `factor` | the factor |
-//! | `solve` | solutions by the factor |
+//! | `solve_factored` | solutions by the factor |
 
+mod elimination_order;
+mod elimination_tree;
 mod factor;
 #[cfg(test)]
 mod factor_tests;
-mod front;
-mod order;
-mod solve;
+mod frontal_matrix;
+mod solve_factored;
 mod supernodes;
 mod symmetric;
-mod tree;
 
-pub use order::{Coupling, dissect};
-pub use symmetric::Symmetric;
+pub use elimination_order::{UnknownCouplings, dissect};
+pub use symmetric::SparseSymmetric;

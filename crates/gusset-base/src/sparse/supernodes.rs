@@ -6,8 +6,8 @@
 //! Grimes, *The influence of relaxed supernode partitions on the multifrontal method* (1989); J. W.
 //! H. Liu, *The multifrontal method for sparse matrix solution* (1992).
 
-use super::symmetric::Symmetric;
-use super::tree::{column_counts, parents, postorder};
+use super::elimination_tree::{elimination_tree_parents, factor_column_counts, forest_postorder};
+use super::symmetric::SparseSymmetric;
 use crate::NONE;
 use crate::alloc;
 use crate::error::Result;
@@ -17,13 +17,13 @@ use std::ops::Range;
 
 /// The share of zeros that groups may hold, by their number of columns: each pair is the largest
 /// number of columns and its share.
-const MAX_ZEROS: [(u64, f64); 3] = [(16, 0.6), (48, 0.15), (u64::MAX, 0.05)];
+const MAX_ZERO_SHARES: [(u64, f64); 3] = [(16, 0.6), (48, 0.15), (u64::MAX, 0.05)];
 /// Supernodes with at most this many columns may store any number of explicit zeros.
 const MAX_COLUMNS_WITH_ANY_ZEROS: u64 = 4;
 /// A matrix of at most this many columns is a single group.
-const MAX_SINGLE: usize = 24;
+const MAX_SINGLE_GROUP_COLUMNS: usize = 24;
 /// Entries examined between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 18;
+const ENTRIES_PER_REPORT: usize = 1 << 18;
 
 /// The groups in the order of elimination.
 pub struct Supernodes {
@@ -45,15 +45,15 @@ pub struct Supernodes {
 impl Supernodes {
     /// Finds the groups of a matrix. `below` has the matrix's entries below the diagonal. O(e log
     /// n), where e is the total number of rows of all groups.
-    pub fn new(matrix: &Symmetric, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<Self> {
+    pub fn new(matrix: &SparseSymmetric, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<Self> {
         let n = matrix.row_count();
-        if n <= MAX_SINGLE {
-            return Supernodes::single(n);
+        if n <= MAX_SINGLE_GROUP_COLUMNS {
+            return Supernodes::single_group(n);
         }
-        let parent = parents(matrix, &job.part(0.0, 0.2))?;
-        let count = column_counts(below, &parent, &job.part(0.2, 0.6))?;
+        let parent = elimination_tree_parents(matrix, &job.part(0.0, 0.2))?;
+        let count = factor_column_counts(below, &parent, &job.part(0.2, 0.6))?;
         job.step(0.6, "solving")?;
-        let group = groups(&parent, &count)?;
+        let group = merge_columns_into_groups(&parent, &count)?;
         job.step(0.6, "solving")?;
 
         // Until the postorder numbers it, a group is identified by its last column.
@@ -64,7 +64,7 @@ impl Supernodes {
         }
         let group_of = |column: u32| if column == NONE { NONE } else { number[group[column as usize] as usize] };
         let unordered = alloc::collect(last.iter().map(|&k| group_of(parent[k as usize])))?;
-        let sequence = postorder(&unordered, &job.part(0.6, 0.6))?;
+        let sequence = forest_postorder(&unordered, &job.part(0.6, 0.6))?;
         job.step(0.6, "solving")?;
         let columns = Buckets::new(last.len(), 0, (0..n as u32).map(|k| (group_of(k) as usize, k)))?;
         job.step(0.6, "solving")?;
@@ -95,7 +95,7 @@ impl Supernodes {
     }
 
     /// Returns a single group of all columns.
-    fn single(n: usize) -> Result<Self> {
+    fn single_group(n: usize) -> Result<Self> {
         let numbers = alloc::collect(0..n as u32)?;
         let [place, first, parent, subtree] = [numbers.clone(), vec![0, n as u32], vec![NONE], vec![0]];
         Ok(Supernodes { order: numbers, place, first, rows: Vec::new(), rows_start: vec![0, 0], parent, subtree })
@@ -112,7 +112,7 @@ impl Supernodes {
     }
 
     /// Returns the rows below the columns in which the group has entries.
-    pub fn rows(&self, s: usize) -> &[u32] {
+    pub fn rows_below(&self, s: usize) -> &[u32] {
         &self.rows[self.rows_start[s]..self.rows_start[s + 1]]
     }
 
@@ -145,7 +145,7 @@ impl Supernodes {
                 rows.iter().try_for_each(|&(i, _)| add(self.place[i as usize]))?;
             }
             for child in self.children(s) {
-                let rows = self.rows(child);
+                let rows = self.rows_below(child);
                 looked_at += rows.len();
                 rows.iter().try_for_each(|&row| add(row))?;
             }
@@ -153,7 +153,7 @@ impl Supernodes {
             alloc::append(&mut self.rows, &found)?;
             found.clear();
             self.rows_start.push(self.rows.len());
-            if looked_at >= REPORT_INTERVAL {
+            if looked_at >= ENTRIES_PER_REPORT {
                 job.step(s as f64 / self.len() as f64, "solving")?;
                 looked_at = 0;
             }
@@ -164,7 +164,7 @@ impl Supernodes {
 
 /// The size of a group.
 #[derive(Clone, Copy)]
-struct Size {
+struct SupernodeSize {
     columns: u64,
     /// Rows below its columns.
     rows: u64,
@@ -172,39 +172,39 @@ struct Size {
     zeros: u64,
 }
 
-impl Size {
+impl SupernodeSize {
     /// Returns the number of entries on and below the diagonal.
-    fn entries(self) -> u64 {
+    fn entry_count(self) -> u64 {
         self.columns * (self.columns + 1) / 2 + self.columns * self.rows
     }
 
     /// Merges a group with its child.
-    fn merged_with(self, child: Size) -> Size {
-        let both = Size { columns: self.columns + child.columns, ..self };
-        let stored = self.entries() - self.zeros + child.entries() - child.zeros;
-        Size { zeros: both.entries() - stored, ..both }
+    fn merged_with(self, child: SupernodeSize) -> SupernodeSize {
+        let both = SupernodeSize { columns: self.columns + child.columns, ..self };
+        let stored = self.entry_count() - self.zeros + child.entry_count() - child.zeros;
+        SupernodeSize { zeros: both.entry_count() - stored, ..both }
     }
 
-    fn is_dense(self) -> bool {
-        let share = self.zeros as f64 / self.entries() as f64;
-        let bound = MAX_ZEROS.iter().find(|(columns, _)| self.columns <= *columns);
+    fn has_few_zeros(self) -> bool {
+        let share = self.zeros as f64 / self.entry_count() as f64;
+        let bound = MAX_ZERO_SHARES.iter().find(|(columns, _)| self.columns <= *columns);
         self.columns <= MAX_COLUMNS_WITH_ANY_ZEROS || bound.is_some_and(|&(_, bound)| share <= bound)
     }
 }
 
 /// Returns the last column of each column's group. Proceeds from the leaves: each column absorbs
 /// the groups of its children, the last one first, while that adds few zeros.
-fn groups(parent: &[u32], count: &[u32]) -> Result<Vec<u32>> {
+fn merge_columns_into_groups(parent: &[u32], count: &[u32]) -> Result<Vec<u32>> {
     let n = parent.len();
     let mut last = alloc::collect(0..n as u32)?;
-    let whole = |&count: &u32| Size { columns: 1, rows: u64::from(count) - 1, zeros: 0 };
+    let whole = |&count: &u32| SupernodeSize { columns: 1, rows: u64::from(count) - 1, zeros: 0 };
     let mut size = alloc::collect(count.iter().map(whole))?;
     let (mut child, mut sibling) = (alloc::filled(NONE, n)?, alloc::filled(NONE, n)?);
     for k in 0..n {
         let mut next = child[k];
         while next != NONE {
             let both = size[k].merged_with(size[next as usize]);
-            if both.is_dense() {
+            if both.has_few_zeros() {
                 size[k] = both;
                 last[next as usize] = k as u32;
             }

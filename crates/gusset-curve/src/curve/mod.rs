@@ -24,9 +24,9 @@ pub struct CurveView<'a> {
     closed: bool,
 }
 
-/// Checks that a point is finite; `point` is its index, for the error.
-pub(crate) fn check_finite(point: usize, p: DVec3) -> Result<()> {
-    Error::check_finite(Element::Point, point as u64, p)
+/// Checks that a point is finite; `point_index` is its index, for the error.
+pub(crate) fn check_finite(point_index: usize, p: DVec3) -> Result<()> {
+    Error::check_finite(Element::Point, point_index as u64, p)
 }
 
 /// A place on a curve: a segment and a parameter from 0 to 1.
@@ -42,7 +42,7 @@ impl Place {
     pub(super) const START: Place = Place { segment: 0, t: 0.0 };
 
     /// Returns the place as one number: the segment plus the parameter.
-    pub(super) fn position(self) -> f64 {
+    pub(super) fn global_parameter(self) -> f64 {
         f64::from(self.segment) + self.t
     }
 }
@@ -79,7 +79,7 @@ impl<'a> CurveView<'a> {
     }
 
     /// Creates a curve without checking its points and ends.
-    pub(super) fn trusted(points: &'a [DVec3], ends: &'a [u32], closed: bool) -> Self {
+    pub(super) fn new_unchecked(points: &'a [DVec3], ends: &'a [u32], closed: bool) -> Self {
         CurveView { points, ends, closed }
     }
 
@@ -131,7 +131,7 @@ impl<'a> CurveView<'a> {
     }
 
     /// Returns the end of the last segment.
-    pub(super) fn last_place(&self) -> Place {
+    pub(super) fn end_place(&self) -> Place {
         Place { segment: self.len() as u32 - 1, t: 1.0 }
     }
 
@@ -140,13 +140,13 @@ impl<'a> CurveView<'a> {
     }
 
     /// Checks that the curve lies in the plane z = 0.
-    pub(super) fn check_plane(&self) -> Result<()> {
+    pub(super) fn check_in_xy_plane(&self) -> Result<()> {
         let outside = self.points.iter().position(|p| p.z != 0.0);
         outside.map_or(Ok(()), |point| Err(Error::CurveNotPlane { point: point as u32 }))
     }
 
     /// Returns the number of segments after which a closed curve repeats; infinite for an open one.
-    pub(super) fn period(&self) -> f64 {
+    pub(super) fn period_in_segments(&self) -> f64 {
         if self.closed { self.len() as f64 } else { f64::INFINITY }
     }
 
@@ -187,20 +187,20 @@ impl Curve {
         Ok(curve)
     }
 
-    /// Appends a segment. `rest` has its control points except the first, which is the current end
-    /// of the curve.
+    /// Appends a segment. `controls_after_first` has its control points except the first, which is
+    /// the current end of the curve.
     ///
     /// # Errors
     /// [`Error::TooLarge`] (more control points than 32 bits can count), [`Error::OutOfMemory`].
-    pub(super) fn push(&mut self, rest: &[DVec3]) -> Result<()> {
-        Error::check_count("control points", (self.points.len() + rest.len()) as u64, u32::MAX.into())?;
-        alloc::append(&mut self.points, rest)?;
+    pub(super) fn push_segment(&mut self, controls_after_first: &[DVec3]) -> Result<()> {
+        Error::check_count("control points", (self.points.len() + controls_after_first.len()) as u64, u32::MAX.into())?;
+        alloc::append(&mut self.points, controls_after_first)?;
         alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
     }
 
     /// Borrows the curve.
     pub fn view(&self) -> CurveView<'_> {
-        CurveView::trusted(&self.points, &self.ends, self.closed)
+        CurveView::new_unchecked(&self.points, &self.ends, self.closed)
     }
 }
 

@@ -5,7 +5,7 @@ use gusset_base::geom::bernstein::{self, MAX_COEFFICIENTS, Roots, add_product, r
 use std::ops::{Deref, DerefMut};
 
 /// Returns true if all control points of a segment coincide.
-pub(crate) fn is_point(controls: &[DVec3]) -> bool {
+pub(crate) fn is_single_point(controls: &[DVec3]) -> bool {
     controls.iter().all(|&p| p == controls[0])
 }
 
@@ -15,14 +15,14 @@ pub const MAX_DEGREE: usize = bernstein::MAX_DEGREE;
 /// Returns the point at parameter `t`, by de Casteljau's scheme, unrolled for the most common
 /// degrees.
 #[inline]
-pub(crate) fn point(controls: &[DVec3], t: f64) -> DVec3 {
+pub(crate) fn point_at(controls: &[DVec3], t: f64) -> DVec3 {
     let s = 1.0 - t;
     match *controls {
         [] => DVec3::ZERO,
         [p] => p,
         [p, q] => p * s + q * t,
         [p, q, r] => (p * s + q * t) * s + (q * s + r * t) * t,
-        _ => horner(controls, t),
+        _ => evaluate_by_horner(controls, t),
     }
 }
 
@@ -31,14 +31,14 @@ const MAX_BINOMIAL_SUM: f64 = (1u128 << 80) as f64;
 
 /// Returns the sum of the Bernstein terms. Control points so large that a term overflows are scaled
 /// first.
-fn horner(controls: &[DVec3], t: f64) -> DVec3 {
-    let point = scaled_sum(controls, t, 1.0);
-    if point.is_finite() { point } else { scaled_sum(controls, t, 1.0 / MAX_BINOMIAL_SUM) * MAX_BINOMIAL_SUM }
+fn evaluate_by_horner(controls: &[DVec3], t: f64) -> DVec3 {
+    let point = scaled_bernstein_sum(controls, t, 1.0);
+    if point.is_finite() { point } else { scaled_bernstein_sum(controls, t, 1.0 / MAX_BINOMIAL_SUM) * MAX_BINOMIAL_SUM }
 }
 
 /// Returns the sum of the terms times `unit` by a Horner-like scheme. It starts at the nearer end,
 /// so that the ratio x of its powers is at most 1.
-fn scaled_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
+fn scaled_bernstein_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
     let n = controls.len() - 1;
     let backwards = t > 0.5;
     let (t, s) = if backwards { (1.0 - t, t) } else { (t, 1.0 - t) };
@@ -110,7 +110,7 @@ impl DistanceSlope {
     /// Returns the interval around a root on which rounding hides the slope's sign, up to twice as
     /// long to either side. Returns `None` for a root that is well defined. Near a singular point,
     /// where C' is small too, the interval may be long and the minimum anywhere in it.
-    pub(crate) fn flat_interval(&self, root: f64) -> Option<[f64; 2]> {
+    pub(crate) fn interval_with_uncertain_sign(&self, root: f64) -> Option<[f64; 2]> {
         let slope = |t: f64| value_and_slope(self.coefficients(), t);
         if slope(root).1.abs() * MAX_ROOT_ERROR > self.rounding_error {
             return None;
@@ -148,7 +148,7 @@ impl SegmentBuffer {
     }
 
     /// Replaces the control points by the derivative's, n (B_(i+1) - B_i). A constant leaves none.
-    pub(crate) fn derive(&mut self) {
+    pub(crate) fn differentiate(&mut self) {
         self.len = bernstein::derive(&mut self.controls[..self.len]);
     }
 
@@ -168,7 +168,7 @@ impl SegmentBuffer {
 
     /// Returns the part between the parameters `from` < `to`. At 0 and 1 the end points keep their
     /// bits.
-    pub(crate) fn part(mut self, from: f64, to: f64) -> Self {
+    pub(crate) fn into_part_between(mut self, from: f64, to: f64) -> Self {
         let mut end = to;
         if from > 0.0 {
             self.split_off_front(from);
@@ -194,11 +194,11 @@ impl DerefMut for SegmentBuffer {
 
 /// Returns the point at `t` and its derivatives with respect to the parameter, N values in all; 0
 /// beyond the degree.
-pub(crate) fn jet<const N: usize>(controls: &[DVec3], t: f64) -> [DVec3; N] {
+pub(crate) fn point_and_derivatives<const N: usize>(controls: &[DVec3], t: f64) -> [DVec3; N] {
     let mut derived = SegmentBuffer::new(controls);
     [(); N].map(|()| {
-        let value = point(&derived, t);
-        derived.derive();
+        let value = point_at(&derived, t);
+        derived.differentiate();
         value
     })
 }

@@ -19,7 +19,7 @@ pub(crate) struct UnitFrame {
 }
 
 /// Returns the power of 2 that scales `x` into 1/2 .. 1, or as close as a normal number can.
-pub(crate) fn power_to_one(x: f64) -> f64 {
+pub(crate) fn power_of_two_to_unit_size(x: f64) -> f64 {
     let (_, exponent) = libm::frexp(x);
     libm::ldexp(1.0, (-exponent).clamp(-1022, 1022))
 }
@@ -29,19 +29,24 @@ impl UnitFrame {
     pub(crate) fn from_points<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> Self {
         let whole = Aabb::from_points(points);
         let Aabb { low, high } = if whole.low.is_finite() { whole } else { Aabb::from_points([DVec3::ZERO]) };
-        let coarse = power_to_one(low.abs().max(high.abs()).max_element());
+        let coarse = power_of_two_to_unit_size(low.abs().max(high.abs()).max_element());
         let (low, high) = (low * coarse, high * coarse);
-        UnitFrame { coarse, origin: low * 0.5 + high * 0.5, fine: power_to_one((high - low).max_element() * 0.5) }
+        UnitFrame {
+            coarse,
+            origin: low * 0.5 + high * 0.5,
+            fine: power_of_two_to_unit_size((high - low).max_element() * 0.5),
+        }
     }
 
     /// Transforms a point into the frame. The components of the points that define the frame become
     /// at most 1.
-    pub(crate) fn point(&self, p: DVec3) -> DVec3 {
+    pub(crate) fn point_to_frame(&self, p: DVec3) -> DVec3 {
         (p * self.coarse - self.origin) * self.fine
     }
 
-    /// Transforms a point like [`point`](Self::point), and returns the rounding error as well.
-    pub(crate) fn point_with_remainder(&self, p: DVec3) -> [DVec3; 2] {
+    /// Transforms a point like [`point_to_frame`](Self::point_to_frame), and returns the rounding
+    /// error as well.
+    pub(crate) fn point_to_frame_with_rounding_error(&self, p: DVec3) -> [DVec3; 2] {
         let (given, origin) = (p * self.coarse, self.origin);
         let rounded = given - origin;
         // Knuth's TwoSum.
@@ -50,26 +55,26 @@ impl UnitFrame {
         [rounded * self.fine, remainder * self.fine]
     }
 
-    pub(crate) fn points(&self, points: &[DVec3]) -> Result<Vec<DVec3>> {
-        alloc::collect(points.iter().map(|&p| self.point(p)))
+    pub(crate) fn points_to_frame(&self, points: &[DVec3]) -> Result<Vec<DVec3>> {
+        alloc::collect(points.iter().map(|&p| self.point_to_frame(p)))
     }
 
     /// Transforms the control points of a segment into the frame.
-    pub(crate) fn segment(&self, controls: &[DVec3]) -> SegmentBuffer {
-        SegmentBuffer::from_mapped(controls, |p| self.point(p))
+    pub(crate) fn segment_to_frame(&self, controls: &[DVec3]) -> SegmentBuffer {
+        SegmentBuffer::from_mapped(controls, |p| self.point_to_frame(p))
     }
 
     /// Transforms a point from the frame into the host's coordinates.
-    pub(crate) fn point_back(&self, p: DVec3) -> DVec3 {
+    pub(crate) fn point_from_frame(&self, p: DVec3) -> DVec3 {
         (p / self.fine + self.origin) / self.coarse
     }
 
-    pub(crate) fn length(&self, x: f64) -> f64 {
+    pub(crate) fn length_to_frame(&self, x: f64) -> f64 {
         x * self.coarse * self.fine
     }
 
     /// Converts a length from the frame into the host's unit.
-    pub(crate) fn length_back(&self, x: f64) -> f64 {
+    pub(crate) fn length_from_frame(&self, x: f64) -> f64 {
         x / self.fine / self.coarse
     }
 }
@@ -84,14 +89,14 @@ mod tests {
             let points = [DVec3::new(1.0, -1.0, 0.5) * scale, DVec3::new(0.25, 1.5, 0.5) * scale];
             let frame = UnitFrame::from_points(&points);
             for p in points {
-                let local = frame.point(p);
+                let local = frame.point_to_frame(p);
                 assert!(local.abs().max_element() <= 1.0, "{scale}: {local}");
-                assert!((frame.point_back(local) - p).abs().max_element() <= 1e-15 * scale, "{scale}");
+                assert!((frame.point_from_frame(local) - p).abs().max_element() <= 1e-15 * scale, "{scale}");
             }
-            let length = frame.length(scale);
-            assert!((scale < 1e-300 || (0.2..4.0).contains(&length)) && frame.length_back(length) == scale);
+            let length = frame.length_to_frame(scale);
+            assert!((scale < 1e-300 || (0.2..4.0).contains(&length)) && frame.length_from_frame(length) == scale);
         }
         let same = [DVec3::splat(3.0); 2];
-        assert_eq!(UnitFrame::from_points(&same).point(same[0]), DVec3::ZERO);
+        assert_eq!(UnitFrame::from_points(&same).point_to_frame(same[0]), DVec3::ZERO);
     }
 }

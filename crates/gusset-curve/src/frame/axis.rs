@@ -11,7 +11,7 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::scale::distance;
 
 /// The sine of the smallest angle between an axis and the reference.
-const MIN_SINE: f64 = 1e-9;
+const MIN_AXIS_TO_REFERENCE_SINE: f64 = 1e-9;
 
 /// For each section the point of its axis and three perpendicular directions: along the axis,
 /// towards the reference, and perpendicular to both. If `ring`, the first section follows the last,
@@ -24,7 +24,10 @@ pub(super) fn axis_frames(
 ) -> Result<Vec<(DVec3, [DVec3; 3])>> {
     let points = match axis {
         Axis::Line { point, direction } => {
-            return alloc::filled((point, axes(unit(direction, "axis")?, reference)?), sections);
+            return alloc::filled(
+                (point, orthonormal_axes(normalise_option_vector(direction, "axis")?, reference)?),
+                sections,
+            );
         }
         Axis::Points(points) => points,
     };
@@ -38,10 +41,11 @@ pub(super) fn axis_frames(
     bad.map_or(Ok(()), |x| Error::require(false, "axis_points", x))?;
     // Halve the points first, because their difference may overflow.
     let half = |k: usize| points[k % n] * 0.5;
-    let chord = |k: usize| Ok((unit(half(k + 1) - half(k), "axis_points")?, distance(half(k), half(k + 1))));
+    let chord =
+        |k: usize| Ok((normalise_option_vector(half(k + 1) - half(k), "axis_points")?, distance(half(k), half(k + 1))));
     let chords = alloc::try_collect((0..if ring { n } else { n - 1 }).map(chord))?;
-    let tangents = alloc::try_collect((0..n).map(|k| tangent(&chords, k, ring)))?;
-    let [along, start, second] = axes(tangents[0], reference)?;
+    let tangents = alloc::try_collect((0..n).map(|k| circle_tangent_at(&chords, k, ring)))?;
+    let [along, start, second] = orthonormal_axes(tangents[0], reference)?;
     let (mut first, mut frames) = (start, alloc::with_capacity(n + 1)?);
     frames.push((points[0], [along, first, second]));
     for (k, &(chord, _)) in chords.iter().enumerate() {
@@ -67,11 +71,11 @@ pub(super) fn axis_frames(
 /// Returns the unit tangent at point k, of the circle through the point and its neighbours. At an
 /// end it is the tangent of the circle through the last three points. `chords` are the directions
 /// and distances from point to point.
-fn tangent(chords: &[(DVec3, f64)], k: usize, ring: bool) -> Result<DVec3> {
+fn circle_tangent_at(chords: &[(DVec3, f64)], k: usize, ring: bool) -> Result<DVec3> {
     let count = chords.len();
     let middle = |[(arrives, before), (leaves, after)]: [(DVec3, f64); 2]| {
         let longer = before.max(after);
-        unit(arrives * (after / longer) + leaves * (before / longer), "axis_points")
+        normalise_option_vector(arrives * (after / longer) + leaves * (before / longer), "axis_points")
     };
     // An arc makes equal angles with its chord at both ends.
     let mirrored = |v: DVec3, chord: DVec3| 2.0 * v.dot(chord) * chord - v;
@@ -84,7 +88,7 @@ fn tangent(chords: &[(DVec3, f64)], k: usize, ring: bool) -> Result<DVec3> {
     })
 }
 
-fn unit(v: DVec3, option: &'static str) -> Result<DVec3> {
+fn normalise_option_vector(v: DVec3, option: &'static str) -> Result<DVec3> {
     let largest = v.abs().max_element();
     Error::require(v.is_finite() && largest > 0.0, option, largest)?;
     Ok((v / largest).normalize())
@@ -92,10 +96,10 @@ fn unit(v: DVec3, option: &'static str) -> Result<DVec3> {
 
 /// Three perpendicular directions: a unit vector along the axis, towards the reference, and
 /// perpendicular to both.
-fn axes(along: DVec3, reference: DVec3) -> Result<[DVec3; 3]> {
-    let reference = unit(reference, "reference")?;
+fn orthonormal_axes(along: DVec3, reference: DVec3) -> Result<[DVec3; 3]> {
+    let reference = normalise_option_vector(reference, "reference")?;
     let across = reference - along * reference.dot(along);
-    Error::require(across.length() >= MIN_SINE, "reference", across.length())?;
+    Error::require(across.length() >= MIN_AXIS_TO_REFERENCE_SINE, "reference", across.length())?;
     let first = across.normalize();
     Ok([along, first, along.cross(first)])
 }

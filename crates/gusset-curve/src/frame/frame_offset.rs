@@ -11,13 +11,13 @@ use crate::identify::{Outlines, Points};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
-use gusset_base::geom::node_normals::{node_normals, tangent};
+use gusset_base::geom::node_normals::{circle_tangent, node_normals};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
 /// A section determines the outward side only if the cosine of the angle between the body's normal
 /// and the section's outward direction is at least this.
-const MIN_SIDE: f64 = 0.05;
+const MIN_OUTWARD_COSINE: f64 = 0.05;
 
 /// The direction in which nodes move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -56,7 +56,7 @@ pub fn offset(
     let nodes = &alloc::collect(grid.nodes.iter().map(|&p| p / unit))?[..];
     let inside = alloc::collect((0..rows * columns).map(|k| {
         let row = &nodes[k / columns * columns..][..columns];
-        tangent(columns, closed, k % columns, |j| row[j]).cross(area_vector(row)).normalize_or_zero()
+        circle_tangent(columns, closed, k % columns, |j| row[j]).cross(section_area_vector(row)).normalize_or_zero()
     }))?;
     let directions = match direction {
         OffsetDirection::InSection => inside,
@@ -67,7 +67,7 @@ pub fn offset(
             let outwards: f64 = normals.iter().zip(&inside).map(|(n, out)| n.dot(*out)).sum();
             for (n, out) in normals.iter_mut().zip(&inside).filter(|_| closed) {
                 let own = n.dot(*out);
-                let side = if own.abs() < MIN_SIDE { outwards } else { own };
+                let side = if own.abs() < MIN_OUTWARD_COSINE { outwards } else { own };
                 *n = if side < 0.0 { -*n } else { *n };
             }
             normals
@@ -102,7 +102,7 @@ pub fn node_distances(distances: &[f64], [rows, columns]: [usize; 2]) -> Result<
 }
 
 /// Returns the area vector of a section. Seen against it, the section runs counter-clockwise.
-fn area_vector(row: &[DVec3]) -> DVec3 {
+fn section_area_vector(row: &[DVec3]) -> DVec3 {
     let turn = |pair: &[DVec3]| (pair[0] - row[0]).cross(pair[1] - row[0]);
     row.windows(2).map(turn).sum()
 }

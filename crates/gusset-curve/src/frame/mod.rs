@@ -19,13 +19,13 @@
 //!
 //! Source: Nadopta, introduction; the correspondences are ours.
 
-mod align;
+mod section_alignment;
 mod axis;
-mod corners;
-mod correspond;
+mod section_corners;
+mod section_nodes;
 mod frame_offset;
 mod frame_options;
-mod missing;
+mod missing_nodes;
 mod slice;
 
 pub use frame_offset::node_distances;
@@ -98,27 +98,29 @@ pub struct Frame {
 /// Time and memory of the fits; by angle, also O(columns x segments) for each section.
 pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Frame> {
     if !options.missing.is_empty() {
-        let (points, filled) = missing::fill_missing(sections, options)?;
+        let (points, filled) = missing_nodes::fill_missing(sections, options)?;
         let sections = Outlines { points: Points::from(&points[..]), ..*sections };
         let mut made = frame(&sections, &FrameOptions { missing: &[], ..*options }, job)?;
         made.grid.filled = filled;
         return Ok(made);
     }
-    let rows = sections.check()?;
+    let rows = sections.check_offsets_and_constraints()?;
     let least = |closed: bool| if closed { 3 } else { 2 };
     Error::require(rows >= least(options.ring), "sections", rows as f64)?;
-    let found = correspond::correspond(sections, options, &job.part(0.0, 0.4))?;
+    let found = section_nodes::compute_section_nodes(sections, options, &job.part(0.0, 0.4))?;
     let columns = found.columns;
     Error::require(columns >= least(sections.closed), "columns", columns as f64)?;
     let kind = PointConstraint::Corner;
     let corners = alloc::collect(found.corners.iter().map(|&point| Constraint { point, kind }))?;
     let smooth = Options { corner_angle: std::f64::consts::PI, ..options.across };
-    let across = curves(&found.nodes, columns, sections.closed, &corners, &smooth, &job.part(0.4, 0.6))?;
+    let across = fit_row_curves(&found.nodes, columns, sections.closed, &corners, &smooth, &job.part(0.4, 0.6))?;
     let turned_back = |point: usize| (point % rows) * columns + point / rows;
     let turned_about = alloc::collect((0..found.nodes.len()).map(|point| found.nodes[turned_back(point)]))?;
-    let along = curves(&turned_about, rows, options.ring, &[], &options.along, &job.part(0.6, 0.8))?;
-    let (on_across, directions_across) = at_nodes(&across, columns, rows, |point| point, &job.part(0.8, 0.9))?;
-    let (on_along, directions_along) = at_nodes(&along, rows, columns, turned_back, &job.part(0.9, 1.0))?;
+    let along = fit_row_curves(&turned_about, rows, options.ring, &[], &options.along, &job.part(0.6, 0.8))?;
+    let (on_across, directions_across) =
+        points_and_tangents_at_nodes(&across, columns, rows, |point| point, &job.part(0.8, 0.9))?;
+    let (on_along, directions_along) =
+        points_and_tangents_at_nodes(&along, rows, columns, turned_back, &job.part(0.9, 1.0))?;
     let mut grid = NodeGrid {
         rows,
         columns,
@@ -134,7 +136,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         min_sine: 1.0,
     };
     if sections.closed {
-        grid.max_twist = align::twist(&grid.nodes, columns, options.ring);
+        grid.max_twist = section_alignment::max_twist_between_rows(&grid.nodes, columns, options.ring);
     }
     let unit = common_unit(&grid.nodes);
     let size = Aabb::from_points(grid.nodes.iter().map(|&p| p / unit)).size().max_element();
@@ -149,7 +151,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
 }
 
 /// Fits curves through rows of `width` nodes each.
-fn curves(
+fn fit_row_curves(
     nodes: &[DVec3],
     width: usize,
     closed: bool,
@@ -165,7 +167,7 @@ fn curves(
 
 /// Returns where the curves pass their points, and their directions there. `place` returns the
 /// index at which each point's data are stored.
-fn at_nodes(
+fn points_and_tangents_at_nodes(
     fit: &Fit,
     width: usize,
     count: usize,

@@ -16,24 +16,28 @@
 //! Source: the complete and periodic cubic splines (de Boor, A Practical Guide to Splines, chapter
 //! IV; Bessel's end condition).
 
+use super::composite_solution::CompositeSolution;
 use super::method::power;
-use super::solution::Solution;
-use super::subcurve::{Output, Subcurve};
+use super::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::error::Result;
 use gusset_base::geom::linear::tridiagonal;
 
 /// Appends the spline of a subcurve's points.
-pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
+pub(super) fn append_cubic_spline(
+    sub: &Subcurve<'_>,
+    solution: &mut CompositeSolution,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<()> {
     let (points, n) = (sub.points, sub.len());
-    solution.resize(n)?;
-    let Solution { t: intervals, controls: derivatives, upper, across, .. } = solution;
-    let alpha = sub.options.method.alpha().unwrap_or(0.5);
+    solution.reserve_for_points(n)?;
+    let CompositeSolution { t: intervals, controls: derivatives, upper, across, .. } = solution;
+    let alpha = sub.options.method.chord_exponent().unwrap_or(0.5);
     let (intervals, derivatives) = (&mut intervals[..n], &mut derivatives[..n]);
     for i in 0..n {
-        intervals[i] = power(points[i].distance(points[sub.next(i)]), alpha);
+        intervals[i] = power(points[i].distance(points[sub.next_index(i)]), alpha);
     }
     let intervals = &*intervals;
-    let slope = |i: usize| (points[sub.next(i)] - points[i]) / intervals[i];
+    let slope = |i: usize| (points[sub.next_index(i)] - points[i]) / intervals[i];
     // l_i, where `before` is the previous interval.
     let ratio = |i: usize, before: usize| intervals[i] / (intervals[before] + intervals[i]);
     let row = |i: usize, before: usize| {
@@ -41,7 +45,7 @@ pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outp
         [ratio, 2.0, 1.0 - ratio]
     };
     let known = |i: usize| {
-        let before = sub.previous(i);
+        let before = sub.previous_index(i);
         let ratio = ratio(i, before);
         (slope(before) * ratio + slope(i) * (1.0 - ratio)) * 3.0
     };
@@ -63,10 +67,10 @@ pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outp
         };
         tridiagonal::solve(derivatives, upper, |i| row(i, i - 1), known);
     }
-    out.builder.begin(points[0])?;
-    for i in sub.spans() {
-        let (p, q, third) = (points[i], points[sub.next(i)], intervals[i] / 3.0);
-        out.push_span(sub, i, &[p + derivatives[i] * third, q - derivatives[sub.next(i)] * third, q])?;
+    out.builder.begin_at_point(points[0])?;
+    for i in sub.span_indices() {
+        let (p, q, third) = (points[i], points[sub.next_index(i)], intervals[i] / 3.0);
+        out.push_span_segment(sub, i, &[p + derivatives[i] * third, q - derivatives[sub.next_index(i)] * third, q])?;
     }
     Ok(())
 }

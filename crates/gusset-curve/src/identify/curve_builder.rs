@@ -23,23 +23,23 @@ impl CurveBuilder {
     }
 
     /// Sets the start of the curve, unless it has begun.
-    pub(super) fn begin(&mut self, point: DVec3) -> Result<()> {
+    pub(super) fn begin_at_point(&mut self, point: DVec3) -> Result<()> {
         match self.points.is_empty() {
             true => alloc::push(&mut self.points, point),
             false => Ok(()),
         }
     }
 
-    /// Appends a segment. `rest` has its control points except the first.
+    /// Appends a segment. `controls_after_first` has its control points except the first.
     #[inline]
-    pub(super) fn push(&mut self, rest: &[DVec3]) -> Result<()> {
-        alloc::append(&mut self.points, rest)?;
+    pub(super) fn push_segment(&mut self, controls_after_first: &[DVec3]) -> Result<()> {
+        alloc::append(&mut self.points, controls_after_first)?;
         alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
     }
 
     /// Makes the whole curve of `n` quadratic segments, and returns their control points to be
     /// filled in.
-    pub(super) fn closed_quadratics(&mut self, n: usize) -> Result<&mut [DVec3]> {
+    pub(super) fn allocate_closed_quadratics(&mut self, n: usize) -> Result<&mut [DVec3]> {
         self.clear();
         alloc::grow(&mut self.points, 2 * n + 1, DVec3::ZERO)?;
         alloc::extend(&mut self.ends, (1..=n as u32).map(|k| 2 * k))?;
@@ -64,7 +64,7 @@ impl CurveBuilder {
         &self.points[self.ends[k] as usize..=self.ends[k + 1] as usize]
     }
 
-    pub(super) fn corners(&self) -> &[u32] {
+    pub(super) fn corner_joints(&self) -> &[u32] {
         &self.corners
     }
 }

@@ -43,7 +43,11 @@ impl Fit {
     /// If outline `k` does not exist.
     pub fn curve(&self, k: usize) -> CurveView<'_> {
         let [from, to] = [self.starts[k], self.starts[k + 1]];
-        CurveView::trusted(&self.points[from[0]..to[0]], &self.ends[from[1]..to[1]], self.closed && to[1] > from[1] + 1)
+        CurveView::new_unchecked(
+            &self.points[from[0]..to[0]],
+            &self.ends[from[1]..to[1]],
+            self.closed && to[1] > from[1] + 1,
+        )
     }
 
     /// Returns the place of a point on its curve; points are counted over all outlines.
@@ -113,7 +117,7 @@ impl Fit {
     }
 
     /// Moves the curves of another result to the end.
-    pub(super) fn append(&mut self, other: &mut Fit) -> Result<()> {
+    pub(super) fn append_fit(&mut self, other: &mut Fit) -> Result<()> {
         let [points, ends] = [self.points.len(), self.ends.len()];
         alloc::append(&mut self.points, &other.points)?;
         alloc::append(&mut self.ends, &other.ends)?;

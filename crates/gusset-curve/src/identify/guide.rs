@@ -16,7 +16,7 @@ use glam::DVec3;
 const MAX_PLANE_SINE: f64 = 1e-9;
 
 /// Returns the unit normal of the plane of a subcurve; `None` if the subcurve is not plane.
-pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
+pub(super) fn subcurve_plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     if sub.points.iter().all(|p| p.z == 0.0) {
         return Some(DVec3::Z);
     }
@@ -47,12 +47,12 @@ pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
 ///
 /// The bisector is also perpendicular to the difference of the legs' directions, which is more
 /// accurate if the triangle is flat.
-pub(super) fn guide(method: Method, u: DVec3, w: DVec3, normal: DVec3) -> Result<DVec3, PointStatus> {
+pub(super) fn guide_direction(method: Method, u: DVec3, w: DVec3, normal: DVec3) -> Result<DVec3, PointStatus> {
     let chord = w - u;
-    let t = method.parameter(u, DVec3::ZERO, w)?;
+    let t = method.section_parameter(u, DVec3::ZERO, w)?;
     let (first, last) = (u.normalize_or_zero(), w.normalize_or_zero());
     let (along, sum) = (last - first, first + last);
-    let direction = match method.alpha() {
+    let direction = match method.chord_exponent() {
         Some(0.5) if along.length_squared() >= sum.length_squared() => normal.cross(along),
         Some(0.5) => -sum,
         None => normal.cross(chord),
@@ -74,7 +74,13 @@ mod tests {
     fn plane_normals_are_found() {
         let options = Options::default();
         let normal = |points: &[DVec3]| {
-            plane_normal(&Subcurve { points, closed: false, tangents: [None, None], size: 4.0, options: &options })
+            subcurve_plane_normal(&Subcurve {
+                points,
+                closed: false,
+                tangents: [None, None],
+                size: 4.0,
+                options: &options,
+            })
         };
         assert_eq!(normal(&[DVec3::ZERO, DVec3::X, DVec3::Y]), Some(DVec3::Z));
         let tilted = [DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0), DVec3::Y, DVec3::new(-2.0, 1.0, -2.0)];
@@ -91,15 +97,15 @@ mod tests {
         let (u, w) = (DVec3::new(-3.0, -4.0, 0.0), DVec3::new(7.0, -4.0, 0.0));
         // The errata's triangle: the foot of the bisector of (0, 0), (3, 4), (10, 0) is at 3.83,
         // not at 6.20 as printed.
-        let bisector = guide(Method::Bisector, u, w, DVec3::Z).unwrap();
+        let bisector = guide_direction(Method::Bisector, u, w, DVec3::Z).unwrap();
         let foot = 3.0 - 4.0 * bisector.x / bisector.y;
         assert!((foot - 10.0 * 5.0 / (5.0 + 65f64.sqrt())).abs() < 1e-14, "{foot}");
-        let normal = guide(Method::Normal, u, w, DVec3::Z).unwrap();
+        let normal = guide_direction(Method::Normal, u, w, DVec3::Z).unwrap();
         assert!(normal.x.abs() < 1e-15);
-        let median = guide(Method::Median, u, w, DVec3::Z).unwrap();
+        let median = guide_direction(Method::Median, u, w, DVec3::Z).unwrap();
         assert!((3.0 - 4.0 * median.x / median.y - 5.0).abs() < 1e-14);
         // A flat triangle: across the chord. A reversal: along it.
-        assert!(guide(Method::Bisector, -DVec3::X, DVec3::X, DVec3::Z).unwrap().x.abs() < 1e-15);
-        assert!(guide(Method::Bisector, DVec3::X, DVec3::X, DVec3::Z).unwrap().y.abs() < 1e-15);
+        assert!(guide_direction(Method::Bisector, -DVec3::X, DVec3::X, DVec3::Z).unwrap().x.abs() < 1e-15);
+        assert!(guide_direction(Method::Bisector, DVec3::X, DVec3::X, DVec3::Z).unwrap().y.abs() < 1e-15);
     }
 }

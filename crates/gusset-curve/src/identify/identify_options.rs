@@ -189,7 +189,7 @@ impl Default for Options {
 
 impl Options {
     /// Returns the options with [`Mode::Chain`] replaced by its equivalent.
-    pub(super) fn resolved(&self) -> Options {
+    pub(super) fn with_chain_mode_replaced(&self) -> Options {
         match self.mode {
             Mode::Chain => Options { mode: Mode::Composite, lock: Lock::DataGuide, ..*self },
             _ => *self,
@@ -200,8 +200,8 @@ impl Options {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
-    pub(crate) fn check(&self) -> Result<()> {
-        let alpha = self.method.alpha().unwrap_or(0.5);
+    pub(crate) fn check_ranges(&self) -> Result<()> {
+        let alpha = self.method.chord_exponent().unwrap_or(0.5);
         let fraction = |value: f64| (0.0..1.0).contains(&value);
         let ranges = [
             ("alpha", alpha, (0.0..=1.0).contains(&alpha)),

@@ -48,7 +48,7 @@ impl<'a> Points<'a> {
     }
 
     /// Appends the points of a range to a list of sufficient capacity.
-    pub(super) fn read(&self, range: Range<usize>, list: &mut Vec<DVec3>) {
+    pub(super) fn append_range_to(&self, range: Range<usize>, list: &mut Vec<DVec3>) {
         match self.dimension {
             2 => list.extend(range.map(|i| DVec2::from_array(self.elements.get(i)).extend(0.0))),
             _ => list.extend(range.map(|i| DVec3::from_array(self.elements.get(i)))),

@@ -59,7 +59,7 @@ pub struct Section {
 
 impl Method {
     /// Returns the exponent of the chords; `None` for the normal.
-    pub(super) fn alpha(self) -> Option<f64> {
+    pub(super) fn chord_exponent(self) -> Option<f64> {
         match self {
             Method::Bisector => Some(0.5),
             Method::Median => Some(0.0),
@@ -70,9 +70,9 @@ impl Method {
     }
 
     /// Returns the parameter of P on the section from A to C.
-    pub(super) fn parameter(self, a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
-        let Some(alpha) = self.alpha() else {
-            return normal_parameter(a, p, c);
+    pub(super) fn section_parameter(self, a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
+        let Some(alpha) = self.chord_exponent() else {
+            return parameter_of_normal_foot(a, p, c);
         };
         let (before, after) = (power(a.distance(p), alpha), power(p.distance(c), alpha));
         // Both are 0, so the three points coincide and any parameter works.
@@ -85,7 +85,7 @@ impl Method {
     /// [`PointStatus::NormalOutside`] and [`PointStatus::RightAngle`] for the normal;
     /// [`PointStatus::Repeated`] if P is A or C and the parameter would be 0 or 1.
     pub fn compute_section(self, a: DVec3, p: DVec3, c: DVec3) -> Result<Section, PointStatus> {
-        section_at(a, p, c, self.parameter(a, p, c)?)
+        section_at_parameter(a, p, c, self.section_parameter(a, p, c)?)
     }
 }
 
@@ -102,7 +102,7 @@ pub(super) fn power(x: f64, alpha: f64) -> f64 {
 
 /// Returns the section from A through P at parameter `t` to C.
 #[inline]
-pub(super) fn section_at(a: DVec3, p: DVec3, c: DVec3, t: f64) -> Result<Section, PointStatus> {
+pub(super) fn section_at_parameter(a: DVec3, p: DVec3, c: DVec3, t: f64) -> Result<Section, PointStatus> {
     // Near the ends the control point overflows.
     if !(1e-150..=1.0 - 1e-15).contains(&t) {
         return Err(PointStatus::Repeated);
@@ -113,7 +113,7 @@ pub(super) fn section_at(a: DVec3, p: DVec3, c: DVec3, t: f64) -> Result<Section
 }
 
 /// s = (P - A).(C - A) / |C - A|^2 must be within (0, 1).
-fn normal_parameter(a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
+fn parameter_of_normal_foot(a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
     let chord = c - a;
     let (before, after) = ((p - a).dot(chord), (c - p).dot(chord));
     if before > 0.0 && after > 0.0 {
@@ -189,7 +189,7 @@ pub fn section_by_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Se
         return Err(PointStatus::OutOfPlane);
     }
     let t = before.sqrt() / (before.sqrt() + after.sqrt());
-    let section = section_at(a, p, c, t)?;
+    let section = section_at_parameter(a, p, c, t)?;
     // The derivative at P is parallel to the tangent, in either direction.
     let direction = (section.control - a) * (1.0 - t) + (c - section.control) * t;
     if direction.dot(tau) <= 0.0 {

@@ -15,31 +15,31 @@
 //! Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008. The
 //! modules say where the readings of the set of sections are ours.
 
-mod blend;
+mod blended_curve;
 mod composite;
 mod cubic_spline;
 mod curve_builder;
-mod driver;
+mod outline_fitting;
 mod fit;
 mod guide;
 mod identify_options;
 mod input_points;
 mod method;
-mod nodes;
+mod outline_nodes;
 mod outlines;
 mod report;
 mod residuals;
 mod sections;
 mod single;
-mod solution;
+mod composite_solution;
 mod stepping;
 mod subcurve;
 
-pub use driver::fit;
 pub use fit::Fit;
 pub use identify_options::{Ends, JointParameter, Lock, Mode, Options, Solver};
 pub use input_points::{MAX_POINTS, Points};
 pub use method::{Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent};
+pub use outline_fitting::fit;
 pub use outlines::{Constraint, Outlines, PointConstraint};
 pub use report::{Cycle, FitStatus, PointStatus, Report};
 pub use sections::{Sections, sections, visit_sections};

@@ -57,7 +57,7 @@ impl PointConstraint {
 
 impl Outlines<'_> {
     /// Checks offsets and constraints. Returns the number of outlines.
-    pub(crate) fn check(&self) -> Result<usize> {
+    pub(crate) fn check_offsets_and_constraints(&self) -> Result<usize> {
         let count = self.points.len();
         if let Some(offsets) = self.offsets {
             Error::check_offsets(offsets, count)?;
@@ -78,9 +78,9 @@ impl Outlines<'_> {
     }
 
     /// Returns the number of points of each outline, if it is the same for all.
-    pub(crate) fn columns(&self, rows: usize) -> Result<usize> {
-        let columns = if rows == 0 { 0 } else { self.span(0).len() };
-        match (0..rows).map(|k| (k, self.span(k).len())).find(|&(_, count)| count != columns) {
+    pub(crate) fn points_per_outline(&self, outlines: usize) -> Result<usize> {
+        let columns = if outlines == 0 { 0 } else { self.point_range(0).len() };
+        match (0..outlines).map(|k| (k, self.point_range(k).len())).find(|&(_, count)| count != columns) {
             Some((k, count)) => {
                 Err(Error::SectionsDiffer { section: k as u32, count: count as u32, expected: columns as u32 })
             }
@@ -89,7 +89,7 @@ impl Outlines<'_> {
     }
 
     /// Returns the points of outline `k`.
-    pub(crate) fn span(&self, k: usize) -> Range<usize> {
+    pub(crate) fn point_range(&self, k: usize) -> Range<usize> {
         match self.offsets {
             Some(offsets) => offsets[k] as usize..offsets[k + 1] as usize,
             None => 0..self.points.len(),

@@ -119,21 +119,21 @@ pub struct Cycle {
 
 /// The report of an outline in progress, and the history of its cycles if requested.
 #[derive(Default)]
-pub(super) struct Account {
+pub(super) struct ReportInProgress {
     pub(super) report: Report,
     pub(super) history: Option<Vec<Cycle>>,
 }
 
-impl Account {
+impl ReportInProgress {
     /// Records the largest move of a cycle at its end.
-    pub(super) fn end_cycle(&mut self, moved: f64) -> Result<()> {
-        self.report.last_move = moved;
-        let cycle = Cycle { moved, steps: self.report.steps };
+    pub(super) fn record_cycle(&mut self, largest_move: f64) -> Result<()> {
+        self.report.last_move = largest_move;
+        let cycle = Cycle { moved: largest_move, steps: self.report.steps };
         self.history.as_mut().map_or(Ok(()), |history| alloc::push(history, cycle))
     }
 }
 
-impl Deref for Account {
+impl Deref for ReportInProgress {
     type Target = Report;
 
     fn deref(&self) -> &Report {
@@ -141,7 +141,7 @@ impl Deref for Account {
     }
 }
 
-impl DerefMut for Account {
+impl DerefMut for ReportInProgress {
     fn deref_mut(&mut self) -> &mut Report {
         &mut self.report
     }

@@ -1,14 +1,14 @@
 //! Residuals of an identified curve: its distances from the points, and the angles at its joints.
 
 use super::curve_builder::CurveBuilder;
-use super::nodes::Nodes;
+use super::outline_nodes::OutlineNodes;
 use super::report::{PointStatus, Report};
 use crate::curve::segment;
 use glam::DVec3;
 
 /// Measures the curve of an outline near the origin. The closing joint of a closed curve counts
 /// too. O(segments).
-pub(super) fn measure(nodes: &Nodes, curve: &CurveBuilder, report: &mut Report) {
+pub(super) fn measure_residuals(nodes: &OutlineNodes, curve: &CurveBuilder, report: &mut Report) {
     let size = nodes.placement.size;
     if curve.is_empty() || size == 0.0 {
         return;
@@ -16,19 +16,19 @@ pub(super) fn measure(nodes: &Nodes, curve: &CurveBuilder, report: &mut Report) 
     let mut farthest = 0.0f64;
     for (node, result) in nodes.points.iter().zip(&nodes.results) {
         if result.status != PointStatus::Missed {
-            let at = segment::point(curve.segment(result.place.segment as usize), result.place.t);
+            let at = segment::point_at(curve.segment(result.place.segment as usize), result.place.t);
             farthest = farthest.max(at.distance_squared(*node));
         }
     }
     report.max_residual = farthest.sqrt() / size;
 
     let mut angle = MaxJointSine::default();
-    let mut corners = curve.corners().iter().peekable();
+    let mut corners = curve.corner_joints().iter().peekable();
     let joints = if nodes.closed { 1..curve.len() + 1 } else { 1..curve.len() };
     for joint in joints {
         if corners.next_if(|&&corner| corner as usize == joint).is_none() {
             let next = if joint == curve.len() { 0 } else { joint };
-            angle.add(segment::last_leg(curve.segment(joint - 1)), segment::first_leg(curve.segment(next)));
+            angle.add_joint(segment::last_leg(curve.segment(joint - 1)), segment::first_leg(curve.segment(next)));
         }
     }
     report.max_joint_sine = report.max_joint_sine.max(angle.sine());
@@ -36,39 +36,39 @@ pub(super) fn measure(nodes: &Nodes, curve: &CurveBuilder, report: &mut Report) 
 
 /// Measures the curvatures on both sides of the joints that should be smooth. If they differ, even
 /// by rounding, the points next to the joint get a status. O(segments).
-pub(super) fn measure_curvatures(nodes: &mut Nodes, curve: &CurveBuilder, report: &mut Report) {
+pub(super) fn measure_curvature_gaps(nodes: &mut OutlineNodes, curve: &CurveBuilder, report: &mut Report) {
     let (size, closed) = (nodes.placement.size, nodes.closed);
-    let gap = |joint: usize| curvature_gap(curve, closed, size, joint);
+    let gap = |joint: usize| relative_curvature_gap(curve, closed, size, joint);
     report.max_curvature_gap = (0..curve.len()).map(gap).fold(0.0, f64::max);
     for result in &mut nodes.results {
         let segment = result.place.segment as usize;
-        if gap(segment).max(gap((segment + 1) % curve.len())) > MAX_CURVATURE_GAP {
-            result.flag(PointStatus::NotConverged);
+        if gap(segment).max(gap((segment + 1) % curve.len())) > MAX_RELATIVE_CURVATURE_GAP {
+            result.flag_status(PointStatus::NotConverged);
         }
     }
 }
 
 /// The largest difference of curvatures that counts as none.
-const MAX_CURVATURE_GAP: f64 = 5e-7;
+const MAX_RELATIVE_CURVATURE_GAP: f64 = 5e-7;
 
 /// Returns the difference of the curvatures before and after joint k, the start of segment k. It is
 /// relative to the larger one, or to 1 / size. It is 0 at corners and at the ends of open curves.
-fn curvature_gap(curve: &CurveBuilder, closed: bool, size: f64, joint: usize) -> f64 {
+fn relative_curvature_gap(curve: &CurveBuilder, closed: bool, size: f64, joint: usize) -> f64 {
     let corner = if joint == 0 { curve.len() } else { joint } as u32;
-    if (joint == 0 && !closed) || curve.corners().binary_search(&corner).is_ok() {
+    if (joint == 0 && !closed) || curve.corner_joints().binary_search(&corner).is_ok() {
         return 0.0;
     }
     let (before, after) = (curve.segment(corner as usize - 1), curve.segment(joint));
     let ([.., p, q, r], [s, t, u, ..]) = (before, after) else { return 0.0 };
     // Traversed backwards, a curve turns the other way.
-    let here = -end_curvature(before.len(), [*r, *q, *p]);
-    let there = end_curvature(after.len(), [*s, *t, *u]);
+    let here = -curvature_vector_at_start(before.len(), [*r, *q, *p]);
+    let there = curvature_vector_at_start(after.len(), [*s, *t, *u]);
     here.distance(there) / here.length().max(there.length()).max(1.0 / size)
 }
 
 /// Returns the curvature at the start of a segment, as a vector perpendicular to its plane. For
 /// degree d and the first control points p, q, r it is (d - 1) / d (q - p) x (r - q) / |q - p|^3.
-fn end_curvature(count: usize, [p, q, r]: [DVec3; 3]) -> DVec3 {
+fn curvature_vector_at_start(count: usize, [p, q, r]: [DVec3; 3]) -> DVec3 {
     let (leg, degree) = (q - p, (count - 1) as f64);
     let length = leg.length();
     if length > 0.0 { leg.cross(r - q) * ((degree - 1.0) / (degree * length.powi(3))) } else { DVec3::ZERO }
@@ -82,16 +82,17 @@ pub(super) struct MaxJointSine {
 }
 
 impl MaxJointSine {
-    /// Adds the joint between the legs `u`, which ends there, and `v`, which begins there. Skips
-    /// legs of length 0.
+    /// Adds the joint between the legs `leg_before`, which ends there, and `leg_after`, which
+    /// begins there. Skips legs of length 0.
     #[inline]
-    pub(super) fn add(&mut self, u: DVec3, v: DVec3) {
-        let (across, lengths) = (u.cross(v).length_squared(), u.length_squared() * v.length_squared());
+    pub(super) fn add_joint(&mut self, leg_before: DVec3, leg_after: DVec3) {
+        let (across, lengths) =
+            (leg_before.cross(leg_after).length_squared(), leg_before.length_squared() * leg_after.length_squared());
         // Divide only if the joint's angle is the largest so far.
         if across > self.squared * lengths && lengths > 0.0 {
             self.squared = across / lengths;
         }
-        if u.dot(v) < 0.0 {
+        if leg_before.dot(leg_after) < 0.0 {
             // A cusp.
             self.squared = 1.0;
         }

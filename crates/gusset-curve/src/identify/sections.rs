@@ -3,7 +3,7 @@
 use super::identify_options::{Options, Solver};
 use super::input_points::Points;
 use super::method::{
-    Method, Section, power, section_at, section_by_end_tangent, section_by_start_tangent, section_by_tangent,
+    Method, Section, power, section_at_parameter, section_by_end_tangent, section_by_start_tangent, section_by_tangent,
 };
 use super::outlines::{Constraint, Outlines};
 use super::report::PointStatus;
@@ -57,7 +57,7 @@ pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Re
         statuses: alloc::with_capacity(total)?,
         steps: 0,
     };
-    found.steps = visit_sections(outlines, options, |section, status| found.push(section, status), job)?;
+    found.steps = visit_sections(outlines, options, |section, status| found.push_section(section, status), job)?;
     Ok(found)
 }
 
@@ -72,26 +72,27 @@ pub fn visit_sections(
     mut visit: impl FnMut(Section, PointStatus),
     job: &Job<'_>,
 ) -> Result<u64> {
-    options.check()?;
-    let (count, method) = (outlines.check()?, options.method);
-    let finder = Finder { points: &outlines.points, options, method, scale: scale(outlines)?, job };
+    options.check_ranges()?;
+    let (count, method) = (outlines.check_offsets_and_constraints()?, options.method);
+    let finder =
+        SectionFinder { points: &outlines.points, options, method, scale: overflow_guard_scale(outlines)?, job };
     let total = outlines.points.len();
     let mut steps = 0;
     let mut constraints = outlines.constraints;
     let mut reported = 0;
-    job.step(0.0, STAGE)?;
+    job.step(0.0, PROGRESS_STAGE)?;
     for k in 0..count {
-        let span = outlines.span(k);
+        let span = outlines.point_range(k);
         let (own, rest) = constraints.split_at(constraints.partition_point(|c| (c.point as usize) < span.end));
         constraints = rest;
         let closed = outlines.closed && span.len() > 2;
         for from in span.clone().step_by(POINTS_PER_REPORT) {
             if from - reported >= POINTS_PER_REPORT {
                 reported = from;
-                job.step(from as f64 / total as f64, STAGE)?;
+                job.step(from as f64 / total as f64, PROGRESS_STAGE)?;
             }
             let some = from..span.end.min(from + POINTS_PER_REPORT);
-            if let (true, [], Some(_), Solver::Fast) = (closed, own, method.alpha(), options.solver) {
+            if let (true, [], Some(_), Solver::Fast) = (closed, own, method.chord_exponent(), options.solver) {
                 finder.visit_unconstrained(&span, some, &mut visit);
             } else {
                 for i in some {
@@ -101,15 +102,15 @@ pub fn visit_sections(
             }
         }
     }
-    job.step(1.0, STAGE)?;
+    job.step(1.0, PROGRESS_STAGE)?;
     Ok(steps)
 }
 
-const STAGE: &str = "finding sections";
+const PROGRESS_STAGE: &str = "finding sections";
 
 impl Sections {
     #[inline]
-    fn push(&mut self, section: Section, status: PointStatus) {
+    fn push_section(&mut self, section: Section, status: PointStatus) {
         self.controls.push(section.control);
         self.parameters.push(section.t);
         self.statuses.push(status);
@@ -117,7 +118,7 @@ impl Sections {
 }
 
 /// Finds the sections of the points.
-struct Finder<'a> {
+struct SectionFinder<'a> {
     points: &'a Points<'a>,
     options: &'a Options,
     method: Method,
@@ -125,7 +126,7 @@ struct Finder<'a> {
     job: &'a Job<'a>,
 }
 
-impl Finder<'_> {
+impl SectionFinder<'_> {
     /// Returns the section of point `i` of an outline with the constraints `own`.
     fn find_constrained_section(
         &self,
@@ -146,9 +147,9 @@ impl Finder<'_> {
         let tangents = match own {
             [] => [None; 3],
             _ => [
-                (!closed && i == first + 1).then(|| tangent(own, first)).flatten(),
-                tangent(own, i),
-                (!closed && i + 1 == last).then(|| tangent(own, last)).flatten(),
+                (!closed && i == first + 1).then(|| tangent_constraint_at(own, first)).flatten(),
+                tangent_constraint_at(own, i),
+                (!closed && i + 1 == last).then(|| tangent_constraint_at(own, last)).flatten(),
             ],
         };
         let (mut section, mut status) = section_or_fallback(triple, tangents, self.method);
@@ -175,7 +176,7 @@ impl Finder<'_> {
         some: Range<usize>,
         visit: &mut impl FnMut(Section, PointStatus),
     ) {
-        let alpha = self.method.alpha().unwrap_or(0.5);
+        let alpha = self.method.chord_exponent().unwrap_or(0.5);
         // Exact, as the scale is a power of two.
         let back = 1.0 / self.scale;
         let at = |i: usize| self.points.get(i) * self.scale;
@@ -185,7 +186,7 @@ impl Finder<'_> {
         for i in some {
             let after = at(if i + 1 == outline.end { outline.start } else { i + 1 });
             let leaving = power(p.distance(after), alpha);
-            let (section, status) = match section_at(before, p, after, arriving / (arriving + leaving)) {
+            let (section, status) = match section_at_parameter(before, p, after, arriving / (arriving + leaving)) {
                 Ok(section) => (section, PointStatus::Ok),
                 Err(_) => section_or_fallback([before, p, after], [None; 3], self.method),
             };
@@ -197,7 +198,7 @@ impl Finder<'_> {
 
 /// Returns a power of two that scales coordinates close to 1 if their squares could overflow or
 /// underflow; otherwise 1.
-fn scale(outlines: &Outlines<'_>) -> Result<f64> {
+fn overflow_guard_scale(outlines: &Outlines<'_>) -> Result<f64> {
     let mut largest = 0.0f64;
     for i in 0..outlines.points.len() {
         let p = outlines.points.get(i);
@@ -211,7 +212,7 @@ fn scale(outlines: &Outlines<'_>) -> Result<f64> {
 }
 
 /// Returns the tangent required at a point.
-fn tangent(constraints: &[Constraint], point: usize) -> Option<DVec3> {
+fn tangent_constraint_at(constraints: &[Constraint], point: usize) -> Option<DVec3> {
     let at = constraints.binary_search_by_key(&point, |constraint| constraint.point as usize).ok()?;
     constraints[at].kind.tangent()
 }
@@ -234,7 +235,7 @@ fn section_or_fallback([a, p, c]: [DVec3; 3], tangents: [Option<DVec3>; 3], meth
                 _ => method.compute_section(a, p, c),
             };
             // If P coincides with A or C, the median still passes all three points.
-            let section = stand_in.or_else(|_| section_at(a, p, c, 0.5));
+            let section = stand_in.or_else(|_| section_at_parameter(a, p, c, 0.5));
             (section.unwrap_or(Section { control: p, t: 0.5 }), status)
         }
     }

@@ -3,7 +3,7 @@
 
 use super::curve_builder::CurveBuilder;
 use super::identify_options::Options;
-use super::report::{Account, PointStatus};
+use super::report::{PointStatus, ReportInProgress};
 use crate::curve::Place;
 use glam::DVec3;
 use gusset_base::error::Result;
@@ -32,33 +32,33 @@ impl Subcurve<'_> {
 
     /// Returns the point before `i`, cyclically.
     #[inline]
-    pub(super) fn previous(&self, i: usize) -> usize {
+    pub(super) fn previous_index(&self, i: usize) -> usize {
         if i == 0 { self.len() - 1 } else { i - 1 }
     }
 
     /// Returns the point after `i`, cyclically.
     #[inline]
-    pub(super) fn next(&self, i: usize) -> usize {
+    pub(super) fn next_index(&self, i: usize) -> usize {
         if i + 1 == self.len() { 0 } else { i + 1 }
     }
 
     /// Returns the sections by the indices of their points: one for each point except the ends.
-    pub(super) fn sections(&self) -> Range<usize> {
+    pub(super) fn section_indices(&self) -> Range<usize> {
         if self.closed { 0..self.len() } else { 1..self.len() - 1 }
     }
 
     /// Returns the spans from each point to the next, by the indices of their first points.
-    pub(super) fn spans(&self) -> Range<usize> {
+    pub(super) fn span_indices(&self) -> Range<usize> {
         if self.closed { 0..self.len() } else { 0..self.len() - 1 }
     }
 
     #[inline]
-    pub(super) fn triple(&self, i: usize) -> [DVec3; 3] {
-        [self.points[self.previous(i)], self.points[i], self.points[self.next(i)]]
+    pub(super) fn point_and_neighbours(&self, i: usize) -> [DVec3; 3] {
+        [self.points[self.previous_index(i)], self.points[i], self.points[self.next_index(i)]]
     }
 
     /// Returns the range of parameters on sections: from `parameter_limit` to 1 minus it.
-    pub(super) fn parameter_range(&self) -> [f64; 2] {
+    pub(super) fn section_parameter_range(&self) -> [f64; 2] {
         [self.options.parameter_limit, 1.0 - self.options.parameter_limit]
     }
 
@@ -97,7 +97,7 @@ impl Default for PointResult {
 
 impl PointResult {
     /// Sets the status, unless it is already set: the first cause stays.
-    pub(super) fn flag(&mut self, status: PointStatus) {
+    pub(super) fn flag_status(&mut self, status: PointStatus) {
         if self.status == PointStatus::Ok {
             self.status = status;
         }
@@ -105,27 +105,33 @@ impl PointResult {
 }
 
 /// The output of the solvers for a subcurve.
-pub(super) struct Output<'a> {
+pub(super) struct SubcurveOutput<'a> {
     /// The outcome at each of its points.
     pub(super) results: &'a mut [PointResult],
     /// The report of the outline.
-    pub(super) report: &'a mut Account,
+    pub(super) report: &'a mut ReportInProgress,
     /// The outline's curve so far.
     pub(super) builder: &'a mut CurveBuilder,
     /// The receiver of progress reports.
     pub(super) job: &'a Job<'a>,
 }
 
-impl Output<'_> {
-    /// Sets the status of all points that lack one; see [`PointResult::flag`].
-    pub(super) fn flag_all(&mut self, status: PointStatus) {
-        self.results.iter_mut().for_each(|result| result.flag(status));
+impl SubcurveOutput<'_> {
+    /// Sets the status of all points that lack one; see [`PointResult::flag_status`].
+    pub(super) fn flag_all_points(&mut self, status: PointStatus) {
+        self.results.iter_mut().for_each(|result| result.flag_status(status));
     }
 
-    /// Appends a segment over span `i`. `rest` has its control points except the first.
-    pub(super) fn push_span(&mut self, sub: &Subcurve<'_>, i: usize, rest: &[DVec3]) -> Result<()> {
+    /// Appends a segment over span `i`. `controls_after_first` has its control points except the
+    /// first.
+    pub(super) fn push_span_segment(
+        &mut self,
+        sub: &Subcurve<'_>,
+        i: usize,
+        controls_after_first: &[DVec3],
+    ) -> Result<()> {
         let segment = self.builder.len() as u32;
-        self.builder.push(rest)?;
+        self.builder.push_segment(controls_after_first)?;
         self.results[i].place = Place { segment, t: 0.0 };
         if i + 2 == sub.len() && !sub.closed {
             self.results[i + 1].place = Place { segment, t: 1.0 };

@@ -36,10 +36,14 @@ pub struct Moments {
 
 /// Returns the components of the control points relative to `start`, in the frame, and of the
 /// derivative.
-fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MAX_DEGREE + 1]; 3]; 2] {
-    let r = SegmentBuffer::from_mapped(controls, |p| frame.point(p) - start);
+fn control_and_derivative_components(
+    frame: &UnitFrame,
+    start: DVec3,
+    controls: &[DVec3],
+) -> [[[f64; MAX_DEGREE + 1]; 3]; 2] {
+    let r = SegmentBuffer::from_mapped(controls, |p| frame.point_to_frame(p) - start);
     let mut d = r;
-    d.derive();
+    d.differentiate();
     [r, d].map(|points| {
         let mut components = [[0.0; MAX_DEGREE + 1]; 3];
         for (i, p) in points.iter().enumerate() {
@@ -66,13 +70,13 @@ impl CurveView<'_> {
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "area of a curve")?;
             let n = controls.len() - 1;
-            let [r, d] = components(&frame, frame.point(start), controls);
+            let [r, d] = control_and_derivative_components(&frame, frame.point_to_frame(start), controls);
             let swept = |a: usize, b: usize| {
                 integral_of_product(&r[a][..=n], &d[b][..n]) - integral_of_product(&r[b][..=n], &d[a][..n])
             };
             doubled += DVec3::new(swept(1, 2), swept(2, 0), swept(0, 1));
         }
-        Ok((doubled * 0.5).map(|x| frame.length_back(frame.length_back(x))))
+        Ok((doubled * 0.5).map(|x| frame.length_from_frame(frame.length_from_frame(x))))
     }
 
     /// Returns the area, centroid and second moments of the region that a plane curve encloses.
@@ -84,14 +88,14 @@ impl CurveView<'_> {
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn moments(&self, job: &Job<'_>) -> Result<Moments> {
         self.check_not_empty()?;
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points());
-        let start = frame.point(self.points()[0]);
+        let start = frame.point_to_frame(self.points()[0]);
         let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "moments of a curve")?;
             let n = controls.len() - 1;
-            let [r, d] = components(&frame, start, controls);
+            let [r, d] = control_and_derivative_components(&frame, start, controls);
             let (x, y) = (&r[0][..=n], &r[1][..=n]);
             let mut swept = [0.0; 2 * MAX_DEGREE];
             let swept = &mut swept[..2 * n];
@@ -110,10 +114,14 @@ impl CurveView<'_> {
         // The parallel axis theorem: second about the centroid = second about the start - area c
         // c^T.
         let central = [second[0] - x * first[0], second[1] - x * first[1], second[2] - y * first[1]];
-        let back = |x: f64, power: u32| (0..power).fold(x, |x, _| frame.length_back(x));
+        let back = |x: f64, power: u32| (0..power).fold(x, |x, _| frame.length_from_frame(x));
         Ok(Moments {
             area: back(area, 2),
-            centroid: if area == 0.0 { self.points()[0] } else { frame.point_back(start + DVec3::new(x, y, 0.0)) },
+            centroid: if area == 0.0 {
+                self.points()[0]
+            } else {
+                frame.point_from_frame(start + DVec3::new(x, y, 0.0))
+            },
             second: central.map(|x| back(x, 4)),
         })
     }

@@ -41,7 +41,7 @@ impl CurveView<'_> {
             for axis in 0..3 {
                 let outside = |p: &DVec3| p[axis] < bounds.low[axis] || p[axis] > bounds.high[axis];
                 if controls.iter().any(outside) {
-                    bounds.extend(controls, axis);
+                    bounds.extend_by_segment_extrema(controls, axis);
                 }
             }
         }
@@ -51,15 +51,15 @@ impl CurveView<'_> {
 
 impl Bounds {
     /// Extends the box by the extrema of one coordinate of a segment.
-    fn extend(&mut self, controls: &[DVec3], axis: usize) {
+    fn extend_by_segment_extrema(&mut self, controls: &[DVec3], axis: usize) {
         let n = controls.len() - 1;
         let frame = UnitFrame::from_points(controls);
         let mut slopes = [0.0; MAX_DEGREE];
         for (slope, pair) in slopes.iter_mut().zip(controls.windows(2)) {
-            *slope = frame.point(pair[1])[axis] - frame.point(pair[0])[axis];
+            *slope = frame.point_to_frame(pair[1])[axis] - frame.point_to_frame(pair[0])[axis];
         }
         for &t in roots(&slopes[..n], f64::EPSILON).as_slice() {
-            let x = segment::point(controls, t)[axis];
+            let x = segment::point_at(controls, t)[axis];
             self.low[axis] = self.low[axis].min(x);
             self.high[axis] = self.high[axis].max(x);
         }

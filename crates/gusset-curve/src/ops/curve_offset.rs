@@ -9,8 +9,8 @@
 //! quadratic piece matches both ends and both directions. Either way, pieces join with a common
 //! tangent. Pieces are halved until the measured deviation is small enough.
 
-use super::evaluate::tangent;
-use crate::curve::segment::{self, jet};
+use super::evaluate::unit_tangent;
+use crate::curve::segment::{self, point_and_derivatives};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{Curve, CurveView};
 use glam::DVec3;
@@ -49,9 +49,9 @@ pub struct Offset {
 }
 
 /// The maximum number of times that a piece is halved.
-const MAX_DEPTH: u32 = 16;
+const MAX_PIECE_HALVINGS: u32 = 16;
 const PIECES_PER_REPORT: usize = 1 << 6;
-const STAGE: &str = "offset";
+const PROGRESS_STAGE: &str = "offset";
 /// The number of places inside a piece where the deviation is measured.
 const SAMPLES_PER_PIECE: u32 = 16;
 
@@ -65,18 +65,18 @@ impl CurveView<'_> {
     /// [`Error::OptionOutOfRange`] (the distance is not finite or beyond 1e100 sizes of the curve;
     /// an option), [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn offset(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points());
-        let d = frame.length(distance);
+        let d = frame.length_to_frame(distance);
         Error::require(d.abs() <= 1e100, "distance", distance)?;
         Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
         Error::require((2..=3).contains(&options.degree), "degree", options.degree as f64)?;
         Error::require(options.max_segments > 0, "max_segments", options.max_segments as f64)?;
-        let mut fit = OffsetFit {
+        let mut fit = OffsetFitter {
             job: *job,
             frame,
             d,
-            tolerance: frame.length(options.tolerance).max(1e-13 * (1.0 + d.abs())),
+            tolerance: frame.length_to_frame(options.tolerance).max(1e-13 * (1.0 + d.abs())),
             options: *options,
             pieces: 0,
             end: DVec3::ZERO,
@@ -87,9 +87,9 @@ impl CurveView<'_> {
                 continue;
             }
             fit.job = job.share(k, self.len());
-            fit.segment(&frame.segment(controls))?;
+            fit.offset_segment(&frame.segment_to_frame(controls))?;
         }
-        job.step(1.0, STAGE)?;
+        job.step(1.0, PROGRESS_STAGE)?;
         fit.finish(self.is_closed())
     }
 }
@@ -105,7 +105,7 @@ struct OffsetPoint {
     speed: DVec3,
 }
 
-struct OffsetFit<'a> {
+struct OffsetFitter<'a> {
     /// The current segment's part of the job.
     job: Job<'a>,
     frame: UnitFrame,
@@ -121,77 +121,82 @@ struct OffsetFit<'a> {
 }
 
 /// Rotates by a quarter turn to the left.
-fn turn_left(v: DVec3) -> DVec3 {
+fn rotate_left_quarter_turn(v: DVec3) -> DVec3 {
     DVec3::new(-v.y, v.x, 0.0)
 }
 
-impl OffsetFit<'_> {
-    fn segment(&mut self, controls: &[DVec3]) -> Result<()> {
-        let (start, end) = (self.spot(controls, 0.0), self.spot(controls, 1.0));
-        self.begin(start.point)?;
-        self.piece(controls, start, end, MAX_DEPTH)
+impl OffsetFitter<'_> {
+    fn offset_segment(&mut self, controls: &[DVec3]) -> Result<()> {
+        let (start, end) = (self.offset_point_at(controls, 0.0), self.offset_point_at(controls, 1.0));
+        self.begin_or_bridge_corner(start.point)?;
+        self.fit_piece(controls, start, end, MAX_PIECE_HALVINGS)
     }
 
     /// Begins the curve, or bridges a corner by a straight segment.
-    fn begin(&mut self, at: DVec3) -> Result<()> {
+    fn begin_or_bridge_corner(&mut self, at: DVec3) -> Result<()> {
         let curve = &mut self.offset.curve;
         if curve.points.is_empty() {
-            *curve = Curve::from_point(self.frame.point_back(at))?;
+            *curve = Curve::from_point(self.frame.point_from_frame(at))?;
         } else if self.end.distance(at) > 1e-9 * (1.0 + self.d.abs()) {
             self.offset.corners += 1;
-            curve.push(&straight(self.end, at, self.options.degree, &self.frame)[..self.options.degree])?;
+            curve.push_segment(
+                &straight_controls(self.end, at, self.options.degree, &self.frame)[..self.options.degree],
+            )?;
         }
         self.end = at;
         Ok(())
     }
 
-    fn spot(&mut self, controls: &[DVec3], t: f64) -> OffsetPoint {
-        let [point, first, second] = jet(controls, t);
-        let along = tangent(controls, t);
+    fn offset_point_at(&mut self, controls: &[DVec3], t: f64) -> OffsetPoint {
+        let [point, first, second] = point_and_derivatives(controls, t);
+        let along = unit_tangent(controls, t);
         let pace = first.length();
         let speed = if pace > 1e-13 {
-            first + turn_left((second - along * along.dot(second)) / pace) * self.d
+            first + rotate_left_quarter_turn((second - along * along.dot(second)) / pace) * self.d
         } else {
             // The curve itself has a cusp here.
             self.offset.tight = true;
             DVec3::ZERO
         };
         self.offset.tight |= speed.dot(along) <= 0.0;
-        OffsetPoint { t, point: point + turn_left(along) * self.d, along, speed }
+        OffsetPoint { t, point: point + rotate_left_quarter_turn(along) * self.d, along, speed }
     }
 
     /// Fits a piece, or its halves if the fit is not close enough.
-    fn piece(&mut self, controls: &[DVec3], from: OffsetPoint, to: OffsetPoint, depth: u32) -> Result<()> {
+    fn fit_piece(&mut self, controls: &[DVec3], from: OffsetPoint, to: OffsetPoint, depth: u32) -> Result<()> {
         let degree = self.options.degree;
-        let fitted = if degree == 2 { quadratic(&from, &to) } else { Some(cubic(&from, &to)) };
-        let mut measure = |fitted: [DVec3; 4]| self.measure(controls, &from, &to, &fitted[..=degree]);
+        let fitted = if degree == 2 { quadratic_between(&from, &to) } else { Some(cubic_between(&from, &to)) };
+        let mut measure = |fitted: [DVec3; 4]| self.max_deviation(controls, &from, &to, &fitted[..=degree]);
         let deviation = fitted.map_or(f64::INFINITY, &mut measure);
         if deviation > self.tolerance && depth > 0 && self.pieces + 1 < self.options.max_segments {
-            let middle = self.spot(controls, 0.5 * (from.t + to.t));
-            self.piece(controls, from, middle, depth - 1)?;
-            return self.piece(controls, middle, to, depth - 1);
+            let middle = self.offset_point_at(controls, 0.5 * (from.t + to.t));
+            self.fit_piece(controls, from, middle, depth - 1)?;
+            return self.fit_piece(controls, middle, to, depth - 1);
         }
         let fitted = fitted.unwrap_or_else(|| [from.point, from.point.midpoint(to.point), to.point, to.point]);
         if self.pieces.is_multiple_of(PIECES_PER_REPORT) {
-            self.job.step(from.t, STAGE)?;
+            self.job.step(from.t, PROGRESS_STAGE)?;
         }
-        let deviation =
-            if deviation.is_finite() { deviation } else { self.measure(controls, &from, &to, &fitted[..=degree]) };
+        let deviation = if deviation.is_finite() {
+            deviation
+        } else {
+            self.max_deviation(controls, &from, &to, &fitted[..=degree])
+        };
         self.offset.deviation = self.offset.deviation.max(deviation);
         self.pieces += 1;
         self.end = to.point;
-        self.offset.curve.push(&fitted.map(|p| self.frame.point_back(p))[1..=degree])
+        self.offset.curve.push_segment(&fitted.map(|p| self.frame.point_from_frame(p))[1..=degree])
     }
 
     /// Returns the largest distance of the piece from the true offset. Each sample is compared with
     /// the offset at the same parameter. It is also compared at the foot point, found by one Newton
     /// step for (C - Q) . C' = 0, and the smaller distance counts.
-    fn measure(&mut self, controls: &[DVec3], from: &OffsetPoint, to: &OffsetPoint, fitted: &[DVec3]) -> f64 {
+    fn max_deviation(&mut self, controls: &[DVec3], from: &OffsetPoint, to: &OffsetPoint, fitted: &[DVec3]) -> f64 {
         let mut max = 0.0f64;
         for k in 1..=SAMPLES_PER_PIECE {
             let u = f64::from(k) / f64::from(SAMPLES_PER_PIECE + 1);
-            let q = segment::point(fitted, u);
-            let mut spot = self.spot(controls, from.t + (to.t - from.t) * u);
+            let q = segment::point_at(fitted, u);
+            let mut spot = self.offset_point_at(controls, from.t + (to.t - from.t) * u);
             let mut min = spot.point.distance(q);
             for _ in 0..2 {
                 let step = (q - spot.point).dot(spot.along) / spot.speed.dot(spot.along);
@@ -199,7 +204,7 @@ impl OffsetFit<'_> {
                 if !t.is_finite() {
                     break;
                 }
-                spot = self.spot(controls, t);
+                spot = self.offset_point_at(controls, t);
                 min = min.min(spot.point.distance(q));
             }
             max = max.max(min);
@@ -212,25 +217,34 @@ impl OffsetFit<'_> {
             return Err(Error::EmptyCurve);
         };
         if closed {
-            self.begin(self.frame.point(start))?;
+            self.begin_or_bridge_corner(self.frame.point_to_frame(start))?;
             let curve = &mut self.offset.curve;
             curve.closed = true;
             curve.points.pop();
             curve.points.push(start);
         }
         let deviation = self.offset.deviation;
-        Ok(Offset { deviation: self.frame.length_back(deviation), reached: deviation <= self.tolerance, ..self.offset })
+        Ok(Offset {
+            deviation: self.frame.length_from_frame(deviation),
+            reached: deviation <= self.tolerance,
+            ..self.offset
+        })
     }
 }
 
 /// Returns the control points of a straight segment except the first.
-fn straight(a: DVec3, b: DVec3, degree: usize, frame: &UnitFrame) -> [DVec3; 3] {
-    [1, 2, 3]
-        .map(|k| if k == degree { frame.point_back(b) } else { frame.point_back(a.lerp(b, k as f64 / degree as f64)) })
+fn straight_controls(a: DVec3, b: DVec3, degree: usize, frame: &UnitFrame) -> [DVec3; 3] {
+    [1, 2, 3].map(|k| {
+        if k == degree {
+            frame.point_from_frame(b)
+        } else {
+            frame.point_from_frame(a.lerp(b, k as f64 / degree as f64))
+        }
+    })
 }
 
 /// Returns the cubic with the given ends and derivatives.
-fn cubic(from: &OffsetPoint, to: &OffsetPoint) -> [DVec3; 4] {
+fn cubic_between(from: &OffsetPoint, to: &OffsetPoint) -> [DVec3; 4] {
     let third = (to.t - from.t) / 3.0;
     [from.point, from.point + from.speed * third, to.point - to.speed * third, to.point]
 }
@@ -238,7 +252,7 @@ fn cubic(from: &OffsetPoint, to: &OffsetPoint) -> [DVec3; 4] {
 /// Returns the quadratic with the given ends and directions; its last control point is repeated.
 /// The inner control point is where the tangents cross, if that is ahead of the first end and
 /// behind the last. For a straight piece it is the middle.
-fn quadratic(from: &OffsetPoint, to: &OffsetPoint) -> Option<[DVec3; 4]> {
+fn quadratic_between(from: &OffsetPoint, to: &OffsetPoint) -> Option<[DVec3; 4]> {
     let chord = to.point - from.point;
     let cross = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;
     let turn = cross(from.along, to.along);

@@ -40,7 +40,7 @@ impl CurveView<'_> {
     /// [`Error::OptionOutOfRange`] (a degree would exceed [`MAX_DEGREE`]), [`Error::TooLarge`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`]. O(degree) for each new control point.
     pub fn elevated_by(&self, by: usize, job: &Job<'_>) -> Result<Curve> {
-        self.elevated(|degree| degree.saturating_add(by), job)
+        self.elevate_each_segment(|degree| degree.saturating_add(by), job)
     }
 
     /// Elevates every segment to at least `degree`, 1 to [`MAX_DEGREE`]. Higher degrees stay.
@@ -49,11 +49,11 @@ impl CurveView<'_> {
     /// The errors of [`elevated_by`](Self::elevated_by).
     pub fn elevated_to(&self, degree: usize, job: &Job<'_>) -> Result<Curve> {
         check_degree(degree)?;
-        self.elevated(|old| old.max(degree), job)
+        self.elevate_each_segment(|old| old.max(degree), job)
     }
 
-    fn elevated(&self, degree: impl Fn(usize) -> usize, job: &Job<'_>) -> Result<Curve> {
-        let mut curve = self.begin()?;
+    fn elevate_each_segment(&self, degree: impl Fn(usize) -> usize, job: &Job<'_>) -> Result<Curve> {
+        let mut curve = self.empty_curve_at_start()?;
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "raising degrees")?;
             let to = degree(controls.len() - 1);
@@ -89,7 +89,11 @@ impl CurveView<'_> {
         check_degree(highest)?;
         Error::require(lowest <= highest, "lowest", lowest as f64)?;
         Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
-        let mut reduced = Reduced { curve: self.begin()?, deviations: alloc::with_capacity(self.len())?, kept: vec![] };
+        let mut reduced = Reduced {
+            curve: self.empty_curve_at_start()?,
+            deviations: alloc::with_capacity(self.len())?,
+            kept: vec![],
+        };
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "changing degrees")?;
             if controls.len() - 1 <= highest {
@@ -98,24 +102,24 @@ impl CurveView<'_> {
                 continue;
             }
             let frame = UnitFrame::from_points(controls);
-            let local = frame.segment(controls);
-            let fitted = least_squares(&local, highest);
-            let deviation = frame.length_back(deviation(&local, fitted));
+            let local = frame.segment_to_frame(controls);
+            let fitted = fit_degree_by_least_squares(&local, highest);
+            let deviation = frame.length_from_frame(max_control_point_deviation(&local, fitted));
             reduced.deviations.push(deviation);
             if deviation > tolerance || deviation == f64::INFINITY {
                 alloc::push(&mut reduced.kept, k as u32)?;
-                reduced.curve.push(&controls[1..])?;
+                reduced.curve.push_segment(&controls[1..])?;
                 continue;
             }
-            let mut back = SegmentBuffer::from_mapped(&fitted, |p| frame.point_back(p));
+            let mut back = SegmentBuffer::from_mapped(&fitted, |p| frame.point_from_frame(p));
             back[highest] = controls[controls.len() - 1];
-            reduced.curve.push(&back[1..])?;
+            reduced.curve.push_segment(&back[1..])?;
         }
         Ok(reduced)
     }
 
     /// Creates an empty curve at the start of this one.
-    fn begin(&self) -> Result<Curve> {
+    fn empty_curve_at_start(&self) -> Result<Curve> {
         let Some(&start) = self.points().first() else {
             return self.to_owned();
         };
@@ -127,18 +131,18 @@ impl Curve {
     /// Appends a segment, elevated to `degree` if its degree is lower.
     fn push_elevated(&mut self, controls: &[DVec3], degree: usize) -> Result<()> {
         if controls.len() > degree {
-            return self.push(&controls[1..]);
+            return self.push_segment(&controls[1..]);
         }
         let mut elevated = SegmentBuffer::new(controls);
         elevated.elevate(degree);
-        self.push(&elevated[1..])
+        self.push_segment(&elevated[1..])
     }
 }
 
 /// Returns the largest distance between the control points of two segments, after elevating the
 /// second to the first one's degree. By the convex hull property it bounds the distance at equal
 /// parameters.
-fn deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
+fn max_control_point_deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
     fitted.elevate(controls.len() - 1);
     let distance = |(&p, &q): (&DVec3, &DVec3)| p.distance(q);
     // A fit that is NaN is useless.
@@ -152,21 +156,21 @@ fn deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
 /// n:
 ///
 /// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1).
-fn least_squares(controls: &[DVec3], m: usize) -> SegmentBuffer {
+fn fit_degree_by_least_squares(controls: &[DVec3], degree: usize) -> SegmentBuffer {
     let n = controls.len() - 1;
-    let mut fitted = SegmentBuffer::new(&controls[..=m]);
-    fitted[m] = controls[n];
+    let mut fitted = SegmentBuffer::new(&controls[..=degree]);
+    fitted[degree] = controls[n];
     let row = binomial_row::<{ 2 * MAX_DEGREE + 1 }>;
-    let (own, given, own_own, own_given) = (row(m), row(n), row(2 * m), row(m + n));
-    let product = |i: usize, j: usize| own[i] * own[j] / own_own[i + j] / (2 * m + 1) as f64;
+    let (own, given, own_own, own_given) = (row(degree), row(n), row(2 * degree), row(degree + n));
+    let product = |i: usize, j: usize| own[i] * own[j] / own_own[i + j] / (2 * degree + 1) as f64;
     let mut lower = [[0.0; MAX_DEGREE]; MAX_DEGREE];
-    for i in 1..m {
-        let weight = |k: usize| own[i] * given[k] / own_given[i + k] / (m + n + 1) as f64;
+    for i in 1..degree {
+        let weight = |k: usize| own[i] * given[k] / own_given[i + k] / (degree + n + 1) as f64;
         let right: DVec3 = controls.iter().enumerate().map(|(k, &p)| p * weight(k)).sum();
-        fitted[i] = right - (fitted[0] * product(i, 0) + fitted[m] * product(i, m));
+        fitted[i] = right - (fitted[0] * product(i, 0) + fitted[degree] * product(i, degree));
         (1..=i).for_each(|j| lower[i - 1][j - 1] = product(i, j));
     }
     // If rounding makes the matrix indefinite (from degree 25 on), the deviation will show it.
-    cholesky::solve(&mut lower, &mut fitted[1..m]);
+    cholesky::solve(&mut lower, &mut fitted[1..degree]);
     fitted
 }

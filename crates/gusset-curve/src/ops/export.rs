@@ -51,7 +51,7 @@ impl fmt::Display for ShortestNumber {
 const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
 /// The longest number has 24 characters, plus a space.
-const WIDTH: usize = 25;
+const MAX_CHARACTERS_PER_NUMBER: usize = 25;
 
 impl CurveView<'_> {
     /// Returns the data of an SVG path: `M`, then `L`, `Q` or `C` for each segment, and `Z` if the
@@ -62,14 +62,14 @@ impl CurveView<'_> {
     /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG lacks:
     /// see [`reduced`](Self::reduced)), [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
     pub fn svg_path(&self, job: &Job<'_>) -> Result<String> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         self.check_degrees(1..=3)?;
         let mut text = String::new();
         let Some(&start) = self.points().first() else {
             return Ok(text);
         };
         let add = |text: &mut String, letter: char, points: &[DVec3]| {
-            let bytes = 4 + 2 * WIDTH * points.len();
+            let bytes = 4 + 2 * MAX_CHARACTERS_PER_NUMBER * points.len();
             text.try_reserve(bytes).map_err(|_| Error::OutOfMemory { bytes: bytes as u64 })?;
             text.push(letter);
             for p in points {
@@ -100,7 +100,7 @@ impl CurveView<'_> {
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a degree above 2, or the tolerance),
     /// [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
     pub fn contour(&self, tolerance: f64, job: &Job<'_>) -> Result<Contour> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         self.check_degrees(1..=2)?;
         Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
         if self.is_empty() {
@@ -120,10 +120,10 @@ impl CurveView<'_> {
                 && controls.len() == 3
                 && ((before[1] * 0.5 + controls[1] * 0.5) - controls[0]).abs().max_element() <= tolerance;
             if !implied {
-                contour.add(controls[0], 1)?;
+                contour.add_point(controls[0], 1)?;
             }
             if controls.len() == 3 {
-                contour.add(controls[1], 0)?;
+                contour.add_point(controls[1], 0)?;
             }
             before = controls;
         }
@@ -149,27 +149,28 @@ impl CurveView<'_> {
         let mut spline = Spline { degree: n, ..Spline::default() };
         let frame = UnitFrame::from_points(self.points());
         let (mut knot, mut interval) = (0.0, 1.0);
-        spline.knot(knot, n + 1)?;
+        spline.add_knots(knot, n + 1)?;
         alloc::append(&mut spline.controls, self.segment(0))?;
         job.step(0.0, "writing a spline")?;
         for k in 1..self.len() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "writing a spline")?;
             let (before, after) = (self.segment(k - 1), self.segment(k));
             knot += interval;
-            let joint = frame.point(after[0]);
-            let (arriving, leaving) = (joint - frame.point(before[n - 1]), frame.point(after[1]) - joint);
-            match ratio(arriving, leaving).map(|ratio| interval * ratio) {
+            let joint = frame.point_to_frame(after[0]);
+            let (arriving, leaving) =
+                (joint - frame.point_to_frame(before[n - 1]), frame.point_to_frame(after[1]) - joint);
+            match length_ratio_if_parallel(arriving, leaving).map(|ratio| interval * ratio) {
                 // Outside this range the knots would coincide.
                 Some(next) if n > 1 && (1e-6..1e6).contains(&next) => {
                     interval = next;
                     spline.controls.pop();
-                    spline.knot(knot, n - 1)?;
+                    spline.add_knots(knot, n - 1)?;
                 }
-                _ => spline.knot(knot, n)?,
+                _ => spline.add_knots(knot, n)?,
             }
             alloc::append(&mut spline.controls, &after[1..])?;
         }
-        spline.knot(knot + interval, n + 1)?;
+        spline.add_knots(knot + interval, n + 1)?;
         Ok(spline)
     }
 
@@ -180,20 +181,20 @@ impl CurveView<'_> {
 }
 
 /// |v| / |u| if both vectors have the same direction.
-fn ratio(u: DVec3, v: DVec3) -> Option<f64> {
+fn length_ratio_if_parallel(u: DVec3, v: DVec3) -> Option<f64> {
     let (a, b) = (u.length(), v.length());
     (u.dot(v) > 0.0 && u.cross(v).length() <= 1e-9 * a * b).then_some(b / a)
 }
 
 impl Contour {
-    fn add(&mut self, point: DVec3, on_curve: u8) -> Result<()> {
+    fn add_point(&mut self, point: DVec3, on_curve: u8) -> Result<()> {
         alloc::push(&mut self.points, point)?;
         alloc::push(&mut self.on_curve, on_curve)
     }
 }
 
 impl Spline {
-    fn knot(&mut self, at: f64, times: usize) -> Result<()> {
+    fn add_knots(&mut self, at: f64, times: usize) -> Result<()> {
         (0..times).try_for_each(|_| alloc::push(&mut self.knots, at))
     }
 }

@@ -1,10 +1,11 @@
 //! Intersections of two plane curves, and self-intersections. A tree finds the pairs of segments
 //! whose boxes meet.
 
-use super::part::{Part, coincide, compare_places, sort_distinct};
 use super::segment_intersection::{
-    BOX_SLACK, Joined, MAX_COMMON_DISTANCE, SAME_PARAMETER, SegmentIntersections, advances, intersect,
+    MAX_COMMON_POINT_DISTANCE, MAX_SAME_PARAMETER_GAP, MAX_TOUCHING_BOX_GAP, SegmentIntersections, SharedJoints,
+    advances_along_chord, intersect_segments,
 };
+use super::segment_part::{SegmentPart, compare_places, do_places_coincide, sort_and_remove_duplicates};
 use crate::curve::segment;
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};
@@ -47,30 +48,30 @@ pub struct Intersections {
 }
 
 /// A part of a curve that does not intersect itself.
-struct Piece {
+struct SimplePiece {
     controls: Vec<DVec3>,
     segment: u32,
     from: f64,
     to: f64,
 }
 
-impl Piece {
-    fn bounds(&self) -> Aabb {
+impl SimplePiece {
+    fn bounding_box(&self) -> Aabb {
         Aabb::from_points(&self.controls)
     }
 
-    fn place(&self, t: f64) -> Place {
+    fn place_on_curve(&self, t: f64) -> Place {
         let t = if t == 1.0 { self.to } else { self.from + (self.to - self.from) * t };
         Place { segment: self.segment, t }
     }
 }
 
 /// The maximum number of times that a segment is halved to exclude self-intersections.
-const MAX_DEPTH: u32 = 20;
+const MAX_SEGMENT_HALVINGS: u32 = 20;
 /// Pairs of segments between two progress reports; each pair takes up to 20 ms.
 const PAIRS_PER_REPORT: usize = 4;
 
-const STAGE: &str = "intersections";
+const PROGRESS_STAGE: &str = "intersections";
 
 impl CurveView<'_> {
     /// Returns the common points of two plane curves. Crossings are exact up to rounding, touches
@@ -84,12 +85,12 @@ impl CurveView<'_> {
     /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn intersections(&self, other: &CurveView<'_>, job: &Job<'_>) -> Result<Intersections> {
-        self.check_plane()?;
-        other.check_plane()?;
+        self.check_in_xy_plane()?;
+        other.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points().iter().chain(other.points()));
-        let (ours, theirs) = (self.pieces(&frame, 0)?, other.pieces(&frame, 0)?);
-        let mut all = Intersections::from_pieces(&ours, &theirs, |_, _| Some(Joined::default()), job)?;
-        all.merge([self.period(), other.period()])?;
+        let (ours, theirs) = (self.simple_pieces(&frame, 0)?, other.simple_pieces(&frame, 0)?);
+        let mut all = Intersections::from_pieces(&ours, &theirs, |_, _| Some(SharedJoints::default()), job)?;
+        all.sort_and_merge([self.period_in_segments(), other.period_in_segments()])?;
         Ok(all)
     }
 
@@ -101,40 +102,50 @@ impl CurveView<'_> {
     /// # Errors
     /// The errors of [`intersections`](Self::intersections).
     pub fn self_intersections(&self, job: &Job<'_>) -> Result<Intersections> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points());
-        let pieces = self.pieces(&frame, MAX_DEPTH)?;
+        let pieces = self.simple_pieces(&frame, MAX_SEGMENT_HALVINGS)?;
         let last = pieces.len().saturating_sub(1);
         let joined = |k: usize, i: usize| {
-            (i > k).then_some(Joined { after: i == k + 1, before: self.is_closed() && k == 0 && i == last })
+            (i > k).then_some(SharedJoints { after: i == k + 1, before: self.is_closed() && k == 0 && i == last })
         };
         let mut all = Intersections::from_pieces(&pieces, &pieces, joined, job)?;
-        let period = self.period();
+        let period = self.period_in_segments();
         for found in &mut all.points {
             // The end of a closed curve is its start.
-            if found.b.position() >= period - SAME_PARAMETER {
+            if found.b.global_parameter() >= period - MAX_SAME_PARAMETER_GAP {
                 *found = Intersection { a: Place::START, b: found.a };
             }
         }
         all.points.retain(|found| {
-            let gap = (found.b.position() - found.a.position()).abs();
-            gap.min((period - gap).abs()) > 10.0 * SAME_PARAMETER
+            let gap = (found.b.global_parameter() - found.a.global_parameter()).abs();
+            gap.min((period - gap).abs()) > 10.0 * MAX_SAME_PARAMETER_GAP
         });
-        all.merge([period; 2])?;
+        all.sort_and_merge([period; 2])?;
         Ok(all)
     }
 
     /// Returns the segments in a frame. Segments that may intersect themselves are halved until
-    /// they cannot, at most `depth` times. Segments that are points are skipped, because they
-    /// coincide with the ends of their neighbours. If all segments are points, the first is kept,
-    /// unless `depth` asks for self-intersections.
-    fn pieces(&self, frame: &UnitFrame, depth: u32) -> Result<Vec<Piece>> {
+    /// they cannot, at most `max_halvings` times. Segments that are points are skipped, because
+    /// they coincide with the ends of their neighbours. If all segments are points, the first is
+    /// kept, unless `max_halvings` asks for self-intersections.
+    fn simple_pieces(&self, frame: &UnitFrame, max_halvings: u32) -> Result<Vec<SimplePiece>> {
         let mut pieces = alloc::with_capacity(self.len())?;
-        for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_point(controls)) {
-            push_simple(Part::whole(frame.segment(controls)), k as u32, depth, &mut pieces)?;
+        for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_single_point(controls)) {
+            push_simple_pieces(
+                SegmentPart::from_whole_segment(frame.segment_to_frame(controls)),
+                k as u32,
+                max_halvings,
+                &mut pieces,
+            )?;
         }
-        if pieces.is_empty() && depth == 0 && !self.is_empty() {
-            push_simple(Part::whole(frame.segment(self.segment(0))), 0, depth, &mut pieces)?;
+        if pieces.is_empty() && max_halvings == 0 && !self.is_empty() {
+            push_simple_pieces(
+                SegmentPart::from_whole_segment(frame.segment_to_frame(self.segment(0))),
+                0,
+                max_halvings,
+                &mut pieces,
+            )?;
         }
         Ok(pieces)
     }
@@ -142,36 +153,36 @@ impl CurveView<'_> {
 
 /// Appends a part of a segment, or its halves if it may intersect itself. A part that is too small
 /// for rounding to resolve counts as one piece.
-fn push_simple(part: Part, segment: u32, depth: u32, pieces: &mut Vec<Piece>) -> Result<()> {
-    let small = |controls: &[DVec3]| Aabb::from_points(controls).size().max_element() <= MAX_COMMON_DISTANCE;
-    if depth == 0 || advances(&part.controls) || small(&part.controls) {
-        let Part { ref controls, from, to } = part;
-        return alloc::push(pieces, Piece { controls: alloc::copied(controls)?, segment, from, to });
+fn push_simple_pieces(part: SegmentPart, segment: u32, depth: u32, pieces: &mut Vec<SimplePiece>) -> Result<()> {
+    let small = |controls: &[DVec3]| Aabb::from_points(controls).size().max_element() <= MAX_COMMON_POINT_DISTANCE;
+    if depth == 0 || advances_along_chord(&part.controls) || small(&part.controls) {
+        let SegmentPart { ref controls, from, to } = part;
+        return alloc::push(pieces, SimplePiece { controls: alloc::copied(controls)?, segment, from, to });
     }
-    part.halves().into_iter().try_for_each(|half| push_simple(half, segment, depth - 1, pieces))
+    part.into_halves().into_iter().try_for_each(|half| push_simple_pieces(half, segment, depth - 1, pieces))
 }
 
 impl Intersections {
     /// Finds the intersections of two lists of pieces. `joined` returns `None` for a pair that must
     /// not be compared.
     fn from_pieces(
-        ours: &[Piece],
-        theirs: &[Piece],
-        joined: impl Fn(usize, usize) -> Option<Joined>,
+        ours: &[SimplePiece],
+        theirs: &[SimplePiece],
+        joined: impl Fn(usize, usize) -> Option<SharedJoints>,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let tree = BoxTree::new(theirs.iter().map(Piece::bounds))?;
+        let tree = BoxTree::new(theirs.iter().map(SimplePiece::bounding_box))?;
         let (mut all, mut found) = (Intersections::default(), SegmentIntersections::default());
         let mut pairs = 0usize;
         for (k, piece) in ours.iter().enumerate() {
-            job.step_every(64, k, ours.len(), STAGE)?;
-            tree.overlapping(&piece.bounds(), BOX_SLACK, |i| match joined(k, i) {
+            job.step_every(64, k, ours.len(), PROGRESS_STAGE)?;
+            tree.overlapping(&piece.bounding_box(), MAX_TOUCHING_BOX_GAP, |i| match joined(k, i) {
                 Some(joined) => {
                     if pairs % PAIRS_PER_REPORT == PAIRS_PER_REPORT - 1 {
-                        job.step(k as f64 / ours.len() as f64, STAGE)?;
+                        job.step(k as f64 / ours.len() as f64, PROGRESS_STAGE)?;
                     }
                     pairs += 1;
-                    all.add(piece, &theirs[i], joined, &mut found)
+                    all.add_piece_intersections(piece, &theirs[i], joined, &mut found)
                 }
                 None => Ok(()),
             })?;
@@ -179,34 +190,48 @@ impl Intersections {
         Ok(all)
     }
 
-    fn add(&mut self, p: &Piece, q: &Piece, joined: Joined, found: &mut SegmentIntersections) -> Result<()> {
-        intersect(&p.controls, &q.controls, joined, found)?;
-        let points = found.at.iter().map(|&[s, t]| Intersection { a: p.place(s), b: q.place(t) });
+    fn add_piece_intersections(
+        &mut self,
+        p: &SimplePiece,
+        q: &SimplePiece,
+        joined: SharedJoints,
+        found: &mut SegmentIntersections,
+    ) -> Result<()> {
+        intersect_segments(&p.controls, &q.controls, joined, found)?;
+        let points = found.at.iter().map(|&[s, t]| Intersection { a: p.place_on_curve(s), b: q.place_on_curve(t) });
         alloc::extend(&mut self.points, points)?;
-        let places = |[s, t]: [[f64; 2]; 2]| Overlap { a: s.map(|s| p.place(s)), b: t.map(|t| q.place(t)) };
+        let places =
+            |[s, t]: [[f64; 2]; 2]| Overlap { a: s.map(|s| p.place_on_curve(s)), b: t.map(|t| q.place_on_curve(t)) };
         alloc::extend(&mut self.overlaps, found.overlaps.iter().copied().map(places))?;
         self.undecided |= found.undecided;
         Ok(())
     }
 
     /// Sorts the points, and removes ends of overlaps and duplicates from joints.
-    fn merge(&mut self, periods: [f64; 2]) -> Result<()> {
-        let start = |overlap: &Overlap| [overlap.a[0].position(), overlap.b[0].position()];
+    fn sort_and_merge(&mut self, periods: [f64; 2]) -> Result<()> {
+        let start = |overlap: &Overlap| [overlap.a[0].global_parameter(), overlap.b[0].global_parameter()];
         sort::stable(&mut self.overlaps, &|x, y| compare_places(start(x), start(y)));
         let mut ends = alloc::with_capacity(2 * self.overlaps.len())?;
-        ends.extend(self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].position(), o.b[i].position()])));
+        ends.extend(
+            self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].global_parameter(), o.b[i].global_parameter()])),
+        );
         sort::stable(&mut ends, &|&x, &y| compare_places(x, y));
         self.points.retain(|m| {
-            let [a, b] = [m.a.position(), m.b.position()];
+            let [a, b] = [m.a.global_parameter(), m.b.global_parameter()];
             // The end of a closed curve is its start.
             let at_end = |shift: f64| {
-                let from = ends.partition_point(|end| end[0] < a + shift - SAME_PARAMETER);
-                let mut near = ends[from..].iter().take_while(|end| end[0] <= a + shift + SAME_PARAMETER);
-                near.any(|end| coincide(end[1], b, periods[1], SAME_PARAMETER))
+                let from = ends.partition_point(|end| end[0] < a + shift - MAX_SAME_PARAMETER_GAP);
+                let mut near = ends[from..].iter().take_while(|end| end[0] <= a + shift + MAX_SAME_PARAMETER_GAP);
+                near.any(|end| do_places_coincide(end[1], b, periods[1], MAX_SAME_PARAMETER_GAP))
             };
             ![0.0, periods[0], -periods[0]].into_iter().any(at_end)
         });
-        sort_distinct(&mut self.points, |m| [m.a.position(), m.b.position()], periods, SAME_PARAMETER);
+        sort_and_remove_duplicates(
+            &mut self.points,
+            |m| [m.a.global_parameter(), m.b.global_parameter()],
+            periods,
+            MAX_SAME_PARAMETER_GAP,
+        );
         Ok(())
     }
 }

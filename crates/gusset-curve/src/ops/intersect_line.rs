@@ -1,7 +1,7 @@
 //! Intersections of a curve with a plane, and of a plane curve with a line. They are the roots of
 //! the distance, which is a polynomial in Bernstein form on each segment.
 
-use crate::curve::unit_frame::{UnitFrame, power_to_one};
+use crate::curve::unit_frame::{UnitFrame, power_of_two_to_unit_size};
 use crate::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -40,7 +40,7 @@ impl CurveView<'_> {
         let largest = normal.abs().max_element();
         Error::require(largest > 0.0, "normal", largest)?;
         let frame = UnitFrame::from_points(self.points());
-        let level = level(&frame, point, normal);
+        let level = plane_distance_from_frame_origin(&frame, point, normal);
         let normal = (normal / largest).normalize();
         let mut found = PlaneIntersections::default();
         // The plane is farther away than any point of the curve; NaN if it is too far for the
@@ -52,17 +52,17 @@ impl CurveView<'_> {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "crossings with a plane")?;
             let mut heights = [0.0; MAX_DEGREE + 1];
             for (height, &p) in heights.iter_mut().zip(controls) {
-                *height = normal.dot(frame.point(p)) - level;
+                *height = normal.dot(frame.point_to_frame(p)) - level;
             }
             let at = roots(&heights[..controls.len()], MAX_TOUCH_DISTANCE);
             if at.everywhere {
                 alloc::push(&mut found.inside, k as u32)?;
             }
             for &t in at.as_slice() {
-                found.add(k as u32, t)?;
+                found.add_root(k as u32, t)?;
             }
         }
-        found.close(self);
+        found.remove_repeated_places(self);
         Ok(found)
     }
 
@@ -73,7 +73,7 @@ impl CurveView<'_> {
     /// [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line,
     /// have z other than 0), and the errors of [`intersect_plane`](Self::intersect_plane).
     pub fn intersect_line(&self, point: DVec3, direction: DVec3, job: &Job<'_>) -> Result<PlaneIntersections> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         check_finite(0, point)?;
         check_finite(1, direction)?;
         if point.z != 0.0 || direction.z != 0.0 {
@@ -87,10 +87,10 @@ impl CurveView<'_> {
 /// rounding even for a distant point: the terms of normal . (point - origin) may cancel by any
 /// number of digits, so they are summed without error (Dekker's products, Shewchuk's expansions,
 /// 1997).
-fn level(frame: &UnitFrame, point: DVec3, normal: DVec3) -> f64 {
-    let normal = normal * power_to_one(normal.abs().max_element());
+fn plane_distance_from_frame_origin(frame: &UnitFrame, point: DVec3, normal: DVec3) -> f64 {
+    let normal = normal * power_of_two_to_unit_size(normal.abs().max_element());
     let (mut sum, mut len) = ([0.0; 12], 0);
-    for part in frame.point_with_remainder(point) {
+    for part in frame.point_to_frame_with_rounding_error(point) {
         for axis in 0..3 {
             let product = normal[axis] * part[axis];
             for mut term in [normal[axis].mul_add(part[axis], -product), product] {
@@ -111,7 +111,7 @@ fn level(frame: &UnitFrame, point: DVec3, normal: DVec3) -> f64 {
 impl PlaneIntersections {
     /// Adds a root. Skips the start of a segment if the previous segment's end is listed or lies
     /// inside.
-    fn add(&mut self, segment: u32, t: f64) -> Result<()> {
+    fn add_root(&mut self, segment: u32, t: f64) -> Result<()> {
         if t == 0.0 && segment > 0 {
             let before = Place { segment: segment - 1, t: 1.0 };
             if self.places.last() == Some(&before) || self.inside.last() == Some(&before.segment) {
@@ -123,7 +123,7 @@ impl PlaneIntersections {
 
     /// Removes places that belong to the start of a closed curve, or to a segment inside that
     /// follows.
-    fn close(&mut self, curve: &CurveView<'_>) {
+    fn remove_repeated_places(&mut self, curve: &CurveView<'_>) {
         let last = curve.len() as u32;
         let start = Place::START;
         let has_start = self.places.first() == Some(&start);

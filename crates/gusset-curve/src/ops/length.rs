@@ -41,7 +41,7 @@ impl<'a> CurveView<'a> {
         let mut sum = 0.0;
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "length of a curve")?;
-            sum += Arc::new(&frame, controls).length(0.0, 1.0);
+            sum += SegmentSpeed::new(&frame, controls).integrate_speed(0.0, 1.0);
             ends.push(sum);
         }
         Ok(Lengths { curve: *self, frame, ends })
@@ -56,7 +56,7 @@ impl<'a> Lengths<'a> {
 
     /// Returns the arc length of the whole curve, in the unit of the points.
     pub fn total(&self) -> f64 {
-        self.frame.length_back(self.ends.last().copied().unwrap_or(0.0))
+        self.frame.length_from_frame(self.ends.last().copied().unwrap_or(0.0))
     }
 
     /// Returns the arc length from the start to a place.
@@ -67,10 +67,10 @@ impl<'a> Lengths<'a> {
         self.curve.check_place(0, place)?;
         let k = place.segment as usize;
         if place.t == 1.0 {
-            return Ok(self.frame.length_back(self.ends[k]));
+            return Ok(self.frame.length_from_frame(self.ends[k]));
         }
-        let arc = Arc::new(&self.frame, self.curve.segment(k));
-        Ok(self.frame.length_back(self.length_before(k) + arc.length(0.0, place.t)))
+        let arc = SegmentSpeed::new(&self.frame, self.curve.segment(k));
+        Ok(self.frame.length_from_frame(self.length_before_segment(k) + arc.integrate_speed(0.0, place.t)))
     }
 
     /// Returns the place at an arc length from the start. Lengths below 0 and above the total are
@@ -83,19 +83,19 @@ impl<'a> Lengths<'a> {
         if self.curve.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        Ok(self.place_at_frame_length(self.frame.length(length)))
+        Ok(self.place_at_frame_length(self.frame.length_to_frame(length)))
     }
 
     /// Returns the place at the fraction k / n of the total length.
-    pub(super) fn place_of_part(&self, k: usize, n: usize) -> Place {
+    pub(super) fn place_at_fraction(&self, numerator: usize, denominator: usize) -> Place {
         let total = self.ends.last().copied().unwrap_or(0.0);
-        self.place_at_frame_length(total * (k as f64 / n as f64))
+        self.place_at_frame_length(total * (numerator as f64 / denominator as f64))
     }
 
     fn place_at_frame_length(&self, length: f64) -> Place {
         // The first segment that ends beyond the length.
         let k = self.ends.partition_point(|&end| end < length).min(self.ends.len() - 1);
-        let (before, after) = (self.length_before(k), self.ends[k]);
+        let (before, after) = (self.length_before_segment(k), self.ends[k]);
         let segment = k as u32;
         if length <= before {
             return Place { segment, t: 0.0 };
@@ -103,19 +103,19 @@ impl<'a> Lengths<'a> {
         if length >= after {
             return Place { segment, t: 1.0 };
         }
-        let arc = Arc::new(&self.frame, self.curve.segment(k));
-        let t = bracketed_root(0.0, 1.0, -1.0, |t| (arc.length(0.0, t) - (length - before), arc.speed(t)));
+        let arc = SegmentSpeed::new(&self.frame, self.curve.segment(k));
+        let t = bracketed_root(0.0, 1.0, -1.0, |t| (arc.integrate_speed(0.0, t) - (length - before), arc.speed(t)));
         Place { segment, t }
     }
 
     /// Returns the arc length up to the start of segment `k`.
-    fn length_before(&self, k: usize) -> f64 {
+    fn length_before_segment(&self, k: usize) -> f64 {
         if k == 0 { 0.0 } else { self.ends[k - 1] }
     }
 }
 
 /// A segment's derivative: n control points of degree n - 1.
-struct Arc {
+struct SegmentSpeed {
     velocity: SegmentBuffer,
     /// The extrema of the speed, from degree 3 on. Intervals of integration end there, because the
     /// speed has a kink at a cusp, and a kink between an end and the first node is invisible to the
@@ -123,24 +123,24 @@ struct Arc {
     turns: Roots,
 }
 
-impl Arc {
+impl SegmentSpeed {
     fn new(frame: &UnitFrame, controls: &[DVec3]) -> Self {
-        let mut velocity = frame.segment(controls);
-        velocity.derive();
+        let mut velocity = frame.segment_to_frame(controls);
+        velocity.differentiate();
         let turns =
             if velocity.len() > 2 { DistanceSlope::new(&velocity, DVec3::ZERO).roots() } else { Roots::default() };
-        Arc { velocity, turns }
+        SegmentSpeed { velocity, turns }
     }
 
     fn speed(&self, t: f64) -> f64 {
-        segment::point(&self.velocity, t).length()
+        segment::point_at(&self.velocity, t).length()
     }
 
     /// Returns the length from parameter `a` to `b`.
-    fn length(&self, a: f64, b: f64) -> f64 {
+    fn integrate_speed(&self, a: f64, b: f64) -> f64 {
         match *self.velocity {
             [v] => v.length() * (b - a),
-            [u, v] => quadratic(u, v - u, a, b),
+            [u, v] => quadratic_arc_length(u, v - u, a, b),
             _ => {
                 // The length of the control polygon: sum of |B_(i+1) - B_i| = |velocity| / n.
                 let polygon: f64 = self.velocity.iter().map(|v| v.length()).sum();
@@ -148,7 +148,13 @@ impl Arc {
                 let inner = self.turns.as_slice().iter().filter(|&&t| a < t && t < b);
                 let (mut from, mut sum, mut halvings) = (a, 0.0, MAX_HALVINGS);
                 for &to in inner.chain(&[b]) {
-                    sum += self.adaptive(from, to, self.gauss(from, to), error * (to - from), &mut halvings);
+                    sum += self.integrate_speed_adaptively(
+                        from,
+                        to,
+                        self.integrate_speed_by_gauss(from, to),
+                        error * (to - from),
+                        &mut halvings,
+                    );
                     from = to;
                 }
                 sum
@@ -158,20 +164,21 @@ impl Arc {
 
     /// Halves until the halves agree with the whole, or the limit on halvings is reached. If
     /// control points are so far apart that the speed is noise, the halves never agree.
-    fn adaptive(&self, a: f64, b: f64, whole: f64, error: f64, halvings: &mut u32) -> f64 {
+    fn integrate_speed_adaptively(&self, a: f64, b: f64, whole: f64, error: f64, halvings: &mut u32) -> f64 {
         let middle = 0.5 * (a + b);
-        let (left, right) = (self.gauss(a, middle), self.gauss(middle, b));
+        let (left, right) = (self.integrate_speed_by_gauss(a, middle), self.integrate_speed_by_gauss(middle, b));
         if (left + right - whole).abs() <= error || *halvings == 0 || !(a < middle && middle < b) {
             return left + right;
         }
         *halvings -= 1;
-        self.adaptive(a, middle, left, 0.5 * error, halvings) + self.adaptive(middle, b, right, 0.5 * error, halvings)
+        self.integrate_speed_adaptively(a, middle, left, 0.5 * error, halvings)
+            + self.integrate_speed_adaptively(middle, b, right, 0.5 * error, halvings)
     }
 
-    fn gauss(&self, a: f64, b: f64) -> f64 {
+    fn integrate_speed_by_gauss(&self, a: f64, b: f64) -> f64 {
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
         let pair = |&(x, w): &(f64, f64)| w * (self.speed(middle - half * x) + self.speed(middle + half * x));
-        half * GAUSS.iter().map(pair).sum::<f64>()
+        half * GAUSS_NODES_AND_WEIGHTS.iter().map(pair).sum::<f64>()
     }
 }
 
@@ -180,7 +187,7 @@ const MAX_HALVINGS: u32 = 2000;
 
 /// The positive nodes of the 16-point Gauss-Legendre rule on -1 to 1, and their weights. The nodes
 /// are roots of the Legendre polynomial P_16; the weights are 2 / ((1 - x^2) P_16'(x)^2).
-const GAUSS: [(f64, f64); 8] = [
+const GAUSS_NODES_AND_WEIGHTS: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_095),
     (0.944_575_023_073_232_6, 0.062_253_523_938_647_89),
     (0.865_631_202_387_831_8, 0.095_158_511_682_492_78),
@@ -197,7 +204,7 @@ const GAUSS: [(f64, f64); 8] = [
 /// the constant g = |u x w| / k. The length is the integral of sqrt(y^2 + g^2) dy / k. The integral
 /// is split at y = 0 and taken over |y|. Every term is then positive and divided by k before any
 /// difference, so that nothing cancels, even for nearly straight parabolas and small k.
-fn quadratic(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
+fn quadratic_arc_length(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
     let k = w.length();
     if k == 0.0 {
         return u.length() * (b - a);
@@ -208,18 +215,18 @@ fn quadratic(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
     let turn = -start / k;
     let y = |t: f64| if t == 0.0 { start } else { start + k * t };
     if turn <= a {
-        branch(y(a).max(0.0), k * (b - a), across, k)
+        one_sided_arc_length(y(a).max(0.0), k * (b - a), across, k)
     } else if turn >= b {
-        branch((-y(b)).max(0.0), k * (b - a), across, k)
+        one_sided_arc_length((-y(b)).max(0.0), k * (b - a), across, k)
     } else {
-        branch(0.0, k * (turn - a), across, k) + branch(0.0, k * (b - turn), across, k)
+        one_sided_arc_length(0.0, k * (turn - a), across, k) + one_sided_arc_length(0.0, k * (b - turn), across, k)
     }
 }
 
 /// Returns the integral of sqrt(y^2 + g^2) / k from y to y + step, both at least 0. With s =
 /// sqrt(y^2 + g^2), and s' at the other end y', it is half of y' s' - y s + g^2 ln((y' + s') / (y +
 /// s)). Here s' - s = step (y' + y) / (s' + s).
-fn branch(y: f64, step: f64, g: f64, k: f64) -> f64 {
+fn one_sided_arc_length(y: f64, step: f64, g: f64, k: f64) -> f64 {
     let far = y + step;
     let (s, t) = ((y * y + g * g).sqrt(), (far * far + g * g).sqrt());
     if t == 0.0 {

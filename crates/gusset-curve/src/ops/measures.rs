@@ -68,7 +68,7 @@ impl CurveView<'_> {
     pub fn measures(&self, selection: MeasureSelection, job: &Job<'_>) -> Result<Measures> {
         let MeasureSelection { length, bounds, centre, area, moments } = selection;
         let has_points = !self.points().is_empty();
-        let moments = moments && has_points && self.check_plane().is_ok();
+        let moments = moments && has_points && self.check_in_xy_plane().is_ok();
         let asked = [length, bounds && has_points, centre && has_points, area, moments];
         let share = |k: usize| {
             let count = asked.iter().filter(|&&asked| asked).count();

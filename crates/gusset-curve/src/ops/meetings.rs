@@ -24,7 +24,7 @@ impl CurveView<'_> {
             Error::require(within == 0.0, "within", within)?;
             return self.self_intersections(job)?.into_near_misses();
         };
-        if within == 0.0 && self.check_plane().is_ok() && other.check_plane().is_ok() {
+        if within == 0.0 && self.check_in_xy_plane().is_ok() && other.check_in_xy_plane().is_ok() {
             return self.intersections(other, job)?.into_near_misses();
         }
         self.near_misses(other, within, job)

@@ -26,7 +26,7 @@
 
 mod area;
 mod bounds;
-mod cubic;
+mod cubic_roots;
 mod curve_offset;
 mod degree;
 mod evaluate;
@@ -39,7 +39,7 @@ mod meetings;
 mod near_miss_bounds;
 mod near_misses;
 mod nearest;
-mod part;
+mod segment_part;
 mod resample;
 mod segment_intersection;
 mod split;

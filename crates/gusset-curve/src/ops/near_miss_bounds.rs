@@ -1,13 +1,13 @@
 //! Bounds of the distance between two segments, and descents to its minima, for
 //! [`near_misses`](super::near_misses).
 
-use super::part::{Part, chord, separates};
-use crate::curve::segment::jet;
+use super::segment_part::{SegmentPart, axis_separates_hulls, chord_direction};
+use crate::curve::segment::point_and_derivatives;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::Aabb;
 
 /// The end of a descent.
-pub(super) struct Descent {
+pub(super) struct DescentEnd {
     pub(super) at: DVec2,
     /// The vector from the second point to the first.
     pub(super) gap: DVec3,
@@ -18,9 +18,9 @@ pub(super) struct Descent {
 ///
 /// The first derivative has the control points n (B_i+1 - B_i), the second n (n - 1) (B_i+2 - 2
 /// B_i+1 + B_i).
-pub(super) fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
+pub(super) fn derivative_range(part: &SegmentPart, order: usize) -> (DVec3, f64) {
     let mut derived = part.controls;
-    (0..order).for_each(|_| derived.derive());
+    (0..order).for_each(|_| derived.differentiate());
     if derived.is_empty() {
         return (DVec3::ZERO, 0.0);
     }
@@ -29,23 +29,23 @@ pub(super) fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
 }
 
 /// Returns true if the hulls are proven to be farther apart than `within`.
-pub(super) fn are_apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
+pub(super) fn are_hulls_apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
     if !Aabb::from_points(a).is_within(&Aabb::from_points(b), within) {
         return true;
     }
-    let (u, v) = (chord(a), chord(b));
+    let (u, v) = (chord_direction(a), chord_direction(b));
     let normal = u.cross(v).normalize_or_zero();
     let between = a[0] - b[0];
     let across = (between - between.dot(u) * u).normalize_or_zero();
     // The directions have length 1 up to rounding.
     let slack = within * (1.0 + 1e-12) + 1e-15;
     let axes = [normal, u, v, normal.cross(u), normal.cross(v), across];
-    axes.into_iter().any(|axis| axis != DVec3::ZERO && separates(axis, a, b, slack))
+    axes.into_iter().any(|axis| axis != DVec3::ZERO && axis_separates_hulls(axis, a, b, slack))
 }
 
 /// Returns the number of minima of |A(s) - B(t)|^2 / 2 in a pair, 0 or 1, proven by bounds of its
 /// slopes and Hessian. Returns `None` if they prove neither.
-pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
+pub(super) fn count_minima(p: &SegmentPart, q: &SegmentPart) -> Option<usize> {
     let [(here, r), (there, rr)] = [p, q].map(|part| derivative_range(part, 0));
     let [(a, ra), (b, rb)] = [p, q].map(|part| derivative_range(part, 1));
     let [(aa, raa), (bb, rbb)] = [p, q].map(|part| derivative_range(part, 2));
@@ -55,7 +55,7 @@ pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     let sign = |slope: f64, slack: f64| if slope > slack { 1 } else { -i32::from(slope < -slack) };
     let signs = [sign(gap.dot(a), slack(gap, spread, a, ra)), sign(-gap.dot(b), slack(gap, spread, b, rb))];
     // The function falls towards an end of the part that is also an end of the segment.
-    let held = |k: usize, part: &Part| (signs[k] > 0 && part.from == 0.0) || (signs[k] < 0 && part.to == 1.0);
+    let held = |k: usize, part: &SegmentPart| (signs[k] > 0 && part.from == 0.0) || (signs[k] < 0 && part.to == 1.0);
     let held = [held(0, p), held(1, q)];
     if (0..2).any(|k| signs[k] != 0 && !held[k]) {
         return Some(0);
@@ -79,8 +79,8 @@ pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
 }
 
 /// Minimises |A - B|^2 / 2 within a box by Newton and Gauss-Newton steps.
-pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> Descent {
-    let jets = |at: DVec2| (jet::<3>(whole[0], at.x), jet::<3>(whole[1], at.y));
+pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> DescentEnd {
+    let jets = |at: DVec2| (point_and_derivatives::<3>(whole[0], at.x), point_and_derivatives::<3>(whole[1], at.y));
     let mut at = start.clamp(low, high);
     let (mut a, mut b) = jets(at);
     let slope = |a: &[DVec3; 3], b: &[DVec3; 3]| {
@@ -133,5 +133,5 @@ pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, 
         let Some((there, p, q)) = next else { break };
         (at, a, b) = (there, p, q);
     }
-    Descent { at, gap: a[0] - b[0], gradient: slope(&a, &b) }
+    DescentEnd { at, gap: a[0] - b[0], gradient: slope(&a, &b) }
 }

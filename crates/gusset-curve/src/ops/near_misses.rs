@@ -14,20 +14,21 @@
 //! distance has a minimum there and is small enough.
 //!
 //! Source: Hanniel and Elber, 2007, for halving that ends once at most one solution is proven; the
-//! bounds of slopes and Hessian are ours. Cost: at most [`MAX_PAIRS`] pairs of parts for two
+//! bounds of slopes and Hessian are ours. Cost: at most [`MAX_PART_PAIRS`] pairs of parts for two
 //! segments, O(degree^2) each.
 
 use super::intersect::Overlap;
-use super::near_miss_bounds::{Descent, are_apart, count_minima, minimise_distance};
-use super::part::{Part, compare_places, halve, sort_distinct};
-use crate::curve::segment::{self, SegmentBuffer, jet};
+use super::near_miss_bounds::{DescentEnd, are_hulls_apart, count_minima, minimise_distance};
+use super::segment_part::{SegmentPart, compare_places, halve_one_of_pair, sort_and_remove_duplicates};
+use crate::curve::segment::{self, SegmentBuffer, point_and_derivatives};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::subdivision::{
-    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+    BoxStack, BoxTest, Subdivision, SubdivisionLimits, UnresolvedBox, UnresolvedCluster, cluster_touching_boxes,
+    subdivide,
 };
 use gusset_base::geom::{Aabb, box_tree::BoxTree};
 use gusset_base::job::Job;
@@ -58,36 +59,36 @@ pub struct NearMisses {
 }
 
 /// In a frame of size 1, distances below this count as rounding.
-const ROUNDING: f64 = 1e-12;
+const DISTANCE_ROUNDING: f64 = 1e-12;
 
 /// Parts are not halved below this length of their parameter range.
-const MIN_PART_LENGTH: f64 = 1.0 / 1024.0;
+const MIN_PART_PARAMETER_LENGTH: f64 = 1.0 / 1024.0;
 
 /// The maximum number of pairs of parts examined for two segments.
-const MAX_PAIRS: usize = 20_000;
+const MAX_PART_PAIRS: usize = 20_000;
 
 /// The number of undecided pairs of segments after which further pairs get only the effort of
 /// simple minima.
-const MAX_GIVEN_UP: u32 = 32;
+const MAX_UNDECIDED_SEGMENT_PAIRS: u32 = 32;
 
 /// The number of pairs of parts that simple minima need.
-const MAX_PAIRS_FOR_SIMPLE_MINIMA: usize = 300;
+const MAX_PART_PAIRS_FOR_SIMPLE_MINIMA: usize = 300;
 
 /// Pairs of segments between two progress reports; each pair takes up to 20 ms.
 const PAIRS_PER_REPORT: usize = 4;
 
 /// Descents between two progress reports.
 const DESCENTS_PER_REPORT: usize = 256;
-const STAGE: &str = "near misses of curves";
+const PROGRESS_STAGE: &str = "near misses of curves";
 
 /// Places whose parameters differ by less count as one.
-const SAME_PARAMETER: f64 = 1e-7;
+const MAX_SAME_PARAMETER_GAP: f64 = 1e-7;
 
 /// Descents along one valley end within this distance in the parameters.
-const SAME_VALLEY: f64 = 1e-5;
+const MAX_SAME_VALLEY_PARAMETER_GAP: f64 = 1e-5;
 
 /// Slopes below this, relative to the size of the segment and the distance, count as rounding.
-const SLOPE_ROUNDING: f64 = 1e-12;
+const RELATIVE_SLOPE_ROUNDING: f64 = 1e-12;
 
 /// A descent has converged below this slope, relative likewise. Along a valley, the distance
 /// reaches rounding before its slope does.
@@ -99,14 +100,14 @@ const MIN_RELATIVE_DETERMINANT: f64 = 1e-12;
 
 /// A minimum of the distance, in the frame. Each place is a number: segment plus parameter.
 #[derive(Clone, Copy)]
-struct Minimum {
+struct DistanceMinimum {
     at: DVec2,
     distance: f64,
 }
 
 /// A cluster of undecided pairs: the minimum that it descends to, and its bounding box.
-struct Valley {
-    minimum: Minimum,
+struct DistanceValley {
+    minimum: DistanceMinimum,
     low: DVec2,
     high: DVec2,
     /// Whether the minimum lies in one of the pairs.
@@ -128,45 +129,45 @@ impl CurveView<'_> {
         }
         Error::require((0.0..f64::INFINITY).contains(&within), "within", within)?;
         let frame = UnitFrame::from_points(self.points().iter().chain(other.points()));
-        let points = [frame.points(self.points())?, frame.points(other.points())?];
+        let points = [frame.points_to_frame(self.points())?, frame.points_to_frame(other.points())?];
         let sides = [
-            CurveView::trusted(&points[0], self.ends(), self.is_closed()),
-            CurveView::trusted(&points[1], other.ends(), other.is_closed()),
+            CurveView::new_unchecked(&points[0], self.ends(), self.is_closed()),
+            CurveView::new_unchecked(&points[1], other.ends(), other.is_closed()),
         ];
         // Points of the frame are at most 2 sqrt(3) apart, and a larger limit could be infinite in
         // it.
-        let within = frame.length(within).clamp(ROUNDING, 4.0);
+        let within = frame.length_to_frame(within).clamp(DISTANCE_ROUNDING, 4.0);
         let mut search =
             NearMissSearch { sides, within, minima: Vec::new(), unresolved: Vec::new(), given_up: 0, undecided: false };
         let numbers = [segments_with_extent(&sides[0])?, segments_with_extent(&sides[1])?];
         let tree = BoxTree::new(numbers[1].iter().map(|&j| Aabb::from_points(sides[1].segment(j as usize))))?;
         let (searching, mut pairs) = (job.part(0.0, 0.8), 0usize);
         for (k, &i) in numbers[0].iter().enumerate() {
-            searching.step_every(16, k, numbers[0].len(), STAGE)?;
+            searching.step_every(16, k, numbers[0].len(), PROGRESS_STAGE)?;
             let i = i as usize;
             tree.overlapping(&Aabb::from_points(sides[0].segment(i)), within, |leaf| {
                 pairs += 1;
                 if pairs.is_multiple_of(PAIRS_PER_REPORT) {
-                    searching.step(k as f64 / numbers[0].len() as f64, STAGE)?;
+                    searching.step(k as f64 / numbers[0].len() as f64, PROGRESS_STAGE)?;
                 }
-                search.search_pair([i, numbers[1][leaf] as usize])
+                search.search_segment_pair([i, numbers[1][leaf] as usize])
             })?;
         }
-        search.finish(&frame, &job.part(0.8, 1.0))
+        search.cluster_sort_and_merge(&frame, &job.part(0.8, 1.0))
     }
 }
 
 /// Returns the segments with extent; segments that are points coincide with the ends of their
 /// neighbours. If all segments are points, returns the first.
 fn segments_with_extent(curve: &CurveView<'_>) -> Result<Vec<u32>> {
-    let all = (0..curve.len() as u32).filter(|&k| !segment::is_point(curve.segment(k as usize)));
+    let all = (0..curve.len() as u32).filter(|&k| !segment::is_single_point(curve.segment(k as usize)));
     let found = alloc::gather(all)?;
     if found.is_empty() { alloc::filled(0, 1) } else { Ok(found) }
 }
 
 /// Returns the direction in which a curve continues beyond an end of segment k; `None` if it ends
 /// there.
-fn leg_beyond(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
+fn leg_beyond_segment_end(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
     let (count, last) = (curve.len(), if at_end { curve.len() - 1 } else { 0 });
     if k == last && !curve.is_closed() {
         return None;
@@ -178,7 +179,7 @@ fn leg_beyond(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
 struct NearMissSearch<'a> {
     sides: [CurveView<'a>; 2],
     within: f64,
-    minima: Vec<Minimum>,
+    minima: Vec<DistanceMinimum>,
     /// Undecided pairs of parts at the smallest size, with their places and the distance at the
     /// centre.
     unresolved: Vec<UnresolvedBox>,
@@ -188,7 +189,7 @@ struct NearMissSearch<'a> {
 }
 
 /// The search of a pair of segments, given by their indices.
-struct PairSearch<'s, 'a> {
+struct NearMissPairSearch<'s, 'a> {
     search: &'s mut NearMissSearch<'a>,
     numbers: [usize; 2],
     whole: [&'a [DVec3]; 2],
@@ -196,59 +197,60 @@ struct PairSearch<'s, 'a> {
     exhausted: bool,
 }
 
-impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
+impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
     type Solution = ();
     /// The index of the part to halve.
     type Split = usize;
     type Stop = Error;
 
-    fn classify(&mut self, [p, q]: &[Part; 2]) -> Result<BoxTest<(), usize>> {
-        if are_apart(&p.controls, &q.controls, self.search.within) {
+    fn classify(&mut self, [p, q]: &[SegmentPart; 2]) -> Result<BoxTest<(), usize>> {
+        if are_hulls_apart(&p.controls, &q.controls, self.search.within) {
             return Ok(BoxTest::Empty);
         }
         Ok(match count_minima(p, q) {
             Some(0) => BoxTest::Empty,
             Some(_) => BoxTest::Unique(()),
-            None => match [p, q].map(|part| part.to - part.from <= MIN_PART_LENGTH) {
+            None => match [p, q].map(|part| part.to - part.from <= MIN_PART_PARAMETER_LENGTH) {
                 [true, true] => BoxTest::Unresolved,
                 [false, true] => BoxTest::Undecided(0),
                 [true, false] => BoxTest::Undecided(1),
-                [false, false] => BoxTest::Undecided(usize::from(p.size() < q.size())),
+                [false, false] => BoxTest::Undecided(usize::from(p.control_box_size() < q.control_box_size())),
             },
         })
     }
 
-    fn accept(&mut self, pair: [Part; 2], (): ()) -> Result<()> {
+    fn accept(&mut self, pair: [SegmentPart; 2], (): ()) -> Result<()> {
         self.search.add_local_minimum(self.whole, self.numbers, pair)
     }
 
-    fn give_up(&mut self, [p, q]: [Part; 2], exhausted: bool) -> Result<()> {
+    fn give_up(&mut self, [p, q]: [SegmentPart; 2], exhausted: bool) -> Result<()> {
         self.search.undecided |= exhausted;
         self.exhausted |= exhausted;
-        let [low, high] = corners(&[p, q]);
+        let [low, high] = parameter_box_corners(&[p, q]);
         let middle = (low + high) * 0.5;
-        let [x, y] = [segment::point(self.whole[0], middle.x), segment::point(self.whole[1], middle.y)];
+        let [x, y] = [segment::point_at(self.whole[0], middle.x), segment::point_at(self.whole[1], middle.y)];
         let half = ((high - low) * 0.5).extend(0.0);
-        let middle = (segment_offsets(self.numbers) + middle).extend(0.0);
+        let middle = (segment_indices_as_offsets(self.numbers) + middle).extend(0.0);
         alloc::push(&mut self.search.unresolved, UnresolvedBox { middle, half, residual: x.distance(y) })
     }
 
-    fn split(&mut self, pair: [Part; 2], number: usize) -> [[Part; 2]; 2] {
-        halve(pair, number)
+    fn split(&mut self, pair: [SegmentPart; 2], number: usize) -> [[SegmentPart; 2]; 2] {
+        halve_one_of_pair(pair, number)
     }
 
-    fn reserve(stack: &mut Stack<[Part; 2]>) -> Result<()> {
+    fn reserve(stack: &mut BoxStack<[SegmentPart; 2]>) -> Result<()> {
         alloc::reserve(stack, 2)
     }
 }
 
 impl NearMissSearch<'_> {
-    fn search_pair(&mut self, numbers: [usize; 2]) -> Result<()> {
+    fn search_segment_pair(&mut self, numbers: [usize; 2]) -> Result<()> {
         let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
-        let first = whole.map(|controls| Part::whole(SegmentBuffer::new(controls)));
-        let max_pairs = if self.given_up < MAX_GIVEN_UP { MAX_PAIRS } else { MAX_PAIRS_FOR_SIMPLE_MINIMA };
-        let limits = Limits { max_depth: u32::MAX, max_boxes: max_pairs + 1 };
-        let mut search = PairSearch { search: self, numbers, whole, exhausted: false };
+        let first = whole.map(|controls| SegmentPart::from_whole_segment(SegmentBuffer::new(controls)));
+        let max_pairs =
+            if self.given_up < MAX_UNDECIDED_SEGMENT_PAIRS { MAX_PART_PAIRS } else { MAX_PART_PAIRS_FOR_SIMPLE_MINIMA };
+        let limits = SubdivisionLimits { max_depth: u32::MAX, max_boxes: max_pairs + 1 };
+        let mut search = NearMissPairSearch { search: self, numbers, whole, exhausted: false };
         subdivide(&mut search, first, &mut Vec::new(), limits)?;
         self.given_up += u32::from(search.exhausted);
         Ok(())
@@ -256,31 +258,35 @@ impl NearMissSearch<'_> {
 
     /// Adds the only minimum of a pair, if it is also a minimum of the whole curves and small
     /// enough.
-    fn add_local_minimum(&mut self, whole: [&[DVec3]; 2], numbers: [usize; 2], pair: [Part; 2]) -> Result<()> {
-        let [low, high] = corners(&pair);
+    fn add_local_minimum(&mut self, whole: [&[DVec3]; 2], numbers: [usize; 2], pair: [SegmentPart; 2]) -> Result<()> {
+        let [low, high] = parameter_box_corners(&pair);
         let descent = minimise_distance(whole, 0.5 * (low + high), low, high);
         let distance = descent.gap.length();
-        if distance <= self.within && !self.falls_beyond(whole, numbers, &descent, low, high) {
-            alloc::push(&mut self.minima, Minimum { at: segment_offsets(numbers) + descent.at, distance })?;
+        if distance <= self.within && !self.distance_falls_beyond_box(whole, numbers, &descent, low, high) {
+            alloc::push(
+                &mut self.minima,
+                DistanceMinimum { at: segment_indices_as_offsets(numbers) + descent.at, distance },
+            )?;
         }
         Ok(())
     }
 
     /// Returns true if a descent ended at the border of its box while the distance keeps falling
     /// beyond.
-    fn falls_beyond(
+    fn distance_falls_beyond_box(
         &self,
         whole: [&[DVec3]; 2],
         numbers: [usize; 2],
-        &Descent { at, gap, gradient }: &Descent,
+        &DescentEnd { at, gap, gradient }: &DescentEnd,
         low: DVec2,
         high: DVec2,
     ) -> bool {
         (0..2).any(|k| {
             let (at_low, at_high) = (at[k] <= low[k], at[k] >= high[k]);
             let falls = if at_low { gradient[k] } else { -gradient[k] };
-            let slope_rounding = || SLOPE_ROUNDING * Aabb::from_points(whole[k]).size().max_element() * gap.length();
-            if gap.length() <= ROUNDING || !(at_low || at_high) || falls <= slope_rounding() {
+            let slope_rounding =
+                || RELATIVE_SLOPE_ROUNDING * Aabb::from_points(whole[k]).size().max_element() * gap.length();
+            if gap.length() <= DISTANCE_ROUNDING || !(at_low || at_high) || falls <= slope_rounding() {
                 return false;
             }
             // At an inner end of a part, the next part has the minimum. At a joint, the next
@@ -288,38 +294,38 @@ impl NearMissSearch<'_> {
             let at_joint = at[k] == 0.0 || at[k] == 1.0;
             let sign = if k == 0 { 1.0 } else { -1.0 };
             let goes_on = |along: DVec3| sign * gap.dot(along) < 0.0;
-            !at_joint || leg_beyond(&self.sides[k], numbers[k], at_high).is_some_and(goes_on)
+            !at_joint || leg_beyond_segment_end(&self.sides[k], numbers[k], at_high).is_some_and(goes_on)
         })
     }
 
     /// Descends from an undecided pair to a minimum, which may be anywhere on the two segments.
     /// Returns `None` if the distance falls beyond the segments, or the descent does not converge.
-    fn minimum_below(&mut self, start: &UnresolvedBox) -> Option<Minimum> {
+    fn descend_to_minimum(&mut self, start: &UnresolvedBox) -> Option<DistanceMinimum> {
         let middle = start.middle.truncate();
         let numbers = [0, 1].map(|k| (middle[k].max(0.0) as usize).min(self.sides[k].len() - 1));
         let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
         let (low, high) = (DVec2::ZERO, DVec2::ONE);
-        let descent = minimise_distance(whole, middle - segment_offsets(numbers), low, high);
+        let descent = minimise_distance(whole, middle - segment_indices_as_offsets(numbers), low, high);
         let distance = descent.gap.length();
-        if self.falls_beyond(whole, numbers, &descent, low, high) {
+        if self.distance_falls_beyond_box(whole, numbers, &descent, low, high) {
             return None;
         }
-        let at_rest = distance <= ROUNDING
+        let at_rest = distance <= DISTANCE_ROUNDING
             || (0..2).all(|k| {
                 let size = Aabb::from_points(whole[k]).size().max_element();
                 let inside = descent.at[k] > 0.0 && descent.at[k] < 1.0;
                 !inside || descent.gradient[k].abs() <= MAX_CONVERGED_SLOPE * size * distance
             });
         self.undecided |= !at_rest && distance <= self.within;
-        at_rest.then_some(Minimum { at: segment_offsets(numbers) + descent.at, distance })
+        at_rest.then_some(DistanceMinimum { at: segment_indices_as_offsets(numbers) + descent.at, distance })
     }
 
     /// Returns true if the distance rises by more than rounding in all directions from a minimum
     /// within the segments.
-    fn is_isolated(&self, minimum: &Minimum) -> bool {
+    fn is_isolated_minimum(&self, minimum: &DistanceMinimum) -> bool {
         let numbers = [0, 1].map(|k| (minimum.at[k] as usize).min(self.sides[k].len() - 1));
-        let at = minimum.at - segment_offsets(numbers);
-        let [a, b] = [0, 1].map(|k| jet::<3>(self.sides[k].segment(numbers[k]), at[k]));
+        let at = minimum.at - segment_indices_as_offsets(numbers);
+        let [a, b] = [0, 1].map(|k| point_and_derivatives::<3>(self.sides[k].segment(numbers[k]), at[k]));
         let gap = a[0] - b[0];
         let (x, y) = (a[1].length_squared() + gap.dot(a[2]), b[1].length_squared() - gap.dot(b[2]));
         let mixed = a[1].dot(b[1]);
@@ -339,28 +345,30 @@ impl NearMissSearch<'_> {
         let mut unresolved = std::mem::take(&mut self.unresolved);
         sort::stable(&mut unresolved, &|x, y| compare_places(x.middle.truncate().into(), y.middle.truncate().into()));
         let mut clusters = Vec::new();
-        let cluster_of = cluster(&unresolved, &mut clusters, || job.step(0.0, STAGE))?;
+        let cluster_of = cluster_touching_boxes(&unresolved, &mut clusters, || job.step(0.0, PROGRESS_STAGE))?;
         let mut valleys = Vec::new();
         for (k, start) in unresolved.iter().enumerate() {
-            job.step_every(DESCENTS_PER_REPORT, k, unresolved.len(), STAGE)?;
-            if !is_lowest(&unresolved, k) {
+            job.step_every(DESCENTS_PER_REPORT, k, unresolved.len(), PROGRESS_STAGE)?;
+            if !is_closest_of_touching_pairs(&unresolved, k) {
                 continue;
             }
-            if let Some(minimum) = self.minimum_below(start)
+            if let Some(minimum) = self.descend_to_minimum(start)
                 && minimum.distance <= self.within
             {
                 let UnresolvedCluster { best, low, high } = clusters[cluster_of[k] as usize];
                 // Along a flat valley, rounding creates many minima; keep only the cluster's best.
-                if best.middle != start.middle && !self.is_isolated(&minimum) {
+                if best.middle != start.middle && !self.is_isolated_minimum(&minimum) {
                     continue;
                 }
                 let (low, high, reach) = (low.truncate(), high.truncate(), 2.0 * start.half.truncate());
                 let inside = minimum.at.cmpge(low - reach).all() && minimum.at.cmple(high + reach).all();
-                alloc::push(&mut valleys, Valley { minimum, low, high, has_minimum: inside })?;
+                alloc::push(&mut valleys, DistanceValley { minimum, low, high, has_minimum: inside })?;
             }
         }
         sort::stable(&mut valleys, &|x, y| compare_places(x.minimum.at.into(), y.minimum.at.into()));
-        let same = |x: &Valley, y: &Valley| (x.minimum.at - y.minimum.at).abs().max_element() <= SAME_VALLEY;
+        let same = |x: &DistanceValley, y: &DistanceValley| {
+            (x.minimum.at - y.minimum.at).abs().max_element() <= MAX_SAME_VALLEY_PARAMETER_GAP
+        };
         for valley in valleys.chunk_by(same) {
             if let Some(holder) = valley.iter().find(|part| part.has_minimum) {
                 alloc::push(&mut self.minima, holder.minimum)?;
@@ -371,7 +379,7 @@ impl NearMissSearch<'_> {
             }
         }
         sort::stable(overlaps, &|x, y| {
-            let start = |overlap: &Overlap| [overlap.a[0].position(), overlap.b[0].position()];
+            let start = |overlap: &Overlap| [overlap.a[0].global_parameter(), overlap.b[0].global_parameter()];
             compare_places(start(x), start(y))
         });
         overlaps.dedup();
@@ -379,7 +387,7 @@ impl NearMissSearch<'_> {
     }
 
     /// Clusters the undecided pairs, then sorts and merges duplicates.
-    fn finish(mut self, frame: &UnitFrame, job: &Job<'_>) -> Result<NearMisses> {
+    fn cluster_sort_and_merge(mut self, frame: &UnitFrame, job: &Job<'_>) -> Result<NearMisses> {
         let mut found = NearMisses::default();
         let sides = self.sides;
         let place = |k: usize, at: f64| {
@@ -388,31 +396,31 @@ impl NearMissSearch<'_> {
         };
         self.add_overlaps(place, &mut found.overlaps, job)?;
         found.undecided = self.undecided;
-        let periods = sides.map(|curve| curve.period());
-        sort_distinct(&mut self.minima, |found| found.at.to_array(), periods, SAME_PARAMETER);
+        let periods = sides.map(|curve| curve.period_in_segments());
+        sort_and_remove_duplicates(&mut self.minima, |found| found.at.to_array(), periods, MAX_SAME_PARAMETER_GAP);
         found.places = alloc::collect(self.minima.iter().map(|found| {
             let (a, b) = (place(0, found.at.x), place(1, found.at.y));
-            NearMiss { a, b, distance: frame.length_back(found.distance) }
+            NearMiss { a, b, distance: frame.length_from_frame(found.distance) }
         }))?;
         Ok(found)
     }
 }
 
 /// Returns the smallest and the largest parameters of a pair of parts.
-fn corners([p, q]: &[Part; 2]) -> [DVec2; 2] {
+fn parameter_box_corners([p, q]: &[SegmentPart; 2]) -> [DVec2; 2] {
     [DVec2::new(p.from, q.from), DVec2::new(p.to, q.to)]
 }
 
 /// Returns the indices of two segments, as offsets of places that are numbers.
-fn segment_offsets(numbers: [usize; 2]) -> DVec2 {
+fn segment_indices_as_offsets(numbers: [usize; 2]) -> DVec2 {
     DVec2::new(numbers[0] as f64, numbers[1] as f64)
 }
 
 /// Returns true if none of the pairs that touch pair `k` is closer; ties go to the first. The pairs
 /// are sorted by their places.
-fn is_lowest(pairs: &[UnresolvedBox], k: usize) -> bool {
+fn is_closest_of_touching_pairs(pairs: &[UnresolvedBox], k: usize) -> bool {
     let own = &pairs[k];
-    let reach = own.half.x + MIN_PART_LENGTH;
+    let reach = own.half.x + MIN_PART_PARAMETER_LENGTH;
     let near = |other: &&UnresolvedBox| (other.middle.x - own.middle.x).abs() <= reach;
     let (mut before, mut after) = (pairs[..k].iter().rev().take_while(near), pairs[k + 1..].iter().take_while(near));
     !before.any(|other| other.residual <= own.residual && other.touches(own))

@@ -6,7 +6,7 @@
 //! minimised. Segments whose boxes are farther than the best distance so far are skipped, so the
 //! result is the global minimum.
 
-use super::cubic;
+use super::cubic_roots;
 use crate::curve::segment::{self, DistanceSlope};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place, check_finite};
@@ -40,13 +40,13 @@ const SEGMENTS_PER_BATCH: usize = 1 << 17;
 const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
 /// A bound of the rounding error of boxes in a frame of size 1.
-const BOX_ROUNDING: f64 = 1e-14;
+const MAX_BOX_ROUNDING: f64 = 1e-14;
 /// A bound of the relative rounding error of distances.
-const DISTANCE_ROUNDING: f64 = 1e-9;
+const MAX_RELATIVE_DISTANCE_ROUNDING: f64 = 1e-9;
 /// The largest coordinate of a query, in sizes of all curves, whose square does not overflow.
-const MAX_COORDINATE: f64 = 1e150;
+const MAX_QUERY_COORDINATE: f64 = 1e150;
 
-const STAGE: &str = "nearest points";
+const PROGRESS_STAGE: &str = "nearest points";
 
 impl CurveView<'_> {
     /// Finds the nearest point of the curve to each of `queries`, on the job's threads. About O(log
@@ -56,12 +56,12 @@ impl CurveView<'_> {
     /// [`Error::EmptyCurve`] (the curve lacks segments), [`Error::NotFinite`] (a query),
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
-        job.step(0.0, STAGE)?;
+        job.step(0.0, PROGRESS_STAGE)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
         let search = CurveSearch::new(self)?;
-        answer_all(queries, self.len(), job, |q, job| search.nearest(q, job))
+        answer_queries_in_batches(queries, self.len(), job, |q, job| search.nearest(q, job))
     }
 }
 
@@ -73,7 +73,7 @@ impl CurveView<'_> {
 /// [`Error::EmptyCurve`] (all curves lack points, and there are queries), [`Error::NotFinite`] (a
 /// query), [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn nearest_of_any(curves: &[CurveView<'_>], queries: &[DVec3], job: &Job<'_>) -> Result<Vec<(usize, Nearest)>> {
-    job.step(0.0, STAGE)?;
+    job.step(0.0, PROGRESS_STAGE)?;
     if queries.is_empty() {
         return Ok(Vec::new());
     }
@@ -82,10 +82,10 @@ pub fn nearest_of_any(curves: &[CurveView<'_>], queries: &[DVec3], job: &Job<'_>
     }
     let set = CurveSetSearch::new(curves, &job.part(0.0, 0.1))?;
     let segments = curves.iter().map(CurveView::len).sum();
-    answer_all(queries, segments, &job.part(0.1, 1.0), |q, job| set.nearest(q, job))
+    answer_queries_in_batches(queries, segments, &job.part(0.1, 1.0), |q, job| set.nearest(q, job))
 }
 
-fn answer_all<A: Send>(
+fn answer_queries_in_batches<A: Send>(
     queries: &[DVec3],
     segments: usize,
     job: &Job<'_>,
@@ -97,7 +97,7 @@ fn answer_all<A: Send>(
     for some in queries.chunks(QUERIES_PER_BATCH * 64) {
         let (done, count) = (found.len() as f64, queries.len() as f64);
         let part = job.part(done / count, (done + some.len() as f64) / count);
-        let batches = par::map_jobs(&part, STAGE, some.chunks(at_once), |batch, job| {
+        let batches = par::map_jobs(&part, PROGRESS_STAGE, some.chunks(at_once), |batch, job| {
             alloc::try_collect::<_, Error>(batch.iter().map(|&q| answer(q, job)))
         })?;
         batches.into_iter().for_each(|batch| found.extend(batch));
@@ -106,7 +106,7 @@ fn answer_all<A: Send>(
 }
 
 /// Returns the distance of two points; it overflows only if the distance itself does.
-fn distance(p: DVec3, q: DVec3) -> f64 {
+fn overflow_safe_distance(p: DVec3, q: DVec3) -> f64 {
     let halved = p * 0.5 - q * 0.5;
     let largest = halved.abs().max_element();
     if largest == 0.0 { 0.0 } else { (halved / largest).length() * largest * 2.0 }
@@ -124,8 +124,8 @@ impl<'a> CurveSearch<'a> {
     /// Builds the tree of a curve.
     pub fn new(curve: &CurveView<'a>) -> Result<Self> {
         let frame = UnitFrame::from_points(curve.points());
-        let points = frame.points(curve.points())?;
-        let boxes = CurveView::trusted(&points, curve.ends(), false);
+        let points = frame.points_to_frame(curve.points())?;
+        let boxes = CurveView::new_unchecked(&points, curve.ends(), false);
         let tree = BoxTree::new(boxes.segments().map(Aabb::from_points))?;
         Ok(CurveSearch { curve: *curve, frame, points, tree })
     }
@@ -134,15 +134,15 @@ impl<'a> CurveSearch<'a> {
     pub fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<Nearest> {
         if self.curve.is_empty() {
             let point = self.curve.points()[0];
-            return Ok(Nearest { place: Place::START, point, distance: distance(point, q) });
+            return Ok(Nearest { place: Place::START, point, distance: overflow_safe_distance(point, q) });
         }
-        let place = self.place(self.in_frame(q), job)?;
-        let point = segment::point(self.curve.segment(place.segment as usize), place.t);
-        Ok(Nearest { place, point, distance: distance(point, q) })
+        let place = self.nearest_place(self.query_to_frame(q), job)?;
+        let point = segment::point_at(self.curve.segment(place.segment as usize), place.t);
+        Ok(Nearest { place, point, distance: overflow_safe_distance(point, q) })
     }
 
-    fn in_frame(&self, q: DVec3) -> DVec3 {
-        let local = self.frame.point(q);
+    fn query_to_frame(&self, q: DVec3) -> DVec3 {
+        let local = self.frame.point_to_frame(q);
         if local.abs().max_element() <= MAX_QUERY_DISTANCE {
             return local;
         }
@@ -151,20 +151,20 @@ impl<'a> CurveSearch<'a> {
     }
 
     /// Returns the place nearest to a point of the frame.
-    fn place(&self, q: DVec3, job: &Job<'_>) -> Result<Place> {
-        let local = CurveView::trusted(&self.points, self.curve.ends(), false);
+    fn nearest_place(&self, q: DVec3, job: &Job<'_>) -> Result<Place> {
+        let local = CurveView::new_unchecked(&self.points, self.curve.ends(), false);
         let mut best = (Place::START, local.segment(0)[0].distance_squared(q));
         let (mut looked, mut heard) = (0_usize, Ok(()));
-        self.tree.nearest(q, best.1, &mut |k| {
+        self.tree.visit_nearest(q, best.1, &mut |k| {
             looked += 1;
             if looked.is_multiple_of(SEGMENTS_PER_REPORT) {
-                heard = job.step(0.0, STAGE);
+                heard = job.step(0.0, PROGRESS_STAGE);
                 if heard.is_err() {
                     // A distance of 0 cannot be improved, so the search ends.
                     return 0.0;
                 }
             }
-            let (t, distance) = nearest_on(local.segment(k), q);
+            let (t, distance) = nearest_on_segment(local.segment(k), q);
             if distance < best.1 {
                 best = (Place { segment: k as u32, t }, distance);
             }
@@ -188,14 +188,17 @@ impl<'a> CurveSetSearch<'a> {
         let total: usize = curves.iter().map(|curve| curve.points().len()).sum();
         let (mut searches, mut done) = (alloc::with_capacity(curves.len())?, 0);
         for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.points().is_empty()) {
-            job.step(done as f64 / total as f64, STAGE)?;
+            job.step(done as f64 / total as f64, PROGRESS_STAGE)?;
             done += curve.points().len();
             searches.push((c, CurveSearch::new(curve)?));
         }
         let frame = UnitFrame::from_points(curves.iter().flat_map(CurveView::points));
         let around = |curve: &CurveView<'_>| {
             let Aabb { low, high } = Aabb::from_points(curve.points());
-            Aabb { low: frame.point(low) - BOX_ROUNDING, high: frame.point(high) + BOX_ROUNDING }
+            Aabb {
+                low: frame.point_to_frame(low) - MAX_BOX_ROUNDING,
+                high: frame.point_to_frame(high) + MAX_BOX_ROUNDING,
+            }
         };
         let tree = BoxTree::new(searches.iter().map(|(_, search)| around(&search.curve)))?;
         Ok(CurveSetSearch { searches, frame, tree })
@@ -204,9 +207,10 @@ impl<'a> CurveSetSearch<'a> {
     fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<(usize, Nearest)> {
         // For queries so distant that squares overflow, the boxes are useless and every curve is
         // searched.
-        let local = self.frame.point(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
+        let local =
+            self.frame.point_to_frame(q).clamp(DVec3::splat(-MAX_QUERY_COORDINATE), DVec3::splat(MAX_QUERY_COORDINATE));
         let (mut best, mut heard) = (None::<(usize, Nearest)>, Ok(()));
-        self.tree.nearest(local, f64::INFINITY, &mut |k| {
+        self.tree.visit_nearest(local, f64::INFINITY, &mut |k| {
             let (curve, search) = &self.searches[k];
             let found = match search.nearest(q, job) {
                 Ok(found) => found,
@@ -219,8 +223,9 @@ impl<'a> CurveSetSearch<'a> {
             if best.as_ref().is_none_or(nearer) {
                 best = Some((*curve, found));
             }
-            let bound = best
-                .map_or(f64::INFINITY, |(_, nearest)| self.frame.length(nearest.distance) * (1.0 + DISTANCE_ROUNDING));
+            let bound = best.map_or(f64::INFINITY, |(_, nearest)| {
+                self.frame.length_to_frame(nearest.distance) * (1.0 + MAX_RELATIVE_DISTANCE_ROUNDING)
+            });
             bound * bound + f64::MIN_POSITIVE
         });
         heard?;
@@ -230,33 +235,33 @@ impl<'a> CurveSetSearch<'a> {
 }
 
 /// Returns the parameter of the nearest point of one segment, and its squared distance.
-pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
-    let mut best = Best { controls, q, t: 0.0, squared: controls[0].distance_squared(q) };
-    best.offer(1.0);
-    best.offer_inner();
+pub(super) fn nearest_on_segment(controls: &[DVec3], q: DVec3) -> (f64, f64) {
+    let mut best = NearestOnSegment { controls, q, t: 0.0, squared: controls[0].distance_squared(q) };
+    best.offer_parameter(1.0);
+    best.offer_stationary_parameters();
     (best.t, best.squared)
 }
 
 /// The number of samples of an interval in which the slope of the distance is rounding. The
 /// smallest sample and its neighbours bracket a minimum.
-const FLAT_SAMPLES: usize = 32;
+const SAMPLES_PER_FLAT_INTERVAL: usize = 32;
 /// The relative gain in squared distance for which a place of such an interval replaces another.
-const MIN_GAIN: f64 = 1e-12;
+const MIN_RELATIVE_SQUARED_DISTANCE_GAIN: f64 = 1e-12;
 
 /// The best point of a segment so far.
-struct Best<'a> {
+struct NearestOnSegment<'a> {
     controls: &'a [DVec3],
     q: DVec3,
     t: f64,
     squared: f64,
 }
 
-impl Best<'_> {
+impl NearestOnSegment<'_> {
     fn squared_distance(&self, t: f64) -> f64 {
-        segment::point(self.controls, t).distance_squared(self.q)
+        segment::point_at(self.controls, t).distance_squared(self.q)
     }
 
-    fn offer(&mut self, t: f64) {
+    fn offer_parameter(&mut self, t: f64) {
         let squared = self.squared_distance(t);
         if squared < self.squared {
             (self.t, self.squared) = (t, squared);
@@ -264,13 +269,13 @@ impl Best<'_> {
     }
 
     /// Tests the inner places where the distance is stationary.
-    fn offer_inner(&mut self) {
+    fn offer_stationary_parameters(&mut self) {
         match *self.controls {
             [a, b] => {
                 let along = b - a;
                 let t = (self.q - a).dot(along) / along.length_squared();
                 if t > 0.0 && t < 1.0 {
-                    self.offer(t);
+                    self.offer_parameter(t);
                 }
                 return;
             }
@@ -278,9 +283,10 @@ impl Best<'_> {
                 // C - q = w t^2 + 2 u t + r, and half of its product with its derivative is this
                 // cubic.
                 let (r, u, w) = (a - self.q, b - a, (c - b) - (b - a));
-                let cubic = cubic::real_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
+                let cubic =
+                    cubic_roots::real_cubic_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
                 if let Some((found, count)) = cubic {
-                    found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| self.offer(t));
+                    found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| self.offer_parameter(t));
                     return;
                 }
             }
@@ -288,16 +294,16 @@ impl Best<'_> {
         }
         let slope = DistanceSlope::new(self.controls, self.q);
         let roots = slope.roots();
-        roots.as_slice().iter().for_each(|&t| self.offer(t));
+        roots.as_slice().iter().for_each(|&t| self.offer_parameter(t));
         let size = self.controls.iter().fold(0.0f64, |size, p| size.max(p.abs().max_element()));
         let mut searched = 0.0;
         for &t in roots.as_slice() {
             // A point on the curve within rounding cannot be improved.
             if t >= searched
                 && self.squared > (4.0 * f64::EPSILON * size).powi(2)
-                && let Some(flat) = slope.flat_interval(t)
+                && let Some(flat) = slope.interval_with_uncertain_sign(t)
             {
-                self.search(flat);
+                self.minimise_over_interval(flat);
                 searched = flat[1];
             }
         }
@@ -305,16 +311,18 @@ impl Best<'_> {
 
     /// Minimises the distance itself over an interval. Samples it, and applies a golden-section
     /// search around local minima of the samples.
-    fn search(&mut self, [low, high]: [f64; 2]) {
-        let at = |k: usize| low + (high - low) * (k.min(FLAT_SAMPLES) as f64 / FLAT_SAMPLES as f64);
-        let squares: [f64; FLAT_SAMPLES + 1] = std::array::from_fn(|k| self.squared_distance(at(k)));
-        for k in 0..=FLAT_SAMPLES {
-            let (before, after) = (k.saturating_sub(1), (k + 1).min(FLAT_SAMPLES));
+    fn minimise_over_interval(&mut self, [low, high]: [f64; 2]) {
+        let at = |k: usize| {
+            low + (high - low) * (k.min(SAMPLES_PER_FLAT_INTERVAL) as f64 / SAMPLES_PER_FLAT_INTERVAL as f64)
+        };
+        let squares: [f64; SAMPLES_PER_FLAT_INTERVAL + 1] = std::array::from_fn(|k| self.squared_distance(at(k)));
+        for k in 0..=SAMPLES_PER_FLAT_INTERVAL {
+            let (before, after) = (k.saturating_sub(1), (k + 1).min(SAMPLES_PER_FLAT_INTERVAL));
             if squares[k] <= squares[before] && squares[k] <= squares[after] {
-                let t = golden_section([at(before), at(after)], |t| self.squared_distance(t));
+                let t = minimise_by_golden_section([at(before), at(after)], |t| self.squared_distance(t));
                 for t in [t, at(k)] {
                     let squared = self.squared_distance(t);
-                    if squared < self.squared * (1.0 - MIN_GAIN) {
+                    if squared < self.squared * (1.0 - MIN_RELATIVE_SQUARED_DISTANCE_GAIN) {
                         (self.t, self.squared) = (t, squared);
                     }
                 }
@@ -324,19 +332,19 @@ impl Best<'_> {
 }
 
 /// Returns the minimum of a unimodal function between two ends.
-fn golden_section([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
-    const RATIO: f64 = 0.618_033_988_749_894_9;
-    let (mut x, mut y) = (high - RATIO * (high - low), low + RATIO * (high - low));
+fn minimise_by_golden_section([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+    const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
+    let (mut x, mut y) = (high - GOLDEN_RATIO * (high - low), low + GOLDEN_RATIO * (high - low));
     let (mut fx, mut fy) = (f(x), f(y));
     // 0.618^80 < 2^-53.
     for _ in 0..80 {
         if fx <= fy {
             (high, y, fy) = (y, x, fx);
-            x = high - RATIO * (high - low);
+            x = high - GOLDEN_RATIO * (high - low);
             fx = f(x);
         } else {
             (low, x, fx) = (x, y, fy);
-            y = low + RATIO * (high - low);
+            y = low + GOLDEN_RATIO * (high - low);
             fy = f(y);
         }
     }

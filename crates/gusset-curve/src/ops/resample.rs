@@ -12,7 +12,7 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
 const POINTS_PER_REPORT: usize = 1 << 8;
-const STAGE: &str = "points along a curve";
+const PROGRESS_STAGE: &str = "points along a curve";
 
 /// The spacing of points along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,74 +62,80 @@ impl CurveView<'_> {
         let (first, second) = (job.part(0.0, 0.3), job.part(0.3, 1.0));
         match spacing {
             Spacing::Count(count) => {
-                within_limit(count as u64)?;
-                Walk::new(self, count, &second)?.by_count(count, &self.lengths(&first)?)
+                check_point_count(count as u64)?;
+                PointCollector::new(self, count, &second)?.collect_by_count(count, &self.lengths(&first)?)
             }
             Spacing::Step(step) => {
                 let lengths = self.lengths(&first)?;
                 let whole = (lengths.total() / step).floor();
-                within_limit(if whole < MAX_POINTS as f64 { whole as u64 } else { u64::MAX })?;
-                Walk::new(self, whole as usize + 2, &second)?.by_step(step, whole as usize, &lengths)
+                check_point_count(if whole < MAX_POINTS as f64 { whole as u64 } else { u64::MAX })?;
+                PointCollector::new(self, whole as usize + 2, &second)?.collect_by_step(step, whole as usize, &lengths)
             }
-            Spacing::Chord(tolerance) => Walk::new(self, 0, job)?.by_chord(tolerance),
+            Spacing::Chord(tolerance) => PointCollector::new(self, 0, job)?.collect_by_chord(tolerance),
         }
     }
 }
 
-fn within_limit(count: u64) -> Result<()> {
+fn check_point_count(count: u64) -> Result<()> {
     Error::check_count("points", count, MAX_POINTS as u64)
 }
 
 /// The points collected so far along a curve.
-struct Walk<'a> {
+struct PointCollector<'a> {
     curve: &'a CurveView<'a>,
     samples: Samples,
     job: &'a Job<'a>,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> PointCollector<'a> {
     fn new(curve: &'a CurveView<'a>, count: usize, job: &'a Job<'a>) -> Result<Self> {
         let samples = Samples { places: alloc::with_capacity(count)?, points: alloc::with_capacity(count)? };
-        Ok(Walk { curve, samples, job })
+        Ok(PointCollector { curve, samples, job })
     }
 
-    fn add(&mut self, place: Place) -> Result<()> {
+    fn add_place(&mut self, place: Place) -> Result<()> {
         let count = self.samples.places.len();
         if count.is_multiple_of(POINTS_PER_REPORT) {
-            self.job.step(place.position() / self.curve.len() as f64, STAGE)?;
+            self.job.step(place.global_parameter() / self.curve.len() as f64, PROGRESS_STAGE)?;
         }
-        within_limit(count as u64 + 1)?;
+        check_point_count(count as u64 + 1)?;
         alloc::push(&mut self.samples.places, place)?;
-        let point = segment::point(self.curve.segment(place.segment as usize), place.t);
+        let point = segment::point_at(self.curve.segment(place.segment as usize), place.t);
         alloc::push(&mut self.samples.points, point)
     }
 
-    fn by_count(mut self, count: usize, lengths: &Lengths<'_>) -> Result<Samples> {
+    fn collect_by_count(mut self, count: usize, lengths: &Lengths<'_>) -> Result<Samples> {
         let gaps = if self.curve.is_closed() { count } else { count - 1 };
-        (0..count).try_for_each(|k| self.add(lengths.place_of_part(k, gaps)))?;
+        (0..count).try_for_each(|k| self.add_place(lengths.place_at_fraction(k, gaps)))?;
         Ok(self.samples)
     }
 
-    fn by_step(mut self, step: f64, whole: usize, lengths: &Lengths<'_>) -> Result<Samples> {
+    fn collect_by_step(mut self, step: f64, whole: usize, lengths: &Lengths<'_>) -> Result<Samples> {
         let total = lengths.total();
         for k in 0..=whole {
             let at = k as f64 * step;
             // The last step may coincide with the end, up to rounding.
             if k == 0 || total - at > 1e-12 * total {
-                self.add(lengths.place(at)?)?;
+                self.add_place(lengths.place(at)?)?;
             }
         }
         if !self.curve.is_closed() {
-            self.add(self.curve.last_place())?;
+            self.add_place(self.curve.end_place())?;
         }
         Ok(self.samples)
     }
 
-    fn by_chord(mut self, tolerance: f64) -> Result<Samples> {
+    fn collect_by_chord(mut self, tolerance: f64) -> Result<Samples> {
         let frame = UnitFrame::from_points(self.curve.points());
-        self.add(Place::START)?;
+        self.add_place(Place::START)?;
         for (k, controls) in self.curve.segments().enumerate() {
-            self.flatten(k as u32, frame.segment(controls), [0.0, 1.0], frame.length(tolerance), 20)?;
+            self.add_chord_ends(
+                k as u32,
+                frame.segment_to_frame(controls),
+                [0.0, 1.0],
+                frame.length_to_frame(tolerance),
+                20,
+            )?;
         }
         if self.curve.is_closed() && self.samples.places.len() > 1 {
             self.samples.places.pop();
@@ -143,7 +149,7 @@ impl<'a> Walk<'a> {
     /// The distance d from the chord is convex and 0 at its ends, so d(C(t)) <= sum of b_i(t)
     /// d(B_i) over the inner control points. Their weights add up to 1 - (1 - t)^n - t^n <= 1 -
     /// 2^(1 - n).
-    fn flatten(
+    fn add_chord_ends(
         &mut self,
         segment: u32,
         mut controls: SegmentBuffer,
@@ -152,19 +158,19 @@ impl<'a> Walk<'a> {
         halvings: u32,
     ) -> Result<()> {
         let n = controls.len() - 1;
-        let most = controls[1..n].iter().map(|&p| off_chord(p, controls[0], controls[n])).fold(0.0, f64::max);
+        let most = controls[1..n].iter().map(|&p| distance_from_chord(p, controls[0], controls[n])).fold(0.0, f64::max);
         if halvings == 0 || most * (1.0 - libm::ldexp(2.0, -(n as i32))) <= tolerance {
-            return self.add(Place { segment, t: to });
+            return self.add_place(Place { segment, t: to });
         }
         let before = controls.split_off_front(0.5);
         let middle = 0.5 * (from + to);
-        self.flatten(segment, before, [from, middle], tolerance, halvings - 1)?;
-        self.flatten(segment, controls, [middle, to], tolerance, halvings - 1)
+        self.add_chord_ends(segment, before, [from, middle], tolerance, halvings - 1)?;
+        self.add_chord_ends(segment, controls, [middle, to], tolerance, halvings - 1)
     }
 }
 
 /// Returns the distance of p from the chord from a to b.
-fn off_chord(p: DVec3, a: DVec3, b: DVec3) -> f64 {
+fn distance_from_chord(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     let chord = b - a;
     let squared = chord.length_squared();
     let t = if squared > 0.0 { ((p - a).dot(chord) / squared).clamp(0.0, 1.0) } else { 0.0 };

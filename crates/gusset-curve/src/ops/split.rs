@@ -9,7 +9,7 @@ use gusset_base::job::Job;
 /// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
-const STAGE: &str = "part of a curve";
+const PROGRESS_STAGE: &str = "part of a curve";
 
 impl CurveView<'_> {
     /// Splits the curve at a place. Both parts are open. A part without extent has one control
@@ -20,7 +20,7 @@ impl CurveView<'_> {
     pub fn split(&self, at: Place, job: &Job<'_>) -> Result<[Curve; 2]> {
         self.check_place(0, at)?;
         let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
-        Ok([self.forward_part(Place::START, at, &first)?, self.forward_part(at, self.last_place(), &second)?])
+        Ok([self.sub_curve_forward(Place::START, at, &first)?, self.sub_curve_forward(at, self.end_place(), &second)?])
     }
 
     /// Returns the open part from one place to another. On a closed curve it may pass the start.
@@ -34,35 +34,35 @@ impl CurveView<'_> {
         self.check_place(1, to)?;
         let order = from.segment.cmp(&to.segment).then(from.t.total_cmp(&to.t));
         if order.is_lt() || (order.is_eq() && !self.is_closed()) {
-            return self.forward_part(from, to, job);
+            return self.sub_curve_forward(from, to, job);
         }
         Error::require(self.is_closed(), "to", to.t)?;
-        let mut curve = self.forward_part(from, self.last_place(), &job.part(0.0, 0.5))?;
-        let rest = self.forward_part(Place::START, to, &job.part(0.5, 1.0))?;
-        rest.view().segments().try_for_each(|segment| curve.push(&segment[1..]))?;
+        let mut curve = self.sub_curve_forward(from, self.end_place(), &job.part(0.0, 0.5))?;
+        let rest = self.sub_curve_forward(Place::START, to, &job.part(0.5, 1.0))?;
+        rest.view().segments().try_for_each(|segment| curve.push_segment(&segment[1..]))?;
         Ok(curve)
     }
 
     /// Returns the part from one place to a later one.
-    fn forward_part(&self, from: Place, to: Place, job: &Job<'_>) -> Result<Curve> {
+    fn sub_curve_forward(&self, from: Place, to: Place, job: &Job<'_>) -> Result<Curve> {
         let mut curve: Option<Curve> = None;
         let count = (to.segment - from.segment) as usize + 1;
         for k in from.segment..=to.segment {
-            job.step_every(SEGMENTS_PER_REPORT, (k - from.segment) as usize, count, STAGE)?;
+            job.step_every(SEGMENTS_PER_REPORT, (k - from.segment) as usize, count, PROGRESS_STAGE)?;
             let a = if k == from.segment { from.t } else { 0.0 };
             let b = if k == to.segment { to.t } else { 1.0 };
             if a >= b {
                 continue;
             }
-            let piece = SegmentBuffer::new(self.segment(k as usize)).part(a, b);
+            let piece = SegmentBuffer::new(self.segment(k as usize)).into_part_between(a, b);
             match &mut curve {
-                Some(curve) => curve.push(&piece[1..])?,
-                None => curve.insert(Curve::from_point(piece[0])?).push(&piece[1..])?,
+                Some(curve) => curve.push_segment(&piece[1..])?,
+                None => curve.insert(Curve::from_point(piece[0])?).push_segment(&piece[1..])?,
             }
         }
         match curve {
             Some(curve) => Ok(curve),
-            None => Curve::from_point(segment::point(self.segment(from.segment as usize), from.t)),
+            None => Curve::from_point(segment::point_at(self.segment(from.segment as usize), from.t)),
         }
     }
 

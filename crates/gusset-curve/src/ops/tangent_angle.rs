@@ -29,32 +29,32 @@ pub struct TangentAngles {
 /// Angles this close to 0, a right angle or pi count as exactly that.
 const MAX_SPECIAL_ANGLE_ERROR: f64 = 1e-7;
 /// A bound of the rounding error of polynomials with coefficients up to 1.
-const NOISE: f64 = 1.0 / (1_u64 << 46) as f64;
+const MAX_POLYNOMIAL_ROUNDING: f64 = 1.0 / (1_u64 << 46) as f64;
 /// The sine of the angle below which a tangent counts as parallel to the direction.
 const MAX_PARALLEL_SINE: f64 = 1e-9;
 const MAX_CUSP_ANGLE_ERROR: f64 = 1e-6;
 /// A derivative below this fraction of its maximum counts as 0.
-const MIN_SPEED: f64 = 1e-7;
+const MIN_RELATIVE_SPEED: f64 = 1e-7;
 /// Parameters this close to a joint count as the joint.
-const SAME_PARAMETER: f64 = 1e-6;
+const MAX_SAME_JOINT_PARAMETER_GAP: f64 = 1e-6;
 /// Parameters this close to each other count as one root. They are roots of the squared equation
 /// that lead to the same root of the original equation, or a double root that was split in two.
-const SAME_ROOT: f64 = 1e-8;
+const MAX_SAME_ROOT_PARAMETER_GAP: f64 = 1e-8;
 /// The maximum number of Newton steps for the equation before squaring.
-const MAX_STEPS: usize = 8;
+const MAX_NEWTON_STEPS: usize = 8;
 
 /// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
 /// The components of the derivative of a segment, along the direction and across it.
-struct Tangents {
+struct SegmentTangents {
     components: [[f64; MAX_DEGREE]; 3],
     count: usize,
 }
 
 /// The angle sought.
 #[derive(Clone, Copy)]
-enum Sought {
+enum SoughtAngle {
     Right,
     /// Along the direction (1) or against it (-1).
     Parallel(f64),
@@ -79,95 +79,95 @@ impl CurveView<'_> {
         Error::require(largest > 0.0, "direction", largest)?;
         let along = (direction / largest).normalize();
         let sought = match angle {
-            _ if angle <= MAX_SPECIAL_ANGLE_ERROR => Sought::Parallel(1.0),
-            _ if PI - angle <= MAX_SPECIAL_ANGLE_ERROR => Sought::Parallel(-1.0),
-            _ if (angle - FRAC_PI_2).abs() <= MAX_SPECIAL_ANGLE_ERROR => Sought::Right,
-            _ => Sought::Other(libm::cos(angle), libm::sin(angle)),
+            _ if angle <= MAX_SPECIAL_ANGLE_ERROR => SoughtAngle::Parallel(1.0),
+            _ if PI - angle <= MAX_SPECIAL_ANGLE_ERROR => SoughtAngle::Parallel(-1.0),
+            _ if (angle - FRAC_PI_2).abs() <= MAX_SPECIAL_ANGLE_ERROR => SoughtAngle::Right,
+            _ => SoughtAngle::Other(libm::cos(angle), libm::sin(angle)),
         };
         let (u, v) = along.any_orthonormal_pair();
         let frame = UnitFrame::from_points(self.points());
         let mut found = TangentAngles::default();
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "tangents at an angle")?;
-            let Some(tangents) = Tangents::new(controls, &frame, [along, u, v]) else { continue };
-            let roots = tangents.candidates(sought);
+            let Some(tangents) = SegmentTangents::new(controls, &frame, [along, u, v]) else { continue };
+            let roots = tangents.candidate_roots(sought);
             if roots.everywhere {
-                tangents.parts(sought, k as u32, &mut found.intervals)?;
+                tangents.add_parallel_intervals(sought, k as u32, &mut found.intervals)?;
                 continue;
             }
             for &t in roots.as_slice() {
-                if let Some(t) = tangents.confirm(sought, t, angle) {
-                    found.add(Place { segment: k as u32, t })?;
+                if let Some(t) = tangents.confirm_root(sought, t, angle) {
+                    found.add_place(Place { segment: k as u32, t })?;
                 }
             }
         }
-        found.close(self);
+        found.remove_repeated_places(self);
         Ok(found)
     }
 }
 
-impl Tangents {
+impl SegmentTangents {
     /// Scales the derivative to a size of about 1. Returns `None` for a segment without extent.
     fn new(controls: &[DVec3], frame: &UnitFrame, axes: [DVec3; 3]) -> Option<Self> {
         let count = controls.len() - 1;
         let mut legs = [DVec3::ZERO; MAX_DEGREE];
         for (leg, pair) in legs.iter_mut().zip(controls.windows(2)) {
-            *leg = frame.point(pair[1]) - frame.point(pair[0]);
+            *leg = frame.point_to_frame(pair[1]) - frame.point_to_frame(pair[0]);
         }
         let largest = legs[..count].iter().map(|leg| leg.length()).fold(0.0, f64::max);
         (largest > 0.0).then(|| {
             let component = |axis: DVec3| std::array::from_fn(|k| axis.dot(legs[k]) / largest);
-            Tangents { components: axes.map(component), count }
+            SegmentTangents { components: axes.map(component), count }
         })
     }
 
-    fn component(&self, k: usize) -> &[f64] {
+    fn derivative_component(&self, k: usize) -> &[f64] {
         &self.components[k][..self.count]
     }
 
     /// Returns the derivative at a parameter, and its derivative.
     fn derivatives_at(&self, t: f64) -> [DVec3; 2] {
-        let [x, y, z] = [0, 1, 2].map(|k| value_and_slope(self.component(k), t));
+        let [x, y, z] = [0, 1, 2].map(|k| value_and_slope(self.derivative_component(k), t));
         [DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1)]
     }
 
     /// Returns the roots of the equation, or of its square, which include all solutions.
-    fn candidates(&self, sought: Sought) -> Roots {
-        let [along, u, v] = [0, 1, 2].map(|k| self.component(k));
+    fn candidate_roots(&self, sought: SoughtAngle) -> Roots {
+        let [along, u, v] = [0, 1, 2].map(|k| self.derivative_component(k));
         match sought {
-            Sought::Right => roots(along, NOISE),
-            Sought::Parallel(_) => {
+            SoughtAngle::Right => roots(along, MAX_POLYNOMIAL_ROUNDING),
+            SoughtAngle::Parallel(_) => {
                 // Use the component across that is not 0 everywhere.
                 let size = |c: &[f64]| c.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                roots(if size(u) >= size(v) { u } else { v }, NOISE)
+                roots(if size(u) >= size(v) { u } else { v }, MAX_POLYNOMIAL_ROUNDING)
             }
-            Sought::Other(cosine, sine) => {
+            SoughtAngle::Other(cosine, sine) => {
                 let mut squared = [0.0; 2 * MAX_DEGREE];
                 add_product(along, along, sine * sine, &mut squared);
                 for across in [u, v] {
                     add_product(across, across, -cosine * cosine, &mut squared);
                 }
-                roots(&squared[..2 * self.count - 1], NOISE)
+                roots(&squared[..2 * self.count - 1], MAX_POLYNOMIAL_ROUNDING)
             }
         }
     }
 
     /// Returns the solution near a candidate, if the tangent makes the angle there.
-    fn confirm(&self, sought: Sought, t: f64, angle: f64) -> Option<f64> {
+    fn confirm_root(&self, sought: SoughtAngle, t: f64, angle: f64) -> Option<f64> {
         let [tangent, _] = self.derivatives_at(t);
-        if tangent.length() <= MIN_SPEED {
+        if tangent.length() <= MIN_RELATIVE_SPEED {
             return self.is_cusp_at(t, angle).then_some(t);
         }
         match sought {
-            Sought::Right => Some(t),
-            Sought::Parallel(sign) => (libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length()
+            SoughtAngle::Right => Some(t),
+            SoughtAngle::Parallel(sign) => (libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length()
                 && sign * tangent.x > 0.0)
                 .then_some(t),
             // Check the sign that squaring lost, if it is beyond doubt; otherwise solve the
             // original equation.
-            Sought::Other(cosine, _) => {
+            SoughtAngle::Other(cosine, _) => {
                 let mut at = t;
-                for _ in 0..MAX_STEPS {
+                for _ in 0..MAX_NEWTON_STEPS {
                     let [tangent, slope] = self.derivatives_at(at);
                     let length = tangent.length();
                     let off = tangent.x - cosine * length;
@@ -198,7 +198,7 @@ impl Tangents {
         while count > 0 {
             let value = DVec3::from_array([0, 1, 2].map(|k| value_and_slope(&rest[k][..count], t).0));
             let size = rest.iter().flat_map(|c| &c[..count]).fold(0.0, |most: f64, x| most.max(x.abs()));
-            if value.length() > MIN_SPEED * size {
+            if value.length() > MIN_RELATIVE_SPEED * size {
                 let makes = |x: f64| (libm::acos(x.clamp(-1.0, 1.0)) - angle).abs() <= MAX_CUSP_ANGLE_ERROR;
                 let along = value.x / value.length();
                 return (t < 1.0 && makes(along)) || (t > 0.0 && makes(sign * along));
@@ -213,25 +213,25 @@ impl Tangents {
 
     /// Adds a segment all of whose tangents are parallel, or make the angle or its opposite: the
     /// parts with the right sign.
-    fn parts(&self, sought: Sought, segment: u32, intervals: &mut Vec<[Place; 2]>) -> Result<()> {
+    fn add_parallel_intervals(&self, sought: SoughtAngle, segment: u32, intervals: &mut Vec<[Place; 2]>) -> Result<()> {
         let sign = match sought {
-            Sought::Right => None,
-            Sought::Parallel(sign) => Some(sign),
-            Sought::Other(cosine, _) => Some(cosine),
+            SoughtAngle::Right => None,
+            SoughtAngle::Parallel(sign) => Some(sign),
+            SoughtAngle::Other(cosine, _) => Some(cosine),
         };
-        let turns = roots(self.component(0), NOISE);
+        let turns = roots(self.derivative_component(0), MAX_POLYNOMIAL_ROUNDING);
         let ends = turns.as_slice().iter().copied().filter(|_| sign.is_some()).chain([1.0]);
         let mut from = 0.0;
         for to in ends.filter(|&t| t > 0.0) {
             let [tangent, _] = self.derivatives_at(0.5 * (from + to));
             let all_lie = match sought {
-                Sought::Parallel(_) => libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length(),
+                SoughtAngle::Parallel(_) => libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length(),
                 _ => true,
             };
             if to > from && all_lie && sign.is_none_or(|sign| sign * tangent.x > 0.0) {
                 let [from, to] = [from, to].map(|t| Place { segment, t });
                 match intervals.last_mut() {
-                    Some(last) if is_same(last[1], from) => last[1] = to,
+                    Some(last) if is_same_place(last[1], from) => last[1] = to,
                     _ => alloc::push(intervals, [from, to])?,
                 }
             }
@@ -242,20 +242,21 @@ impl Tangents {
 }
 
 /// Returns true if two places are equal, or are both sides of a joint.
-fn is_same(a: Place, b: Place) -> bool {
-    let is_joint = a.segment + 1 == b.segment && a.t >= 1.0 - SAME_PARAMETER && b.t <= SAME_PARAMETER;
-    (a.segment == b.segment && (a.t - b.t).abs() <= SAME_PARAMETER) || is_joint
+fn is_same_place(a: Place, b: Place) -> bool {
+    let is_joint =
+        a.segment + 1 == b.segment && a.t >= 1.0 - MAX_SAME_JOINT_PARAMETER_GAP && b.t <= MAX_SAME_JOINT_PARAMETER_GAP;
+    (a.segment == b.segment && (a.t - b.t).abs() <= MAX_SAME_JOINT_PARAMETER_GAP) || is_joint
 }
 
 impl TangentAngles {
     /// Adds a place unless the list already has its joint or root.
-    fn add(&mut self, place: Place) -> Result<()> {
+    fn add_place(&mut self, place: Place) -> Result<()> {
         let mut own = self.places.len();
         while own > 0 && self.places[own - 1].segment == place.segment {
             own -= 1;
         }
-        let is_known = |other: &Place| (other.t - place.t).abs() <= SAME_ROOT;
-        let is_joint = own.checked_sub(1).is_some_and(|before| is_same(self.places[before], place));
+        let is_known = |other: &Place| (other.t - place.t).abs() <= MAX_SAME_ROOT_PARAMETER_GAP;
+        let is_joint = own.checked_sub(1).is_some_and(|before| is_same_place(self.places[before], place));
         if is_joint || self.places[own..].iter().any(is_known) {
             return Ok(());
         }
@@ -267,17 +268,18 @@ impl TangentAngles {
 
     /// Removes the end of a closed curve if its start is listed, and places at the ends of
     /// intervals.
-    fn close(&mut self, curve: &CurveView<'_>) {
+    fn remove_repeated_places(&mut self, curve: &CurveView<'_>) {
         let last = curve.len() as u32;
-        let is_start = |place: &Place| place.segment == 0 && place.t <= SAME_PARAMETER;
-        let is_end = |place: &Place| place.segment + 1 == last && place.t >= 1.0 - SAME_PARAMETER;
+        let is_start = |place: &Place| place.segment == 0 && place.t <= MAX_SAME_JOINT_PARAMETER_GAP;
+        let is_end = |place: &Place| place.segment + 1 == last && place.t >= 1.0 - MAX_SAME_JOINT_PARAMETER_GAP;
         let has_start =
             self.places.first().is_some_and(is_start) || self.intervals.first().is_some_and(|part| is_start(&part[0]));
         let ends_inside = self.intervals.last().is_some_and(|part| is_end(&part[1]));
         let (closed, intervals) = (curve.is_closed(), &self.intervals);
         self.places.retain(|place| {
             let doubled = closed && ((has_start && is_end(place)) || (ends_inside && is_start(place)));
-            let at_end = |part: &[Place; 2]| part.iter().any(|&end| is_same(end, *place) || is_same(*place, end));
+            let at_end =
+                |part: &[Place; 2]| part.iter().any(|&end| is_same_place(end, *place) || is_same_place(*place, end));
             !doubled && !intervals.iter().any(at_end)
         });
     }

@@ -67,7 +67,7 @@ pub(super) fn error_text(bytes: &[u8]) -> String {
 
 /// Returns the document as one mesh.
 pub(super) fn flat(bytes: &[u8]) -> Mesh {
-    read(bytes).expect("valid").flattened(1 << 30).expect("small").0
+    read(bytes).expect("valid").into_joined(1 << 30).expect("small").meshes.remove(0)
 }
 
 pub(super) fn written(document: &Document, is_binary: bool, resources: &dyn Resources) -> (Vec<u8>, Vec<Loss>) {

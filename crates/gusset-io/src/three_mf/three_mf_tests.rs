@@ -83,7 +83,7 @@ fn reads_objects_components_and_items() {
     let expected = [[0.0, -2.0, 0.0, 8.0], [2.0, 0.0, 0.0, 21.0], [0.0, 0.0, 2.0, 33.0]];
     assert_eq!(document.placements[0].transform, expected);
     assert_eq!(document.placements[1].transform[0], [0.0, -1.0, 0.0, 10.0]);
-    let (mesh, ..) = document.flattened(1000).expect("small");
+    let mesh = document.into_joined(1000).expect("small").meshes.remove(0);
     assert!((volume(&mesh) - 9.0 / 6.0).abs() < 1e-12);
 }
 

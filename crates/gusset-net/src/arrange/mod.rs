@@ -12,8 +12,8 @@ mod rearranged_matrices;
 mod rearranged_topology;
 mod seams;
 
-pub(crate) use rearranged_matrices::{Rearrangement, build_planes, rearrange};
-pub(crate) use rearranged_topology::closed_rows;
+pub(crate) use rearranged_matrices::{Rearrangement, build_matrices, rearrange_coordinates};
+pub(crate) use rearranged_topology::rows_closed_by_seam;
 pub(crate) use seams::{map_seam, merge_seams};
 
 use super::{Bridge, Direction, Net, Shape, Topology};
@@ -24,7 +24,7 @@ use std::ops::Range;
 
 /// A symmetry of the rectangle of nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Turn {
+pub enum GridSymmetry {
     /// Keeps rows and columns.
     #[default]
     None,
@@ -61,8 +61,8 @@ impl Net<'_> {
         }
         // The error then names both numbers.
         Shape::new(rows.len(), columns.len())?;
-        let topology = topology_part(self.topology(), &rows, &columns)?;
-        topology.check_crossings()?;
+        let topology = restrict_topology(self.topology(), &rows, &columns)?;
+        topology.check_crossed_cells()?;
         let map = Rearrangement::Part { row: rows.start, column: columns.start };
         let mut part = self.rearranged(&map, topology, job)?;
         for bridge in self.bridges() {
@@ -79,7 +79,8 @@ impl Net<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn transposed(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let mut net = self.rearranged(&Rearrangement::Transposed, self.topology().transposed()?, job)?;
-        let transpose = |bridge: &Bridge| Bridge { direction: bridge.direction.transposed(), ..bridge.unadapted() };
+        let transpose =
+            |bridge: &Bridge| Bridge { direction: bridge.direction.transposed(), ..bridge.without_adaptations() };
         *net.bridges_mut() = alloc::collect(self.bridges().iter().map(transpose))?;
         Ok(net)
     }
@@ -89,7 +90,7 @@ impl Net<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn flipped(&self, axis: Direction, job: &Job<'_>) -> Result<Net<'static>> {
-        let topology = self.topology().map_lines(axis, Topology::flipped_rows)?;
+        let topology = self.topology().map_rows_or_columns(axis, Topology::flipped_rows)?;
         let mut net = self.rearranged(&Rearrangement::Flipped(axis), topology, job)?;
         let flip = |bridge: &Bridge| bridge.flipped(axis, self.shape());
         *net.bridges_mut() = alloc::collect(self.bridges().iter().map(flip))?;
@@ -115,58 +116,58 @@ impl Net<'_> {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn turned_by(&self, turn: Turn, job: &Job<'_>) -> Result<Net<'static>> {
+    pub fn turned_by(&self, turn: GridSymmetry, job: &Job<'_>) -> Result<Net<'static>> {
         match turn {
-            Turn::None => self.copied(),
-            Turn::Quarter => self.turned(1, job),
-            Turn::Half => self.turned(2, job),
-            Turn::ThreeQuarters => self.turned(3, job),
-            Turn::FlipColumns => self.flipped(Direction::Right, job),
-            Turn::FlipRows => self.flipped(Direction::Down, job),
-            Turn::Transpose => self.transposed(job),
-            Turn::Antitranspose => self.transposed(&job.part(0.0, 0.4))?.turned(2, &job.part(0.4, 1.0)),
+            GridSymmetry::None => self.copied(),
+            GridSymmetry::Quarter => self.turned(1, job),
+            GridSymmetry::Half => self.turned(2, job),
+            GridSymmetry::ThreeQuarters => self.turned(3, job),
+            GridSymmetry::FlipColumns => self.flipped(Direction::Right, job),
+            GridSymmetry::FlipRows => self.flipped(Direction::Down, job),
+            GridSymmetry::Transpose => self.transposed(job),
+            GridSymmetry::Antitranspose => self.transposed(&job.part(0.0, 0.4))?.turned(2, &job.part(0.4, 1.0)),
         }
     }
 
     /// Rearranges the nodes under a new topology, without bridges.
     pub(crate) fn rearranged(
         &self,
-        map: &Rearrangement<'_>,
+        rearrangement: &Rearrangement<'_>,
         topology: Topology,
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
-        Ok(Net::new(rearrange(self.coordinates(), topology.shape(), map, job)?, topology))
+        Ok(Net::new(rearrange_coordinates(self.coordinates(), topology.shape(), rearrangement, job)?, topology))
     }
 }
 
 /// Returns the topology within a rectangle, without a check for crossed cells.
-fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
+fn restrict_topology(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
     let cut = |topology: &Topology, range: &Range<usize>| -> Result<Topology> {
         match range.len() == topology.shape().rows() {
             true => Ok(topology.clone()),
-            false => Ok(topology.rows_cut(std::slice::from_ref(range))?.swap_remove(0)),
+            false => Ok(topology.cut_into_row_ranges(std::slice::from_ref(range))?.swap_remove(0)),
         }
     };
     let topology = cut(topology, rows)?;
     if columns.len() == topology.shape().columns() {
         return Ok(topology);
     }
-    topology.map_lines(Direction::Right, |topology| cut(topology, columns))
+    topology.map_rows_or_columns(Direction::Right, |topology| cut(topology, columns))
 }
 
 impl Bridge {
     /// Returns the bridge without the adaptations of its nets, which become invalid once nodes
     /// move.
-    pub(crate) fn unadapted(&self) -> Bridge {
+    pub(crate) fn without_adaptations(&self) -> Bridge {
         Bridge { adaptations: [None, None], ..self.clone() }
     }
 
     /// Returns the bridge in a net whose rows (`Down`) or columns are reversed.
     fn flipped(&self, axis: Direction, shape: Shape) -> Bridge {
-        let count = axis.extent(shape).0 as u32;
-        let bridge = self.unadapted();
+        let count = axis.extents_along_and_across(shape).0 as u32;
+        let bridge = self.without_adaptations();
         if self.direction == axis {
-            Bridge { at: count - self.first_side() - 1, ..bridge }
+            Bridge { at: count - self.first_side_line() - 1, ..bridge }
         } else {
             Bridge { start: count - self.end, end: count - self.start, ..bridge }
         }
@@ -175,15 +176,15 @@ impl Bridge {
     /// Returns the part of the bridge within a rectangle, if a cell of it is. Where the rectangle
     /// ends among the inner rows, the last of them is the side.
     pub(crate) fn clipped_to(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
-        let (across, along) = self.direction.ordered(rows, columns);
+        let (across, along) = self.direction.order_along_first(rows, columns);
         let (start, end) = (along.start.max(self.start as usize), along.end.min(self.end as usize));
-        let (side, at) = (self.first_side() as usize, self.at as usize);
+        let (side, at) = (self.first_side_line() as usize, self.at as usize);
         let (first, last) = (side.max(across.start), at.min(across.end.saturating_sub(1)));
         if first >= last || end < start + 2 {
             return None;
         }
         let whole = (start, end, first, last) == (self.start as usize, self.end as usize, side, at);
-        let bridge = if whole { self.clone() } else { self.unadapted() };
+        let bridge = if whole { self.clone() } else { self.without_adaptations() };
         let (start, end) = ((start - along.start) as u32, (end - along.start) as u32);
         let (at, rows) = ((last - across.start) as u32, (last - first - 1) as u32);
         Some(Bridge { at, rows, start, end, ..bridge })

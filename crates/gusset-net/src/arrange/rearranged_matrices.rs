@@ -2,7 +2,7 @@
 //!
 //! Invariant: coordinates keep their bits, NaN payloads included. O(nodes), bound by memory.
 
-use crate::{Coordinates, Direction, Planes, Real, Shape, each};
+use crate::{Coordinates, Direction, Real, Shape, XyzMatrices, each};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -10,34 +10,34 @@ use gusset_base::par;
 use std::ops::Range;
 
 /// Numbers that one thread writes at a time: enough to outweigh starting it.
-const BLOCK: usize = 1 << 16;
+const NUMBERS_PER_BLOCK: usize = 1 << 16;
 
 /// Matrices of at least this many bytes together are written in parallel. The system zeroes such
 /// allocations.
 const MIN_PARALLEL_BYTES: usize = 1 << 25;
 
-/// Creates the matrices X, Y and Z (0, 1, 2), whose rows `write` fills a range at a time.
-pub(crate) fn build_planes<T: Real>(
+/// Creates the matrices X, Y and Z (0, 1, 2), whose rows `write_rows` fills a range at a time.
+pub(crate) fn build_matrices<T: Real>(
     shape: Shape,
     job: &Job<'_>,
-    write: impl Fn(usize, Range<usize>, &mut [T]) + Sync,
-) -> Result<Planes<'static, T>> {
+    write_rows: impl Fn(usize, Range<usize>, &mut [T]) + Sync,
+) -> Result<XyzMatrices<'static, T>> {
     let columns = shape.columns();
-    if shape.node_count().saturating_mul(3 * size_of::<T>()) < MIN_PARALLEL_BYTES && columns <= BLOCK {
+    if shape.node_count().saturating_mul(3 * size_of::<T>()) < MIN_PARALLEL_BYTES && columns <= NUMBERS_PER_BLOCK {
         job.step(0.0, "nodes")?;
-        let planes = Planes::from_rows(shape, write)?;
+        let planes = XyzMatrices::from_rows(shape, write_rows)?;
         job.step(1.0, "nodes")?;
         return Ok(planes);
     }
-    let mut planes = Planes::zeroed(shape)?;
-    let height = (BLOCK / columns).clamp(1, shape.rows());
+    let mut planes = XyzMatrices::zeroed(shape)?;
+    let height = (NUMBERS_PER_BLOCK / columns).clamp(1, shape.rows());
     let mut blocks = alloc::with_capacity(3 * shape.rows().div_ceil(height))?;
     for (axis, matrix) in planes.matrices_mut().into_iter().enumerate() {
         blocks.extend(matrix.chunks_mut(height * columns).enumerate().map(|(k, block)| (axis, k * height, block)));
     }
     job.step(0.0, "nodes")?;
     par::map(job.threads(), blocks.into_iter(), |(axis, first, block)| {
-        write(axis, first..first + block.len() / columns, block);
+        write_rows(axis, first..first + block.len() / columns, block);
     })?;
     job.step(1.0, "nodes")?;
     Ok(planes)
@@ -56,11 +56,11 @@ pub(crate) enum Rearrangement<'a> {
 }
 
 /// The side of a square tile that fits in the cache together with its image.
-const TILE: usize = 16;
+const TRANSPOSE_TILE_SIDE: usize = 16;
 
 impl Rearrangement<'_> {
     /// Fills rows of a new matrix of `shape` from the old one, whose rows lie `stride` apart.
-    fn write<T: Real>(&self, shape: Shape, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
+    fn write_rows<T: Real>(&self, shape: Shape, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
         let columns = shape.columns();
         let first = rows.start;
         let lines = rows.zip(to.chunks_exact_mut(columns));
@@ -78,15 +78,15 @@ impl Rearrangement<'_> {
                 }
             }
             Rearrangement::Selection { rows, columns } => {
-                lines.for_each(|(i, to)| select(&from[rows[i] as usize * stride..], columns, to));
+                lines.for_each(|(i, to)| copy_selected_columns(&from[rows[i] as usize * stride..], columns, to));
             }
-            Rearrangement::Transposed => transpose(first, columns, from, stride, to),
+            Rearrangement::Transposed => transpose_rows(first, columns, from, stride, to),
         }
     }
 }
 
 /// Selected numbers of a row, in runs: all at once where none is dropped or repeated.
-fn select<T: Real>(from: &[T], columns: &[u32], to: &mut [T]) {
+fn copy_selected_columns<T: Real>(from: &[T], columns: &[u32], to: &mut [T]) {
     let mut done = 0;
     for run in columns.chunk_by(|a, b| a + 1 == *b) {
         to[done..done + run.len()].copy_from_slice(&from[run[0] as usize..][..run.len()]);
@@ -95,12 +95,12 @@ fn select<T: Real>(from: &[T], columns: &[u32], to: &mut [T]) {
 }
 
 /// Fills rows of the transposed matrix from row `first` on, tile by tile.
-fn transpose<T: Real>(first: usize, columns: usize, from: &[T], stride: usize, to: &mut [T]) {
-    for (tile, to) in to.chunks_mut(TILE * columns).enumerate() {
-        let first = first + tile * TILE;
+fn transpose_rows<T: Real>(first: usize, columns: usize, from: &[T], stride: usize, to: &mut [T]) {
+    for (tile, to) in to.chunks_mut(TRANSPOSE_TILE_SIDE * columns).enumerate() {
+        let first = first + tile * TRANSPOSE_TILE_SIDE;
         let height = to.len() / columns;
-        for left in (0..columns).step_by(TILE) {
-            for j in left..columns.min(left + TILE) {
+        for left in (0..columns).step_by(TRANSPOSE_TILE_SIDE) {
+            for j in left..columns.min(left + TRANSPOSE_TILE_SIDE) {
                 let from = &from[j * stride + first..][..height];
                 from.iter().enumerate().for_each(|(i, &value)| to[i * columns + j] = value);
             }
@@ -109,15 +109,15 @@ fn transpose<T: Real>(first: usize, columns: usize, from: &[T], stride: usize, t
 }
 
 /// Returns the three matrices of a new shape under one rearrangement, bit for bit.
-pub(crate) fn rearrange(
+pub(crate) fn rearrange_coordinates(
     coordinates: &Coordinates<'_>,
     shape: Shape,
-    map: &Rearrangement<'_>,
+    rearrangement: &Rearrangement<'_>,
     job: &Job<'_>,
 ) -> Result<Coordinates<'static>> {
     each!(coordinates, from => {
         let (matrices, stride) = (from.matrices(), from.stride());
-        let write = |axis: usize, rows, to: &mut _| map.write(shape, rows, matrices[axis], stride, to);
-        build_planes(shape, job, write).map(Coordinates::from)
+        let write = |axis: usize, rows, to: &mut _| rearrangement.write_rows(shape, rows, matrices[axis], stride, to);
+        build_matrices(shape, job, write).map(Coordinates::from)
     })
 }

@@ -3,7 +3,7 @@
 //! Sides stay sides. O(contracted links + pairs of seams), O(1) for sides alone.
 
 use super::seams;
-use crate::topology::{Links, Matrix, Run, Seam, Sides};
+use crate::topology::{ContractedLinks, LinkMatrix, Seam, SeamRun, Sides};
 use crate::{Direction, Shape, Topology};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -18,15 +18,17 @@ impl Topology {
         shape: Shape,
         sides: impl Fn(Sides) -> Sides,
         link: impl Fn(u32) -> u32,
-        run: impl Fn(Run) -> Run,
+        run: impl Fn(SeamRun) -> SeamRun,
     ) -> Result<Self> {
         let links = match self.links() {
-            Links::Sides(old) => Links::Sides(sides(*old)),
-            Links::Matrix(old) => Links::Matrix(Matrix::from_links(shape, old.links().map(link))?),
+            ContractedLinks::Sides(old) => ContractedLinks::Sides(sides(*old)),
+            ContractedLinks::Matrix(old) => {
+                ContractedLinks::Matrix(LinkMatrix::from_links(shape, old.links().map(link))?)
+            }
         };
         let seam = |seam: &Seam| Seam { a: run(seam.a), b: run(seam.b), count: seam.count };
         let seams = alloc::collect(self.seams().iter().map(seam))?;
-        Ok(Topology::assembled(shape, links, seams, !self.is_reversed()))
+        Ok(Topology::assemble_unchecked(shape, links, seams, !self.is_reversed()))
     }
 
     /// Rows and columns exchanged.
@@ -36,7 +38,7 @@ impl Topology {
             let (i, j) = old.place(link / 2);
             2 * shape.node(j, i) + (1 - link % 2)
         };
-        self.map_elements(shape, Sides::transposed, link, Run::transposed)
+        self.map_elements(shape, Sides::transposed, link, SeamRun::transposed)
     }
 
     /// Returns the last row first.
@@ -53,12 +55,20 @@ impl Topology {
             }
         };
         let sides = |sides: Sides| Sides { pole_top: sides.pole_bottom, pole_bottom: sides.pole_top, ..sides };
-        self.map_elements(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
+        self.map_elements(shape, sides, link, |run| SeamRun {
+            row: last as u32 - run.row,
+            row_step: -run.row_step,
+            ..run
+        })
     }
 
     /// Applies a map of rows to the rows (`Down`) or, through the transposed topology, to the
     /// columns.
-    pub(crate) fn map_lines(&self, axis: Direction, map: impl FnOnce(&Topology) -> Result<Topology>) -> Result<Self> {
+    pub(crate) fn map_rows_or_columns(
+        &self,
+        axis: Direction,
+        map: impl FnOnce(&Topology) -> Result<Topology>,
+    ) -> Result<Self> {
         match axis {
             Direction::Down => map(self),
             Direction::Right => map(&self.transposed()?)?.transposed(),
@@ -68,50 +78,51 @@ impl Topology {
     /// Cuts the topology into disjoint ranges of rows in order. Closing links survive only in a
     /// range of all rows. A seam that glues the last row of a range to its first becomes closing
     /// links.
-    pub(crate) fn rows_cut(&self, ranges: &[Range<usize>]) -> Result<Vec<Self>> {
-        let seams = self.seams_cut(ranges)?;
-        alloc::try_collect(ranges.iter().zip(seams).map(|(rows, seams)| self.rows_part(rows.clone(), &seams)))
+    pub(crate) fn cut_into_row_ranges(&self, ranges: &[Range<usize>]) -> Result<Vec<Self>> {
+        let seams = self.cut_seams_by_row_ranges(ranges)?;
+        alloc::try_collect(ranges.iter().zip(seams).map(|(rows, seams)| self.restrict_to_rows(rows.clone(), &seams)))
     }
 
     /// Returns the topology within a range of rows, given the seams within it.
-    pub(crate) fn rows_part(&self, rows: Range<usize>, seams: &[Seam]) -> Result<Self> {
+    pub(crate) fn restrict_to_rows(&self, rows: Range<usize>, seams: &[Seam]) -> Result<Self> {
         let (old, whole) = (self.shape(), rows.len() == self.shape().rows());
         let shape = Shape::new(rows.len(), old.columns())?;
         let first = old.horizontal_link(rows.start, 0);
         let mut links = match self.links() {
-            Links::Sides(sides) => Links::Sides(Sides {
+            ContractedLinks::Sides(sides) => ContractedLinks::Sides(Sides {
                 columns_closed: sides.columns_closed && whole,
                 pole_top: sides.pole_top && rows.start == 0,
                 pole_bottom: sides.pole_bottom && rows.end == old.rows(),
                 ..*sides
             }),
-            Links::Matrix(matrix) => {
+            ContractedLinks::Matrix(matrix) => {
                 let last_row = shape.horizontal_link(rows.len() - 1, 0);
-                let within = matrix.links_in(first..first + 2 * shape.node_count() as u32).map(|link| link - first);
+                let within =
+                    matrix.contracted_links_in(first..first + 2 * shape.node_count() as u32).map(|link| link - first);
                 // A link down from the last row leaves the part, unless it closes all rows.
                 let kept = within.filter(|&link| link < last_row || link % 2 == 0 || whole);
-                Links::Matrix(Matrix::from_links(shape, kept)?)
+                ContractedLinks::Matrix(LinkMatrix::from_links(shape, kept)?)
             }
         };
         let mut kept = Vec::new();
         for &seam in seams {
-            match closed_columns(shape, seam) {
+            match columns_closed_by_seam(shape, seam) {
                 Some(columns) => {
                     let mut matrix = links.into_matrix(shape)?;
                     columns.for_each(|j| matrix.set(shape.vertical_link(rows.len() - 1, j as usize), true));
-                    links = Links::Matrix(matrix);
+                    links = ContractedLinks::Matrix(matrix);
                 }
                 None => alloc::push(&mut kept, seam)?,
             }
         }
-        Ok(Topology::assembled(shape, links, kept, self.is_reversed()))
+        Ok(Topology::assemble_unchecked(shape, links, kept, self.is_reversed()))
     }
 
     /// Returns the seams within each range, in its own row numbers.
-    fn seams_cut(&self, ranges: &[Range<usize>]) -> Result<Vec<Vec<Seam>>> {
+    fn cut_seams_by_row_ranges(&self, ranges: &[Range<usize>]) -> Result<Vec<Vec<Seam>>> {
         let mut cut = alloc::filled(Vec::new(), ranges.len())?;
         for &seam in self.seams() {
-            let ends = [seam.a.place(0).0, seam.a.place(seam.count - 1).0];
+            let ends = [seam.a.node_place(0).0, seam.a.node_place(seam.count - 1).0];
             let (low, high) = (ends[0].min(ends[1]) as usize, ends[0].max(ends[1]) as usize);
             let from = ranges.partition_point(|rows| rows.end <= low);
             let to = ranges.partition_point(|rows| rows.start <= high);
@@ -127,17 +138,17 @@ impl Topology {
 
 /// Returns the columns that a seam closes, if each of its pairs is the last and the first node of a
 /// column.
-fn closed_columns(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = i64>> {
+fn columns_closed_by_seam(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = i64>> {
     let Seam { a, b, count } = seam;
     let rows = [a.row.min(b.row), a.row.max(b.row)];
     let whole = rows == [0, shape.rows() as u32 - 1] && a.row_step == 0 && b.row_step == 0;
     let same = a.column == b.column && a.column_step == b.column_step;
-    (whole && same).then(|| (0..count).map(move |k| a.place(k).1))
+    (whole && same).then(|| (0..count).map(move |k| a.node_place(k).1))
 }
 
 /// Returns the rows that a seam closes, if each of its pairs is the last and the first node of a
 /// row.
-pub(crate) fn closed_rows(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = usize>> {
+pub(crate) fn rows_closed_by_seam(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = usize>> {
     let transposed = Seam { a: seam.a.transposed(), b: seam.b.transposed(), ..seam };
-    closed_columns(shape.transposed(), transposed).map(|rows| rows.map(|i| i as usize))
+    columns_closed_by_seam(shape.transposed(), transposed).map(|rows| rows.map(|i| i as usize))
 }

@@ -6,7 +6,7 @@
 //! differ in the rows that cover the two caps. Invariant: the place of a node on the box is a
 //! function of its row and column, and links between equal places are contracted. O(nodes).
 
-use crate::topology::{Links, Matrix, Run, Seam};
+use crate::topology::{ContractedLinks, LinkMatrix, Seam, SeamRun};
 use crate::{Shape, Sides, Topology};
 use gusset_base::error::{Error, Result};
 
@@ -48,11 +48,11 @@ impl Cuboid {
     pub fn shape(&self) -> Result<Shape> {
         Error::require(!self.cells.contains(&0), "cells", 0.0)?;
         let [a, b, c] = self.cells.map(|n| n as usize);
-        Shape::new(c + 1 + 2 * self.cap_rows(), 2 * (a + b) + 1)
+        Shape::new(c + 1 + 2 * self.cap_row_count(), 2 * (a + b) + 1)
     }
 
     /// Returns the number of rows beyond the lateral faces at each end.
-    fn cap_rows(&self) -> usize {
+    fn cap_row_count(&self) -> usize {
         let [a, b, _] = self.cells.map(|n| n as usize);
         match self.kind {
             BoxKind::Slit => a.div_ceil(2) + b.div_ceil(2),
@@ -68,59 +68,62 @@ impl Cuboid {
     pub fn topology(&self) -> Result<Topology> {
         let shape = self.shape()?;
         let (h, w) = (shape.rows(), shape.columns());
-        let mut matrix = Matrix::from_sides(shape, Sides::TUBE)?;
-        for i in (0..h).filter(|&i| i == 0 || self.level(i) == self.level(i - 1) || self.depth(i) > 0) {
+        let mut matrix = LinkMatrix::from_sides(shape, Sides::TUBE)?;
+        for i in
+            (0..h).filter(|&i| i == 0 || self.height_of_row(i) == self.height_of_row(i - 1) || self.depth_in_cap(i) > 0)
+        {
             for j in 0..w {
-                let here = self.place(i, j);
-                if j + 1 < w && here == self.place(i, j + 1) {
+                let here = self.lattice_point(i, j);
+                if j + 1 < w && here == self.lattice_point(i, j + 1) {
                     matrix.set(shape.horizontal_link(i, j), true);
                 }
-                if i > 0 && here == self.place(i - 1, j) {
+                if i > 0 && here == self.lattice_point(i - 1, j) {
                     matrix.set(shape.vertical_link(i - 1, j), true);
                 }
             }
         }
         let [a, b, _] = self.cells;
-        let seam = |row| Seam { a: Run::along_row(row, 0, 1), b: Run::along_row(row, 2 * a + b, -1), count: a + 1 };
+        let seam =
+            |row| Seam { a: SeamRun::along_row(row, 0, 1), b: SeamRun::along_row(row, 2 * a + b, -1), count: a + 1 };
         let seams = [seam(0), seam(h as u32 - 1)];
         let seams = if self.kind == BoxKind::Cross { &seams[..] } else { &[] };
-        Topology::new(shape, Links::Matrix(matrix), seams)
+        Topology::new(shape, ContractedLinks::Matrix(matrix), seams)
     }
 
     /// Returns the number of rows between row i and the lateral faces.
-    fn depth(&self, i: usize) -> usize {
-        let (cap, c) = (self.cap_rows(), self.cells[2] as usize);
+    fn depth_in_cap(&self, i: usize) -> usize {
+        let (cap, c) = (self.cap_row_count(), self.cells[2] as usize);
         cap.saturating_sub(i).max(i.saturating_sub(cap + c))
     }
 
     /// Returns the z of row i.
-    fn level(&self, i: usize) -> u32 {
-        i.saturating_sub(self.cap_rows()).min(self.cells[2] as usize) as u32
+    fn height_of_row(&self, i: usize) -> u32 {
+        i.saturating_sub(self.cap_row_count()).min(self.cells[2] as usize) as u32
     }
 
     /// Returns the place of node (i, j), in cells from the corner of the box. Rows run from the
     /// bottom to the top, and columns around the box, counter-clockwise seen from above.
-    pub fn place(&self, i: usize, j: usize) -> [u32; 3] {
+    pub fn lattice_point(&self, i: usize, j: usize) -> [u32; 3] {
         let [a, b, _] = self.cells;
-        let (depth, column) = (self.depth(i) as u32, j as u32 % (2 * (a + b)));
+        let (depth, column) = (self.depth_in_cap(i) as u32, j as u32 % (2 * (a + b)));
         let [x, y] = match self.kind {
             BoxKind::Slit => {
                 let (s, t) = (depth.min(b.div_ceil(2)), depth.saturating_sub(b.div_ceil(2)));
-                let [x, y] = self.rim(column);
-                [inset(x, t, a), inset(y, s, b)]
+                let [x, y] = self.cap_rim_point(column);
+                [clamp_to_inset_interval(x, t, a), clamp_to_inset_interval(y, s, b)]
             }
             BoxKind::Concentric => {
-                let [x, y] = self.rim(column);
-                [inset(x, depth, a), inset(y, depth, b)]
+                let [x, y] = self.cap_rim_point(column);
+                [clamp_to_inset_interval(x, depth, a), clamp_to_inset_interval(y, depth, b)]
             }
-            BoxKind::Cross => self.crosswise(depth, column),
+            BoxKind::Cross => self.place_in_cross_cap(depth, column),
         };
-        [x, y, self.level(i)]
+        [x, y, self.height_of_row(i)]
     }
 
     /// Returns the point of a column on the rim of a cap: along x, along y, back along x, back
     /// along y.
-    fn rim(&self, column: u32) -> [u32; 2] {
+    fn cap_rim_point(&self, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
         match column {
             k if k <= a => [k, 0],
@@ -133,9 +136,9 @@ impl Cuboid {
     /// Returns the four blocks of a cap in cross unwrapping. The first block is the cap itself,
     /// from its rim at y = 0. The third, opposite, contracts to the rim at y = b. The two others
     /// contract to the sides x = a and x = 0, following the end of the first block.
-    fn crosswise(&self, depth: u32, column: u32) -> [u32; 2] {
+    fn place_in_cross_cap(&self, depth: u32, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
-        let [x, y] = self.rim(column);
+        let [x, y] = self.cap_rim_point(column);
         match column {
             k if k <= a => [x, depth],
             k if k > a + b && k < 2 * a + b => [x, b],
@@ -146,6 +149,6 @@ impl Cuboid {
 
 /// Clamps a coordinate to the interval from `steps` to `size` less `steps`. For an odd size the
 /// last step moves one end only.
-fn inset(value: u32, steps: u32, size: u32) -> u32 {
+fn clamp_to_inset_interval(value: u32, steps: u32, size: u32) -> u32 {
     value.clamp(steps.min(size.div_ceil(2)), size - steps.min(size / 2))
 }

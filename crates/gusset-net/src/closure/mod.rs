@@ -8,7 +8,7 @@ mod cuboid;
 
 pub use cuboid::{BoxKind, Cuboid};
 
-use super::topology::{Links, Run, Seam};
+use super::topology::{ContractedLinks, Seam, SeamRun};
 use super::{Shape, Sides, Topology};
 use gusset_base::error::{Error, Result};
 
@@ -18,7 +18,7 @@ use gusset_base::error::{Error, Result};
 /// # Errors
 /// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
 pub fn moebius(shape: Shape) -> Result<Topology> {
-    Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape)])
+    Topology::new(shape, ContractedLinks::Sides(Sides::SHEET), &[seam_to_reversed_column(shape)])
 }
 
 /// Returns a Klein bottle: columns are closed, and the last column is the reversed first column.
@@ -28,7 +28,7 @@ pub fn moebius(shape: Shape) -> Result<Topology> {
 /// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
 pub fn klein(shape: Shape) -> Result<Topology> {
     let sides = Sides { columns_closed: true, ..Sides::SHEET };
-    Topology::new(shape, Links::Sides(sides), &[reversed_column(shape)])
+    Topology::new(shape, ContractedLinks::Sides(sides), &[seam_to_reversed_column(shape)])
 }
 
 /// Returns a projective plane: opposite nodes of the rim are glued. Euler characteristic 1, closed.
@@ -37,8 +37,8 @@ pub fn klein(shape: Shape) -> Result<Topology> {
 /// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
 pub fn projective_plane(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
-    let rows = Seam { a: Run::along_row(0, 0, 1), b: Run::along_row(h - 1, w - 1, -1), count: w };
-    Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape), rows])
+    let rows = Seam { a: SeamRun::along_row(0, 0, 1), b: SeamRun::along_row(h - 1, w - 1, -1), count: w };
+    Topology::new(shape, ContractedLinks::Sides(Sides::SHEET), &[seam_to_reversed_column(shape), rows])
 }
 
 /// Returns a pillow: a flattened tube whose two rims are folded shut. It is a sphere with four
@@ -51,12 +51,13 @@ pub fn projective_plane(shape: Shape) -> Result<Topology> {
 pub fn pillow(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     Error::require(w % 2 == 1, "columns", w.into())?;
-    let folded = |row| Seam { a: Run::along_row(row, 0, 1), b: Run::along_row(row, w - 1, -1), count: w.div_ceil(2) };
-    Topology::new(shape, Links::Sides(Sides::TUBE), &[folded(0), folded(h - 1)])
+    let folded =
+        |row| Seam { a: SeamRun::along_row(row, 0, 1), b: SeamRun::along_row(row, w - 1, -1), count: w.div_ceil(2) };
+    Topology::new(shape, ContractedLinks::Sides(Sides::TUBE), &[folded(0), folded(h - 1)])
 }
 
 /// Returns the seam that identifies the last column with the reversed first column.
-fn reversed_column(shape: Shape) -> Seam {
+fn seam_to_reversed_column(shape: Shape) -> Seam {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
-    Seam { a: Run::along_column(0, w - 1, 1), b: Run::along_column(h - 1, 0, -1), count: h }
+    Seam { a: SeamRun::along_column(0, w - 1, 1), b: SeamRun::along_column(h - 1, 0, -1), count: h }
 }

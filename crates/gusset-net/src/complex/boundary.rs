@@ -16,13 +16,13 @@ pub(super) type FanEnds = [u32; 3];
 /// Where the boundary passes a vertex more than once, a chain continues along the fan of faces that
 /// it came along. All chains are loops, except those that end at edges of three or more faces.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Boundary {
+pub struct BoundaryChains {
     offsets: Vec<u32>,
     nodes: Vec<u32>,
     open: Vec<u32>,
 }
 
-impl Boundary {
+impl BoundaryChains {
     /// Returns the number of chains.
     pub fn len(&self) -> usize {
         self.open.len()
@@ -40,7 +40,7 @@ impl Boundary {
     }
 
     /// 1 for each open chain, 0 for the others.
-    pub fn open(&self) -> &[u32] {
+    pub fn open_chains(&self) -> &[u32] {
         &self.open
     }
 
@@ -68,8 +68,8 @@ impl Boundary {
         reversed: bool,
     ) -> Result<Self> {
         Error::check_count("edges of one face", edges.len() as u64, u64::from(u32::MAX / 2))?;
-        let partners = partners(edges, fan_ends, count)?;
-        let mut boundary = Boundary { offsets: alloc::filled(0, 1)?, ..Boundary::default() };
+        let partners = link_edge_ends_to_chains(edges, fan_ends, count)?;
+        let mut boundary = BoundaryChains { offsets: alloc::filled(0, 1)?, ..BoundaryChains::default() };
         let mut done: Vec<bool> = alloc::filled(false, edges.len())?;
         // Open chains first, from their ends; then loops.
         let mut walk = |end: usize| {
@@ -103,7 +103,7 @@ impl Boundary {
 
 /// For each end of each edge (number `2 * edge + side`) the end of the next edge of its chain, or
 /// itself.
-fn partners(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize) -> Result<Vec<u32>> {
+fn link_edge_ends_to_chains(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize) -> Result<Vec<u32>> {
     sort_by_bucket(fan_ends, count, |fan| fan[0])?;
     let mut partners: Vec<u32> = alloc::collect((0..2 * edges.len()).map(|end| end as u32))?;
     // (vertex, the edge's other vertex, number)

@@ -3,22 +3,22 @@
 
 use super::boundary::FanEnds;
 use super::quotient::Complex;
-use super::row_scan::{Corner, RowScan, Sense, Side};
+use super::row_scan::{FaceCorner, FaceSide, RowScan, SideDirection};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::sort::{sort_by_bucket, sort_distinct};
 
 /// Groups sides of faces to edges, and adds boundary edges to the scan's.
-pub(super) fn edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
+pub(super) fn group_sides_into_edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
     sort_by_bucket(&mut scan.sides, count, |side| side.edge[0])?;
     for sides in scan.sides.chunk_by(|a, b| a.edge == b.edge) {
         complex.edges += 1;
         let [min, max] = sides[0].edge;
-        match faces(sides) {
+        match sides_of_faces(sides) {
             [] => alloc::push(&mut complex.wires, [min, max])?,
-            [one] if one.sense == Sense::Up => alloc::push(&mut scan.rim, [min, max])?,
+            [one] if one.sense == SideDirection::Up => alloc::push(&mut scan.rim, [min, max])?,
             [_] => alloc::push(&mut scan.rim, [max, min])?,
             [a, b] if a.sense != b.sense => {}
             [_, _] => alloc::push(&mut complex.conflicts, [min, max])?,
@@ -29,18 +29,18 @@ pub(super) fn edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()>
 }
 
 /// Returns the sides of an edge that belong to faces, given all of them in order.
-pub(super) fn faces(sides: &[Side]) -> &[Side] {
-    &sides[..sides.partition_point(|side| side.sense != Sense::None)]
+pub(super) fn sides_of_faces(sides: &[FaceSide]) -> &[FaceSide] {
+    &sides[..sides.partition_point(|side| side.sense != SideDirection::None)]
 }
 
 /// Groups the corners at each vertex into fans, sequences of adjacent faces around it. A vertex
 /// with several fans is a pinch, and the boundary edges of each fan are added to the scan's.
-pub(super) fn fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
+pub(super) fn group_corners_into_fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
     sort_by_bucket(&mut scan.corners, count, |corner| corner[0])?;
     let mut link = VertexLink::default();
     for corners in scan.corners.chunk_by(|a, b| a[0] == b[0]) {
-        if link.fans(corners, &mut scan.fan_ends)? > 1 {
+        if link.count_fans(corners, &mut scan.fan_ends)? > 1 {
             alloc::push(&mut complex.pinches, corners[0][0])?;
         }
     }
@@ -65,7 +65,7 @@ struct VertexLink {
 impl VertexLink {
     /// Returns the number of components of the link; the two ends of each open one are appended to
     /// `ends`.
-    fn fans(&mut self, corners: &[Corner], ends: &mut Vec<FanEnds>) -> Result<usize> {
+    fn count_fans(&mut self, corners: &[FaceCorner], ends: &mut Vec<FanEnds>) -> Result<usize> {
         self.points.clear();
         alloc::extend(&mut self.points, corners.iter().flat_map(|&[_, before, after]| [before, after]))?;
         sort_distinct(&mut self.points);

@@ -10,20 +10,20 @@
 //! O(nodes), plus a sort of the edges and corners at glued nodes.
 
 mod boundary;
-mod connect;
+mod connectivity;
 mod edges;
 mod presence;
 mod quotient;
 mod row_scan;
 
-pub use boundary::{Boundary, Edge};
+pub use boundary::{BoundaryChains, Edge};
 pub use quotient::Complex;
 
 use super::Net;
-use super::topology::{Classes, Topology};
+use super::topology::{NodeClasses, Topology};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use presence::Presence;
+use presence::CellPresence;
 use row_scan::RowScan;
 
 impl Complex {
@@ -34,7 +34,7 @@ impl Complex {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn from_topology(topology: &Topology, job: &Job<'_>) -> Result<Self> {
-        Complex::new(topology, &Presence::ALL, job)
+        Complex::new(topology, &CellPresence::ALL_CELLS, job)
     }
 
     /// Returns the complex of the existing cells of a net; see [`Net`].
@@ -44,21 +44,21 @@ impl Complex {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn from_net(net: &Net<'_>, job: &Job<'_>) -> Result<Self> {
-        Complex::new(net.topology(), &Presence::from_net(net)?, job)
+        Complex::new(net.topology(), &CellPresence::from_net(net)?, job)
     }
 
-    fn new(topology: &Topology, presence: &Presence, job: &Job<'_>) -> Result<Self> {
-        let classes = Classes::new(topology)?;
+    fn new(topology: &Topology, presence: &CellPresence, job: &Job<'_>) -> Result<Self> {
+        let classes = NodeClasses::new(topology)?;
         let mut complex = Complex::default();
         let mut scan = RowScan::new(&classes, presence, &mut complex, &job.part(0.0, 0.5))?;
-        edges::edges(&mut scan, &mut complex)?;
+        edges::group_sides_into_edges(&mut scan, &mut complex)?;
         job.step(0.7, "complex")?;
-        edges::fans(&mut scan, &mut complex)?;
-        complex.components = connect::components(&classes, presence)?;
-        complex.orientable = complex.conflicts.is_empty() || connect::is_orientable(&scan, &classes, presence)?;
+        edges::group_corners_into_fans(&mut scan, &mut complex)?;
+        complex.components = connectivity::count_components(&classes, presence)?;
+        complex.orientable = complex.conflicts.is_empty() || connectivity::is_orientable(&scan, &classes, presence)?;
         complex.boundary_edges = scan.rim.len() as u64;
         let (count, reversed) = (scan.node_count(), topology.is_reversed());
-        complex.boundary = Boundary::from_edges(&scan.rim, &mut scan.fan_ends, count, reversed)?;
+        complex.boundary = BoundaryChains::from_edges(&scan.rim, &mut scan.fan_ends, count, reversed)?;
         job.step(1.0, "complex")?;
         Ok(complex)
     }

@@ -2,43 +2,43 @@
 //! byte a cell unless all exist.
 
 use crate::hidden_cells::HiddenCells;
-use crate::{Net, Planes, Real, Shape, each};
+use crate::{Net, Real, Shape, XyzMatrices, each};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
 /// One byte for each cell, 1 if the cell exists; `None` if all cells exist.
-pub(super) struct Presence {
+pub(super) struct CellPresence {
     cells: Option<Vec<u8>>,
 }
 
-impl Presence {
+impl CellPresence {
     /// All cells.
-    pub(super) const ALL: Presence = Presence { cells: None };
+    pub(super) const ALL_CELLS: CellPresence = CellPresence { cells: None };
 
     /// Returns the existing cells of a net. O(nodes).
     pub(super) fn from_net(net: &Net<'_>) -> Result<Self> {
         let shape = net.shape();
         let columns = shape.columns() - 1;
         let mut cells: Vec<u8> = alloc::zeroed(shape.cell_count())?;
-        each!(net.coordinates(), planes => finite_cells(planes, &mut cells)?);
+        each!(net.coordinates(), planes => mark_finite_cells(planes, &mut cells)?);
         let hidden = HiddenCells::new(net)?;
         if !hidden.is_empty() {
             for (i, row) in cells.chunks_exact_mut(columns).enumerate() {
-                hidden.row(i).iter().for_each(|&[from, to]| row[from as usize..to as usize].fill(0));
+                hidden.hidden_ranges(i).iter().for_each(|&[from, to]| row[from as usize..to as usize].fill(0));
             }
         }
         let all = cells.iter().all(|&cell| cell == 1);
-        Ok(Presence { cells: (!all).then_some(cells) })
+        Ok(CellPresence { cells: (!all).then_some(cells) })
     }
 
     /// Returns true if all cells exist.
-    pub(super) fn is_all(&self) -> bool {
+    pub(super) fn has_all_cells(&self) -> bool {
         self.cells.is_none()
     }
 
     /// Writes row i of cells to `row`, with a missing cell at both ends. Rows outside the net
     /// consist of missing cells.
-    pub(super) fn row(&self, shape: Shape, i: usize, row: &mut [u8]) {
+    pub(super) fn write_padded_row(&self, shape: Shape, i: usize, row: &mut [u8]) {
         let columns = shape.columns() - 1;
         let inner = &mut row[1..=columns];
         match &self.cells {
@@ -49,13 +49,13 @@ impl Presence {
     }
 }
 
-fn finite_cells<T: Real>(planes: &Planes<'_, T>, cells: &mut [u8]) -> Result<()> {
+fn mark_finite_cells<T: Real>(planes: &XyzMatrices<'_, T>, cells: &mut [u8]) -> Result<()> {
     let columns = planes.shape().columns();
     let mut above: Vec<u8> = alloc::zeroed(columns)?;
     let mut below: Vec<u8> = alloc::zeroed(columns)?;
-    finite_nodes(planes.row(0), &mut above);
+    mark_finite_nodes(planes.row(0), &mut above);
     for (i, row) in cells.chunks_exact_mut(columns - 1).enumerate() {
-        finite_nodes(planes.row(i + 1), &mut below);
+        mark_finite_nodes(planes.row(i + 1), &mut below);
         for (j, cell) in row.iter_mut().enumerate() {
             *cell = above[j] & above[j + 1] & below[j] & below[j + 1];
         }
@@ -65,7 +65,7 @@ fn finite_cells<T: Real>(planes: &Planes<'_, T>, cells: &mut [u8]) -> Result<()>
 }
 
 /// 1 for each finite node: 0 times a coordinate is 0 unless it is NaN or infinite.
-fn finite_nodes<T: Real>([x, y, z]: [&[T]; 3], finite: &mut [u8]) {
+fn mark_finite_nodes<T: Real>([x, y, z]: [&[T]; 3], finite: &mut [u8]) {
     let zero = T::from_f64(0.0);
     for (((finite, &x), &y), &z) in finite.iter_mut().zip(x).zip(y).zip(z) {
         *finite = u8::from(zero * x + zero * y + zero * z == zero);

@@ -1,7 +1,7 @@
 //! The quotient complex: its counts, and the elements that keep it from being a closed oriented
 //! surface.
 
-use super::boundary::{Boundary, Edge};
+use super::boundary::{BoundaryChains, Edge};
 
 /// The quotient complex: its counts, and the elements that keep it from being a closed oriented
 /// surface.
@@ -29,7 +29,7 @@ pub struct Complex {
     /// Whether the faces can be oriented without conflicting edges.
     pub orientable: bool,
     /// The edges of one face, in chains.
-    pub boundary: Boundary,
+    pub boundary: BoundaryChains,
     /// Edges without a face, in order.
     pub wires: Vec<Edge>,
     /// Edges of three or more faces, in order.

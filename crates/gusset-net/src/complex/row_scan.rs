@@ -6,10 +6,10 @@
 //! only.
 
 use super::boundary::{Edge, FanEnds};
-use super::presence::Presence;
+use super::presence::CellPresence;
 use super::quotient::Complex;
 use crate::Shape;
-use crate::topology::{Classes, Reduced};
+use crate::topology::{NodeClasses, ReducedCell};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -17,18 +17,18 @@ use gusset_base::sort::sort_distinct;
 
 /// A side of a face, or of a cell reduced to less than a face, with at least one glued end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Side {
+pub(super) struct FaceSide {
     /// The vertices, the smaller first.
     pub(super) edge: Edge,
     /// The direction in which the face traverses it.
-    pub(super) sense: Sense,
+    pub(super) sense: SideDirection,
     /// The cell.
     pub(super) cell: u32,
 }
 
 /// The direction of a side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Sense {
+pub(super) enum SideDirection {
     /// From the smaller vertex to the larger.
     Up,
     /// From the larger to the smaller.
@@ -38,16 +38,16 @@ pub(super) enum Sense {
 }
 
 /// A corner of a face: the vertex, and those before and after it.
-pub(super) type Corner = [u32; 3];
+pub(super) type FaceCorner = [u32; 3];
 
 /// The elements that the pass collects.
 pub(super) struct RowScan<'a> {
     shape: Shape,
-    classes: &'a Classes,
-    /// For each node [`GLUED`], [`NEAR`], or neither.
+    classes: &'a NodeClasses,
+    /// For each node [`NODE_IS_GLUED`], [`NODE_IS_NEAR_GLUED`], or neither.
     marks: Vec<u8>,
-    pub(super) sides: Vec<Side>,
-    pub(super) corners: Vec<Corner>,
+    pub(super) sides: Vec<FaceSide>,
+    pub(super) corners: Vec<FaceCorner>,
     /// Boundary edges between single nodes, in the direction of their faces.
     pub(super) rim: Vec<Edge>,
     pub(super) fan_ends: Vec<FanEnds>,
@@ -56,24 +56,30 @@ pub(super) struct RowScan<'a> {
 }
 
 /// The node is glued to others.
-const GLUED: u8 = 1;
+const NODE_IS_GLUED: u8 = 1;
 /// A link joins the node to a glued one.
-const NEAR: u8 = 2;
+const NODE_IS_NEAR_GLUED: u8 = 2;
 
 impl<'a> RowScan<'a> {
     /// Scans the net and counts its regular elements in `complex`.
-    pub(super) fn new(classes: &'a Classes, presence: &Presence, complex: &mut Complex, job: &Job<'_>) -> Result<Self> {
+    pub(super) fn new(
+        classes: &'a NodeClasses,
+        presence: &CellPresence,
+        complex: &mut Complex,
+        job: &Job<'_>,
+    ) -> Result<Self> {
         let shape = classes.shape();
         let (sides, corners, rim, fan_ends, touched) = Default::default();
-        let mut scan = RowScan { shape, classes, marks: marks(classes)?, sides, corners, rim, fan_ends, touched };
+        let mut scan =
+            RowScan { shape, classes, marks: mark_glued_nodes(classes)?, sides, corners, rim, fan_ends, touched };
         let mut above: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
         let mut below: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
         for i in 0..shape.rows() {
             job.step_every(64, i, shape.rows(), "complex")?;
-            presence.row(shape, i, &mut below);
-            scan.nodes(i, &above, &below, complex)?;
-            scan.links(i, &above, &below, complex)?;
-            scan.cells(i, &below, complex)?;
+            presence.write_padded_row(shape, i, &mut below);
+            scan.scan_nodes_of_row(i, &above, &below, complex)?;
+            scan.scan_links_of_row(i, &above, &below, complex)?;
+            scan.scan_cells_of_row(i, &below, complex)?;
             std::mem::swap(&mut above, &mut below);
         }
         sort_distinct(&mut scan.touched);
@@ -82,7 +88,7 @@ impl<'a> RowScan<'a> {
     }
 
     /// Counts the vertices of row i, and finds pinches at missing cells.
-    fn nodes(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
+    fn scan_nodes_of_row(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
         let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
         let marks = &self.marks[start as usize..][..w];
         for j in 0..w {
@@ -91,7 +97,7 @@ impl<'a> RowScan<'a> {
             if cells == [0; 4] {
                 continue;
             }
-            if marks[j] == GLUED {
+            if marks[j] == NODE_IS_GLUED {
                 alloc::push(&mut self.touched, self.classes.representative(node))?;
                 continue;
             }
@@ -109,7 +115,7 @@ impl<'a> RowScan<'a> {
     }
 
     /// Counts the edges of row i and down from it that are links between single nodes.
-    fn links(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
+    fn scan_links_of_row(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
         let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
         let (marks, next) = self.marks[start as usize..].split_at(w);
         let rim = &mut self.rim;
@@ -121,13 +127,13 @@ impl<'a> RowScan<'a> {
             if with != against { alloc::push(rim, boundary) } else { Ok(()) }
         };
         for j in 0..w - 1 {
-            if (marks[j] | marks[j + 1]) & GLUED == 0 {
+            if (marks[j] | marks[j + 1]) & NODE_IS_GLUED == 0 {
                 let a = start + j as u32;
                 link(a, a + 1, below[j + 1], above[j + 1])?;
             }
         }
         for (j, &mark) in next.iter().enumerate().take(w) {
-            if (marks[j] | mark) & GLUED == 0 {
+            if (marks[j] | mark) & NODE_IS_GLUED == 0 {
                 let a = start + j as u32;
                 link(a, a + w as u32, below[j], below[j + 1])?;
             }
@@ -137,7 +143,7 @@ impl<'a> RowScan<'a> {
 
     /// Counts the cells of row i by their reduced form, and collects sides and corners at glued
     /// nodes.
-    fn cells(&mut self, i: usize, below: &[u8], complex: &mut Complex) -> Result<()> {
+    fn scan_cells_of_row(&mut self, i: usize, below: &[u8], complex: &mut Complex) -> Result<()> {
         for j in (0..self.shape.columns() - 1).filter(|&j| below[j + 1] == 1) {
             let corners = self.shape.corners(i, j);
             let mark = corners.into_iter().fold(0, |mark, node| mark | self.marks[node as usize]);
@@ -146,54 +152,54 @@ impl<'a> RowScan<'a> {
                 continue;
             }
             let cell = self.shape.cell(i, j);
-            match Reduced::new(self.classes.corners(i, j)) {
-                Reduced::Quad(polygon) => {
+            match ReducedCell::new(self.classes.corners(i, j)) {
+                ReducedCell::Quad(polygon) => {
                     complex.quads += 1;
-                    self.face(&polygon, cell)?;
+                    self.add_face(&polygon, cell)?;
                 }
-                Reduced::Triangle(polygon) => {
+                ReducedCell::Triangle(polygon) => {
                     complex.triangles += 1;
-                    self.face(&polygon, cell)?;
+                    self.add_face(&polygon, cell)?;
                 }
-                Reduced::Digon(edge) => {
+                ReducedCell::Digon(edge) => {
                     complex.digons += 1;
-                    self.side(edge, cell, true)?;
+                    self.add_side(edge, cell, true)?;
                 }
-                Reduced::Point(_) => complex.points += 1,
-                Reduced::Fold([a, b, d]) => {
+                ReducedCell::Point(_) => complex.points += 1,
+                ReducedCell::Fold([a, b, d]) => {
                     complex.folds += 1;
-                    self.side([a, b], cell, true)?;
-                    self.side([a, d], cell, true)?;
+                    self.add_side([a, b], cell, true)?;
+                    self.add_side([a, d], cell, true)?;
                 }
                 // A topology never has such a cell.
-                Reduced::Crossing(_) => {}
+                ReducedCell::Crossing(_) => {}
             }
         }
         Ok(())
     }
 
-    fn face(&mut self, polygon: &[u32], cell: u32) -> Result<()> {
+    fn add_face(&mut self, polygon: &[u32], cell: u32) -> Result<()> {
         let n = polygon.len();
         for k in 0..n {
             let [before, at, after] = [polygon[(k + n - 1) % n], polygon[k], polygon[(k + 1) % n]];
             if self.marks[at as usize] != 0 {
                 alloc::push(&mut self.corners, [at, before, after])?;
             }
-            self.side([at, after], cell, false)?;
+            self.add_side([at, after], cell, false)?;
         }
         Ok(())
     }
 
-    fn side(&mut self, [from, to]: Edge, cell: u32, bare: bool) -> Result<()> {
-        if (self.marks[from as usize] | self.marks[to as usize]) & GLUED == 0 {
+    fn add_side(&mut self, [from, to]: Edge, cell: u32, bare: bool) -> Result<()> {
+        if (self.marks[from as usize] | self.marks[to as usize]) & NODE_IS_GLUED == 0 {
             return Ok(());
         }
         let sense = match (bare, from < to) {
-            (true, _) => Sense::None,
-            (_, true) => Sense::Up,
-            (_, false) => Sense::Down,
+            (true, _) => SideDirection::None,
+            (_, true) => SideDirection::Up,
+            (_, false) => SideDirection::Down,
         };
-        alloc::push(&mut self.sides, Side { edge: [from.min(to), from.max(to)], sense, cell })
+        alloc::push(&mut self.sides, FaceSide { edge: [from.min(to), from.max(to)], sense, cell })
     }
 
     /// Returns the number of nodes.
@@ -203,25 +209,25 @@ impl<'a> RowScan<'a> {
 
     /// Returns true if other nodes belong to the same vertex.
     pub(super) fn is_glued(&self, node: u32) -> bool {
-        self.marks[node as usize] == GLUED
+        self.marks[node as usize] == NODE_IS_GLUED
     }
 }
 
 /// Marks the glued nodes and their neighbours.
-fn marks(classes: &Classes) -> Result<Vec<u8>> {
+fn mark_glued_nodes(classes: &NodeClasses) -> Result<Vec<u8>> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let mut marks: Vec<u8> = alloc::zeroed(shape.node_count())?;
-    classes.each_glued(|node, representative| {
+    classes.for_each_glued_node(|node, representative| {
         for node in [node, representative] {
             let (i, j) = shape.place(node);
             let node = node as usize;
-            marks[node] = GLUED;
+            marks[node] = NODE_IS_GLUED;
             let around = [(j > 0, 1, 0), (j + 1 < w, 0, 1), (i > 0, w, 0), (i + 1 < h, 0, w)];
             for (_, minus, plus) in around.into_iter().filter(|&(exists, ..)| exists) {
                 let neighbour = &mut marks[node + plus - minus];
                 if *neighbour == 0 {
-                    *neighbour = NEAR;
+                    *neighbour = NODE_IS_NEAR_GLUED;
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Nets of height fields. O(nodes).
 
-use crate::arrange::build_planes;
-use crate::{Coordinates, Net, Planes, Real, Shape, Sides, Topology, each};
+use crate::arrange::build_matrices;
+use crate::{Coordinates, Net, Real, Shape, Sides, Topology, XyzMatrices, each};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -35,7 +35,7 @@ pub struct Heights<'a, T> {
 /// - [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn net_of_heights<T: Real>(heights: &Heights<'_, T>, job: &Job<'_>) -> Result<Net<'static>>
 where
-    Coordinates<'static>: From<Planes<'static, T>>,
+    Coordinates<'static>: From<XyzMatrices<'static, T>>,
 {
     let Heights { shape, values, stride, spacing: [dx, dy], origin, no_data } = *heights;
     [dx, dy].into_iter().try_for_each(|step| Error::require(step.is_finite() && step != 0.0, "spacing", step))?;
@@ -47,21 +47,23 @@ where
         Error::require(are_apart && at(count - 1).into().is_finite(), "spacing", step)?;
     }
     let no_data = no_data.map(|value| T::from_f64(value).into());
-    let needed = Planes::<T>::length(shape, stride)?;
+    let needed = XyzMatrices::<T>::matrix_length(shape, stride)?;
     if values.len() < needed {
         let (needed, given) = ((needed * size_of::<T>()) as u64, size_of_val(values) as u64);
         return Err(Error::ArrayTooShort { what: "heights", needed, given });
     }
     let columns = shape.columns();
     let stride = if stride == 0 { columns } else { stride };
-    let matrices = build_planes(shape, job, |axis, rows, to: &mut [T]| {
+    let matrices = build_matrices(shape, job, |axis, rows, to: &mut [T]| {
         for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
             match axis {
                 0 => to.iter_mut().enumerate().for_each(|(j, x)| *x = T::from_f64(origin.x + j as f64 * dx)),
                 1 => to.fill(T::from_f64(origin.y + i as f64 * dy)),
                 _ => {
                     let from = &values[i * stride..][..columns];
-                    to.iter_mut().zip(from).for_each(|(z, &h)| *z = T::from_f64(origin.z + height(h.into(), no_data)));
+                    to.iter_mut()
+                        .zip(from)
+                        .for_each(|(z, &h)| *z = T::from_f64(origin.z + height_or_nan(h.into(), no_data)));
                 }
             }
         }
@@ -71,7 +73,7 @@ where
 }
 
 /// Returns the height, or NaN if it is missing.
-fn height(value: f64, no_data: Option<f64>) -> f64 {
+fn height_or_nan(value: f64, no_data: Option<f64>) -> f64 {
     if value.is_finite() && no_data != Some(value) { value } else { f64::NAN }
 }
 
@@ -79,11 +81,11 @@ impl Net<'_> {
     /// Makes every node missing that has the coordinate `value`, rounded to the scalar type.
     /// O(nodes).
     pub fn clear_no_data(&mut self, value: f64) {
-        each!(self.coordinates_mut(), planes => clear(planes, value));
+        each!(self.coordinates_mut(), planes => clear_nodes_with_value(planes, value));
     }
 }
 
-fn clear<T: Real>(planes: &mut Planes<'_, T>, value: f64) {
+fn clear_nodes_with_value<T: Real>(planes: &mut XyzMatrices<'_, T>, value: f64) {
     let value = T::from_f64(value);
     for i in 0..planes.shape().rows() {
         let [x, y, z] = planes.row_mut(i);

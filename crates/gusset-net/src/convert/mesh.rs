@@ -4,11 +4,11 @@
 //! quads, triangles, or nothing. Invariant: a closed net becomes a closed mesh, with positions bit
 //! for bit. O(nodes).
 
-use super::used_links::UsedLinks;
+use super::glued_edges::GluedEdges;
 use crate::hidden_cells::HiddenCells;
 use crate::shape::sorted_pair;
-use crate::topology::Reduced;
-use crate::{Classes, Net, Planes, Real, Shape, each};
+use crate::topology::ReducedCell;
+use crate::{Net, NodeClasses, Real, Shape, XyzMatrices, each};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -20,9 +20,9 @@ use std::iter::repeat_n;
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
 /// The approximate number of faces sampled for the usual edge length.
-const FACES_LOOKED_AT: usize = 1 << 14;
-const FACES: &str = "cells to faces";
-const NUMBERS: &str = "numbering vertices";
+const MAX_SAMPLED_FACES: usize = 1 << 14;
+const FACES_STAGE: &str = "cells to faces";
+const NUMBERING_STAGE: &str = "numbering vertices";
 
 /// The diagonal that cuts a quad into triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -84,7 +84,7 @@ pub struct NetMesh {
     /// glued, such as threads.
     pub wires: Vec<[u32; 2]>,
     /// Texture coordinates, if requested.
-    pub texture: Option<Texture>,
+    pub texture: Option<TextureCoordinates>,
 }
 
 /// Texture coordinates: column and row, each from 0 to 1 (u = j / (W - 1), v = i / (H - 1)).
@@ -92,24 +92,25 @@ pub struct NetMesh {
 /// They belong to nodes instead of vertices. A vertex on a seam has a pair of coordinates on each
 /// side, so that an image covers a closed net once and does not run back within its last column.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Texture {
+pub struct TextureCoordinates {
     /// u and v, once for each node that a face uses, in the order of the nodes.
     pub coordinates: Vec<[f64; 2]>,
     /// For each corner of the mesh the index of its coordinates.
     pub corners: Vec<u32>,
 }
 
-impl Texture {
+impl TextureCoordinates {
     /// Returns the texture coordinates of faces given by nodes.
     fn new(shape: Shape, nodes: &[u32], job: &Job<'_>) -> Result<Self> {
-        let mut number = alloc::collect_cancellable(repeat_n(NONE, shape.node_count()), &job.part(0.0, 0.2), NUMBERS)?;
-        job.part(0.2, 0.4).ranges(NUMBERS, nodes.len(), |range| {
+        let mut number =
+            alloc::collect_cancellable(repeat_n(NONE, shape.node_count()), &job.part(0.0, 0.2), NUMBERING_STAGE)?;
+        job.part(0.2, 0.4).ranges(NUMBERING_STAGE, nodes.len(), |range| {
             nodes[range].iter().for_each(|&node| number[node as usize] = 0);
             Ok(())
         })?;
         let mut coordinates = Vec::new();
         let (rows, columns) = ((shape.rows() - 1) as f64, (shape.columns() - 1) as f64);
-        job.part(0.4, 0.8).ranges(NUMBERS, shape.node_count(), |range| {
+        job.part(0.4, 0.8).ranges(NUMBERING_STAGE, shape.node_count(), |range| {
             for (node, number) in range.clone().zip(&mut number[range]).filter(|(_, number)| **number == 0) {
                 *number = coordinates.len() as u32;
                 let (i, j) = shape.place(node as u32);
@@ -117,9 +118,12 @@ impl Texture {
             }
             Ok(())
         })?;
-        let corners =
-            alloc::collect_cancellable(nodes.iter().map(|&node| number[node as usize]), &job.part(0.8, 1.0), NUMBERS)?;
-        Ok(Texture { coordinates, corners })
+        let corners = alloc::collect_cancellable(
+            nodes.iter().map(|&node| number[node as usize]),
+            &job.part(0.8, 1.0),
+            NUMBERING_STAGE,
+        )?;
+        Ok(TextureCoordinates { coordinates, corners })
     }
 }
 
@@ -135,22 +139,27 @@ impl Net<'_> {
         if let Some(ratio) = options.max_edge_ratio {
             Error::require(ratio > 0.0, "max_edge_ratio", ratio)?;
         }
-        each!(self.coordinates(), planes => build(self, planes, options, job))
+        each!(self.coordinates(), planes => build_mesh(self, planes, options, job))
     }
 }
 
-fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
+fn build_mesh<T: Real>(
+    net: &Net<'_>,
+    planes: &XyzMatrices<'_, T>,
+    options: &MeshOptions,
+    job: &Job<'_>,
+) -> Result<NetMesh> {
     let shape = net.shape();
     let first = job.part(0.0, 0.1);
     let classes = if options.weld {
-        Classes::new_cancellable(net.topology(), &first.part(0.0, 0.7), FACES)?
-            .table_cancellable(&first.part(0.7, 1.0), FACES)?
+        NodeClasses::new_cancellable(net.topology(), &first.part(0.0, 0.7), FACES_STAGE)?
+            .representatives_cancellable(&first.part(0.7, 1.0), FACES_STAGE)?
     } else {
-        alloc::collect_cancellable((0..shape.node_count()).map(|node| node as u32), &first, FACES)?
+        alloc::collect_cancellable((0..shape.node_count()).map(|node| node as u32), &first, FACES_STAGE)?
     };
     let mut faces = FaceBuilder {
         columns: shape.columns() as u32,
-        places: VertexPlaces::new(planes, &classes, &job.part(0.1, 0.2))?,
+        places: VertexNodes::new(planes, &classes, &job.part(0.1, 0.2))?,
         planes,
         options,
         reversed: net.topology().is_reversed(),
@@ -159,7 +168,7 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
         cells: alloc::with_capacity(shape.cell_count())?,
         edges: Vec::new(),
         used: match options.triangles {
-            Some(_) => Some(UsedLinks::new(shape, &classes, &job.part(0.2, 0.3), FACES)?),
+            Some(_) => Some(GluedEdges::new(shape, &classes, &job.part(0.2, 0.3), FACES_STAGE)?),
             None => None,
         },
         classes: &classes,
@@ -169,22 +178,22 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
     let (scanning, often) = (job.part(0.3, 0.7), (NODES_PER_REPORT / shape.columns()).max(1));
     let mut skip = alloc::filled(false, shape.columns() - 1)?;
     for i in 0..shape.rows() - 1 {
-        scanning.step_every(often, i, shape.rows(), FACES)?;
-        let ranges = hidden.row(i);
+        scanning.step_every(often, i, shape.rows(), FACES_STAGE)?;
+        let ranges = hidden.hidden_ranges(i);
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(true));
         for (j, _) in skip.iter().enumerate().filter(|(_, skip)| !**skip) {
-            faces.add(shape.corners(i, j), shape.cell(i, j))?;
+            faces.add_cell(shape.corners(i, j), shape.cell(i, j))?;
         }
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(false));
     }
     if let Some(ratio) = options.max_edge_ratio {
         faces.drop_long_faces(ratio, &job.part(0.7, 0.8))?;
     }
-    faces.finish(options, &job.part(0.8, 1.0))
+    faces.finish_mesh(options, &job.part(0.8, 1.0))
 }
 
 /// The nodes at which classes lie.
-struct VertexPlaces {
+struct VertexNodes {
     /// True for each node with finite coordinates.
     finite: Vec<bool>,
     /// The classes whose smallest node is missing, each with its first existing node, in order.
@@ -192,11 +201,11 @@ struct VertexPlaces {
     elsewhere: Vec<[u32; 2]>,
 }
 
-impl VertexPlaces {
-    fn new<T: Real>(planes: &Planes<'_, T>, classes: &[u32], job: &Job<'_>) -> Result<Self> {
-        let finite = finite(planes, &job.part(0.0, 0.5))?;
+impl VertexNodes {
+    fn new<T: Real>(planes: &XyzMatrices<'_, T>, classes: &[u32], job: &Job<'_>) -> Result<Self> {
+        let finite = mark_finite_nodes(planes, &job.part(0.0, 0.5))?;
         let mut elsewhere = Vec::new();
-        job.part(0.5, 1.0).ranges(FACES, classes.len(), |range| {
+        job.part(0.5, 1.0).ranges(FACES_STAGE, classes.len(), |range| {
             for node in range.filter(|&node| finite[node] && !finite[classes[node] as usize]) {
                 alloc::push(&mut elsewhere, [classes[node], node as u32])?;
             }
@@ -204,30 +213,30 @@ impl VertexPlaces {
         })?;
         elsewhere.sort_unstable();
         elsewhere.dedup_by_key(|entry| entry[0]);
-        Ok(VertexPlaces { finite, elsewhere })
+        Ok(VertexNodes { finite, elsewhere })
     }
 
     /// Returns the node that gives the class its position.
-    fn position_node(&self, class: u32) -> u32 {
+    fn node_with_position(&self, class: u32) -> u32 {
         match self.elsewhere.binary_search_by_key(&class, |entry| entry[0]) {
             Ok(at) => self.elsewhere[at][1],
             Err(_) => class,
         }
     }
 
-    fn has_class(&self, class: u32) -> bool {
-        self.finite[self.position_node(class) as usize]
+    fn has_position(&self, class: u32) -> bool {
+        self.finite[self.node_with_position(class) as usize]
     }
 }
 
 /// Returns true for each node with finite coordinates.
-fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
+fn mark_finite_nodes<T: Real>(planes: &XyzMatrices<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
     let (rows, columns) = (planes.shape().rows(), planes.shape().columns());
     let mut finite = alloc::filled(true, planes.shape().node_count())?;
     let often = (NODES_PER_REPORT / columns).max(1);
     let zero = T::from_f64(0.0);
     for (i, finite) in finite.chunks_exact_mut(columns).enumerate() {
-        job.step_every(often, i, rows, FACES)?;
+        job.step_every(often, i, rows, FACES_STAGE)?;
         for row in planes.row(i) {
             // x * 0 is 0 except for infinities and NaN.
             finite.iter_mut().zip(row).for_each(|(finite, &x)| *finite &= x * zero == zero);
@@ -239,13 +248,13 @@ fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
 /// Faces under construction, their corners as nodes.
 struct FaceBuilder<'a, T> {
     columns: u32,
-    places: VertexPlaces,
-    planes: &'a Planes<'a, T>,
+    places: VertexNodes,
+    planes: &'a XyzMatrices<'a, T>,
     options: &'a MeshOptions,
     reversed: bool,
     classes: &'a [u32],
     /// The edges that no diagonal may repeat, if quads are cut.
-    used: Option<UsedLinks>,
+    used: Option<GluedEdges>,
     nodes: Vec<u32>,
     offsets: Vec<u32>,
     cells: Vec<u32>,
@@ -255,48 +264,52 @@ struct FaceBuilder<'a, T> {
 
 impl<T: Real> FaceBuilder<'_, T> {
     /// Adds a cell, given its corners in order.
-    fn add(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+    fn add_cell(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let finite = corners.map(|node| self.places.finite[node as usize]);
         if finite != [true; 4] {
-            return if self.options.fill_corners { self.add_corner(corners, finite, cell) } else { Ok(()) };
+            return if self.options.fill_corners {
+                self.add_cell_with_missing_corner(corners, finite, cell)
+            } else {
+                Ok(())
+            };
         }
         let [a, b, c, d] = corners.map(|node| self.classes[node as usize]);
         if a != b && b != c && c != d && d != a && a != c && b != d {
-            return self.quad(corners, cell);
+            return self.add_quad(corners, cell);
         }
-        match Reduced::new([a, b, c, d]) {
-            Reduced::Triangle(_) => self.add_triangle(corners, cell),
-            Reduced::Digon([p, q]) => alloc::push(&mut self.edges, [p, q]),
-            Reduced::Fold([p, q, r]) => alloc::append(&mut self.edges, &[[p, q], [p, r]]),
-            Reduced::Quad(_) | Reduced::Point(_) | Reduced::Crossing(_) => Ok(()),
+        match ReducedCell::new([a, b, c, d]) {
+            ReducedCell::Triangle(_) => self.add_cell_with_contracted_side(corners, cell),
+            ReducedCell::Digon([p, q]) => alloc::push(&mut self.edges, [p, q]),
+            ReducedCell::Fold([p, q, r]) => alloc::append(&mut self.edges, &[[p, q], [p, r]]),
+            ReducedCell::Quad(_) | ReducedCell::Point(_) | ReducedCell::Crossing(_) => Ok(()),
         }
     }
 
     /// Adds a cell with missing corners: a triangle, if the other three are distinct points.
-    fn add_corner(&mut self, corners: [u32; 4], finite: [bool; 4], cell: u32) -> Result<()> {
+    fn add_cell_with_missing_corner(&mut self, corners: [u32; 4], finite: [bool; 4], cell: u32) -> Result<()> {
         let mut kept = (0..4).filter(|&k| finite[k]).map(|k| corners[k]);
         let (Some(a), Some(b), Some(c)) = (kept.next(), kept.next(), kept.next()) else { return Ok(()) };
         let [p, q, r] = [a, b, c].map(|node| self.classes[node as usize]);
-        if p != q && q != r && r != p { self.face(&[a, b, c], cell) } else { Ok(()) }
+        if p != q && q != r && r != p { self.push_face(&[a, b, c], cell) } else { Ok(()) }
     }
 
     /// Adds a cell with one contracted side. It keeps the second of the two glued corners.
-    fn add_triangle(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+    fn add_cell_with_contracted_side(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let class = |k: usize| self.classes[corners[k % 4] as usize];
         let mut kept = (0..4).filter(|&k| class(k) != class(k + 1)).map(|k| corners[k]);
         let (Some(a), Some(b), Some(c)) = (kept.next(), kept.next(), kept.next()) else { return Ok(()) };
-        self.face(&[a, b, c], cell)
+        self.push_face(&[a, b, c], cell)
     }
 
     /// Adds a cell of four points.
-    fn quad(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+    fn add_quad(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let [a, b, c, d] = corners;
         let along = match self.options.triangles {
-            None => return self.face(&corners, cell),
+            None => return self.push_face(&corners, cell),
             Some(Diagonal::Fixed) => true,
             // Measured between classes, so that coincident cells agree.
             Some(Diagonal::Shorter) => {
-                let between = |p: u32, q: u32| (self.position(p) - self.position(q)).length_squared();
+                let between = |p: u32, q: u32| (self.vertex_position(p) - self.vertex_position(q)).length_squared();
                 between(a, c) <= between(b, d)
             }
         };
@@ -305,19 +318,19 @@ impl<T: Real> FaceBuilder<'_, T> {
         let [chosen, other] = if along { [0, 1] } else { [1, 0] };
         let chosen = if is_used(chosen) && !is_used(other) { other } else { chosen };
         if let Some(used) = &mut self.used {
-            used.add(ends[chosen])?;
+            used.add_edge(ends[chosen])?;
         }
         let [first, second] = if chosen == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
-        self.face(&first, cell)?;
-        self.face(&second, cell)
+        self.push_face(&first, cell)?;
+        self.push_face(&second, cell)
     }
 
-    fn position(&self, node: u32) -> DVec3 {
-        let node = self.places.position_node(self.classes[node as usize]);
+    fn vertex_position(&self, node: u32) -> DVec3 {
+        let node = self.places.node_with_position(self.classes[node as usize]);
         self.planes.get((node / self.columns) as usize, (node % self.columns) as usize)
     }
 
-    fn face(&mut self, corners: &[u32], cell: u32) -> Result<()> {
+    fn push_face(&mut self, corners: &[u32], cell: u32) -> Result<()> {
         let start = self.nodes.len();
         alloc::append(&mut self.nodes, corners)?;
         if self.reversed {
@@ -331,8 +344,8 @@ impl<T: Real> FaceBuilder<'_, T> {
     /// Drops faces with an edge longer than `ratio` times the usual length. The usual length is the
     /// median over the edges of evenly sampled faces, skipping edges of length 0. O(faces).
     fn drop_long_faces(&mut self, ratio: f64, job: &Job<'_>) -> Result<()> {
-        let squared = |p: u32, q: u32| (self.position(p) - self.position(q)).length_squared();
-        let looked_at = self.offsets.windows(2).step_by(self.cells.len() / FACES_LOOKED_AT + 1);
+        let squared = |p: u32, q: u32| (self.vertex_position(p) - self.vertex_position(q)).length_squared();
+        let looked_at = self.offsets.windows(2).step_by(self.cells.len() / MAX_SAMPLED_FACES + 1);
         let mut lengths = Vec::new();
         for ends in looked_at {
             let face = &self.nodes[ends[0] as usize..ends[1] as usize];
@@ -346,7 +359,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         let middle = lengths.len() / 2;
         let longest = ratio * ratio * *lengths.select_nth_unstable_by(middle, f64::total_cmp).1;
         let mut kept = alloc::filled(false, self.cells.len())?;
-        job.part(0.0, 0.7).ranges(FACES, self.cells.len(), |range| {
+        job.part(0.0, 0.7).ranges(FACES_STAGE, self.cells.len(), |range| {
             for f in range {
                 let face = &self.nodes[self.offsets[f] as usize..self.offsets[f + 1] as usize];
                 let nexts = face.iter().skip(1).chain(face.first());
@@ -356,7 +369,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         })?;
         // In place, because the lists only shrink.
         let (mut faces, mut corners) = (0, 0);
-        job.part(0.7, 1.0).ranges(FACES, self.cells.len(), |range| {
+        job.part(0.7, 1.0).ranges(FACES_STAGE, self.cells.len(), |range| {
             for f in range.filter(|&f| kept[f]) {
                 let own = self.offsets[f] as usize..self.offsets[f + 1] as usize;
                 let count = own.len();
@@ -377,7 +390,7 @@ impl<T: Real> FaceBuilder<'_, T> {
 
     /// Returns the edges without faces, as pairs of classes, each once, in order. O(e log e) for e
     /// edges, and O(faces log e) if there are any.
-    fn wires(&mut self, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+    fn edges_without_faces(&mut self, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
         let mut edges = std::mem::take(&mut self.edges);
         edges.iter_mut().for_each(|edge| *edge = sorted_pair(*edge));
         sort_distinct(&mut edges);
@@ -385,7 +398,7 @@ impl<T: Real> FaceBuilder<'_, T> {
             return Ok(edges);
         }
         let mut has_face = alloc::filled(false, edges.len())?;
-        job.ranges(NUMBERS, self.cells.len(), |range| {
+        job.ranges(NUMBERING_STAGE, self.cells.len(), |range| {
             for ends in self.offsets[range.start..=range.end].windows(2) {
                 let face = &self.nodes[ends[0] as usize..ends[1] as usize];
                 let nexts = face.iter().skip(1).chain(face.first());
@@ -404,21 +417,22 @@ impl<T: Real> FaceBuilder<'_, T> {
     }
 
     /// Numbers the vertices in the order of their nodes, and completes the mesh.
-    fn finish(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
+    fn finish_mesh(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
         let part = |from: f64, to: f64| job.part(from, to);
-        let wires = self.wires(&part(0.0, 0.2))?;
-        let mut vertex = alloc::collect_cancellable(repeat_n(NONE, self.classes.len()), &part(0.2, 0.3), NUMBERS)?;
+        let wires = self.edges_without_faces(&part(0.0, 0.2))?;
+        let mut vertex =
+            alloc::collect_cancellable(repeat_n(NONE, self.classes.len()), &part(0.2, 0.3), NUMBERING_STAGE)?;
         let mut use_class = |node: u32| vertex[self.classes[node as usize] as usize] = 0;
-        part(0.3, 0.4).ranges(NUMBERS, self.nodes.len(), |range| {
+        part(0.3, 0.4).ranges(NUMBERING_STAGE, self.nodes.len(), |range| {
             self.nodes[range].iter().for_each(|&node| use_class(node));
             Ok(())
         })?;
         wires.as_flattened().iter().for_each(|&class| use_class(class));
         let mut node_of_vertex = Vec::new();
-        part(0.4, 0.5).ranges(NUMBERS, self.classes.len(), |range| {
+        part(0.4, 0.5).ranges(NUMBERING_STAGE, self.classes.len(), |range| {
             for node in range {
                 let own = self.classes[node] as usize == node;
-                if own && (vertex[node] == 0 || options.keep_unused && self.places.has_class(node as u32)) {
+                if own && (vertex[node] == 0 || options.keep_unused && self.places.has_position(node as u32)) {
                     vertex[node] = node_of_vertex.len() as u32;
                     alloc::push(&mut node_of_vertex, node as u32)?;
                 } else {
@@ -428,25 +442,26 @@ impl<T: Real> FaceBuilder<'_, T> {
             }
             Ok(())
         })?;
-        let texture = options.texture.then(|| Texture::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7)));
+        let texture =
+            options.texture.then(|| TextureCoordinates::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7)));
         let texture = texture.transpose()?;
-        part(0.7, 0.8).ranges(NUMBERS, self.nodes.len(), |range| {
+        part(0.7, 0.8).ranges(NUMBERING_STAGE, self.nodes.len(), |range| {
             self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);
             Ok(())
         })?;
-        let nodes = node_of_vertex.iter().map(|&node| self.places.position_node(node));
-        let positions = positions(self.planes, nodes, &part(0.8, 1.0))?;
+        let nodes = node_of_vertex.iter().map(|&node| self.places.node_with_position(node));
+        let positions = collect_positions(self.planes, nodes, &part(0.8, 1.0))?;
         let mesh = Mesh::new(positions, self.offsets, self.nodes);
         let columns = self.planes.shape().columns();
         let wires = alloc::collect(wires.iter().map(|wire| wire.map(|class| vertex[class as usize])))?;
-        job.step(1.0, NUMBERS)?;
+        job.step(1.0, NUMBERING_STAGE)?;
         Ok(NetMesh { mesh, vertex_of_node: vertex, node_of_vertex, cell_of_face: self.cells, columns, wires, texture })
     }
 }
 
 /// Returns the positions of nodes, bit for bit.
-fn positions<T: Real>(
-    planes: &Planes<'_, T>,
+fn collect_positions<T: Real>(
+    planes: &XyzMatrices<'_, T>,
     nodes: impl ExactSizeIterator<Item = u32>,
     job: &Job<'_>,
 ) -> Result<PositionBuffer> {
@@ -455,7 +470,7 @@ fn positions<T: Real>(
         let at = node as usize / columns * stride + node as usize % columns;
         matrices.map(|matrix| matrix[at])
     });
-    let points: Vec<[T; 3]> = alloc::collect_cancellable(points, job, NUMBERS)?;
+    let points: Vec<[T; 3]> = alloc::collect_cancellable(points, job, NUMBERING_STAGE)?;
     Ok(match T::SCALAR {
         Scalar::F32 => PositionBuffer::F32(bytemuck::allocation::cast_vec(points)),
         Scalar::F64 => PositionBuffer::F64(bytemuck::allocation::cast_vec(points)),

@@ -13,7 +13,7 @@
 //! any
 //! mesh, so only grids are accepted. O(edges) an attempt.
 
-use super::grid::{GridNet, net_of_grid};
+use super::grid::{RecognisedNet, net_of_grid};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -21,7 +21,7 @@ use gusset_base::sort::Buckets;
 use gusset_mesh::{Faces, MeshView, NONE, Opposite, Topology as Pairing};
 
 /// Half-edges between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 15;
+const HALF_EDGES_PER_REPORT: usize = 1 << 15;
 const STAGE: &str = "triangles to cells";
 /// A sphere with at most this many vertices, whose poles are not evident from their degrees, is
 /// tried with every vertex as a pole. A larger sphere is tried only with the two vertices that are
@@ -30,7 +30,7 @@ const MAX_POLE_TRIALS: usize = 400;
 
 /// The label of an edge.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Label {
+enum EdgeLabel {
     Unknown,
     Side,
     Diagonal,
@@ -44,19 +44,19 @@ enum Label {
 /// # Errors
 /// [`Error::NoGrid`] with a triangle at the first contradiction, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
-pub fn net_of_triangles(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
+pub fn net_of_triangles(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<RecognisedNet> {
     let faces = mesh.faces();
     if let Some(face) = (0..faces.len()).find(|&f| faces.range(f).len() != 3) {
         return Err(Error::NoGrid { face: face as u32 });
     }
     let pairing = Pairing::new(mesh, &job.part(0.0, 0.4))?;
-    let surface = Surface::new(mesh, &pairing)?;
+    let surface = TriangleSurface::new(mesh, &pairing)?;
     let mut refused = Error::NoGrid { face: 0 };
-    let candidates = surface.poles()?;
+    let candidates = surface.pole_candidates()?;
     for (k, poles) in candidates.iter().enumerate() {
         let job = job.part(0.4, 1.0).share(k, candidates.len());
         job.step(0.0, STAGE)?;
-        match surface.attempt(mesh, *poles, &job) {
+        match surface.recognise_with_poles(mesh, *poles, &job) {
             Err(Error::NoGrid { face }) => refused = Error::NoGrid { face },
             found => return found,
         }
@@ -65,7 +65,7 @@ pub fn net_of_triangles(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
 }
 
 /// A mesh of triangles: half-edge 3 f + k runs from corner k of face f.
-struct Surface {
+struct TriangleSurface {
     /// The half-edge on the other side; `NONE` at the border.
     mates: Vec<u32>,
     starts: Vec<u32>,
@@ -76,19 +76,19 @@ struct Surface {
     on_border: Vec<bool>,
 }
 
-impl Surface {
+impl TriangleSurface {
     fn new(mesh: &MeshView<'_>, pairing: &Pairing) -> Result<Self> {
         let (count, vertices) = (mesh.faces().half_edge_count() as u32, mesh.positions().len());
         let starts = alloc::collect((0..count as usize).map(|h| mesh.faces().corner(h as u32)))?;
         let (mut counts, mut on_border) = (alloc::filled(0u32, vertices)?, alloc::filled(false, vertices)?);
         let mut mates = alloc::with_capacity(count as usize)?;
         for h in 0..count {
-            let (start, end) = (starts[h as usize], starts[next(h) as usize]);
+            let (start, end) = (starts[h as usize], starts[next_half_edge(h) as usize]);
             counts[start as usize] += 1;
             let mate = match pairing.opposite(h) {
-                _ if pairing.is_ignored(h) => return Err(no_grid(h)),
-                Opposite::Singular => return Err(no_grid(h)),
-                Opposite::Mate(mate) if starts[mate as usize] == start => return Err(no_grid(mate)),
+                _ if pairing.is_ignored(h) => return Err(no_grid_error(h)),
+                Opposite::Singular => return Err(no_grid_error(h)),
+                Opposite::Mate(mate) if starts[mate as usize] == start => return Err(no_grid_error(mate)),
                 Opposite::Mate(mate) => mate,
                 Opposite::Free => NONE,
             };
@@ -98,18 +98,19 @@ impl Surface {
             mates.push(mate);
         }
         let whole = (0..count).filter(|&h| h < mates[h as usize]);
-        let ends = whole.flat_map(|h| [(starts[h as usize] as usize, h), (starts[next(h) as usize] as usize, h)]);
+        let ends =
+            whole.flat_map(|h| [(starts[h as usize] as usize, h), (starts[next_half_edge(h) as usize] as usize, h)]);
         let edges = Buckets::new(vertices, 0, ends.clone())?;
-        Ok(Surface { mates, starts, edges, counts, on_border })
+        Ok(TriangleSurface { mates, starts, edges, counts, on_border })
     }
 
-    fn ends(&self, h: u32) -> [u32; 2] {
-        [self.starts[h as usize], self.starts[next(h) as usize]]
+    fn end_vertices(&self, h: u32) -> [u32; 2] {
+        [self.starts[h as usize], self.starts[next_half_edge(h) as usize]]
     }
 
     /// Returns the smallest and the largest number of diagonals at a vertex that is not a pole.
     /// Returns `None` if the vertex cannot belong to a grid.
-    fn diagonals(&self, v: u32) -> Option<[u32; 2]> {
+    fn diagonal_count_range(&self, v: u32) -> Option<[u32; 2]> {
         match (self.on_border[v as usize], self.counts[v as usize]) {
             (_, 0) | (true, 1) => Some([0, 0]),
             (true, 2) => Some([0, 1]),
@@ -121,13 +122,13 @@ impl Surface {
 
     /// Returns the poles to try: the poles that the degrees show, otherwise none, and then the
     /// farthest vertices.
-    fn poles(&self) -> Result<Vec<[u32; 2]>> {
+    fn pole_candidates(&self) -> Result<Vec<[u32; 2]>> {
         let vertices = 0..self.counts.len() as u32;
-        let mut odd = vertices.clone().filter(|&v| self.diagonals(v).is_none());
+        let mut odd = vertices.clone().filter(|&v| self.diagonal_count_range(v).is_none());
         let (first, second) = (odd.next(), odd.next());
         if let Some(third) = odd.next() {
             let h = (0..self.starts.len() as u32).find(|&h| self.starts[h as usize] == third).unwrap_or(0);
-            return Err(no_grid(h));
+            return Err(no_grid_error(h));
         }
         let border = || vertices.clone().filter(|&v| self.on_border[v as usize]);
         let is_open = border().next().is_some();
@@ -138,20 +139,20 @@ impl Surface {
                 if is_open {
                     alloc::push(&mut found, [first, NONE])?;
                 }
-                alloc::push(&mut found, [first, self.farthest(std::iter::once(first))?])?;
+                alloc::push(&mut found, [first, self.farthest_vertex(std::iter::once(first))?])?;
             }
             _ => {
                 alloc::push(&mut found, [NONE; 2])?;
                 if is_open {
                     // Every row is one step farther from the border than the previous row.
-                    alloc::push(&mut found, [self.farthest(border())?, NONE])?;
+                    alloc::push(&mut found, [self.farthest_vertex(border())?, NONE])?;
                 } else {
                     let used = || vertices.clone().filter(|&v| self.counts[v as usize] > 0);
-                    let first = self.farthest(used().take(1))?;
-                    alloc::push(&mut found, [first, self.farthest(std::iter::once(first))?])?;
+                    let first = self.farthest_vertex(used().take(1))?;
+                    alloc::push(&mut found, [first, self.farthest_vertex(std::iter::once(first))?])?;
                     if used().count() <= MAX_POLE_TRIALS {
                         for v in used() {
-                            alloc::push(&mut found, [v, self.farthest(std::iter::once(v))?])?;
+                            alloc::push(&mut found, [v, self.farthest_vertex(std::iter::once(v))?])?;
                         }
                     }
                 }
@@ -161,7 +162,7 @@ impl Surface {
     }
 
     /// Returns the vertex farthest from some others by edges, the first of several.
-    fn farthest(&self, from: impl Iterator<Item = u32>) -> Result<u32> {
+    fn farthest_vertex(&self, from: impl Iterator<Item = u32>) -> Result<u32> {
         let mut steps = alloc::filled(NONE, self.counts.len())?;
         let mut list = alloc::gather(from)?;
         list.iter().for_each(|&v| steps[v as usize] = 0);
@@ -172,7 +173,7 @@ impl Surface {
                 last = v;
             }
             for &h in self.edges.get(v as usize) {
-                for other in self.ends(h) {
+                for other in self.end_vertices(h) {
                     if steps[other as usize] == NONE {
                         steps[other as usize] = steps[v as usize] + 1;
                         alloc::push(&mut list, other)?;
@@ -184,19 +185,19 @@ impl Surface {
     }
 
     /// Returns the grid with these poles. Tries each diagonal of the first unlabelled triangle.
-    fn attempt(&self, mesh: &MeshView<'_>, poles: [u32; 2], job: &Job<'_>) -> Result<GridNet> {
-        let mut labels = Labels::new(self, poles)?;
-        labels.propagate(job)?;
-        let Some(face) = labels.next_open(0) else {
-            return labels.net(mesh, job);
+    fn recognise_with_poles(&self, mesh: &MeshView<'_>, poles: [u32; 2], job: &Job<'_>) -> Result<RecognisedNet> {
+        let mut labels = EdgeLabels::new(self, poles)?;
+        labels.propagate_labels(job)?;
+        let Some(face) = labels.next_undecided_face(0) else {
+            return labels.build_net(mesh, job);
         };
-        let (mark, mut refused) = (labels.trail.len(), no_grid(3 * face));
+        let (mark, mut refused) = (labels.trail.len(), no_grid_error(3 * face));
         for h in 3 * face..3 * face + 3 {
-            labels.undo(mark);
-            if labels.of[h as usize] != Label::Unknown {
+            labels.undo_labels_after(mark);
+            if labels.of[h as usize] != EdgeLabel::Unknown {
                 continue;
             }
-            match labels.decide(h, job).and_then(|()| labels.net(mesh, job)) {
+            match labels.decide_from_diagonal(h, job).and_then(|()| labels.build_net(mesh, job)) {
                 Err(Error::NoGrid { face }) => refused = Error::NoGrid { face },
                 found => return found,
             }
@@ -206,20 +207,20 @@ impl Surface {
 }
 
 /// Returns the next half-edge of a triangle.
-fn next(h: u32) -> u32 {
+fn next_half_edge(h: u32) -> u32 {
     if h % 3 == 2 { h - 2 } else { h + 1 }
 }
 
-fn no_grid(h: u32) -> Error {
+fn no_grid_error(h: u32) -> Error {
     Error::NoGrid { face: h / 3 }
 }
 
 /// The label of each edge (side or diagonal of a quad), by half-edge, and the queue of labelled
 /// edges whose neighbours are still to be checked.
-struct Labels<'a> {
-    surface: &'a Surface,
+struct EdgeLabels<'a> {
+    surface: &'a TriangleSurface,
     poles: [u32; 2],
-    of: Vec<Label>,
+    of: Vec<EdgeLabel>,
     /// The edges that were labelled, in order.
     trail: Vec<u32>,
     /// The number of labels that have been propagated.
@@ -229,14 +230,14 @@ struct Labels<'a> {
     unknown: Vec<u32>,
 }
 
-impl<'a> Labels<'a> {
+impl<'a> EdgeLabels<'a> {
     /// Labels the edges at the border and at poles as sides.
-    fn new(surface: &'a Surface, poles: [u32; 2]) -> Result<Self> {
+    fn new(surface: &'a TriangleSurface, poles: [u32; 2]) -> Result<Self> {
         let (count, vertices) = (surface.starts.len(), surface.counts.len());
-        let mut labels = Labels {
+        let mut labels = EdgeLabels {
             surface,
             poles,
-            of: alloc::filled(Label::Unknown, count)?,
+            of: alloc::filled(EdgeLabel::Unknown, count)?,
             trail: Vec::new(),
             done: 0,
             diagonals: alloc::filled(0, vertices)?,
@@ -244,127 +245,132 @@ impl<'a> Labels<'a> {
         };
         for h in 0..count as u32 {
             if surface.mates[h as usize] == NONE {
-                labels.of[h as usize] = Label::Side;
-            } else if labels.is_polar(h / 3) {
-                labels.set(h, Label::Side)?;
+                labels.of[h as usize] = EdgeLabel::Side;
+            } else if labels.is_pole_triangle(h / 3) {
+                labels.set_label(h, EdgeLabel::Side)?;
             }
         }
         for v in 0..vertices as u32 {
-            labels.vertex(v)?;
+            labels.apply_vertex_rule(v)?;
         }
         for face in 0..count as u32 / 3 {
-            labels.face(face)?;
+            labels.apply_face_rule(face)?;
         }
         Ok(labels)
     }
 
     /// Returns true for a triangle at a pole.
-    fn is_polar(&self, face: u32) -> bool {
+    fn is_pole_triangle(&self, face: u32) -> bool {
         (3 * face..3 * face + 3).any(|h| self.poles.contains(&self.surface.starts[h as usize]))
     }
 
     /// Labels an edge; [`Error::NoGrid`] if it has another label.
-    fn set(&mut self, h: u32, label: Label) -> Result<()> {
+    fn set_label(&mut self, h: u32, label: EdgeLabel) -> Result<()> {
         let before = self.of[h as usize];
-        if before != Label::Unknown {
-            return if before == label { Ok(()) } else { Err(no_grid(h)) };
+        if before != EdgeLabel::Unknown {
+            return if before == label { Ok(()) } else { Err(no_grid_error(h)) };
         }
-        for end in self.surface.ends(h) {
+        for end in self.surface.end_vertices(h) {
             self.unknown[end as usize] -= 1;
-            self.diagonals[end as usize] += u32::from(label == Label::Diagonal);
+            self.diagonals[end as usize] += u32::from(label == EdgeLabel::Diagonal);
         }
         (self.of[h as usize], self.of[self.surface.mates[h as usize] as usize]) = (label, label);
         alloc::push(&mut self.trail, h)
     }
 
     /// Removes labels until `mark` are left.
-    fn undo(&mut self, mark: usize) {
+    fn undo_labels_after(&mut self, mark: usize) {
         while self.trail.len() > mark {
             let Some(h) = self.trail.pop() else { return };
-            for end in self.surface.ends(h) {
+            for end in self.surface.end_vertices(h) {
                 self.unknown[end as usize] += 1;
-                self.diagonals[end as usize] -= u32::from(self.of[h as usize] == Label::Diagonal);
+                self.diagonals[end as usize] -= u32::from(self.of[h as usize] == EdgeLabel::Diagonal);
             }
-            (self.of[h as usize], self.of[self.surface.mates[h as usize] as usize]) = (Label::Unknown, Label::Unknown);
+            (self.of[h as usize], self.of[self.surface.mates[h as usize] as usize]) =
+                (EdgeLabel::Unknown, EdgeLabel::Unknown);
         }
         self.done = mark;
     }
 
     /// Propagates the existing labels.
-    fn propagate(&mut self, job: &Job<'_>) -> Result<()> {
+    fn propagate_labels(&mut self, job: &Job<'_>) -> Result<()> {
         while let Some(&h) = self.trail.get(self.done) {
-            job.step_every(REPORT_INTERVAL, self.done, self.of.len(), STAGE)?;
+            job.step_every(HALF_EDGES_PER_REPORT, self.done, self.of.len(), STAGE)?;
             self.done += 1;
-            self.face(h / 3)?;
-            self.face(self.surface.mates[h as usize] / 3)?;
-            let [a, b] = self.surface.ends(h);
-            self.vertex(a)?;
-            self.vertex(b)?;
+            self.apply_face_rule(h / 3)?;
+            self.apply_face_rule(self.surface.mates[h as usize] / 3)?;
+            let [a, b] = self.surface.end_vertices(h);
+            self.apply_vertex_rule(a)?;
+            self.apply_vertex_rule(b)?;
         }
         Ok(())
     }
 
     /// Applies the rule of a triangle: one diagonal, or none at a pole.
-    fn face(&mut self, face: u32) -> Result<()> {
+    fn apply_face_rule(&mut self, face: u32) -> Result<()> {
         let sides = 3 * face..3 * face + 3;
         let count = |labels: &Self, label| sides.clone().filter(|&h| labels.of[h as usize] == label).count();
-        if self.is_polar(face) {
-            return if count(self, Label::Diagonal) == 0 { Ok(()) } else { Err(no_grid(3 * face)) };
+        if self.is_pole_triangle(face) {
+            return if count(self, EdgeLabel::Diagonal) == 0 { Ok(()) } else { Err(no_grid_error(3 * face)) };
         }
-        let label = match (count(self, Label::Diagonal), count(self, Label::Unknown)) {
-            (0, 0) | (2.., _) => return Err(no_grid(3 * face)),
-            (1, _) => Label::Side,
-            (0, 1) => Label::Diagonal,
+        let label = match (count(self, EdgeLabel::Diagonal), count(self, EdgeLabel::Unknown)) {
+            (0, 0) | (2.., _) => return Err(no_grid_error(3 * face)),
+            (1, _) => EdgeLabel::Side,
+            (0, 1) => EdgeLabel::Diagonal,
             _ => return Ok(()),
         };
-        sides.clone().try_for_each(|h| if self.of[h as usize] == Label::Unknown { self.set(h, label) } else { Ok(()) })
+        sides
+            .clone()
+            .try_for_each(|h| if self.of[h as usize] == EdgeLabel::Unknown { self.set_label(h, label) } else { Ok(()) })
     }
 
     /// Applies the rule of a vertex: the number of its diagonals.
-    fn vertex(&mut self, v: u32) -> Result<()> {
+    fn apply_vertex_rule(&mut self, v: u32) -> Result<()> {
         if self.poles.contains(&v) {
             return Ok(());
         }
         let surface = self.surface;
         let edges = surface.edges.get(v as usize);
         let here = edges.first().map_or(0, |&h| h);
-        let [min, max] = surface.diagonals(v).ok_or(no_grid(here))?;
+        let [min, max] = surface.diagonal_count_range(v).ok_or(no_grid_error(here))?;
         let (found, unknown) = (self.diagonals[v as usize], self.unknown[v as usize]);
         let label = if found > max || found + unknown < min {
-            return Err(no_grid(here));
+            return Err(no_grid_error(here));
         } else if found == max {
-            Label::Side
+            EdgeLabel::Side
         } else if found + unknown == min {
-            Label::Diagonal
+            EdgeLabel::Diagonal
         } else {
             return Ok(());
         };
-        edges.iter().try_for_each(|&h| if self.of[h as usize] == Label::Unknown { self.set(h, label) } else { Ok(()) })
+        edges.iter().try_for_each(|&h| {
+            if self.of[h as usize] == EdgeLabel::Unknown { self.set_label(h, label) } else { Ok(()) }
+        })
     }
 
     /// Returns the next undecided face from `from` on, cyclically: one with a side and without a
     /// diagonal, or else one without any label.
-    fn next_open(&self, from: u32) -> Option<u32> {
+    fn next_undecided_face(&self, from: u32) -> Option<u32> {
         let count = self.of.len() as u32 / 3;
         let is = |face: u32, label| (3 * face..3 * face + 3).any(|h| self.of[h as usize] == label);
-        let faces = || (from..count).chain(0..from).filter(|&face| is(face, Label::Unknown));
-        faces().find(|&face| is(face, Label::Side)).or_else(|| faces().next())
+        let faces = || (from..count).chain(0..from).filter(|&face| is(face, EdgeLabel::Unknown));
+        faces().find(|&face| is(face, EdgeLabel::Side)).or_else(|| faces().next())
     }
 
     /// Makes an edge a diagonal, and then decides the others.
-    fn decide(&mut self, h: u32, job: &Job<'_>) -> Result<()> {
-        self.set(h, Label::Diagonal)?;
-        self.propagate(job)?;
+    fn decide_from_diagonal(&mut self, h: u32, job: &Job<'_>) -> Result<()> {
+        self.set_label(h, EdgeLabel::Diagonal)?;
+        self.propagate_labels(job)?;
         let mut from = h / 3;
-        while let Some(face) = self.next_open(from) {
+        while let Some(face) = self.next_undecided_face(from) {
             from = face;
-            let Some(h) = (3 * face..3 * face + 3).find(|&h| self.of[h as usize] == Label::Unknown) else { break };
+            let Some(h) = (3 * face..3 * face + 3).find(|&h| self.of[h as usize] == EdgeLabel::Unknown) else { break };
             let mark = self.trail.len();
-            match self.set(h, Label::Diagonal).and_then(|()| self.propagate(job)) {
+            match self.set_label(h, EdgeLabel::Diagonal).and_then(|()| self.propagate_labels(job)) {
                 Err(Error::NoGrid { .. }) => {
-                    self.undo(mark);
-                    self.set(h, Label::Side)?;
-                    self.propagate(job)?;
+                    self.undo_labels_after(mark);
+                    self.set_label(h, EdgeLabel::Side)?;
+                    self.propagate_labels(job)?;
                 }
                 other => other?,
             }
@@ -373,18 +379,23 @@ impl<'a> Labels<'a> {
     }
 
     /// Returns the net of the faces without diagonals.
-    fn net(&self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
+    fn build_net(&self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<RecognisedNet> {
         let surface = self.surface;
         let (mut offsets, mut corners, mut triangles) = (alloc::filled(0u32, 1)?, Vec::new(), Vec::new());
         for face in 0..self.of.len() as u32 / 3 {
-            let diagonal = (3 * face..3 * face + 3).find(|&h| self.of[h as usize] == Label::Diagonal);
+            let diagonal = (3 * face..3 * face + 3).find(|&h| self.of[h as usize] == EdgeLabel::Diagonal);
             let start = |h: u32| surface.starts[h as usize];
             match diagonal.map(|h| (h, surface.mates[h as usize])) {
                 // Skip the second triangle of a pair.
                 Some((h, mate)) if mate < h => continue,
                 Some((h, mate)) => alloc::append(
                     &mut corners,
-                    &[start(h), start(next(next(mate))), start(next(h)), start(next(next(h)))],
+                    &[
+                        start(h),
+                        start(next_half_edge(next_half_edge(mate))),
+                        start(next_half_edge(h)),
+                        start(next_half_edge(next_half_edge(h))),
+                    ],
                 )?,
                 None => alloc::append(&mut corners, &[start(3 * face), start(3 * face + 1), start(3 * face + 2)])?,
             }

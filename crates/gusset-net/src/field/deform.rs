@@ -1,14 +1,14 @@
 //! Chains of fields applied to a net in one pass. O(nodes x fields).
 
-use super::map::{Field, Points};
-use crate::chunks::{self, CHUNK};
-use crate::{Net, Planes, Real, each};
+use super::space_map::{Field, PointsMut};
+use crate::chunks::{self, MAX_NODES_PER_CHUNK};
+use crate::{Net, Real, XyzMatrices, each};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
 /// One field of a chain.
 #[derive(Clone, Copy)]
-pub struct Step<'a> {
+pub struct DeformationStep<'a> {
     /// The field.
     pub field: &'a dyn Field,
     /// The strength at which the field is applied, 1 for the whole field. For fields that change
@@ -27,24 +27,24 @@ pub struct Step<'a> {
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a strength that is not finite, [`Error::FieldUndefined`],
 /// [`Error::Cancelled`].
-pub fn deform(net: &mut Net<'_>, steps: &[Step<'_>], job: &Job<'_>) -> Result<()> {
+pub fn deform(net: &mut Net<'_>, steps: &[DeformationStep<'_>], job: &Job<'_>) -> Result<()> {
     steps.iter().try_for_each(|step| Error::require(step.strength.is_finite(), "strength", step.strength))?;
     job.step(0.0, "deform")?;
     each!(net.coordinates_mut(), planes => {
         if steps.iter().any(|step| step.strength != 0.0 && !step.field.is_total()) {
-            chunks::for_each_chunk_mut(planes, job.threads(), CHUNK, |first, rows| check(steps, first, &rows))?;
+            chunks::for_each_chunk_mut(planes, job.threads(), MAX_NODES_PER_CHUNK, |first, rows| check_images_finite(steps, first, &rows))?;
             job.step(0.5, "deform")?;
         }
-        apply(planes, steps, job.threads())
+        apply_steps(planes, steps, job.threads())
     })
 }
 
-fn apply<T: Real>(planes: &mut Planes<'_, T>, steps: &[Step<'_>], threads: usize) -> Result<()> {
+fn apply_steps<T: Real>(planes: &mut XyzMatrices<'_, T>, steps: &[DeformationStep<'_>], threads: usize) -> Result<()> {
     if steps.iter().all(|step| step.strength == 0.0) {
         return Ok(());
     }
-    chunks::for_each_chunk_mut(planes, threads, CHUNK, |_, rows| {
-        let mut scratch = [[0.0; CHUNK]; 3];
+    chunks::for_each_chunk_mut(planes, threads, MAX_NODES_PER_CHUNK, |_, rows| {
+        let mut scratch = [[0.0; MAX_NODES_PER_CHUNK]; 3];
         let moved = map_nodes(steps, &rows, &mut scratch);
         for (row, moved) in rows.into_iter().zip(moved) {
             row.iter_mut().zip(moved).for_each(|(to, &mut from)| *to = T::from_f64(from));
@@ -55,8 +55,8 @@ fn apply<T: Real>(planes: &mut Planes<'_, T>, steps: &[Step<'_>], threads: usize
 
 /// Returns [`Error::FieldUndefined`] for the first finite node of a chunk whose image is not
 /// finite.
-fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: &[&mut [T]; 3]) -> Result<()> {
-    let mut scratch = [[0.0; CHUNK]; 3];
+fn check_images_finite<T: Real>(steps: &[DeformationStep<'_>], first: usize, rows: &[&mut [T]; 3]) -> Result<()> {
+    let mut scratch = [[0.0; MAX_NODES_PER_CHUNK]; 3];
     let [x, y, z] = map_nodes(steps, rows, &mut scratch);
     let undefined = (0..x.len()).find(|&k| {
         let is_finite = rows.iter().all(|row| row[k].into().is_finite());
@@ -67,7 +67,11 @@ fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: &[&mut [T]; 3]) -> Res
 }
 
 /// Returns the nodes of a chunk, in double precision, after all fields.
-fn map_nodes<'a, T: Real>(steps: &[Step<'_>], rows: &[&mut [T]; 3], scratch: &'a mut [[f64; CHUNK]; 3]) -> Points<'a> {
+fn map_nodes<'a, T: Real>(
+    steps: &[DeformationStep<'_>],
+    rows: &[&mut [T]; 3],
+    scratch: &'a mut [[f64; MAX_NODES_PER_CHUNK]; 3],
+) -> PointsMut<'a> {
     let count = rows[0].len();
     let [x, y, z] = scratch;
     let [x, y, z] = [&mut x[..count], &mut y[..count], &mut z[..count]];

@@ -1,7 +1,7 @@
 //! Free-form deformation: Sederberg and Parry, "Free-Form Deformation of Solid Geometric Models",
 //! 1986. A tensor product of Bernstein polynomials over a box; O(control points) a node.
 
-use super::map::{Field, Points, check_finite, each_point};
+use super::space_map::{Field, PointsMut, check_parameters_finite, map_each_point};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -32,7 +32,7 @@ impl Lattice {
     /// [`Error::OptionOutOfRange`], [`Error::ArrayTooShort`], [`Error::OutOfMemory`].
     pub fn new(low: DVec3, high: DVec3, counts: [usize; 3], offsets: &[DVec3]) -> Result<Self> {
         let size = high - low;
-        check_finite(&[("low", low.dot(DVec3::ONE)), ("high", high.dot(DVec3::ONE))])?;
+        check_parameters_finite(&[("low", low.dot(DVec3::ONE)), ("high", high.dot(DVec3::ONE))])?;
         let mut sides = size.to_array().into_iter();
         sides.try_for_each(|side| Error::require(side > 0.0 && side.is_finite(), "high", side))?;
         counts
@@ -43,13 +43,13 @@ impl Lattice {
             let (needed, given) = ((needed * size_of::<DVec3>()) as u64, size_of_val(offsets) as u64);
             return Err(Error::ArrayTooShort { what: "offsets", needed, given });
         };
-        offsets.iter().try_for_each(|offset| check_finite(&[("offset", offset.dot(DVec3::ONE))]))?;
+        offsets.iter().try_for_each(|offset| check_parameters_finite(&[("offset", offset.dot(DVec3::ONE))]))?;
         Ok(Lattice { low, size, counts, offsets: alloc::copied(offsets)? })
     }
 
     /// Returns the tensor product of Bernstein polynomials at a place of the unit box.
-    fn offset(&self, place: [f64; 3]) -> DVec3 {
-        let weights = [0, 1, 2].map(|axis| bernstein(self.counts[axis], place[axis]));
+    fn offset_at(&self, place: [f64; 3]) -> DVec3 {
+        let weights = [0, 1, 2].map(|axis| bernstein_weights(self.counts[axis], place[axis]));
         let [rows, columns] = [self.counts[1], self.counts[0]];
         let mut total = DVec3::ZERO;
         for (plane, wz) in self.offsets.chunks_exact(rows * columns).zip(weights[2]) {
@@ -65,7 +65,7 @@ impl Lattice {
 }
 
 /// Returns the Bernstein polynomials of degree `count - 1` at t, by de Casteljau's triangle.
-fn bernstein(count: usize, t: f64) -> [f64; MAX_POINTS] {
+fn bernstein_weights(count: usize, t: f64) -> [f64; MAX_POINTS] {
     let mut weights = [0.0; MAX_POINTS];
     weights[0] = 1.0;
     for degree in 1..count {
@@ -78,13 +78,13 @@ fn bernstein(count: usize, t: f64) -> [f64; MAX_POINTS] {
 }
 
 impl Field for Lattice {
-    fn map(&self, strength: f64, points: Points<'_>) {
-        each_point(points, |point| {
+    fn map(&self, strength: f64, points: PointsMut<'_>) {
+        map_each_point(points, |point| {
             let place = [0, 1, 2].map(|k| (point[k] - self.low[k]) / self.size[k]);
             if !place.iter().all(|t| (0.0..=1.0).contains(t)) {
                 return point;
             }
-            let offset = self.offset(place);
+            let offset = self.offset_at(place);
             [0, 1, 2].map(|k| point[k] + strength * offset[k])
         });
     }

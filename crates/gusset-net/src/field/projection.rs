@@ -1,7 +1,9 @@
 //! Projective maps: parallel and central projection onto a plane, and every other 4 x 4 matrix. At
 //! strength t, points move by t along the line to their image.
 
-use super::map::{Field, Partial, Points, along_line, check_finite, each_point_simd};
+use super::space_map::{
+    Field, PartialField, PointsMut, check_parameters_finite, interpolate_to_image, map_each_point_simd,
+};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 
@@ -12,12 +14,12 @@ use gusset_base::error::{Error, Result};
 /// [`Error::OptionOutOfRange`] if a number is not finite.
 pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
     rows.as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value))?;
-    Ok(Partial(move |strength: f64, points: Points<'_>| {
+    Ok(PartialField(move |strength: f64, points: PointsMut<'_>| {
         let map = move |[x, y, z]: [f64; 3]| {
             let [x, y, z, w] = rows.map(|[a, b, c, d]| a * x + b * y + c * z + d);
             [x / w, y / w, z / w]
         };
-        each_point_simd(points, along_line(strength, map));
+        map_each_point_simd(points, interpolate_to_image(strength, map));
     }))
 }
 
@@ -28,7 +30,7 @@ pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
 /// [`Error::OptionOutOfRange`], also if the direction is parallel to the plane.
 pub fn parallel_projection(point: DVec3, normal: DVec3, direction: DVec3) -> Result<impl Field> {
     let along = normal.dot(direction);
-    check_finite(&[("plane", normal.dot(point)), ("direction", along)])?;
+    check_parameters_finite(&[("plane", normal.dot(point)), ("direction", along)])?;
     Error::require(along != 0.0, "direction", along)?;
     // p - d (n . (p - q)) / (n . d)
     let slope = direction / along;
@@ -51,14 +53,14 @@ pub fn perspective_projection(eye: DVec3, point: DVec3, normal: DVec3) -> Result
     // as the squared distance from the origin.
     let depth = normal.dot(point - eye);
     Error::require(depth != 0.0, "eye", depth)?;
-    check_finite(&[("plane", depth)])?;
-    check_finite(&eye.to_array().map(|value| ("eye", value)))?;
-    check_finite(&normal.to_array().map(|value| ("normal", value)))?;
-    Ok(Partial(move |strength: f64, points: Points<'_>| {
+    check_parameters_finite(&[("plane", depth)])?;
+    check_parameters_finite(&eye.to_array().map(|value| ("eye", value)))?;
+    check_parameters_finite(&normal.to_array().map(|value| ("normal", value)))?;
+    Ok(PartialField(move |strength: f64, points: PointsMut<'_>| {
         let map = move |point: [f64; 3]| {
             let ray = DVec3::from_array(point) - eye;
             (eye + ray * (depth / normal.dot(ray))).to_array()
         };
-        each_point_simd(points, along_line(strength, map));
+        map_each_point_simd(points, interpolate_to_image(strength, map));
     }))
 }

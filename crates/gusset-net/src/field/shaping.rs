@@ -4,7 +4,7 @@
 //! Conjugation by an [`Affine`](crate::transform::Affine) in the chain gives any other axis.
 //! O(1) a node.
 
-use super::map::{Field, Points, check_finite, each_point, each_point_simd};
+use super::space_map::{Field, PointsMut, check_parameters_finite, map_each_point, map_each_point_simd};
 use crate::transform::Axis;
 use gusset_base::error::{Error, Result};
 
@@ -15,10 +15,10 @@ use gusset_base::error::{Error, Result};
 /// # Errors
 /// [`Error::OptionOutOfRange`] if a number is not finite; likewise for all functions below.
 pub fn twist(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
-    check_finite(&[("rate", rate), ("origin", origin)])?;
-    Ok(move |strength: f64, points: Points<'_>| {
+    check_parameters_finite(&[("rate", rate), ("origin", origin)])?;
+    Ok(move |strength: f64, points: PointsMut<'_>| {
         let rate = strength * rate;
-        each_point(axis.last(points), |[u, v, w]| {
+        map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             let (sine, cosine) = libm::sincos(rate * (w - origin));
             [u * cosine - v * sine, u * sine + v * cosine, w]
         });
@@ -32,10 +32,10 @@ pub fn twist(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
 /// # Errors
 /// [`Error::OptionOutOfRange`].
 pub fn taper(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
-    check_finite(&[("rate", rate), ("origin", origin)])?;
-    Ok(move |strength: f64, points: Points<'_>| {
+    check_parameters_finite(&[("rate", rate), ("origin", origin)])?;
+    Ok(move |strength: f64, points: PointsMut<'_>| {
         let rate = strength * rate;
-        each_point_simd(axis.last(points), move |[u, v, w]| {
+        map_each_point_simd(axis.permute_axis_last(points), move |[u, v, w]| {
             let ratio = 1.0 + rate * (w - origin);
             [u * ratio, v * ratio, w]
         });
@@ -49,11 +49,11 @@ pub fn taper(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
 /// # Errors
 /// [`Error::OptionOutOfRange`], also if `to` is less than `from`; `to` may be infinite.
 pub fn bend(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<impl Field> {
-    check_finite(&[("curvature", curvature), ("from", from)])?;
+    check_parameters_finite(&[("curvature", curvature), ("from", from)])?;
     Error::require(to >= from, "to", to)?;
-    Ok(move |strength: f64, points: Points<'_>| {
+    Ok(move |strength: f64, points: PointsMut<'_>| {
         let curvature = strength * curvature;
-        each_point(axis.last(points), |[u, v, w]| {
+        map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             let bent = w.max(from).min(to) - from;
             let (rest, half) = (w - from - bent, 0.5 * curvature * bent);
             let (sine, cosine) = libm::sincos(2.0 * half);
@@ -72,9 +72,9 @@ pub fn bend(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<impl Field
 /// # Errors
 /// [`Error::OptionOutOfRange`], also if both axes are equal.
 pub fn shear(along: Axis, by: Axis, rate: f64) -> Result<impl Field> {
-    check_finite(&[("rate", rate)])?;
+    check_parameters_finite(&[("rate", rate)])?;
     Error::require(along != by, "axis", by.index() as f64)?;
-    Ok(move |strength: f64, [x, y, z]: Points<'_>| {
+    Ok(move |strength: f64, [x, y, z]: PointsMut<'_>| {
         let rate = strength * rate;
         let (to, from) = match (along, by) {
             (Axis::X, Axis::Y) => (x, y),

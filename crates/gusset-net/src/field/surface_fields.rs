@@ -3,8 +3,8 @@
 
 use crate::chunks;
 use crate::normals::normals;
-use crate::topology::Groups;
-use crate::{Classes, Coordinates, Net, Planes, Real, each};
+use crate::topology::NodeGroups;
+use crate::{Coordinates, Net, NodeClasses, Real, XyzMatrices, each};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
@@ -16,20 +16,20 @@ use gusset_base::job::Job;
 /// # Errors
 /// [`Error::OutOfMemory`].
 pub fn snap(net: &mut Net<'_>) -> Result<u64> {
-    let groups = Classes::new(net.topology())?.groups()?;
-    Ok(snap_to(&groups, net))
+    let groups = NodeClasses::new(net.topology())?.groups()?;
+    Ok(snap_groups(&groups, net))
 }
 
 /// [`snap`] for known classes. It cannot fail after nodes have moved.
-pub(crate) fn snap_to(groups: &Groups, net: &mut Net<'_>) -> u64 {
+pub(crate) fn snap_groups(groups: &NodeGroups, net: &mut Net<'_>) -> u64 {
     let mut moved = 0;
     for class in groups.iter() {
-        each!(net.coordinates_mut(), planes => moved += snap_class(planes, class));
+        each!(net.coordinates_mut(), planes => moved += snap_class_to_first(planes, class));
     }
     moved
 }
 
-fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
+fn snap_class_to_first<T: Real>(planes: &mut XyzMatrices<'_, T>, class: &[u32]) -> u64 {
     let (shape, stride) = (planes.shape(), planes.stride());
     let at = |node: u32| {
         let (i, j) = shape.place(node);
@@ -58,19 +58,23 @@ fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
 pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
     Error::require(distance.is_finite(), "distance", distance)?;
     let (normals, _) = normals(net, job)?;
-    let groups = Classes::new(net.topology())?.groups()?;
-    job.memory()?;
+    let groups = NodeClasses::new(net.topology())?.groups()?;
+    job.check_memory()?;
     match (net.coordinates_mut(), &normals) {
-        (Coordinates::F32(planes), Coordinates::F32(normals)) => add(planes, normals, distance)?,
-        (Coordinates::F64(planes), Coordinates::F64(normals)) => add(planes, normals, distance)?,
+        (Coordinates::F32(planes), Coordinates::F32(normals)) => add_scaled_normals(planes, normals, distance)?,
+        (Coordinates::F64(planes), Coordinates::F64(normals)) => add_scaled_normals(planes, normals, distance)?,
         _ => {}
     }
     // Normals of a class are equal, but its positions may have differed.
-    snap_to(&groups, net);
+    snap_groups(&groups, net);
     Ok(())
 }
 
-fn add<T: Real>(planes: &mut Planes<'_, T>, normals: &Planes<'_, T>, distance: f64) -> Result<()> {
+fn add_scaled_normals<T: Real>(
+    planes: &mut XyzMatrices<'_, T>,
+    normals: &XyzMatrices<'_, T>,
+    distance: f64,
+) -> Result<()> {
     let distance = T::from_f64(distance);
     let shape = planes.shape();
     for i in 0..shape.rows() {
@@ -119,8 +123,8 @@ pub fn deform_rows(
         next_step = first + (1 << 20);
         job.report(first as f64 / count, "deform")
     };
-    let groups = Classes::new(net.topology())?.groups()?;
-    job.memory()?;
+    let groups = NodeClasses::new(net.topology())?.groups()?;
+    job.check_memory()?;
     match net.coordinates_mut() {
         Coordinates::F32(planes) => chunks::for_each_chunk_in_order(planes, |first, rows| {
             step(first).and_then(|()| map(first, RowsMut::F32(rows)))
@@ -129,6 +133,6 @@ pub fn deform_rows(
             step(first).and_then(|()| map(first, RowsMut::F64(rows)))
         })?,
     }
-    snap_to(&groups, net);
+    snap_groups(&groups, net);
     Ok(())
 }

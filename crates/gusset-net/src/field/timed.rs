@@ -1,6 +1,6 @@
 //! Keyframe animation: the strength of a field as a function of time. O(log keys).
 
-use super::map::check_finite;
+use super::space_map::check_parameters_finite;
 use gusset_base::error::{Error, Result};
 
 /// The interpolation of strengths between two times.
@@ -21,26 +21,27 @@ pub enum Easing {
 /// For each frame, [`deform`](super::deform) a copy of the net at rest with the strength of its
 /// time.
 #[derive(Debug, Clone, Copy)]
-pub struct Timed<'a> {
+pub struct TimedStrength<'a> {
     keys: &'a [[f64; 2]],
     easing: Easing,
 }
 
-impl<'a> Timed<'a> {
+impl<'a> TimedStrength<'a> {
     /// Creates a strength from `keys`, pairs of time and strength. There must be at least one key,
     /// and times must increase.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
     pub fn new(keys: &'a [[f64; 2]], easing: Easing) -> Result<Self> {
-        keys.iter().try_for_each(|&[time, strength]| check_finite(&[("time", time), ("strength", strength)]))?;
+        keys.iter()
+            .try_for_each(|&[time, strength]| check_parameters_finite(&[("time", time), ("strength", strength)]))?;
         keys.windows(2).try_for_each(|pair| Error::require(pair[0][0] < pair[1][0], "time", pair[1][0]))?;
         Error::require(!keys.is_empty(), "keys", 0.0)?;
-        Ok(Timed { keys, easing })
+        Ok(TimedStrength { keys, easing })
     }
 
     /// Returns the strength at a time. At a key's own time it is exactly the key's. O(log keys).
-    pub fn strength(&self, time: f64) -> f64 {
+    pub fn strength_at(&self, time: f64) -> f64 {
         let after = self.keys.partition_point(|key| key[0] <= time);
         let before = self.keys[after.max(1) - 1];
         match self.keys.get(after) {

@@ -3,10 +3,12 @@
 //! net does not glue, see [`analyse`](crate::analyse). O(1) a node.
 //!
 //! At strength t, a sheet in the plane of height 0 is bent to t times the final curvature, and arcs
-//! keep their lengths. [`roll`] bends a line. Each wrap consists of one or two rolls and a rigid
-//! motion, which preserves lengths.
+//! keep their lengths. [`roll_line_to_arc`] bends a line. Each wrap consists of one or two rolls
+//! and a rigid motion, which preserves lengths.
 
-use super::map::{Field, Partial, Points, along_line, check_finite, each_point, each_point_simd};
+use super::space_map::{
+    Field, PartialField, PointsMut, check_parameters_finite, interpolate_to_image, map_each_point, map_each_point_simd,
+};
 use crate::transform::Axis;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -19,10 +21,10 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// [`Error::OptionOutOfRange`] if a number is not finite, or the radius is not above 0; likewise
 /// for all functions below.
 pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
-    check_finite(&centre.to_array().map(|value| ("centre", value)))?;
+    check_parameters_finite(&centre.to_array().map(|value| ("centre", value)))?;
     check_positive("radius", radius)?;
     let centre = centre.to_array();
-    Ok(Partial(move |strength: f64, points: Points<'_>| {
+    Ok(PartialField(move |strength: f64, points: PointsMut<'_>| {
         let map = move |point: [f64; 3]| {
             let away = [0, 1, 2].map(|k| point[k] - centre[k]);
             // Scaled first, because squares could overflow or underflow.
@@ -31,7 +33,7 @@ pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
             let ratio = radius / (x * x + y * y + z * z).sqrt();
             [centre[0] + ratio * x, centre[1] + ratio * y, centre[2] + ratio * z]
         };
-        each_point_simd(points, along_line(strength, map));
+        map_each_point_simd(points, interpolate_to_image(strength, map));
     }))
 }
 
@@ -43,9 +45,9 @@ pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
 /// [`Error::OptionOutOfRange`].
 pub fn cylinder_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
     check_positive("radius", radius)?;
-    Ok(move |strength: f64, points: Points<'_>| {
-        each_point(axis.last(points), |[u, v, w]| {
-            let [along, out] = roll_about(strength, radius, [u, v]);
+    Ok(move |strength: f64, points: PointsMut<'_>| {
+        map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
+            let [along, out] = roll_line_about_origin(strength, radius, [u, v]);
             [along, out, w]
         });
     })
@@ -65,11 +67,11 @@ pub fn cylinder_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
 pub fn cone_wrap(axis: Axis, radius: f64, angle: f64) -> Result<impl Field> {
     check_positive("radius", radius)?;
     Error::require(angle.abs() <= FRAC_PI_2, "angle", angle)?;
-    Ok(move |strength: f64, points: Points<'_>| {
+    Ok(move |strength: f64, points: PointsMut<'_>| {
         let (sine, cosine) = libm::sincos(strength * angle);
-        each_point(axis.last(points), |[u, v, w]| {
+        map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             let (height, axial) = (v * cosine - w * sine, w * cosine + v * sine);
-            let [along, out] = roll_about(strength, radius, [u, height]);
+            let [along, out] = roll_line_about_origin(strength, radius, [u, height]);
             [along, out, axial]
         });
     })
@@ -92,10 +94,10 @@ pub fn cone_wrap(axis: Axis, radius: f64, angle: f64) -> Result<impl Field> {
 pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
     check_positive("major", major)?;
     check_positive("minor", minor)?;
-    Ok(move |strength: f64, points: Points<'_>| {
-        let [tube, ring] = stages(strength);
-        let place = Placement::new(strength, major + minor);
-        each_point(axis.last(points), |[u, v, w]| {
+    Ok(move |strength: f64, points: PointsMut<'_>| {
+        let [tube, ring] = progress_of_two_stages(strength);
+        let place = RigidMotionToAxis::new(strength, major + minor);
+        map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             if strength == 1.0 {
                 let (round_sine, round_cosine) = libm::sincos(u / major);
                 let (tube_sine, tube_cosine) = libm::sincos(v / minor);
@@ -103,10 +105,10 @@ pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
                 let distance = major + thickness * tube_cosine;
                 return [distance * round_cosine, distance * round_sine, thickness * tube_sine];
             }
-            let [along, height] = roll(tube / minor, [v, w]);
+            let [along, height] = roll_line_to_arc(tube / minor, [v, w]);
             // The middle of the tube is the line that keeps its length.
-            let [round, out] = roll(ring / major, [u, height + minor]);
-            place.apply([round, along, out - minor])
+            let [round, out] = roll_line_to_arc(ring / major, [u, height + minor]);
+            place.move_point([round, along, out - minor])
         });
     })
 }
@@ -126,19 +128,19 @@ pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
 /// [`Error::OptionOutOfRange`].
 pub fn sphere_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
     check_positive("radius", radius)?;
-    Ok(move |strength: f64, points: Points<'_>| {
-        let [tube, meridian] = stages(strength);
-        let place = Placement::new(strength, radius);
-        each_point(axis.last(points), |[u, v, w]| {
+    Ok(move |strength: f64, points: PointsMut<'_>| {
+        let [tube, meridian] = progress_of_two_stages(strength);
+        let place = RigidMotionToAxis::new(strength, radius);
+        map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             if strength == 1.0 {
                 let (round_sine, round_cosine) = libm::sincos(u / radius);
                 let (sine, cosine) = libm::sincos(v / radius);
                 let distance = (radius + w) * cosine;
                 return [distance * round_cosine, distance * round_sine, (radius + w) * sine];
             }
-            let [along, height] = roll(meridian / radius, [v, w]);
-            let [round, out] = roll(tube / radius, [u, height]);
-            place.apply([round, along, out])
+            let [along, height] = roll_line_to_arc(meridian / radius, [v, w]);
+            let [round, out] = roll_line_to_arc(tube / radius, [u, height]);
+            place.move_point([round, along, out])
         });
     })
 }
@@ -147,7 +149,7 @@ pub fn sphere_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
 /// the height `out` on the convex side. The line is tangent to the arc at 0 and keeps its length.
 /// The line at the height h becomes 1 + curvature h times as long.
 #[inline(always)]
-fn roll(curvature: f64, [along, out]: [f64; 2]) -> [f64; 2] {
+fn roll_line_to_arc(curvature: f64, [along, out]: [f64; 2]) -> [f64; 2] {
     // The chord of the arc has length 2 sin(half) / curvature and direction half.
     let half = 0.5 * curvature * along;
     let (half_sine, half_cosine) = libm::sincos(half);
@@ -159,39 +161,39 @@ fn roll(curvature: f64, [along, out]: [f64; 2]) -> [f64; 2] {
 /// Rolls the line of height 0 about the origin to the curvature `strength` / `radius`, and moves it
 /// away from the origin by `strength` times the radius.
 #[inline(always)]
-fn roll_about(strength: f64, radius: f64, [along, out]: [f64; 2]) -> [f64; 2] {
+fn roll_line_about_origin(strength: f64, radius: f64, [along, out]: [f64; 2]) -> [f64; 2] {
     if strength == 1.0 {
         let (sine, cosine) = libm::sincos(along / radius);
         return [(radius + out) * sine, (radius + out) * cosine];
     }
-    let [along, out] = roll(strength / radius, [along, out]);
+    let [along, out] = roll_line_to_arc(strength / radius, [along, out]);
     [along, out + strength * radius]
 }
 
 /// Returns the progress of the first and the second of two stages at a strength.
-fn stages(strength: f64) -> [f64; 2] {
+fn progress_of_two_stages(strength: f64) -> [f64; 2] {
     [(2.0 * strength).min(1.0), (2.0 * strength - 1.0).max(0.0)]
 }
 
 /// The rigid motion that takes a sheet to its place about the axis, at a given strength. It is a
 /// rotation by a third of a turn about (1, 1, 1), which takes each axis to the next, and a
 /// displacement along the first axis.
-struct Placement {
+struct RigidMotionToAxis {
     /// The first row of the rotation; the other rows are cyclic shifts of it.
     row: [f64; 3],
     displacement: f64,
 }
 
-impl Placement {
+impl RigidMotionToAxis {
     fn new(strength: f64, displacement: f64) -> Self {
         let (sine, cosine) = libm::sincos(strength * (TAU / 3.0));
         let (rest, across) = ((1.0 - cosine) / 3.0, sine / 3.0f64.sqrt());
         let row = [(1.0 + 2.0 * cosine) / 3.0, rest - across, rest + across];
-        Placement { row, displacement: strength * displacement }
+        RigidMotionToAxis { row, displacement: strength * displacement }
     }
 
     #[inline(always)]
-    fn apply(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    fn move_point(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [a, b, c] = self.row;
         [a * x + b * y + c * z + self.displacement, c * x + a * y + b * z, b * x + c * y + a * z]
     }

@@ -5,18 +5,18 @@
 //! since, the topology is the recorded one. O(nodes).
 
 use super::JoinOptions;
-use crate::arrange::{closed_rows, map_seam, merge_seams};
-use crate::bridge::Adaptation;
-use crate::reformat::{copies, starts, starts_of_copies};
-use crate::topology::{Links, Matrix};
-use crate::{Bridge, Direction, Net, Planes, Real, Replication, Topology, each};
+use crate::arrange::{map_seam, merge_seams, rows_closed_by_seam};
+use crate::bridge::NetAdaptation;
+use crate::reformat::{rows_that_are_copies, starts_from_copies, starts_of_replicated_lines};
+use crate::topology::{ContractedLinks, LinkMatrix};
+use crate::{Bridge, Direction, Net, Real, Replication, Topology, XyzMatrices, each};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use std::sync::Arc;
 
 /// An adapted copy of a net, and the record of its adaptation.
-pub(super) type AdaptedNet = (Net<'static>, Arc<Adaptation>);
+pub(super) type AdaptedNet = (Net<'static>, Arc<NetAdaptation>);
 
 /// Adapts a net for joining. Returns an adapted copy, or `None` if the net fits unchanged.
 /// `flipped` means that its face orientation is opposite to the others'. `along` is the number of
@@ -24,7 +24,7 @@ pub(super) type AdaptedNet = (Net<'static>, Arc<Adaptation>);
 pub(super) fn adapt_net(
     net: &Net<'_>,
     flipped: bool,
-    along: usize,
+    side_nodes: usize,
     twist: u32,
     options: &JoinOptions,
     job: &Job<'_>,
@@ -33,18 +33,24 @@ pub(super) fn adapt_net(
     if flipped && !options.turn {
         return Err(Error::NetsOpposed);
     }
-    let (across, nodes) = direction.extent(net.shape());
-    if !flipped && nodes == along && twist == 0 {
+    let (across, nodes) = direction.extents_along_and_across(net.shape());
+    if !flipped && nodes == side_nodes && twist == 0 {
         return Ok(None);
     }
     // Flips along the side, so that the order in the direction stays.
     let mut made = if flipped { net.flipped(axis, &job.share(0, 3))? } else { net.copied()? };
     let mut added = Vec::new();
-    if nodes != along {
+    if nodes != side_nodes {
         let replication = options.equalise.unwrap_or_default();
-        added = copies(&starts(made.topology(), axis, along, replication, "nodes of a side")?)?;
-        let (rows, columns) = axis.ordered(along, across);
-        let replications = axis.ordered(replication, Replication::Last);
+        added = rows_that_are_copies(&starts_of_replicated_lines(
+            made.topology(),
+            axis,
+            side_nodes,
+            replication,
+            "nodes of a side",
+        )?)?;
+        let (rows, columns) = axis.order_along_first(side_nodes, across);
+        let replications = axis.order_along_first(replication, Replication::Last);
         made = made.reformatted(rows, columns, replications.into(), &job.share(1, 3))?;
     }
     if twist > 0 {
@@ -52,7 +58,7 @@ pub(super) fn adapt_net(
     }
     let bridges = alloc::collect(net.bridges().iter().cloned())?;
     let (joined, topology) = (made.shape(), net.topology().clone());
-    let adaptation = Adaptation { joined, flipped, copies: added, twist, topology, bridges };
+    let adaptation = NetAdaptation { joined, flipped, copies: added, twist, topology, bridges };
     Ok(Some((made, Arc::new(adaptation))))
 }
 
@@ -60,7 +66,7 @@ pub(super) fn adapt_net(
 /// topology becomes the recorded one; an edited one is mapped back.
 pub(super) fn restore_net(
     net: Net<'static>,
-    adaptation: Option<&Adaptation>,
+    adaptation: Option<&NetAdaptation>,
     direction: Direction,
     job: &Job<'_>,
 ) -> Result<Net<'static>> {
@@ -72,7 +78,7 @@ pub(super) fn restore_net(
     let mut bridges = alloc::collect(net.bridges().iter().cloned())?;
     let mut net = net;
     if adaptation.twist > 0 {
-        let around = axis.extent(net.shape()).0 as u32 - 1;
+        let around = axis.extents_along_and_across(net.shape()).0 as u32 - 1;
         net = rotate_net(&net, direction, around - adaptation.twist % around, &job.share(0, 3))?;
     }
     net = net.without_lines(axis, &adaptation.copies, &job.share(1, 3))?;
@@ -92,13 +98,13 @@ pub(super) fn restore_net(
     Ok(net)
 }
 
-impl Adaptation {
+impl NetAdaptation {
     /// Returns the topology that the net was joined with.
     fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
-        self.topology.map_lines(direction.transposed(), |topology| {
+        self.topology.map_rows_or_columns(direction.transposed(), |topology| {
             let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
-            let along = direction.extent(self.joined).1;
-            let replicated = flipped.rows_replicated(&starts_of_copies(along, &self.copies)?)?;
+            let along = direction.extents_along_and_across(self.joined).1;
+            let replicated = flipped.replicate_rows(&starts_from_copies(along, &self.copies)?)?;
             let twist = self.twist as usize;
             if twist > 0 { rotate_rows(&replicated, twist % (along - 1)) } else { Ok(replicated) }
         })
@@ -108,12 +114,12 @@ impl Adaptation {
 /// Returns the net rotated by `twist` places along its closed side.
 fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Result<Net<'static>> {
     let (axis, shape) = (direction.transposed(), net.shape());
-    let (count, along) = axis.extent(shape);
+    let (count, along) = axis.extents_along_and_across(shape);
     let place = twist as usize % (count - 1);
-    let closed = |k: usize| net.topology().contracts(axis.link_across(shape, count - 1, k));
+    let closed = |k: usize| net.topology().is_contracted(axis.link_across(shape, count - 1, k));
     Error::require((0..along).all(closed), "twist", twist.into())?;
-    each!(net.coordinates(), planes => check_closed(planes, axis))?;
-    let topology = net.topology().map_lines(axis, |topology| rotate_rows(topology, place))?;
+    each!(net.coordinates(), planes => check_axis_closed(planes, axis))?;
+    let topology = net.topology().map_rows_or_columns(axis, |topology| rotate_rows(topology, place))?;
     let lines = alloc::collect((0..count).map(|i| ((i + place) % (count - 1)) as u32))?;
     let mut made = net.with_lines(axis, &lines, topology, job)?;
     // Bridges along the side rotate with it; others would be cut.
@@ -126,10 +132,10 @@ fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) ->
 
 /// Returns [`Error::SidesApart`] unless the last row (`Down`) or column equals the first bit for
 /// bit, because a rotation drops one of the two.
-fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> {
-    let (count, along) = axis.extent(planes.shape());
+fn check_axis_closed<T: Real>(planes: &XyzMatrices<'_, T>, axis: Direction) -> Result<()> {
+    let (count, along) = axis.extents_along_and_across(planes.shape());
     for k in 0..along {
-        let [(p, q), (r, s)] = [axis.ordered(0, k), axis.ordered(count - 1, k)];
+        let [(p, q), (r, s)] = [axis.order_along_first(0, k), axis.order_along_first(count - 1, k)];
         let stride = planes.stride();
         let same =
             |matrix: &[T]| bytemuck::bytes_of(&matrix[p * stride + q]) == bytemuck::bytes_of(&matrix[r * stride + s]);
@@ -142,12 +148,12 @@ fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> 
 }
 
 /// Returns the topology of a net with closed columns whose row `by` becomes the first.
-fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
+fn rotate_rows(topology: &Topology, first_row: usize) -> Result<Topology> {
     let shape = topology.shape();
     let around = shape.rows() - 1;
-    let place = |i: usize| (i % around + around - by) % around;
-    let mut matrix = Matrix::empty(shape)?;
-    topology.contracted().for_each(|link| {
+    let place = |i: usize| (i % around + around - first_row) % around;
+    let mut matrix = LinkMatrix::empty(shape)?;
+    topology.contracted_links().for_each(|link| {
         let (i, j) = shape.place(link / 2);
         match (link % 2, i == around) {
             // The last row equals the first: a link along either is a link along their common
@@ -155,7 +161,7 @@ fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
             (0, _) => {
                 let i = i % around;
                 matrix.set(shape.horizontal_link(place(i), j), true);
-                if i == by {
+                if i == first_row {
                     matrix.set(shape.horizontal_link(around, j), true);
                 }
             }
@@ -170,12 +176,12 @@ fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
     let mut seams = merge_seams(&seams)?;
     // A seam between the last row and the first may now close rows. Links express the closure once
     // the net is cut out again.
-    seams.retain(|&seam| match closed_rows(shape, seam) {
+    seams.retain(|&seam| match rows_closed_by_seam(shape, seam) {
         Some(rows) => {
             rows.for_each(|i| matrix.set(shape.horizontal_link(i, shape.columns() - 1), true));
             false
         }
         None => true,
     });
-    Ok(Topology::assembled(shape, Links::Matrix(matrix), seams, topology.is_reversed()))
+    Ok(Topology::assemble_unchecked(shape, ContractedLinks::Matrix(matrix), seams, topology.is_reversed()))
 }

@@ -1,8 +1,8 @@
 //! Coordinates of joined nets, bit for bit. O(nodes), bound by memory.
 
-use crate::arrange::build_planes;
-use crate::reformat::sums;
-use crate::{Coordinates, Direction, Net, Planes, Real, Shape};
+use crate::arrange::build_matrices;
+use crate::reformat::prefix_sums;
+use crate::{Coordinates, Direction, Net, Real, Shape, XyzMatrices};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -10,7 +10,7 @@ use std::ops::Range;
 
 /// Returns the matrices of all nets side by side, bit for bit, with `inner` rows or columns of
 /// zeros between.
-pub(super) fn join(
+pub(super) fn join_matrices(
     nets: &[&Net<'_>],
     (direction, inner): (Direction, u32),
     shape: Shape,
@@ -25,7 +25,7 @@ pub(super) fn join(
                     _ => return Err(Error::MixedScalars),
                 }
             }
-            Coordinates::$kind(side_by_side(&parts, (direction, inner), shape, job)?)
+            Coordinates::$kind(place_side_by_side(&parts, (direction, inner), shape, job)?)
         }};
     }
     Ok(match nets[0].coordinates() {
@@ -34,19 +34,19 @@ pub(super) fn join(
     })
 }
 
-fn side_by_side<T: Real>(
-    parts: &[&Planes<'_, T>],
+fn place_side_by_side<T: Real>(
+    parts: &[&XyzMatrices<'_, T>],
     (direction, inner): (Direction, u32),
     shape: Shape,
     job: &Job<'_>,
-) -> Result<Planes<'static, T>> {
-    let starts = starts(parts.iter().map(|part| part.shape()), direction, inner)?;
+) -> Result<XyzMatrices<'static, T>> {
+    let starts = starts_of_nets(parts.iter().map(|part| part.shape()), direction, inner)?;
     let columns = shape.columns();
     match direction {
         Direction::Down => {
-            build_planes(shape, job, |axis, rows, to| copy_rows(parts, &starts, axis, rows, columns, to))
+            build_matrices(shape, job, |axis, rows, to| copy_rows_of_nets(parts, &starts, axis, rows, columns, to))
         }
-        Direction::Right => build_planes(shape, job, |axis, rows, to| {
+        Direction::Right => build_matrices(shape, job, |axis, rows, to| {
             for (part, &start) in parts.iter().zip(&starts) {
                 let (from, stride, width) = (part.matrices()[axis], part.stride(), part.shape().columns());
                 for (i, to) in rows.clone().zip(to.chunks_exact_mut(columns)) {
@@ -59,17 +59,17 @@ fn side_by_side<T: Real>(
 
 /// Returns the start of each net in a direction, if `inner` rows or columns follow each; one entry
 /// more than there are nets.
-pub(crate) fn starts(
+pub(crate) fn starts_of_nets(
     shapes: impl ExactSizeIterator<Item = Shape>,
     direction: Direction,
     inner: u32,
 ) -> Result<Vec<usize>> {
-    sums(shapes.map(|shape| direction.extent(shape).0 + inner as usize))
+    prefix_sums(shapes.map(|shape| direction.extents_along_and_across(shape).0 + inner as usize))
 }
 
 /// Fills rows from the nets that lie one below the other.
-fn copy_rows<T: Real>(
-    parts: &[&Planes<'_, T>],
+fn copy_rows_of_nets<T: Real>(
+    parts: &[&XyzMatrices<'_, T>],
     starts: &[usize],
     axis: usize,
     rows: Range<usize>,

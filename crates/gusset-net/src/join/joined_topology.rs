@@ -3,7 +3,7 @@
 //! Closing links within a row stay closing links. Closing links from the last row of a net become
 //! seams. O(contracted links + pairs of seams), plus O(nodes) if sides do not suffice.
 
-use crate::topology::{Links, Matrix, Run, Seam, Sides};
+use crate::topology::{ContractedLinks, LinkMatrix, Seam, SeamRun, Sides};
 use crate::{Bridge, BridgeKind, Direction, Net, Shape, Topology};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -12,21 +12,21 @@ use std::ops::Range;
 
 /// Returns the gluings of all nets, and of `inner` rows or columns between them. Nets are glued to
 /// each other only if `weld` is set.
-pub(super) fn join(nets: &[&Net<'_>], direction: Direction, weld: bool, inner: u32) -> Result<Topology> {
+pub(super) fn join_topologies(nets: &[&Net<'_>], direction: Direction, weld: bool, inner: u32) -> Result<Topology> {
     let topologies = alloc::try_collect(nets.iter().map(|net| match direction {
         Direction::Down => Ok(Cow::Borrowed(net.topology())),
         Direction::Right => net.topology().transposed().map(Cow::Owned),
     }))?;
-    let stacked = stack(&topologies, weld, inner as usize)?;
+    let stacked = stack_topologies(&topologies, weld, inner as usize)?;
     let topology = if direction == Direction::Down { stacked } else { stacked.transposed()? };
     if weld {
-        topology.check_crossings()?;
+        topology.check_crossed_cells()?;
     }
     Ok(topology)
 }
 
 /// One topology below the other.
-fn stack(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) -> Result<Topology> {
+fn stack_topologies(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) -> Result<Topology> {
     if let [only] = topologies {
         return Ok(only.clone().into_owned());
     }
@@ -42,7 +42,7 @@ fn stack(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) -> Result<T
         topology.sides().is_some_and(|sides| Sides { columns_closed: false, ..sides } == plain)
     };
     let all_plain = !weld && topologies.iter().all(is_plain);
-    let mut links = if all_plain { None } else { Some(Matrix::empty(shape)?) };
+    let mut links = if all_plain { None } else { Some(LinkMatrix::empty(shape)?) };
     let mut seams = Vec::new();
     let mut first = 0;
     for (k, topology) in topologies.iter().enumerate() {
@@ -50,10 +50,10 @@ fn stack(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) -> Result<T
             let own = topology.shape();
             let (shift, last) = (shape.horizontal_link(first, 0), own.horizontal_link(own.rows() - 1, 0));
             // The links that close columns become seams.
-            let kept = topology.contracted().filter(|link| *link < last || link % 2 == 0);
+            let kept = topology.contracted_links().filter(|link| *link < last || link % 2 == 0);
             kept.for_each(|link| links.set(shift + link, true));
             if weld && k + 1 < topologies.len() {
-                links.contract_row_down(shape, first + own.rows() - 1);
+                links.contract_links_below_row(shape, first + own.rows() - 1);
             }
             if let Some(next) = topologies.get(k + 1) {
                 contract_inner_rows(links, [topology, next], first + own.rows()..first + own.rows() + inner, shape);
@@ -61,25 +61,25 @@ fn stack(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) -> Result<T
         }
         add_closing_seams(topology, first, &mut seams)?;
         for seam in topology.seams() {
-            let down = |run: Run| Run { row: run.row + first as u32, ..run };
+            let down = |run: SeamRun| SeamRun { row: run.row + first as u32, ..run };
             alloc::push(&mut seams, Seam { a: down(seam.a), b: down(seam.b), ..*seam })?;
         }
         first += topology.shape().rows() + inner;
     }
-    let links = links.map_or(Links::Sides(plain), Links::Matrix);
-    Ok(Topology::assembled(shape, links, seams, reversed))
+    let links = links.map_or(ContractedLinks::Sides(plain), ContractedLinks::Matrix);
+    Ok(Topology::assemble_unchecked(shape, links, seams, reversed))
 }
 
 /// Contracts the links along the inner rows of a bridge that both its sides contract: for a thread
 /// all of them, for a tube the closing one.
-fn contract_inner_rows(links: &mut Matrix, [a, b]: [&Topology; 2], rows: Range<usize>, shape: Shape) {
+fn contract_inner_rows(links: &mut LinkMatrix, [a, b]: [&Topology; 2], rows: Range<usize>, shape: Shape) {
     if rows.is_empty() {
         return;
     }
     let (kind, last) = (bridge_kind(a, b, Direction::Down), a.shape().rows() - 1);
     let end = shape.columns() - 1;
     for k in 0..=end {
-        let along = |topology: &Topology, i: usize| topology.contracts(topology.shape().horizontal_link(i, k));
+        let along = |topology: &Topology, i: usize| topology.is_contracted(topology.shape().horizontal_link(i, k));
         let by_kind = kind == BridgeKind::Thread || (kind == BridgeKind::Tube && k == end);
         if by_kind || (along(a, last) && along(b, 0)) {
             rows.clone().for_each(|i| links.set(shape.horizontal_link(i, k), true));
@@ -92,13 +92,13 @@ fn add_closing_seams(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -
     let shape = topology.shape();
     let [top, bottom] = [first, first + shape.rows() - 1].map(|row| row as u32);
     let mut add = |from: usize, to: usize| {
-        let run = |row: u32| Run::along_row(row, from as u32, 1);
+        let run = |row: u32| SeamRun::along_row(row, from as u32, 1);
         let seam = Seam { a: run(top), b: run(bottom), count: (to - from) as u32 };
         if from < to { alloc::push(seams, seam) } else { Ok(()) }
     };
     match topology.links() {
-        Links::Sides(sides) => add(0, if sides.columns_closed { shape.columns() } else { 0 }),
-        Links::Matrix(matrix) => {
+        ContractedLinks::Sides(sides) => add(0, if sides.columns_closed { shape.columns() } else { 0 }),
+        ContractedLinks::Matrix(matrix) => {
             let mut from = 0;
             for j in 0..shape.columns() {
                 if !matrix.get(shape.vertical_link(shape.rows() - 1, j)) {
@@ -112,67 +112,67 @@ fn add_closing_seams(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -
 }
 
 /// Returns the topology with the links across a bridge contracted, or free.
-pub(super) fn welded(topology: &Topology, bridge: &Bridge, weld: bool) -> Result<Topology> {
+pub(super) fn with_bridge_welded(topology: &Topology, bridge: &Bridge, weld: bool) -> Result<Topology> {
     let shape = topology.shape();
-    let mut matrix: Matrix = topology.matrix()?;
+    let mut matrix: LinkMatrix = topology.matrix()?;
     for k in bridge.start as usize..bridge.end as usize {
-        matrix.set(bridge.link(shape, k), weld);
+        matrix.set(bridge.link_across(shape, k), weld);
     }
     let seams = alloc::copied(topology.seams())?;
-    let topology = Topology::assembled(shape, Links::Matrix(matrix), seams, topology.is_reversed());
-    topology.check_crossings()?;
+    let topology = Topology::assemble_unchecked(shape, ContractedLinks::Matrix(matrix), seams, topology.is_reversed());
+    topology.check_crossed_cells()?;
     Ok(topology)
 }
 
 /// Returns the form of the bridge between two nets.
 pub(super) fn bridge_kind(a: &Topology, b: &Topology, direction: Direction) -> BridgeKind {
-    let last = direction.extent(a.shape()).0 - 1;
-    match [SideKind::new(a, direction, last), SideKind::new(b, direction, 0)] {
-        [SideKind::Point, SideKind::Point] => BridgeKind::Thread,
-        [SideKind::Open, _] | [_, SideKind::Open] => BridgeKind::Ribbon,
+    let last = direction.extents_along_and_across(a.shape()).0 - 1;
+    match [SideClosure::new(a, direction, last), SideClosure::new(b, direction, 0)] {
+        [SideClosure::Point, SideClosure::Point] => BridgeKind::Thread,
+        [SideClosure::Open, _] | [_, SideClosure::Open] => BridgeKind::Ribbon,
         _ => BridgeKind::Tube,
     }
 }
 
 /// Returns true if a seam glues a whole side to nodes that contracted links identify. The side
 /// belongs to a net whose links closed to its opposite pole before it was joined.
-fn is_seamed_to_point(topology: &Topology, direction: Direction, i: usize) -> bool {
+fn is_side_seamed_to_point(topology: &Topology, direction: Direction, i: usize) -> bool {
     let shape = topology.shape();
-    let along = direction.extent(shape).1;
-    let is_side = |run: Run| {
-        let ends = [run.place(0), run.place(along as u32 - 1)];
-        let [p, q] = ends.map(|(i, j)| direction.ordered(i, j));
+    let along = direction.extents_along_and_across(shape).1;
+    let is_side = |run: SeamRun| {
+        let ends = [run.node_place(0), run.node_place(along as u32 - 1)];
+        let [p, q] = ends.map(|(i, j)| direction.order_along_first(i, j));
         p.0 == i as i64 && q.0 == i as i64 && (p.1 - q.1).unsigned_abs() as usize == along - 1
     };
-    let contracts = |pair: [u32; 2]| shape.links_between(pair).any(|link| topology.contracts(link));
-    let is_point = |run: Run| (1..along as u32).all(|k| contracts([run.node(shape, k - 1), run.node(shape, k)]));
+    let contracts = |pair: [u32; 2]| shape.links_between(pair).any(|link| topology.is_contracted(link));
+    let is_point = |run: SeamRun| (1..along as u32).all(|k| contracts([run.node(shape, k - 1), run.node(shape, k)]));
     let mut seams = topology.seams().iter().filter(|seam| seam.count as usize == along);
     seams.any(|seam| (is_side(seam.a) && is_point(seam.b)) || (is_side(seam.b) && is_point(seam.a)))
 }
 
 /// The closure of a side: by the links along it, and the links and seams that glue it to others.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum SideKind {
+enum SideClosure {
     Open,
     Closed,
     Point,
 }
 
-impl SideKind {
+impl SideClosure {
     fn new(topology: &Topology, direction: Direction, i: usize) -> Self {
         let shape = topology.shape();
-        let (count, along) = direction.extent(shape);
+        let (count, along) = direction.extents_along_and_across(shape);
         let opposite = count - 1 - i;
-        let is_opposite = || (0..along).all(|k| topology.contracts(direction.link_across(shape, count - 1, k)));
-        let is_point = topology.is_point(direction, i)
-            || (topology.is_point(direction, opposite) && is_opposite())
-            || is_seamed_to_point(topology, direction, i);
+        let is_opposite = || (0..along).all(|k| topology.is_contracted(direction.link_across(shape, count - 1, k)));
+        let is_point = topology.is_line_contracted(direction, i)
+            || (topology.is_line_contracted(direction, opposite) && is_opposite())
+            || is_side_seamed_to_point(topology, direction, i);
         if is_point {
-            SideKind::Point
-        } else if topology.contracts(direction.link_along(shape, i, along - 1)) {
-            SideKind::Closed
+            SideClosure::Point
+        } else if topology.is_contracted(direction.link_along(shape, i, along - 1)) {
+            SideClosure::Closed
         } else {
-            SideKind::Open
+            SideClosure::Open
         }
     }
 }

@@ -10,18 +10,18 @@
 //! lines between its sides.
 //!
 //! `adapt` fits nets to each other, `joined_topology` joins gluings, `joined_matrices` joins
-//! coordinates, and `inner` lays inner rows.
+//! coordinates, and `inner_rows` lays inner rows.
 
 mod adapt;
-mod inner;
+mod inner_rows;
 mod join_options;
 mod joined_matrices;
 mod joined_topology;
 mod split;
 
-pub(crate) use inner::lay_inner_rows;
+pub(crate) use inner_rows::interpolate_inner_rows;
 pub use join_options::JoinOptions;
-pub(crate) use joined_matrices::starts;
+pub(crate) use joined_matrices::starts_of_nets;
 
 use super::{Bridge, BridgeMode, Direction, Net, Shape};
 use adapt::{AdaptedNet, adapt_net};
@@ -69,7 +69,7 @@ pub(crate) fn join_mirrored(
         if net.coordinates().scalar() != first.coordinates().scalar() {
             return Err(Error::MixedScalars);
         }
-        let [a, b] = [first, net].map(|net| options.direction.extent(net.shape()).1);
+        let [a, b] = [first, net].map(|net| options.direction.extents_along_and_across(net.shape()).1);
         if a != b && options.equalise.is_none() {
             return Err(Error::SidesDiffer { a: a as u32, b: b as u32 });
         }
@@ -92,22 +92,26 @@ pub(crate) fn join_mirrored(
     let nets: Vec<&Net<'_>> = alloc::collect(fitted)?;
     if options.mode == BridgeMode::Weld {
         nets.windows(2)
-            .try_for_each(|pair| check_coincident(pair[0], pair[1], options.direction, options.tolerance))?;
+            .try_for_each(|pair| check_sides_coincident(pair[0], pair[1], options.direction, options.tolerance))?;
     }
-    let topology = joined_topology::join(&nets, options.direction, options.mode == BridgeMode::Weld, options.rows)?;
+    let topology =
+        joined_topology::join_topologies(&nets, options.direction, options.mode == BridgeMode::Weld, options.rows)?;
     let (sides, joining) = ((options.direction, options.rows), job.part(0.3, 0.9));
-    let coordinates = joined_matrices::join(&nets, sides, topology.shape(), &joining)?;
+    let coordinates = joined_matrices::join_matrices(&nets, sides, topology.shape(), &joining)?;
     let mut net = Net::new(coordinates, topology.with_reversed(reversed));
     add_bridges(&mut net, &nets, &copies, options)?;
-    lay_inner_rows(&mut net, &job.part(0.9, 1.0))?;
+    interpolate_inner_rows(&mut net, &job.part(0.9, 1.0))?;
     Ok(net)
 }
 
 /// Returns the shape of nets joined along sides of `along` nodes.
-fn joined_shape(nets: &[&Net<'_>], options: &JoinOptions, along: usize) -> Result<Shape> {
+fn joined_shape(nets: &[&Net<'_>], options: &JoinOptions, side_nodes: usize) -> Result<Shape> {
     let inner = (options.rows as usize).saturating_mul(nets.len() - 1);
-    let across = nets.iter().map(|net| options.direction.extent(net.shape()).0).fold(inner, usize::saturating_add);
-    let (rows, columns) = options.direction.ordered(across, along);
+    let across = nets
+        .iter()
+        .map(|net| options.direction.extents_along_and_across(net.shape()).0)
+        .fold(inner, usize::saturating_add);
+    let (rows, columns) = options.direction.order_along_first(across, side_nodes);
     Shape::new(rows, columns)
 }
 
@@ -120,7 +124,7 @@ fn add_bridges(
     options: &JoinOptions,
 ) -> Result<()> {
     let direction = options.direction;
-    let along = direction.extent(net.shape()).1 as u32;
+    let along = direction.extents_along_and_across(net.shape()).1 as u32;
     let record = |k: usize| copies[k].as_ref().map(|(_, record)| Arc::clone(record));
     let mut at = 0;
     for (k, part) in nets.iter().enumerate() {
@@ -139,7 +143,7 @@ fn add_bridges(
             bridge.adaptations = [if k == 1 { record(0) } else { None }, record(k)];
             alloc::push(net.bridges_mut(), bridge)?;
         }
-        at += direction.extent(part.shape()).0 as u32;
+        at += direction.extents_along_and_across(part.shape()).0 as u32;
     }
     Ok(())
 }
@@ -158,20 +162,20 @@ impl Bridge {
 
 /// Returns [`Error::SidesApart`] unless the last side of one net and the first of the other
 /// coincide. Each pair of nodes must be within the tolerance, or both missing.
-fn check_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolerance: f64) -> Result<()> {
-    let (across, along) = direction.extent(a.shape());
+fn check_sides_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolerance: f64) -> Result<()> {
+    let (across, along) = direction.extents_along_and_across(a.shape());
     for k in 0..along {
         let node = |net: &Net<'_>, i: usize| {
-            let (i, j) = direction.ordered(i, k);
+            let (i, j) = direction.order_along_first(i, k);
             net.get(i, j)
         };
-        check_pair(node(a, across - 1), node(b, 0), k as u32, tolerance)?;
+        check_nodes_coincident(node(a, across - 1), node(b, 0), k as u32, tolerance)?;
     }
     Ok(())
 }
 
 /// Returns [`Error::SidesApart`] unless two nodes are within the tolerance, or both are missing.
-fn check_pair(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
+fn check_nodes_coincident(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
     let distance = distance(p, q);
     let coincident = distance <= tolerance || !(p.is_finite() || q.is_finite());
     if coincident { Ok(()) } else { Err(Error::SidesApart { place, distance }) }
@@ -193,12 +197,12 @@ impl Net<'_> {
         let (welded, weld) = (bridge.mode == BridgeMode::Weld, mode == BridgeMode::Weld);
         if weld && !welded {
             for k in bridge.start as usize..bridge.end as usize {
-                let [p, q] = self.shape().ends(bridge.link(self.shape(), k)).map(|node| self.position(node));
-                check_pair(p, q, k as u32 - bridge.start, tolerance)?;
+                let [p, q] = self.shape().ends(bridge.link_across(self.shape(), k)).map(|node| self.position(node));
+                check_nodes_coincident(p, q, k as u32 - bridge.start, tolerance)?;
             }
         }
         if weld != welded {
-            let topology = joined_topology::welded(self.topology(), &bridge, weld)?;
+            let topology = joined_topology::with_bridge_welded(self.topology(), &bridge, weld)?;
             self.set_topology(topology);
         }
         self.bridges_mut()[index].mode = mode;
@@ -208,7 +212,7 @@ impl Net<'_> {
 
 impl Bridge {
     /// Returns the link across it at place `k` of the side.
-    fn link(&self, shape: Shape, k: usize) -> u32 {
+    fn link_across(&self, shape: Shape, k: usize) -> u32 {
         self.direction.link_across(shape, self.at as usize - 1, k)
     }
 }

@@ -25,7 +25,7 @@ impl Net<'_> {
     pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).filter(|bridge| bridge.is_whole(self.shape())).ok_or(no_such)?;
-        let parts = cut(self, bridge.direction, &[index], &job.part(0.0, 0.5))?;
+        let parts = cut_at_bridges(self, bridge.direction, &[index], &job.part(0.0, 0.5))?;
         let [first, second] = <[_; 2]>::try_from(parts).map_err(|_| no_such)?;
         let [a, b] = bridge.adaptations.each_ref().map(Option::as_deref);
         let first = restore_net(first, a, bridge.direction, &job.part(0.5, 0.75))?;
@@ -45,7 +45,7 @@ impl Net<'_> {
         let mut indices = alloc::gather(all.filter(|(_, bridge)| whole(bridge)).map(|(index, _)| index))?;
         sort::stable(&mut indices, &|&i, &k| self.bridges()[i].at.cmp(&self.bridges()[k].at).then(i.cmp(&k)));
         indices.dedup_by_key(|index| self.bridges()[*index].at);
-        let parts = cut(self, direction, &indices, &job.part(0.0, 0.5))?;
+        let parts = cut_at_bridges(self, direction, &indices, &job.part(0.0, 0.5))?;
         let (mut nets, count, job) = (alloc::with_capacity(parts.len())?, parts.len(), job.part(0.5, 1.0));
         for (k, part) in parts.into_iter().enumerate() {
             // The record of a net belongs to the bridge before it; the first net's record belongs
@@ -62,27 +62,27 @@ impl Net<'_> {
 
 /// Returns the nets before, between and after bridges, which are removed with their inner rows.
 /// `removed` is in order.
-fn cut(net: &Net<'_>, direction: Direction, removed: &[usize], job: &Job<'_>) -> Result<Vec<Net<'static>>> {
-    let count = direction.extent(net.shape()).0;
+fn cut_at_bridges(net: &Net<'_>, direction: Direction, removed: &[usize], job: &Job<'_>) -> Result<Vec<Net<'static>>> {
+    let count = direction.extents_along_and_across(net.shape()).0;
     let cuts = removed.iter().map(|&index| &net.bridges()[index]);
     let starts = [0].into_iter().chain(cuts.clone().map(|bridge| bridge.at as usize));
-    let ends = cuts.map(|bridge| bridge.first_side() as usize + 1).chain([count]);
+    let ends = cuts.map(|bridge| bridge.first_side_line() as usize + 1).chain([count]);
     let ranges = alloc::gather(starts.zip(ends).map(|(start, end)| start..end))?;
     let topologies = match direction {
-        Direction::Down => net.topology().rows_cut(&ranges)?,
-        Direction::Right => {
-            alloc::try_collect(net.topology().transposed()?.rows_cut(&ranges)?.iter().map(Topology::transposed))?
-        }
+        Direction::Down => net.topology().cut_into_row_ranges(&ranges)?,
+        Direction::Right => alloc::try_collect(
+            net.topology().transposed()?.cut_into_row_ranges(&ranges)?.iter().map(Topology::transposed),
+        )?,
     };
     let welded = removed.iter().any(|&index| net.bridges()[index].mode == BridgeMode::Weld);
     let crossed = find_crossed_ranges(net.topology(), direction, &ranges)?;
-    let bridges = bridges_cut(net, direction, &ranges, removed)?;
+    let bridges = bridges_of_ranges(net, direction, &ranges, removed)?;
     let mut parts = alloc::with_capacity(ranges.len())?;
     for (k, ((range, topology), bridges)) in ranges.iter().zip(topologies).zip(bridges).enumerate() {
         if welded || crossed[k] {
-            topology.check_crossings()?;
+            topology.check_crossed_cells()?;
         }
-        let (row, column) = direction.ordered(range.start, 0);
+        let (row, column) = direction.order_along_first(range.start, 0);
         let map = Rearrangement::Part { row, column };
         let mut part = net.rearranged(&map, topology, &job.share(k, ranges.len()))?;
         *part.bridges_mut() = bridges;
@@ -98,10 +98,10 @@ fn find_crossed_ranges(topology: &Topology, direction: Direction, ranges: &[Rang
     let mut crossed = alloc::filled(false, ranges.len())?;
     for seam in topology.seams() {
         let range = |(i, j): (i64, i64)| {
-            let (at, _) = direction.ordered(i, j);
+            let (at, _) = direction.order_along_first(i, j);
             ranges.partition_point(|range| range.end as i64 <= at)
         };
-        let ends = [seam.a, seam.b].map(|run| [range(run.place(0)), range(run.place(seam.count - 1))]);
+        let ends = [seam.a, seam.b].map(|run| [range(run.node_place(0)), range(run.node_place(seam.count - 1))]);
         let ends = ends.as_flattened();
         let (low, high) = ends.iter().fold((ends[0], ends[0]), |(low, high), &k| (low.min(k), high.max(k)));
         if low < high {
@@ -112,27 +112,27 @@ fn find_crossed_ranges(topology: &Topology, direction: Direction, ranges: &[Rang
 }
 
 /// Returns each range's bridges, in order.
-fn bridges_cut(
+fn bridges_of_ranges(
     net: &Net<'_>,
     direction: Direction,
     ranges: &[Range<usize>],
     removed: &[usize],
 ) -> Result<Vec<Vec<Bridge>>> {
     let shape = net.shape();
-    let all = 0..direction.extent(shape).1;
+    let all = 0..direction.extents_along_and_across(shape).1;
     let mut cut = alloc::filled(Vec::new(), ranges.len())?;
     let mut is_removed = alloc::filled(false, net.bridges().len())?;
     removed.iter().for_each(|&index| is_removed[index] = true);
     for bridge in net.bridges().iter().zip(is_removed).filter_map(|(bridge, removed)| (!removed).then_some(bridge)) {
         let (low, high) = if bridge.direction == direction {
-            (bridge.first_side() as usize, bridge.at as usize)
+            (bridge.first_side_line() as usize, bridge.at as usize)
         } else {
             (bridge.start as usize, bridge.end as usize - 1)
         };
         let from = ranges.partition_point(|range| range.end <= low);
         for (range, bridges) in ranges[from..].iter().zip(&mut cut[from..]).take_while(|(range, _)| range.start <= high)
         {
-            let (rows, columns) = direction.ordered(range, &all);
+            let (rows, columns) = direction.order_along_first(range, &all);
             if let Some(bridge) = bridge.clipped_to(rows, columns) {
                 alloc::push(bridges, bridge)?;
             }

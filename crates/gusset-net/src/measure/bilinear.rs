@@ -35,9 +35,9 @@ pub struct BilinearArea {
 }
 
 /// Nodes and weights of Gauss rules on [0, 1], with three and seven nodes.
-const GAUSS_3: [[f64; 2]; 3] =
+const GAUSS_RULE_3: [[f64; 2]; 3] =
     [[0.112_701_665_379_258_3, 5.0 / 18.0], [0.5, 4.0 / 9.0], [0.887_298_334_620_741_7, 5.0 / 18.0]];
-const GAUSS_7: [[f64; 2]; 7] = [
+const GAUSS_RULE_7: [[f64; 2]; 7] = [
     [0.025_446_043_828_620_737, 0.064_742_483_084_434_85],
     [0.129_234_407_200_302_78, 0.139_852_695_744_638_34],
     [0.297_077_424_311_301_4, 0.190_915_025_252_559_47],
@@ -50,13 +50,13 @@ const GAUSS_7: [[f64; 2]; 7] = [
 /// The largest ratio of |N1| + |N2| to the length of the normal in the middle for three nodes. The
 /// singularities are then 127 half sides away, and the error is 254^-6 times the square of the
 /// ratio, below rounding.
-const MAX_RATIO_3: f64 = 1.0 / 64.0;
+const MAX_NORMAL_RATIO_3: f64 = 1.0 / 64.0;
 /// The largest ratio for seven nodes: singularities are 7 half sides away, and 13.9^-14 = 1e-16.
-const MAX_RATIO_7: f64 = 0.25;
+const MAX_NORMAL_RATIO_7: f64 = 0.25;
 /// The maximum number of halvings of an interval.
-const MAX_DEPTH: u32 = 48;
+const MAX_INTERVAL_HALVINGS: u32 = 48;
 /// The relative rounding error of a patch's area.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const RELATIVE_ROUNDING_ERROR: f64 = 16.0 * f64::EPSILON;
 
 /// Returns the area of the bilinear patches of all existing cells; cells with coincident corners
 /// are triangles or less. All sheets of a folded patch count. O(nodes), with constant extra memory
@@ -71,10 +71,10 @@ pub fn bilinear_area(net: &Net<'_>, job: &Job<'_>) -> Result<BilinearArea> {
     let parts = par::map_cancellable(job, "measure", par::ranges(rows, lines_per_block(columns)), |rows| {
         let mut sum = BilinearArea::default();
         for i in rows {
-            for j in hidden.runs(i).flatten() {
-                let [a, b, c, d] = each!(net.coordinates(), planes => planes.corners(i, j));
+            for j in hidden.visible_runs(i).flatten() {
+                let [a, b, c, d] = each!(net.coordinates(), planes => planes.cell_corners(i, j));
                 if ((a + c) + (b + d)).is_finite() {
-                    sum = sum.add(patch([a, b, c, d]));
+                    sum = sum.add(patch_area([a, b, c, d]));
                 }
             }
         }
@@ -89,41 +89,41 @@ impl BilinearArea {
     }
 }
 
-fn patch([a, b, c, d]: [DVec3; 4]) -> BilinearArea {
+fn patch_area([a, b, c, d]: [DVec3; 4]) -> BilinearArea {
     let (p, q, e) = (b - a, d - a, (a - b) + (c - d));
     // A unit in which the eighth powers of lengths are in range.
     let unit = common_unit([&p, &q, &e]);
     let [p, q, e] = [p, q, e].map(|side| side / unit);
-    let found = in_unit(p, q, e, (c - b) / unit);
+    let found = scaled_patch_area(p, q, e, (c - b) / unit);
     BilinearArea { area: found.area * unit * unit, error: found.error * unit * unit }
 }
 
 /// Returns the area of a patch, given its sides at the first corner, its twist, and the vector from
 /// the second to the third corner.
-fn in_unit(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
+fn scaled_patch_area(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
     let (n0, n1, n2) = (p.cross(q), p.cross(e), e.cross(q));
     let middle = (p + other).cross(q - p).length() / 2.0;
     let change = n1.length() + n2.length();
-    let area = if change <= MAX_RATIO_3 * middle {
-        tensor(&GAUSS_3, n0, n1, n2)
-    } else if change <= MAX_RATIO_7 * middle {
-        tensor(&GAUSS_7, n0, n1, n2)
+    let area = if change <= MAX_NORMAL_RATIO_3 * middle {
+        integrate_normal_length(&GAUSS_RULE_3, n0, n1, n2)
+    } else if change <= MAX_NORMAL_RATIO_7 * middle {
+        integrate_normal_length(&GAUSS_RULE_7, n0, n1, n2)
     } else {
-        let section = |v: f64| mean_distance(n0 + v * n2, n1);
+        let section = |v: f64| mean_distance_from_origin(n0 + v * n2, n1);
         let scale = middle + change;
         let least = |start: DVec3| (-start.dot(n2) / n2.length_squared()).clamp(0.0, 1.0);
         let kinks = [least(n0), least(n0 + n1)].map(|v| if v.is_nan() { 0.0 } else { v });
         let cuts = [0.0, kinks[0].min(kinks[1]), kinks[0].max(kinks[1]), 1.0];
         let parts = cuts.windows(2).filter(|cut| cut[0] < cut[1]);
-        let parts = parts.map(|cut| adaptive(&section, [cut[0], cut[1]], 4.0 * f64::EPSILON * scale));
-        return parts.fold(BilinearArea { area: 0.0, error: ROUNDING * scale }, BilinearArea::add);
+        let parts = parts.map(|cut| integrate_adaptively(&section, [cut[0], cut[1]], 4.0 * f64::EPSILON * scale));
+        return parts.fold(BilinearArea { area: 0.0, error: RELATIVE_ROUNDING_ERROR * scale }, BilinearArea::add);
     };
-    BilinearArea { area, error: ROUNDING * area }
+    BilinearArea { area, error: RELATIVE_ROUNDING_ERROR * area }
 }
 
 /// Returns the integral of |N0 + u N1 + v N2| over the unit square by the tensor product of a rule.
 #[inline(always)]
-fn tensor(rule: &[[f64; 2]], n0: DVec3, n1: DVec3, n2: DVec3) -> f64 {
+fn integrate_normal_length(rule: &[[f64; 2]], n0: DVec3, n1: DVec3, n2: DVec3) -> f64 {
     let row = |v: f64| rule.iter().map(|&[u, weight]| weight * (n0 + v * n2 + u * n1).length()).sum::<f64>();
     rule.iter().map(|&[v, weight]| weight * row(v)).sum()
 }
@@ -134,10 +134,10 @@ fn tensor(rule: &[[f64; 2]], n0: DVec3, n1: DVec3, n2: DVec3) -> f64 {
 /// Let h be the distance of its line, and s the coordinate on the line from the foot of h. The
 /// integral is the difference of (s sqrt(h^2 + s^2) + h^2 asinh(s / h)) / 2 over |q|, unless that
 /// cancels.
-fn mean_distance(p: DVec3, q: DVec3) -> f64 {
+fn mean_distance_from_origin(p: DVec3, q: DVec3) -> f64 {
     let length = q.length();
     if (p + 0.5 * q).length() >= 3.5 * length {
-        return GAUSS_7.iter().map(|&[u, weight]| weight * (p + u * q).length()).sum();
+        return GAUSS_RULE_7.iter().map(|&[u, weight]| weight * (p + u * q).length()).sum();
     }
     let (h, s) = (p.cross(q).length() / length, p.dot(q) / length);
     let integral = |s: f64| {
@@ -149,9 +149,10 @@ fn mean_distance(p: DVec3, q: DVec3) -> f64 {
 
 /// Returns the integral over an interval, by halving until halves and wholes agree within the
 /// tolerance twice in a row, because a single agreement may be chance.
-fn adaptive(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], tolerance: f64) -> BilinearArea {
-    let gauss =
-        |from: f64, width: f64| width * GAUSS_7.iter().map(|&[v, weight]| weight * f(from + width * v)).sum::<f64>();
+fn integrate_adaptively(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], tolerance: f64) -> BilinearArea {
+    let gauss = |from: f64, width: f64| {
+        width * GAUSS_RULE_7.iter().map(|&[v, weight]| weight * f(from + width * v)).sum::<f64>()
+    };
     let mut found = BilinearArea::default();
     // Open intervals, the leftmost on top: start, width, integral, depth, and whether the parent
     // interval agreed.
@@ -161,7 +162,7 @@ fn adaptive(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], tolerance: f64) -> B
         let [left, right] = [from, from + half].map(|from| gauss(from, half));
         let difference = (left + right - whole).abs();
         let agrees = difference <= tolerance;
-        if (agrees && agreed) || depth == MAX_DEPTH || difference.is_nan() {
+        if (agrees && agreed) || depth == MAX_INTERVAL_HALVINGS || difference.is_nan() {
             found = found.add(BilinearArea { area: left + right, error: difference });
         } else {
             open.extend([(from + half, half, right, depth + 1, agrees), (from, half, left, depth + 1, agrees)]);

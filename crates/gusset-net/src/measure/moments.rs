@@ -3,7 +3,7 @@
 //! The 3 x 3 product Gauss rule integrates the flux through each bilinear patch. It is exact,
 //! because the integrands have degree at most 4 in each parameter. O(nodes).
 
-use super::sums::origin;
+use super::sums::first_existing_node;
 use crate::chunks::lines_per_block;
 use crate::hidden_cells::HiddenCells;
 use crate::{Net, each};
@@ -26,7 +26,7 @@ pub struct Moments {
 
 /// Returns points and weights of the three-point Gauss rule on the interval from 0 to 1, exact to
 /// degree 5.
-fn gauss() -> [(f64, f64); 3] {
+fn gauss_rule_3() -> [(f64, f64); 3] {
     let off = (0.15f64).sqrt();
     [(0.5 - off, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.5 + off, 5.0 / 18.0)]
 }
@@ -38,35 +38,35 @@ fn gauss() -> [(f64, f64); 3] {
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled),
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
 pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
-    let (origin, hidden) = (origin(net), HiddenCells::new(net)?);
+    let (origin, hidden) = (first_existing_node(net), HiddenCells::new(net)?);
     let row = |i: usize| {
-        let cells = hidden.runs(i).flatten();
-        cells.fold(Integrals::default(), |sums, j| {
-            let points = each!(net.coordinates(), planes => planes.corners(i, j).map(|point| point - origin));
-            if points.iter().all(|point| point.is_finite()) { sums.add(patch(points)) } else { sums }
+        let cells = hidden.visible_runs(i).flatten();
+        cells.fold(VolumeIntegrals::default(), |sums, j| {
+            let points = each!(net.coordinates(), planes => planes.cell_corners(i, j).map(|point| point - origin));
+            if points.iter().all(|point| point.is_finite()) { sums.add(patch_integrals(points)) } else { sums }
         })
     };
     let (rows, lines) = (net.shape().rows() - 1, lines_per_block(net.shape().columns() - 1));
     let parts = par::map_cancellable(job, "moments", par::ranges(rows, lines), |rows| {
-        rows.map(row).fold(Integrals::default(), Integrals::add)
+        rows.map(row).fold(VolumeIntegrals::default(), VolumeIntegrals::add)
     })?;
-    let total = parts.into_iter().fold(Integrals::default(), Integrals::add);
+    let total = parts.into_iter().fold(VolumeIntegrals::default(), VolumeIntegrals::add);
     let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
-    Ok(total.moments(origin, sign))
+    Ok(total.to_moments(origin, sign))
 }
 
 /// Integrals over the body of 1; of x, y, z; of x^2, y^2, z^2; of y z, z x, x y.
 #[derive(Debug, Clone, Copy, Default)]
-struct Integrals {
+struct VolumeIntegrals {
     one: f64,
     first: DVec3,
     squares: DVec3,
     products: DVec3,
 }
 
-impl Integrals {
+impl VolumeIntegrals {
     fn add(self, other: Self) -> Self {
-        Integrals {
+        VolumeIntegrals {
             one: self.one + other.one,
             first: self.first + other.first,
             squares: self.squares + other.squares,
@@ -74,7 +74,7 @@ impl Integrals {
         }
     }
 
-    fn moments(self, origin: DVec3, sign: f64) -> Moments {
+    fn to_moments(self, origin: DVec3, sign: f64) -> Moments {
         let centre = self.first / self.one;
         let squares = sign * (self.squares - centre * self.first);
         let products = sign * (self.products - DVec3::new(centre.y, centre.z, centre.x) * self.first.zxy());
@@ -89,15 +89,15 @@ impl Integrals {
 }
 
 /// Returns the flux through a patch of fields whose divergences are the integrands.
-fn patch([a, b, c, d]: [DVec3; 4]) -> Integrals {
-    let mut sums = Integrals::default();
-    for (u, wu) in gauss() {
-        for (v, wv) in gauss() {
+fn patch_integrals([a, b, c, d]: [DVec3; 4]) -> VolumeIntegrals {
+    let mut sums = VolumeIntegrals::default();
+    for (u, wu) in gauss_rule_3() {
+        for (v, wv) in gauss_rule_3() {
             let (top, bottom) = (a + u * (b - a), d + u * (c - d));
             let p = top + v * (bottom - top);
             let along = (b - a) + v * ((c - d) - (b - a));
             let n = wu * wv * along.cross(bottom - top);
-            sums = sums.add(Integrals {
+            sums = sums.add(VolumeIntegrals {
                 one: p.dot(n) / 3.0,
                 // div (x^2 / 2, 0, 0) = x, and so on.
                 first: p * p * n / 2.0,

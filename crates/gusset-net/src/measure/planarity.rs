@@ -36,8 +36,8 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
     let columns = shape.columns() - 1;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     chunks::map_rows(&mut cells, columns, (job, "planarity"), |i, row| {
-        for j in hidden.runs(i).flatten() {
-            row[j] = each!(net.coordinates(), planes => relative_distance(planes.corners(i, j)));
+        for j in hidden.visible_runs(i).flatten() {
+            row[j] = each!(net.coordinates(), planes => relative_plane_distance(planes.cell_corners(i, j)));
         }
     })?
     .for_each(drop);
@@ -50,7 +50,7 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
 }
 
 /// Returns the distance of the corners from their mean plane over the longer diagonal.
-fn relative_distance([a, b, c, d]: [DVec3; 4]) -> f64 {
+fn relative_plane_distance([a, b, c, d]: [DVec3; 4]) -> f64 {
     let (p, q) = (c - a, d - b);
     // A unit in which products of any lengths stay in range.
     let unit = common_unit([&p, &q]);

@@ -3,7 +3,7 @@
 
 use crate::chunks::lines_per_block;
 use crate::hidden_cells::HiddenCells;
-use crate::{Net, Planes, Real, each};
+use crate::{Net, Real, XyzMatrices, each};
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
@@ -12,10 +12,10 @@ use gusset_base::par;
 use gusset_base::simd::{self, Kernel};
 
 /// Cells, or nodes, that are computed before they are summed.
-const CHUNK: usize = 64;
+const CELLS_PER_CHUNK: usize = 64;
 
 /// Partial sums that are accumulated in parallel.
-const LANES: usize = 8;
+const SUM_LANES: usize = 8;
 
 /// The results of [`measure`]. Cells with a missing node and cells of hidden bridges do not count.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,14 +40,14 @@ pub struct Measures {
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
 pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
-    let origin = origin(net);
+    let origin = first_existing_node(net);
     let total = each!(net.coordinates(), planes => {
         let hidden = HiddenCells::new(net)?;
         let ([rows, columns], part) = ([net.shape().rows(), net.shape().columns()], job.part(0.0, 0.7));
         let parts = par::map_cancellable(&part, "measure", par::ranges(rows - 1, lines_per_block(columns - 1)), |rows| {
-            rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &hidden, i, origin)))
+            rows.fold(MeasureSums::default(), |sums, i| sums.add(sum_row(planes, &hidden, i, origin)))
         })?;
-        parts.into_iter().fold(Sums::default(), Sums::add)
+        parts.into_iter().fold(MeasureSums::default(), MeasureSums::add)
     });
     let Aabb { low, high } = bounds(net, &job.part(0.7, 1.0))?;
     Ok(Measures {
@@ -61,7 +61,7 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
 
 /// Returns the first existing node. Volumes and moments are computed relative to it, because
 /// distant nets would lose digits.
-pub(super) fn origin(net: &Net<'_>) -> DVec3 {
+pub(super) fn first_existing_node(net: &Net<'_>) -> DVec3 {
     let shape = net.shape();
     let nodes = (0..shape.rows()).flat_map(|i| (0..shape.columns()).map(move |j| (i, j)));
     nodes.map(|(i, j)| net.get(i, j)).find(|point| point.is_finite()).unwrap_or(DVec3::ZERO)
@@ -69,15 +69,15 @@ pub(super) fn origin(net: &Net<'_>) -> DVec3 {
 
 /// Twice the area and the area vector, and 24 times the volume.
 #[derive(Debug, Clone, Copy, Default)]
-struct Sums {
+struct MeasureSums {
     lengths: f64,
     vector: DVec3,
     cones: f64,
 }
 
-impl Sums {
-    fn add(self, other: Sums) -> Sums {
-        Sums {
+impl MeasureSums {
+    fn add(self, other: MeasureSums) -> MeasureSums {
+        MeasureSums {
             lengths: self.lengths + other.lengths,
             vector: self.vector + other.vector,
             cones: self.cones + other.cones,
@@ -85,51 +85,61 @@ impl Sums {
     }
 }
 
-fn row<T: Real>(planes: &Planes<'_, T>, hidden: &HiddenCells, i: usize, origin: DVec3) -> Sums {
+fn sum_row<T: Real>(planes: &XyzMatrices<'_, T>, hidden: &HiddenCells, i: usize, origin: DVec3) -> MeasureSums {
     let (above, below) = (planes.row(i), planes.row(i + 1));
-    hidden.runs(i).fold(Sums::default(), |sums, run| {
+    hidden.visible_runs(i).fold(MeasureSums::default(), |sums, run| {
         let nodes = run.start..run.end + 1;
         let rows = [above, below].map(|rows| rows.map(|row| &row[nodes.clone()]));
-        sums.add(simd::run(Strip { rows, origin: origin.to_array() }))
+        sums.add(simd::run(CellRow { rows, origin: origin.to_array() }))
     })
 }
 
 /// A row of cells between two rows of nodes.
-struct Strip<'a, T> {
+struct CellRow<'a, T> {
     rows: [[&'a [T]; 3]; 2],
     origin: [f64; 3],
 }
 
-impl<T: Real> Kernel for Strip<'_, T> {
-    type Output = Sums;
+impl<T: Real> Kernel for CellRow<'_, T> {
+    type Output = MeasureSums;
 
     #[inline(always)]
-    fn run(self) -> Sums {
+    fn run(self) -> MeasureSums {
         let [above, below] = self.rows;
-        let mut lanes = [[0.0; LANES]; 5];
-        let mut cells = [[0.0; CHUNK]; 5];
-        for start in (0..above[0].len() - 1).step_by(CHUNK) {
-            let nodes = start..above[0].len().min(start + CHUNK + 1);
+        let mut lanes = [[0.0; SUM_LANES]; 5];
+        let mut cells = [[0.0; CELLS_PER_CHUNK]; 5];
+        for start in (0..above[0].len() - 1).step_by(CELLS_PER_CHUNK) {
+            let nodes = start..above[0].len().min(start + CELLS_PER_CHUNK + 1);
             // The entries that the last, shorter run does not overwrite.
             cells.iter_mut().for_each(|values| values[nodes.len() - 1..].fill(0.0));
-            fill(above.map(|row| &row[nodes.clone()]), below.map(|row| &row[nodes.clone()]), self.origin, &mut cells);
+            fill_cell_terms(
+                above.map(|row| &row[nodes.clone()]),
+                below.map(|row| &row[nodes.clone()]),
+                self.origin,
+                &mut cells,
+            );
             for (lanes, values) in lanes.iter_mut().zip(&cells) {
-                for part in values.as_chunks::<LANES>().0 {
-                    (0..LANES).for_each(|lane| lanes[lane] += part[lane]);
+                for part in values.as_chunks::<SUM_LANES>().0 {
+                    (0..SUM_LANES).for_each(|lane| lanes[lane] += part[lane]);
                 }
             }
         }
         let [lengths, x, y, z, cones] = lanes.map(|lanes| lanes.into_iter().sum());
-        Sums { lengths, vector: DVec3::new(x, y, z), cones }
+        MeasureSums { lengths, vector: DVec3::new(x, y, z), cones }
     }
 }
 
 /// |N|, N and (a + b + c + d - 4 origin) . N of the cells between two rows of nodes; zeros for
 /// cells with a missing corner.
 #[inline(always)]
-fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &mut [[f64; CHUNK]; 5]) {
+fn fill_cell_terms<T: Real>(
+    above: [&[T]; 3],
+    below: [&[T]; 3],
+    origin: [f64; 3],
+    cells: &mut [[f64; CELLS_PER_CHUNK]; 5],
+) {
     let [lengths, n_x, n_y, n_z, cones] = cells;
-    let count = CHUNK.min(above[0].len() - 1);
+    let count = CELLS_PER_CHUNK.min(above[0].len() - 1);
     // Equal lengths, so that the loop needs no bounds checks.
     let [a_x, a_y, a_z] = above.map(|row| &row[..=count]);
     let [d_x, d_y, d_z] = below.map(|row| &row[..=count]);
@@ -175,13 +185,13 @@ impl<T: Real> Kernel for RowBounds<'_, T> {
 
     #[inline(always)]
     fn run(self) -> Aabb {
-        let mut low = [[T::from_f64(f64::INFINITY); LANES]; 3];
-        let mut high = [[T::from_f64(f64::NEG_INFINITY); LANES]; 3];
-        for start in (0..self.0[0].len()).step_by(CHUNK) {
-            let rows = self.0.map(|row| &row[start..row.len().min(start + CHUNK)]);
-            extend(rows, &mut low, &mut high);
+        let mut low = [[T::from_f64(f64::INFINITY); SUM_LANES]; 3];
+        let mut high = [[T::from_f64(f64::NEG_INFINITY); SUM_LANES]; 3];
+        for start in (0..self.0[0].len()).step_by(CELLS_PER_CHUNK) {
+            let rows = self.0.map(|row| &row[start..row.len().min(start + CELLS_PER_CHUNK)]);
+            extend_bounds(rows, &mut low, &mut high);
         }
-        let ends = |lanes: [[T; LANES]; 3], choose: fn(f64, f64) -> f64| {
+        let ends = |lanes: [[T; SUM_LANES]; 3], choose: fn(f64, f64) -> f64| {
             DVec3::from_array(lanes.map(|lanes| lanes.into_iter().map(T::into).reduce(choose).unwrap_or(f64::NAN)))
         };
         Aabb { low: ends(low, f64::min), high: ends(high, f64::max) }
@@ -189,12 +199,12 @@ impl<T: Real> Kernel for RowBounds<'_, T> {
 }
 
 #[inline(always)]
-fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; LANES]; 3]) {
-    let count = CHUNK.min(rows[0].len());
+fn extend_bounds<T: Real>(rows: [&[T]; 3], low: &mut [[T; SUM_LANES]; 3], high: &mut [[T; SUM_LANES]; 3]) {
+    let count = CELLS_PER_CHUNK.min(rows[0].len());
     let [x, y, z] = rows.map(|row| &row[..count]);
     // 0, and NaN for missing nodes, which compares as not smaller and not larger. Entries after the
     // last node count as missing too.
-    let (zero, mut missing) = (T::from_f64(0.0), [T::from_f64(f64::NAN); CHUNK]);
+    let (zero, mut missing) = (T::from_f64(0.0), [T::from_f64(f64::NAN); CELLS_PER_CHUNK]);
     for j in 0..count {
         missing[j] = zero * x[j] + zero * y[j] + zero * z[j];
     }
@@ -204,8 +214,8 @@ fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; L
             values[j] = row[j] + values[j];
         }
         let (mut min, mut max) = (low[axis], high[axis]);
-        for part in values.as_chunks::<LANES>().0 {
-            for lane in 0..LANES {
+        for part in values.as_chunks::<SUM_LANES>().0 {
+            for lane in 0..SUM_LANES {
                 min[lane] = if part[lane] < min[lane] { part[lane] } else { min[lane] };
                 max[lane] = if part[lane] > max[lane] { part[lane] } else { max[lane] };
             }
@@ -220,12 +230,13 @@ mod tests {
 
     #[test]
     fn results_are_equal_for_any_vector_width() {
-        let numbers = |k: usize| (0..2 * CHUNK + 13).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
+        let numbers = |k: usize| (0..2 * CELLS_PER_CHUNK + 13).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
         let rows: [Vec<f32>; 6] = std::array::from_fn(|k| numbers(2 * k + 3));
         let rows = [0, 3].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);
-        let strip = || Strip { rows, origin: [0.5, -1.0, 2.0] };
-        let bits =
-            |sums: Sums| [sums.lengths, sums.vector.x, sums.vector.y, sums.vector.z, sums.cones].map(f64::to_bits);
+        let strip = || CellRow { rows, origin: [0.5, -1.0, 2.0] };
+        let bits = |sums: MeasureSums| {
+            [sums.lengths, sums.vector.x, sums.vector.y, sums.vector.z, sums.cones].map(f64::to_bits)
+        };
         assert_eq!(bits(simd::run(strip())), bits(strip().run()));
         assert_eq!(simd::run(RowBounds(rows[0])), RowBounds(rows[0]).run());
     }

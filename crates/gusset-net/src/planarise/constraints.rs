@@ -1,7 +1,7 @@
 //! The constraints that make cells plane, and their linear equations. O(cells) each.
 
-use super::net_vertices::Surface;
-use super::order::order;
+use super::elimination_order::visit_in_elimination_order;
+use super::net_vertices::NetVertices;
 use crate::hidden_cells::HiddenCells;
 use crate::{Net, Sides};
 use glam::DVec3;
@@ -9,13 +9,13 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::{self, Buckets};
-use gusset_base::sparse::Symmetric;
+use gusset_base::sparse::SparseSymmetric;
 
 /// Cells between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 14;
+const CELLS_PER_REPORT: usize = 1 << 14;
 
 /// The cells with four distinct corners, in the order of elimination.
-pub(super) struct Constraints {
+pub(super) struct PlanarityConstraints {
     /// The vertices at the corners a, b, c, d of each cell.
     corners: Vec<[u32; 4]>,
     /// The indices of the cells in the net.
@@ -29,7 +29,7 @@ pub(super) struct Constraints {
 /// A linearised constraint: its value, and its gradient, which is the normal times a weight at each
 /// corner. All are divided by the length of the gradient.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Row {
+pub(super) struct LinearisedConstraint {
     normal: DVec3,
     weights: [f64; 4],
     value: f64,
@@ -37,14 +37,14 @@ pub(super) struct Row {
     length: f64,
 }
 
-impl Constraints {
-    pub(super) fn new(net: &Net<'_>, surface: &Surface, job: &Job<'_>) -> Result<Self> {
+impl PlanarityConstraints {
+    pub(super) fn new(net: &Net<'_>, surface: &NetVertices, job: &Job<'_>) -> Result<Self> {
         let (shape, hidden) = (net.shape(), HiddenCells::new(net)?);
         let (mut corners, mut numbers) = (Vec::new(), Vec::new());
         let is_glued = net.topology().sides() != Some(Sides::SHEET) || !net.topology().seams().is_empty();
         let mut done = 0;
-        order([shape.rows() - 1, shape.columns() - 1], is_glued, &mut |i, j| {
-            job.step_every(REPORT_INTERVAL, done, shape.cell_count(), "planarise")?;
+        visit_in_elimination_order([shape.rows() - 1, shape.columns() - 1], is_glued, &mut |i, j| {
+            job.step_every(CELLS_PER_REPORT, done, shape.cell_count(), "planarise")?;
             done += 1;
             let [a, b, c, d] = surface.classes.corners(i, j);
             let is_quad = a != b && a != c && a != d && b != c && b != d && c != d;
@@ -57,17 +57,17 @@ impl Constraints {
         })?;
         let entries = corners.iter().zip(0u32..).flat_map(|(corners, k)| corners.map(|v| (v as usize, k)));
         let cells = Buckets::new(shape.node_count(), 0, entries)?;
-        Ok(Constraints { corners, numbers, cells, fixed: alloc::copied(&surface.fixed)? })
+        Ok(PlanarityConstraints { corners, numbers, cells, fixed: alloc::copied(&surface.fixed)? })
     }
 
     /// Returns the vertices of the cells.
-    pub(super) fn vertices(&self) -> impl Iterator<Item = usize> {
+    pub(super) fn constrained_vertices(&self) -> impl Iterator<Item = usize> {
         (0..self.fixed.len()).filter(|&v| !self.cells.get(v).is_empty())
     }
 
     /// Returns the largest distance of the corners of a cell from its mean plane, and the index of
     /// the cell.
-    pub(super) fn deviation(&self, positions: &[DVec3]) -> (f64, Option<u32>) {
+    pub(super) fn max_deviation(&self, positions: &[DVec3]) -> (f64, Option<u32>) {
         let mut worst = (0.0, self.numbers.first().copied());
         for (corners, &number) in self.corners.iter().zip(&self.numbers) {
             let [a, b, c, d] = corners.map(|v| positions[v as usize]);
@@ -86,7 +86,7 @@ impl Constraints {
     /// order it changes by the displacement of the two lines' closest points along the common
     /// normal. At the points a + s (c - a) and b + t (d - b), the displacements of a, b, c and d
     /// have the factors -(1 - s), 1 - t, -s and t.
-    pub(super) fn linearise(&self, positions: &[DVec3]) -> Result<Vec<Row>> {
+    pub(super) fn linearise(&self, positions: &[DVec3]) -> Result<Vec<LinearisedConstraint>> {
         alloc::collect(self.corners.iter().map(|corners| {
             let [a, b, c, d] = corners.map(|v| positions[v as usize]);
             let (p, q, r) = (c - a, d - b, b - a);
@@ -97,16 +97,16 @@ impl Constraints {
             let free = [0, 1, 2, 3].map(|k| if self.fixed[corners[k] as usize] { 0.0 } else { weights[k] });
             let length = free.iter().map(|w| w * w).sum::<f64>().sqrt();
             if !(length > 0.0 && length.is_finite()) {
-                return Row { length: f64::INFINITY, ..Row::default() };
+                return LinearisedConstraint { length: f64::INFINITY, ..LinearisedConstraint::default() };
             }
-            Row { normal, weights: free.map(|w| w / length), value: r.dot(normal) / length, length }
+            LinearisedConstraint { normal, weights: free.map(|w| w / length), value: r.dot(normal) / length, length }
         }))
     }
 
     /// Returns the sum of the squared constraints at other positions, each divided by the length of
     /// its row.
-    pub(super) fn squares(&self, rows: &[Row], positions: &[DVec3]) -> f64 {
-        let square = |(corners, row): (&[u32; 4], &Row)| {
+    pub(super) fn sum_of_squares(&self, rows: &[LinearisedConstraint], positions: &[DVec3]) -> f64 {
+        let square = |(corners, row): (&[u32; 4], &LinearisedConstraint)| {
             let [a, b, c, d] = corners.map(|v| positions[v as usize]);
             ((b - a).dot((c - a).cross(d - b).normalize_or_zero()) / row.length).powi(2)
         };
@@ -115,14 +115,14 @@ impl Constraints {
 
     /// Returns the displacements -J^T y from `base`, where y solves (J J^T + penalty) y = g + J
     /// (base - positions).
-    pub(super) fn step(
+    pub(super) fn penalised_step(
         &self,
-        rows: &[Row],
+        rows: &[LinearisedConstraint],
         [base, positions]: [&[DVec3]; 2],
         penalty: f64,
         job: &Job<'_>,
     ) -> Result<Vec<DVec3>> {
-        let matrix = self.matrix(rows, penalty, &job.part(0.0, 0.2))?;
+        let matrix = self.normal_matrix(rows, penalty, &job.part(0.0, 0.2))?;
         let mut solution = alloc::collect(self.corners.iter().zip(rows).map(|(corners, row)| {
             let change =
                 |k: usize| row.weights[k] * row.normal.dot(base[corners[k] as usize] - positions[corners[k] as usize]);
@@ -143,13 +143,13 @@ impl Constraints {
     }
 
     /// J J^T + penalty: cells that share a vertex are coupled.
-    fn matrix(&self, rows: &[Row], penalty: f64, job: &Job<'_>) -> Result<Symmetric> {
+    fn normal_matrix(&self, rows: &[LinearisedConstraint], penalty: f64, job: &Job<'_>) -> Result<SparseSymmetric> {
         let n = rows.len();
         let (mut start, mut entries) = (alloc::with_capacity(n + 1)?, alloc::with_capacity(4 * n)?);
         start.push(0);
         let mut column: Vec<(u32, f64)> = Vec::new();
         for k in 0..n {
-            job.step_every(REPORT_INTERVAL, k, n, "planarise")?;
+            job.step_every(CELLS_PER_REPORT, k, n, "planarise")?;
             column.clear();
             for (slot, &v) in self.corners[k].iter().enumerate().filter(|&(slot, _)| rows[k].weights[slot] != 0.0) {
                 for &other in self.cells.get(v as usize).iter().take_while(|&&other| (other as usize) < k) {
@@ -166,6 +166,6 @@ impl Constraints {
             start.push(entries.len());
         }
         let diagonal = rows.iter().map(|row| if row.length.is_finite() { 1.0 + penalty } else { 0.0 });
-        Ok(Symmetric { start, entries, diagonal: alloc::collect(diagonal)? })
+        Ok(SparseSymmetric { start, entries, diagonal: alloc::collect(diagonal)? })
     }
 }

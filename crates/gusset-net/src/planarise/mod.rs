@@ -22,19 +22,19 @@
 //! entries a row: O(n^1.5) operations and O(n log n) memory for n cells. It runs on one thread.
 
 mod constraints;
+pub(crate) mod elimination_order;
 pub(crate) mod net_vertices;
-pub(crate) mod order;
+mod planar_search;
 mod planarise_options;
-mod search;
 
 use super::Net;
-use constraints::Constraints;
+use constraints::PlanarityConstraints;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::Scalar;
-use net_vertices::Surface;
+use net_vertices::NetVertices;
+use planar_search::PlanarSearch;
 pub use planarise_options::PlanariseOptions;
-use search::Search;
 
 /// The result of [`planarise`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,11 +73,11 @@ const DEFAULT_ITERATIONS: u32 = 100;
 /// [`Error::ArrayTooShort`] for flags of some nodes only, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`]. The net is then unchanged.
 pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Planarised> {
-    let relative = tolerance(net, options)?;
+    let relative = relative_tolerance(net, options)?;
     job.step(0.0, "planarise")?;
-    let surface = Surface::new(net, options, &job.part(0.0, 0.05))?;
-    let constraints = Constraints::new(net, &surface, &job.part(0.05, 0.1))?;
-    let (deviation_before, worst_cell) = constraints.deviation(&surface.positions);
+    let surface = NetVertices::new(net, options, &job.part(0.0, 0.05))?;
+    let constraints = PlanarityConstraints::new(net, &surface, &job.part(0.05, 0.1))?;
+    let (deviation_before, worst_cell) = constraints.max_deviation(&surface.positions);
     let tolerance = relative * surface.size;
     let unit = surface.unit;
     let mut report = Planarised {
@@ -96,18 +96,18 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
     }
     let max = if options.max_iterations == 0 { DEFAULT_ITERATIONS } else { options.max_iterations };
     // Rounding to the net's type needs some margin below the tolerance.
-    let mut search = Search::new(&constraints, &surface.positions, 0.1 * tolerance, max, &job.part(0.1, 0.98));
+    let mut search = PlanarSearch::new(&constraints, &surface.positions, 0.1 * tolerance, max, &job.part(0.1, 0.98));
     let mut stored = search.run()?;
     report.iterations = search.done;
-    surface.round(&mut stored, net.coordinates().scalar());
-    let (deviation_after, worst_cell) = constraints.deviation(&stored);
+    surface.round_to_scalar(&mut stored, net.coordinates().scalar());
+    let (deviation_after, worst_cell) = constraints.max_deviation(&stored);
     (report.deviation_after, report.worst_cell) = (deviation_after * unit, worst_cell);
     report.converged = deviation_after <= tolerance;
     job.step(1.0, "planarise")?;
     // Nothing below can fail.
-    surface.write(net, &stored);
+    surface.move_nodes(net, &stored);
     let (mut squares, mut count) = (0.0, 0);
-    for v in constraints.vertices() {
+    for v in constraints.constrained_vertices() {
         let displacement = stored[v].distance(surface.positions[v]);
         report.max_displacement = report.max_displacement.max(displacement * unit);
         squares += displacement * displacement;
@@ -118,7 +118,7 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
 }
 
 /// Returns the tolerance relative to the diagonal of the bounding box, after checks of the options.
-fn tolerance(net: &Net<'_>, options: &PlanariseOptions<'_>) -> Result<f64> {
+fn relative_tolerance(net: &Net<'_>, options: &PlanariseOptions<'_>) -> Result<f64> {
     Error::require(options.tolerance >= 0.0 && options.tolerance.is_finite(), "tolerance", options.tolerance)?;
     let (needed, given) = (net.shape().node_count() as u64, options.fixed.len() as u64);
     if given != 0 && given < needed {

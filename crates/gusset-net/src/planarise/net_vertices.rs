@@ -2,7 +2,7 @@
 
 use super::planarise_options::PlanariseOptions;
 use crate::complex::Complex;
-use crate::{Classes, Net};
+use crate::{Net, NodeClasses};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -11,11 +11,11 @@ use gusset_base::job::Job;
 use gusset_mesh::Scalar;
 
 /// Nodes between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const NODES_PER_REPORT: usize = 1 << 16;
 
 /// The vertices, indexed by the representatives of their classes; other entries are unused.
-pub(crate) struct Surface {
-    pub(crate) classes: Classes,
+pub(crate) struct NetVertices {
+    pub(crate) classes: NodeClasses,
     /// The position of the class's first existing node, scaled and relative to the origin.
     pub(crate) positions: Vec<DVec3>,
     /// True for vertices that stay.
@@ -29,10 +29,10 @@ pub(crate) struct Surface {
     origin: DVec3,
 }
 
-impl Surface {
+impl NetVertices {
     pub(crate) fn new(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
         let nodes = 0..net.shape().node_count() as u32;
-        let classes = Classes::new_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
+        let classes = NodeClasses::new_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
         let mut fixed = alloc::filled(false, nodes.len())?;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for node in nodes {
@@ -55,32 +55,32 @@ impl Surface {
             unit = (coarse * common_unit([&extent])).max(f64::MIN_POSITIVE);
             (origin, size) = ((low / unit).midpoint(high / unit), (low / unit).distance(high / unit));
         }
-        let mut surface = Surface { classes, positions: Vec::new(), fixed, size, unit, origin };
-        surface.positions = surface.positions_of(net, &job.part(0.8, 1.0))?;
+        let mut surface = NetVertices { classes, positions: Vec::new(), fixed, size, unit, origin };
+        surface.positions = surface.vertex_positions(net, &job.part(0.8, 1.0))?;
         Ok(surface)
     }
 
     /// Returns the positions of the vertices of a net of the same topology.
-    pub(crate) fn positions_of(&self, net: &Net<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
+    pub(crate) fn vertex_positions(&self, net: &Net<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
         let count = net.shape().node_count();
         let mut positions = alloc::filled(DVec3::NAN, count)?;
         for node in 0..count as u32 {
-            job.step_every(REPORT_INTERVAL, node as usize, count, "planarise")?;
+            job.step_every(NODES_PER_REPORT, node as usize, count, "planarise")?;
             let (class, position) = (self.classes.representative(node) as usize, net.position(node));
             if positions[class].is_nan() && position.is_finite() {
-                positions[class] = self.scaled(position);
+                positions[class] = self.scale_position(position);
             }
         }
         Ok(positions)
     }
 
     /// Scales a position relative to the origin.
-    pub(crate) fn scaled(&self, position: DVec3) -> DVec3 {
+    pub(crate) fn scale_position(&self, position: DVec3) -> DVec3 {
         position / self.unit - self.origin
     }
 
     /// Rounds the new positions of moved vertices to the net's type.
-    pub(crate) fn round(&self, moved: &mut [DVec3], scalar: Scalar) {
+    pub(crate) fn round_to_scalar(&self, moved: &mut [DVec3], scalar: Scalar) {
         for (moved, &before) in moved.iter_mut().zip(&self.positions) {
             if moved.is_finite() && *moved != before {
                 let mut there = (*moved + self.origin) * self.unit;
@@ -93,7 +93,7 @@ impl Surface {
     }
 
     /// Moves all existing nodes of the moved vertices.
-    pub(crate) fn write(&self, net: &mut Net<'_>, moved: &[DVec3]) {
+    pub(crate) fn move_nodes(&self, net: &mut Net<'_>, moved: &[DVec3]) {
         for node in 0..net.shape().node_count() as u32 {
             let class = self.classes.representative(node) as usize;
             if moved[class].is_finite() && moved[class] != self.positions[class] && net.position(node).is_finite() {

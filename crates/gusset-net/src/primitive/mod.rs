@@ -23,9 +23,9 @@ use gusset_mesh::Scalar;
 pub struct Request<'a> {
     /// The shape.
     pub primitive: Primitive<'a>,
-    /// Rows of nodes; 0 for [`Request::ROWS`]. Not read for boxes and lathes.
+    /// Rows of nodes; 0 for [`Request::DEFAULT_ROWS`]. Not read for boxes and lathes.
     pub rows: usize,
-    /// Columns of nodes; 0 for [`Request::COLUMNS`]. Not read for boxes.
+    /// Columns of nodes; 0 for [`Request::DEFAULT_COLUMNS`]. Not read for boxes.
     pub columns: usize,
     /// The type of the coordinates.
     pub scalar: Scalar,
@@ -33,9 +33,9 @@ pub struct Request<'a> {
 
 impl<'a> Request<'a> {
     /// The default number of rows.
-    pub const ROWS: usize = 33;
+    pub const DEFAULT_ROWS: usize = 33;
     /// The default number of columns.
-    pub const COLUMNS: usize = 65;
+    pub const DEFAULT_COLUMNS: usize = 65;
 
     /// Returns a shape with default rows and columns, in double precision.
     pub fn new(primitive: Primitive<'a>) -> Self {
@@ -49,13 +49,14 @@ impl<'a> Request<'a> {
     /// [`Error::TooLarge`].
     pub fn shape(&self) -> Result<Shape> {
         let or_default = |given: usize, default: usize| if given == 0 { default } else { given };
-        let (mut rows, columns) = (or_default(self.rows, Self::ROWS), or_default(self.columns, Self::COLUMNS));
+        let (mut rows, columns) =
+            (or_default(self.rows, Self::DEFAULT_ROWS), or_default(self.columns, Self::DEFAULT_COLUMNS));
         match self.primitive {
             Primitive::Cuboid { cuboid, .. } => return cuboid.shape(),
             Primitive::Lathe { profile } => rows = profile.len(),
             _ => {}
         }
-        let (min_rows, min_columns) = self.primitive.min_size();
+        let (min_rows, min_columns) = self.primitive.min_rows_and_columns();
         let is_even_pillow = matches!(self.primitive, Primitive::Pillow { .. }) && columns % 2 == 0;
         Error::require(rows >= min_rows, "rows", rows as f64)?;
         Error::require(columns >= min_columns && !is_even_pillow, "columns", columns as f64)?;
@@ -70,7 +71,7 @@ impl<'a> Request<'a> {
     /// - [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn net(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let shape = self.shape()?;
-        self.primitive.check(self.scalar)?;
-        construct::net(&self.primitive, shape, self.scalar, job)
+        self.primitive.check_dimensions(self.scalar)?;
+        construct::construct_net(&self.primitive, shape, self.scalar, job)
     }
 }

@@ -119,7 +119,7 @@ pub enum Primitive<'a> {
 
 impl Primitive<'_> {
     /// Returns the smallest numbers of rows and columns.
-    pub(super) fn min_size(&self) -> (usize, usize) {
+    pub(super) fn min_rows_and_columns(&self) -> (usize, usize) {
         match *self {
             Primitive::Plane { .. } => (2, 2),
             Primitive::Sphere { .. } | Primitive::Cone { .. } => (3, 4),
@@ -132,7 +132,7 @@ impl Primitive<'_> {
     }
 
     /// Returns [`Error::OptionOutOfRange`] for a dimension outside its range.
-    pub(super) fn check(&self, scalar: Scalar) -> Result<()> {
+    pub(super) fn check_dimensions(&self, scalar: Scalar) -> Result<()> {
         let (min, max) = match scalar {
             Scalar::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX) / 8.0),
             Scalar::F64 => (f64::MIN_POSITIVE, f64::MAX / 8.0),
@@ -154,7 +154,7 @@ impl Primitive<'_> {
             Primitive::Torus { radius, minor_radius } | Primitive::Klein { radius, minor_radius } => {
                 (&[("radius", radius), ("minor radius", minor_radius)], 3)
             }
-            Primitive::Lathe { profile } => return profile::check(profile, max),
+            Primitive::Lathe { profile } => return profile::check_profile(profile, max),
             Primitive::Cuboid { size: [x, y, z], .. } => (&[("size", x), ("size", y), ("size", z)], 3),
             Primitive::Moebius { radius, width } => (&[("radius", radius), ("width", width)], 3),
             Primitive::Pillow { size: [x, y], thickness } => (&[("size", x), ("size", y), ("thickness", thickness)], 3),

@@ -4,7 +4,7 @@
 //! Invariant: the deviation of removed nodes from the segments that replace them stays within half
 //! the tolerance for rows, and for columns. O(nodes log rows) approximately.
 
-use super::whole_sides::{min_size, require_sides, select_lines, with_sides};
+use super::whole_sides::{min_rows_and_columns, net_with_sides, require_only_sides, select_lines};
 use crate::{Net, each};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -44,23 +44,25 @@ pub struct Decimated {
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimated> {
     Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
-    let (sides, limit) = (require_sides(net)?, tolerance / 2.0);
+    let (sides, limit) = (require_only_sides(net)?, tolerance / 2.0);
     let (h, w) = (net.shape().rows(), net.shape().columns());
     each!(net.coordinates(), planes => {
         let all = alloc::collect(0..w)?;
-        let [min_rows, min_columns] = min_size(sides, 4);
+        let [min_rows, min_columns] = min_rows_and_columns(sides, 4);
         let row = |k: usize, j: usize| planes.get(k, j);
-        let (rows, by_rows) = choose_kept_lines(h, min_rows, limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
+        let cost = |gap: Range<usize>| max_deviation_in_gap(row, gap, &all);
+        let (rows, by_rows) = choose_kept_lines(h, min_rows, limit, &job.part(0.0, 0.5), cost)?;
         let column = |k: usize, i: usize| planes.get(i, k);
-        let (columns, by_columns) = choose_kept_lines(w, min_columns, limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
-        let net = with_sides(select_lines(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
+        let cost = |gap: Range<usize>| max_deviation_in_gap(column, gap, &rows);
+        let (columns, by_columns) = choose_kept_lines(w, min_columns, limit, &job.part(0.5, 1.0), cost)?;
+        let net = net_with_sides(select_lines(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
         Ok(Decimated { net, rows, columns, deviation: by_rows + by_columns })
     })
 }
 
 /// Returns the largest distance of nodes in a gap, between two kept lines, from the segments across
 /// it. `node(k, j)`: node j of line k.
-fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[usize]) -> f64 {
+fn max_deviation_in_gap(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[usize]) -> f64 {
     let mut max = 0.0f64;
     for &j in places {
         let (a, b) = (node(gap.start, j), node(gap.end, j));
@@ -90,7 +92,7 @@ fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
 fn choose_kept_lines(
     count: usize,
     min_lines: usize,
-    limit: f64,
+    max_cost: f64,
     job: &Job<'_>,
     cost: impl Fn(Range<usize>) -> f64 + Sync,
 ) -> Result<(Vec<usize>, f64)> {
@@ -98,15 +100,15 @@ fn choose_kept_lines(
     // A doubly linked list of the kept lines.
     let mut before = alloc::collect((0..count).map(|k| k.wrapping_sub(1)))?;
     let mut after = alloc::collect(1..count + 1)?;
-    let mut queue: BinaryHeap<Candidate> = BinaryHeap::from(alloc::with_capacity(3 * count)?);
+    let mut queue: BinaryHeap<RemovalCandidate> = BinaryHeap::from(alloc::with_capacity(3 * count)?);
     let costs = par::map_cancellable(&job.part(0.0, 0.5), "decimate", par::ranges(count - 2, 16), |lines| {
         lines.map(|k| cost(k..k + 2)).collect::<Vec<_>>()
     })?;
     let job = job.part(0.5, 1.0);
-    queue.extend(costs.into_iter().flatten().enumerate().map(|(k, cost)| candidate(cost, k..k + 2, k + 1)));
+    queue.extend(costs.into_iter().flatten().enumerate().map(|(k, cost)| removal_candidate(cost, k..k + 2, k + 1)));
     let (mut left, mut max) = (count, 0.0f64);
     while let Some(Reverse((bits, _, line, from, to))) = queue.pop() {
-        if f64::from_bits(bits) > limit || bits == f64::INFINITY.to_bits() || left <= min_lines {
+        if f64::from_bits(bits) > max_cost || bits == f64::INFINITY.to_bits() || left <= min_lines {
             break;
         }
         if (before[line], after[line]) != (from, to) {
@@ -119,7 +121,7 @@ fn choose_kept_lines(
         for neighbour in [from, to] {
             if neighbour != 0 && neighbour != count - 1 {
                 let gap = before[neighbour]..after[neighbour];
-                queue.push(candidate(cost(gap.clone()), gap, neighbour));
+                queue.push(removal_candidate(cost(gap.clone()), gap, neighbour));
             }
         }
         if left % 16 == 0 {
@@ -132,9 +134,9 @@ fn choose_kept_lines(
 
 /// Least cost first. Ties go to the narrowest gap, so that gaps grow evenly and all costs take O(n
 /// log n).
-type Candidate = Reverse<(u64, usize, usize, usize, usize)>;
+type RemovalCandidate = Reverse<(u64, usize, usize, usize, usize)>;
 
-fn candidate(cost: f64, gap: Range<usize>, line: usize) -> Candidate {
+fn removal_candidate(cost: f64, gap: Range<usize>, line: usize) -> RemovalCandidate {
     // The bit patterns of non-negative numbers sort like the numbers.
     Reverse((cost.to_bits(), gap.len(), line, gap.start, gap.end))
 }

@@ -3,7 +3,7 @@
 //! Invariant: an entry lists each of its groups as often as the group lists the entry. Edits cost
 //! O(children + groups) of the entry.
 
-use super::reachability::Marks;
+use super::reachability::VisitMarks;
 use crate::Net;
 use glam::DAffine3;
 use gusset_base::alloc;
@@ -15,13 +15,13 @@ use std::sync::Arc;
 /// Nets and groups of them.
 #[derive(Debug, Default)]
 pub struct Scene {
-    pub(super) entries: Vec<Option<Entry>>,
-    marks: Marks,
+    pub(super) entries: Vec<Option<SceneEntry>>,
+    marks: VisitMarks,
 }
 
 #[derive(Debug)]
-pub(super) struct Entry {
-    pub(super) content: Content,
+pub(super) struct SceneEntry {
+    pub(super) content: EntryContent,
     /// The transform into the space of its group.
     pub(super) local: DAffine3,
     pub(super) visible: bool,
@@ -31,7 +31,7 @@ pub(super) struct Entry {
 
 /// The content of an entry.
 #[derive(Debug, Clone)]
-pub enum Content {
+pub enum EntryContent {
     /// A net.
     Net(Arc<Net<'static>>),
     /// A group of entries.
@@ -51,7 +51,7 @@ pub struct EntryChanges {
 
 /// The numbers of elements of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Counts {
+pub struct SceneCounts {
     /// Entries that are nets.
     pub nets: u32,
     /// Entries that are groups.
@@ -75,7 +75,7 @@ impl Scene {
     /// # Errors
     /// [`Error::TooLarge`], [`Error::OutOfMemory`].
     pub fn add_net(&mut self, net: Arc<Net<'static>>) -> Result<u32> {
-        self.add(Content::Net(net))
+        self.add_entry(EntryContent::Net(net))
     }
 
     /// Adds an empty group.
@@ -83,14 +83,14 @@ impl Scene {
     /// # Errors
     /// [`Error::TooLarge`], [`Error::OutOfMemory`].
     pub fn add_group(&mut self) -> Result<u32> {
-        self.add(Content::Group(Vec::new()))
+        self.add_entry(EntryContent::Group(Vec::new()))
     }
 
-    fn add(&mut self, content: Content) -> Result<u32> {
+    fn add_entry(&mut self, content: EntryContent) -> Result<u32> {
         let index = self.entries.len();
         Error::check_count("entries", index as u64 + 1, NONE.into())?;
-        self.marks.grow()?;
-        let entry = Entry { content, local: DAffine3::IDENTITY, visible: true, parents: Vec::new() };
+        self.marks.add_entry()?;
+        let entry = SceneEntry { content, local: DAffine3::IDENTITY, visible: true, parents: Vec::new() };
         alloc::push(&mut self.entries, Some(entry))?;
         Ok(index as u32)
     }
@@ -107,14 +107,14 @@ impl Scene {
         let Scene { entries, marks } = self;
         let entry = |index: u32| entries[index as usize].as_ref();
         let child_of = |index: u32, k: usize| match &entry(index)?.content {
-            Content::Group(children) => children.get(k).copied(),
-            Content::Net(_) => None,
+            EntryContent::Group(children) => children.get(k).copied(),
+            EntryContent::Net(_) => None,
         };
         if marks.is_reachable(child, group, child_of, |index, k| entry(index)?.parents.get(k).copied())? {
             return Err(Error::SceneCycle { entry: child });
         }
         alloc::reserve(&mut self.entry_mut(child)?.parents, 1)?;
-        if let Content::Group(children) = &mut self.entry_mut(group)?.content {
+        if let EntryContent::Group(children) = &mut self.entry_mut(group)?.content {
             alloc::push(children, child)?;
         }
         self.entry_mut(child)?.parents.push(group);
@@ -126,8 +126,8 @@ impl Scene {
     /// # Errors
     /// [`Error::NoSuch`], also if the group does not contain it.
     pub fn remove_child(&mut self, group: u32, child: u32) -> Result<()> {
-        let at = self.children(group)?.iter().position(|&other| other == child).ok_or(no_such(child))?;
-        if let Content::Group(children) = &mut self.entry_mut(group)?.content {
+        let at = self.children(group)?.iter().position(|&other| other == child).ok_or(no_such_entry(child))?;
+        if let EntryContent::Group(children) = &mut self.entry_mut(group)?.content {
             children.remove(at);
         }
         let parents = &mut self.entry_mut(child)?.parents;
@@ -143,15 +143,15 @@ impl Scene {
     /// # Errors
     /// [`Error::NoSuch`].
     pub fn remove(&mut self, index: u32) -> Result<()> {
-        let entry = self.entries.get_mut(index as usize).and_then(Option::take).ok_or(no_such(index))?;
+        let entry = self.entries.get_mut(index as usize).and_then(Option::take).ok_or(no_such_entry(index))?;
         let mut groups = entry.parents;
         sort_distinct(&mut groups);
         for group in groups {
-            if let Content::Group(children) = &mut self.entry_mut(group)?.content {
+            if let EntryContent::Group(children) = &mut self.entry_mut(group)?.content {
                 children.retain(|&child| child != index);
             }
         }
-        let Content::Group(mut children) = entry.content else { return Ok(()) };
+        let EntryContent::Group(mut children) = entry.content else { return Ok(()) };
         sort_distinct(&mut children);
         for child in children {
             self.entry_mut(child)?.parents.retain(|&group| group != index);
@@ -198,7 +198,7 @@ impl Scene {
     /// [`Error::NoSuch`], also for a group.
     pub fn set_net(&mut self, index: u32, net: Arc<Net<'static>>) -> Result<()> {
         self.net(index)?;
-        self.entry_mut(index)?.content = Content::Net(net);
+        self.entry_mut(index)?.content = EntryContent::Net(net);
         Ok(())
     }
 
@@ -231,7 +231,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::NoSuch`].
-    pub fn content(&self, index: u32) -> Result<&Content> {
+    pub fn content(&self, index: u32) -> Result<&EntryContent> {
         Ok(&self.entry(index)?.content)
     }
 
@@ -241,8 +241,8 @@ impl Scene {
     /// [`Error::NoSuch`], also for a group.
     pub fn net(&self, index: u32) -> Result<&Arc<Net<'static>>> {
         match self.content(index)? {
-            Content::Net(net) => Ok(net),
-            Content::Group(_) => Err(no_such(index)),
+            EntryContent::Net(net) => Ok(net),
+            EntryContent::Group(_) => Err(no_such_entry(index)),
         }
     }
 
@@ -252,8 +252,8 @@ impl Scene {
     /// [`Error::NoSuch`], also for a net.
     pub fn children(&self, index: u32) -> Result<&[u32]> {
         match self.content(index)? {
-            Content::Group(children) => Ok(children),
-            Content::Net(_) => Err(no_such(index)),
+            EntryContent::Group(children) => Ok(children),
+            EntryContent::Net(_) => Err(no_such_entry(index)),
         }
     }
 
@@ -267,15 +267,15 @@ impl Scene {
         self.entries.is_empty()
     }
 
-    pub(super) fn entry(&self, index: u32) -> Result<&Entry> {
-        self.entries.get(index as usize).and_then(Option::as_ref).ok_or(no_such(index))
+    pub(super) fn entry(&self, index: u32) -> Result<&SceneEntry> {
+        self.entries.get(index as usize).and_then(Option::as_ref).ok_or(no_such_entry(index))
     }
 
-    fn entry_mut(&mut self, index: u32) -> Result<&mut Entry> {
-        self.entries.get_mut(index as usize).and_then(Option::as_mut).ok_or(no_such(index))
+    fn entry_mut(&mut self, index: u32) -> Result<&mut SceneEntry> {
+        self.entries.get_mut(index as usize).and_then(Option::as_mut).ok_or(no_such_entry(index))
     }
 }
 
-fn no_such(index: u32) -> Error {
+fn no_such_entry(index: u32) -> Error {
     Error::NoSuch { element: Element::Entry, index: index.into() }
 }

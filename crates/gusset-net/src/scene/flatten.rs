@@ -4,9 +4,9 @@
 use super::arena::Scene;
 use super::instances::Instance;
 use crate::chunks::{lines_per_block, zip3};
-use crate::join::{JoinOptions, join_mirrored, lay_inner_rows, starts};
-use crate::transform::mirrors;
-use crate::{Direction, Net, Planes, Real, each};
+use crate::join::{JoinOptions, interpolate_inner_rows, join_mirrored, starts_of_nets};
+use crate::transform::is_orientation_reversing;
+use crate::{Direction, Net, Real, XyzMatrices, each};
 use glam::{DAffine3, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -32,15 +32,16 @@ impl Scene {
             return Err(Error::EmptyScene);
         }
         let nets = alloc::try_collect(instances.iter().map(|instance| Ok(&**self.net(instance.entry)?)))?;
-        let is_mirrored = |instance: &Instance| instance.world.is_finite() && mirrors(instance.world.matrix3);
+        let is_mirrored =
+            |instance: &Instance| instance.world.is_finite() && is_orientation_reversing(instance.world.matrix3);
         let mirrored = alloc::collect(instances.iter().map(is_mirrored))?;
         let options = JoinOptions { turn: true, ..*options };
         let mut net = join_mirrored(&nets, &mirrored, &options, &job.part(0.2, 0.8))?;
         if instances.iter().any(|instance| instance.world != DAffine3::IDENTITY) {
-            let starts = starts(nets.iter().map(|net| net.shape()), options.direction, options.rows)?;
+            let starts = starts_of_nets(nets.iter().map(|net| net.shape()), options.direction, options.rows)?;
             let world = |k: usize| instances[k].world;
-            each!(net.coordinates_mut(), planes => transform(planes, options.direction, &starts, world, job))?;
-            lay_inner_rows(&mut net, &job.part(0.9, 1.0))?;
+            each!(net.coordinates_mut(), planes => transform_nets(planes, options.direction, &starts, world, job))?;
+            interpolate_inner_rows(&mut net, &job.part(0.9, 1.0))?;
         }
         job.step(1.0, "nodes")?;
         Ok(net)
@@ -63,8 +64,8 @@ impl Scene {
 
 /// Transforms each net k, between `starts[k]` and `starts[k + 1]` in the direction including the
 /// inner rows after it, in double precision. Nodes of equal bits keep equal bits.
-fn transform<T: Real>(
-    planes: &mut Planes<'static, T>,
+fn transform_nets<T: Real>(
+    planes: &mut XyzMatrices<'static, T>,
     direction: Direction,
     starts: &[usize],
     world: impl Fn(usize) -> DAffine3 + Sync,

@@ -1,7 +1,7 @@
 //! Instances of a scene and their transforms, counted in topological order and listed depth first.
 //! O(entries + children) and O(instances).
 
-use super::arena::{Content, Counts, Entry, Scene};
+use super::arena::{EntryContent, Scene, SceneCounts, SceneEntry};
 use glam::DAffine3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -29,14 +29,14 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn counts(&self) -> Result<Counts> {
+    pub fn counts(&self) -> Result<SceneCounts> {
         let mut pending =
             alloc::collect(self.entries.iter().map(|entry| entry.as_ref().map_or(0, |e| e.parents.len())))?;
         let mut paths = alloc::filled(0u64, self.entries.len())?;
         let mut levels = alloc::filled(0u32, self.entries.len())?;
-        let mut counts = Counts::default();
+        let mut counts = SceneCounts::default();
         let mut ready = Vec::new();
-        for (index, _) in self.roots() {
+        for (index, _) in self.root_entries() {
             (paths[index as usize], levels[index as usize]) = (1, 1);
             alloc::push(&mut ready, index)?;
         }
@@ -46,11 +46,11 @@ impl Scene {
             counts.instances = counts.instances.saturating_add(here);
             counts.levels = counts.levels.max(level);
             match self.content(index)? {
-                Content::Net(_) => {
+                EntryContent::Net(_) => {
                     counts.nets += 1;
                     counts.net_instances = counts.net_instances.saturating_add(here);
                 }
-                Content::Group(children) => {
+                EntryContent::Group(children) => {
                     counts.groups += 1;
                     for &child in children {
                         let child = child as usize;
@@ -86,7 +86,7 @@ impl Scene {
         let count = self.instance_count()?;
         let mut instances: Vec<Instance> = alloc::with_capacity(count)?;
         let mut open = Vec::new();
-        for (root, _) in self.roots() {
+        for (root, _) in self.root_entries() {
             alloc::push(&mut open, (root, NONE))?;
             while let Some((index, parent)) = open.pop() {
                 job.step_every(1 << 16, instances.len(), count, "finding instances")?;
@@ -97,7 +97,7 @@ impl Scene {
                 };
                 let here = instances.len() as u32;
                 instances.push(Instance { entry: index, parent, visible, world });
-                if let Content::Group(children) = &entry.content {
+                if let EntryContent::Group(children) = &entry.content {
                     alloc::reserve(&mut open, children.len())?;
                     open.extend(children.iter().rev().map(|&child| (child, here)));
                 }
@@ -107,7 +107,7 @@ impl Scene {
     }
 
     /// Returns the entries in no group.
-    fn roots(&self) -> impl Iterator<Item = (u32, &Entry)> {
+    fn root_entries(&self) -> impl Iterator<Item = (u32, &SceneEntry)> {
         let entries = (0..).zip(&self.entries).filter_map(|(index, entry)| Some((index, entry.as_ref()?)));
         entries.filter(|(_, entry)| entry.parents.is_empty())
     }

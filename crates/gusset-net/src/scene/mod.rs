@@ -14,5 +14,5 @@ mod flatten;
 mod instances;
 mod reachability;
 
-pub use arena::{Content, Counts, EntryChanges, Scene};
+pub use arena::{EntryChanges, EntryContent, Scene, SceneCounts};
 pub use instances::{Instance, MAX_INSTANCES};

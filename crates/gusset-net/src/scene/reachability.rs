@@ -10,19 +10,19 @@ use gusset_base::error::Result;
 
 /// Marks of visited entries, reused by all searches: each search has its own number.
 #[derive(Debug, Default)]
-pub(super) struct Marks {
+pub(super) struct VisitMarks {
     visited: Vec<u32>,
     search: u32,
 }
 
-impl Marks {
+impl VisitMarks {
     /// Adds an entry.
-    pub(super) fn grow(&mut self) -> Result<()> {
+    pub(super) fn add_entry(&mut self) -> Result<()> {
         alloc::push(&mut self.visited, 0)
     }
 
     /// Numbers for two searches that no earlier search had.
-    fn begin(&mut self) -> [u32; 2] {
+    fn next_two_search_numbers(&mut self) -> [u32; 2] {
         if self.search > u32::MAX - 2 {
             self.visited.fill(0);
             self.search = 0;
@@ -43,18 +43,18 @@ impl Marks {
         if from == to {
             return Ok(true);
         }
-        let [down, up] = self.begin();
-        let mut below = Search::new(from, [down, up])?;
-        let mut above = Search::new(to, [up, down])?;
+        let [down, up] = self.next_two_search_numbers();
+        let mut below = DepthFirstSearch::new(from, [down, up])?;
+        let mut above = DepthFirstSearch::new(to, [up, down])?;
         loop {
-            let Some((at, k)) = below.next() else { return Ok(false) };
+            let Some((at, k)) = below.next_neighbour() else { return Ok(false) };
             let next = child(at, k);
-            if next == Some(to) || below.visit(next, self)? {
+            if next == Some(to) || below.descend_or_backtrack(next, self)? {
                 return Ok(true);
             }
-            let Some((at, k)) = above.next() else { return Ok(false) };
+            let Some((at, k)) = above.next_neighbour() else { return Ok(false) };
             let next = parent(at, k);
-            if next == Some(from) || above.visit(next, self)? {
+            if next == Some(from) || above.descend_or_backtrack(next, self)? {
                 return Ok(true);
             }
         }
@@ -62,20 +62,20 @@ impl Marks {
 }
 
 /// A depth-first search that advances one step at a time.
-struct Search {
+struct DepthFirstSearch {
     /// The number of this search and of the opposite one.
     numbers: [u32; 2],
     /// Entries on the path, each with the number of its neighbours examined.
     path: Vec<(u32, usize)>,
 }
 
-impl Search {
+impl DepthFirstSearch {
     fn new(from: u32, numbers: [u32; 2]) -> Result<Self> {
-        Ok(Search { numbers, path: alloc::filled((from, 0), 1)? })
+        Ok(DepthFirstSearch { numbers, path: alloc::filled((from, 0), 1)? })
     }
 
     /// Returns the entry and the number of its neighbour to examine.
-    fn next(&mut self) -> Option<(u32, usize)> {
+    fn next_neighbour(&mut self) -> Option<(u32, usize)> {
         let (at, next) = self.path.last_mut()?;
         *next += 1;
         Some((*at, *next - 1))
@@ -83,7 +83,7 @@ impl Search {
 
     /// Descends to a neighbour unless it was visited, or backtracks if there is none. Returns true
     /// where the two searches meet.
-    fn visit(&mut self, neighbour: Option<u32>, marks: &mut Marks) -> Result<bool> {
+    fn descend_or_backtrack(&mut self, neighbour: Option<u32>, marks: &mut VisitMarks) -> Result<bool> {
         let [own, opposite] = self.numbers;
         let Some(entry) = neighbour else {
             self.path.pop();

@@ -1,68 +1,68 @@
 //! The energy of a composite as sums over lines across its bridges and cells of films, and the
 //! quadratic sums that bound it from above. O(nodes of bridges).
 
-use super::energy::{Energies, Line, Quad};
-use super::motion::Motion;
-use super::parts::{BODY, NOWHERE};
-use super::term::Term;
+use super::energy::{BridgeEnergies, BridgeLine, FilmQuad};
+use super::motion::RigidMotion;
+use super::parts::{FIRST_BODY_SLOT, NO_BODY};
+use super::quadratic_term::QuadraticTerm;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_base::sparse::Symmetric;
+use gusset_base::sparse::SparseSymmetric;
 
 /// The fraction of the diagonal that is added to it, so that unconstrained unknowns stay.
-const DAMPING: f64 = 1e-11;
+const RELATIVE_DAMPING: f64 = 1e-11;
 
 /// Everything that has forces, scaled by the unit. Points are the classes of nodes, followed by the
 /// targets of clamps, which move with the bodies.
-pub(super) struct Model {
-    /// For each point the index of its unknown, or its body above [`BODY`].
+pub(super) struct EnergyModel {
+    /// For each point the index of its unknown, or its body above [`FIRST_BODY_SLOT`].
     pub(super) slots: Vec<u32>,
-    /// The unknown that is the translation of each body; [`NOWHERE`] for bodies that stay.
+    /// The unknown that is the translation of each body; [`NO_BODY`] for bodies that stay.
     pub(super) translations: Vec<u32>,
     /// The points of moving bodies in the terms, and their initial positions.
     pub(super) carried: Vec<(u32, DVec3)>,
     pub(super) unknowns: usize,
-    pub(super) lines: Vec<Line>,
-    pub(super) quads: Vec<Quad>,
+    pub(super) lines: Vec<BridgeLine>,
+    pub(super) quads: Vec<FilmQuad>,
 }
 
-impl Model {
+impl EnergyModel {
     /// Returns the unknown that moves a point, if any does.
-    fn unknown(&self, point: u32) -> Option<usize> {
+    fn unknown_of_point(&self, point: u32) -> Option<usize> {
         let slot = self.slots[point as usize];
         let unknown = match slot {
-            NOWHERE => NOWHERE,
-            body if body >= BODY => self.translations[(body - BODY) as usize],
+            NO_BODY => NO_BODY,
+            body if body >= FIRST_BODY_SLOT => self.translations[(body - FIRST_BODY_SLOT) as usize],
             own => own,
         };
-        (unknown != NOWHERE).then_some(unknown as usize)
+        (unknown != NO_BODY).then_some(unknown as usize)
     }
 
     /// Returns the numbers of unknowns, lines and quads.
-    pub(super) fn counts(&self) -> [usize; 3] {
+    pub(super) fn element_counts(&self) -> [usize; 3] {
         [self.unknowns, self.lines.len(), self.quads.len()]
     }
 
     /// Moves the points of moving bodies.
-    pub(super) fn place(&self, motions: &[Motion], x: &mut [DVec3]) {
+    pub(super) fn place_moving_bodies(&self, motions: &[RigidMotion], x: &mut [DVec3]) {
         for &(point, start) in &self.carried {
-            x[point as usize] = motions[(self.slots[point as usize] - BODY) as usize].apply(start);
+            x[point as usize] = motions[(self.slots[point as usize] - FIRST_BODY_SLOT) as usize].apply(start);
         }
     }
 
-    pub(super) fn energies(&self, x: &[DVec3]) -> Energies {
-        let mut sum = Energies::default();
+    pub(super) fn bridge_energies(&self, x: &[DVec3]) -> BridgeEnergies {
+        let mut sum = BridgeEnergies::default();
         self.lines.iter().for_each(|line| line.add_energies(x, &mut sum));
-        self.quads.iter().for_each(|quad| sum.tension += quad.energy(x));
+        self.quads.iter().for_each(|quad| sum.tension += quad.film_energy(x));
         sum
     }
 
     /// Returns the terms of a sum of squares that bounds the energy from above, up to a constant,
     /// and touches it at x.
-    pub(super) fn terms(&self, x: &[DVec3]) -> Result<Vec<Term>> {
+    pub(super) fn energy_terms(&self, x: &[DVec3]) -> Result<Vec<QuadraticTerm>> {
         let mut terms = Vec::new();
         for line in &self.lines {
             line.push_terms(x, &mut terms)?;
@@ -74,12 +74,12 @@ impl Model {
     }
 
     /// Returns the gradient of the sum for each unknown.
-    pub(super) fn gradient(&self, terms: &[Term], x: &[DVec3]) -> Result<Vec<DVec3>> {
+    pub(super) fn gradient(&self, terms: &[QuadraticTerm], x: &[DVec3]) -> Result<Vec<DVec3>> {
         let mut gradient = alloc::filled(DVec3::ZERO, self.unknowns)?;
         for term in terms {
             let force = term.weight * term.residual(x);
             for (&point, &c) in term.points.iter().zip(&term.factors).filter(|&(_, &c)| c != 0.0) {
-                if let Some(unknown) = self.unknown(point) {
+                if let Some(unknown) = self.unknown_of_point(point) {
                     gradient[unknown] += c * force;
                 }
             }
@@ -89,16 +89,21 @@ impl Model {
 
     /// Returns the displacements of the unknowns to the minimum of the sum, with bodies that do not
     /// rotate.
-    pub(super) fn step(&self, terms: &[Term], gradient: &[DVec3], job: &Job<'_>) -> Result<Vec<DVec3>> {
-        let matrix = self.matrix(terms, &job.part(0.0, 0.2))?;
+    pub(super) fn minimising_step(
+        &self,
+        terms: &[QuadraticTerm],
+        gradient: &[DVec3],
+        job: &Job<'_>,
+    ) -> Result<Vec<DVec3>> {
+        let matrix = self.system_matrix(terms, &job.part(0.0, 0.2))?;
         let mut solution = alloc::collect(gradient.iter().map(|&g| -g))?;
         matrix.factor(&job.part(0.2, 0.9))?.solve(&mut solution, &job.part(0.9, 1.0))?;
         Ok(solution)
     }
 
-    fn matrix(&self, terms: &[Term], job: &Job<'_>) -> Result<Symmetric> {
-        let pairs = |term: &Term| {
-            let unknowns = term.points.map(|point| self.unknown(point));
+    fn system_matrix(&self, terms: &[QuadraticTerm], job: &Job<'_>) -> Result<SparseSymmetric> {
+        let pairs = |term: &QuadraticTerm| {
+            let unknowns = term.points.map(|point| self.unknown_of_point(point));
             let (factors, weight) = (term.factors, term.weight);
             let entry = move |(i, j): (usize, usize)| {
                 let (Some(p), Some(q)) = (unknowns[i], unknowns[j]) else { return None };
@@ -119,36 +124,36 @@ impl Model {
             for same in column.chunk_by(|a, b| a.0 == b.0) {
                 let sum: f64 = same.iter().map(|&(_, value)| value).sum();
                 if same[0].0 as usize == k {
-                    *diagonal = sum * (1.0 + DAMPING);
+                    *diagonal = sum * (1.0 + RELATIVE_DAMPING);
                 } else {
                     alloc::push(&mut entries, (same[0].0, sum))?;
                 }
             }
             start.push(entries.len());
         }
-        Ok(Symmetric { start, entries, diagonal })
+        Ok(SparseSymmetric { start, entries, diagonal })
     }
 
     /// Returns the points and the motions after displacements, or after a fraction of them.
-    pub(super) fn displace(
+    pub(super) fn displace_points(
         &self,
         x: &[DVec3],
-        motions: &[Motion],
+        motions: &[RigidMotion],
         step: &[DVec3],
-        part: f64,
-    ) -> Result<(Vec<DVec3>, Vec<Motion>)> {
+        fraction: f64,
+    ) -> Result<(Vec<DVec3>, Vec<RigidMotion>)> {
         let (mut x, mut motions) = (alloc::copied(x)?, alloc::copied(motions)?);
         for (point, &slot) in x.iter_mut().zip(&self.slots) {
-            if slot < BODY {
-                *point += part * step[slot as usize];
+            if slot < FIRST_BODY_SLOT {
+                *point += fraction * step[slot as usize];
             }
         }
         for (motion, &unknown) in motions.iter_mut().zip(&self.translations) {
-            if unknown != NOWHERE {
-                motion.translation += part * step[unknown as usize];
+            if unknown != NO_BODY {
+                motion.translation += fraction * step[unknown as usize];
             }
         }
-        self.place(&motions, &mut x);
+        self.place_moving_bodies(&motions, &mut x);
         Ok((x, motions))
     }
 }

@@ -29,25 +29,25 @@
 //! one thread.
 
 mod anderson;
-mod bodies;
-mod build;
+mod composite;
 mod descent;
 mod energy;
 mod energy_model;
 mod motion;
 mod parts;
+mod quadratic_term;
+mod rotate_bodies;
 mod settle_options;
-mod term;
 
 use super::Net;
 use super::planarise::PlanariseOptions;
-use super::planarise::net_vertices::Surface;
-use build::{Composite, build};
-use descent::descend;
+use super::planarise::net_vertices::NetVertices;
+use composite::{CompositeModel, build_composite};
+use descent::descend_to_equilibrium;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use parts::{BODY, NOWHERE, Parts};
+use parts::{CompositeParts, FIRST_BODY_SLOT, NO_BODY};
 pub use settle_options::SettleOptions;
 
 /// The result of [`settle`]. Energies are in units of force times length.
@@ -111,22 +111,22 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
         return Err(Error::SidesDiffer { a, b });
     }
     job.step(0.0, "settle")?;
-    let mut parts = Parts::new(net, options)?;
-    let surface = Surface::new(net, &PlanariseOptions::default(), &job.part(0.0, 0.1))?;
-    let slots = parts.unite(net, &surface.classes, &job.part(0.1, 0.15))?;
-    let mut composite = build(net, options, (&parts, &surface, slots), &job.part(0.15, 0.2))?;
+    let mut parts = CompositeParts::new(net, options)?;
+    let surface = NetVertices::new(net, &PlanariseOptions::default(), &job.part(0.0, 0.1))?;
+    let slots = parts.unite_into_bodies(net, &surface.classes, &job.part(0.1, 0.15))?;
+    let mut composite = build_composite(net, options, (&parts, &surface, slots), &job.part(0.15, 0.2))?;
     let tolerance = if tolerance == 0.0 { DEFAULT_TOLERANCE } else { tolerance } * surface.size;
     let max = if options.max_iterations == 0 { DEFAULT_ITERATIONS } else { options.max_iterations };
     let [energy_unit, force_unit] = composite.energy_unit;
-    let energy_before = composite.model.energies(&composite.points).sum();
-    let done = descend(&mut composite, tolerance, max, &job.part(0.2, 0.95))?;
-    let after = composite.model.energies(&composite.points);
-    let collapsed = composite.collapsed();
-    let mut moved = composite.positions(surface.positions.len())?;
-    surface.round(&mut moved, net.coordinates().scalar());
+    let energy_before = composite.model.bridge_energies(&composite.points).total_energy();
+    let done = descend_to_equilibrium(&mut composite, tolerance, max, &job.part(0.2, 0.95))?;
+    let after = composite.model.bridge_energies(&composite.points);
+    let collapsed = composite.count_collapsed_films();
+    let mut moved = composite.vertex_positions(surface.positions.len())?;
+    surface.round_to_scalar(&mut moved, net.coordinates().scalar());
     job.step(1.0, "settle")?;
     // Nothing below can fail.
-    surface.write(net, &moved);
+    surface.move_nodes(net, &moved);
     let displacements = moved.iter().zip(&surface.positions).map(|(p, q)| p.distance(*q));
     Ok(Settled {
         energy_before: energy_before * energy_unit,
@@ -143,23 +143,25 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
     })
 }
 
-impl Composite {
+impl CompositeModel {
     /// Returns the number of films with a collapsed cell.
-    fn collapsed(&self) -> u32 {
+    fn count_collapsed_films(&self) -> u32 {
         let has_collapsed = |(quads, area): &&(std::ops::Range<usize>, f64)| {
             let least = MIN_RELATIVE_CELL_AREA * area / quads.len().max(1) as f64;
             let mut cells = self.model.quads[quads.clone()].iter();
-            cells.any(|quad| quad.area(&self.start) >= least && quad.area(&self.points) < least)
+            cells.any(|quad| quad.quad_area(&self.start) >= least && quad.quad_area(&self.points) < least)
         };
         self.films.iter().filter(has_collapsed).count() as u32
     }
 
     /// Where all vertices of the net are.
-    fn positions(&self, count: usize) -> Result<Vec<glam::DVec3>> {
+    fn vertex_positions(&self, count: usize) -> Result<Vec<glam::DVec3>> {
         let mut moved = alloc::copied(&self.points[..count])?;
         for ((v, &start), &slot) in moved.iter_mut().zip(&self.start).zip(&self.model.slots) {
-            if (BODY..NOWHERE).contains(&slot) && self.model.translations[(slot - BODY) as usize] != NOWHERE {
-                *v = self.motions[(slot - BODY) as usize].apply(start);
+            if (FIRST_BODY_SLOT..NO_BODY).contains(&slot)
+                && self.model.translations[(slot - FIRST_BODY_SLOT) as usize] != NO_BODY
+            {
+                *v = self.motions[(slot - FIRST_BODY_SLOT) as usize].apply(start);
             }
         }
         Ok(moved)

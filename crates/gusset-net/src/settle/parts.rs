@@ -1,7 +1,7 @@
 //! The parts between whole bridges, and the rigid bodies that they make. O(nodes).
 
 use super::SettleOptions;
-use crate::{Bridge, BridgeMode, BridgeProperties, Classes, Direction, Net};
+use crate::{Bridge, BridgeMode, BridgeProperties, Direction, Net, NodeClasses};
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::disjoint_sets::DisjointSets;
@@ -10,14 +10,14 @@ use gusset_base::sort;
 use std::ops::Range;
 
 /// Nodes between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const NODES_PER_REPORT: usize = 1 << 16;
 /// Marks a vertex that does not belong to a bridge or a part.
-pub(super) const NOWHERE: u32 = u32::MAX;
+pub(super) const NO_BODY: u32 = u32::MAX;
 /// For vertices of bodies, the body's index is stored above this.
-pub(super) const BODY: u32 = 1 << 31;
+pub(super) const FIRST_BODY_SLOT: u32 = 1 << 31;
 
 /// The parts and bridges of a composite net, along one direction.
-pub(super) struct Parts {
+pub(super) struct CompositeParts {
     pub(super) direction: Direction,
     /// The indices of the whole bridges, sorted by place.
     pub(super) bridges: Vec<usize>,
@@ -32,7 +32,7 @@ pub(super) struct Parts {
 }
 
 /// Returns the properties of a bridge that has a force; `None` if it has none.
-pub(super) fn forces(bridge: &Bridge) -> Option<BridgeProperties> {
+pub(super) fn properties_with_force(bridge: &Bridge) -> Option<BridgeProperties> {
     let p = bridge.properties;
     let pulls = p.tension > 0.0 || p.elasticity > 0.0 || p.stiffness > 0.0;
     (bridge.mode == BridgeMode::Keep && pulls).then_some(p)
@@ -40,12 +40,12 @@ pub(super) fn forces(bridge: &Bridge) -> Option<BridgeProperties> {
 
 /// Returns true if a bridge and its sides move as one body.
 pub(super) fn is_rigid(bridge: &Bridge) -> bool {
-    forces(bridge).is_some_and(|p| p.stiffness == f64::INFINITY)
+    properties_with_force(bridge).is_some_and(|p| p.stiffness == f64::INFINITY)
 }
 
 /// Returns [`Error::BadProperty`] for a property that is negative, NaN, or infinite; stiffness may
 /// be infinite.
-fn check(index: usize, p: BridgeProperties) -> Result<()> {
+fn check_properties(index: usize, p: BridgeProperties) -> Result<()> {
     for (property, value) in [("tension", p.tension), ("elasticity", p.elasticity), ("stiffness", p.stiffness)] {
         let is_valid = value >= 0.0 && (value.is_finite() || property == "stiffness");
         if !is_valid {
@@ -55,7 +55,7 @@ fn check(index: usize, p: BridgeProperties) -> Result<()> {
     Ok(())
 }
 
-impl Parts {
+impl CompositeParts {
     /// Returns the parts between the whole bridges in the direction of the last of them.
     pub(super) fn new(net: &Net<'_>, options: &SettleOptions<'_>) -> Result<Self> {
         let all = net.bridges();
@@ -66,17 +66,17 @@ impl Parts {
         sort::stable(&mut bridges, &|&i, &k| all[i].at.cmp(&all[k].at).then(i.cmp(&k)));
         let (mut ranges, mut start) = (alloc::with_capacity(bridges.len() + 1)?, 0);
         for &index in &bridges {
-            check(index, all[index].properties)?;
+            check_properties(index, all[index].properties)?;
             let (at, rows) = (all[index].at, all[index].rows);
-            let is_inside = rows < at && (at as usize) < direction.extent(net.shape()).0;
-            if !is_inside || (all[index].first_side() as usize) < start {
+            let is_inside = rows < at && (at as usize) < direction.extents_along_and_across(net.shape()).0;
+            if !is_inside || (all[index].first_side_line() as usize) < start {
                 // The bridge does not belong to this net, or lies within another.
                 return Err(Error::NoSuch { element: Element::Bridge, index: index as u64 });
             }
-            ranges.push(start..all[index].first_side() as usize + 1);
+            ranges.push(start..all[index].first_side_line() as usize + 1);
             start = all[index].at as usize;
         }
-        ranges.push(start..direction.extent(net.shape()).0);
+        ranges.push(start..direction.extents_along_and_across(net.shape()).0);
         let (needed, given) = (ranges.len(), options.free.len());
         if given != 0 && given < needed {
             return Err(Error::ArrayTooShort { what: "free", needed: needed as u64, given: given as u64 });
@@ -84,21 +84,26 @@ impl Parts {
         let is_held = |part: usize| !options.free.get(part).is_some_and(|&free| free);
         let held_parts = alloc::collect((0..needed).map(is_held))?;
         let (bodies, held) = (alloc::collect(0..needed as u32)?, Vec::new());
-        Ok(Parts { direction, bridges, ranges, bodies, held, held_parts })
+        Ok(CompositeParts { direction, bridges, ranges, bodies, held, held_parts })
     }
 
     /// Returns the class of the node at place `k` of row or column `i`.
-    pub(super) fn vertex(&self, classes: &Classes, i: usize, k: usize) -> u32 {
-        let (i, j) = self.direction.ordered(i, k);
+    pub(super) fn vertex_at(&self, classes: &NodeClasses, i: usize, k: usize) -> u32 {
+        let (i, j) = self.direction.order_along_first(i, k);
         classes.representative(classes.shape().node(i, j))
     }
 
     /// Unites parts that are glued or joined by rigid bridges into bodies. Returns for each class
-    /// of nodes its body above [`BODY`], or [`NOWHERE`] if only bridges contain it.
-    pub(super) fn unite(&mut self, net: &Net<'_>, classes: &Classes, job: &Job<'_>) -> Result<Vec<u32>> {
+    /// of nodes its body above [`FIRST_BODY_SLOT`], or [`NO_BODY`] if only bridges contain it.
+    pub(super) fn unite_into_bodies(
+        &mut self,
+        net: &Net<'_>,
+        classes: &NodeClasses,
+        job: &Job<'_>,
+    ) -> Result<Vec<u32>> {
         let shape = net.shape();
-        let along = self.direction.extent(shape).1;
-        let mut slots = alloc::filled(NOWHERE, shape.node_count())?;
+        let along = self.direction.extents_along_and_across(shape).1;
+        let mut slots = alloc::filled(NO_BODY, shape.node_count())?;
         let mut sets = DisjointSets::new(self.ranges.len())?;
         let mut join = |a: u32, b: u32| {
             let (a, b) = (sets.find(a), sets.find(b));
@@ -108,13 +113,13 @@ impl Parts {
         for (part, rows) in (0u32..).zip(&self.ranges) {
             for i in rows.clone() {
                 for k in 0..along {
-                    job.step_every(REPORT_INTERVAL, done, shape.node_count(), "settle")?;
+                    job.step_every(NODES_PER_REPORT, done, shape.node_count(), "settle")?;
                     done += 1;
-                    let slot = &mut slots[self.vertex(classes, i, k) as usize];
-                    if *slot == NOWHERE {
-                        *slot = BODY + part;
-                    } else if *slot != BODY + part {
-                        join(*slot - BODY, part);
+                    let slot = &mut slots[self.vertex_at(classes, i, k) as usize];
+                    if *slot == NO_BODY {
+                        *slot = FIRST_BODY_SLOT + part;
+                    } else if *slot != FIRST_BODY_SLOT + part {
+                        join(*slot - FIRST_BODY_SLOT, part);
                     }
                 }
             }
@@ -127,15 +132,15 @@ impl Parts {
         (0u32..).zip(&mut self.bodies).for_each(|(part, body)| *body = sets.find(part));
         slots
             .iter_mut()
-            .filter(|slot| **slot != NOWHERE)
-            .for_each(|slot| *slot = BODY + self.bodies[(*slot - BODY) as usize]);
-        self.hold(net)?;
+            .filter(|slot| **slot != NO_BODY)
+            .for_each(|slot| *slot = FIRST_BODY_SLOT + self.bodies[(*slot - FIRST_BODY_SLOT) as usize]);
+        self.determine_held_bodies(net)?;
         Ok(slots)
     }
 
     /// Determines the bodies that stay: bodies with a held part, and the first of a group of bodies
     /// that bridges join if none of them is held.
-    fn hold(&mut self, net: &Net<'_>) -> Result<()> {
+    fn determine_held_bodies(&mut self, net: &Net<'_>) -> Result<()> {
         let count = self.ranges.len();
         self.held = alloc::filled(false, count)?;
         let mut sets = DisjointSets::new(count)?;
@@ -143,7 +148,7 @@ impl Parts {
             self.held[body as usize] |= self.held_parts[part];
         }
         for (part, &index) in self.bridges.iter().enumerate() {
-            if forces(&net.bridges()[index]).is_some() {
+            if properties_with_force(&net.bridges()[index]).is_some() {
                 let (a, b) = (sets.find(self.bodies[part]), sets.find(self.bodies[part + 1]));
                 sets.attach(a.max(b), a.min(b));
             }

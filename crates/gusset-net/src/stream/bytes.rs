@@ -5,53 +5,53 @@ use gusset_base::error::{Error, Result};
 
 /// Appends numbers to bytes.
 #[derive(Debug, Default)]
-pub(super) struct Writer {
+pub(super) struct ByteWriter {
     pub(super) bytes: Vec<u8>,
 }
 
-impl Writer {
-    pub(super) fn raw(&mut self, bytes: &[u8]) -> Result<()> {
+impl ByteWriter {
+    pub(super) fn write_bytes(&mut self, bytes: &[u8]) -> Result<()> {
         alloc::append(&mut self.bytes, bytes)
     }
 
-    pub(super) fn u8(&mut self, value: u8) -> Result<()> {
-        self.raw(&[value])
+    pub(super) fn write_u8(&mut self, value: u8) -> Result<()> {
+        self.write_bytes(&[value])
     }
 
-    pub(super) fn u32(&mut self, value: u32) -> Result<()> {
-        self.raw(&value.to_le_bytes())
+    pub(super) fn write_u32(&mut self, value: u32) -> Result<()> {
+        self.write_bytes(&value.to_le_bytes())
     }
 
-    pub(super) fn u64(&mut self, value: u64) -> Result<()> {
-        self.raw(&value.to_le_bytes())
+    pub(super) fn write_u64(&mut self, value: u64) -> Result<()> {
+        self.write_bytes(&value.to_le_bytes())
     }
 
-    pub(super) fn f64(&mut self, value: f64) -> Result<()> {
-        self.u64(value.to_bits())
+    pub(super) fn write_f64(&mut self, value: f64) -> Result<()> {
+        self.write_u64(value.to_bits())
     }
 
     /// LEB128: seven bits a byte, the low ones first; all but the last byte have their eighth bit
     /// set.
-    pub(super) fn varint(&mut self, mut value: u64) -> Result<()> {
+    pub(super) fn write_varint(&mut self, mut value: u64) -> Result<()> {
         while value >= 0x80 {
-            self.u8(value as u8 | 0x80)?;
+            self.write_u8(value as u8 | 0x80)?;
             value >>= 7;
         }
-        self.u8(value as u8)
+        self.write_u8(value as u8)
     }
 
     /// Zigzag and LEB128: small numbers of either sign take few bytes.
-    pub(super) fn signed(&mut self, value: i64) -> Result<()> {
-        self.varint((value << 1 ^ value >> 63) as u64)
+    pub(super) fn write_signed_varint(&mut self, value: i64) -> Result<()> {
+        self.write_varint((value << 1 ^ value >> 63) as u64)
     }
 
     /// Zeros up to a multiple of `alignment`.
-    pub(super) fn pad(&mut self, alignment: usize) -> Result<()> {
+    pub(super) fn pad_to_multiple(&mut self, alignment: usize) -> Result<()> {
         let missing = self.bytes.len().next_multiple_of(alignment) - self.bytes.len();
-        self.zeros(missing)
+        self.write_zeros(missing)
     }
 
-    pub(super) fn zeros(&mut self, count: usize) -> Result<()> {
+    pub(super) fn write_zeros(&mut self, count: usize) -> Result<()> {
         alloc::reserve(&mut self.bytes, count)?;
         self.bytes.resize(self.bytes.len() + count, 0);
         Ok(())
@@ -59,103 +59,107 @@ impl Writer {
 }
 
 /// [`Error::BadStream`] at a byte of the stream.
-pub(super) fn bad(what: &'static str, byte: u64) -> Error {
+pub(super) fn bad_stream_error(what: &'static str, byte: u64) -> Error {
     Error::BadStream { what, byte }
 }
 
 /// Reads numbers from bytes; [`Error::BadStream`] where they end.
 #[derive(Debug, Clone)]
-pub(super) struct Reader<'a> {
+pub(super) struct ByteReader<'a> {
     bytes: &'a [u8],
     at: usize,
     /// The position of `bytes` in the stream.
     offset: u64,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> ByteReader<'a> {
     pub(super) fn new(bytes: &'a [u8], offset: u64) -> Self {
-        Reader { bytes, at: 0, offset }
+        ByteReader { bytes, at: 0, offset }
     }
 
     /// Returns the error at the current byte.
-    pub(super) fn bad(&self, what: &'static str) -> Error {
-        bad(what, self.offset + self.at as u64)
+    pub(super) fn error_here(&self, what: &'static str) -> Error {
+        bad_stream_error(what, self.offset + self.at as u64)
     }
 
-    pub(super) fn remaining(&self) -> usize {
+    pub(super) fn remaining_bytes(&self) -> usize {
         self.bytes.len() - self.at
     }
 
-    pub(super) fn raw(&mut self, count: usize) -> Result<&'a [u8]> {
-        if count > self.remaining() {
-            return Err(bad("it is cut off", self.offset + self.bytes.len() as u64));
+    pub(super) fn read_bytes(&mut self, count: usize) -> Result<&'a [u8]> {
+        if count > self.remaining_bytes() {
+            return Err(bad_stream_error("it is cut off", self.offset + self.bytes.len() as u64));
         }
         let bytes = &self.bytes[self.at..self.at + count];
         self.at += count;
         Ok(bytes)
     }
 
-    fn array<const N: usize>(&mut self) -> Result<[u8; N]> {
+    fn read_array<const N: usize>(&mut self) -> Result<[u8; N]> {
         let mut array = [0; N];
-        array.copy_from_slice(self.raw(N)?);
+        array.copy_from_slice(self.read_bytes(N)?);
         Ok(array)
     }
 
-    pub(super) fn u8(&mut self) -> Result<u8> {
-        Ok(self.array::<1>()?[0])
+    pub(super) fn read_u8(&mut self) -> Result<u8> {
+        Ok(self.read_array::<1>()?[0])
     }
 
     /// 0 or 1; `None` for another byte.
-    pub(super) fn flag(&mut self) -> Result<Option<bool>> {
-        let byte = self.u8()?;
+    pub(super) fn read_flag(&mut self) -> Result<Option<bool>> {
+        let byte = self.read_u8()?;
         Ok((byte <= 1).then_some(byte == 1))
     }
 
-    pub(super) fn u32(&mut self) -> Result<u32> {
-        Ok(u32::from_le_bytes(self.array()?))
+    pub(super) fn read_u32(&mut self) -> Result<u32> {
+        Ok(u32::from_le_bytes(self.read_array()?))
     }
 
-    pub(super) fn u64(&mut self) -> Result<u64> {
-        Ok(u64::from_le_bytes(self.array()?))
+    pub(super) fn read_u64(&mut self) -> Result<u64> {
+        Ok(u64::from_le_bytes(self.read_array()?))
     }
 
-    pub(super) fn f64(&mut self) -> Result<f64> {
-        Ok(f64::from_bits(self.u64()?))
+    pub(super) fn read_f64(&mut self) -> Result<f64> {
+        Ok(f64::from_bits(self.read_u64()?))
     }
 
-    pub(super) fn varint(&mut self) -> Result<u64> {
+    pub(super) fn read_varint(&mut self) -> Result<u64> {
         let mut value = 0;
         for shift in (0..64).step_by(7) {
-            let byte = self.u8()?;
+            let byte = self.read_u8()?;
             value |= u64::from(byte & 0x7f) << shift;
             // Each number has one encoding: without trailing zeros and without bits beyond the
             // 64th.
             if byte < 0x80 {
                 let good = (byte > 0 || shift == 0) && (shift < 63 || byte == 1);
-                return if good { Ok(value) } else { Err(self.bad("the encoding of a number is not the shortest")) };
+                return if good {
+                    Ok(value)
+                } else {
+                    Err(self.error_here("the encoding of a number is not the shortest"))
+                };
             }
         }
-        Err(self.bad("a number is too long"))
+        Err(self.error_here("a number is too long"))
     }
 
-    pub(super) fn signed(&mut self) -> Result<i64> {
-        let value = self.varint()?;
+    pub(super) fn read_signed_varint(&mut self) -> Result<i64> {
+        let value = self.read_varint()?;
         Ok((value >> 1) as i64 ^ -((value & 1) as i64))
     }
 
-    pub(super) fn varint_u32(&mut self) -> Result<u32> {
-        let value = self.varint()?;
-        u32::try_from(value).map_err(|_| self.bad("a number is too large"))
+    pub(super) fn read_varint_u32(&mut self) -> Result<u32> {
+        let value = self.read_varint()?;
+        u32::try_from(value).map_err(|_| self.error_here("a number is too large"))
     }
 
-    pub(super) fn signed_i32(&mut self) -> Result<i32> {
-        let value = self.signed()?;
-        i32::try_from(value).map_err(|_| self.bad("a number is too large"))
+    pub(super) fn read_signed_i32(&mut self) -> Result<i32> {
+        let value = self.read_signed_varint()?;
+        i32::try_from(value).map_err(|_| self.error_here("a number is too large"))
     }
 
     /// Requires that all bytes were read.
-    pub(super) fn finish(self) -> Result<()> {
-        if self.remaining() == 0 { Ok(()) } else { Err(self.bad("there are bytes after the end")) }
+    pub(super) fn require_end(self) -> Result<()> {
+        if self.remaining_bytes() == 0 { Ok(()) } else { Err(self.error_here("there are bytes after the end")) }
     }
 }
 

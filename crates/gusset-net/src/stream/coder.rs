@@ -1,9 +1,10 @@
 //! Entropy coding: the range coder of the crate `constriction` with adaptive models, and beside it
 //! a plain bit stream for incompressible bits.
 //!
-//! Invariant: one routine drives encoder and decoder through [`Coder`], so that they cannot differ.
+//! Invariant: one routine drives encoder and decoder through [`EntropyCoder`], so that they cannot
+//! differ.
 
-use super::symbol_model::{Model, PRECISION};
+use super::symbol_model::{PROBABILITY_BITS, SymbolModel};
 use constriction::backends::{Cursor, WriteWords};
 use constriction::stream::queue::{DefaultRangeDecoder, DefaultRangeEncoder};
 use constriction::stream::{Decode, Encode};
@@ -12,11 +13,11 @@ use gusset_base::error::{Error, Result};
 
 /// An encoder or a decoder of a sequence of numbers. An encoder writes each number that it is
 /// given. A decoder ignores its argument and returns the number that it reads.
-pub(super) trait Coder {
+pub(super) trait EntropyCoder {
     /// Codes a symbol by an adaptive model, and updates the model.
-    fn symbol<const N: usize>(&mut self, model: &mut Model<N>, symbol: usize) -> usize;
+    fn code_symbol<const N: usize>(&mut self, model: &mut SymbolModel<N>, symbol: usize) -> usize;
     /// Codes the `count` low bits of a number, at most 64.
-    fn bits(&mut self, value: u64, count: u32) -> u64;
+    fn code_bits(&mut self, value: u64, count: u32) -> u64;
 }
 
 /// A fallible output buffer.
@@ -34,7 +35,7 @@ impl WriteWords<u32> for WordBuffer {
 }
 
 /// The encoder. Failures to allocate are reported at the end.
-pub(super) struct Encoder {
+pub(super) struct RangeEncoder {
     range: DefaultRangeEncoder<WordBuffer>,
     bits: Vec<u64>,
     /// Bits of an incomplete word, and their number.
@@ -43,10 +44,10 @@ pub(super) struct Encoder {
     failed: bool,
 }
 
-impl Encoder {
+impl RangeEncoder {
     pub(super) fn new() -> Self {
         let range = DefaultRangeEncoder::with_write_backend(WordBuffer::default());
-        Encoder { range, bits: Vec::new(), pending: 0, pending_count: 0, failed: false }
+        RangeEncoder { range, bits: Vec::new(), pending: 0, pending_count: 0, failed: false }
     }
 
     /// Returns the words of the range coder, and the bytes of the bits.
@@ -63,16 +64,16 @@ impl Encoder {
     }
 }
 
-impl Coder for Encoder {
+impl EntropyCoder for RangeEncoder {
     #[inline(always)]
-    fn symbol<const N: usize>(&mut self, model: &mut Model<N>, symbol: usize) -> usize {
-        self.failed |= Encode::<PRECISION>::encode_symbol(&mut self.range, symbol, &*model).is_err();
-        model.learn(symbol);
+    fn code_symbol<const N: usize>(&mut self, model: &mut SymbolModel<N>, symbol: usize) -> usize {
+        self.failed |= Encode::<PROBABILITY_BITS>::encode_symbol(&mut self.range, symbol, &*model).is_err();
+        model.count_symbol(symbol);
         symbol
     }
 
     #[inline(always)]
-    fn bits(&mut self, value: u64, count: u32) -> u64 {
+    fn code_bits(&mut self, value: u64, count: u32) -> u64 {
         if count == 0 {
             return 0;
         }
@@ -91,7 +92,7 @@ impl Coder for Encoder {
 }
 
 /// The decoder. It reads zeros beyond the end; malformed input is reported at the end.
-pub(super) struct Decoder<'a> {
+pub(super) struct RangeDecoder<'a> {
     range: DefaultRangeDecoder<Cursor<u32, Vec<u32>>>,
     bits: &'a [u8],
     /// The next bit.
@@ -99,41 +100,41 @@ pub(super) struct Decoder<'a> {
     failed: bool,
 }
 
-impl<'a> Decoder<'a> {
+impl<'a> RangeDecoder<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub(super) fn new(words: &[u8], bits: &'a [u8]) -> Result<Self> {
         let word = |bytes: &[u8]| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
         let words = alloc::collect(words.chunks_exact(4).map(word))?;
         let Ok(range) = DefaultRangeDecoder::from_compressed(words);
-        Ok(Decoder { range, bits, at: 0, failed: false })
+        Ok(RangeDecoder { range, bits, at: 0, failed: false })
     }
 
     /// Returns true if exactly the input was read.
-    pub(super) fn is_sound(&self) -> bool {
+    pub(super) fn has_read_all_input(&self) -> bool {
         !self.failed && self.at.div_ceil(8) == self.bits.len() as u64
     }
 }
 
-impl Coder for Decoder<'_> {
+impl EntropyCoder for RangeDecoder<'_> {
     #[inline(always)]
-    fn symbol<const N: usize>(&mut self, model: &mut Model<N>, _: usize) -> usize {
-        let symbol = Decode::<PRECISION>::decode_symbol(&mut self.range, &*model).unwrap_or_else(|_| {
+    fn code_symbol<const N: usize>(&mut self, model: &mut SymbolModel<N>, _: usize) -> usize {
+        let symbol = Decode::<PROBABILITY_BITS>::decode_symbol(&mut self.range, &*model).unwrap_or_else(|_| {
             self.failed = true;
             0
         });
-        model.learn(symbol);
+        model.count_symbol(symbol);
         symbol
     }
 
     #[inline(always)]
-    fn bits(&mut self, _: u64, count: u32) -> u64 {
+    fn code_bits(&mut self, _: u64, count: u32) -> u64 {
         if count == 0 {
             return 0;
         }
         let (byte, shift) = ((self.at / 8) as usize, (self.at % 8) as u32);
         let Some(window) = self.bits.get(byte..).and_then(|rest| rest.first_chunk()) else {
-            return self.bits_at_end(count);
+            return self.decode_bits_at_end(count);
         };
         let mut value = u64::from_le_bytes(*window) >> shift;
         if shift + count > 64 {
@@ -144,10 +145,10 @@ impl Coder for Decoder<'_> {
     }
 }
 
-impl Decoder<'_> {
-    /// `bits` within the last eight bytes.
+impl RangeDecoder<'_> {
+    /// `code_bits` within the last eight bytes.
     #[cold]
-    fn bits_at_end(&mut self, count: u32) -> u64 {
+    fn decode_bits_at_end(&mut self, count: u32) -> u64 {
         let bit = |at: u64| u64::from(self.bits.get((at / 8) as usize).copied().unwrap_or(0)) >> (at % 8) & 1;
         let value = (0..count).fold(0, |value, k| value | bit(self.at + u64::from(k)) << k);
         self.at += u64::from(count);

@@ -1,6 +1,6 @@
 //! The header of a stream: 128 bytes, checked field by field.
 
-use super::bytes::{Reader, Writer, bad, checksum};
+use super::bytes::{ByteReader, ByteWriter, bad_stream_error, checksum};
 use crate::Shape;
 use gusset_base::error::Result;
 use gusset_mesh::Scalar;
@@ -10,16 +10,16 @@ pub const HEADER_SIZE: usize = 128;
 /// A non-text byte, a name, and line ends that a transfer as text would alter.
 const MAGIC: [u8; 8] = *b"\x8bTRN\r\n\x1a\n";
 /// The version of the format.
-const VERSION: u32 = 1;
+const FORMAT_VERSION: u32 = 1;
 /// The largest number of nodes per byte. Encoders pad shorter streams, so that a short stream
 /// cannot demand much memory.
 pub(super) const MAX_NODES_PER_BYTE: u64 = 4096;
 /// The alignment of blocks in a raw stream.
-pub(super) const ALIGNMENT: usize = 64;
+pub(super) const RAW_BLOCK_ALIGNMENT: usize = 64;
 
 /// The storage of coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Mode {
+pub enum StreamMode {
     /// Uncompressed, aligned to 64 bytes.
     Raw,
     /// Compressed, bit for bit.
@@ -39,19 +39,19 @@ pub struct StreamInfo {
     /// The type of its coordinates.
     pub scalar: Scalar,
     /// Their storage.
-    pub mode: Mode,
+    pub mode: StreamMode,
     /// Rows in each block; the last one may have fewer.
     pub rows_per_block: usize,
-    /// For [`Mode::Quantised`], the coordinates of level 0.
+    /// For [`StreamMode::Quantised`], the coordinates of level 0.
     pub origin: [f64; 3],
-    /// For [`Mode::Quantised`], the distance of levels. The error of a coordinate is at most half
-    /// of it and half a unit in the last place.
+    /// For [`StreamMode::Quantised`], the distance of levels. The error of a coordinate is at most
+    /// half of it and half a unit in the last place.
     pub step: [f64; 3],
     /// Bytes before the first block.
     pub prelude_size: u64,
     /// Whether only the first node of each class of glued nodes is stored.
     pub(super) folded: bool,
-    /// For [`Mode::Lossless`], the bits of the coordinates of missing nodes.
+    /// For [`StreamMode::Lossless`], the bits of the coordinates of missing nodes.
     pub(super) missing: [u64; 3],
     /// The order of coordinates, one of six.
     pub(super) order: u8,
@@ -62,7 +62,7 @@ pub struct StreamInfo {
 
 impl StreamInfo {
     /// Returns the header of an empty stream.
-    pub(super) fn new(shape: Shape, scalar: Scalar, mode: Mode, rows_per_block: usize) -> Self {
+    pub(super) fn new(shape: Shape, scalar: Scalar, mode: StreamMode, rows_per_block: usize) -> Self {
         StreamInfo {
             shape,
             scalar,
@@ -86,86 +86,86 @@ impl StreamInfo {
     pub fn read(bytes: &[u8]) -> Result<Self> {
         // Reports other bytes first, before any other fault.
         if bytes.iter().zip(&MAGIC).any(|(byte, own)| byte != own) {
-            return Err(bad("it does not begin as a stream of a net does", 0));
+            return Err(bad_stream_error("it does not begin as a stream of a net does", 0));
         }
-        let header = bytes.get(..HEADER_SIZE).ok_or(bad("it is cut off", bytes.len() as u64))?;
-        let mut from = Reader::new(header, 0);
-        from.raw(MAGIC.len())?;
+        let header = bytes.get(..HEADER_SIZE).ok_or(bad_stream_error("it is cut off", bytes.len() as u64))?;
+        let mut from = ByteReader::new(header, 0);
+        from.read_bytes(MAGIC.len())?;
         let last = HEADER_SIZE - 4;
         if header[last..] != checksum(&header[..last]).to_le_bytes() {
-            return Err(bad("the checksum of the header is wrong", last as u64));
+            return Err(bad_stream_error("the checksum of the header is wrong", last as u64));
         }
-        if from.u32()? != VERSION {
-            return Err(from.bad("another version of the library wrote it"));
+        if from.read_u32()? != FORMAT_VERSION {
+            return Err(from.error_here("another version of the library wrote it"));
         }
         Self::read_fields(&mut from)
     }
 
-    fn read_fields(from: &mut Reader<'_>) -> Result<Self> {
-        let (mode, scalar, bits, flags) = (from.u8()?, from.u8()?, from.u8()?, from.u8()?);
-        let (rows, columns, rows_per_block) = (from.u32()?, from.u32()?, from.u32()?);
-        let order = from.u8()?;
-        let reserved = from.raw(3)?;
-        let structure_size = from.u64()?;
-        let checksum = from.u32()?;
-        let zero = from.u32()?;
+    fn read_fields(from: &mut ByteReader<'_>) -> Result<Self> {
+        let (mode, scalar, bits, flags) = (from.read_u8()?, from.read_u8()?, from.read_u8()?, from.read_u8()?);
+        let (rows, columns, rows_per_block) = (from.read_u32()?, from.read_u32()?, from.read_u32()?);
+        let order = from.read_u8()?;
+        let reserved = from.read_bytes(3)?;
+        let structure_size = from.read_u64()?;
+        let checksum = from.read_u32()?;
+        let zero = from.read_u32()?;
         let mode = match (mode, bits) {
-            (0, 0) => Mode::Raw,
-            (1, 0) => Mode::Lossless,
-            (2, 8..=24) => Mode::Quantised { bits: bits.into() },
-            _ => return Err(from.bad("the mode is unknown")),
+            (0, 0) => StreamMode::Raw,
+            (1, 0) => StreamMode::Lossless,
+            (2, 8..=24) => StreamMode::Quantised { bits: bits.into() },
+            _ => return Err(from.error_here("the mode is unknown")),
         };
         let scalar = match scalar {
             0 => Scalar::F32,
             1 => Scalar::F64,
-            _ => return Err(from.bad("the type of the coordinates is unknown")),
+            _ => return Err(from.error_here("the type of the coordinates is unknown")),
         };
-        let shape =
-            Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("the size is impossible for a net"))?;
+        let shape = Shape::new(rows as usize, columns as usize)
+            .map_err(|_| from.error_here("the size is impossible for a net"))?;
         if flags > 1 || order > 5 || reserved != [0; 3] || zero != 0 || !(1..=rows).contains(&rows_per_block) {
-            return Err(from.bad("a field has an unknown value"));
+            return Err(from.error_here("a field has an unknown value"));
         }
-        let numbers = [from.u64()?, from.u64()?, from.u64()?];
-        let step = [from.f64()?, from.f64()?, from.f64()?];
-        let quantised = matches!(mode, Mode::Quantised { .. });
+        let numbers = [from.read_u64()?, from.read_u64()?, from.read_u64()?];
+        let step = [from.read_f64()?, from.read_f64()?, from.read_f64()?];
+        let quantised = matches!(mode, StreamMode::Quantised { .. });
         let (origin, missing) = if quantised { (numbers.map(f64::from_bits), [0; 3]) } else { ([0.0; 3], numbers) };
         let is_grid = |axis: usize| step[axis] > 0.0 && step[axis].is_finite() && origin[axis].abs() <= f64::MAX / 4.0;
         if quantised && !(0..3).all(is_grid) {
-            return Err(from.bad("a step or an origin is out of range"));
+            return Err(from.error_here("a step or an origin is out of range"));
         }
         if !quantised && step != [0.0; 3] {
-            return Err(from.bad("a field has an unknown value"));
+            return Err(from.error_here("a field has an unknown value"));
         }
         let plain = StreamInfo::new(shape, scalar, mode, rows_per_block as usize);
         let mut info =
             StreamInfo { origin, step, folded: flags == 1, missing, order, structure_size, checksum, ..plain };
-        info.prelude_size = info.prelude().ok_or_else(|| from.bad("a size is too large"))?;
+        info.prelude_size = info.prelude_bytes().ok_or_else(|| from.error_here("a size is too large"))?;
         Ok(info)
     }
 
     /// The bytes of the header.
-    pub(super) fn write(&self, to: &mut Writer) -> Result<()> {
+    pub(super) fn write(&self, to: &mut ByteWriter) -> Result<()> {
         let start = to.bytes.len();
-        to.raw(&MAGIC)?;
-        to.u32(VERSION)?;
+        to.write_bytes(&MAGIC)?;
+        to.write_u32(FORMAT_VERSION)?;
         let (mode, bits) = match self.mode {
-            Mode::Raw => (0, 0),
-            Mode::Lossless => (1, 0),
-            Mode::Quantised { bits } => (2, bits as u8),
+            StreamMode::Raw => (0, 0),
+            StreamMode::Lossless => (1, 0),
+            StreamMode::Quantised { bits } => (2, bits as u8),
         };
-        to.raw(&[mode, u8::from(self.scalar == Scalar::F64), bits, u8::from(self.folded)])?;
-        to.u32(self.shape.rows() as u32)?;
-        to.u32(self.shape.columns() as u32)?;
-        to.u32(self.rows_per_block as u32)?;
-        to.raw(&[self.order, 0, 0, 0])?;
-        to.u64(self.structure_size)?;
-        to.u32(self.checksum)?;
-        to.u32(0)?;
-        let quantised = matches!(self.mode, Mode::Quantised { .. });
-        (0..3).try_for_each(|k| to.u64(if quantised { self.origin[k].to_bits() } else { self.missing[k] }))?;
-        self.step.iter().try_for_each(|&step| to.f64(step))?;
-        to.zeros(start + HEADER_SIZE - 4 - to.bytes.len())?;
-        to.u32(checksum(&to.bytes[start..]))
+        to.write_bytes(&[mode, u8::from(self.scalar == Scalar::F64), bits, u8::from(self.folded)])?;
+        to.write_u32(self.shape.rows() as u32)?;
+        to.write_u32(self.shape.columns() as u32)?;
+        to.write_u32(self.rows_per_block as u32)?;
+        to.write_bytes(&[self.order, 0, 0, 0])?;
+        to.write_u64(self.structure_size)?;
+        to.write_u32(self.checksum)?;
+        to.write_u32(0)?;
+        let quantised = matches!(self.mode, StreamMode::Quantised { .. });
+        (0..3).try_for_each(|k| to.write_u64(if quantised { self.origin[k].to_bits() } else { self.missing[k] }))?;
+        self.step.iter().try_for_each(|&step| to.write_f64(step))?;
+        to.write_zeros(start + HEADER_SIZE - 4 - to.bytes.len())?;
+        to.write_u32(checksum(&to.bytes[start..]))
     }
 
     /// Returns the number of blocks.
@@ -180,13 +180,17 @@ impl StreamInfo {
     }
 
     /// Bytes of the table of blocks, which has the size and checksum of each.
-    pub(super) fn table_size(&self) -> u64 {
+    pub(super) fn block_table_bytes(&self) -> u64 {
         12 * self.block_count() as u64
     }
 
     /// Bytes of header, structure, table and padding before the first block.
-    pub(super) fn prelude(&self) -> Option<u64> {
-        let size = self.structure_size.checked_add(HEADER_SIZE as u64 + self.table_size())?;
-        if self.mode == Mode::Raw { size.checked_next_multiple_of(ALIGNMENT as u64) } else { Some(size) }
+    pub(super) fn prelude_bytes(&self) -> Option<u64> {
+        let size = self.structure_size.checked_add(HEADER_SIZE as u64 + self.block_table_bytes())?;
+        if self.mode == StreamMode::Raw {
+            size.checked_next_multiple_of(RAW_BLOCK_ALIGNMENT as u64)
+        } else {
+            Some(size)
+        }
     }
 }

@@ -6,29 +6,29 @@
 use crate::Real;
 
 /// A coordinate type with access to its bits.
-pub(super) trait Bits: Real {
+pub(super) trait CoordinateBits: Real {
     /// Bytes of a number.
     const SIZE: usize = size_of::<Self>();
     /// Returns the number as an integer that sorts numerically, from -infinity to infinity, with -0
     /// before 0 and NaN beyond both.
-    fn level(self) -> i64;
+    fn to_level(self) -> i64;
     /// Returns the number of a level, if it is in range.
     fn from_level(level: i64) -> Option<Self>;
     /// Little-endian bytes.
-    fn write(self, to: &mut [u8]);
-    /// From little-endian bytes, exactly [`Bits::SIZE`] of them.
-    fn read(from: &[u8]) -> Self;
+    fn write_bytes(self, to: &mut [u8]);
+    /// From little-endian bytes, exactly [`CoordinateBits::SIZE`] of them.
+    fn read_bytes(from: &[u8]) -> Self;
     /// A quiet NaN.
     const MISSING: Self;
 }
 
 macro_rules! bits {
     ($($scalar:ident: $whole:ident),+) => {$(
-        impl Bits for $scalar {
+        impl CoordinateBits for $scalar {
             const MISSING: Self = $scalar::NAN;
 
             #[inline(always)]
-            fn level(self) -> i64 {
+            fn to_level(self) -> i64 {
                 let bits = self.to_bits() as $whole;
                 (bits ^ ((bits >> ($whole::BITS - 1)) & $whole::MAX)).into()
             }
@@ -40,12 +40,12 @@ macro_rules! bits {
             }
 
             #[inline(always)]
-            fn write(self, to: &mut [u8]) {
+            fn write_bytes(self, to: &mut [u8]) {
                 to.copy_from_slice(&self.to_le_bytes());
             }
 
             #[inline(always)]
-            fn read(from: &[u8]) -> Self {
+            fn read_bytes(from: &[u8]) -> Self {
                 let mut bytes = [0; Self::SIZE];
                 bytes.copy_from_slice(from);
                 $scalar::from_le_bytes(bytes)
@@ -57,22 +57,22 @@ macro_rules! bits {
 bits! { f32: i32, f64: i64 }
 
 /// A map between numbers and levels.
-pub(super) trait Levels<T>: Sync {
+pub(super) trait LevelMap<T>: Sync {
     /// Returns the level of a number.
-    fn level(&self, axis: usize, number: T) -> i64;
+    fn level_of(&self, axis: usize, number: T) -> i64;
     /// Returns the number of a level, if it is in range.
-    fn number(&self, axis: usize, level: i64) -> Option<T>;
+    fn number_at(&self, axis: usize, level: i64) -> Option<T>;
     /// Returns the value of a level for predictors, nearly linear in the number; not finite for NaN
     /// and infinities.
     fn predictor_value(&self, level: i64) -> f64;
     /// Returns the level nearest to a finite value.
-    fn nearest(&self, axis: usize, value: f64) -> i64;
+    fn nearest_level(&self, axis: usize, value: f64) -> i64;
     /// Returns the spacing of values near this one.
-    fn resolution(&self, value: f64) -> f64;
+    fn value_spacing(&self, value: f64) -> f64;
     /// Returns true for a node that is marked as missing and not coded.
     fn is_missing(&self, node: [T; 3]) -> bool;
     /// Returns the coordinates that missing nodes get.
-    fn missing(&self) -> [T; 3];
+    fn missing_node(&self) -> [T; 3];
 }
 
 /// Levels of bit patterns: lossless.
@@ -82,14 +82,14 @@ pub(super) struct LosslessLevels<T> {
     pub(super) missing: [T; 3],
 }
 
-impl<T: Bits> Levels<T> for LosslessLevels<T> {
+impl<T: CoordinateBits> LevelMap<T> for LosslessLevels<T> {
     #[inline(always)]
-    fn level(&self, _: usize, number: T) -> i64 {
-        number.level()
+    fn level_of(&self, _: usize, number: T) -> i64 {
+        number.to_level()
     }
 
     #[inline(always)]
-    fn number(&self, _: usize, level: i64) -> Option<T> {
+    fn number_at(&self, _: usize, level: i64) -> Option<T> {
         T::from_level(level)
     }
 
@@ -99,22 +99,22 @@ impl<T: Bits> Levels<T> for LosslessLevels<T> {
     }
 
     #[inline(always)]
-    fn nearest(&self, _: usize, value: f64) -> i64 {
-        T::from_f64(value).level()
+    fn nearest_level(&self, _: usize, value: f64) -> i64 {
+        T::from_f64(value).to_level()
     }
 
-    fn resolution(&self, value: f64) -> f64 {
+    fn value_spacing(&self, value: f64) -> f64 {
         if value.abs() > 1e-290 { value.abs() * if T::SIZE == 4 { 6e-8 } else { 1.1e-16 } } else { 1e-300 }
     }
 
     #[inline(always)]
     fn is_missing(&self, node: [T; 3]) -> bool {
-        let levels = self.missing.map(T::level);
-        node.map(T::level) == levels && !node.iter().all(|&number| number.into().is_finite())
+        let levels = self.missing.map(T::to_level);
+        node.map(T::to_level) == levels && !node.iter().all(|&number| number.into().is_finite())
     }
 
     #[inline(always)]
-    fn missing(&self) -> [T; 3] {
+    fn missing_node(&self) -> [T; 3] {
         self.missing
     }
 }
@@ -128,16 +128,16 @@ pub(super) struct UniformLevels {
     pub(super) last: i64,
 }
 
-impl<T: Bits> Levels<T> for UniformLevels {
+impl<T: CoordinateBits> LevelMap<T> for UniformLevels {
     #[inline(always)]
-    fn level(&self, axis: usize, number: T) -> i64 {
+    fn level_of(&self, axis: usize, number: T) -> i64 {
         let value: f64 = number.into();
         let steps = (value - self.origin[axis]) / self.step[axis];
-        Levels::<T>::nearest(self, axis, steps)
+        LevelMap::<T>::nearest_level(self, axis, steps)
     }
 
     #[inline(always)]
-    fn number(&self, axis: usize, level: i64) -> Option<T> {
+    fn number_at(&self, axis: usize, level: i64) -> Option<T> {
         let in_range = (0..=self.last).contains(&level);
         in_range.then(|| T::from_f64(self.origin[axis] + level as f64 * self.step[axis]))
     }
@@ -148,14 +148,14 @@ impl<T: Bits> Levels<T> for UniformLevels {
     }
 
     #[inline(always)]
-    fn nearest(&self, _: usize, value: f64) -> i64 {
+    fn nearest_level(&self, _: usize, value: f64) -> i64 {
         let last = self.last as f64;
         let value = if value > 0.0 { value } else { 0.0 };
         let value = if value < last { value } else { last };
         (value + 0.5) as i64
     }
 
-    fn resolution(&self, _: f64) -> f64 {
+    fn value_spacing(&self, _: f64) -> f64 {
         1.0
     }
 
@@ -165,7 +165,7 @@ impl<T: Bits> Levels<T> for UniformLevels {
     }
 
     #[inline(always)]
-    fn missing(&self) -> [T; 3] {
+    fn missing_node(&self) -> [T; 3] {
         [T::MISSING; 3]
     }
 }

@@ -9,15 +9,15 @@
 //! | table | 12 a block | size (8) and CRC-32 (4) of each block |
 //! | blocks | as in the table | coordinates of some rows each |
 //!
-//! - [`Mode::Raw`]: X, Y and Z of the rows of a block, row after row without gaps, each at a
+//! - [`StreamMode::Raw`]: X, Y and Z of the rows of a block, row after row without gaps, each at a
 //!   multiple of 64 bytes of the stream. One block by default: the three matrices, ready for memory
 //!   mapping.
-//! - [`Mode::Quantised`]: each coordinate is the nearest level `origin + k * step`. Decoding
+//! - [`StreamMode::Quantised`]: each coordinate is the nearest level `origin + k * step`. Decoding
 //!   computes exactly that number in double precision, by one multiplication and one addition, and
 //!   rounds it to the scalar type. The step is the extent of the bounding box (its longest side, or
 //!   each axis's own) over the number of levels minus one. If the coordinates have a larger
 //!   intrinsic step, that one is used. Missing nodes become three quiet NaN.
-//! - [`Mode::Lossless`]: every bit is restored, including NaN payloads.
+//! - [`StreamMode::Lossless`]: every bit is restored, including NaN payloads.
 //!
 //! The last two modes store only the smallest node of each class. Decoding copies it bit for bit
 //! (in lossless mode only if the class is equal bit for bit). Coordinates are predicted linearly
@@ -29,19 +29,19 @@
 mod block;
 mod bytes;
 mod coder;
-mod fit;
 mod header;
 mod levels;
-mod predict;
+mod predictor;
+mod predictor_fit;
 mod quantise;
-mod raw;
+mod raw_block;
 mod read;
 mod residuals;
-mod rows;
+mod row_coder;
 mod stream_structure;
 mod symbol_model;
 mod write;
 
-pub use header::{HEADER_SIZE, Mode, StreamInfo};
+pub use header::{HEADER_SIZE, StreamInfo, StreamMode};
 pub use read::{StreamDecoder, decode, decode_within};
 pub use write::{StreamOptions, encode};

@@ -4,22 +4,26 @@
 //! step. If the coordinates of an axis already lie in equal steps larger than the requested one,
 //! the intrinsic step is used, which is more accurate and takes fewer bits. O(nodes).
 
-use super::levels::{Bits, Levels, UniformLevels};
-use crate::Planes;
+use super::levels::{CoordinateBits, LevelMap, UniformLevels};
+use crate::XyzMatrices;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 
 /// Coordinates in the sample for the intrinsic step.
-const MAX_SAMPLES: usize = 4096;
+const MAX_SAMPLED_COORDINATES: usize = 4096;
 
 /// Levels of `bits` bits for the existing nodes: one step for all axes, or one each.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for coordinates whose differences could overflow,
 /// [`Error::OutOfMemory`].
-pub(super) fn levels<T: Bits>(planes: &Planes<'_, T>, bits: u32, per_axis: bool) -> Result<UniformLevels> {
+pub(super) fn quantisation_levels<T: CoordinateBits>(
+    planes: &XyzMatrices<'_, T>,
+    bits: u32,
+    per_axis: bool,
+) -> Result<UniformLevels> {
     let last = (1i64 << bits) - 1;
-    let [low, high] = bounds(planes);
+    let [low, high] = coordinate_bounds(planes);
     let largest = low.iter().chain(&high).fold(0.0, |largest: f64, x| largest.max(x.abs()));
     Error::require(largest <= f64::MAX / 4.0, "coordinates", largest)?;
     let extents: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
@@ -34,7 +38,7 @@ pub(super) fn levels<T: Bits>(planes: &Planes<'_, T>, bits: u32, per_axis: bool)
         if let Some((origin, step)) = intrinsic_step(planes, axis, grid.step[axis])? {
             let mut finer = grid;
             (finer.origin[axis], finer.step[axis]) = (origin, step);
-            if is_exact_enough(planes, axis, &finer, grid.step[axis] / 2.0) {
+            if is_rounding_within_tolerance(planes, axis, &finer, grid.step[axis] / 2.0) {
                 grid = finer;
             }
         }
@@ -43,7 +47,7 @@ pub(super) fn levels<T: Bits>(planes: &Planes<'_, T>, bits: u32, per_axis: bool)
 }
 
 /// Returns the bounding box of the existing nodes; zeros if there are none.
-fn bounds<T: Bits>(planes: &Planes<'_, T>) -> [[f64; 3]; 2] {
+fn coordinate_bounds<T: CoordinateBits>(planes: &XyzMatrices<'_, T>) -> [[f64; 3]; 2] {
     let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
     for i in 0..planes.shape().rows() {
         let [x, y, z] = planes.row(i);
@@ -63,11 +67,15 @@ fn bounds<T: Bits>(planes: &Planes<'_, T>) -> [[f64; 3]; 2] {
 
 /// Returns the first coordinate and the step of an axis, if a sample of its coordinates lies in
 /// equal steps larger than `step`.
-fn intrinsic_step<T: Bits>(planes: &Planes<'_, T>, axis: usize, step: f64) -> Result<Option<(f64, f64)>> {
+fn intrinsic_step<T: CoordinateBits>(
+    planes: &XyzMatrices<'_, T>,
+    axis: usize,
+    step: f64,
+) -> Result<Option<(f64, f64)>> {
     let (w, count) = (planes.shape().columns(), planes.shape().node_count());
-    let mut found: Vec<f64> = alloc::with_capacity(MAX_SAMPLES)?;
+    let mut found: Vec<f64> = alloc::with_capacity(MAX_SAMPLED_COORDINATES)?;
     // An odd stride visits all columns.
-    let every = count.div_ceil(MAX_SAMPLES) | 1;
+    let every = count.div_ceil(MAX_SAMPLED_COORDINATES) | 1;
     for at in (0..count).step_by(every) {
         let value: f64 = planes.row(at / w)[axis][at % w].into();
         if value.is_finite() {
@@ -87,15 +95,20 @@ fn intrinsic_step<T: Bits>(planes: &Planes<'_, T>, axis: usize, step: f64) -> Re
         steps += libm::rint((pair[1] - pair[0]) / distance);
         distance = (pair[1] - found[0]) / steps;
     }
-    Ok(Some((found[0] - distance * libm::rint((found[0] - bounds(planes)[0][axis]) / distance), distance)))
+    Ok(Some((found[0] - distance * libm::rint((found[0] - coordinate_bounds(planes)[0][axis]) / distance), distance)))
 }
 
 /// Returns true if rounding to the levels moves the coordinates of an axis by at most `tolerance`.
-fn is_exact_enough<T: Bits>(planes: &Planes<'_, T>, axis: usize, grid: &UniformLevels, tolerance: f64) -> bool {
+fn is_rounding_within_tolerance<T: CoordinateBits>(
+    planes: &XyzMatrices<'_, T>,
+    axis: usize,
+    grid: &UniformLevels,
+    tolerance: f64,
+) -> bool {
     (0..planes.shape().rows()).all(|i| {
         planes.row(i)[axis].iter().all(|&number| {
             let value: f64 = number.into();
-            let rounded: Option<T> = grid.number(axis, Levels::<T>::level(grid, axis, number));
+            let rounded: Option<T> = grid.number_at(axis, LevelMap::<T>::level_of(grid, axis, number));
             !value.is_finite() || rounded.is_some_and(|rounded| (rounded.into() - value).abs() <= tolerance)
         })
     })

@@ -3,14 +3,14 @@
 //! Invariant: bytes that an encoder cannot have written are rejected. Memory is allocated only
 //! within the bound that the length of the stream implies. O(nodes), blocks in parallel.
 
-use super::block::{self, Duplicates};
-use super::bytes::{Reader, bad, checksum};
-use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, Mode, StreamInfo};
-use super::levels::{Bits, LosslessLevels, UniformLevels};
-use super::{raw, stream_structure};
-use crate::arrange::{Rearrangement, rearrange};
+use super::block::{self, DuplicateNodes};
+use super::bytes::{ByteReader, bad_stream_error, checksum};
+use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, StreamInfo, StreamMode};
+use super::levels::{CoordinateBits, LosslessLevels, UniformLevels};
+use super::{raw_block, stream_structure};
+use crate::arrange::{Rearrangement, rearrange_coordinates};
 use crate::chunks::zip3;
-use crate::{Bridge, Coordinates, Net, Planes, Shape, Sides, Topology, each};
+use crate::{Bridge, Coordinates, Net, Shape, Sides, Topology, XyzMatrices, each};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -19,7 +19,7 @@ use std::ops::Range;
 
 /// An entry of the table of blocks: where a block's bytes are, and their checksum.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct BlockEntry {
+pub(super) struct BlockTableEntry {
     pub(super) offset: u64,
     pub(super) size: u64,
     checksum: u32,
@@ -27,69 +27,73 @@ pub(super) struct BlockEntry {
 
 /// The parts of a stream before the first block.
 #[derive(Debug)]
-pub(super) struct Prelude {
+pub(super) struct StreamPrelude {
     pub(super) info: StreamInfo,
     pub(super) topology: Topology,
     pub(super) bridges: Vec<Bridge>,
-    duplicates: Duplicates,
-    pub(super) entries: Vec<BlockEntry>,
+    duplicates: DuplicateNodes,
+    pub(super) entries: Vec<BlockTableEntry>,
 }
 
-impl Prelude {
+impl StreamPrelude {
     /// Reads the prelude. `bytes` is the stream, at least up to the first block, and `total` the
     /// length of the stream, if known.
     pub(super) fn read(info: StreamInfo, bytes: &[u8], total: Option<u64>) -> Result<Self> {
-        let mut from = Reader::new(&bytes[HEADER_SIZE..], HEADER_SIZE as u64);
-        let too_long = from.bad("a size is too large");
+        let mut from = ByteReader::new(&bytes[HEADER_SIZE..], HEADER_SIZE as u64);
+        let too_long = from.error_here("a size is too large");
         let size = usize::try_from(info.structure_size).map_err(|_| too_long)?;
         let table_at = HEADER_SIZE as u64 + info.structure_size;
-        let structure = from.raw(size)?;
-        let table = from.raw(usize::try_from(info.table_size()).unwrap_or(usize::MAX))?;
+        let structure = from.read_bytes(size)?;
+        let table = from.read_bytes(usize::try_from(info.block_table_bytes()).unwrap_or(usize::MAX))?;
         let checked = &bytes[HEADER_SIZE..HEADER_SIZE + size + table.len()];
         if checksum(checked) != info.checksum {
-            return Err(bad("the checksum of gluing and table is wrong", HEADER_SIZE as u64));
+            return Err(bad_stream_error("the checksum of gluing and table is wrong", HEADER_SIZE as u64));
         }
-        let padding = info.prelude_size - table_at - info.table_size();
-        if from.raw(usize::try_from(padding).unwrap_or(usize::MAX))?.iter().any(|&byte| byte != 0) {
-            return Err(from.bad("the padding before the first block is not zero"));
+        let padding = info.prelude_size - table_at - info.block_table_bytes();
+        if from.read_bytes(usize::try_from(padding).unwrap_or(usize::MAX))?.iter().any(|&byte| byte != 0) {
+            return Err(from.error_here("the padding before the first block is not zero"));
         }
-        let (entries, end) = read_table(&info, Reader::new(table, table_at))?;
+        let (entries, end) = read_block_table(&info, ByteReader::new(table, table_at))?;
         if let Some(total) = total.filter(|&total| total != end) {
-            return Err(bad("the length of its blocks differs from the table", end.min(total)));
+            return Err(bad_stream_error("the length of its blocks differs from the table", end.min(total)));
         }
         let limit = end.saturating_mul(MAX_NODES_PER_BYTE);
-        let from = Reader::new(structure, HEADER_SIZE as u64);
-        let (topology, bridges) = stream_structure::read(info.shape, limit, from)?;
-        let duplicates = if info.folded { Duplicates::from_topology(&topology)? } else { Duplicates::none(info.shape) };
-        Ok(Prelude { info, topology, bridges, duplicates, entries })
+        let from = ByteReader::new(structure, HEADER_SIZE as u64);
+        let (topology, bridges) = stream_structure::read_structure(info.shape, limit, from)?;
+        let duplicates = if info.folded {
+            DuplicateNodes::from_topology(&topology)?
+        } else {
+            DuplicateNodes::without_duplicates(info.shape)
+        };
+        Ok(StreamPrelude { info, topology, bridges, duplicates, entries })
     }
 
     /// Decodes a block into its rows of the three matrices, except duplicates.
-    fn decode<T: Bits>(&self, block: usize, bytes: &[u8], to: [&mut [T]; 3]) -> Result<()> {
-        let BlockEntry { offset, checksum: expected, .. } = self.entries[block];
+    fn decode_block<T: CoordinateBits>(&self, block: usize, bytes: &[u8], to: [&mut [T]; 3]) -> Result<()> {
+        let BlockTableEntry { offset, checksum: expected, .. } = self.entries[block];
         if checksum(bytes) != expected {
-            return Err(bad("the checksum of a block is wrong", offset));
+            return Err(bad_stream_error("the checksum of a block is wrong", offset));
         }
-        let from = Reader::new(bytes, offset);
+        let from = ByteReader::new(bytes, offset);
         let (info, duplicates) = (&self.info, &self.duplicates);
         match info.mode {
-            Mode::Raw => raw::decode(info, block, from, to),
-            Mode::Lossless => {
-                let bad = from.bad("the numbers of missing nodes are out of range");
+            StreamMode::Raw => raw_block::decode_raw_block(info, block, from, to),
+            StreamMode::Lossless => {
+                let bad = from.error_here("the numbers of missing nodes are out of range");
                 let number = |bits: u64| T::from_level(bits as i64);
                 let [Some(x), Some(y), Some(z)] = info.missing.map(number) else { return Err(bad) };
-                block::decode(info, duplicates, &LosslessLevels { missing: [x, y, z] }, block, from, to)
+                block::decode_block(info, duplicates, &LosslessLevels { missing: [x, y, z] }, block, from, to)
             }
-            Mode::Quantised { bits } => {
+            StreamMode::Quantised { bits } => {
                 let levels = UniformLevels { origin: info.origin, step: info.step, last: (1 << bits) - 1 };
-                block::decode(info, duplicates, &levels, block, from, to)
+                block::decode_block(info, duplicates, &levels, block, from, to)
             }
         }
     }
 
     /// Gives duplicates in some rows the coordinates of the nodes that they repeat.
-    fn restore(&self, coordinates: &mut Coordinates<'_>, rows: Range<usize>) {
-        each!(coordinates, planes => self.duplicates.restore(planes, rows));
+    fn restore_duplicates(&self, coordinates: &mut Coordinates<'_>, rows: Range<usize>) {
+        each!(coordinates, planes => self.duplicates.restore_rows(planes, rows));
     }
 
     fn into_net(self, coordinates: Coordinates<'static>) -> Net<'static> {
@@ -100,13 +104,13 @@ impl Prelude {
 }
 
 /// Returns the table of blocks, and the end of the last one.
-fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<BlockEntry>, u64)> {
+fn read_block_table(info: &StreamInfo, mut from: ByteReader<'_>) -> Result<(Vec<BlockTableEntry>, u64)> {
     let mut entries = alloc::with_capacity(info.block_count())?;
     let mut offset = info.prelude_size;
     for _ in 0..info.block_count() {
-        let too_large = from.bad("a block is too large");
-        let (size, checksum) = (from.u64()?, from.u32()?);
-        entries.push(BlockEntry { offset, size, checksum });
+        let too_large = from.error_here("a block is too large");
+        let (size, checksum) = (from.read_u64()?, from.read_u32()?);
+        entries.push(BlockTableEntry { offset, size, checksum });
         offset = offset.checked_add(size).filter(|&end| end <= i64::MAX as u64).ok_or(too_large)?;
     }
     Ok((entries, offset))
@@ -132,26 +136,31 @@ pub fn decode_within(bytes: &[u8], node_limit: u64, job: &Job<'_>) -> Result<Net
     let info = StreamInfo::read(bytes)?;
     Error::check_count("nodes", info.shape.node_count() as u64, node_limit)?;
     if info.prelude_size > bytes.len() as u64 {
-        return Err(bad("it is cut off", bytes.len() as u64));
+        return Err(bad_stream_error("it is cut off", bytes.len() as u64));
     }
-    let prelude = Prelude::read(info, bytes, Some(bytes.len() as u64))?;
+    let prelude = StreamPrelude::read(info, bytes, Some(bytes.len() as u64))?;
     let mut coordinates = Coordinates::zeroed(info.shape, info.scalar)?;
     each!(&mut coordinates, planes => decode_blocks(&prelude, bytes, planes, job))?;
-    prelude.restore(&mut coordinates, 0..info.shape.rows());
+    prelude.restore_duplicates(&mut coordinates, 0..info.shape.rows());
     Ok(prelude.into_net(coordinates))
 }
 
 /// Decodes all blocks, some at a time so that the host can cancel.
-fn decode_blocks<T: Bits>(prelude: &Prelude, bytes: &[u8], planes: &mut Planes<'_, T>, job: &Job<'_>) -> Result<()> {
+fn decode_blocks<T: CoordinateBits>(
+    prelude: &StreamPrelude,
+    bytes: &[u8],
+    planes: &mut XyzMatrices<'_, T>,
+    job: &Job<'_>,
+) -> Result<()> {
     let info = &prelude.info;
-    let at_once = 2 * par::at_most(info.block_count(), job.threads());
+    let at_once = 2 * par::resolve_thread_count(info.block_count(), job.threads());
     let (block, mut start) = (info.rows_per_block * info.shape.columns(), 0);
     for matrices in zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(at_once * block))) {
         job.step(start as f64 / info.block_count() as f64, "decoding")?;
         let parts = zip3(matrices.map(|matrix| matrix.chunks_mut(block))).enumerate();
         let done = par::map(job.threads(), parts, |(k, part)| {
-            let BlockEntry { offset, size, .. } = prelude.entries[start + k];
-            prelude.decode(start + k, &bytes[offset as usize..(offset + size) as usize], part)
+            let BlockTableEntry { offset, size, .. } = prelude.entries[start + k];
+            prelude.decode_block(start + k, &bytes[offset as usize..(offset + size) as usize], part)
         })?;
         start += done.len();
         done.into_iter().collect::<Result<()>>()?;
@@ -166,7 +175,7 @@ pub struct StreamDecoder {
     pending: Vec<u8>,
     offset: u64,
     node_limit: u64,
-    state: Option<(Prelude, Coordinates<'static>)>,
+    state: Option<(StreamPrelude, Coordinates<'static>)>,
     next: usize,
     failed: Option<Error>,
 }
@@ -189,7 +198,7 @@ impl StreamDecoder {
             return Err(error);
         }
         let (pending, next, begun) = (self.pending.len(), self.next, self.state.is_some());
-        let done = self.take(bytes);
+        let done = self.append_and_decode(bytes);
         if let Err(Error::OutOfMemory { .. }) = done {
             // Rows that were already decoded are decoded again.
             self.pending.truncate(pending);
@@ -201,9 +210,9 @@ impl StreamDecoder {
         done.map(|()| self.rows_done())
     }
 
-    fn take(&mut self, bytes: &[u8]) -> Result<()> {
+    fn append_and_decode(&mut self, bytes: &[u8]) -> Result<()> {
         alloc::append(&mut self.pending, bytes)?;
-        let mut used = if self.state.is_none() { self.start()? } else { 0 };
+        let mut used = if self.state.is_none() { self.read_prelude()? } else { 0 };
         let Some((prelude, coordinates)) = &mut self.state else { return Ok(()) };
         while let Some(entry) = prelude.entries.get(self.next) {
             let rest = &self.pending[used..];
@@ -212,22 +221,22 @@ impl StreamDecoder {
             let w = prelude.info.shape.columns();
             each!(&mut *coordinates, planes => {
                 let parts = planes.matrices_mut().map(|matrix| &mut matrix[rows.start * w..rows.end * w]);
-                prelude.decode(self.next, bytes, parts)?;
+                prelude.decode_block(self.next, bytes, parts)?;
             });
-            prelude.restore(coordinates, rows);
+            prelude.restore_duplicates(coordinates, rows);
             used += bytes.len();
             self.next += 1;
         }
         self.pending.drain(..used);
         self.offset += used as u64;
         if self.next == prelude.entries.len() && !self.pending.is_empty() {
-            return Err(bad("there are bytes after the end", self.offset));
+            return Err(bad_stream_error("there are bytes after the end", self.offset));
         }
         Ok(())
     }
 
     /// Reads the prelude once it is complete. Returns the number of its bytes.
-    fn start(&mut self) -> Result<usize> {
+    fn read_prelude(&mut self) -> Result<usize> {
         if self.pending.len() < HEADER_SIZE {
             return Ok(0);
         }
@@ -237,7 +246,7 @@ impl StreamDecoder {
         let Some(size) = usize::try_from(info.prelude_size).ok().filter(|&size| size <= self.pending.len()) else {
             return Ok(0);
         };
-        let prelude = Prelude::read(info, &self.pending[..size], None)?;
+        let prelude = StreamPrelude::read(info, &self.pending[..size], None)?;
         self.state = Some((prelude, Coordinates::zeroed(info.shape, info.scalar)?));
         Ok(size)
     }
@@ -264,7 +273,7 @@ impl StreamDecoder {
         };
         let shape = Shape::new(self.rows_done(), prelude.info.shape.columns())?;
         let whole = Rearrangement::Part { row: 0, column: 0 };
-        let part = rearrange(coordinates, shape, &whole, job)?;
+        let part = rearrange_coordinates(coordinates, shape, &whole, job)?;
         Ok(Net::new(part, Topology::from_sides(shape, Sides::SHEET)))
     }
 
@@ -278,7 +287,7 @@ impl StreamDecoder {
         }
         let end = self.offset + self.pending.len() as u64;
         let whole = self.state.take_if(|(prelude, _)| self.next == prelude.entries.len());
-        let (prelude, coordinates) = whole.ok_or(bad("it is cut off", end))?;
+        let (prelude, coordinates) = whole.ok_or(bad_stream_error("it is cut off", end))?;
         *self = StreamDecoder::new(self.node_limit);
         Ok(prelude.into_net(coordinates))
     }

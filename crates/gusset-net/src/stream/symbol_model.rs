@@ -8,19 +8,19 @@ use constriction::stream::model::{DecoderModel, EncoderModel, EntropyModel};
 use std::num::NonZeroU32;
 
 /// Bits of a probability.
-pub(super) const PRECISION: usize = 15;
+pub(super) const PROBABILITY_BITS: usize = 15;
 /// The sum of all probabilities.
-pub(super) const TOTAL: u32 = 1 << PRECISION;
+pub(super) const TOTAL_PROBABILITY: u32 = 1 << PROBABILITY_BITS;
 /// The increment of a count for each observation.
-const INCREMENT: u16 = 24;
+const COUNT_INCREMENT: u16 = 24;
 /// The sum of counts above which all are halved.
 const MAX_COUNT_SUM: u32 = 1 << 15;
 /// The initial sum of counts, per symbol.
-const PRIOR_WEIGHT: f64 = 20.0;
+const PRIOR_COUNT_PER_SYMBOL: f64 = 20.0;
 
 /// N symbols with probabilities from counts, renewed at growing intervals.
 #[derive(Debug, Clone)]
-pub(super) struct Model<const N: usize> {
+pub(super) struct SymbolModel<const N: usize> {
     /// The cumulative probability below each symbol.
     pub(super) lower: [u16; N],
     counts: [u16; N],
@@ -29,34 +29,34 @@ pub(super) struct Model<const N: usize> {
     interval: u16,
 }
 
-impl<const N: usize> Model<N> {
+impl<const N: usize> SymbolModel<N> {
     /// Returns a model with prior weights, not all zero.
     pub(super) fn new(weights: [f64; N]) -> Self {
         let sum: f64 = weights.iter().sum();
-        let counts = weights.map(|weight| (PRIOR_WEIGHT * N as f64 * weight / sum) as u16 + 1);
-        let mut model = Model { lower: [0; N], counts, left: 0, interval: 4 };
-        model.renew();
+        let counts = weights.map(|weight| (PRIOR_COUNT_PER_SYMBOL * N as f64 * weight / sum) as u16 + 1);
+        let mut model = SymbolModel { lower: [0; N], counts, left: 0, interval: 4 };
+        model.renew_probabilities();
         model
     }
 
     #[inline(always)]
-    pub(super) fn learn(&mut self, symbol: usize) {
-        self.counts[symbol] += INCREMENT;
+    pub(super) fn count_symbol(&mut self, symbol: usize) {
+        self.counts[symbol] += COUNT_INCREMENT;
         self.left -= 1;
         if self.left == 0 {
-            self.renew();
+            self.renew_probabilities();
         }
     }
 
     /// Probabilities from counts: at least 1 each; the rounding remainder goes to the last symbol.
     #[inline(never)]
-    fn renew(&mut self) {
+    fn renew_probabilities(&mut self) {
         let mut total: u32 = self.counts.iter().map(|&count| u32::from(count)).sum();
         if total > MAX_COUNT_SUM {
             self.counts.iter_mut().for_each(|count| *count = count.div_ceil(2));
             total = self.counts.iter().map(|&count| u32::from(count)).sum();
         }
-        let scale = ((TOTAL - N as u32) << 16) / total;
+        let scale = ((TOTAL_PROBABILITY - N as u32) << 16) / total;
         let mut sum = 0;
         for (lower, &count) in self.lower.iter_mut().zip(&self.counts) {
             *lower = sum;
@@ -67,38 +67,38 @@ impl<const N: usize> Model<N> {
     }
 
     #[inline(always)]
-    fn upper(&self, symbol: usize) -> u32 {
-        if symbol + 1 < N { self.lower[symbol + 1].into() } else { TOTAL }
+    fn upper_cumulative(&self, symbol: usize) -> u32 {
+        if symbol + 1 < N { self.lower[symbol + 1].into() } else { TOTAL_PROBABILITY }
     }
 
     /// Returns the probability of a symbol.
     #[inline(always)]
-    pub(super) fn width(&self, symbol: usize) -> NonZeroU32 {
+    pub(super) fn probability(&self, symbol: usize) -> NonZeroU32 {
         // At least 1; the other branch is never taken.
-        NonZeroU32::new(self.upper(symbol) - u32::from(self.lower[symbol])).unwrap_or(NonZeroU32::MIN)
+        NonZeroU32::new(self.upper_cumulative(symbol) - u32::from(self.lower[symbol])).unwrap_or(NonZeroU32::MIN)
     }
 }
 
-impl<const N: usize> EntropyModel<PRECISION> for &Model<N> {
+impl<const N: usize> EntropyModel<PROBABILITY_BITS> for &SymbolModel<N> {
     type Symbol = usize;
     type Probability = u32;
 }
 
-impl<const N: usize> EncoderModel<PRECISION> for &Model<N> {
+impl<const N: usize> EncoderModel<PROBABILITY_BITS> for &SymbolModel<N> {
     #[inline(always)]
     fn left_cumulative_and_probability(&self, symbol: impl std::borrow::Borrow<usize>) -> Option<(u32, NonZeroU32)> {
         let symbol = *symbol.borrow();
-        Some((self.lower[symbol].into(), self.width(symbol)))
+        Some((self.lower[symbol].into(), self.probability(symbol)))
     }
 }
 
-impl<const N: usize> DecoderModel<PRECISION> for &Model<N> {
+impl<const N: usize> DecoderModel<PROBABILITY_BITS> for &SymbolModel<N> {
     #[inline(always)]
     fn quantile_function(&self, quantile: u32) -> (usize, u32, NonZeroU32) {
         // Branch-free: the number of symbols that start at or before the quantile.
         let quantile = quantile as i16;
         let count: i16 = self.lower.iter().map(|&lower| i16::from(lower as i16 <= quantile)).sum();
         let symbol = (count - 1) as usize & (N - 1);
-        (symbol, self.lower[symbol].into(), self.width(symbol))
+        (symbol, self.lower[symbol].into(), self.probability(symbol))
     }
 }

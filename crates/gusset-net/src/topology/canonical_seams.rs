@@ -7,7 +7,7 @@
 //! runs that merge nothing are dropped. Invariant: the result depends only on the partition, not on
 //! the seams from which it came. O(pairs log pairs) for each of 80 directions.
 
-use super::{Run, Seam};
+use super::{Seam, SeamRun};
 use crate::Shape;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -15,19 +15,19 @@ use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::sort;
 
 /// Rows and columns from one node to the next.
-type Step = (i64, i64);
+type GridStep = (i64, i64);
 
 /// Returns the seams that glue the components of each class. `table` has the representatives of the
 /// classes, `pieces` the representatives of the components under contracted links alone.
-pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
+pub(super) fn find_seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
     let nodes = (0..).zip(table).zip(pieces).filter(|&((node, &class), &piece)| piece == node && class != node);
     let mut pairs = alloc::gather(nodes.map(|((node, &class), _)| [class, node]))?;
     pairs.sort_unstable();
-    let mut runs = RunSearch { shape, table, pieces, seen: alloc::filled(0, pairs.len())?, pairs, trial: 0 };
+    let mut runs = SeamRunSearch { shape, table, pieces, seen: alloc::filled(0, pairs.len())?, pairs, trial: 0 };
     let mut found = alloc::with_capacity(runs.pairs.len())?;
     for k in 0..runs.pairs.len() {
-        if runs.seen[k] != USED {
-            found.push(runs.longest_through(k));
+        if runs.seen[k] != USED_PAIR {
+            found.push(runs.longest_run_through(k));
         }
     }
     sort::stable(&mut found, &|a, b| b.count.cmp(&a.count).then(a.cmp(b)));
@@ -43,26 +43,26 @@ pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<S
 }
 
 /// Marks a pair that is in a run.
-const USED: u64 = u64::MAX;
+const USED_PAIR: u64 = u64::MAX;
 
-struct RunSearch<'a> {
+struct SeamRunSearch<'a> {
     shape: Shape,
     table: &'a [u32],
     pieces: &'a [u32],
     /// In order.
     pairs: Vec<[u32; 2]>,
-    /// The last trial that had the pair, or [`USED`].
+    /// The last trial that had the pair, or [`USED_PAIR`].
     seen: Vec<u64>,
     trial: u64,
 }
 
-impl RunSearch<'_> {
+impl SeamRunSearch<'_> {
     /// Returns the longest run through pair `k`, in the first of the directions that reach it,
     /// extended.
-    fn longest_through(&mut self, k: usize) -> Seam {
+    fn longest_run_through(&mut self, k: usize) -> Seam {
         let mut best = ([(0, 0); 2], [0, 0]);
-        for steps in directions() {
-            let counts = self.free_pairs(k, steps);
+        for steps in step_pairs() {
+            let counts = self.count_unused_pairs(k, steps);
             if counts[0] + counts[1] > best.1[0] + best.1[1] {
                 best = (steps, counts);
             }
@@ -70,32 +70,32 @@ impl RunSearch<'_> {
         let (steps, [mut before, mut after]) = best;
         let pair = self.pairs[k];
         for at in -before..=after {
-            if let Some(index) = self.pair_after(pair, steps, at).and_then(|pair| self.index(pair)) {
-                self.seen[index] = USED;
+            if let Some(index) = self.pair_after(pair, steps, at).and_then(|pair| self.pair_index(pair)) {
+                self.seen[index] = USED_PAIR;
             }
         }
         if steps != [(0, 0); 2] {
-            after += self.glued_pairs_after(pair, steps, after, 1);
-            before += self.glued_pairs_after(pair, steps, -before, -1);
+            after += self.count_glued_pairs_after(pair, steps, after, 1);
+            before += self.count_glued_pairs_after(pair, steps, -before, -1);
         }
         let [a, b] = self.pair_after(pair, steps, -before).unwrap_or(pair);
-        let run = |node: u32, (row_step, column_step): Step| {
+        let run = |node: u32, (row_step, column_step): GridStep| {
             let (i, j) = self.shape.place(node);
-            Run { row: i as u32, column: j as u32, row_step: row_step as i32, column_step: column_step as i32 }
+            SeamRun { row: i as u32, column: j as u32, row_step: row_step as i32, column_step: column_step as i32 }
         };
-        Seam { a: run(a, steps[0]), b: run(b, steps[1]), count: (before + after + 1) as u32 }.canonical()
+        Seam { a: run(a, steps[0]), b: run(b, steps[1]), count: (before + after + 1) as u32 }.canonical_spelling()
     }
 
     /// Returns the number of consecutive unused pairs before pair `k` and after it. A fold meets
     /// itself in the middle.
-    fn free_pairs(&mut self, k: usize, steps: [Step; 2]) -> [i64; 2] {
+    fn count_unused_pairs(&mut self, k: usize, steps: [GridStep; 2]) -> [i64; 2] {
         self.trial += 1;
         self.seen[k] = self.trial;
         [-1, 1].map(|sense| {
             let mut count = 0;
             while let Some(index) =
-                self.pair_after(self.pairs[k], steps, sense * (count + 1)).and_then(|pair| self.index(pair))
-                && self.seen[index] != USED
+                self.pair_after(self.pairs[k], steps, sense * (count + 1)).and_then(|pair| self.pair_index(pair))
+                && self.seen[index] != USED_PAIR
                 && self.seen[index] != self.trial
             {
                 self.seen[index] = self.trial;
@@ -107,7 +107,7 @@ impl RunSearch<'_> {
 
     /// Returns the number of consecutive pairs beyond `end` that are identified, but not by links
     /// alone.
-    fn glued_pairs_after(&self, pair: [u32; 2], steps: [Step; 2], end: i64, sense: i64) -> i64 {
+    fn count_glued_pairs_after(&self, pair: [u32; 2], steps: [GridStep; 2], end: i64, sense: i64) -> i64 {
         let is_glued = |&[a, b]: &[u32; 2]| {
             let ([p, q], [r, s]) = ([a, b].map(|n| self.table[n as usize]), [a, b].map(|n| self.pieces[n as usize]));
             p == q && r != s
@@ -120,7 +120,7 @@ impl RunSearch<'_> {
     }
 
     /// Returns the pair `count` steps from a pair.
-    fn pair_after(&self, pair: [u32; 2], steps: [Step; 2], count: i64) -> Option<[u32; 2]> {
+    fn pair_after(&self, pair: [u32; 2], steps: [GridStep; 2], count: i64) -> Option<[u32; 2]> {
         let node = |k: usize| {
             let (i, j) = self.shape.place(pair[k]);
             let (i, j) = (i as i64 + count * steps[k].0, j as i64 + count * steps[k].1);
@@ -130,13 +130,13 @@ impl RunSearch<'_> {
         Some([node(0)?, node(1)?])
     }
 
-    fn index(&self, [a, b]: [u32; 2]) -> Option<usize> {
+    fn pair_index(&self, [a, b]: [u32; 2]) -> Option<usize> {
         self.pairs.binary_search(&[a.min(b), a.max(b)]).ok()
     }
 }
 
 /// Pairs of steps to neighbours, including diagonal ones; one of the two runs may stay at its node.
-fn directions() -> impl Iterator<Item = [Step; 2]> {
+fn step_pairs() -> impl Iterator<Item = [GridStep; 2]> {
     let steps = || (0..9).map(|k| (k / 3 - 1, k % 3 - 1));
     steps().flat_map(move |a| steps().map(move |b| [a, b])).filter(|&steps| steps != [(0, 0); 2])
 }

@@ -4,7 +4,7 @@
 /// A cell after identifying glued corners. Corners are the representatives of their classes, in the
 /// cell's order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reduced {
+pub enum ReducedCell {
     /// Four corners.
     Quad([u32; 4]),
     /// One side is contracted.
@@ -21,22 +21,22 @@ pub enum Reduced {
     Crossing([u32; 2]),
 }
 
-impl Reduced {
+impl ReducedCell {
     /// Reduces a cell, given the classes of its four corners in order.
     pub fn new(corners: [u32; 4]) -> Self {
         let [a, b, c, d] = corners;
         match ([a == b, b == c, c == d, d == a], a == c, b == d) {
-            ([false, false, false, false], false, false) => Reduced::Quad(corners),
-            ([false, false, false, false], true, false) => Reduced::Fold([a, b, d]),
-            ([false, false, false, false], false, true) => Reduced::Fold([b, c, a]),
-            ([false, false, false, false], true, true) => Reduced::Crossing([a, b]),
-            ([true, false, false, false], ..) | ([false, true, false, false], ..) => Reduced::Triangle([a, c, d]),
-            ([false, false, true, false], ..) => Reduced::Triangle([a, b, d]),
-            ([false, false, false, true], ..) => Reduced::Triangle([a, b, c]),
+            ([false, false, false, false], false, false) => ReducedCell::Quad(corners),
+            ([false, false, false, false], true, false) => ReducedCell::Fold([a, b, d]),
+            ([false, false, false, false], false, true) => ReducedCell::Fold([b, c, a]),
+            ([false, false, false, false], true, true) => ReducedCell::Crossing([a, b]),
+            ([true, false, false, false], ..) | ([false, true, false, false], ..) => ReducedCell::Triangle([a, c, d]),
+            ([false, false, true, false], ..) => ReducedCell::Triangle([a, b, d]),
+            ([false, false, false, true], ..) => ReducedCell::Triangle([a, b, c]),
             // At most two classes, each of consecutive corners.
             _ => match [b, c, d].into_iter().find(|&corner| corner != a) {
-                Some(other) => Reduced::Digon([a, other]),
-                None => Reduced::Point(a),
+                Some(other) => ReducedCell::Digon([a, other]),
+                None => ReducedCell::Point(a),
             },
         }
     }
@@ -44,8 +44,8 @@ impl Reduced {
     /// Returns the corners of the polygon, if it has at least three.
     pub fn polygon(&self) -> Option<&[u32]> {
         match self {
-            Reduced::Quad(corners) => Some(corners),
-            Reduced::Triangle(corners) => Some(corners),
+            ReducedCell::Quad(corners) => Some(corners),
+            ReducedCell::Triangle(corners) => Some(corners),
             _ => None,
         }
     }

@@ -5,7 +5,7 @@
 //! the order of nodes and independent of the order of unions. O(1) for sides alone, otherwise
 //! O(nodes) with 4 bytes a node.
 
-use super::{Links, Matrix, Seam, Sides, Topology};
+use super::{ContractedLinks, LinkMatrix, Seam, Sides, Topology};
 use crate::shape::{Shape, corner_places};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -14,7 +14,7 @@ use gusset_base::job::Job;
 
 /// The classes of glued nodes. The representative of a class is its smallest node.
 #[derive(Debug, Clone)]
-pub struct Classes {
+pub struct NodeClasses {
     shape: Shape,
     map: ClassMap,
 }
@@ -27,7 +27,7 @@ enum ClassMap {
     Table(Vec<u32>),
 }
 
-impl Classes {
+impl NodeClasses {
     /// Returns the classes of a topology. O(1) if its sides describe it; otherwise O(nodes +
     /// contracted links), and 4 bytes a node.
     ///
@@ -37,25 +37,27 @@ impl Classes {
         Self::new_cancellable(topology, &Job::default(), "")
     }
 
-    /// [`Classes::new`] for large nets.
+    /// [`NodeClasses::new`] for large nets.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn new_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let shape = topology.shape();
-        if let (Links::Sides(sides), []) = (&topology.links, topology.seams()) {
-            return Ok(Classes { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
+        if let (ContractedLinks::Sides(sides), []) = (&topology.links, topology.seams()) {
+            return Ok(NodeClasses { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
         }
         let nodes = (0..shape.node_count()).map(|node| node as u32);
         let mut sets = DisjointSets::from_parents(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
         match &topology.links {
-            Links::Sides(sides) => sides.links(shape).for_each(|link| join(&mut sets, shape.ends(link))),
-            Links::Matrix(matrix) => contract(&mut sets, shape, matrix, &job.part(0.3, 0.7), stage)?,
+            ContractedLinks::Sides(sides) => {
+                sides.contracted_links(shape).for_each(|link| unite_ends(&mut sets, shape.ends(link)))
+            }
+            ContractedLinks::Matrix(matrix) => unite_link_ends(&mut sets, shape, matrix, &job.part(0.3, 0.7), stage)?,
         }
-        for seam in Seam::each_cancellable(topology.seams(), &job.part(0.7, 0.8), stage) {
-            seam?.pairs(shape).for_each(|pair| join(&mut sets, pair));
+        for seam in Seam::cancellable_iter(topology.seams(), &job.part(0.7, 0.8), stage) {
+            seam?.pairs(shape).for_each(|pair| unite_ends(&mut sets, pair));
         }
-        Ok(Classes { shape, map: ClassMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
+        Ok(NodeClasses { shape, map: ClassMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
     }
 
     /// Returns the size of the net.
@@ -86,7 +88,7 @@ impl Classes {
     }
 
     /// Returns true if the two ends of the link belong to one class.
-    pub fn contracts(&self, link: u32) -> bool {
+    pub fn has_identified_ends(&self, link: u32) -> bool {
         let [a, b] = self.shape.ends(link);
         self.representative(a) == self.representative(b)
     }
@@ -95,20 +97,20 @@ impl Classes {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn table(&self) -> Result<Vec<u32>> {
-        self.table_cancellable(&Job::default(), "")
+    pub fn representatives(&self) -> Result<Vec<u32>> {
+        self.representatives_cancellable(&Job::default(), "")
     }
 
-    /// [`Classes::table`] for large nets.
+    /// [`NodeClasses::representatives`] for large nets.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn table_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
+    pub fn representatives_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
         match &self.map {
             ClassMap::Sides(_) => {
                 let nodes = (0..self.shape.node_count()).map(|node| node as u32);
                 let mut table = alloc::collect_cancellable(nodes, job, stage)?;
-                self.each_glued(|node, representative| {
+                self.for_each_glued_node(|node, representative| {
                     table[node as usize] = representative;
                     Ok(())
                 })?;
@@ -120,7 +122,7 @@ impl Classes {
 
     /// Calls `visit` with each node that is not its own representative, and its representative.
     /// O(H + W) for sides alone, otherwise O(nodes).
-    pub(crate) fn each_glued(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
+    pub(crate) fn for_each_glued_node(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
         let (h, w) = (self.shape.rows(), self.shape.columns());
         let mut visit =
             |node, representative| if representative == node { Ok(()) } else { visit(node, representative) };
@@ -142,11 +144,11 @@ impl Classes {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn groups(&self) -> Result<Groups> {
+    pub fn groups(&self) -> Result<NodeGroups> {
         let mut glued = Vec::new();
-        self.each_glued(|node, representative| alloc::push(&mut glued, (representative, node)))?;
+        self.for_each_glued_node(|node, representative| alloc::push(&mut glued, (representative, node)))?;
         glued.sort_unstable();
-        let mut groups = Groups { offsets: alloc::filled(0, 1)?, nodes: alloc::with_capacity(2 * glued.len())? };
+        let mut groups = NodeGroups { offsets: alloc::filled(0, 1)?, nodes: alloc::with_capacity(2 * glued.len())? };
         for class in glued.chunk_by(|a, b| a.0 == b.0) {
             groups.nodes.push(class[0].0);
             groups.nodes.extend(class.iter().map(|&(_, node)| node));
@@ -158,12 +160,12 @@ impl Classes {
 
 /// The classes of at least two nodes.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Groups {
+pub struct NodeGroups {
     offsets: Vec<u32>,
     nodes: Vec<u32>,
 }
 
-impl Groups {
+impl NodeGroups {
     /// Returns the number of classes.
     pub fn len(&self) -> usize {
         self.offsets.len() - 1
@@ -244,9 +246,9 @@ impl SideClasses {
 const NODES_PER_REPORT: usize = 1 << 18;
 
 /// The even bits of a word: links to the west, once bits are shifted to their ends.
-const WEST: u64 = 0x5555_5555_5555_5555;
+const WEST_LINK_BITS: u64 = 0x5555_5555_5555_5555;
 
-fn join(sets: &mut DisjointSets, [a, b]: [u32; 2]) {
+fn unite_ends(sets: &mut DisjointSets, [a, b]: [u32; 2]) {
     sets.union(a, b);
 }
 
@@ -255,7 +257,13 @@ fn join(sets: &mut DisjointSets, [a, b]: [u32; 2]) {
 /// Nodes are taken in order, 32 at a time, and those without links to the west or north are
 /// passed over. A node with one of the two becomes a child of its neighbour's parent, without a
 /// search for the root; only where both lead to different parents are trees joined.
-fn contract(sets: &mut DisjointSets, shape: Shape, matrix: &Matrix, job: &Job<'_>, stage: &'static str) -> Result<()> {
+fn unite_link_ends(
+    sets: &mut DisjointSets,
+    shape: Shape,
+    matrix: &LinkMatrix,
+    job: &Job<'_>,
+    stage: &'static str,
+) -> Result<()> {
     let (h, w) = (shape.rows(), shape.columns());
     let often = (NODES_PER_REPORT / w).max(1);
     for (i, j) in (0..h).flat_map(|i| (0..w).step_by(32).map(move |j| (i, j))) {
@@ -265,9 +273,9 @@ fn contract(sets: &mut DisjointSets, shape: Shape, matrix: &Matrix, job: &Job<'_
         let first = i * w + j;
         // Bit 2k: the link west of node k of these; bit 2k + 1: north. Closing links are done
         // last.
-        let west = if j > 0 { matrix.bits(2 * (first - 1)) } else { matrix.bits(2 * first) << 2 };
-        let north = if i > 0 { matrix.bits(2 * (first - w)) } else { 0 };
-        let here = (west & WEST) | (north & !WEST);
+        let west = if j > 0 { matrix.bits_from(2 * (first - 1)) } else { matrix.bits_from(2 * first) << 2 };
+        let north = if i > 0 { matrix.bits_from(2 * (first - w)) } else { 0 };
+        let here = (west & WEST_LINK_BITS) | (north & !WEST_LINK_BITS);
         let mut left = if w - j < 32 { here & ((1 << (2 * (w - j))) - 1) } else { here };
         while left != 0 {
             let k = left.trailing_zeros() / 2;
@@ -282,6 +290,6 @@ fn contract(sets: &mut DisjointSets, shape: Shape, matrix: &Matrix, job: &Job<'_
         }
     }
     let closing = (0..h).map(|i| shape.horizontal_link(i, w - 1)).chain((0..w).map(|j| shape.vertical_link(h - 1, j)));
-    closing.filter(|&link| matrix.get(link)).for_each(|link| join(sets, shape.ends(link)));
+    closing.filter(|&link| matrix.get(link)).for_each(|link| unite_ends(sets, shape.ends(link)));
     Ok(())
 }

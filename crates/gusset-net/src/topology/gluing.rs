@@ -5,8 +5,8 @@
 //! every link and seam that names it. A batch is executed as a whole or not at all. O(nodes), plus
 //! a sort of the pairs.
 
-use super::local_gluing::{cell_links, star_links};
-use super::{GluingType, Links, Run, Seam, Topology};
+use super::local_gluing::{cell_links, links_of_star};
+use super::{ContractedLinks, GluingType, Seam, SeamRun, Topology};
 use crate::shape::{Shape, sorted_pair};
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
@@ -69,7 +69,7 @@ impl Gluing {
 
     /// Calls `link` and `seam` with the links and seams of the request. `index` is its index in the
     /// batch.
-    fn resolve(
+    fn visit_links_and_seams(
         self,
         shape: Shape,
         index: usize,
@@ -88,7 +88,7 @@ impl Gluing {
             Gluing::Star { node, mask } => {
                 shape.check_node(node)?;
                 let (i, j) = shape.place(node);
-                masked(star_links(shape, i, j), mask)
+                masked(links_of_star(shape, i, j), mask)
             }
             Gluing::Cell { cell, mask } => {
                 let (i, j) = shape.checked_cell_place(cell)?;
@@ -96,14 +96,14 @@ impl Gluing {
             }
             Gluing::CellDiagonal { cell, diagonal } => {
                 let (i, j) = shape.checked_cell_place(cell)?;
-                let corner = Run::stationary;
+                let corner = SeamRun::stationary;
                 seam(match diagonal {
                     CellDiagonal::Falling => Seam { a: corner(i, j), b: corner(i + 1, j + 1), count: 1 },
                     CellDiagonal::Rising => Seam { a: corner(i, j + 1), b: corner(i + 1, j), count: 1 },
                 })
             }
             Gluing::Seam(given) => {
-                given.check(shape, index)?;
+                given.check_in_net(shape, index)?;
                 seam(given)
             }
         }
@@ -131,9 +131,9 @@ impl Topology {
                 matrix.set(link, true);
                 Ok(())
             };
-            gluing.resolve(self.shape(), index, contract, |seam| alloc::push(&mut seams, seam))?;
+            gluing.visit_links_and_seams(self.shape(), index, contract, |seam| alloc::push(&mut seams, seam))?;
         }
-        let glued = Topology::new_cancellable(self.shape(), Links::Matrix(matrix), &seams, job, stage)?;
+        let glued = Topology::new_cancellable(self.shape(), ContractedLinks::Matrix(matrix), &seams, job, stage)?;
         Ok(glued.with_reversed(self.is_reversed()))
     }
 
@@ -153,29 +153,29 @@ impl Topology {
                 matrix.set(link, false);
                 alloc::push(&mut pairs, sorted_pair(shape.ends(link)))
             };
-            gluing.resolve(shape, index, link, |seam| alloc::push(&mut found, seam))?;
+            gluing.visit_links_and_seams(shape, index, link, |seam| alloc::push(&mut found, seam))?;
             alloc::extend(&mut pairs, found.iter().flat_map(|seam| seam.pairs(shape).map(sorted_pair)))?;
         }
         sort_distinct(&mut pairs);
         pairs.iter().flat_map(|&pair| shape.links_between(pair)).for_each(|link| matrix.set(link, false));
         let mut seams = Vec::new();
         for &seam in self.seams() {
-            split_seam(shape, seam, &pairs, &mut seams)?;
+            remove_pairs_from_seam(shape, seam, &pairs, &mut seams)?;
         }
-        Ok(Topology::new(shape, Links::Matrix(matrix), &seams)?.with_reversed(self.is_reversed()))
+        Ok(Topology::new(shape, ContractedLinks::Matrix(matrix), &seams)?.with_reversed(self.is_reversed()))
     }
 }
 
 /// Appends the parts of a seam between the pairs that it loses.
-fn split_seam(shape: Shape, seam: Seam, pairs: &[[u32; 2]], parts: &mut Vec<Seam>) -> Result<()> {
+fn remove_pairs_from_seam(shape: Shape, seam: Seam, pairs: &[[u32; 2]], parts: &mut Vec<Seam>) -> Result<()> {
     let mut start = 0;
     for (k, pair) in (0..).zip(seam.pairs(shape)) {
         if pairs.binary_search(&sorted_pair(pair)).is_ok() {
             if start < k {
-                alloc::push(parts, seam.part(start, k))?;
+                alloc::push(parts, seam.sub_seam(start, k))?;
             }
             start = k + 1;
         }
     }
-    if start < seam.count { alloc::push(parts, seam.part(start, seam.count)) } else { Ok(()) }
+    if start < seam.count { alloc::push(parts, seam.sub_seam(start, seam.count)) } else { Ok(()) }
 }

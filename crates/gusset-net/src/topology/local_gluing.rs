@@ -7,7 +7,7 @@
 //! crosses itself and is impossible on a surface. Classification is a table look-up by a mask of
 //! four bits.
 
-use super::{Classes, Matrix, Topology};
+use super::{LinkMatrix, NodeClasses, Topology};
 use crate::Shape;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -31,18 +31,18 @@ pub struct GluingType(u8);
 const NO_TYPE: u8 = u8::MAX;
 
 /// The type of a star by its mask: east 1, south 2, west 4, north 8.
-const TYPE_OF_STAR: [u8; 16] = [NO_TYPE, 0, 1, 2, 0, 6, 3, 8, 1, 5, 7, 11, 4, 10, 9, 12];
+const STAR_TYPE_BY_MASK: [u8; 16] = [NO_TYPE, 0, 1, 2, 0, 6, 3, 8, 1, 5, 7, 11, 4, 10, 9, 12];
 
 /// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a
 /// corner of the node between them.
-const TYPE_OF_CELL: [u8; 16] = [NO_TYPE, 0, 1, 3, 0, 13, 4, 15, 1, 2, 14, 15, 5, 15, 15, 15];
+const CELL_TYPE_BY_MASK: [u8; 16] = [NO_TYPE, 0, 1, 3, 0, 13, 4, 15, 1, 2, 14, 15, 5, 15, 15, 15];
 
 impl GluingType {
     /// The number of types.
     pub const COUNT: usize = 18;
 
     /// Returns the type of an entry of the tables.
-    fn from_entry(number: u8) -> Option<Self> {
+    fn from_table_entry(number: u8) -> Option<Self> {
         (number != NO_TYPE).then_some(GluingType(number))
     }
 
@@ -54,12 +54,12 @@ impl GluingType {
     /// Returns the links of a star that form this type: see [`Gluing::Star`](super::Gluing::Star).
     /// `None` above 12.
     pub(super) fn star_mask(self) -> Option<u8> {
-        (0..16u8).find(|&mask| TYPE_OF_STAR[usize::from(mask)] == self.0)
+        (0..16u8).find(|&mask| STAR_TYPE_BY_MASK[usize::from(mask)] == self.0)
     }
 
     /// Returns the links of a cell that form this type; `None` for diagonals.
     pub(super) fn cell_mask(self) -> Option<u8> {
-        (0..16u8).find(|&mask| TYPE_OF_CELL[usize::from(mask)] == self.0)
+        (0..16u8).find(|&mask| CELL_TYPE_BY_MASK[usize::from(mask)] == self.0)
     }
 
     /// Returns the number, 0 to 17.
@@ -69,7 +69,7 @@ impl GluingType {
 }
 
 /// Returns the links of node (i, j): east, south, west, north, round the sides of the net.
-pub(crate) fn star_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
+pub(crate) fn links_of_star(shape: Shape, i: usize, j: usize) -> [u32; 4] {
     let (h, w) = (shape.rows(), shape.columns());
     let here = shape.horizontal_link(i, j);
     [here, here + 1, shape.horizontal_link(i, (j + w - 1) % w), shape.vertical_link((i + h - 1) % h, j)]
@@ -83,29 +83,29 @@ pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
 
 /// Returns the type of the star of node (i, j) by its contracted links. If `cyclic`, closing links
 /// to the first row and column count too. Returns `None` if no link is contracted.
-pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
+pub fn classify_node(classes: &NodeClasses, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
     let shape = classes.shape();
     let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
-    let links = star_links(shape, i, j);
-    let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.contracts(links[k]));
-    GluingType::from_entry(TYPE_OF_STAR[set.fold(0, |mask, k| mask | 1 << k)])
+    let links = links_of_star(shape, i, j);
+    let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.has_identified_ends(links[k]));
+    GluingType::from_table_entry(STAR_TYPE_BY_MASK[set.fold(0, |mask, k| mask | 1 << k)])
 }
 
 /// Returns the type of the cell at (i, j); `None` if it is a quad.
-pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType> {
+pub fn classify_cell(classes: &NodeClasses, i: usize, j: usize) -> Option<GluingType> {
     let [a, b, c, d] = classes.corners(i, j);
     let mask = usize::from(a == b) | usize::from(b == c) << 1 | usize::from(c == d) << 2 | usize::from(d == a) << 3;
     let number = match mask {
         0 if a == c => 16,
         0 if b == d => 17,
-        _ => TYPE_OF_CELL[mask],
+        _ => CELL_TYPE_BY_MASK[mask],
     };
-    GluingType::from_entry(number)
+    GluingType::from_table_entry(number)
 }
 
 impl Topology {
     /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the
-    /// [`Classes`].
+    /// [`NodeClasses`].
     ///
     /// # Errors
     /// [`Error::NoSuch`](gusset_base::Error::NoSuch),
@@ -113,18 +113,18 @@ impl Topology {
     pub fn node_type(&self, node: u32, cyclic: bool, job: &Job<'_>) -> Result<Option<GluingType>> {
         self.shape().check_node(node)?;
         let (i, j) = self.shape().place(node);
-        Ok(classify_node(&Classes::new_cancellable(self, job, STAGE)?, i, j, cyclic))
+        Ok(classify_node(&NodeClasses::new_cancellable(self, job, STAGE)?, i, j, cyclic))
     }
 
     /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the
-    /// [`Classes`].
+    /// [`NodeClasses`].
     ///
     /// # Errors
     /// [`Error::NoSuch`](gusset_base::Error::NoSuch),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn cell_type(&self, cell: u32, job: &Job<'_>) -> Result<Option<GluingType>> {
         let (i, j) = self.shape().checked_cell_place(cell)?;
-        Ok(classify_cell(&Classes::new_cancellable(self, job, STAGE)?, i, j))
+        Ok(classify_cell(&NodeClasses::new_cancellable(self, job, STAGE)?, i, j))
     }
 }
 
@@ -135,7 +135,7 @@ const STAGE: &str = "types of gluings";
 
 /// The number of occurrences of each type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Histogram {
+pub struct GluingHistogram {
     /// Nodes whose star has the type, closing links not counted.
     pub nodes: [u64; GluingType::COUNT],
     /// Cells that have the type.
@@ -147,13 +147,13 @@ pub struct Histogram {
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-pub fn histogram(topology: &Topology, job: &Job<'_>) -> Result<Histogram> {
+pub fn gluing_histogram(topology: &Topology, job: &Job<'_>) -> Result<GluingHistogram> {
     let shape = topology.shape();
     let (h, w) = (shape.rows(), shape.columns());
-    let classes = Classes::new_cancellable(topology, &job.part(0.0, 0.4), STAGE)?;
-    let table = classes.table_cancellable(&job.part(0.4, 0.5), STAGE)?;
-    let (links, job) = (Matrix::from_table(shape, &table)?, job.part(0.5, 1.0));
-    let mut histogram = Histogram::default();
+    let classes = NodeClasses::new_cancellable(topology, &job.part(0.0, 0.4), STAGE)?;
+    let table = classes.representatives_cancellable(&job.part(0.4, 0.5), STAGE)?;
+    let (links, job) = (LinkMatrix::from_representatives(shape, &table)?, job.part(0.5, 1.0));
+    let mut histogram = GluingHistogram::default();
     let count = |counts: &mut [u64; GluingType::COUNT], number: u8| {
         if number != NO_TYPE {
             counts[usize::from(number)] += 1;
@@ -167,14 +167,14 @@ pub fn histogram(topology: &Topology, job: &Job<'_>) -> Result<Histogram> {
         let (right, down) = (j + 1 < w, i + 1 < h);
         let here = links.link_bits(node) & (usize::from(right) | usize::from(down) << 1);
         let (west, north) = (pair(j > 0, node.wrapping_sub(1)), pair(i > 0, node.wrapping_sub(w)));
-        count(&mut histogram.nodes, TYPE_OF_STAR[here | (west & 1) << 2 | (north & 2) << 2]);
+        count(&mut histogram.nodes, STAR_TYPE_BY_MASK[here | (west & 1) << 2 | (north & 2) << 2]);
         if right && down {
             let (east, south) = (links.link_bits(node + 1), links.link_bits(node + w));
             let mask = (here & 1) | (east & 2) | (south & 1) << 2 | (here & 2) << 2;
             let number = match mask {
                 0 if table[node] == table[node + w + 1] => 16,
                 0 if table[node + 1] == table[node + w] => 17,
-                _ => TYPE_OF_CELL[mask],
+                _ => CELL_TYPE_BY_MASK[mask],
             };
             count(&mut histogram.cells, number);
         }

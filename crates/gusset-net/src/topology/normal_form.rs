@@ -3,7 +3,7 @@
 //! In normal form, links that sides can express are sides, and seams that links can express are
 //! links. Seams are sorted, each in its smallest spelling, and no cell is crossed. O(nodes).
 
-use super::{Classes, Links, Matrix, Seam, Topology, canonical_seams};
+use super::{ContractedLinks, LinkMatrix, NodeClasses, Seam, Topology, canonical_seams};
 use crate::Shape;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -14,7 +14,7 @@ impl Topology {
     ///
     /// # Errors
     /// [`Error::BadSeam`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
-    pub fn new(shape: Shape, links: Links, seams: &[Seam]) -> Result<Self> {
+    pub fn new(shape: Shape, links: ContractedLinks, seams: &[Seam]) -> Result<Self> {
         Self::new_cancellable(shape, links, seams, &Job::default(), "")
     }
 
@@ -24,15 +24,15 @@ impl Topology {
     /// Also [`Error::Cancelled`].
     pub fn new_cancellable(
         shape: Shape,
-        links: Links,
+        links: ContractedLinks,
         seams: &[Seam],
         job: &Job<'_>,
         stage: &'static str,
     ) -> Result<Self> {
         job.step(0.0, stage)?;
-        seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
+        seams.iter().enumerate().try_for_each(|(index, seam)| seam.check_in_net(shape, index))?;
         let (mut links, mut kept) = (links, Vec::new());
-        for seam in Seam::each_cancellable(seams, &job.part(0.0, 0.3), stage) {
+        for seam in Seam::cancellable_iter(seams, &job.part(0.0, 0.3), stage) {
             let seam = seam?;
             if seam.pairs(shape).all(|[a, b]| a == b) {
                 continue;
@@ -41,13 +41,13 @@ impl Topology {
             if seam.pairs(shape).all(|pair| link(pair).is_some()) {
                 let mut matrix = links.into_matrix(shape)?;
                 seam.pairs(shape).filter_map(link).for_each(|link| matrix.set(link, true));
-                links = Links::Matrix(matrix);
+                links = ContractedLinks::Matrix(matrix);
             } else {
                 alloc::push(&mut kept, seam)?;
             }
         }
-        let topology = Topology::assembled(shape, links, kept, false);
-        topology.check_crossings_cancellable(&job.part(0.3, 1.0), stage)?;
+        let topology = Topology::assemble_unchecked(shape, links, kept, false);
+        topology.check_crossed_cells_cancellable(&job.part(0.3, 1.0), stage)?;
         Ok(topology)
     }
 
@@ -56,18 +56,18 @@ impl Topology {
     ///
     /// # Errors
     /// [`Error::BadSeam`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
-    pub(crate) fn canonical(shape: Shape, links: Links, seams: Vec<Seam>) -> Result<Option<Self>> {
-        seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
-        if !seams.is_sorted_by(|a, b| a < b) || seams.iter().any(|seam| seam.canonical() != *seam) {
+    pub(crate) fn from_canonical_parts(shape: Shape, links: ContractedLinks, seams: Vec<Seam>) -> Result<Option<Self>> {
+        seams.iter().enumerate().try_for_each(|(index, seam)| seam.check_in_net(shape, index))?;
+        if !seams.is_sorted_by(|a, b| a < b) || seams.iter().any(|seam| seam.canonical_spelling() != *seam) {
             return Ok(None);
         }
-        if let Links::Matrix(matrix) = &links
-            && matrix.as_sides(shape).is_some()
+        if let ContractedLinks::Matrix(matrix) = &links
+            && matrix.to_equal_sides(shape).is_some()
         {
             return Ok(None);
         }
         let topology = Topology { shape, links, seams, reversed: false };
-        topology.check_crossings()?;
+        topology.check_crossed_cells()?;
         Ok(Some(topology))
     }
 
@@ -78,40 +78,40 @@ impl Topology {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn saturated(&self) -> Result<Self> {
-        self.saturated_cancellable(&Job::default(), "")
+    pub fn canonical_form(&self) -> Result<Self> {
+        self.canonical_form_cancellable(&Job::default(), "")
     }
 
-    /// [`Topology::saturated`] for large nets.
+    /// [`Topology::canonical_form`] for large nets.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`].
-    pub fn saturated_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Self> {
-        let classes = Classes::new_cancellable(self, &job.part(0.0, 0.3), stage)?;
-        let table = classes.table_cancellable(&job.part(0.3, 0.5), stage)?;
-        let matrix = Matrix::from_table(self.shape, &table)?;
-        let links = Links::Matrix(matrix).normal(self.shape);
+    pub fn canonical_form_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Self> {
+        let classes = NodeClasses::new_cancellable(self, &job.part(0.0, 0.3), stage)?;
+        let table = classes.representatives_cancellable(&job.part(0.3, 0.5), stage)?;
+        let matrix = LinkMatrix::from_representatives(self.shape, &table)?;
+        let links = ContractedLinks::Matrix(matrix).normalised(self.shape);
         let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
         if !self.seams.is_empty() {
-            let pieces = Classes::new_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;
-            let pieces = pieces.table_cancellable(&job.part(0.8, 1.0), stage)?;
-            saturated.seams = canonical_seams::seams(self.shape, &table, &pieces)?;
+            let pieces = NodeClasses::new_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;
+            let pieces = pieces.representatives_cancellable(&job.part(0.8, 1.0), stage)?;
+            saturated.seams = canonical_seams::find_seams(self.shape, &table, &pieces)?;
         }
         Ok(saturated)
     }
 
     /// Returns [`Error::CrossingCell`] for the first cell whose opposite corners are glued
     /// crosswise.
-    pub(crate) fn check_crossings(&self) -> Result<()> {
-        self.check_crossings_cancellable(&Job::default(), "")
+    pub(crate) fn check_crossed_cells(&self) -> Result<()> {
+        self.check_crossed_cells_cancellable(&Job::default(), "")
     }
 
-    fn check_crossings_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<()> {
-        if matches!(self.links, Links::Sides(_)) && self.seams.is_empty() {
+    fn check_crossed_cells_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<()> {
+        if matches!(self.links, ContractedLinks::Sides(_)) && self.seams.is_empty() {
             return Ok(());
         }
-        let classes = Classes::new_cancellable(self, &job.part(0.0, 0.8), stage)?;
-        let (table, w) = (classes.table_cancellable(&job.part(0.8, 1.0), stage)?, self.shape.columns());
+        let classes = NodeClasses::new_cancellable(self, &job.part(0.0, 0.8), stage)?;
+        let (table, w) = (classes.representatives_cancellable(&job.part(0.8, 1.0), stage)?, self.shape.columns());
         for (i, rows) in table.chunks_exact(w).zip(table[w..].chunks_exact(w)).enumerate() {
             let crosses = |j: usize| {
                 let ([a, b], [d, c]) = ([rows.0[j], rows.0[j + 1]], [rows.1[j], rows.1[j + 1]]);

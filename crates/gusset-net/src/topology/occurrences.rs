@@ -1,7 +1,7 @@
 //! The local gluings of a net as data: where each is, its type in the paper's letters, and its
 //! orders (Deryagin, Fig. 4). O(nodes).
 
-use super::{Classes, GluingType, Topology, classify_cell, classify_node};
+use super::{GluingType, NodeClasses, Topology, classify_cell, classify_node};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -16,7 +16,7 @@ const NODES_PER_REPORT: usize = 1 << 16;
 /// are glued, and b (0 or 1) of the other links lie between them. A diagonal is c(1, 2): one gluing
 /// across two links.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Signature {
+pub struct GluingSignature {
     /// The letter a.
     pub a: u8,
     /// The letter b; `None` for types with one letter.
@@ -29,7 +29,7 @@ pub struct Signature {
 
 impl GluingType {
     /// Returns the letters and orders of the type at a node; `None` for those that only cells have.
-    pub fn node_signature(self) -> Option<Signature> {
+    pub fn node_signature(self) -> Option<GluingSignature> {
         let [a, b, link_order] = match self.number() {
             0 | 1 => [1, 0, 1],
             2..=5 => [2, 1, 2],
@@ -38,11 +38,11 @@ impl GluingType {
             12 => [4, 0, 2],
             _ => return None,
         };
-        Some(Signature { a, b: (b > 0).then_some(b), node_order: a + 1, link_order })
+        Some(GluingSignature { a, b: (b > 0).then_some(b), node_order: a + 1, link_order })
     }
 
     /// Returns the letters and orders of the type of a cell; `None` for those that only nodes have.
-    pub fn cell_signature(self) -> Option<Signature> {
+    pub fn cell_signature(self) -> Option<GluingSignature> {
         let (a, b, node_order, link_order) = match self.number() {
             0 | 1 => (1, None, 2, 1),
             2..=5 => (2, Some(0), 3, 2),
@@ -51,13 +51,13 @@ impl GluingType {
             16 | 17 => (1, Some(2), 2, 2),
             _ => return None,
         };
-        Some(Signature { a, b, node_order, link_order })
+        Some(GluingSignature { a, b, node_order, link_order })
     }
 }
 
 /// One local gluing of a net.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Occurrence {
+pub struct GluingOccurrence {
     /// True at a cell, false at a node.
     pub on_cell: bool,
     /// The node or the cell.
@@ -65,7 +65,7 @@ pub struct Occurrence {
     /// The type.
     pub kind: GluingType,
     /// Its letters and orders.
-    pub signature: Signature,
+    pub signature: GluingSignature,
     /// The size of the class of this node, or of the largest class among the glued corners of this
     /// cell. It exceeds `node_order` where gluings meet.
     pub class_size: u32,
@@ -77,8 +77,8 @@ pub struct Occurrence {
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-pub fn occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>) -> Result<Vec<Occurrence>> {
-    let (shape, classes) = (topology.shape(), Classes::new_cancellable(topology, &job.part(0.0, 0.2), "gluings")?);
+pub fn find_gluing_occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>) -> Result<Vec<GluingOccurrence>> {
+    let (shape, classes) = (topology.shape(), NodeClasses::new_cancellable(topology, &job.part(0.0, 0.2), "gluings")?);
     let job = job.part(0.2, 1.0);
     let (h, w) = (shape.rows(), shape.columns());
     let mut sizes = alloc::filled(0u32, shape.node_count())?;
@@ -90,7 +90,8 @@ pub fn occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>) -> Result<V
         for (j, node) in (0..w).zip(shape.node(i, 0)..) {
             let kind = classify_node(&classes, i, j, cyclic);
             if let Some((kind, signature)) = kind.and_then(|kind| Some((kind, kind.node_signature()?))) {
-                let occurrence = Occurrence { on_cell: false, element: node, kind, signature, class_size: size(node) };
+                let occurrence =
+                    GluingOccurrence { on_cell: false, element: node, kind, signature, class_size: size(node) };
                 alloc::push(&mut found, occurrence)?;
             }
         }
@@ -102,7 +103,7 @@ pub fn occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>) -> Result<V
             if let Some((kind, signature)) = kind.and_then(|kind| Some((kind, kind.cell_signature()?))) {
                 let class_size = classes.corners(i, j).map(size).into_iter().fold(0, u32::max);
                 let element = (i * (w - 1) + j) as u32;
-                alloc::push(&mut found, Occurrence { on_cell: true, element, kind, signature, class_size })?;
+                alloc::push(&mut found, GluingOccurrence { on_cell: true, element, kind, signature, class_size })?;
             }
         }
     }

@@ -11,7 +11,7 @@ const PAIRS_PER_REPORT: u64 = 1 << 18;
 
 /// Nodes in a line: from (row, column) in equal steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Run {
+pub struct SeamRun {
     /// Row of the first node.
     pub row: u32,
     /// Column of the first node.
@@ -22,50 +22,50 @@ pub struct Run {
     pub column_step: i32,
 }
 
-impl Run {
+impl SeamRun {
     /// Returns a run that stays at node (i, j).
     pub fn stationary(i: usize, j: usize) -> Self {
-        Run::along_row(i as u32, j as u32, 0)
+        SeamRun::along_row(i as u32, j as u32, 0)
     }
 
     /// Returns a run along a row (step 1) or against it (step -1).
     pub fn along_row(row: u32, column: u32, step: i32) -> Self {
-        Run { row, column, row_step: 0, column_step: step }
+        SeamRun { row, column, row_step: 0, column_step: step }
     }
 
     /// Returns a run along a column (step 1) or against it (step -1).
     pub fn along_column(row: u32, column: u32, step: i32) -> Self {
-        Run { row, column, row_step: step, column_step: 0 }
+        SeamRun { row, column, row_step: step, column_step: 0 }
     }
 
     /// Returns row and column of node `k`, which may lie outside the net.
-    pub(crate) fn place(&self, k: u32) -> (i64, i64) {
+    pub(crate) fn node_place(&self, k: u32) -> (i64, i64) {
         let k = i64::from(k);
         (i64::from(self.row) + k * i64::from(self.row_step), i64::from(self.column) + k * i64::from(self.column_step))
     }
 
-    fn is_inside(&self, shape: Shape, count: u32) -> bool {
+    fn is_inside_net(&self, shape: Shape, count: u32) -> bool {
         [0, count - 1].into_iter().all(|k| {
-            let (i, j) = self.place(k);
+            let (i, j) = self.node_place(k);
             (0..shape.rows() as i64).contains(&i) && (0..shape.columns() as i64).contains(&j)
         })
     }
 
     /// Rows and columns exchanged.
     pub(crate) fn transposed(self) -> Self {
-        Run { row: self.column, column: self.row, row_step: self.column_step, column_step: self.row_step }
+        SeamRun { row: self.column, column: self.row, row_step: self.column_step, column_step: self.row_step }
     }
 
     /// Returns the first `count` nodes in reverse order.
     fn reversed(self, count: u32) -> Self {
-        let (row, column) = self.place(count - 1);
+        let (row, column) = self.node_place(count - 1);
         let (row_step, column_step) = (-self.row_step, -self.column_step);
-        Run { row: row as u32, column: column as u32, row_step, column_step }
+        SeamRun { row: row as u32, column: column as u32, row_step, column_step }
     }
 
     /// Node `k`.
     pub(crate) fn node(&self, shape: Shape, k: u32) -> u32 {
-        let (i, j) = self.place(k);
+        let (i, j) = self.node_place(k);
         shape.node(i as usize, j as usize)
     }
 }
@@ -78,9 +78,9 @@ impl Run {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Seam {
     /// The first run.
-    pub a: Run,
+    pub a: SeamRun,
     /// The second run.
-    pub b: Run,
+    pub b: SeamRun,
     /// The number of nodes of each run; at least 1, and exactly 1 if neither run moves.
     pub count: u32,
 }
@@ -89,17 +89,17 @@ impl Seam {
     /// Returns [`Error::BadSeam`] if the seam is empty, leaves the net or repeats one pair. `index`
     /// is the index of the seam. A valid seam has at most as many pairs as the net has rows or
     /// columns.
-    pub(crate) fn check(&self, shape: Shape, index: usize) -> Result<()> {
+    pub(crate) fn check_in_net(&self, shape: Shape, index: usize) -> Result<()> {
         let moves = [self.a, self.b].iter().any(|run| (run.row_step, run.column_step) != (0, 0));
         let good = self.count > 0
             && (moves || self.count == 1)
-            && self.a.is_inside(shape, self.count)
-            && self.b.is_inside(shape, self.count);
+            && self.a.is_inside_net(shape, self.count)
+            && self.b.is_inside_net(shape, self.count);
         if good { Ok(()) } else { Err(Error::BadSeam { seam: index as u32 }) }
     }
 
     /// Calls `visit` for all of `seams`, with a progress report once in [`PAIRS_PER_REPORT`] pairs.
-    pub(super) fn each_cancellable(
+    pub(super) fn cancellable_iter(
         seams: &[Seam],
         job: &Job<'_>,
         stage: &'static str,
@@ -116,19 +116,19 @@ impl Seam {
     }
 
     /// Returns the smallest of the spellings of this seam: either run first, in either direction.
-    pub(crate) fn canonical(self) -> Self {
+    pub(crate) fn canonical_spelling(self) -> Self {
         let Seam { mut a, mut b, count } = self;
         if count == 1 {
             (a.row_step, a.column_step, b.row_step, b.column_step) = (0, 0, 0, 0);
         }
-        let spellings = Seam { a, b, count }.spellings();
+        let spellings = Seam { a, b, count }.equivalent_spellings();
         spellings.into_iter().min().unwrap_or(self)
     }
 
     /// Returns the four spellings: unchanged, with the runs exchanged, and both in reverse.
-    pub(crate) fn spellings(self) -> [Self; 4] {
+    pub(crate) fn equivalent_spellings(self) -> [Self; 4] {
         let reversed = self.reversed();
-        [self, self.exchanged(), reversed, reversed.exchanged()]
+        [self, self.with_runs_exchanged(), reversed, reversed.with_runs_exchanged()]
     }
 
     /// Returns the same pairs in reverse order.
@@ -136,15 +136,15 @@ impl Seam {
         Seam { a: self.a.reversed(self.count), b: self.b.reversed(self.count), count: self.count }
     }
 
-    fn exchanged(self) -> Self {
+    fn with_runs_exchanged(self) -> Self {
         Seam { a: self.b, b: self.a, count: self.count }
     }
 
     /// Returns the pairs `from..to`, a non-empty range.
-    pub(super) fn part(self, from: u32, to: u32) -> Self {
-        let at = |run: Run| {
-            let (row, column) = run.place(from);
-            Run { row: row as u32, column: column as u32, ..run }
+    pub(super) fn sub_seam(self, from: u32, to: u32) -> Self {
+        let at = |run: SeamRun| {
+            let (row, column) = run.node_place(from);
+            SeamRun { row: row as u32, column: column as u32, ..run }
         };
         Seam { a: at(self.a), b: at(self.b), count: to - from }
     }

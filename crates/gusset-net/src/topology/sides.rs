@@ -4,7 +4,7 @@
 use crate::Shape;
 
 /// The closure of each of the four sides of a net: each flag contracts a set of links, see
-/// [`Sides::contracts`].
+/// [`Sides::is_contracted`].
 ///
 /// The paper's closures (Fig. 5) are among the combinations, and so are partly closed nets, such as
 /// a cone with an open base.
@@ -46,7 +46,7 @@ impl Sides {
     pub const TORUS: Sides = Sides { columns_closed: true, ..Sides::TUBE };
 
     /// Returns true if the link is contracted.
-    pub fn contracts(self, shape: Shape, link: u32) -> bool {
+    pub fn is_contracted(self, shape: Shape, link: u32) -> bool {
         let (i, j) = shape.place(link / 2);
         let (last_row, last_column) = (i + 1 == shape.rows(), j + 1 == shape.columns());
         match (link & 1 == 0, last_column, last_row) {
@@ -71,7 +71,7 @@ impl Sides {
     }
 
     /// Returns the contracted links, each once, only at the sides: O(H + W) of them.
-    pub(crate) fn links(self, shape: Shape) -> impl Iterator<Item = u32> {
+    pub(crate) fn contracted_links(self, shape: Shape) -> impl Iterator<Item = u32> {
         let (h, w) = (shape.rows(), shape.columns());
         let when = |condition: bool, count: usize| 0..if condition { count } else { 0 };
         when(self.rows_closed, h)

@@ -1,6 +1,6 @@
 //! A topology: the contracted links and the seams of a net, in one form.
 
-use super::{Matrix, Seam, Sides};
+use super::{LinkMatrix, Seam, Sides};
 use crate::Shape;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -8,27 +8,29 @@ use gusset_base::sort::sort_distinct;
 
 /// The representation of contracted links.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub enum Links {
+pub enum ContractedLinks {
     /// Sides that describe all links; takes no memory.
     Sides(Sides),
     /// A matrix; takes two bits a node.
-    Matrix(Matrix),
+    Matrix(LinkMatrix),
 }
 
-impl Links {
+impl ContractedLinks {
     /// Converts to sides, if sides contract the same links.
-    pub(super) fn normal(self, shape: Shape) -> Self {
+    pub(super) fn normalised(self, shape: Shape) -> Self {
         match self {
-            Links::Matrix(matrix) => matrix.as_sides(shape).map_or(Links::Matrix(matrix), Links::Sides),
+            ContractedLinks::Matrix(matrix) => {
+                matrix.to_equal_sides(shape).map_or(ContractedLinks::Matrix(matrix), ContractedLinks::Sides)
+            }
             sides => sides,
         }
     }
 
     /// Returns the links as a matrix.
-    pub(crate) fn into_matrix(self, shape: Shape) -> Result<Matrix> {
+    pub(crate) fn into_matrix(self, shape: Shape) -> Result<LinkMatrix> {
         match self {
-            Links::Sides(sides) => Matrix::from_sides(shape, sides),
-            Links::Matrix(matrix) => Ok(matrix),
+            ContractedLinks::Sides(sides) => LinkMatrix::from_sides(shape, sides),
+            ContractedLinks::Matrix(matrix) => Ok(matrix),
         }
     }
 }
@@ -36,14 +38,14 @@ impl Links {
 /// The gluing of a net: its contracted links and its seams.
 ///
 /// It is kept in normal form: links that sides can express are sides, seams that links can express
-/// are links, seams are sorted, and no cell is crossed (see [`Reduced::Crossing`](super::Reduced)).
-/// Two topologies are equal if they contract the same links by name, list the same seams and have
-/// the same face orientation. Different links and seams may glue the same nodes; compare
-/// [`Topology::saturated`] to detect that.
+/// are links, seams are sorted, and no cell is crossed (see
+/// [`ReducedCell::Crossing`](super::ReducedCell)). Two topologies are equal if they contract the
+/// same links by name, list the same seams and have the same face orientation. Different links and
+/// seams may glue the same nodes; compare [`Topology::canonical_form`] to detect that.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Topology {
     pub(super) shape: Shape,
-    pub(super) links: Links,
+    pub(super) links: ContractedLinks,
     pub(super) seams: Vec<Seam>,
     pub(super) reversed: bool,
 }
@@ -51,7 +53,7 @@ pub struct Topology {
 impl Topology {
     /// Creates a topology that the sides describe.
     pub fn from_sides(shape: Shape, sides: Sides) -> Self {
-        Topology { shape, links: Links::Sides(sides), seams: Vec::new(), reversed: false }
+        Topology { shape, links: ContractedLinks::Sides(sides), seams: Vec::new(), reversed: false }
     }
 
     /// Returns a copy.
@@ -60,8 +62,8 @@ impl Topology {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn copied(&self) -> Result<Self> {
         let links = match &self.links {
-            Links::Sides(sides) => Links::Sides(*sides),
-            Links::Matrix(matrix) => Links::Matrix(matrix.copied()?),
+            ContractedLinks::Sides(sides) => ContractedLinks::Sides(*sides),
+            ContractedLinks::Matrix(matrix) => ContractedLinks::Matrix(matrix.copied()?),
         };
         Ok(Topology { shape: self.shape, links, seams: alloc::copied(&self.seams)?, reversed: self.reversed })
     }
@@ -69,17 +71,22 @@ impl Topology {
     /// Creates a topology from links and seams that cannot cross a cell because they come from
     /// valid topologies. Unlike [`Topology::new`] it does not check, and keeps a seam even if links
     /// could express it. O(contracted links + pairs of seams).
-    pub(crate) fn assembled(shape: Shape, links: Links, mut seams: Vec<Seam>, reversed: bool) -> Self {
-        seams.iter_mut().for_each(|seam| *seam = seam.canonical());
+    pub(crate) fn assemble_unchecked(
+        shape: Shape,
+        links: ContractedLinks,
+        mut seams: Vec<Seam>,
+        reversed: bool,
+    ) -> Self {
+        seams.iter_mut().for_each(|seam| *seam = seam.canonical_spelling());
         sort_distinct(&mut seams);
-        Topology { shape, links: links.normal(shape), seams, reversed }
+        Topology { shape, links: links.normalised(shape), seams, reversed }
     }
 
     /// Returns the links that are contracted by name, in no particular order.
-    pub(crate) fn contracted(&self) -> impl Iterator<Item = u32> {
+    pub(crate) fn contracted_links(&self) -> impl Iterator<Item = u32> {
         let (sides, matrix) = match &self.links {
-            Links::Sides(sides) => (Some(sides.links(self.shape)), None),
-            Links::Matrix(matrix) => (None, Some(matrix.links())),
+            ContractedLinks::Sides(sides) => (Some(sides.contracted_links(self.shape)), None),
+            ContractedLinks::Matrix(matrix) => (None, Some(matrix.links())),
         };
         sides.into_iter().flatten().chain(matrix.into_iter().flatten())
     }
@@ -90,15 +97,15 @@ impl Topology {
     }
 
     /// Returns the contracted links.
-    pub fn links(&self) -> &Links {
+    pub fn links(&self) -> &ContractedLinks {
         &self.links
     }
 
     /// Returns the sides, if they express all contracted links.
     pub fn sides(&self) -> Option<Sides> {
         match self.links {
-            Links::Sides(sides) => Some(sides),
-            Links::Matrix(_) => None,
+            ContractedLinks::Sides(sides) => Some(sides),
+            ContractedLinks::Matrix(_) => None,
         }
     }
 
@@ -120,12 +127,12 @@ impl Topology {
     }
 
     /// Returns true if the link is contracted by name.
-    /// [`Classes::contracts`](super::Classes::contracts) tells whether its ends belong to one class
-    /// for any reason.
-    pub fn contracts(&self, link: u32) -> bool {
+    /// [`NodeClasses::has_identified_ends`](super::NodeClasses::has_identified_ends) tells whether
+    /// its ends belong to one class for any reason.
+    pub fn is_contracted(&self, link: u32) -> bool {
         match &self.links {
-            Links::Sides(sides) => sides.contracts(self.shape, link),
-            Links::Matrix(matrix) => matrix.get(link),
+            ContractedLinks::Sides(sides) => sides.is_contracted(self.shape, link),
+            ContractedLinks::Matrix(matrix) => matrix.get(link),
         }
     }
 
@@ -133,10 +140,10 @@ impl Topology {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn matrix(&self) -> Result<Matrix> {
+    pub fn matrix(&self) -> Result<LinkMatrix> {
         match &self.links {
-            Links::Sides(sides) => Matrix::from_sides(self.shape, *sides),
-            Links::Matrix(matrix) => matrix.copied(),
+            ContractedLinks::Sides(sides) => LinkMatrix::from_sides(self.shape, *sides),
+            ContractedLinks::Matrix(matrix) => matrix.copied(),
         }
     }
 }

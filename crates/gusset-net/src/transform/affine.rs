@@ -21,7 +21,7 @@ impl Axis {
     }
 
     /// Cyclically permutes a triple by axis so that this axis is the last.
-    pub(crate) fn last<T>(self, [x, y, z]: [T; 3]) -> [T; 3] {
+    pub(crate) fn permute_axis_last<T>(self, [x, y, z]: [T; 3]) -> [T; 3] {
         match self {
             Axis::X => [y, z, x],
             Axis::Y => [z, x, y],
@@ -32,7 +32,7 @@ impl Axis {
 
 /// The sense of a rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Sense {
+pub enum RotationSense {
     /// Right-handed: anticlockwise seen from the tip of the axis.
     #[default]
     RightHanded,
@@ -56,7 +56,7 @@ impl Affine {
     pub fn new(rows: [[f64; 4]; 3]) -> Result<Self> {
         let [x, y, z] = rows.map(|[a, b, c, _]| DVec3::new(a, b, c));
         let displacement = DVec3::from_array(rows.map(|row| row[3]));
-        Self::from_parts(DMat3::from_cols(x, y, z).transpose(), displacement)
+        Self::from_linear_and_displacement(DMat3::from_cols(x, y, z).transpose(), displacement)
     }
 
     /// Returns the paper's T(c): a translation.
@@ -64,7 +64,7 @@ impl Affine {
     /// # Errors
     /// [`Error::OptionOutOfRange`] if a number is not finite; likewise for all functions below.
     pub fn translation(by: DVec3) -> Result<Self> {
-        Self::from_parts(DMat3::IDENTITY, by)
+        Self::from_linear_and_displacement(DMat3::IDENTITY, by)
     }
 
     /// Returns the paper's R(V, alpha), Rodrigues' formula, about the axis through `pivot` (the
@@ -72,11 +72,11 @@ impl Affine {
     ///
     /// # Errors
     /// Also [`Error::OptionOutOfRange`] if the axis is zero.
-    pub fn rotation(axis: DVec3, angle: f64, pivot: DVec3, sense: Sense) -> Result<Self> {
+    pub fn rotation(axis: DVec3, angle: f64, pivot: DVec3, sense: RotationSense) -> Result<Self> {
         // Scaled first, so that the length does not overflow or underflow.
         let unit = (axis / axis.abs().max_element()).normalize();
         Error::require(unit.is_finite(), "axis", axis.length())?;
-        let (sine, cosine) = libm::sincos(if sense == Sense::AsPrinted { -angle } else { angle });
+        let (sine, cosine) = libm::sincos(if sense == RotationSense::AsPrinted { -angle } else { angle });
         let outer = DMat3::from_cols(unit * unit.x, unit * unit.y, unit * unit.z);
         let cross = DMat3::from_cols(
             DVec3::new(0.0, unit.z, -unit.y),
@@ -84,7 +84,7 @@ impl Affine {
             DVec3::new(unit.y, -unit.x, 0.0),
         );
         let linear = DMat3::from_diagonal(DVec3::splat(cosine)) + outer * (1.0 - cosine) + cross * sine;
-        Self::from_parts(linear, pivot - linear * pivot)
+        Self::from_linear_and_displacement(linear, pivot - linear * pivot)
     }
 
     /// Returns the paper's S(k): scales distances from the origin by `ratio`. Negative ratios
@@ -112,10 +112,10 @@ impl Affine {
     /// # Errors
     /// [`Error::OptionOutOfRange`].
     pub fn stretching(ratios: DVec3) -> Result<Self> {
-        Self::from_parts(DMat3::from_diagonal(ratios), DVec3::ZERO)
+        Self::from_linear_and_displacement(DMat3::from_diagonal(ratios), DVec3::ZERO)
     }
 
-    fn from_parts(linear: DMat3, displacement: DVec3) -> Result<Self> {
+    fn from_linear_and_displacement(linear: DMat3, displacement: DVec3) -> Result<Self> {
         let map = Affine(DAffine3::from_mat3_translation(linear, displacement));
         map.rows().as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value))?;
         Ok(map)
@@ -127,7 +127,7 @@ impl Affine {
     /// [`Error::OptionOutOfRange`] if the product overflows.
     pub fn then(&self, next: &Affine) -> Result<Self> {
         let DAffine3 { matrix3, translation } = next.0 * self.0;
-        Self::from_parts(matrix3, translation)
+        Self::from_linear_and_displacement(matrix3, translation)
     }
 
     /// Returns the rows.
@@ -142,8 +142,8 @@ impl Affine {
 
     /// Returns true if the map reverses orientation, even where the ratio of volumes overflows or
     /// underflows.
-    pub fn mirrors(&self) -> bool {
-        mirrors(self.0.matrix3)
+    pub fn is_mirroring(&self) -> bool {
+        is_orientation_reversing(self.0.matrix3)
     }
 
     /// Returns the image of a point.
@@ -153,7 +153,7 @@ impl Affine {
 }
 
 /// Returns true if a matrix reverses orientation.
-pub(crate) fn mirrors(matrix: DMat3) -> bool {
+pub(crate) fn is_orientation_reversing(matrix: DMat3) -> bool {
     // Rows, then columns, are scaled by powers of two, which is exact and keeps the sign.
     let scaled = |vector: DVec3| {
         let (_, exponent) = libm::frexp(vector.abs().max_element());

@@ -8,11 +8,11 @@
 
 mod affine;
 
-pub(crate) use affine::mirrors;
-pub use affine::{Affine, Axis, Sense};
+pub(crate) use affine::is_orientation_reversing;
+pub use affine::{Affine, Axis, RotationSense};
 
 use super::chunks;
-use super::{Net, Planes, Real, each};
+use super::{Net, Real, XyzMatrices, each};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::simd::{self, Kernel};
@@ -31,10 +31,10 @@ use gusset_base::simd::{self, Kernel};
 pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()> {
     job.step(0.0, "transform")?;
     each!(net.coordinates_mut(), planes => {
-        check(planes, affine, job.threads())?;
-        apply(planes, affine, job.threads())?;
+        check_overflow(planes, affine, job.threads())?;
+        apply_affine(planes, affine, job.threads())?;
     });
-    if affine.mirrors() {
+    if affine.is_mirroring() {
         let reversed = net.topology().is_reversed();
         let topology = net.topology().clone().with_reversed(!reversed);
         net.set_topology(topology);
@@ -44,13 +44,13 @@ pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()
 
 /// Returns [`Error::FieldUndefined`] for the first node that overflows. Checks nodes only if the
 /// map is so large that nodes of common size may overflow.
-fn check<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
+fn check_overflow<T: Real>(planes: &mut XyzMatrices<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
     let bound = |[a, b, c, d]: [f64; 4]| (a.abs() + b.abs() + c.abs()) * T::MAX.sqrt() + d.abs();
     if affine.rows().into_iter().all(|row| bound(row) <= T::MAX) {
         return Ok(());
     }
     let rows = affine.rows().map(|row| row.map(T::from_f64));
-    chunks::for_each_chunk_mut(planes, threads, chunks::CHUNK, |first, [x, y, z]| {
+    chunks::for_each_chunk_mut(planes, threads, chunks::MAX_NODES_PER_CHUNK, |first, [x, y, z]| {
         let overflows = |k: usize| {
             let node = [x[k], y[k], z[k]];
             let moved = rows.map(|[a, b, c, d]| a * node[0] + b * node[1] + c * node[2] + d);
@@ -62,50 +62,55 @@ fn check<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -
     })
 }
 
-fn apply<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
+fn apply_affine<T: Real>(planes: &mut XyzMatrices<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
     let rows = affine.rows().map(|row| row.map(T::from_f64));
-    chunks::for_each_chunk_mut(planes, threads, chunks::BLOCK, |_, [x, y, z]| {
-        simd::run(Apply { rows, x, y, z });
+    chunks::for_each_chunk_mut(planes, threads, chunks::NODES_PER_BLOCK, |_, [x, y, z]| {
+        simd::run(ApplyAffine { rows, x, y, z });
         Ok(())
     })
 }
 
-struct Apply<'a, T> {
+struct ApplyAffine<'a, T> {
     rows: [[T; 4]; 3],
     x: &'a mut [T],
     y: &'a mut [T],
     z: &'a mut [T],
 }
 
-impl<T: Real> Kernel for Apply<'_, T> {
+impl<T: Real> Kernel for ApplyAffine<'_, T> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        apply_to(self.rows, self.x, self.y, self.z);
+        apply_matrix_to_nodes(self.rows, self.x, self.y, self.z);
     }
 }
 
 #[inline(always)]
-fn apply_to<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
+fn apply_matrix_to_nodes<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
     // Whole runs. The remainder is processed elsewhere, because its loop would hold the matrix in
     // registers that the vectors need.
     let [(x, x_rest), (y, y_rest), (z, z_rest)] = [x, y, z].map(<[T]>::as_chunks_mut);
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
-        apply_to_run(rows, x, y, z);
+        apply_matrix_to_run(rows, x, y, z);
     }
-    apply_to_remainder(rows, x_rest, y_rest, z_rest);
+    apply_matrix_to_remainder(rows, x_rest, y_rest, z_rest);
 }
 
 /// Nodes of a vectorised run.
-const RUN: usize = 16;
+const NODES_PER_RUN: usize = 16;
 
 #[inline(always)]
-fn apply_to_run<T: Real>(rows: [[T; 4]; 3], x: &mut [T; RUN], y: &mut [T; RUN], z: &mut [T; RUN]) {
+fn apply_matrix_to_run<T: Real>(
+    rows: [[T; 4]; 3],
+    x: &mut [T; NODES_PER_RUN],
+    y: &mut [T; NODES_PER_RUN],
+    z: &mut [T; NODES_PER_RUN],
+) {
     // Separate results, which cannot alias the operands.
-    let mut moved = [[T::from_f64(0.0); RUN]; 3];
+    let mut moved = [[T::from_f64(0.0); NODES_PER_RUN]; 3];
     let [new_x, new_y, new_z] = &mut moved;
-    for k in 0..RUN {
+    for k in 0..NODES_PER_RUN {
         new_x[k] = rows[0][0] * x[k] + rows[0][1] * y[k] + rows[0][2] * z[k] + rows[0][3];
         new_y[k] = rows[1][0] * x[k] + rows[1][1] * y[k] + rows[1][2] * z[k] + rows[1][3];
         new_z[k] = rows[2][0] * x[k] + rows[2][1] * y[k] + rows[2][2] * z[k] + rows[2][3];
@@ -114,7 +119,7 @@ fn apply_to_run<T: Real>(rows: [[T; 4]; 3], x: &mut [T; RUN], y: &mut [T; RUN], 
 }
 
 #[inline(never)]
-fn apply_to_remainder<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
+fn apply_matrix_to_remainder<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         [*x, *y, *z] = rows.map(|[p, q, r, s]| p * *x + q * *y + r * *z + s);
     }
@@ -127,11 +132,11 @@ mod tests {
     #[test]
     fn results_are_equal_for_any_vector_width() {
         // Longer than runs, with a rest.
-        let numbers = |k: usize| (0..3 * RUN + 5).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
+        let numbers = |k: usize| (0..3 * NODES_PER_RUN + 5).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
         let rows = [[0.3, -0.7, 0.1, 1e-3], [0.9, 0.2, -0.4, 7.0], [-0.1, 0.6, 0.8, -2.5]];
         let [wide, narrow] = [true, false].map(|wide| {
             let [mut x, mut y, mut z] = [3, 5, 7].map(numbers);
-            let kernel = Apply { rows, x: &mut x, y: &mut y, z: &mut z };
+            let kernel = ApplyAffine { rows, x: &mut x, y: &mut y, z: &mut z };
             if wide {
                 simd::run(kernel);
             } else {

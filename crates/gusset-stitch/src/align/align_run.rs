@@ -1,14 +1,14 @@
 //! The steps of an alignment, from the meshes to the report.
 
 use super::align_request::{Aligned, Alignment, Options, Reason, Start};
-use super::axes::align_axes;
-use super::judge::{NEAR_SPACINGS, ON_SPACINGS, judge};
-use super::member::Member;
+use super::alignment_scene::AlignmentScene;
+use super::assess::{MAX_NEAR_SPACINGS, MAX_ON_SURFACE_SPACINGS, assess_alignment};
+use super::centred_piece::CentredPiece;
 use super::pose::Pose;
-use super::rim_features::align_rims;
-use super::sampled_rim::{SampledRim, common_step};
-use super::scan::Scan;
-use super::scene::Scene;
+use super::principal_axes::align_principal_axes;
+use super::rim_features::align_matching_rims;
+use super::sampled_piece::SampledPiece;
+use super::sampled_rim::{SampledRim, common_sampling_step};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::kd_tree::KdTree;
@@ -17,13 +17,13 @@ use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 
 /// Default number of samples of a piece.
-const SAMPLES: u32 = 2000;
+const DEFAULT_SAMPLES_PER_PIECE: u32 = 2000;
 /// Default limit on the rounds.
-const ROUNDS: u32 = 100;
+const DEFAULT_MAX_ROUNDS: u32 = 100;
 /// Default limit on the distance of pairs, relative to the diagonal of the largest piece's box.
-const MAX_REACH: f64 = 0.1;
+const DEFAULT_RELATIVE_REACH: f64 = 0.1;
 /// Largest deviation of a pose from a rotation.
-const MAX_SKEW: f64 = 1e-6;
+const MAX_POSE_SKEW: f64 = 1e-6;
 
 /// Moves overlapping pieces rigidly to where they fit. The first piece is fixed.
 ///
@@ -50,18 +50,19 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     if let Start::Poses(poses) = options.start {
         check_poses(poses, pieces.len())?;
     }
-    let unit = common_unit_of(pieces, job)?;
+    let unit = common_length_unit(pieces, job)?;
     let prepare = job.part(0.0, 0.2);
     let mut scans = alloc::with_capacity(pieces.len())?;
     for (k, piece) in pieces.iter().enumerate() {
-        scans.push(Scan::new(piece, unit, None, &prepare.share(k, pieces.len()))?);
+        scans.push(CentredPiece::new(piece, unit, None, &prepare.share(k, pieces.len()))?);
     }
-    let trees = alloc::try_collect(scans.iter().map(|scan| scan.tree(&prepare.part(1.0, 1.0))))?;
-    let count = if options.samples == 0 { SAMPLES } else { options.samples } as usize;
-    let samples = alloc::try_collect(scans.iter().zip(&trees).map(|(scan, tree)| scan.samples(tree.order(), count)))?;
+    let trees = alloc::try_collect(scans.iter().map(|scan| scan.build_point_tree(&prepare.part(1.0, 1.0))))?;
+    let count = if options.samples == 0 { DEFAULT_SAMPLES_PER_PIECE } else { options.samples } as usize;
+    let samples =
+        alloc::try_collect(scans.iter().zip(&trees).map(|(scan, tree)| scan.choose_samples(tree.order(), count)))?;
     let mut rims = Vec::new();
     if options.start == Start::Rims {
-        let step = common_step(pieces, unit, &prepare.part(1.0, 1.0))?;
+        let step = common_sampling_step(pieces, unit, &prepare.part(1.0, 1.0))?;
         for (piece, scan) in pieces.iter().zip(&scans) {
             alloc::push(&mut rims, SampledRim::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
         }
@@ -69,14 +70,15 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     let rim_trees =
         alloc::try_collect(rims.iter().map(|rim| KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")))?;
     let largest = scans.iter().map(|scan| if scan.used.is_empty() { 0.0 } else { scan.bounds.diagonal() });
-    let reach = options.max_distance.map_or(MAX_REACH * largest.fold(0.0, f64::max), |distance| distance / unit);
-    let members = alloc::collect((0..pieces.len()).map(|k| Member {
+    let reach =
+        options.max_distance.map_or(DEFAULT_RELATIVE_REACH * largest.fold(0.0, f64::max), |distance| distance / unit);
+    let members = alloc::collect((0..pieces.len()).map(|k| SampledPiece {
         scan: &scans[k],
         tree: &trees[k],
         samples: &samples[k],
         rim: rims.get(k).zip(rim_trees.get(k)),
     }))?;
-    let scene = Scene { members, reach };
+    let scene = AlignmentScene { members, reach };
 
     // Positions are relative to the centre of their own piece, and poses to the centre of the first
     // piece, to keep precision far from the origin.
@@ -86,15 +88,16 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
         Start::AsGiven => alloc::collect(scans.iter().map(|scan| translation_by(scan.centre - origin)))?,
         Start::Poses(given) => alloc::collect(scans.iter().zip(given).map(|(scan, pose)| {
             Pose { rotation: pose.rotation, translation: pose.point(scan.centre * unit) / unit - origin }
-                .orthonormalised()
+                .with_orthonormal_axes()
         }))?,
-        Start::PrincipalAxes => align_axes(&scene, &started)?,
-        Start::Rims => align_rims(&scene, &started)?,
+        Start::PrincipalAxes => align_principal_axes(&scene, &started)?,
+        Start::Rims => align_matching_rims(&scene, &started)?,
     };
-    let rounds = if options.max_rounds == 0 { ROUNDS } else { options.max_rounds };
-    let (rounds, converged) = scene.relax(&mut poses, rounds, &job.part(0.4, 0.9))?;
-    let reports = scene.find_within(&poses, NEAR_SPACINGS, ON_SPACINGS, &job.part(0.9, 1.0))?;
-    let (overlaps, known) = judge(&scene.members, &reports, unit)?;
+    let rounds = if options.max_rounds == 0 { DEFAULT_MAX_ROUNDS } else { options.max_rounds };
+    let (rounds, converged) = scene.relax_poses(&mut poses, rounds, &job.part(0.4, 0.9))?;
+    let reports =
+        scene.search_near_pieces_within(&poses, MAX_NEAR_SPACINGS, MAX_ON_SURFACE_SPACINGS, &job.part(0.9, 1.0))?;
+    let (overlaps, known) = assess_alignment(&scene.members, &reports, unit)?;
     let pieces = poses.iter().zip(&scans).zip(known).map(|((pose, scan), (reason, hold))| {
         // Rounding must not move a piece that stays.
         if *pose == translation_by(scan.centre - origin) {
@@ -121,7 +124,7 @@ fn check_poses(poses: &[Pose], count: usize) -> Result<()> {
     for (k, pose) in poses.iter().enumerate() {
         // Test finiteness separately, because the maximum ignores NaN.
         let is_finite = pose.rotation.is_finite() && pose.translation.is_finite();
-        if !is_finite || pose.skew() > MAX_SKEW {
+        if !is_finite || pose.deviation_from_rotation() > MAX_POSE_SKEW {
             return Err(Error::NotRigid { pose: k as u32 });
         }
     }
@@ -129,7 +132,7 @@ fn check_poses(poses: &[Pose], count: usize) -> Result<()> {
 }
 
 /// Returns a power of two near the size of all coordinates that faces use.
-pub(crate) fn common_unit_of(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<f64> {
+pub(crate) fn common_length_unit(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<f64> {
     let mut largest = glam::DVec3::ZERO;
     for piece in pieces {
         for f in 0..piece.faces().len() {

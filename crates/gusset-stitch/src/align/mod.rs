@@ -25,41 +25,41 @@
 //! |---|---|
 //! | [`align_request`](self) | options, results, reasons |
 //! | [`pose`](self) | a rotation and a translation |
-//! | [`scan`](self) | a prepared piece: points, smoothed normals, borders, samples |
+//! | [`centred_piece`](self) | a prepared piece: points, smoothed normals, borders, samples |
 //! | [`sampled_rim`](self) | a piece's rims at equal steps, with frames and signatures |
-//! | [`member`](self) | a piece in an alignment, with its samples |
+//! | [`sampled_piece`](self) | a piece in an alignment, with its samples |
 //! | [`sample_pairs`](self) | pairs of samples on other pieces, and their equations |
 //! | [`rim_sample_pairs`](self) | pairs of rim samples |
-//! | [`scene`](self) | the pieces, and the pairs that are near |
+//! | [`alignment_scene`](self) | the pieces, and the pairs that are near |
 //! | [`motion_system`](self) | the equations of all motions, solved by conjugate gradients |
-//! | [`freedom`](self) | the stiffness with which overlaps hold a piece |
-//! | [`relax`](self) | the rounds |
-//! | [`axes`](self) | an initial alignment by principal axes |
+//! | [`hold_stiffness`](self) | the stiffness with which overlaps hold a piece |
+//! | [`relax_poses`](self) | the rounds |
+//! | [`principal_axes`](self) | an initial alignment by principal axes |
 //! | [`rim_features`](self) | an initial alignment by features of rims |
-//! | [`judge`](self) | the assessment of pairs and pieces |
+//! | [`assess`](self) | the assessment of pairs and pieces |
 //! | [`align_run`](self) | all steps in order |
-//! | [`moved`](self) | the aligned pieces, in one mesh and as views |
+//! | [`moved_mesh`](self) | the aligned pieces, in one mesh and as views |
 
 mod align_request;
 mod align_run;
 mod rim_sample_pairs;
-mod axes;
-mod freedom;
-mod judge;
-mod member;
+mod principal_axes;
+mod hold_stiffness;
+mod assess;
+mod sampled_piece;
 mod motion_system;
-mod moved;
+mod moved_mesh;
 mod pose;
-mod relax;
+mod relax_poses;
 mod rim_features;
 mod sample_pairs;
 mod sampled_rim;
-mod scan;
-mod scene;
+mod centred_piece;
+mod alignment_scene;
 
 pub use align_request::{Aligned, Alignment, Options, Overlap, Reason, Start};
 pub use align_run::align;
-pub(crate) use align_run::common_unit_of;
-pub use moved::views_of;
+pub(crate) use align_run::common_length_unit;
+pub(crate) use centred_piece::CentredPiece;
+pub use moved_mesh::views_of_moved;
 pub use pose::Pose;
-pub(crate) use scan::Scan;

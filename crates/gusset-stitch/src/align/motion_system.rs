@@ -4,7 +4,7 @@
 //! preconditioned by the pieces' own blocks; M. Hestenes and E. Stiefel, *Methods of conjugate
 //! gradients for solving linear systems* (1952).
 
-use super::sample_pairs::Equations;
+use super::sample_pairs::MotionEquations;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -12,20 +12,20 @@ use gusset_base::geom::linear::cholesky;
 
 /// Addition to the diagonal, relative to its mean: a piece does not move in directions in which
 /// nothing holds it.
-const DAMPING: f64 = 1e-3;
+const RELATIVE_DAMPING: f64 = 1e-3;
 /// Sufficient reduction of the residual. The equations change in every round.
-const TOLERANCE: f64 = 1e-8;
+const RELATIVE_RESIDUAL_TOLERANCE: f64 = 1e-8;
 /// Largest number of iterations per unknown.
-const MAX_ITERATIONS: usize = 2;
+const MAX_ITERATIONS_PER_UNKNOWN: usize = 2;
 
-pub(super) type Six = [f64; 6];
+pub(super) type MotionVector = [f64; 6];
 
 /// The symmetric equations of the pieces' motions.
 pub(super) struct MotionSystem {
-    own: Vec<[Six; 6]>,
-    right: Vec<Six>,
+    own: Vec<[MotionVector; 6]>,
+    right: Vec<MotionVector>,
     /// For pieces i and j, the block of i's rows and j's columns.
-    couplings: Vec<([usize; 2], [Six; 6])>,
+    couplings: Vec<([usize; 2], [MotionVector; 6])>,
     is_fixed: Vec<bool>,
 }
 
@@ -41,7 +41,7 @@ impl MotionSystem {
     }
 
     /// Adds the equations of two pieces.
-    pub(super) fn add(&mut self, pieces: [usize; 2], equations: &Equations) -> Result<()> {
+    pub(super) fn add_pair_equations(&mut self, pieces: [usize; 2], equations: &MotionEquations) -> Result<()> {
         let at = |i: usize, j: usize| equations.matrix[i.max(j)][i.min(j)];
         for (k, piece) in pieces.into_iter().enumerate() {
             for i in 0..6 {
@@ -55,46 +55,46 @@ impl MotionSystem {
 
     /// Returns the motions: for each piece a rotation, in units of its radius, and a translation; 0
     /// for fixed pieces. At most O(pieces * pairs), and usually far less.
-    pub(super) fn solve(&mut self) -> Result<Vec<Six>> {
+    pub(super) fn solve_motions(&mut self) -> Result<Vec<MotionVector>> {
         for own in &mut self.own {
             let mean = (0..6).map(|i| own[i][i]).sum::<f64>() / 6.0;
-            (0..6).for_each(|i| own[i][i] += DAMPING * mean);
+            (0..6).for_each(|i| own[i][i] += RELATIVE_DAMPING * mean);
         }
         let count = self.own.len();
         let mut x = alloc::filled([0.0; 6], count)?;
         let mut residual = alloc::copied(&self.right)?;
-        self.clear_fixed(&mut residual);
-        let mut conditioned = self.precondition(&residual)?;
+        self.clear_fixed_motions(&mut residual);
+        let mut conditioned = self.apply_block_preconditioner(&residual)?;
         let mut direction = alloc::copied(&conditioned)?;
         let mut product = alloc::filled([0.0; 6], count)?;
-        let mut size = dot(&residual, &conditioned);
-        let enough = TOLERANCE * TOLERANCE * size;
-        for _ in 0..MAX_ITERATIONS * 6 * count {
+        let mut size = dot_product(&residual, &conditioned);
+        let enough = RELATIVE_RESIDUAL_TOLERANCE * RELATIVE_RESIDUAL_TOLERANCE * size;
+        for _ in 0..MAX_ITERATIONS_PER_UNKNOWN * 6 * count {
             if size <= enough {
                 break;
             }
-            self.multiply(&direction, &mut product);
-            let curvature = dot(&direction, &product);
+            self.multiply_by_matrix(&direction, &mut product);
+            let curvature = dot_product(&direction, &product);
             if curvature.is_nan() || curvature <= 0.0 {
                 break;
             }
             let step = size / curvature;
-            add(&mut x, step, &direction);
-            add(&mut residual, -step, &product);
-            conditioned = self.precondition(&residual)?;
+            add_scaled(&mut x, step, &direction);
+            add_scaled(&mut residual, -step, &product);
+            conditioned = self.apply_block_preconditioner(&residual)?;
             let before = size;
-            size = dot(&residual, &conditioned);
+            size = dot_product(&residual, &conditioned);
             let turn = size / before;
             direction.iter_mut().zip(&conditioned).for_each(|(d, c)| (0..6).for_each(|i| d[i] = c[i] + turn * d[i]));
         }
         Ok(x)
     }
 
-    fn clear_fixed(&self, x: &mut [Six]) {
+    fn clear_fixed_motions(&self, x: &mut [MotionVector]) {
         x.iter_mut().zip(&self.is_fixed).filter(|(_, fixed)| **fixed).for_each(|(x, _)| *x = [0.0; 6]);
     }
 
-    fn multiply(&self, x: &[Six], out: &mut [Six]) {
+    fn multiply_by_matrix(&self, x: &[MotionVector], out: &mut [MotionVector]) {
         for ((out, own), x) in out.iter_mut().zip(&self.own).zip(x) {
             *out = std::array::from_fn(|i| (0..6).map(|j| own[i][j] * x[j]).sum());
         }
@@ -106,11 +106,11 @@ impl MotionSystem {
                 }
             }
         }
-        self.clear_fixed(out);
+        self.clear_fixed_motions(out);
     }
 
     /// Solves each piece's own block.
-    fn precondition(&self, x: &[Six]) -> Result<Vec<Six>> {
+    fn apply_block_preconditioner(&self, x: &[MotionVector]) -> Result<Vec<MotionVector>> {
         alloc::collect(x.iter().zip(&self.own).map(|(x, own)| {
             let mut lower = *own;
             let mut right = x.map(|x| DVec3::new(x, 0.0, 0.0));
@@ -123,10 +123,10 @@ impl MotionSystem {
     }
 }
 
-fn dot(a: &[Six], b: &[Six]) -> f64 {
+fn dot_product(a: &[MotionVector], b: &[MotionVector]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (0..6).map(|i| a[i] * b[i]).sum::<f64>()).sum()
 }
 
-fn add(x: &mut [Six], by: f64, other: &[Six]) {
+fn add_scaled(x: &mut [MotionVector], by: f64, other: &[MotionVector]) {
     x.iter_mut().zip(other).for_each(|(x, other)| (0..6).for_each(|i| x[i] += by * other[i]));
 }

@@ -38,13 +38,13 @@ impl Pose {
 
     /// Returns the rotation about `centre` by the vector `turn`, whose length is the angle,
     /// followed by a translation.
-    pub(super) fn turn_about(centre: DVec3, turn: DVec3, shift: DVec3) -> Pose {
-        let rotation = rotation(turn);
+    pub(super) fn rotation_about(centre: DVec3, turn: DVec3, shift: DVec3) -> Pose {
+        let rotation = rotation_by_vector(turn);
         Pose { rotation, translation: centre + shift - rotation * centre }
     }
 
     /// Removes round-off from the rotation, by making its axes orthonormal.
-    pub(super) fn orthonormalised(self) -> Pose {
+    pub(super) fn with_orthonormal_axes(self) -> Pose {
         let x = self.rotation.x_axis.normalize_or(DVec3::X);
         let y = (self.rotation.y_axis - x * x.dot(self.rotation.y_axis)).normalize_or(x.any_orthonormal_vector());
         Pose { rotation: DMat3::from_cols(x, y, x.cross(y)), ..self }
@@ -52,7 +52,7 @@ impl Pose {
 
     /// Returns the deviation of the matrix from a rotation: the largest entry of R^T R - 1, or 2
     /// for a reflection.
-    pub(super) fn skew(&self) -> f64 {
+    pub(super) fn deviation_from_rotation(&self) -> f64 {
         let product = self.rotation.transpose() * self.rotation - DMat3::IDENTITY;
         let largest = product.to_cols_array().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         if self.rotation.determinant() < 0.0 { 2.0 } else { largest }
@@ -61,7 +61,7 @@ impl Pose {
 
 /// Returns the rotation by a vector whose length is the angle: O. Rodrigues' formula. The bits are
 /// equal on every machine.
-fn rotation(turn: DVec3) -> DMat3 {
+fn rotation_by_vector(turn: DVec3) -> DMat3 {
     let angle = turn.length();
     if angle == 0.0 {
         return DMat3::IDENTITY;
@@ -78,13 +78,15 @@ mod tests {
 
     #[test]
     fn motions_are_undone_and_follow_one_another() {
-        let a = Pose::turn_about(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.3, -0.2, 0.5), DVec3::new(0.1, 0.0, -4.0));
-        let b = Pose::turn_about(DVec3::X, DVec3::new(-1.3, 0.2, 0.1), DVec3::Y);
+        let a = Pose::rotation_about(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.3, -0.2, 0.5), DVec3::new(0.1, 0.0, -4.0));
+        let b = Pose::rotation_about(DVec3::X, DVec3::new(-1.3, 0.2, 0.1), DVec3::Y);
         let x = DVec3::new(0.7, -0.3, 2.0);
         assert!(a.inverse().point(a.point(x)).distance(x) < 1e-14);
         assert!(a.then(&b).point(x).distance(b.point(a.point(x))) < 1e-14);
-        assert!(a.skew() < 1e-15 && a.orthonormalised().rotation.abs_diff_eq(a.rotation, 1e-15));
+        assert!(
+            a.deviation_from_rotation() < 1e-15 && a.with_orthonormal_axes().rotation.abs_diff_eq(a.rotation, 1e-15)
+        );
         let mirror = Pose { rotation: DMat3::from_diagonal(DVec3::new(-1.0, 1.0, 1.0)), ..Pose::IDENTITY };
-        assert_eq!(mirror.skew(), 2.0);
+        assert_eq!(mirror.deviation_from_rotation(), 2.0);
     }
 }

@@ -4,9 +4,9 @@
 //! normal. One pair of samples therefore determines a motion. The pairs with the most similar
 //! signatures are tried, and the motion with the longest common rim is kept.
 
+use super::alignment_scene::AlignmentScene;
 use super::pose::Pose;
-use super::sampled_rim::{MIN_COSINE, STAGE, SampledRim, Signature};
-use super::scene::Scene;
+use super::sampled_rim::{MIN_RIM_NORMAL_COSINE, RimSignature, STAGE, SampledRim};
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -16,28 +16,28 @@ use gusset_base::job::Job;
 use gusset_base::par;
 
 /// Number of pairs of samples to try.
-const TRIALS: usize = 64;
+const MAX_TRIED_SAMPLE_PAIRS: usize = 64;
 /// Number of rounds that fit a motion to the coincident rims.
-const FIT_ROUNDS: usize = 6;
+const MOTION_FIT_ROUNDS: usize = 6;
 /// Rims coincide within this number of steps.
-const NEAR_STEPS: f64 = 1.5;
+const MAX_COINCIDENCE_DISTANCE_STEPS: f64 = 1.5;
 /// Smallest number of coincident samples of a match, and smallest share of the shorter rim.
-const MIN_MATCHES: usize = 12;
-const MIN_SHARE: f64 = 0.1;
+const MIN_COINCIDENT_SAMPLES: usize = 12;
+const MIN_COINCIDENT_SHARE: f64 = 0.1;
 
 /// The best way to join a piece to another: the number of its samples on the other's rims, and the
 /// motion into the other's coordinates.
-type Match = (usize, Pose);
+type RimMatch = (usize, Pose);
 
 /// Returns the poses that join the pieces along matching rims, starting from the first piece, the
 /// best match first. A piece without a match does not move. O(pieces^2 * samples^2).
-pub(super) fn align_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
+pub(super) fn align_matching_rims(scene: &AlignmentScene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
     let count = scene.members.len();
     let mut poses = alloc::filled(Pose::IDENTITY, count)?;
     let pairs = alloc::gather((0..count).flat_map(|i| (0..count).map(move |k| [i, k])).filter(|[i, k]| i < k))?;
     let matches =
         par::map_cancellable(job, STAGE, pairs.iter(), |&[i, k]| match (scene.members[i].rim, scene.members[k].rim) {
-            (Some((onto, tree)), Some((from, _))) => best_match(onto, tree, from),
+            (Some((onto, tree)), Some((from, _))) => best_rim_match(onto, tree, from),
             _ => Ok(None),
         })?;
     let matches = alloc::try_collect(matches)?;
@@ -60,43 +60,49 @@ pub(super) fn align_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> 
 
 /// Returns the motion of `from` that puts most of its samples on the rims of `onto`; `None` without
 /// a match.
-fn best_match(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim) -> Result<Option<Match>> {
-    let (theirs, own) = (onto.signatures(false)?, from.signatures(true)?);
+fn best_rim_match(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim) -> Result<Option<RimMatch>> {
+    let (theirs, own) = (onto.sample_signatures(false)?, from.sample_signatures(true)?);
     let mut trials: Vec<(f64, usize, usize)> = Vec::new();
-    let differ = |a: &Signature, b: &Signature| a.iter().zip(b).map(|(a, b)| a.distance_squared(*b)).sum::<f64>();
+    let differ = |a: &RimSignature, b: &RimSignature| a.iter().zip(b).map(|(a, b)| a.distance_squared(*b)).sum::<f64>();
     for (i, a) in theirs.iter().enumerate() {
         // Keep the most similar sample only: its neighbours lead to a similar motion.
         let all = own.iter().enumerate().map(|(k, b)| (differ(a, b), i, k));
         alloc::extend(&mut trials, all.reduce(|x, y| if y.0 < x.0 { y } else { x }))?;
     }
     trials.sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
-    trials.truncate(TRIALS);
-    let mut best: Option<Match> = None;
+    trials.truncate(MAX_TRIED_SAMPLE_PAIRS);
+    let mut best: Option<RimMatch> = None;
     for (_, i, k) in trials {
-        let rotation = onto.frame(i, false) * from.frame(k, true).transpose();
+        let rotation = onto.sample_frame(i, false) * from.sample_frame(k, true).transpose();
         let mut pose = Pose { rotation, translation: onto.points[i] - rotation * from.points[k] };
-        for _ in 0..FIT_ROUNDS {
-            let near = near_samples(onto, tree, from, &pose)?;
+        for _ in 0..MOTION_FIT_ROUNDS {
+            let near = find_coincident_samples(onto, tree, from, &pose)?;
             if best.is_none_or(|(count, _)| near.len() > count) {
                 best = Some((near.len(), pose));
             }
-            let Some(fitted) = best_fit(onto, from, &near) else {
+            let Some(fitted) = best_fit_motion(onto, from, &near) else {
                 break;
             };
             pose = fitted;
         }
     }
     let shorter = onto.points.len().min(from.points.len()) as f64;
-    Ok(best.filter(|&(count, _)| count >= MIN_MATCHES && count as f64 >= MIN_SHARE * shorter))
+    Ok(best.filter(|&(count, _)| count >= MIN_COINCIDENT_SAMPLES && count as f64 >= MIN_COINCIDENT_SHARE * shorter))
 }
 
 /// Returns the samples of `from` that lie on the rims of `onto`, with the samples there.
-fn near_samples(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim, pose: &Pose) -> Result<Vec<[usize; 2]>> {
-    let gate = NEAR_STEPS * onto.step;
+fn find_coincident_samples(
+    onto: &SampledRim,
+    tree: &KdTree<'_>,
+    from: &SampledRim,
+    pose: &Pose,
+) -> Result<Vec<[usize; 2]>> {
+    let gate = MAX_COINCIDENCE_DISTANCE_STEPS * onto.step;
     alloc::gather((0..from.points.len()).filter_map(|k| {
         let (along, normal) = (pose.direction(from.directions[k]), pose.direction(from.normals[k]));
         let fits = |w: u32| {
-            onto.directions[w as usize].dot(along) < -MIN_COSINE && onto.normals[w as usize].dot(normal) > MIN_COSINE
+            onto.directions[w as usize].dot(along) < -MIN_RIM_NORMAL_COSINE
+                && onto.normals[w as usize].dot(normal) > MIN_RIM_NORMAL_COSINE
         };
         tree.nearest(pose.point(from.points[k]), gate * gate, fits).map(|(_, w)| [k, w as usize])
     }))
@@ -104,7 +110,7 @@ fn near_samples(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim, pose: &
 
 /// Returns the motion that minimises the squared distances of the pairs; `None` for fewer than
 /// three pairs.
-fn best_fit(onto: &SampledRim, from: &SampledRim, pairs: &[[usize; 2]]) -> Option<Pose> {
+fn best_fit_motion(onto: &SampledRim, from: &SampledRim, pairs: &[[usize; 2]]) -> Option<Pose> {
     if pairs.len() < 3 {
         return None;
     }

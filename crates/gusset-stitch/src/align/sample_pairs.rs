@@ -1,7 +1,7 @@
 //! Pairs of samples of one piece on another, and their equations for the motions of both.
 
-use super::member::Member;
 use super::pose::Pose;
+use super::sampled_piece::SampledPiece;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -11,20 +11,20 @@ pub(super) const STAGE: &str = "aligning the pieces";
 /// Number of samples between two progress reports. A search far from the other piece is slow.
 pub(super) const SAMPLES_PER_REPORT: usize = 1 << 7;
 /// Smallest cosine between the normals of a pair: 45 degrees.
-const MIN_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
+const MIN_PAIR_NORMAL_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Pairs beyond this number of standard deviations get weight 0: J. Tukey's biweight, at 95 % of
 /// the efficiency of least squares.
-const TUKEY_CUTOFF: f64 = 4.685;
+const TUKEY_CUTOFF_DEVIATIONS: f64 = 4.685;
 /// The ratio of the standard deviation to the median absolute value, for normally distributed
 /// errors.
-const MEDIAN_TO_DEVIATION: f64 = 1.4826;
+const DEVIATION_PER_MEDIAN: f64 = 1.4826;
 /// Lower bound of the median residual, relative to the spacing of points: smaller residuals are
 /// below the precision of meshes.
-const MIN_RESIDUAL: f64 = 1e-6;
+const MIN_RELATIVE_RESIDUAL: f64 = 1e-6;
 
 /// The equations for two pieces' motions: twelve unknowns, a rotation and a translation of each.
 #[derive(Clone)]
-pub(super) struct Equations {
+pub(super) struct MotionEquations {
     /// The lower triangle of the matrix.
     pub(super) matrix: [[f64; 12]; 12],
     pub(super) right: [f64; 12],
@@ -34,8 +34,8 @@ pub(super) struct Equations {
 
 /// The pairs between the samples of one piece and another piece: equations and statistics.
 #[derive(Clone)]
-pub(super) struct PairReport {
-    pub(super) equations: Equations,
+pub(super) struct SamplePairReport {
+    pub(super) equations: MotionEquations,
     /// The number of samples that were searched.
     pub(super) samples: usize,
     /// The number of samples whose nearest point is within the gate, not on a rim, and faces the
@@ -56,29 +56,29 @@ pub(super) struct PairReport {
 
 /// A piece and its current pose.
 #[derive(Clone, Copy)]
-pub(super) struct Placed<'a> {
-    pub(super) member: &'a Member<'a>,
+pub(super) struct PosedPiece<'a> {
+    pub(super) member: &'a SampledPiece<'a>,
     pub(super) pose: Pose,
 }
 
 /// A pair of points, the direction along which they should coincide, and their distance along it.
-pub(super) struct Pair {
+pub(super) struct SamplePair {
     pub(super) points: [DVec3; 2],
     pub(super) along: DVec3,
     pub(super) off: f64,
 }
 
-impl Pair {
-    pub(super) fn new(points: [DVec3; 2], along: DVec3) -> Pair {
-        Pair { points, along, off: (points[0] - points[1]).dot(along) }
+impl SamplePair {
+    pub(super) fn new(points: [DVec3; 2], along: DVec3) -> SamplePair {
+        SamplePair { points, along, off: (points[0] - points[1]).dot(along) }
     }
 }
 
 /// The pairs found by one search.
 #[derive(Default)]
-pub(super) struct PairList {
+pub(super) struct SamplePairList {
     /// The pairs, with `entries` consecutive entries for each sample.
-    pub(super) pairs: Vec<Pair>,
+    pub(super) pairs: Vec<SamplePair>,
     pub(super) entries: usize,
     pub(super) samples: usize,
     pub(super) opposite: usize,
@@ -91,17 +91,17 @@ pub(super) struct PairList {
 /// Pairs each sample of `a` with the nearest vertex of `b`, at most `gate` away, with a similar
 /// normal. Pairs at most `reach` apart count as on the surface.
 pub(super) fn find_sample_pairs<'s>(
-    a: &Placed<'_>,
+    a: &PosedPiece<'_>,
     samples: impl ExactSizeIterator<Item = &'s u32>,
-    b: &Placed<'_>,
+    b: &PosedPiece<'_>,
     gate: f64,
     reach: f64,
     job: &Job<'_>,
-) -> Result<PairReport> {
+) -> Result<SamplePairReport> {
     let across = a.pose.then(&b.pose.inverse());
     let [from, onto] = [a.member.scan, b.member.scan];
     let pairs = alloc::with_capacity(samples.len())?;
-    let mut list = PairList { pairs, entries: 1, samples: samples.len(), ..PairList::default() };
+    let mut list = SamplePairList { pairs, entries: 1, samples: samples.len(), ..SamplePairList::default() };
     let count = samples.len();
     for (k, &v) in samples.enumerate() {
         job.step_every(SAMPLES_PER_REPORT, k, count, STAGE)?;
@@ -118,21 +118,26 @@ pub(super) fn find_sample_pairs<'s>(
         }
         let (m, n) = (across.direction(from.normals[v as usize]), onto.normals[w as usize]);
         let cosine = m.dot(n);
-        if cosine < MIN_COSINE {
-            list.opposite += usize::from(cosine < -MIN_COSINE);
+        if cosine < MIN_PAIR_NORMAL_COSINE {
+            list.opposite += usize::from(cosine < -MIN_PAIR_NORMAL_COSINE);
             continue;
         }
         let points = [at, onto.points[w as usize]].map(|p| b.pose.point(p));
-        list.pairs.push(Pair::new(points, b.pose.direction((m + n).normalize_or(n))));
+        list.pairs.push(SamplePair::new(points, b.pose.direction((m + n).normalize_or(n))));
         list.turn += 1.0 - cosine;
         list.squares += squared;
     }
-    PairReport::new(&list, [a, b], from.spacing.max(onto.spacing), reach)
+    SamplePairReport::new(&list, [a, b], from.spacing.max(onto.spacing), reach)
 }
 
-impl PairReport {
+impl SamplePairReport {
     /// Computes the equations and the statistics of the pairs.
-    pub(super) fn new(list: &PairList, [a, b]: [&Placed<'_>; 2], spacing: f64, reach: f64) -> Result<PairReport> {
+    pub(super) fn new(
+        list: &SamplePairList,
+        [a, b]: [&PosedPiece<'_>; 2],
+        spacing: f64,
+        reach: f64,
+    ) -> Result<SamplePairReport> {
         let near = list.pairs.len() / list.entries;
         let count = near.max(1) as f64;
         let mut sizes = alloc::collect(list.pairs.iter().map(|pair| pair.off.abs()))?;
@@ -140,9 +145,9 @@ impl PairReport {
             0 => 0.0,
             n => *sizes.select_nth_unstable_by(n / 2, f64::total_cmp).1,
         };
-        let cut = TUKEY_CUTOFF * MEDIAN_TO_DEVIATION * median.max(MIN_RESIDUAL * spacing);
-        let mut found = PairReport {
-            equations: Equations { matrix: [[0.0; 12]; 12], right: [0.0; 12], weight: 0.0 },
+        let cut = TUKEY_CUTOFF_DEVIATIONS * DEVIATION_PER_MEDIAN * median.max(MIN_RELATIVE_RESIDUAL * spacing);
+        let mut found = SamplePairReport {
+            equations: MotionEquations { matrix: [[0.0; 12]; 12], right: [0.0; 12], weight: 0.0 },
             samples: list.samples,
             near,
             opposite: list.opposite,
@@ -158,7 +163,7 @@ impl PairReport {
             for entry in pair {
                 let part = 1.0 - (entry.off / cut).powi(2);
                 if part > 0.0 {
-                    found.equations.add(entry, part * part, centres, radii);
+                    found.equations.add_sample_pair(entry, part * part, centres, radii);
                 }
             }
             let square = pair.iter().map(|entry| entry.off * entry.off).sum::<f64>();
@@ -174,10 +179,10 @@ impl PairReport {
     }
 }
 
-impl Equations {
+impl MotionEquations {
     /// Adds (x - y) . n + (u + w x (x - g)) . n - (u' + w' x (y - g')) . n = 0. Rotations are in
     /// units of the pieces' radii, so that they are comparable with translations.
-    fn add(&mut self, pair: &Pair, weight: f64, centres: [DVec3; 2], radii: [f64; 2]) {
+    fn add_sample_pair(&mut self, pair: &SamplePair, weight: f64, centres: [DVec3; 2], radii: [f64; 2]) {
         let [x, y] = pair.points;
         let along = pair.along;
         let turns = [(x - centres[0]).cross(along) / radii[0], (y - centres[1]).cross(along) / -radii[1]];

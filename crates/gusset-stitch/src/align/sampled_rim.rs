@@ -3,7 +3,7 @@
 //! Each sample has a frame of the rim's direction, the surface's normal and the conormal. Its
 //! signature lists the positions of the rim some steps before and after it, in that frame.
 
-use super::scan::Scan;
+use super::centred_piece::CentredPiece;
 use crate::boundary::{self, LoopFlags, boundary_loops};
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
@@ -13,15 +13,15 @@ use gusset_mesh::MeshView;
 
 pub(super) const STAGE: &str = "comparing rims";
 /// Largest number of samples of all rims of a piece.
-const MAX_SAMPLES: f64 = 512.0;
+const MAX_RIM_SAMPLES_PER_PIECE: f64 = 512.0;
 /// The offsets of a signature, in steps before and after.
-const OFFSETS: [usize; 4] = [3, 6, 12, 24];
+const SIGNATURE_OFFSET_STEPS: [usize; 4] = [3, 6, 12, 24];
 /// Smallest cosine between the normals of matching rims, and between one direction and the opposite
 /// of the other.
-pub(super) const MIN_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
+pub(super) const MIN_RIM_NORMAL_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// The positions of the rim some steps before and after a sample.
-pub(super) type Signature = [DVec3; 2 * OFFSETS.len()];
+pub(super) type RimSignature = [DVec3; 2 * SIGNATURE_OFFSET_STEPS.len()];
 
 /// The rims of a piece at equal steps.
 pub(super) struct SampledRim {
@@ -35,30 +35,30 @@ pub(super) struct SampledRim {
 
 /// Returns the step for the rims of all pieces: their longest mean edge, or the step that limits
 /// the number of samples.
-pub(super) fn common_step(meshes: &[MeshView<'_>], unit: f64, job: &Job<'_>) -> Result<f64> {
+pub(super) fn common_sampling_step(meshes: &[MeshView<'_>], unit: f64, job: &Job<'_>) -> Result<f64> {
     let mut step = 0.0f64;
     for (k, mesh) in meshes.iter().enumerate() {
         let found = boundary_loops(mesh, &boundary::Options::default(), &job.share(k, meshes.len()))?;
         let length = found.iter().map(|rim| rim.length / unit).sum::<f64>();
-        step = step.max(length / MAX_SAMPLES).max(length / found.edge_count().max(1) as f64);
+        step = step.max(length / MAX_RIM_SAMPLES_PER_PIECE).max(length / found.edge_count().max(1) as f64);
     }
     Ok(step)
 }
 
 impl SampledRim {
     /// Samples the rims of a piece. O(F), plus the samples.
-    pub(super) fn new(mesh: &MeshView<'_>, scan: &Scan, step: f64, job: &Job<'_>) -> Result<SampledRim> {
+    pub(super) fn new(mesh: &MeshView<'_>, scan: &CentredPiece, step: f64, job: &Job<'_>) -> Result<SampledRim> {
         let found = boundary_loops(mesh, &boundary::Options::default(), job)?;
         let mut rim =
             SampledRim { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
         for walk in found.iter().filter(|walk| !walk.flags.any(LoopFlags::OPEN)) {
-            rim.add(walk.vertices, scan)?;
+            rim.add_loop_samples(walk.vertices, scan)?;
         }
         Ok(rim)
     }
 
     /// Adds the samples of one loop.
-    fn add(&mut self, vertices: &[u32], scan: &Scan) -> Result<()> {
+    fn add_loop_samples(&mut self, vertices: &[u32], scan: &CentredPiece) -> Result<()> {
         let n = vertices.len();
         let at = |i: usize| scan.points[vertices[i % n] as usize];
         let lengths = alloc::collect((0..n).map(|i| at(i).distance(at(i + 1))))?;
@@ -88,24 +88,24 @@ impl SampledRim {
     }
 
     /// Returns the frame of a sample; if `turned`, for the opposite direction of the rim.
-    pub(super) fn frame(&self, k: usize, turned: bool) -> DMat3 {
+    pub(super) fn sample_frame(&self, k: usize, turned: bool) -> DMat3 {
         let along = if turned { -self.directions[k] } else { self.directions[k] };
         let normal = (self.normals[k] - along * along.dot(self.normals[k])).normalize_or_zero();
         DMat3::from_cols(along, normal, along.cross(normal))
     }
 
     /// Returns the signatures of all samples; if `turned`, for the opposite direction of the rims.
-    pub(super) fn signatures(&self, turned: bool) -> Result<Vec<Signature>> {
+    pub(super) fn sample_signatures(&self, turned: bool) -> Result<Vec<RimSignature>> {
         let mut all = alloc::with_capacity(self.points.len())?;
         for range in self.starts.windows(2) {
             let n = range[1] - range[0];
             for k in range[0]..range[1] {
-                let back = self.frame(k, turned).transpose();
+                let back = self.sample_frame(k, turned).transpose();
                 all.push(std::array::from_fn(|i| {
-                    let offset = OFFSETS[i / 2] % n;
+                    let offset = SIGNATURE_OFFSET_STEPS[i / 2] % n;
                     let by = if (i % 2 == 0) == turned { n - offset } else { offset };
                     let other = self.points[range[0] + (k - range[0] + by) % n];
-                    back * (other - self.points[k]) / (OFFSETS[i / 2] as f64 * self.step)
+                    back * (other - self.points[k]) / (SIGNATURE_OFFSET_STEPS[i / 2] as f64 * self.step)
                 }));
             }
         }

@@ -1,9 +1,9 @@
 //! Makes components that face each other agree in orientation, by union-find with parity.
 
 use super::assemble_request::{Assembly, Outcome};
-use super::base::Base;
-use super::candidates::Facing;
-use super::piece_loops::Loops;
+use super::candidates::FacingLoops;
+use super::combined_pieces::CombinedPieces;
+use super::piece_loops::PieceLoops;
 use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -11,13 +11,13 @@ use gusset_base::geom::disjoint_sets::ParitySets;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::NONE;
 
-impl Base {
+impl CombinedPieces {
     /// Turns components over so that facing loops agree in orientation. Returns for each pair
     /// whether it can be joined. If `keep_orientation`, turns nothing and accepts every pair.
-    pub(super) fn orient_components(
+    pub(super) fn make_orientations_agree(
         &mut self,
-        loops: &mut Loops,
-        found: &mut [Facing],
+        loops: &mut PieceLoops,
+        found: &mut [FacingLoops],
         keep_orientation: bool,
     ) -> Result<Vec<Outcome>> {
         let mut outcomes = alloc::filled(Outcome::Joined, found.len())?;
@@ -46,7 +46,7 @@ impl Base {
         }
         for (facing, outcome) in found.iter().zip(&mut outcomes) {
             let [i, j] = facing.rims.map(|r| loops.candidates[r].component);
-            let [a, b] = loops.sides(facing)?;
+            let [a, b] = loops.facing_sides(facing)?;
             let against = match facing.arcs {
                 None => rims_disagree(&a, &b)?,
                 Some(_) => arcs_run_the_same_way(&a.points, &b.points)?,
@@ -69,7 +69,7 @@ impl Base {
         }
         for (rim, candidate) in loops.rims.iter_mut().zip(&loops.candidates) {
             if is_turned(candidate.component) {
-                rim.turn();
+                rim.adapt_to_turned_surface();
             }
         }
         // Places count along the loops in their new direction.

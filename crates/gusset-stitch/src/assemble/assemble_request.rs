@@ -1,6 +1,6 @@
 //! Options, results, and the report on every joint and every loop left.
 
-use super::history::History;
+use super::origin_history::History;
 use crate::repair::orient::Outward;
 use crate::stitch::{self, IndexMap};
 use crate::{fill, repair, trim};

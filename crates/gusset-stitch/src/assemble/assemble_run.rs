@@ -1,11 +1,11 @@
 //! The stages of assembly in order, from pieces to one mesh and its report.
 
 use super::assemble_request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason};
-use super::base::Base;
-use super::candidates::Facing;
-use super::given_pair::GivenPair;
-use super::piece_loops::Loops;
-use super::trimmed::Removals;
+use super::candidates::FacingLoops;
+use super::combined_pieces::CombinedPieces;
+use super::face_removals::FaceRemovals;
+use super::given_pair::GivenLoopPair;
+use super::piece_loops::PieceLoops;
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::loop_pairing::mean_gap;
@@ -21,16 +21,16 @@ use gusset_mesh::{MeshView, NONE};
 
 /// Default widths of gaps between trimmed pieces, in mean edges of the coarsest; the second applies
 /// if parts would stay unjoined.
-const GAP_EDGES: [f64; 2] = [2.5, 4.0];
+const DEFAULT_GAP_MEAN_EDGES: [f64; 2] = [2.5, 4.0];
 /// Number of rounds that remove faces of trimmed pieces where they cannot be joined.
-const MAX_ROUNDS: u32 = 10;
+const MAX_REMOVAL_ROUNDS: u32 = 10;
 /// Number of first rounds that accept intersecting strips and remove faces around them. Later
 /// rounds refuse such strips.
-const STRIP_ROUNDS: u32 = 4;
+const ROUNDS_WITH_INTERSECTING_STRIPS: u32 = 4;
 /// After this number of rounds, the whole rim of a patch that still intersects is removed.
-const MAX_RING_ROUNDS: u32 = 6;
+const MAX_ROUNDS_BEFORE_WHOLE_RIM: u32 = 6;
 /// Number of additional passes over loops that the strips left facing each other.
-const ADDITIONAL_PASSES: usize = 2;
+const ADDITIONAL_JOINING_PASSES: usize = 2;
 
 /// Assembles open pieces into one mesh.
 ///
@@ -53,48 +53,58 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap)?;
     }
     let Overlaps::Trim(how) = options.overlaps else {
-        let mut base = Base::new(pieces, None, options, &job.part(0.0, 0.3))?;
-        base.assembly.left = join(&mut base, options, &mut Cuts::Kept, &job.part(0.3, 0.8))?;
-        return finish(base, options, &job.part(0.8, 1.0)).map(|(assembly, _)| assembly);
+        let mut base = CombinedPieces::new(pieces, None, options, &job.part(0.0, 0.3))?;
+        base.assembly.left =
+            join_facing_loops(&mut base, options, &mut IntersectingStripTreatment::Kept, &job.part(0.3, 0.8))?;
+        return fill_and_turn_joined(base, options, &job.part(0.8, 1.0)).map(|(assembly, _)| assembly);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
     // Pieces that were cut along an overlap are near each other, so the gap is narrow unless parts
     // stay unjoined.
-    let mut edges = GAP_EDGES[0];
+    let mut edges = DEFAULT_GAP_MEAN_EDGES[0];
     // Each round removes small unjoined parts, and faces around strips and patches that intersect;
     // then it starts again.
     let mut round = 0;
     loop {
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
         let (now, then) = (job.part(part(round), part(round + 1)), job.part(part(round + 1), part(round + 1)));
-        let refuses = round >= STRIP_ROUNDS;
+        let refuses = round >= ROUNDS_WITH_INTERSECTING_STRIPS;
         let gap_of = |edges: f64| match options.max_gap {
             MaxGap::Auto => MaxGap::Given(edges * trimmed.spacing),
             given => given,
         };
         let how_wide = Options { max_gap: gap_of(edges), ..*options };
-        let (assembly, cuts) = join_trimmed(pieces, &trimmed, &how_wide, gap_of(GAP_EDGES[1]), refuses, &now)?;
+        let (assembly, cuts) =
+            join_trimmed_pieces(pieces, &trimmed, &how_wide, gap_of(DEFAULT_GAP_MEAN_EDGES[1]), refuses, &now)?;
         let is_final = refuses || cuts.is_empty();
-        if is_final && round >= MAX_ROUNDS {
+        if is_final && round >= MAX_REMOVAL_ROUNDS {
             return Ok(assembly);
         }
         round += 1;
-        let spoilt = Removals::new(pieces, &assembly, &cuts, how.least_island(), round > MAX_RING_ROUNDS, &then)?;
-        let widens = spoilt.has_unjoined_parts() && edges == GAP_EDGES[0] && options.max_gap == MaxGap::Auto;
+        let spoilt = FaceRemovals::new(
+            pieces,
+            &assembly,
+            &cuts,
+            how.min_island_faces(),
+            round > MAX_ROUNDS_BEFORE_WHOLE_RIM,
+            &then,
+        )?;
+        let widens =
+            spoilt.has_unjoined_parts() && edges == DEFAULT_GAP_MEAN_EDGES[0] && options.max_gap == MaxGap::Auto;
         if widens {
-            edges = GAP_EDGES[1];
+            edges = DEFAULT_GAP_MEAN_EDGES[1];
         }
-        if !spoilt.remove_from(pieces, &mut trimmed, &assembly, !widens) && !widens {
+        if !spoilt.remove_faces_from(pieces, &mut trimmed, &assembly, !widens) && !widens {
             if is_final {
                 return Ok(assembly);
             }
-            round = STRIP_ROUNDS;
+            round = ROUNDS_WITH_INTERSECTING_STRIPS;
         }
     }
 }
 
 /// The treatment of strips that intersect other faces.
-enum Cuts {
+enum IntersectingStripTreatment {
     /// Kept, without a list.
     Kept,
     /// Kept, and the pairs of faces are listed.
@@ -106,7 +116,7 @@ enum Cuts {
 /// Joins the remaining parts of the pieces. Also returns pairs of intersecting faces. They belong
 /// to the strips, before holes are filled. If `refuses` excludes intersecting strips, they belong
 /// to the patches.
-fn join_trimmed(
+fn join_trimmed_pieces(
     pieces: &[MeshView<'_>],
     trimmed: &Trimmed,
     options: &Options<'_>,
@@ -114,59 +124,76 @@ fn join_trimmed(
     refuses: bool,
     job: &Job<'_>,
 ) -> Result<(Assembly, Vec<[u32; 2]>)> {
-    let mut base = Base::new(pieces, Some(trimmed), options, &job.part(0.0, 0.3))?;
-    let mut cuts = if refuses { Cuts::Refused } else { Cuts::Listed(Vec::new()) };
-    base.assembly.left = join(&mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
+    let mut base = CombinedPieces::new(pieces, Some(trimmed), options, &job.part(0.0, 0.3))?;
+    let mut cuts =
+        if refuses { IntersectingStripTreatment::Refused } else { IntersectingStripTreatment::Listed(Vec::new()) };
+    base.assembly.left = join_facing_loops(&mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
     // Where three pieces meet, the first strips leave loops that face each other, now on one
     // component. The sides of such a seam may be farther apart than unrelated loops.
     let again = Options { within_components: true, pairs: &[], max_gap: wide, ..*options };
-    for pass in 0..ADDITIONAL_PASSES {
+    for pass in 0..ADDITIONAL_JOINING_PASSES {
         let before = base.assembly.joints.len();
         alloc::grow(&mut base.piece, base.assembly.mesh.positions.len(), NONE)?;
-        base.assembly.left = join(&mut base, &again, &mut cuts, &job.part(0.7, 0.8).share(pass, ADDITIONAL_PASSES))?;
+        base.assembly.left = join_facing_loops(
+            &mut base,
+            &again,
+            &mut cuts,
+            &job.part(0.7, 0.8).share(pass, ADDITIONAL_JOINING_PASSES),
+        )?;
         if base.assembly.joints[before..].iter().all(|joint| joint.outcome != Outcome::Joined) {
             break;
         }
     }
     match cuts {
-        Cuts::Listed(cuts) if !cuts.is_empty() => Ok((base.assembly, cuts)),
-        _ => finish(base, options, &job.part(0.8, 1.0)),
+        IntersectingStripTreatment::Listed(cuts) if !cuts.is_empty() => Ok((base.assembly, cuts)),
+        _ => fill_and_turn_joined(base, options, &job.part(0.8, 1.0)),
     }
 }
 
 /// Fills and turns the joined pieces. Also returns the pairs of faces that patches intersect.
-fn finish(mut base: Base, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
+fn fill_and_turn_joined(
+    mut base: CombinedPieces,
+    options: &Options<'_>,
+    job: &Job<'_>,
+) -> Result<(Assembly, Vec<[u32; 2]>)> {
     let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
     base.assembly.near_loops_left = base.assembly.left.iter().filter(is_near).count() as u32;
     if base.assembly.near_loops_left > 0 {
         job.note("loops are left although others are near: the report of the assembly gives the reasons");
     }
-    base.finish(options, job)
+    base.fill_and_turn(options, job)
 }
 
 /// Joins the loops that face each other, as the options request, and returns the loops that are
 /// left.
-fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) -> Result<Vec<LeftLoop>> {
-    let mut loops = Loops::new(base, &job.part(0.0, 0.2))?;
-    let excluded = excluded_pairs(base, &loops, options)?;
-    let mut found = chosen_pairs(base, &loops, options, &excluded, &job.part(0.2, 0.4))?;
-    if options.within_components && matches!(cuts, Cuts::Listed(_) | Cuts::Refused) {
+fn join_facing_loops(
+    base: &mut CombinedPieces,
+    options: &Options<'_>,
+    cuts: &mut IntersectingStripTreatment,
+    job: &Job<'_>,
+) -> Result<Vec<LeftLoop>> {
+    let mut loops = PieceLoops::new(base, &job.part(0.0, 0.2))?;
+    let excluded = list_excluded_loop_pairs(base, &loops, options)?;
+    let mut found = choose_loop_pairs(base, &loops, options, &excluded, &job.part(0.2, 0.4))?;
+    if options.within_components
+        && matches!(cuts, IntersectingStripTreatment::Listed(_) | IntersectingStripTreatment::Refused)
+    {
         found.retain(|facing| loops.is_seam(facing));
     }
     let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
 
     // Make components that face each other agree, nearest first.
-    let outcomes = base.orient_components(&mut loops, &mut found, options.keep_orientation)?;
+    let outcomes = base.make_orientations_agree(&mut loops, &mut found, options.keep_orientation)?;
     alloc::reserve(&mut base.assembly.joints, found.len())?;
-    let mut hangs = alloc::filled(false, loops.rims.len())?;
+    let mut has_strip = alloc::filled(false, loops.rims.len())?;
     let mut tried = alloc::filled(false, loops.rims.len())?;
-    let mut edges = loops.edges_between(&base.assembly.mesh)?;
+    let mut edges = loops.edges_between_rims(&base.assembly.mesh)?;
     let mean_side = std::cell::OnceCell::new();
-    options.strip.note_unread(job);
+    options.strip.note_unread_options(job);
     let strips = stitch::Options { twist: 0, ..options.strip.strip_options() };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
         let part = job.part(0.4, 1.0).share(k, found.len());
-        let sides = loops.sides(facing)?;
+        let sides = loops.facing_sides(facing)?;
         facing.rims.iter().for_each(|&r| tried[r] = true);
         let shared = shared_vertex(&sides[0], &sides[1])?.is_some();
         let outcome = if outcome == Outcome::Joined && shared { Outcome::ShareVertex } else { outcome };
@@ -188,7 +215,7 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
             let is_slit = facing.rims[0] == facing.rims[1];
             // The ends of a slit already have edges.
             let strips = if is_slit { stitch::Options { rows: Rows::None, ..strips } } else { strips };
-            let mean = || *mean_side.get_or_init(|| base.assembly.mesh.mean_side()) / loops.unit;
+            let mean = || *mean_side.get_or_init(|| base.assembly.mesh.mean_side_length()) / loops.unit;
             match Strip::build(a, b, &existing, &strips, mean, &part.part(0.0, 0.6)) {
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
@@ -197,43 +224,43 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
                     let checked = fair_and_check(mesh, &mut strip, loops.unit, &existing, &strips, &part)?;
                     let pairs = checked.intersections.as_deref().unwrap_or_default();
                     match cuts {
-                        Cuts::Refused if !pairs.is_empty() => {
+                        IntersectingStripTreatment::Refused if !pairs.is_empty() => {
                             joint.outcome = Outcome::WouldCut;
                             base.assembly.joints.push(joint);
                             continue;
                         }
-                        Cuts::Listed(all) => alloc::append(all, pairs)?,
-                        Cuts::Kept | Cuts::Refused => {}
+                        IntersectingStripTreatment::Listed(all) => alloc::append(all, pairs)?,
+                        IntersectingStripTreatment::Kept | IntersectingStripTreatment::Refused => {}
                     }
                     let attached = append_strip(&mut base.assembly.mesh, &strip, loops.unit)?;
-                    edges.add_strip(&strip)?;
+                    edges.add_strip_edges(&strip)?;
                     let name = |v: u32| attached.names[v as usize];
                     let new = strip.parents.iter().map(|parents| (parents.vertices.map(name), parents.weights));
-                    base.assembly.history.add(new)?;
+                    base.assembly.history.add_parents(new)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];
                     joint.vertices = attached.vertices;
                     joint.faces = attached.faces;
                     joint.intersections = checked.intersections;
                     joint.finish = checked.finish;
-                    facing.rims.iter().for_each(|&r| hangs[r] = true);
+                    facing.rims.iter().for_each(|&r| has_strip[r] = true);
                 }
             }
         }
         base.assembly.joints.push(joint);
     }
-    left_loops(loops, options, &excluded, [&hangs, &tried], &job.part(1.0, 1.0))
+    list_left_loops(loops, options, &excluded, [&has_strip, &tried], &job.part(1.0, 1.0))
 }
 
 /// Returns the loops without a strip, and the reasons.
-fn left_loops(
-    loops: Loops,
+fn list_left_loops(
+    loops: PieceLoops,
     options: &Options<'_>,
     excluded: &[[u32; 2]],
-    [hangs, tried]: [&[bool]; 2],
+    [has_strip, tried]: [&[bool]; 2],
     job: &Job<'_>,
 ) -> Result<Vec<LeftLoop>> {
-    let without = alloc::collect(hangs.iter().map(|&hangs| !hangs))?;
-    let explained = loops.search(options, hangs, excluded).explain(&without, job)?;
+    let without = alloc::collect(has_strip.iter().map(|&has_strip| !has_strip))?;
+    let explained = loops.facing_search(options, has_strip, excluded).explain_left_loops(&without, job)?;
     let mut left = loops.others;
     for (r, (rim, found)) in loops.rims.into_iter().zip(explained).enumerate() {
         if let Some(found) = found {
@@ -247,12 +274,14 @@ fn left_loops(
 }
 
 /// Returns the excluded pairs of loops (smaller, larger), in ascending order.
-fn excluded_pairs(base: &Base, loops: &Loops, options: &Options<'_>) -> Result<Vec<[u32; 2]>> {
-    let places = loops.places()?;
+fn list_excluded_loop_pairs(base: &CombinedPieces, loops: &PieceLoops, options: &Options<'_>) -> Result<Vec<[u32; 2]>> {
+    let places = loops.vertex_loop_pairs()?;
     let mut excluded = Vec::new();
     for (k, pair) in options.excluded.iter().enumerate() {
-        GivenPair { option: "excluded", number: k as u32, pair }.check_exists(&base.assembly.maps)?;
-        let (first, second) = (loops.loops_named(base, &places, pair[0])?, loops.loops_named(base, &places, pair[1])?);
+        GivenLoopPair { option: "excluded", number: k as u32, pair }
+            .check_pieces_and_vertices_exist(&base.assembly.maps)?;
+        let (first, second) =
+            (loops.select_loops(base, &places, pair[0])?, loops.select_loops(base, &places, pair[1])?);
         let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
         alloc::extend(&mut excluded, pairs)?;
     }
@@ -261,25 +290,28 @@ fn excluded_pairs(base: &Base, loops: &Loops, options: &Options<'_>) -> Result<V
 }
 
 /// Returns the given pairs, then the pairs found by the search.
-fn chosen_pairs(
-    base: &Base,
-    loops: &Loops,
+fn choose_loop_pairs(
+    base: &CombinedPieces,
+    loops: &PieceLoops,
     options: &Options<'_>,
     excluded: &[[u32; 2]],
     job: &Job<'_>,
-) -> Result<Vec<Facing>> {
-    let places = loops.places()?;
+) -> Result<Vec<FacingLoops>> {
+    let places = loops.vertex_loop_pairs()?;
     let mut taken = alloc::filled(false, loops.rims.len())?;
-    let mut found: Vec<Facing> = Vec::new();
+    let mut found: Vec<FacingLoops> = Vec::new();
     for (k, pair) in options.pairs.iter().enumerate() {
-        let given = GivenPair { option: "pairs", number: k as u32, pair };
-        given.check_exists(&base.assembly.maps)?;
-        let rims =
-            given.rims(|selector| loops.loops_named(base, &places, selector), &taken, |r| loops.slits[r].is_some())?;
+        let given = GivenLoopPair { option: "pairs", number: k as u32, pair };
+        given.check_pieces_and_vertices_exist(&base.assembly.maps)?;
+        let rims = given.find_named_rims(
+            |selector| loops.select_loops(base, &places, selector),
+            &taken,
+            |r| loops.slits[r].is_some(),
+        )?;
         rims.iter().for_each(|&r| taken[r] = true);
         let facing = match &loops.slits[rims[0]] {
-            Some(slit) if rims[0] == rims[1] => slit.facing(rims[0]),
-            _ => Facing {
+            Some(slit) if rims[0] == rims[1] => slit.as_facing_loops(rims[0]),
+            _ => FacingLoops {
                 rims,
                 arcs: None,
                 gap: mean_gap(&loops.rims[rims[0]], &loops.rims[rims[1]], &job.part(0.0, 0.0))?,
@@ -288,11 +320,11 @@ fn chosen_pairs(
         alloc::push(&mut found, facing)?;
     }
     if options.max_gap != MaxGap::Given(0.0) {
-        let search = loops.search(options, &taken, excluded);
-        let mut seen = alloc::gather(search.slits())?;
+        let search = loops.facing_search(options, &taken, excluded);
+        let mut seen = alloc::gather(search.unused_slits())?;
         seen.iter().for_each(|facing| taken[facing.rims[0]] = true);
-        alloc::append(&mut seen, &loops.search(options, &taken, excluded).run(job)?)?;
-        let first = |found: &Facing| found.arcs.map_or(0, |arcs| arcs[0].first);
+        alloc::append(&mut seen, &loops.facing_search(options, &taken, excluded).find_facing_loops(job)?)?;
+        let first = |found: &FacingLoops| found.arcs.map_or(0, |arcs| arcs[0].first);
         sort::stable(&mut seen, &|x, y| {
             x.gap.total_cmp(&y.gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y)))
         });

@@ -1,9 +1,9 @@
 //! One-to-one pairing: a matching of greatest weight.
 //!
-//! Ends that are connected by possible pairs form a group. For groups of up to [`MAX_EXACT`] ends
-//! the optimum is computed by dynamic programming over the sets of ends (2^n sets). In larger
-//! groups the best pair is chosen greedily. Then two pairs, or a pair and a free end, exchange
-//! partners as long as that improves the sum.
+//! Ends that are connected by possible pairs form a group. For groups of up to
+//! [`MAX_EXACT_GROUP_ENDS`] ends the optimum is computed by dynamic programming over the sets of
+//! ends (2^n sets). In larger groups the best pair is chosen greedily. Then two pairs, or a pair
+//! and a free end, exchange partners as long as that improves the sum.
 
 use super::candidates::STAGE;
 use gusset_base::alloc;
@@ -13,13 +13,13 @@ use gusset_base::job::Job;
 use gusset_base::sort::{self, Buckets};
 
 /// Largest number of ends in a group that is solved exactly.
-const MAX_EXACT: usize = 16;
+const MAX_EXACT_GROUP_ENDS: usize = 16;
 /// Number of sets of ends between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 18;
+const SETS_PER_REPORT: usize = 1 << 18;
 
 /// A possible pair.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Match {
+pub(super) struct PossiblePair {
     /// The two ends, the smaller first.
     pub(super) ends: [u32; 2],
     /// The weight, above 0.
@@ -27,7 +27,7 @@ pub(super) struct Match {
 }
 
 /// Returns the indices of the chosen pairs, in ascending order. No end belongs to two pairs.
-pub(super) fn best_matches(matches: &[Match], job: &Job<'_>) -> Result<Vec<usize>> {
+pub(super) fn choose_best_pairs(matches: &[PossiblePair], job: &Job<'_>) -> Result<Vec<usize>> {
     let count = matches.iter().map(|pair| pair.ends[1] as usize + 1).max().unwrap_or(0);
     let mut sets = DisjointSets::new(count)?;
     matches.iter().for_each(|pair| {
@@ -42,20 +42,20 @@ pub(super) fn best_matches(matches: &[Match], job: &Job<'_>) -> Result<Vec<usize
         ends.sort_unstable();
         ends.dedup();
         let place = |end: u32| ends.partition_point(|&other| other < end) as u32;
-        let local = alloc::collect(
-            group
-                .iter()
-                .map(|&(_, number)| Match { ends: matches[number].ends.map(place), gain: matches[number].gain }),
-        )?;
-        let of_group = if ends.len() <= MAX_EXACT {
+        let local =
+            alloc::collect(group.iter().map(|&(_, number)| PossiblePair {
+                ends: matches[number].ends.map(place),
+                gain: matches[number].gain,
+            }))?;
+        let of_group = if ends.len() <= MAX_EXACT_GROUP_ENDS {
             sets_seen += 1usize << ends.len();
-            if sets_seen >= REPORT_INTERVAL {
+            if sets_seen >= SETS_PER_REPORT {
                 job.step(0.0, STAGE)?;
                 sets_seen = 0;
             }
-            exact_matching(&local, ends.len())?
+            match_exactly(&local, ends.len())?
         } else {
-            greedy_matching(&local, ends.len(), job)?
+            match_greedily(&local, ends.len(), job)?
         };
         chosen.extend(of_group.into_iter().map(|k| group[k].1));
     }
@@ -64,7 +64,7 @@ pub(super) fn best_matches(matches: &[Match], job: &Job<'_>) -> Result<Vec<usize
 }
 
 /// Computes the optimum for each set of free ends, starting with the pairs of its smallest end.
-fn exact_matching(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
+fn match_exactly(matches: &[PossiblePair], ends: usize) -> Result<Vec<usize>> {
     let sets = 1usize << ends;
     // The gain, and 1 plus the index of the pair at the smallest end (0 for none).
     let mut best = alloc::filled((0.0f64, 0usize), sets)?;
@@ -94,23 +94,23 @@ fn exact_matching(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
 }
 
 /// Chooses the best pairs greedily, then exchanges partners.
-fn greedy_matching(matches: &[Match], ends: usize, job: &Job<'_>) -> Result<Vec<usize>> {
-    const FREE: usize = usize::MAX;
+fn match_greedily(matches: &[PossiblePair], ends: usize, job: &Job<'_>) -> Result<Vec<usize>> {
+    const UNMATCHED: usize = usize::MAX;
     let mut order = alloc::collect(0..matches.len())?;
     sort::stable(&mut order, &|&x, &y| matches[y].gain.total_cmp(&matches[x].gain).then(x.cmp(&y)));
-    let mut partner = alloc::filled(FREE, ends)?;
+    let mut partner = alloc::filled(UNMATCHED, ends)?;
     for &k in &order {
-        if matches[k].ends.iter().all(|&end| partner[end as usize] == FREE) {
+        if matches[k].ends.iter().all(|&end| partner[end as usize] == UNMATCHED) {
             matches[k].ends.iter().for_each(|&end| partner[end as usize] = k);
         }
     }
-    let gain = |k: usize| if k == FREE { 0.0 } else { matches[k].gain };
+    let gain = |k: usize| if k == UNMATCHED { 0.0 } else { matches[k].gain };
     let other = |k: usize, end: u32| matches[k].ends[usize::from(matches[k].ends[0] == end)];
     let mut sorted = alloc::collect(0..matches.len())?;
     sort::stable(&mut sorted, &|&i, &k| matches[i].ends.cmp(&matches[k].ends));
     let between = |p: u32, q: u32| {
         let ends = [p.min(q), p.max(q)];
-        sorted.binary_search_by_key(&ends, |&k| matches[k].ends).map_or(FREE, |at| sorted[at])
+        sorted.binary_search_by_key(&ends, |&k| matches[k].ends).map_or(UNMATCHED, |at| sorted[at])
     };
     // Each exchange gains, so the process terminates; the number of rounds bounds the time.
     for _ in 0..ends {
@@ -125,14 +125,14 @@ fn greedy_matching(matches: &[Match], ends: usize, job: &Job<'_>) -> Result<Vec<
             }
             // The two former partners may form a pair.
             let left = match (old_p, old_q) {
-                (FREE, _) | (_, FREE) => FREE,
+                (UNMATCHED, _) | (_, UNMATCHED) => UNMATCHED,
                 (x, y) => between(other(x, p), other(y, q)),
             };
             if gain(k) + gain(left) > (gain(old_p) + gain(old_q)) * (1.0 + f64::EPSILON) {
-                for old in [old_p, old_q].into_iter().filter(|&old| old != FREE) {
-                    matches[old].ends.iter().for_each(|&end| partner[end as usize] = FREE);
+                for old in [old_p, old_q].into_iter().filter(|&old| old != UNMATCHED) {
+                    matches[old].ends.iter().for_each(|&end| partner[end as usize] = UNMATCHED);
                 }
-                for new in [k, left].into_iter().filter(|&new| new != FREE) {
+                for new in [k, left].into_iter().filter(|&new| new != UNMATCHED) {
                     matches[new].ends.iter().for_each(|&end| partner[end as usize] = new);
                 }
                 changed = true;
@@ -142,7 +142,7 @@ fn greedy_matching(matches: &[Match], ends: usize, job: &Job<'_>) -> Result<Vec<
             break;
         }
     }
-    partner.retain(|&k| k != FREE);
+    partner.retain(|&k| k != UNMATCHED);
     partner.sort_unstable();
     partner.dedup();
     Ok(partner)
@@ -153,21 +153,25 @@ mod tests {
     use super::*;
 
     /// Returns the greatest gain by enumeration.
-    fn brute(matches: &[Match], used: u32) -> f64 {
+    fn greatest_gain_by_enumeration(matches: &[PossiblePair], used: u32) -> f64 {
         let Some((first, rest)) = matches.split_first() else {
             return 0.0;
         };
         let both = 1 << first.ends[0] | 1 << first.ends[1];
-        let without = brute(rest, used);
-        if used & both != 0 { without } else { without.max(first.gain + brute(rest, used | both)) }
+        let without = greatest_gain_by_enumeration(rest, used);
+        if used & both != 0 {
+            without
+        } else {
+            without.max(first.gain + greatest_gain_by_enumeration(rest, used | both))
+        }
     }
 
-    fn random(random: &mut fastrand::Rng, ends: u32, count: usize) -> Vec<Match> {
-        let mut matches: Vec<Match> = (0..count)
+    fn random_pairs(random: &mut fastrand::Rng, ends: u32, count: usize) -> Vec<PossiblePair> {
+        let mut matches: Vec<PossiblePair> = (0..count)
             .map(|_| {
                 let (p, q) = (random.u32(0..ends), random.u32(0..ends - 1));
                 let q = if q >= p { q + 1 } else { q };
-                Match { ends: [p.min(q), p.max(q)], gain: 0.1 + random.f64() }
+                PossiblePair { ends: [p.min(q), p.max(q)], gain: 0.1 + random.f64() }
             })
             .collect();
         matches.sort_by_key(|pair| pair.ends);
@@ -175,7 +179,7 @@ mod tests {
         matches
     }
 
-    fn gain(matches: &[Match], chosen: &[usize]) -> f64 {
+    fn total_gain(matches: &[PossiblePair], chosen: &[usize]) -> f64 {
         let mut ends: Vec<u32> = chosen.iter().flat_map(|&k| matches[k].ends).collect();
         ends.sort_unstable();
         assert!(ends.windows(2).all(|w| w[0] != w[1]), "an end is in two pairs");
@@ -187,32 +191,34 @@ mod tests {
         let mut rng = fastrand::Rng::with_seed(1);
         for _ in 0..300 {
             let (ends, count) = (rng.u32(2..9), rng.usize(1..14));
-            let matches = random(&mut rng, ends, count);
-            let best = brute(&matches, 0);
-            assert!((gain(&matches, &best_matches(&matches, &Job::default()).unwrap()) - best).abs() < 1e-12);
+            let matches = random_pairs(&mut rng, ends, count);
+            let best = greatest_gain_by_enumeration(&matches, 0);
+            assert!(
+                (total_gain(&matches, &choose_best_pairs(&matches, &Job::default()).unwrap()) - best).abs() < 1e-12
+            );
             // The greedy choice gains at least half of the optimum.
-            let quick = gain(&matches, &greedy_matching(&matches, ends as usize, &Job::default()).unwrap());
+            let quick = total_gain(&matches, &match_greedily(&matches, ends as usize, &Job::default()).unwrap());
             assert!(quick <= best + 1e-12 && quick >= 0.5 * best, "{quick} {best}");
         }
     }
 
     #[test]
     fn a_near_wrong_pair_gives_way_to_two_right_ones() {
-        let pair = |p, q, gain| Match { ends: [p, q], gain };
+        let pair = |p, q, gain| PossiblePair { ends: [p, q], gain };
         // Ends 1 and 2 are nearest to each other, but then 0 and 3 stay free.
         let matches = [pair(0, 1, 0.8), pair(1, 2, 0.9), pair(2, 3, 0.8)];
-        assert_eq!(best_matches(&matches, &Job::default()).unwrap(), [0, 2]);
-        assert_eq!(greedy_matching(&matches, 4, &Job::default()).unwrap(), [1]);
-        assert!(best_matches(&[], &Job::default()).unwrap().is_empty());
+        assert_eq!(choose_best_pairs(&matches, &Job::default()).unwrap(), [0, 2]);
+        assert_eq!(match_greedily(&matches, 4, &Job::default()).unwrap(), [1]);
+        assert!(choose_best_pairs(&[], &Job::default()).unwrap().is_empty());
     }
 
     #[test]
     fn groups_too_large_for_enumeration_are_matched_well() {
         // A ring of 40 ends; every second pair is slightly better.
-        let mut matches: Vec<Match> =
-            (0..39).map(|k| Match { ends: [k, k + 1], gain: 1.0 + f64::from(k % 2) * 0.01 }).collect();
-        matches.push(Match { ends: [0, 39], gain: 1.01 });
-        let chosen = best_matches(&matches, &Job::default()).unwrap();
-        assert!((gain(&matches, &chosen) - 20.2).abs() < 1e-9);
+        let mut matches: Vec<PossiblePair> =
+            (0..39).map(|k| PossiblePair { ends: [k, k + 1], gain: 1.0 + f64::from(k % 2) * 0.01 }).collect();
+        matches.push(PossiblePair { ends: [0, 39], gain: 1.01 });
+        let chosen = choose_best_pairs(&matches, &Job::default()).unwrap();
+        assert!((total_gain(&matches, &chosen) - 20.2).abs() < 1e-9);
     }
 }

@@ -8,11 +8,11 @@ use gusset_base::error::Result;
 use std::cell::Cell;
 
 pub(super) const STAGE: &str = "looking for loops that face each other";
-const LOOKS_PER_REPORT: usize = 1 << 18;
+const VISITS_PER_REPORT: usize = 1 << 18;
 
 /// Two loops by their indices, or arcs of them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Facing {
+pub(super) struct FacingLoops {
     pub(super) rims: [usize; 2],
     pub(super) arcs: Option<[Arc; 2]>,
     /// The mean distance from the vertices of one to the nearest vertex of the other, the larger of
@@ -21,7 +21,7 @@ pub(super) struct Facing {
 }
 
 /// Measures of a loop.
-pub(super) struct Candidate {
+pub(super) struct LoopMeasures {
     /// The component. Loops of one component are paired only if `within_components` is true.
     pub(super) component: u32,
     /// The piece of the loop's first vertex.
@@ -35,17 +35,17 @@ pub(super) struct Candidate {
     pub(super) spacing: f64,
 }
 
-impl Candidate {
+impl LoopMeasures {
     pub(super) fn new(rim: &Rim, component: u32, piece: u32, size: f64) -> Self {
         let n = rim.points.len();
         let length = (0..n).map(|i| rim.points[i].distance(rim.points[(i + 1) % n])).sum::<f64>();
-        Candidate { component, piece, size, radius: rim.radius(), length, spacing: length / n as f64 }
+        LoopMeasures { component, piece, size, radius: rim.mean_radius(), length, spacing: length / n as f64 }
     }
 }
 
 /// A loop whose two sides belonged to two borders before sewing.
 #[derive(Clone, Copy)]
-pub(super) struct Slit {
+pub(super) struct SlitLoop {
     /// The side with both ends, and the other side.
     pub(super) arcs: [Arc; 2],
     /// The mean distance from the vertices of a side to the other side, the larger of both.
@@ -56,11 +56,11 @@ pub(super) struct Slit {
 
 pub(super) struct FacingSearch<'a> {
     pub(super) rims: &'a [Rim],
-    pub(super) candidates: &'a [Candidate],
+    pub(super) candidates: &'a [LoopMeasures],
     /// True for loops that are already joined.
     pub(super) used: &'a [bool],
     /// The sides of each loop that is a slit.
-    pub(super) slits: &'a [Option<Slit>],
+    pub(super) slits: &'a [Option<SlitLoop>],
     /// Excluded pairs (smaller, larger), in ascending order.
     pub(super) excluded: &'a [[u32; 2]],
     pub(super) within_components: bool,
@@ -83,16 +83,16 @@ pub(super) struct LoopVertices {
 /// Counts visits to loops. A host can then cancel in time even if many loops meet in a vertex and
 /// each visits most of the others.
 #[derive(Default)]
-pub(super) struct Looks(Cell<usize>);
+pub(super) struct LoopVisitCounter(Cell<usize>);
 
-impl Looks {
-    pub(super) fn add(&self) {
+impl LoopVisitCounter {
+    pub(super) fn count_visit(&self) {
         self.0.set(self.0.get() + 1);
     }
 
     /// Returns true, and resets the count, if it is time for a progress report.
     pub(super) fn take_report_due(&self) -> bool {
-        let many = self.0.get() >= LOOKS_PER_REPORT;
+        let many = self.0.get() >= VISITS_PER_REPORT;
         if many {
             self.0.set(0);
         }
@@ -101,18 +101,18 @@ impl Looks {
 }
 
 impl FacingSearch<'_> {
-    pub(super) fn may_join(&self, r: usize, k: usize) -> bool {
+    pub(super) fn may_join_loops(&self, r: usize, k: usize) -> bool {
         let [r, k] = [r.min(k), r.max(k)];
         !self.used[k]
             && (self.within_components || self.candidates[r].component != self.candidates[k].component)
-            && !self.is_excluded(r, k)
+            && !self.is_excluded_pair(r, k)
     }
 
-    pub(super) fn is_excluded(&self, r: usize, k: usize) -> bool {
+    pub(super) fn is_excluded_pair(&self, r: usize, k: usize) -> bool {
         self.excluded.binary_search(&[r.min(k) as u32, r.max(k) as u32]).is_ok()
     }
 
-    pub(super) fn all_vertices(&self) -> Result<LoopVertices> {
+    pub(super) fn collect_loop_vertices(&self) -> Result<LoopVertices> {
         let total = self.rims.iter().map(|rim| rim.points.len()).sum();
         let (mut points, mut owners) = (alloc::with_capacity::<DVec3>(total)?, alloc::with_capacity(total)?);
         let mut firsts = alloc::with_capacity(self.rims.len())?;

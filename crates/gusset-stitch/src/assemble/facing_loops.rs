@@ -7,8 +7,8 @@
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops. The criteria are our own.
 
-use super::candidates::{Facing, FacingSearch, Looks, LoopVertices, STAGE};
-use super::whole_loops::{Seen, add_shares, conormals};
+use super::candidates::{FacingLoops, FacingSearch, LoopVertices, LoopVisitCounter, STAGE};
+use super::whole_loops::{NearestLoopShare, add_nearest_loop_shares, rim_conormals};
 use crate::stitch::facing::{Arc, cyclic_runs};
 use crate::stitch::loop_pairing::mean_gap;
 use glam::DVec3;
@@ -20,21 +20,21 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::NONE;
 
 /// Largest gap between facing arcs, in mean edge lengths, unless the caller sets a limit.
-const MAX_ARC_GAP: f64 = 4.0;
+const MAX_ARC_GAP_MEAN_EDGES: f64 = 4.0;
 
 const MIN_ARC_VERTICES: usize = 2;
 
 /// An arc has at least this fraction of its loop's vertices.
-const MIN_ARC_SHARE: f64 = 1.0 / 64.0;
+const MIN_ARC_VERTEX_SHARE: f64 = 1.0 / 64.0;
 
 /// Smallest sum of the looks of two arcs at each other. It excludes tubes side by side.
-const MIN_ARC_LOOKS: f64 = 0.3;
+const MIN_FACING_COSINE_SUM_OF_ARCS: f64 = 0.3;
 
 /// Number of vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 12;
+const VERTICES_PER_REPORT: usize = 1 << 12;
 
 #[derive(Clone, Copy)]
-struct NearestVertex {
+struct NearestLoopVertex {
     /// The loop, or [`NONE`].
     rim: u32,
     place: u32,
@@ -43,69 +43,69 @@ struct NearestVertex {
 
 impl FacingSearch<'_> {
     /// Returns the largest gap between arcs of loops `r` and `k`.
-    fn arc_limit(&self, r: usize, k: usize) -> f64 {
+    fn max_arc_gap(&self, r: usize, k: usize) -> f64 {
         let [r, k] = [&self.candidates[r], &self.candidates[k]];
-        self.max_gap.unwrap_or((MAX_ARC_GAP * r.spacing.max(k.spacing)).min(0.5 * r.radius.min(k.radius)))
+        self.max_gap.unwrap_or((MAX_ARC_GAP_MEAN_EDGES * r.spacing.max(k.spacing)).min(0.5 * r.radius.min(k.radius)))
     }
 
     /// Returns the pairs in no particular order. No loop belongs to two pairs of whole loops, and
     /// arcs do not overlap.
     ///
     /// O(V log V) for V vertices on loops that have others near them.
-    pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Facing>> {
-        let nearest_vertices = self.nearest_vertices(&job.part(0.0, 0.3))?;
-        let mut found = self.whole_loops(&neighbours(&nearest_vertices)?, &job.part(0.3, 1.0))?;
+    pub(super) fn find_facing_loops(&self, job: &Job<'_>) -> Result<Vec<FacingLoops>> {
+        let nearest_vertices = self.find_nearest_loop_vertices(&job.part(0.0, 0.3))?;
+        let mut found = self.pair_whole_loops(&shares_of_nearest_loops(&nearest_vertices)?, &job.part(0.3, 1.0))?;
         let mut whole = alloc::filled(false, self.rims.len())?;
         found.iter().flat_map(|facing| facing.rims).for_each(|r| whole[r] = true);
         if self.arcs {
-            self.find_arcs(&nearest_vertices, &whole, &mut found)?;
+            self.add_facing_arcs(&nearest_vertices, &whole, &mut found)?;
         }
         if found.is_empty() {
-            alloc::extend(&mut found, self.lone_pair(&job.part(1.0, 1.0))?)?;
+            alloc::extend(&mut found, self.pair_only_two_loops(&job.part(1.0, 1.0))?)?;
         }
         Ok(found)
     }
 
     /// Returns the only two loops if they belong to two pieces and may be joined, and no limit is
     /// given.
-    fn lone_pair(&self, job: &Job<'_>) -> Result<Option<Facing>> {
+    fn pair_only_two_loops(&self, job: &Job<'_>) -> Result<Option<FacingLoops>> {
         let of_two_pieces = self.rims.len() == 2 && self.candidates[0].piece != self.candidates[1].piece;
-        if !of_two_pieces || self.max_gap.is_some() || self.used[0] || !self.may_join(0, 1) {
+        if !of_two_pieces || self.max_gap.is_some() || self.used[0] || !self.may_join_loops(0, 1) {
             return Ok(None);
         }
-        Ok(Some(Facing { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1], job)? }))
+        Ok(Some(FacingLoops { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1], job)? }))
     }
 
     /// Returns the nearest vertex of another loop for each vertex, within twice the limit of whole
     /// loops.
-    fn nearest_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestVertex>>> {
-        let LoopVertices { points, owners, groups, firsts } = self.all_vertices()?;
+    fn find_nearest_loop_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestLoopVertex>>> {
+        let LoopVertices { points, owners, groups, firsts } = self.collect_loop_vertices()?;
         let total = points.len();
         let tree = KdTree::with_groups(&points, &groups, &job.part(0.0, 0.1), STAGE)?;
         let mut nearest_vertices = alloc::with_capacity(self.rims.len())?;
         let mut done = 0;
-        let looks = Looks::default();
+        let looks = LoopVisitCounter::default();
         for (r, rim) in self.rims.iter().enumerate() {
             let mut of_rim = alloc::with_capacity(rim.points.len())?;
             let widest = self.max_gap.unwrap_or(self.candidates[r].radius);
             let own = groups[firsts[r] as usize];
             for &p in &rim.points {
-                if done % REPORT_INTERVAL == 0 || looks.take_report_due() {
+                if done % VERTICES_PER_REPORT == 0 || looks.take_report_due() {
                     job.step(0.1 + 0.9 * done as f64 / total as f64, STAGE)?;
                 }
                 done += 1;
                 let limit = 4.0 * widest * widest;
                 let accept = |v: u32| {
-                    looks.add();
-                    owners[v as usize] as usize != r && self.may_join(r, owners[v as usize] as usize)
+                    looks.count_visit();
+                    owners[v as usize] as usize != r && self.may_join_loops(r, owners[v as usize] as usize)
                 };
                 let nearest = if self.used[r] { None } else { tree.nearest_in_other_groups(p, limit, own, accept) };
                 of_rim.push(match nearest {
                     Some((squared, v)) => {
                         let k = owners[v as usize];
-                        NearestVertex { rim: k, place: v - firsts[k as usize], distance: squared.sqrt() }
+                        NearestLoopVertex { rim: k, place: v - firsts[k as usize], distance: squared.sqrt() }
                     }
-                    None => NearestVertex { rim: NONE, place: NONE, distance: f64::INFINITY },
+                    None => NearestLoopVertex { rim: NONE, place: NONE, distance: f64::INFINITY },
                 });
             }
             nearest_vertices.push(of_rim);
@@ -114,21 +114,21 @@ impl FacingSearch<'_> {
     }
 
     /// Adds facing arcs of loops that are not joined as whole loops.
-    fn find_arcs(
+    fn add_facing_arcs(
         &self,
-        nearest_vertices: &[Vec<NearestVertex>],
+        nearest_vertices: &[Vec<NearestLoopVertex>],
         whole: &[bool],
-        found: &mut Vec<Facing>,
+        found: &mut Vec<FacingLoops>,
     ) -> Result<()> {
-        let near = |r: usize, look: &NearestVertex| {
+        let near = |r: usize, look: &NearestLoopVertex| {
             look.rim != NONE
-                && look.distance <= self.arc_limit(r, look.rim as usize)
+                && look.distance <= self.max_arc_gap(r, look.rim as usize)
                 && !whole[r]
                 && !whole[look.rim as usize]
         };
         // A vertex sees another loop if its nearest vertex there looks back at the vertex's loop,
         // and not at a much nearer part of it.
-        let sees = |r: usize, look: &NearestVertex| {
+        let sees = |r: usize, look: &NearestLoopVertex| {
             near(r, look) && {
                 let k = look.rim as usize;
                 let back = nearest_vertices[k][look.place as usize];
@@ -145,8 +145,8 @@ impl FacingSearch<'_> {
             sort_distinct(&mut faced);
             for &k in faced.iter().filter(|&&k| k != NONE) {
                 for arc in cyclic_runs(of_rim, |look| look.rim == k && sees(r, look))? {
-                    let arc = trim_ends(arc, of_rim);
-                    let least = MIN_ARC_VERTICES.max((MIN_ARC_SHARE * of_rim.len() as f64).ceil() as usize);
+                    let arc = trim_arc_ends(arc, of_rim);
+                    let least = MIN_ARC_VERTICES.max((MIN_ARC_VERTEX_SHARE * of_rim.len() as f64).ceil() as usize);
                     if arc.count >= least && arc.count < of_rim.len() {
                         arc.places(of_rim.len()).for_each(|i| numbers[i] = arcs.len() as u32);
                         alloc::push(&mut arcs, (r, k as usize, arc))?;
@@ -167,7 +167,7 @@ impl FacingSearch<'_> {
             Ok((most, places.map(|i| nearest_vertices[r][i].distance).sum::<f64>() / arc.count as f64))
         };
         let partners = alloc::try_collect(arcs.iter().map(partner))?;
-        let conormals = alloc::try_collect(self.rims.iter().map(conormals))?;
+        let conormals = alloc::try_collect(self.rims.iter().map(rim_conormals))?;
         let look = |&(r, k, arc): &(usize, usize, Arc)| {
             let cosine = |i: usize| {
                 let way = self.rims[k].points[nearest_vertices[r][i].place as usize] - self.rims[r].points[i];
@@ -178,11 +178,11 @@ impl FacingSearch<'_> {
         for (x, &(y, gap)) in partners.iter().enumerate() {
             if y != NONE && x < y as usize && partners[y as usize].0 as usize == x {
                 let (first, second) = (arcs[x], arcs[y as usize]);
-                if look(&first) + look(&second) < MIN_ARC_LOOKS {
+                if look(&first) + look(&second) < MIN_FACING_COSINE_SUM_OF_ARCS {
                     continue;
                 }
                 let gap = gap.max(partners[y as usize].1);
-                alloc::push(found, Facing { rims: [first.0, second.0], arcs: Some([first.2, second.2]), gap })?;
+                alloc::push(found, FacingLoops { rims: [first.0, second.0], arcs: Some([first.2, second.2]), gap })?;
             }
         }
         Ok(())
@@ -191,7 +191,7 @@ impl FacingSearch<'_> {
 
 /// Removes end vertices that share their nearest vertex with their neighbour but are farther from
 /// it: they look back at a corner.
-fn trim_ends(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
+fn trim_arc_ends(arc: Arc, nearest_vertices: &[NearestLoopVertex]) -> Arc {
     let look = |i: usize| &nearest_vertices[(arc.first + i) % nearest_vertices.len()];
     let (mut first, mut last) = (0, arc.count.saturating_sub(1));
     let behind = |i: usize, next: usize| look(i).place == look(next).place && look(i).distance > look(next).distance;
@@ -205,11 +205,11 @@ fn trim_ends(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
 }
 
 /// Returns the loops with the nearest vertices of each loop, in ascending order.
-fn neighbours(nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<Seen>> {
+fn shares_of_nearest_loops(nearest_vertices: &[Vec<NearestLoopVertex>]) -> Result<Vec<NearestLoopShare>> {
     let mut seen = Vec::new();
     for (of_rim, r) in nearest_vertices.iter().zip(0u32..) {
         let others = alloc::gather(of_rim.iter().map(|nearest| nearest.rim).filter(|&k| k != NONE))?;
-        add_shares(r, others, of_rim.len(), &mut seen)?;
+        add_nearest_loop_shares(r, others, of_rim.len(), &mut seen)?;
     }
     Ok(seen)
 }

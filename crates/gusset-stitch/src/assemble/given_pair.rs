@@ -6,25 +6,25 @@ use gusset_base::error::{Error, PairFault, Result, Side};
 use gusset_mesh::NONE;
 
 /// One of the pairs of an option.
-pub(super) struct GivenPair<'a> {
+pub(super) struct GivenLoopPair<'a> {
     pub(super) option: &'static str,
     /// The index of the pair in the option.
     pub(super) number: u32,
     pub(super) pair: &'a [Selector; 2],
 }
 
-impl GivenPair<'_> {
-    fn error(&self, k: usize, fault: PairFault) -> Error {
+impl GivenLoopPair<'_> {
+    fn pair_error(&self, k: usize, fault: PairFault) -> Error {
         let (Selector { piece, vertex }, side) = (self.pair[k], [Side::A, Side::B][k]);
         Error::BadLoopPair { option: self.option, pair: self.number, side, piece, vertex, fault }
     }
 
     /// Checks that both pieces exist, and the named vertices.
-    pub(super) fn check_exists(&self, maps: &[IndexMap]) -> Result<()> {
+    pub(super) fn check_pieces_and_vertices_exist(&self, maps: &[IndexMap]) -> Result<()> {
         for (k, selector) in self.pair.iter().enumerate() {
-            let map = maps.get(selector.piece as usize).ok_or_else(|| self.error(k, PairFault::NoPiece))?;
+            let map = maps.get(selector.piece as usize).ok_or_else(|| self.pair_error(k, PairFault::NoPiece))?;
             if selector.vertex != NONE && selector.vertex as usize >= map.vertices.len() {
-                return Err(self.error(k, PairFault::NoVertex));
+                return Err(self.pair_error(k, PairFault::NoVertex));
             }
         }
         Ok(())
@@ -32,7 +32,7 @@ impl GivenPair<'_> {
 
     /// Returns the two rims that the pair names, each by a vertex. They must be different and not
     /// `taken` yet, or both the same slit. `named` returns the rims that a selector names.
-    pub(super) fn rims(
+    pub(super) fn find_named_rims(
         &self,
         named: impl Fn(Selector) -> Result<Vec<usize>>,
         taken: &[bool],
@@ -51,7 +51,7 @@ impl GivenPair<'_> {
                 }
                 _ => PairFault::SeveralLoops,
             };
-            return Err(self.error(k, fault));
+            return Err(self.pair_error(k, fault));
         }
         Ok(rims)
     }

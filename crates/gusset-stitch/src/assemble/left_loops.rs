@@ -4,7 +4,7 @@
 //! take precedence over loops of the same component.
 
 use super::assemble_request::Reason;
-use super::candidates::{FacingSearch, Looks, STAGE, Slit};
+use super::candidates::{FacingSearch, LoopVisitCounter, STAGE, SlitLoop};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;
@@ -15,7 +15,7 @@ use gusset_base::sort;
 const LOOPS_PER_REPORT: usize = 1 << 8;
 
 /// The reason why a loop was left, and its distance from the nearest loop.
-pub(super) struct Explanation {
+pub(super) struct LeftLoopExplanation {
     pub(super) reason: Reason,
     /// The mean distance to the nearest vertices of that loop, in the rims' unit; infinite without
     /// another loop.
@@ -29,13 +29,13 @@ impl FacingSearch<'_> {
     /// Explains each loop that `left` marks. `used` must mark the loops with strips.
     ///
     /// O(V log V) for V vertices on loops.
-    pub(super) fn explain(&self, left: &[bool], job: &Job<'_>) -> Result<Vec<Option<Explanation>>> {
+    pub(super) fn explain_left_loops(&self, left: &[bool], job: &Job<'_>) -> Result<Vec<Option<LeftLoopExplanation>>> {
         if !left.contains(&true) {
             return alloc::collect(left.iter().map(|_| None));
         }
-        let loops = self.all_vertices()?;
+        let loops = self.collect_loop_vertices()?;
         let tree = KdTree::with_groups(&loops.points, &loops.owners, &job.part(0.0, 0.2), STAGE)?;
-        let looks = Looks::default();
+        let looks = LoopVisitCounter::default();
         let nearest = |r: usize, own: bool, job: &Job<'_>| -> Result<Option<(usize, f64)>> {
             let mut seen = alloc::with_capacity(self.rims[r].points.len())?;
             for &p in &self.rims[r].points {
@@ -43,7 +43,7 @@ impl FacingSearch<'_> {
                     job.step(0.0, STAGE)?;
                 }
                 let accept = |v: u32| {
-                    looks.add();
+                    looks.count_visit();
                     let k = loops.owners[v as usize] as usize;
                     k != r && (self.candidates[k].component == self.candidates[r].component) == own
                 };
@@ -62,10 +62,10 @@ impl FacingSearch<'_> {
             if !left[r] {
                 return Ok(None);
             }
-            let allowed = self.slit_limit(r);
-            let is_wide = |slit: &Slit| slit.closes && slit.gap > allowed && !self.is_excluded(r, r);
+            let allowed = self.max_slit_gap(r);
+            let is_wide = |slit: &SlitLoop| slit.closes && slit.gap > allowed && !self.is_excluded_pair(r, r);
             if let Some(slit) = self.slits[r].filter(is_wide) {
-                return Ok(Some(Explanation { reason: Reason::TooFar, gap: slit.gap, allowed }));
+                return Ok(Some(LeftLoopExplanation { reason: Reason::TooFar, gap: slit.gap, allowed }));
             }
             let share = job.share(r, left.len());
             let (found, own) = match nearest(r, self.within_components, &share)? {
@@ -73,17 +73,17 @@ impl FacingSearch<'_> {
                 None => (nearest(r, !self.within_components, &share)?, !self.within_components),
             };
             let Some((k, gap)) = found else {
-                return Ok(Some(Explanation { reason: Reason::Alone, gap: f64::INFINITY, allowed: 0.0 }));
+                return Ok(Some(LeftLoopExplanation { reason: Reason::Alone, gap: f64::INFINITY, allowed: 0.0 }));
             };
-            let allowed = self.max_gap_between(r, k);
+            let allowed = self.max_gap_between_whole_loops(r, k);
             let reason = match () {
                 _ if own && !self.within_components => Reason::SameComponent,
-                _ if self.is_excluded(r, k) => Reason::Excluded,
+                _ if self.is_excluded_pair(r, k) => Reason::Excluded,
                 _ if gap > allowed => Reason::TooFar,
                 _ if self.used[k] => Reason::Taken,
                 _ => Reason::LooksAway,
             };
-            Ok(Some(Explanation { reason, gap, allowed }))
+            Ok(Some(LeftLoopExplanation { reason, gap, allowed }))
         }))
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! The stages in order:
 //!
-//! 1. The pieces are concatenated. Overlaps are trimmed on request (`trimmed`), and coincident
-//!    borders are sewn ([`sew`](crate::repair::sew)).
+//! 1. The pieces are concatenated. Overlaps are trimmed on request (`face_removals`), and
+//!    coincident borders are sewn ([`sew`](crate::repair::sew)).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
 //! 3. Slits that sewing left between two borders are joined with themselves (`slit`).
 //! 4. Loops of different components that face each other across a gap are paired (`facing_loops`).
@@ -21,18 +21,18 @@ mod agreement;
 mod assemble_request;
 mod assemble_run;
 mod assignment;
-mod base;
+mod combined_pieces;
 mod candidates;
-mod edges;
+mod loop_edges;
 mod facing_loops;
 mod given_pair;
-mod history;
+mod origin_history;
 mod left_loops;
 mod piece_loops;
 mod slit;
-mod trimmed;
+mod face_removals;
 mod whole_loops;
 
 pub use assemble_request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector};
 pub use assemble_run::assemble;
-pub use history::History;
+pub use origin_history::History;

@@ -1,9 +1,9 @@
 //! The boundary loops of the combined pieces.
 
 use super::assemble_request::{LeftLoop, MaxGap, Options, Reason, Selector};
-use super::base::Base;
-use super::candidates::{Candidate, Facing, FacingSearch, STAGE, Slit};
-use super::edges::{Edges, entries_of};
+use super::candidates::{FacingLoops, FacingSearch, LoopMeasures, STAGE, SlitLoop};
+use super::combined_pieces::CombinedPieces;
+use super::loop_edges::{LoopEdges, entries_of_vertex};
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::stitch::stitch_rim::{Rim, is_usable};
 use gusset_base::alloc;
@@ -16,27 +16,27 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::{Mesh, NONE, vertex_components};
 
 /// A seam between two loops of one component is at least this many times as long as wide.
-const MIN_SEAM_ASPECT: f64 = 10.0;
+const MIN_SEAM_ASPECT_RATIO: f64 = 10.0;
 /// Number of loops between two progress reports.
 const LOOPS_PER_REPORT: usize = 1 << 12;
 
 /// The boundary loops of the combined pieces: loops that can carry a strip, and others.
-pub(super) struct Loops {
+pub(super) struct PieceLoops {
     pub(super) rims: Vec<Rim>,
-    pub(super) candidates: Vec<Candidate>,
+    pub(super) candidates: Vec<LoopMeasures>,
     pub(super) components: DisjointSets,
     /// The sides of each loop that is a slit.
-    pub(super) slits: Vec<Option<Slit>>,
+    pub(super) slits: Vec<Option<SlitLoop>>,
     /// The loops that cannot carry a strip, with the reason.
     pub(super) others: Vec<LeftLoop>,
     /// The unit of the rims' points.
     pub(super) unit: f64,
 }
 
-impl Loops {
-    pub(super) fn new(base: &Base, job: &Job<'_>) -> Result<Self> {
+impl PieceLoops {
+    pub(super) fn new(base: &CombinedPieces, job: &Job<'_>) -> Result<Self> {
         let mesh = &base.assembly.mesh;
-        let mut loops = Loops {
+        let mut loops = PieceLoops {
             rims: Vec::new(),
             candidates: Vec::new(),
             components: DisjointSets::default(),
@@ -69,22 +69,22 @@ impl Loops {
             rim.points.iter_mut().for_each(|p| *p /= loops.unit);
             alloc::push(
                 &mut loops.slits,
-                Slit::find(&view, &found, rim, loops.unit, &base.seam, &job.part(1.0, 1.0))?,
+                SlitLoop::find_in_loop(&view, &found, rim, loops.unit, &base.seam, &job.part(1.0, 1.0))?,
             )?;
             let component = loops.components.find(rim.vertices[0]);
             let piece = base.piece[rim.vertices[0] as usize];
-            alloc::push(&mut loops.candidates, Candidate::new(rim, component, piece, size / loops.unit))?;
+            alloc::push(&mut loops.candidates, LoopMeasures::new(rim, component, piece, size / loops.unit))?;
         }
         Ok(loops)
     }
 
     /// Returns the two loops, or arcs of them, each with its surface on the left.
-    pub(super) fn sides(&self, facing: &Facing) -> Result<[Rim; 2]> {
+    pub(super) fn facing_sides(&self, facing: &FacingLoops) -> Result<[Rim; 2]> {
         let [r, k] = facing.rims;
         let (mut a, mut b) = (self.rims[r].try_clone()?, self.rims[k].try_clone()?);
         if let Some([arc_a, arc_b]) = facing.arcs {
-            a.cut(arc_a)?;
-            b.cut(arc_b)?;
+            a.cut_to_arc(arc_a)?;
+            b.cut_to_arc(arc_b)?;
         }
         Ok([a, b])
     }
@@ -92,27 +92,27 @@ impl Loops {
     /// Returns true if the loops belong to two components, or if both sides are much longer than
     /// the gap is wide. This is the shape of a gap in a seam. A strip between two holes side by
     /// side would instead create a handle.
-    pub(super) fn is_seam(&self, facing: &Facing) -> bool {
+    pub(super) fn is_seam(&self, facing: &FacingLoops) -> bool {
         let [a, b] = facing.rims.map(|r| self.candidates[r].component);
         a != b
             || (0..2).all(|side| {
                 let own = &self.candidates[facing.rims[side]];
                 let vertices = facing.arcs.map_or(self.rims[facing.rims[side]].vertices.len(), |arcs| arcs[side].count);
-                vertices as f64 * own.spacing >= MIN_SEAM_ASPECT * facing.gap
+                vertices as f64 * own.spacing >= MIN_SEAM_ASPECT_RATIO * facing.gap
             })
     }
 
     /// Returns the mesh's edges between vertices of rims. A vertex may lie on several rims.
-    pub(super) fn edges_between(&self, mesh: &Mesh) -> Result<Edges> {
-        let places = self.places()?;
+    pub(super) fn edges_between_rims(&self, mesh: &Mesh) -> Result<LoopEdges> {
+        let places = self.vertex_loop_pairs()?;
         let mut on_rim = alloc::filled(false, mesh.positions.len())?;
         places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
-        let mut edges = Edges { edges: Vec::new(), places };
+        let mut edges = LoopEdges { edges: Vec::new(), places };
         for face in mesh.faces() {
             for (k, &u) in face.iter().enumerate() {
                 let v = face[(k + 1) % face.len()];
                 if on_rim[u as usize] && on_rim[v as usize] {
-                    edges.add(u, v)?;
+                    edges.add_edge(u, v)?;
                 }
             }
         }
@@ -120,7 +120,7 @@ impl Loops {
         Ok(edges)
     }
 
-    pub(super) fn search<'a>(
+    pub(super) fn facing_search<'a>(
         &'a self,
         options: &Options<'_>,
         used: &'a [bool],
@@ -143,7 +143,7 @@ impl Loops {
     }
 
     /// Returns pairs of a vertex and a loop through it, in ascending order.
-    pub(super) fn places(&self) -> Result<Vec<(u32, u32)>> {
+    pub(super) fn vertex_loop_pairs(&self) -> Result<Vec<(u32, u32)>> {
         let mut places = alloc::with_capacity(self.rims.iter().map(|rim| rim.vertices.len()).sum())?;
         for (rim, r) in self.rims.iter().zip(0u32..) {
             places.extend(rim.vertices.iter().map(|&v| (v, r)));
@@ -153,12 +153,17 @@ impl Loops {
     }
 
     /// Returns the loops that a selector names, in ascending order.
-    pub(super) fn loops_named(&self, base: &Base, places: &[(u32, u32)], selector: Selector) -> Result<Vec<usize>> {
+    pub(super) fn select_loops(
+        &self,
+        base: &CombinedPieces,
+        places: &[(u32, u32)],
+        selector: Selector,
+    ) -> Result<Vec<usize>> {
         let Some(map) = base.assembly.maps.get(selector.piece as usize) else {
             return Ok(Vec::new());
         };
         if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
-            return alloc::collect(entries_of(places, vertex).iter().map(|&(_, r)| r as usize));
+            return alloc::collect(entries_of_vertex(places, vertex).iter().map(|&(_, r)| r as usize));
         }
         if selector.vertex != NONE {
             return Ok(Vec::new());

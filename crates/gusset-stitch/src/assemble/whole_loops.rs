@@ -20,8 +20,8 @@
 //! both above 0.9, and the gap at most 0.19 of the mesh's size. Few of 124 wrong pairs look like
 //! that.
 
-use super::assignment::{Match, best_matches};
-use super::candidates::{Candidate, Facing, FacingSearch, STAGE};
+use super::assignment::{PossiblePair, choose_best_pairs};
+use super::candidates::{FacingLoops, FacingSearch, LoopMeasures, STAGE};
 use crate::stitch::polyline;
 use crate::stitch::stitch_rim::Rim;
 use glam::DVec3;
@@ -43,44 +43,44 @@ const MIN_COSINE_AHEAD: f64 = 0.7;
 
 /// Smallest fraction of the vertices with any loop ahead for which the other loop is at most a
 /// little farther.
-const MIN_SHARE_AHEAD: f64 = 0.8;
+const MIN_AHEAD_VERTEX_SHARE: f64 = 0.8;
 
 /// A loop is a little farther if its distance is at most this multiple of the distance of the
 /// nearest loop ahead.
-const MAX_FARTHER_RATIO: f64 = 3.0;
+const MAX_FARTHER_DISTANCE_RATIO: f64 = 3.0;
 
 /// Smallest fraction of vertices whose nearest vertex is on the other loop, for loops around each
 /// other.
-const MIN_SHARE_NEAR: f64 = 0.9;
+const MIN_NEAREST_VERTEX_SHARE: f64 = 0.9;
 
 /// Distances are similar if the largest is at most this many times the smallest, or the spacing.
-const MAX_DISTANCE_RATIO: f64 = 4.0;
+const MAX_SIMILAR_DISTANCE_RATIO: f64 = 4.0;
 
 /// Directions agree if the mean of their unit vectors is longer than this.
-const MIN_ONE_WAY: f64 = 0.5;
+const MIN_MEAN_DIRECTION_LENGTH: f64 = 0.5;
 
 /// A loop lies beside another if directions agree, and its look is smaller than this fraction of
 /// their mean.
-const MAX_LOOK_ASIDE: f64 = 0.5;
+const MAX_BESIDE_COSINE_RATIO: f64 = 0.5;
 
 /// The widest gap that is closed by default, relative to the size of the larger component.
-const MAX_SIZE_RATIO: f64 = 0.2;
+const DEFAULT_GAP_TO_SIZE_RATIO: f64 = 0.2;
 
 /// Number of evenly spaced vertices of a loop that measure its look at another.
-const SAMPLE_VERTICES: usize = 1 << 10;
+const MAX_FACING_SAMPLES: usize = 1 << 10;
 
 /// Number of evenly spaced vertices of a loop that search for loops ahead.
-const CANDIDATE_SAMPLES: usize = 1 << 7;
+const MAX_AHEAD_SAMPLES: usize = 1 << 7;
 
 /// Smallest factor of a pair's gain for its gap, and for its look, relative to the best.
-const MIN_GAIN_FACTOR: f64 = 0.2;
+const MIN_PAIR_GAIN_FACTOR: f64 = 0.2;
 
 /// Factor of the gain of a pair of loops on one piece.
-const SAME_PIECE_FACTOR: f64 = 0.5;
+const SAME_PIECE_GAIN_FACTOR: f64 = 0.5;
 
 /// How one loop sees another.
 #[derive(Clone, Copy)]
-struct Look {
+struct LoopFacing {
     /// The mean distance from its vertices to the nearest point of the other loop.
     gap: f64,
     /// The mean cosine between its conormals and the directions to the other loop.
@@ -92,7 +92,7 @@ struct Look {
 }
 
 /// The nearest loop ahead of a vertex.
-struct Ahead {
+struct LoopAhead {
     place: u32,
     rim: u32,
     distance: f64,
@@ -100,7 +100,7 @@ struct Ahead {
 
 /// The fraction of one loop's vertices that have another loop nearest to them.
 #[derive(Clone, Copy)]
-pub(super) struct Seen {
+pub(super) struct NearestLoopShare {
     /// The seeing loop, and the seen loop.
     pub(super) rims: [u32; 2],
     pub(super) share: f64,
@@ -108,9 +108,9 @@ pub(super) struct Seen {
 
 impl FacingSearch<'_> {
     /// Returns the largest gap across which two loops may be joined whole.
-    pub(super) fn max_gap_between(&self, first: usize, second: usize) -> f64 {
+    pub(super) fn max_gap_between_whole_loops(&self, first: usize, second: usize) -> f64 {
         let [a, b] = [first, second].map(|k| &self.candidates[k]);
-        self.max_gap.unwrap_or_else(|| a.radius.min(b.radius).max(MAX_SIZE_RATIO * a.size.max(b.size)))
+        self.max_gap.unwrap_or_else(|| a.radius.min(b.radius).max(DEFAULT_GAP_TO_SIZE_RATIO * a.size.max(b.size)))
     }
 
     /// Returns the pairs of whole loops. `near` lists the loops with the nearest vertices of each
@@ -118,15 +118,15 @@ impl FacingSearch<'_> {
     ///
     /// O(V log V) for V vertices on loops, plus nearest-point searches for each pair of loops ahead
     /// of each other.
-    pub(super) fn whole_loops(&self, near: &[Seen], job: &Job<'_>) -> Result<Vec<Facing>> {
+    pub(super) fn pair_whole_loops(&self, near: &[NearestLoopShare], job: &Job<'_>) -> Result<Vec<FacingLoops>> {
         let (building, job) = (job.part(0.0, 0.1), job.part(0.1, 1.0));
         let mut trees = alloc::with_capacity(self.rims.len())?;
         for (r, rim) in self.rims.iter().enumerate() {
             trees.push(KdTree::new(&rim.points, &building.share(r, self.rims.len()), STAGE)?);
         }
         let lengths = alloc::try_collect(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
-        let conormals = alloc::try_collect(self.rims.iter().map(conormals))?;
-        let before = self.loops_ahead(&conormals, &job.part(0.0, 0.5))?;
+        let conormals = alloc::try_collect(self.rims.iter().map(rim_conormals))?;
+        let before = self.find_loops_ahead(&conormals, &job.part(0.0, 0.5))?;
         let mut pairs = alloc::gather(near.iter().map(|seen| seen.rims))?;
         for (of_loop, r) in before.iter().zip(0u32..) {
             alloc::extend(&mut pairs, of_loop.iter().map(|ahead| [r, ahead.rim]))?;
@@ -136,34 +136,35 @@ impl FacingSearch<'_> {
         let (mut matches, mut gaps) = (Vec::new(), Vec::new());
         for (number, &[r, k]) in pairs.iter().enumerate() {
             job.step(0.5 + 0.5 * number as f64 / pairs.len() as f64, STAGE)?;
-            let near = share(near, [r, k]).min(share(near, [k, r]));
+            let near = nearest_share_of_pair(near, [r, k]).min(nearest_share_of_pair(near, [k, r]));
             let [r, k] = [r as usize, k as usize];
-            let hardly_farther = |r: usize, k: usize| share_ahead(&before[r], &self.rims[r], &trees[k]);
+            let hardly_farther =
+                |r: usize, k: usize| share_of_vertices_with_loop_ahead(&before[r], &self.rims[r], &trees[k]);
             let before = hardly_farther(r, k).min(hardly_farther(k, r));
-            if before < MIN_SHARE_AHEAD && near < MIN_SHARE_NEAR {
+            if before < MIN_AHEAD_VERTEX_SHARE && near < MIN_NEAREST_VERTEX_SHARE {
                 continue;
             }
-            let there = look(&self.rims[r], &conormals[r], &self.rims[k], &lengths[k], &trees[k])?;
-            let back = look(&self.rims[k], &conormals[k], &self.rims[r], &lengths[r], &trees[r])?;
-            let (gap, limit) = (there.gap.max(back.gap), self.max_gap_between(r, k));
+            let there = measure_loop_facing(&self.rims[r], &conormals[r], &self.rims[k], &lengths[k], &trees[k])?;
+            let back = measure_loop_facing(&self.rims[k], &conormals[k], &self.rims[r], &lengths[r], &trees[r])?;
+            let (gap, limit) = (there.gap.max(back.gap), self.max_gap_between_whole_loops(r, k));
             let looks = there.cosine + back.cosine;
-            let face = before >= MIN_SHARE_AHEAD
+            let face = before >= MIN_AHEAD_VERTEX_SHARE
                 && there.cosine.min(back.cosine) >= MIN_FACING_COSINE
                 && looks >= MIN_FACING_COSINE_SUM;
             // Overlapping rims, like hem and waist, look away from each other.
-            let round = near >= MIN_SHARE_NEAR && there.round && back.round && !(there.beside && back.beside);
+            let round = near >= MIN_NEAREST_VERTEX_SHARE && there.round && back.round && !(there.beside && back.beside);
             if gap <= limit && (face || round) {
                 let [first, second] = [&self.candidates[r], &self.candidates[k]];
-                let nearness = 1.0 - (1.0 - MIN_GAIN_FACTOR) * if limit > 0.0 { gap / limit } else { 0.0 };
+                let nearness = 1.0 - (1.0 - MIN_PAIR_GAIN_FACTOR) * if limit > 0.0 { gap / limit } else { 0.0 };
                 let alike = first.length.min(second.length) / first.length.max(second.length);
-                let piece = if first.piece == second.piece { SAME_PIECE_FACTOR } else { 1.0 };
-                let gain = nearness * (0.5 * looks).max(MIN_GAIN_FACTOR) * (0.5 + 0.5 * alike) * piece;
-                alloc::push(&mut matches, Match { ends: [r as u32, k as u32], gain })?;
+                let piece = if first.piece == second.piece { SAME_PIECE_GAIN_FACTOR } else { 1.0 };
+                let gain = nearness * (0.5 * looks).max(MIN_PAIR_GAIN_FACTOR) * (0.5 + 0.5 * alike) * piece;
+                alloc::push(&mut matches, PossiblePair { ends: [r as u32, k as u32], gain })?;
                 alloc::push(&mut gaps, gap)?;
             }
         }
-        let chosen = best_matches(&matches, &job.part(1.0, 1.0))?;
-        alloc::collect(chosen.into_iter().map(|number| Facing {
+        let chosen = choose_best_pairs(&matches, &job.part(1.0, 1.0))?;
+        alloc::collect(chosen.into_iter().map(|number| FacingLoops {
             rims: matches[number].ends.map(|r| r as usize),
             arcs: None,
             gap: gaps[number],
@@ -171,27 +172,29 @@ impl FacingSearch<'_> {
     }
 
     /// Returns the nearest loop ahead for some vertices of each loop.
-    fn loops_ahead(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Vec<Ahead>>> {
-        let loops = self.all_vertices()?;
+    fn find_loops_ahead(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Vec<LoopAhead>>> {
+        let loops = self.collect_loop_vertices()?;
         let tree = KdTree::with_groups(&loops.points, &loops.groups, &job.part(0.0, 0.0), STAGE)?;
         let mut before = alloc::with_capacity(self.rims.len())?;
         for (r, rim) in self.rims.iter().enumerate() {
             job.step(r as f64 / self.rims.len() as f64, STAGE)?;
             let own = loops.groups[loops.firsts[r] as usize];
-            let widest = self.max_gap.unwrap_or(self.candidates[r].radius.max(MAX_SIZE_RATIO * self.largest()));
+            let widest = self
+                .max_gap
+                .unwrap_or(self.candidates[r].radius.max(DEFAULT_GAP_TO_SIZE_RATIO * self.largest_component_size()));
             let mut of_loop = Vec::new();
             let asked = if self.used[r] { 0 } else { rim.points.len() };
-            for i in (0..asked).step_by(rim.points.len().div_ceil(CANDIDATE_SAMPLES)) {
+            for i in (0..asked).step_by(rim.points.len().div_ceil(MAX_AHEAD_SAMPLES)) {
                 let (p, ahead) = (rim.points[i], conormals[r][i]);
                 let accept = |v: u32| {
                     let k = loops.owners[v as usize] as usize;
                     let way = loops.points[v as usize] - p;
-                    k != r && self.may_join(r, k) && way.dot(ahead) >= MIN_COSINE_AHEAD * way.length()
+                    k != r && self.may_join_loops(r, k) && way.dot(ahead) >= MIN_COSINE_AHEAD * way.length()
                 };
                 // A mean gap within the limit may be wider in places.
                 if let Some((squared, v)) = tree.nearest_in_other_groups(p, 4.0 * widest * widest, own, accept) {
                     let rim = loops.owners[v as usize];
-                    alloc::push(&mut of_loop, Ahead { place: i as u32, rim, distance: squared.sqrt() })?;
+                    alloc::push(&mut of_loop, LoopAhead { place: i as u32, rim, distance: squared.sqrt() })?;
                 }
             }
             before.push(of_loop);
@@ -200,38 +203,43 @@ impl FacingSearch<'_> {
     }
 
     /// Returns the size of the largest component.
-    fn largest(&self) -> f64 {
-        self.candidates.iter().map(|candidate: &Candidate| candidate.size).fold(0.0, f64::max)
+    fn largest_component_size(&self) -> f64 {
+        self.candidates.iter().map(|candidate: &LoopMeasures| candidate.size).fold(0.0, f64::max)
     }
 }
 
 /// Adds the shares of loop `r`. `others` lists a loop once for each of the `asked` vertices that
 /// see it.
-pub(super) fn add_shares(r: u32, mut others: Vec<u32>, asked: usize, seen: &mut Vec<Seen>) -> Result<()> {
+pub(super) fn add_nearest_loop_shares(
+    r: u32,
+    mut others: Vec<u32>,
+    asked: usize,
+    seen: &mut Vec<NearestLoopShare>,
+) -> Result<()> {
     others.sort_unstable();
     let groups = others.chunk_by(|x, y| x == y);
-    let shares = groups.map(|group| Seen { rims: [r, group[0]], share: group.len() as f64 / asked as f64 });
+    let shares = groups.map(|group| NearestLoopShare { rims: [r, group[0]], share: group.len() as f64 / asked as f64 });
     shares.into_iter().try_for_each(|share| alloc::push(seen, share))
 }
 
 /// Returns the fraction of a loop's vertices with any loop ahead that have another loop, whose
 /// vertices are in `tree`, at most a little farther away.
-fn share_ahead(of_loop: &[Ahead], rim: &Rim, tree: &KdTree<'_>) -> f64 {
-    let is_near = |ahead: &&Ahead| {
-        let limit = MAX_FARTHER_RATIO * ahead.distance;
+fn share_of_vertices_with_loop_ahead(of_loop: &[LoopAhead], rim: &Rim, tree: &KdTree<'_>) -> f64 {
+    let is_near = |ahead: &&LoopAhead| {
+        let limit = MAX_FARTHER_DISTANCE_RATIO * ahead.distance;
         tree.nearest(rim.points[ahead.place as usize], limit * limit, |_| true).is_some()
     };
     of_loop.iter().filter(is_near).count() as f64 / of_loop.len().max(1) as f64
 }
 
 /// Returns the fraction of the first loop's vertices that see the second loop.
-fn share(seen: &[Seen], rims: [u32; 2]) -> f64 {
+fn nearest_share_of_pair(seen: &[NearestLoopShare], rims: [u32; 2]) -> f64 {
     seen.binary_search_by_key(&rims, |seen| seen.rims).map_or(0.0, |at| seen[at].share)
 }
 
 /// Returns the conormals at a loop's vertices: perpendicular to the border, in the surface,
 /// pointing off it.
-pub(super) fn conormals(rim: &Rim) -> Result<Vec<DVec3>> {
+pub(super) fn rim_conormals(rim: &Rim) -> Result<Vec<DVec3>> {
     let n = rim.points.len();
     let of_edge = |i: usize| {
         let along = (rim.points[(i + 1) % n] - rim.points[i]).normalize_or_zero();
@@ -243,20 +251,26 @@ pub(super) fn conormals(rim: &Rim) -> Result<Vec<DVec3>> {
 
 /// Measures how `from` sees `to`, weighted by length. The vertices of `to` are in `tree`, at
 /// `lengths` along it. A vertex that lies on `to` looks at it.
-fn look(from: &Rim, conormals: &[DVec3], to: &Rim, lengths: &[f64], tree: &KdTree<'_>) -> Result<Look> {
+fn measure_loop_facing(
+    from: &Rim,
+    conormals: &[DVec3],
+    to: &Rim,
+    lengths: &[f64],
+    tree: &KdTree<'_>,
+) -> Result<LoopFacing> {
     let n = from.points.len();
     let edge = |i: usize| from.points[i].distance(from.points[(i + 1) % n]);
     let around = lengths.last().copied().unwrap_or_default();
     let shorter = |by: f64| if around > 0.0 { by - around * (by / around).round() } else { 0.0 };
     let (mut sum, mut gap, mut cosine, mut one_way) = (0.0, 0.0, 0.0, DVec3::ZERO);
     let (mut turned, mut first, mut last) = (0.0, None, 0.0);
-    let mut distances = alloc::with_capacity(n.min(SAMPLE_VERTICES))?;
-    for i in (0..n).step_by(n.div_ceil(SAMPLE_VERTICES)) {
+    let mut distances = alloc::with_capacity(n.min(MAX_FACING_SAMPLES))?;
+    for i in (0..n).step_by(n.div_ceil(MAX_FACING_SAMPLES)) {
         let p = from.points[i];
         let Some((_, v)) = tree.nearest(p, f64::INFINITY, |_| true) else {
             continue;
         };
-        let way = polyline::nearest_beside(&to.points, true, v as usize, p) - p;
+        let way = polyline::nearest_point_on_adjacent_edges(&to.points, true, v as usize, p) - p;
         let (weight, distance) = (edge((i + n - 1) % n) + edge(i), way.length());
         sum += weight;
         distances.push(distance);
@@ -272,13 +286,14 @@ fn look(from: &Rim, conormals: &[DVec3], to: &Rim, lengths: &[f64], tree: &KdTre
     distances.sort_unstable_by(f64::total_cmp);
     let [low, high] = [1, 9].map(|tenth| distances.get(distances.len().saturating_sub(1) * tenth / 10));
     let spacing = sum / 2.0 / distances.len().max(1) as f64;
-    let alike = low.zip(high).is_some_and(|(low, high)| *high <= MAX_DISTANCE_RATIO * low.max(spacing));
+    let alike = low.zip(high).is_some_and(|(low, high)| *high <= MAX_SIMILAR_DISTANCE_RATIO * low.max(spacing));
     let one_way = if sum > 0.0 { one_way.length() / sum } else { 0.0 };
-    let beside = !winds && one_way > MIN_ONE_WAY && cosine.abs() < MAX_LOOK_ASIDE * one_way * sum;
+    let beside =
+        !winds && one_way > MIN_MEAN_DIRECTION_LENGTH && cosine.abs() < MAX_BESIDE_COSINE_RATIO * one_way * sum;
     let round = alike || winds;
     Ok(if sum > 0.0 {
-        Look { gap: gap / sum, cosine: cosine / sum, round, beside }
+        LoopFacing { gap: gap / sum, cosine: cosine / sum, round, beside }
     } else {
-        Look { gap: 0.0, cosine: 1.0, round, beside }
+        LoopFacing { gap: 0.0, cosine: 1.0, round, beside }
     })
 }

@@ -1,11 +1,11 @@
 //! Blends: fine triangles that replace coarse ones between fixed rims, on a surface that continues
 //! the old one. Strips and triangulations of holes become blends.
 //!
-//! The coarse triangles guide the surface. Their sides are halved to [`RELATIVE_SIZE`](plan) of the
-//! old sides at the rims, short sides are collapsed, and vertices are inserted at small angles
-//! ([`crate::remesh`]). The new vertices then move to the minimum of a thin plate's energy, clamped
-//! to the old faces ([`crate::fair`]). This is repeated; if the result intersects, with fewer
-//! rounds or with protection against folds.
+//! The coarse triangles guide the surface. Their sides are halved to
+//! [`NEW_SIDE_TO_OLD_SIDE_RATIO`](blend_plan) of the old sides at the rims, short sides are
+//! collapsed, and vertices are inserted at small angles ([`crate::remesh`]). The new vertices then
+//! move to the minimum of a thin plate's energy, clamped to the old faces ([`crate::fair`]). This
+//! is repeated; if the result intersects, with fewer rounds or with protection against folds.
 //!
 //! The plate has a rest shape: the curvature of the coarse triangles, smoothed over their ridges. A
 //! plate that is flat at rest would narrow to a neck between two tubes, and over a few radii to a
@@ -21,13 +21,13 @@
 //!
 //! | file | subject |
 //! |---|---|
-//! | [`ring`](self) | the old faces around the rims |
-//! | [`plan`](self) | the steps |
+//! | [`old_ring`](self) | the old faces around the rims |
+//! | [`blend_plan`](self) | the steps |
 //! | [`fold_free_moves`](self) | vertex moves without folds |
 
 mod fold_free_moves;
-mod plan;
-mod ring;
+mod blend_plan;
+mod old_ring;
 
-pub(crate) use plan::{FairingWay, Plan, VertexLimits};
-pub(crate) use ring::{Beyond, MAX_FAN_TRIANGLES, OldRing};
+pub(crate) use blend_plan::{BlendFairing, BlendPlan, NewVertexLimits};
+pub(crate) use old_ring::{MAX_FAN_TRIANGLES, OldRing, SecondRing};

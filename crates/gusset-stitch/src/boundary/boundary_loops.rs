@@ -4,10 +4,10 @@
 //! half-edges. Orders the loops by their smallest half-edges. O(H log d) for H half-edges and
 //! vertices of degree at most d; linear extra memory.
 
-use super::fast::regular_walks;
+use super::border_walker::{BorderWalker, DirectedHalfEdge};
 use super::options::{Options, Survey};
-use super::simple_loops::{STAGE, split_simple};
-use super::walk::{Dart, Walker};
+use super::regular_walks::find_regular_walks;
+use super::simple_loops::{STAGE, split_into_simple_loops};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::scale::distance;
@@ -73,7 +73,7 @@ pub struct Loop<'a> {
     pub length: f64,
 }
 
-struct Record {
+struct LoopRecord {
     /// The smallest half-edge.
     smallest: u32,
     vertices: Range<usize>,
@@ -86,7 +86,7 @@ struct Record {
 /// The boundary of a mesh.
 #[derive(Default)]
 pub struct Boundary {
-    records: Vec<Record>,
+    records: Vec<LoopRecord>,
     vertices: Vec<u32>,
     half_edges: Vec<u32>,
     faces: Vec<u32>,
@@ -143,7 +143,7 @@ impl Boundary {
 }
 
 /// Number of walks between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 12;
+const WALKS_PER_REPORT: usize = 1 << 12;
 
 /// Finds every free boundary loop of `mesh`.
 ///
@@ -157,14 +157,15 @@ const REPORT_INTERVAL: usize = 1 << 12;
 /// see [`LoopFlags`] and [`Boundary::defects`].
 pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Boundary> {
     if options.survey == Survey::BoundaryOnly
-        && let Some(walks) = regular_walks(mesh, &job.part(0.0, 0.5))?
+        && let Some(walks) = find_regular_walks(mesh, &job.part(0.0, 0.5))?
     {
         let mut boundary = Boundary { walks: walks.len() as u32, ..Boundary::default() };
         let walking = job.part(0.5, 1.0);
         for (number, darts) in walks.iter().enumerate() {
-            walking.step_every(REPORT_INTERVAL, number, walks.len(), STAGE)?;
-            let piece = WalkPiece { darts, closed: true, walk: number as u32, walk_closed: true, is_split: false };
-            boundary.add(mesh, &piece, None, &walking.share(number, walks.len()))?;
+            walking.step_every(WALKS_PER_REPORT, number, walks.len(), STAGE)?;
+            let piece =
+                SimpleWalkPiece { darts, closed: true, walk: number as u32, walk_closed: true, is_split: false };
+            boundary.append_piece(mesh, &piece, None, &walking.share(number, walks.len()))?;
         }
         job.step(1.0, STAGE)?;
         return Ok(boundary);
@@ -174,21 +175,22 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
     let topology = Topology::new(mesh, &job.part(0.0, 0.9))?;
     job.step(0.9, STAGE)?;
     let mut boundary = Boundary { defects: alloc::copied(topology.defects())?, ..Boundary::default() };
-    let mut walker = Walker::new(mesh, &topology, options.non_manifold, job)?;
+    let mut walker = BorderWalker::new(mesh, &topology, options.non_manifold, job)?;
     job.step(0.9, STAGE)?;
     let mut place = alloc::filled(NONE, mesh.positions().len())?;
     let mut walk = Vec::new();
     let mut walking = job.part(0.9, 1.0);
     while let Some(walk_closed) = walker.next_walk(&mut walk, &walking)? {
-        walking = job.part(0.9 + 0.1 * walker.fraction(), 1.0);
+        walking = job.part(0.9 + 0.1 * walker.visited_fraction(), 1.0);
         walking.step(0.0, STAGE)?;
         let number = boundary.walks;
         boundary.walks += 1;
-        let add = |darts: &[Dart], closed: bool| {
-            let piece = WalkPiece { darts, closed, walk: number, walk_closed, is_split: darts.len() < walk.len() };
-            boundary.add(mesh, &piece, Some(&walker), &walking)
+        let add = |darts: &[DirectedHalfEdge], closed: bool| {
+            let piece =
+                SimpleWalkPiece { darts, closed, walk: number, walk_closed, is_split: darts.len() < walk.len() };
+            boundary.append_piece(mesh, &piece, Some(&walker), &walking)
         };
-        split_simple(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, &walking, add)?;
+        split_into_simple_loops(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, &walking, add)?;
     }
     // Sort in place: a stable sort would need memory that may be refused.
     boundary.records.sort_unstable_by_key(|r| r.smallest);
@@ -198,8 +200,8 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
 }
 
 /// A simple loop or chain, and the properties of the walk that it was cut from.
-struct WalkPiece<'a> {
-    darts: &'a [Dart],
+struct SimpleWalkPiece<'a> {
+    darts: &'a [DirectedHalfEdge],
     closed: bool,
     walk: u32,
     walk_closed: bool,
@@ -207,10 +209,10 @@ struct WalkPiece<'a> {
     is_split: bool,
 }
 
-impl WalkPiece<'_> {
+impl SimpleWalkPiece<'_> {
     /// Returns the darts as edges of the loop: reversed if `turned`, and from the smallest
     /// half-edge if closed.
-    fn edges(&self, turned: bool) -> impl Iterator<Item = Dart> {
+    fn loop_edges(&self, turned: bool) -> impl Iterator<Item = DirectedHalfEdge> {
         let n = self.darts.len();
         let smallest = (0..n).min_by_key(|&i| self.darts[i].half_edge).unwrap_or(0);
         let first = match (self.closed, turned) {
@@ -227,11 +229,11 @@ impl WalkPiece<'_> {
 
 impl Boundary {
     /// Appends a piece. `walker` knows the irregular edges and vertices; `None` if there are none.
-    fn add(
+    fn append_piece(
         &mut self,
         mesh: &MeshView<'_>,
-        piece: &WalkPiece<'_>,
-        walker: Option<&Walker<'_, '_>>,
+        piece: &SimpleWalkPiece<'_>,
+        walker: Option<&BorderWalker<'_, '_>>,
         job: &Job<'_>,
     ) -> Result<()> {
         let count = piece.darts.len();
@@ -248,12 +250,12 @@ impl Boundary {
         alloc::reserve(&mut self.faces, count)?;
         alloc::reserve(&mut self.edge_flags, count)?;
         let (mut length, mut end) = (0.0, NONE);
-        for (k, dart) in piece.edges(2 * against > count).enumerate() {
+        for (k, dart) in piece.loop_edges(2 * against > count).enumerate() {
             job.step_within(k, STAGE)?;
             let (tail, head) = (dart.tail(mesh), dart.head(mesh));
             let (from, to) = (mesh.positions().get(tail), mesh.positions().get(head));
             length += distance(from, to);
-            let singular = walker.is_some_and(|walker| walker.is_singular(dart.half_edge));
+            let singular = walker.is_some_and(|walker| walker.is_non_manifold_edge(dart.half_edge));
             flags |= (u32::from(singular) * LoopFlags::NON_MANIFOLD)
                 | (u32::from(from == to) * LoopFlags::ZERO_LENGTH)
                 | bow_tie(tail);
@@ -271,7 +273,7 @@ impl Boundary {
             self.vertices.push(end);
             flags |= bow_tie(end);
         }
-        let record = Record {
+        let record = LoopRecord {
             smallest: self.half_edges[edge_start..].iter().copied().min().unwrap_or(NONE),
             vertices: vertex_start..self.vertices.len(),
             edges: edge_start..self.half_edges.len(),

@@ -20,17 +20,17 @@
 //! * **Inconsistent orientation** does not stop a walk. The loop takes the direction of most of its
 //!   faces, and flags the edges that it runs against their faces.
 //!
-//! Files: `options` and `boundary_loops` have the types and the entry point. `walk` walks from free
-//! edge to free edge, and `simple_loops` cuts the walks. `fast` finds regular boundaries without
-//! pairing all edges.
+//! Files: `options` and `boundary_loops` have the types and the entry point. `border_walker` walks
+//! from free edge to free edge, and `simple_loops` cuts the walks. `regular_walks` finds regular
+//! boundaries without pairing all edges.
 
 mod boundary_loops;
-mod fast;
+mod regular_walks;
 mod options;
 mod simple_loops;
-mod walk;
+mod border_walker;
 
-pub(crate) use simple_loops::split_simple;
+pub(crate) use simple_loops::split_into_simple_loops;
 
 pub use boundary_loops::{Boundary, EdgeFlags, Loop, LoopFlags, boundary_loops};
 pub use options::{NonManifold, Options, Survey};

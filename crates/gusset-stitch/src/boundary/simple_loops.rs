@@ -8,19 +8,19 @@ use gusset_mesh::NONE;
 /// The progress message of the walks.
 pub(super) const STAGE: &str = "walking along the boundary";
 
-/// Cuts `walk` at every vertex that it repeats. Its steps lead from `tail` to `head`. Calls `emit`
-/// with each simple piece, and whether it is closed.
+/// Cuts `walk` at every vertex that it repeats. Its steps lead from `tail` to `head`. Calls
+/// `visit_loop` with each simple piece, and whether it is closed.
 ///
 /// The steps are pushed on a stack. If a step arrives at a vertex that is on the stack, the steps
 /// above the vertex form a simple loop and are popped. Linear time. `place` has an entry for each
 /// vertex of the mesh, all [`NONE`], and is restored.
-pub(crate) fn split_simple<Step: Copy>(
+pub(crate) fn split_into_simple_loops<Step: Copy>(
     walk: &[Step],
     tail: impl Fn(Step) -> u32,
     head: impl Fn(Step) -> u32,
     place: &mut [u32],
     job: &Job<'_>,
-    mut emit: impl FnMut(&[Step], bool) -> Result<()>,
+    mut visit_loop: impl FnMut(&[Step], bool) -> Result<()>,
 ) -> Result<()> {
     // place[v] is the position on the stack of the step that leaves v.
     let mut stack: Vec<Step> = alloc::with_capacity(walk.len())?;
@@ -30,7 +30,7 @@ pub(crate) fn split_simple<Step: Copy>(
         stack.push(step);
         let at = place[head(step) as usize];
         if at != NONE {
-            emit(&stack[at as usize..], true)?;
+            visit_loop(&stack[at as usize..], true)?;
             for (k, step) in stack.drain(at as usize..).enumerate() {
                 job.step_within(k, STAGE)?;
                 place[tail(step) as usize] = NONE;
@@ -39,7 +39,7 @@ pub(crate) fn split_simple<Step: Copy>(
     }
     // The last step of a closed walk empties the stack. The remaining steps form an open chain.
     if !stack.is_empty() {
-        emit(&stack, false)?;
+        visit_loop(&stack, false)?;
         stack.iter().for_each(|&step| place[tail(step) as usize] = NONE);
     }
     Ok(())

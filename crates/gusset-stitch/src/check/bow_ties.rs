@@ -7,11 +7,11 @@ use gusset_base::job::Job;
 use gusset_mesh::{MeshView, Opposite, Topology};
 
 /// Number of half-edges between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 18;
+const HALF_EDGES_PER_REPORT: usize = 1 << 18;
 
 /// Returns the vertices whose faces form more than one fan, ascending. Faces are neighbours in a
 /// fan if they share an edge with exactly two faces.
-pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<Vec<u32>> {
+pub(super) fn find_bow_tie_vertices(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<Vec<u32>> {
     let faces = mesh.faces();
     let count = faces.half_edge_count();
     // A corner is identified by the half-edge that leaves it. Corners are joined across every edge
@@ -19,7 +19,7 @@ pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) 
     let mut corners = DisjointSets::new(count)?;
     let joining = job.part(0.0, 0.7);
     for h in 0..count as u32 {
-        joining.step_every(REPORT_INTERVAL, h as usize, count, "checking fans")?;
+        joining.step_every(HALF_EDGES_PER_REPORT, h as usize, count, "checking fans")?;
         if topology.is_ignored(h) {
             continue;
         }

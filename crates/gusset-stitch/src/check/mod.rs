@@ -2,10 +2,10 @@
 //!
 //! * [`report`](self): result and entry point.
 //! * [`bow_ties`](self): bow-tie vertices.
-//! * [`twins`](self): duplicate faces.
+//! * [`duplicate_faces`](self): duplicate faces.
 
 mod bow_ties;
 mod report;
-mod twins;
+mod duplicate_faces;
 
 pub use report::{Check, check};

@@ -4,8 +4,8 @@
 //! 2 - 2g - b gives the genus of an orientable manifold. O(H log d) time for H half-edges and
 //! vertices of degree at most d; linear memory.
 
-use super::bow_ties::bow_ties;
-use super::twins::duplicate_faces;
+use super::bow_ties::find_bow_tie_vertices;
+use super::duplicate_faces::find_duplicate_faces;
 use crate::boundary::{self, boundary_loops};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -69,7 +69,7 @@ pub struct Check {
 }
 
 /// Number of faces between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const FACES_PER_REPORT: usize = 1 << 16;
 
 /// Number of half-edges between two progress reports.
 const HALF_EDGES_PER_REPORT: usize = 1 << 20;
@@ -84,16 +84,16 @@ pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.3))?;
     let mut report =
         Check { vertices: mesh.positions().len() as u32, faces: mesh.faces().len() as u32, ..Check::default() };
-    report.add_defects(&topology)?;
+    report.count_defects(&topology)?;
     report.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
-    report.bow_ties = bow_ties(mesh, &topology, &job.part(0.7, 0.8))?;
-    report.add_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
-    report.duplicate_faces = duplicate_faces(mesh, &report.degenerate_faces, &job.part(0.8, 0.85))?;
-    report.add_edges(mesh, &topology, &job.part(0.85, 0.85))?;
-    report.add_pieces(mesh, &topology, &job.part(0.85, 0.9))?;
+    report.bow_ties = find_bow_tie_vertices(mesh, &topology, &job.part(0.7, 0.8))?;
+    report.list_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
+    report.duplicate_faces = find_duplicate_faces(mesh, &report.degenerate_faces, &job.part(0.8, 0.85))?;
+    report.count_edges(mesh, &topology, &job.part(0.85, 0.85))?;
+    report.count_components(mesh, &topology, &job.part(0.85, 0.9))?;
     job.step(0.9, "checking areas")?;
-    report.add_unused_vertices(mesh)?;
-    report.add_zero_areas(mesh, &job.part(0.9, 1.0))?;
+    report.list_unused_vertices(mesh)?;
+    report.list_zero_area_faces(mesh, &job.part(0.9, 1.0))?;
 
     report.manifold = report.non_manifold_edges.is_empty() && report.non_manifold_vertices.is_empty();
     report.oriented = report.orientation_conflicts.is_empty();
@@ -110,7 +110,7 @@ pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
 }
 
 impl Check {
-    fn add_defects(&mut self, topology: &Topology) -> Result<()> {
+    fn count_defects(&mut self, topology: &Topology) -> Result<()> {
         for defect in topology.defects() {
             match *defect {
                 Defect::DegenerateFace { face, .. } => alloc::push(&mut self.degenerate_faces, face)?,
@@ -124,7 +124,7 @@ impl Check {
         Ok(())
     }
 
-    fn add_non_manifold_vertices(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
+    fn list_non_manifold_vertices(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
         let ends = self.non_manifold_edges.iter().flat_map(|&h| [h, mesh.faces().next(h)]);
         let vertices = self.bow_ties.iter().copied().chain(ends.map(|h| mesh.faces().corner(h)));
         self.non_manifold_vertices = alloc::gather(vertices)?;
@@ -134,7 +134,7 @@ impl Check {
     }
 
     /// Counts the edges by the kind of their half-edges, and lists the boundary edges.
-    fn add_edges(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
+    fn count_edges(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
         let (mut halves, count) = (0, mesh.faces().half_edge_count());
         for h in 0..count as u32 {
             job.step_every(HALF_EDGES_PER_REPORT, h as usize, count, "checking faces")?;
@@ -152,14 +152,14 @@ impl Check {
     }
 
     /// Counts the components, and determines whether all are orientable.
-    fn add_pieces(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
+    fn count_components(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
         let faces = mesh.faces();
         let mut pieces = DisjointSets::new(faces.len())?;
         let mut orientations = ParitySets::new(faces.len())?;
         self.orientable = true;
         let mut singular = Vec::new();
         for f in 0..faces.len() {
-            job.step_every(REPORT_INTERVAL, f, faces.len(), "checking pieces")?;
+            job.step_every(FACES_PER_REPORT, f, faces.len(), "checking pieces")?;
             for h in faces.range(f) {
                 if topology.is_ignored(h as u32) {
                     continue;
@@ -188,7 +188,7 @@ impl Check {
         Ok(())
     }
 
-    fn add_unused_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
+    fn list_unused_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
         let mut used = alloc::filled(false, mesh.positions().len())?;
         for v in mesh.faces().corners(0..mesh.faces().half_edge_count()) {
             used[v as usize] = true;
@@ -199,10 +199,10 @@ impl Check {
 
     /// Lists the faces whose vector area, sum of (p_k - p_0) x (p_(k+1) - p_0) / 2, is 0 up to the
     /// rounding of its terms.
-    fn add_zero_areas(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
+    fn list_zero_area_faces(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
         let mut points: Vec<DVec3> = Vec::new();
         for f in 0..mesh.faces().len() {
-            job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), "checking areas")?;
+            job.step_every(FACES_PER_REPORT, f, mesh.faces().len(), "checking areas")?;
             points.clear();
             alloc::reserve(&mut points, mesh.faces().range(f).len())?;
             points.extend(mesh.face(f).map(|v| mesh.positions().get(v)));

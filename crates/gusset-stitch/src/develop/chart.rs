@@ -1,8 +1,8 @@
 //! One chart as triangles, each with its own shape.
 
 use super::STAGE;
-use super::charts::SplitSurface;
 use super::cut_edges::CutSurface;
+use super::split_surface::SplitSurface;
 use crate::fill::clip_ears;
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -13,7 +13,7 @@ use gusset_mesh::{NONE, unordered};
 
 /// Smallest height of a triangle relative to its longest side, and smallest size relative to the
 /// mean edge. The gradients of a smaller triangle would be round-off.
-const MIN_HEIGHT: f64 = 1e-7;
+const MIN_RELATIVE_TRIANGLE_HEIGHT: f64 = 1e-7;
 
 /// The shape of a triangle in its own frame.
 #[derive(Debug, Clone, Copy)]
@@ -54,19 +54,19 @@ impl ChartMesh {
         let at = |v: u32| mesh.positions().get(split.vertex_map[v as usize]) / unit;
         let points = alloc::collect_cancellable(vertices.map(at), &job.part(0.0, 0.0), STAGE)?;
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
-        let (mut corners, mut own, mut sides) = (Vec::new(), Vec::new(), Vec::<Side>::new());
+        let (mut corners, mut own, mut sides) = (Vec::new(), Vec::new(), Vec::<TriangleSide>::new());
         for (k, &f) in (0..).zip(split.faces.get(chart)) {
             job.step_every(1 << 16, k as usize, split.faces.get(chart).len(), STAGE)?;
             corners.clear();
             let range = mesh.faces().range(f as usize);
             let (start, size) = (range.start as u32, range.len() as u32);
             alloc::extend(&mut corners, split.corners[range].iter().map(|&v| v - first))?;
-            triangulate(&corners, &points, &mut own, &job.part(0.0, 0.0))?;
+            triangulate_polygon(&corners, &points, &mut own, &job.part(0.0, 0.0))?;
             for &triangle in &own {
                 for i in 0..3 {
                     let [a, b] = [triangle[i], triangle[(i + 1) % 3]];
                     let on = if (a + 1) % size == b {
-                        let (h, mate) = (start + a, surface.across(start + a));
+                        let (h, mate) = (start + a, surface.mate_across(start + a));
                         (0, u64::from(if mate == NONE { h } else { h.min(mate) }))
                     } else {
                         (1 + k, unordered([a, b]))
@@ -83,11 +83,11 @@ impl ChartMesh {
         let perimeter = |[a, b, c]: [DVec3; 3]| a.distance(b) + b.distance(c) + c.distance(a);
         let mean = triangles.iter().map(|t| perimeter(at(t))).sum::<f64>() / (3 * triangles.len()) as f64;
         // A chart that is a point has mean edge 0; in the unit, the surface's size is about 1.
-        let least = MIN_HEIGHT * mean.max(MIN_HEIGHT);
-        let shapes = triangles.iter().map(|t| shape(at(t), least));
+        let least = MIN_RELATIVE_TRIANGLE_HEIGHT * mean.max(MIN_RELATIVE_TRIANGLE_HEIGHT);
+        let shapes = triangles.iter().map(|t| clamped_triangle_shape(at(t), least));
         let shapes = alloc::collect_cancellable(shapes, &job.part(1.0, 1.0), STAGE)?;
         job.step(1.0, STAGE)?;
-        let across = neighbours(sides, &job.part(1.0, 1.0))?;
+        let across = triangles_across_sides(sides, &job.part(1.0, 1.0))?;
         job.step(1.0, STAGE)?;
         let sides = triangles.iter().zip(&across).flat_map(|(triangle, across)| {
             (0..3).filter(|&k| across[k] == NONE).map(|k| [triangle[k], triangle[(k + 1) % 3]])
@@ -97,30 +97,30 @@ impl ChartMesh {
     }
 
     /// Returns the distance of two vertices on the surface.
-    pub(super) fn length(&self, u: u32, v: u32) -> f64 {
+    pub(super) fn surface_distance(&self, u: u32, v: u32) -> f64 {
         self.points[u as usize].distance(self.points[v as usize])
     }
 
-    pub(super) fn area(&self) -> f64 {
+    pub(super) fn total_area(&self) -> f64 {
         self.shapes.iter().map(|shape| shape.area).sum()
     }
 
     /// Returns twice the signed area of a triangle in the plane.
-    pub(super) fn double_area(&self, t: usize, x: &[DVec2]) -> f64 {
+    pub(super) fn signed_double_area(&self, t: usize, x: &[DVec2]) -> f64 {
         let [a, b, c] = self.triangles[t].map(|v| x[v as usize]);
         (b - a).perp_dot(c - a)
     }
 
     /// Returns the number of triangles that are turned over or flat in the plane.
-    pub(super) fn folds(&self, x: &[DVec2]) -> u32 {
-        let stands = |t: usize| self.double_area(t, x) > 0.0;
+    pub(super) fn count_folded_triangles(&self, x: &[DVec2]) -> u32 {
+        let stands = |t: usize| self.signed_double_area(t, x) > 0.0;
         (0..self.triangles.len()).filter(|&t| !stands(t)).count() as u32
     }
 }
 
 /// Triangulates a polygon, as indices of its corners. A quad is split by its shorter diagonal, or
 /// by the other one if the shorter leaves the quad.
-fn triangulate(corners: &[u32], points: &[DVec3], triangles: &mut Vec<[u32; 3]>, job: &Job<'_>) -> Result<()> {
+fn triangulate_polygon(corners: &[u32], points: &[DVec3], triangles: &mut Vec<[u32; 3]>, job: &Job<'_>) -> Result<()> {
     let at = |k: usize| points[corners[k] as usize];
     triangles.clear();
     match corners.len() {
@@ -148,10 +148,10 @@ fn triangulate(corners: &[u32], points: &[DVec3], triangles: &mut Vec<[u32; 3]>,
 }
 
 /// Returns the shape of a triangle. Limits its base and height to at least `least`, and to at least
-/// [`MIN_HEIGHT`] of its longest side.
-fn shape([a, b, c]: [DVec3; 3], least: f64) -> TriangleShape {
+/// [`MIN_RELATIVE_TRIANGLE_HEIGHT`] of its longest side.
+fn clamped_triangle_shape([a, b, c]: [DVec3; 3], least: f64) -> TriangleShape {
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-    let least = least.max(MIN_HEIGHT * longest);
+    let least = least.max(MIN_RELATIVE_TRIANGLE_HEIGHT * longest);
     let base = (b - a).length().max(least);
     let along = (b - a).normalize_or(DVec3::X);
     let x = if b == a { (c - a).length() / 2.0 } else { (c - a).dot(along) };
@@ -165,10 +165,10 @@ fn shape([a, b, c]: [DVec3; 3], least: f64) -> TriangleShape {
 
 /// A side of a triangle: the identity of its edge, a half-edge of the surface or a diagonal, and
 /// its index among all sides.
-type Side = ((u32, u64), u32);
+type TriangleSide = ((u32, u64), u32);
 
 /// Returns for each triangle the triangles across its sides, or [`NONE`].
-fn neighbours(mut sides: Vec<Side>, job: &Job<'_>) -> Result<Vec<[u32; 3]>> {
+fn triangles_across_sides(mut sides: Vec<TriangleSide>, job: &Job<'_>) -> Result<Vec<[u32; 3]>> {
     let mut across = alloc::filled([NONE; 3], sides.len() / 3)?;
     sort(&mut sides, Ord::cmp, job, STAGE)?;
     for (k, pair) in sides.windows(2).enumerate() {

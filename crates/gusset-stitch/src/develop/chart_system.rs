@@ -8,10 +8,10 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_base::sparse::{Coupling, Symmetric, dissect};
+use gusset_base::sparse::{SparseSymmetric, UnknownCouplings, dissect};
 
 /// Number of vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const VERTICES_PER_REPORT: usize = 1 << 16;
 
 /// A symmetric matrix of 2 x 2 blocks for vertices and edges, and a right-hand side.
 pub(super) struct ChartSystem {
@@ -19,25 +19,25 @@ pub(super) struct ChartSystem {
     place: Vec<u32>,
     /// For each place, the earlier places whose vertices are neighbours of its vertex.
     earlier: Buckets<u32>,
-    matrix: Symmetric,
+    matrix: SparseSymmetric,
     right: Vec<DVec3>,
     /// True for vertices with a fixed position.
     is_fixed: Vec<bool>,
 }
 
 /// Couples each vertex with its neighbours.
-struct Edges<'a>(&'a Buckets<u32>);
+struct NeighbourCoupling<'a>(&'a Buckets<u32>);
 
-impl Coupling for Edges<'_> {
-    fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
+impl UnknownCouplings for NeighbourCoupling<'_> {
+    fn for_each_row_of(&self, v: u32, mut visit: impl FnMut(usize)) {
         visit(v as usize);
     }
 
-    fn reach(&self) -> usize {
+    fn coupling_reach(&self) -> usize {
         1
     }
 
-    fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
+    fn is_coupled_to_marked(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
         self.0.get(v as usize).iter().any(|&w| found(w as usize))
     }
 }
@@ -56,12 +56,12 @@ impl ChartSystem {
         let neighbours = Buckets::new_cancellable(n, 0u32, sides, job, STAGE)?;
         job.step(0.1, STAGE)?;
         let mut order = alloc::collect(0..n as u32)?;
-        dissect(&mut order, &chart.points, Edges(&neighbours), &job.part(0.1, 0.6))?;
+        dissect(&mut order, &chart.points, NeighbourCoupling(&neighbours), &job.part(0.1, 0.6))?;
         let mut place = alloc::filled(0, n)?;
         order.iter().zip(0..).for_each(|(&v, k)| place[v as usize] = k);
         let mut pairs = Vec::new();
         for (k, &v) in order.iter().enumerate() {
-            job.part(0.6, 0.8).step_every(REPORT_INTERVAL, k, n, STAGE)?;
+            job.part(0.6, 0.8).step_every(VERTICES_PER_REPORT, k, n, STAGE)?;
             let first = pairs.len();
             let earlier = neighbours.get(v as usize).iter().map(|&w| place[w as usize]);
             alloc::extend(&mut pairs, earlier.filter(|&w| (w as usize) < k).map(|w| (k, w)))?;
@@ -76,7 +76,7 @@ impl ChartSystem {
         let (mut start, mut entries) = (alloc::with_capacity(2 * n + 1)?, alloc::with_capacity(4 * pairs.len() + n)?);
         start.push(0);
         for k in 0..n {
-            job.part(0.8, 1.0).step_every(REPORT_INTERVAL, k, n, STAGE)?;
+            job.part(0.8, 1.0).step_every(VERTICES_PER_REPORT, k, n, STAGE)?;
             for coordinate in 0..2 {
                 let rows = earlier.get(k).iter().flat_map(|&w| [2 * w, 2 * w + 1]);
                 entries.extend(rows.chain((coordinate == 1).then_some(2 * k as u32)).map(|row| (row, 0.0)));
@@ -84,12 +84,12 @@ impl ChartSystem {
             }
         }
         job.step(1.0, STAGE)?;
-        let matrix = Symmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
+        let matrix = SparseSymmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
         let right = alloc::filled(DVec3::ZERO, 2 * n)?;
         Ok(ChartSystem { place, earlier, matrix, right, is_fixed: alloc::filled(false, n)? })
     }
 
-    pub(super) fn clear(&mut self, job: &Job<'_>) -> Result<()> {
+    pub(super) fn clear_equations(&mut self, job: &Job<'_>) -> Result<()> {
         let entries = &mut self.matrix.entries;
         job.ranges(STAGE, entries.len(), |range| {
             entries[range].iter_mut().for_each(|entry| entry.1 = 0.0);
@@ -102,17 +102,17 @@ impl ChartSystem {
     }
 
     /// Fixes the position of a vertex. Must precede all additions.
-    pub(super) fn fix(&mut self, v: u32) {
+    pub(super) fn fix_vertex(&mut self, v: u32) {
         self.is_fixed[v as usize] = true;
     }
 
     /// Adds a block to the matrix at (`u`, `v`), and its transpose at (`v`, `u`). `x` has the
     /// positions of fixed vertices.
-    pub(super) fn add(&mut self, u: u32, v: u32, block: DMat2, x: &[DVec2]) {
+    pub(super) fn add_block(&mut self, u: u32, v: u32, block: DMat2, x: &[DVec2]) {
         match [u, v].map(|v| self.is_fixed[v as usize]) {
             [true, true] => return,
-            [true, false] => return self.add_right(v, -(block.transpose() * x[u as usize])),
-            [false, true] => return self.add_right(u, -(block * x[v as usize])),
+            [true, false] => return self.add_right_hand_side(v, -(block.transpose() * x[u as usize])),
+            [false, true] => return self.add_right_hand_side(u, -(block * x[v as usize])),
             [false, false] => {}
         }
         let [a, b] = [u, v].map(|v| self.place[v as usize]);
@@ -128,7 +128,7 @@ impl ChartSystem {
     }
 
     /// Adds a symmetric block at the diagonal.
-    pub(super) fn add_diagonal(&mut self, v: u32, block: DMat2) {
+    pub(super) fn add_diagonal_block(&mut self, v: u32, block: DMat2) {
         if self.is_fixed[v as usize] {
             return;
         }
@@ -140,7 +140,7 @@ impl ChartSystem {
         self.matrix.entries[end - 1].1 += block.y_axis.x;
     }
 
-    pub(super) fn add_right(&mut self, v: u32, value: DVec2) {
+    pub(super) fn add_right_hand_side(&mut self, v: u32, value: DVec2) {
         if !self.is_fixed[v as usize] {
             let k = 2 * self.place[v as usize] as usize;
             self.right[k].x += value.x;
@@ -149,7 +149,7 @@ impl ChartSystem {
     }
 
     /// Returns the solution. Fixed and undetermined vertices keep their `x`.
-    pub(super) fn solve(&mut self, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
+    pub(super) fn solve_positions(&mut self, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
         let factor = self.matrix.factor(&job.part(0.0, 0.8))?;
         factor.solve(&mut self.right, &job.part(0.8, 1.0))?;
         let at = |(v, &old): (usize, &DVec2)| {

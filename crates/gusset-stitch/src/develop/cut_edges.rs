@@ -46,21 +46,21 @@ impl<'m, 'a> CutSurface<'m, 'a> {
     }
 
     /// Returns the half-edge across an edge that is not cut, or [`NONE`].
-    pub(super) fn across(&self, h: u32) -> u32 {
+    pub(super) fn mate_across(&self, h: u32) -> u32 {
         if self.is_cut.contains(h) { NONE } else { self.mates[h as usize] }
     }
 
-    pub(super) fn ends(&self, h: u32) -> [u32; 2] {
+    pub(super) fn end_vertices(&self, h: u32) -> [u32; 2] {
         [h, self.mesh.faces().next(h)].map(|h| self.mesh.faces().corner(h))
     }
 
     /// Cuts along an edge if it separates two faces.
-    pub(super) fn cut(&mut self, h: u32, kind: CutKind) -> Result<()> {
-        let mate = self.across(h);
+    pub(super) fn cut_edge(&mut self, h: u32, kind: CutKind) -> Result<()> {
+        let mate = self.mate_across(h);
         if mate != NONE {
             self.is_cut.insert(h);
             self.is_cut.insert(mate);
-            let ends = self.ends(h);
+            let ends = self.end_vertices(h);
             alloc::push(&mut self.cut_edges, (ends, kind))?;
         }
         Ok(())
@@ -84,7 +84,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         let offsets = if cuts.offsets.is_empty() { &whole } else { cuts.offsets };
         Error::check_offsets(offsets, cuts.vertices.len())?;
         let count = self.mesh.positions().len();
-        let graph = Graph::new(self, count, |h| self.mesh.faces().corner(h), job)?;
+        let graph = SurfaceGraph::new(self, count, |h| self.mesh.faces().corner(h), job)?;
         let mut search = PathSearch::new(count)?;
         for (number, ends) in (0..).zip(offsets.windows(2)) {
             let mut path = alloc::copied(&cuts.vertices[ends[0] as usize..ends[1] as usize])?;
@@ -95,13 +95,13 @@ impl<'m, 'a> CutSurface<'m, 'a> {
                 *vertex = self.mesh.faces().merge_of(*vertex);
             }
             for (place, step) in (1..).zip(path.windows(2)) {
-                let found = search.shortest(&graph, &[step[0]], |v| v == step[1], job)?;
+                let found = search.search_nearest_target(&graph, &[step[0]], |v| v == step[1], job)?;
                 if found.is_none() {
                     let vertex = cuts.vertices[ends[0] as usize + place as usize];
                     return Err(Error::CutNotConnected { cut: number, place, vertex });
                 }
-                for h in search.path(step[1])? {
-                    self.cut(h, CutKind::Given)?;
+                for h in search.path_half_edges(step[1])? {
+                    self.cut_edge(h, CutKind::Given)?;
                 }
             }
         }
@@ -110,22 +110,22 @@ impl<'m, 'a> CutSurface<'m, 'a> {
 }
 
 /// A graph of edges between vertices of the surface or of its charts.
-pub(super) struct Graph {
+pub(super) struct SurfaceGraph {
     /// For each vertex, the other end of each edge, a half-edge of it, and its length.
     edges: Buckets<(u32, u32, f64)>,
 }
 
-impl Graph {
+impl SurfaceGraph {
     /// Creates the graph. `name` returns the vertex at the corner where a half-edge starts. O(H).
     pub(super) fn new(
         surface: &CutSurface<'_, '_>,
         count: usize,
         name: impl Fn(u32) -> u32,
         job: &Job<'_>,
-    ) -> Result<Graph> {
+    ) -> Result<SurfaceGraph> {
         let mesh = surface.mesh;
         let edge = |h: u32| {
-            let [u, v] = surface.ends(h).map(|v| mesh.positions().get(v));
+            let [u, v] = surface.end_vertices(h).map(|v| mesh.positions().get(v));
             (name(h), name(mesh.faces().next(h)), distance(u, v))
         };
         // An edge with two faces gets one direction from each; any other edge gets both from its
@@ -134,10 +134,10 @@ impl Graph {
             let h = (k / 2) as u32;
             let (u, v, length) = edge(h);
             let is_back = k % 2 == 1;
-            let is_named = u != NONE && v != NONE && !(is_back && surface.across(h) != NONE);
+            let is_named = u != NONE && v != NONE && !(is_back && surface.mate_across(h) != NONE);
             is_named.then_some(if is_back { (v as usize, (u, h, length)) } else { (u as usize, (v, h, length)) })
         });
-        Ok(Graph { edges: Buckets::new_cancellable(count, (0, 0, 0.0), all, job, STAGE)? })
+        Ok(SurfaceGraph { edges: Buckets::new_cancellable(count, (0, 0, 0.0), all, job, STAGE)? })
     }
 
     /// Returns the neighbours of a vertex, each with a half-edge between.
@@ -148,17 +148,17 @@ impl Graph {
 
 /// A reached vertex. Orders by distance, then by index.
 #[derive(PartialEq)]
-struct Reached(f64, u32);
+struct ReachedVertex(f64, u32);
 
-impl Eq for Reached {}
+impl Eq for ReachedVertex {}
 
-impl Ord for Reached {
+impl Ord for ReachedVertex {
     fn cmp(&self, other: &Self) -> Ordering {
         self.0.total_cmp(&other.0).then(self.1.cmp(&other.1))
     }
 }
 
-impl PartialOrd for Reached {
+impl PartialOrd for ReachedVertex {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
@@ -184,9 +184,9 @@ impl PathSearch {
 
     /// Searches from `sources` to the nearest vertex that satisfies `is_target`, and returns it.
     /// O(E log V) for the nearer part of the graph.
-    pub(super) fn shortest(
+    pub(super) fn search_nearest_target(
         &mut self,
-        graph: &Graph,
+        graph: &SurfaceGraph,
         sources: &[u32],
         is_target: impl Fn(u32) -> bool,
         job: &Job<'_>,
@@ -197,11 +197,11 @@ impl PathSearch {
         self.touched.clear();
         let mut heap = BinaryHeap::from(alloc::with_capacity(sources.len())?);
         for &v in sources {
-            self.reach(v, 0.0, (NONE, NONE))?;
-            heap.push(Reverse(Reached(0.0, v)));
+            self.record_reached(v, 0.0, (NONE, NONE))?;
+            heap.push(Reverse(ReachedVertex(0.0, v)));
         }
         let mut steps = 0;
-        while let Some(Reverse(Reached(distance, v))) = heap.pop() {
+        while let Some(Reverse(ReachedVertex(distance, v))) = heap.pop() {
             if distance > self.distances[v as usize] {
                 continue;
             }
@@ -213,16 +213,16 @@ impl PathSearch {
             for &(w, h, length) in graph.neighbours(v) {
                 let sum = distance + length;
                 if sum < self.distances[w as usize] {
-                    self.reach(w, sum, (v, h))?;
+                    self.record_reached(w, sum, (v, h))?;
                     heap.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes: 16 })?;
-                    heap.push(Reverse(Reached(sum, w)));
+                    heap.push(Reverse(ReachedVertex(sum, w)));
                 }
             }
         }
         Ok(None)
     }
 
-    fn reach(&mut self, v: u32, distance: f64, before: (u32, u32)) -> Result<()> {
+    fn record_reached(&mut self, v: u32, distance: f64, before: (u32, u32)) -> Result<()> {
         if self.distances[v as usize] == f64::INFINITY {
             alloc::push(&mut self.touched, v)?;
         }
@@ -231,7 +231,7 @@ impl PathSearch {
     }
 
     /// Returns the half-edges of the path to a reached vertex, from its end to its source.
-    pub(super) fn path(&self, mut v: u32) -> Result<Vec<u32>> {
+    pub(super) fn path_half_edges(&self, mut v: u32) -> Result<Vec<u32>> {
         let mut path = Vec::new();
         while self.before[v as usize].0 != NONE {
             let (u, h) = self.before[v as usize];
@@ -242,7 +242,7 @@ impl PathSearch {
     }
 
     /// Returns true if the path to `v` ends with half-edge `h`, in either direction.
-    pub(super) fn arrives_by(&self, v: u32, h: u32) -> bool {
+    pub(super) fn path_ends_with(&self, v: u32, h: u32) -> bool {
         self.before[v as usize].1 == h
     }
 }

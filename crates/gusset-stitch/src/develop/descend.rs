@@ -9,8 +9,8 @@
 use super::chart::ChartMesh;
 use super::chart_system::ChartSystem;
 use super::develop_request::Distortion;
-use super::energy::{Jacobian, energy, weights};
-use super::overlap::overlaps;
+use super::energy::{Jacobian, proxy_weights, stretch_energy};
+use super::overlap::count_border_intersections;
 use super::{STAGE, TRIANGLES_PER_REPORT};
 use glam::{DMat2, DVec2};
 use gusset_base::alloc;
@@ -18,21 +18,21 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 
 /// Largest fraction of the distance to the first fold that a step may take.
-const MAX_FOLD_FRACTION: f64 = 0.8;
+const MAX_STEP_TO_FIRST_FOLD_RATIO: f64 = 0.8;
 /// Smallest decrease of the energy relative to the prediction by its gradient (Armijo's rule).
-const MIN_DESCENT: f64 = 1e-4;
-const MAX_HALVINGS: u32 = 40;
+const MIN_ARMIJO_DESCENT_RATIO: f64 = 1e-4;
+const MAX_STEP_HALVINGS: u32 = 40;
 /// The descent ends if the relative decrease of the energy is at most this.
 const MIN_RELATIVE_GAIN: f64 = 1e-9;
 /// The end is a minimum if the gradient predicts a relative decrease of at most this.
-const MAX_RELATIVE_SLOPE: f64 = 1e-6;
+const MAX_RELATIVE_SLOPE_AT_MINIMUM: f64 = 1e-6;
 /// Weight that holds vertices in place, relative to the mean diagonal entry: the energy is
 /// invariant under translation.
-const HOLD_WEIGHT: f64 = 1e-9;
+const RELATIVE_HOLD_WEIGHT: f64 = 1e-9;
 
 /// The reason why a descent ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum End {
+pub(super) enum DescentOutcome {
     /// The energy no longer decreased.
     Converged,
     /// No step was possible that decreases the energy: the border would intersect itself, or
@@ -48,11 +48,11 @@ pub(super) enum End {
 pub(super) struct Descent {
     pub(super) x: Vec<DVec2>,
     pub(super) iterations: u32,
-    pub(super) end: End,
+    pub(super) end: DescentOutcome,
 }
 
 /// The treatment of the border in a descent.
-pub(super) enum Border<'a> {
+pub(super) enum BorderRule<'a> {
     /// The border may intersect itself. The last map on the way without self-intersections is
     /// stored.
     Free(&'a mut Option<Vec<DVec2>>),
@@ -62,36 +62,39 @@ pub(super) enum Border<'a> {
 
 /// Descends from a map without folds to one with less distortion, without folds. Each step
 /// factorises a matrix, O(n^1.5) for n vertices.
-pub(super) fn descend(
+pub(super) fn minimise_by_descent(
     chart: &ChartMesh,
     system: &mut ChartSystem,
     distortion: Distortion,
     mut x: Vec<DVec2>,
-    mut border: Border<'_>,
+    mut border: BorderRule<'_>,
     max_iterations: u32,
     job: &Job<'_>,
 ) -> Result<Descent> {
     let mut value = mean_energy(chart, distortion, &x, &job.part(0.0, 0.0))?;
     for iteration in 0..max_iterations {
         let job = job.share(iteration as usize, max_iterations as usize);
-        let is_apart = |x: &[DVec2], job: &Job<'_>| Ok(overlaps(&chart.border, x, 0.0, 1, job)? == 0);
-        if let Border::Free(last) = &mut border
+        let is_apart = |x: &[DVec2], job: &Job<'_>| Ok(count_border_intersections(&chart.border, x, 0.0, 1, job)? == 0);
+        if let BorderRule::Free(last) = &mut border
             && is_apart(&x, &job.part(0.0, 0.0))?
         {
             **last = Some(alloc::copied(&x)?);
         }
-        let gradient = assemble(chart, system, distortion, &x, &job.part(0.0, 0.1))?;
-        let target = system.solve(&x, &job.part(0.1, 0.8))?;
+        let gradient = assemble_proxy_system(chart, system, distortion, &x, &job.part(0.0, 0.1))?;
+        let target = system.solve_positions(&x, &job.part(0.1, 0.8))?;
         let late = job.part(0.9, 0.9);
         let way = alloc::collect(target.iter().zip(&x).map(|(&to, &from)| to - from))?;
         let slope: f64 = gradient.iter().zip(&way).map(|(g, d)| g.dot(*d)).sum();
-        let mut step = f64::min(1.0, MAX_FOLD_FRACTION * first_fold(chart, &x, &way, &late)?);
+        let mut step = f64::min(1.0, MAX_STEP_TO_FIRST_FOLD_RATIO * first_fold_fraction(chart, &x, &way, &late)?);
         let mut better_step = None;
-        for _ in 0..MAX_HALVINGS {
+        for _ in 0..MAX_STEP_HALVINGS {
             let moved = alloc::collect(x.iter().zip(&way).map(|(&p, &d)| p + step * d))?;
             let reached = mean_energy(chart, distortion, &moved, &late)?;
-            let falls = reached <= value + MIN_DESCENT * step * slope && reached < value;
-            if falls && chart.folds(&moved) == 0 && (matches!(border, Border::Free(_)) || is_apart(&moved, &late)?) {
+            let falls = reached <= value + MIN_ARMIJO_DESCENT_RATIO * step * slope && reached < value;
+            if falls
+                && chart.count_folded_triangles(&moved) == 0
+                && (matches!(border, BorderRule::Free(_)) || is_apart(&moved, &late)?)
+            {
                 better_step = Some((moved, reached));
                 break;
             }
@@ -102,11 +105,15 @@ pub(super) fn descend(
             (x, value) = better;
         }
         if gain <= MIN_RELATIVE_GAIN * value {
-            let end = if slope.abs() <= MAX_RELATIVE_SLOPE * value { End::Converged } else { End::Stalled };
+            let end = if slope.abs() <= MAX_RELATIVE_SLOPE_AT_MINIMUM * value {
+                DescentOutcome::Converged
+            } else {
+                DescentOutcome::Stalled
+            };
             return Ok(Descent { x, iterations: iteration + 1, end });
         }
     }
-    Ok(Descent { x, iterations: max_iterations, end: End::IterationLimit })
+    Ok(Descent { x, iterations: max_iterations, end: DescentOutcome::IterationLimit })
 }
 
 /// Returns the mean energy over the area.
@@ -115,13 +122,13 @@ pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2]
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
         job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
-        sum += shape.area * energy(distortion, map.stretch);
+        sum += shape.area * stretch_energy(distortion, map.stretch);
     }
-    Ok(sum / chart.area())
+    Ok(sum / chart.total_area())
 }
 
 /// Builds the system of the quadratic proxy at `x`, and returns the gradient of the mean energy.
-fn assemble(
+fn assemble_proxy_system(
     chart: &ChartMesh,
     system: &mut ChartSystem,
     distortion: Distortion,
@@ -129,38 +136,38 @@ fn assemble(
     job: &Job<'_>,
 ) -> Result<Vec<DVec2>> {
     let mut gradient = alloc::filled(DVec2::ZERO, x.len())?;
-    let whole = chart.area();
+    let whole = chart.total_area();
     let mut trace = 0.0;
-    system.clear(&job.part(0.0, 0.0))?;
+    system.clear_equations(&job.part(0.0, 0.0))?;
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
         job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
         let share = shape.area / whole;
-        let matrix = share * map.with_stretches(weights(distortion, map.stretch));
+        let matrix = share * map.matrix_with_stretches(proxy_weights(distortion, map.stretch));
         // J - R is U diag(s - 1) U^T R.
-        let off = matrix * map.with_stretches(map.stretch.map(|s| s - 1.0)) * map.rotation;
+        let off = matrix * map.matrix_with_stretches(map.stretch.map(|s| s - 1.0)) * map.rotation;
         let target = matrix * map.rotation;
         for i in 0..3 {
             let g = shape.gradients[i];
             gradient[triangle[i] as usize] += 2.0 * (off * g);
-            system.add_right(triangle[i], target * g);
+            system.add_right_hand_side(triangle[i], target * g);
             let own = g.length_squared() * matrix;
             trace += own.x_axis.x + own.y_axis.y;
-            system.add_diagonal(triangle[i], own);
+            system.add_diagonal_block(triangle[i], own);
             let j = (i + 1) % 3;
-            system.add(triangle[i], triangle[j], g.dot(shape.gradients[j]) * matrix, x);
+            system.add_block(triangle[i], triangle[j], g.dot(shape.gradients[j]) * matrix, x);
         }
     }
-    let hold = HOLD_WEIGHT * trace / (2 * x.len()) as f64;
+    let hold = RELATIVE_HOLD_WEIGHT * trace / (2 * x.len()) as f64;
     for (v, &p) in (0..).zip(x) {
-        system.add_diagonal(v, DMat2::from_diagonal(DVec2::splat(hold)));
-        system.add_right(v, hold * p);
+        system.add_diagonal_block(v, DMat2::from_diagonal(DVec2::splat(hold)));
+        system.add_right_hand_side(v, hold * p);
     }
     Ok(gradient)
 }
 
 /// Returns the fraction of the step at which the first triangle folds; infinity without a fold.
-fn first_fold(chart: &ChartMesh, x: &[DVec2], way: &[DVec2], job: &Job<'_>) -> Result<f64> {
+fn first_fold_fraction(chart: &ChartMesh, x: &[DVec2], way: &[DVec2], job: &Job<'_>) -> Result<f64> {
     let mut first = f64::INFINITY;
     for (k, &triangle) in chart.triangles.iter().enumerate() {
         job.step_within(k, STAGE)?;

@@ -3,16 +3,16 @@
 use super::STAGE;
 use super::chart::ChartMesh;
 use super::chart_system::ChartSystem;
-use super::charts::SplitSurface;
-use super::cut_edges::{CutSurface, Graph, PathSearch};
-use super::darts;
-use super::descend::{Border, Descent, End, descend, mean_energy};
+use super::cut_edges::{CutSurface, PathSearch, SurfaceGraph};
+use super::cut_to_discs::open_charts_to_discs;
+use super::dart_tip::find_dart_tip;
+use super::descend::{BorderRule, Descent, DescentOutcome, mean_energy, minimise_by_descent};
 use super::develop_request::{Chart, CutKind, Developed, Distortion, Finish, Options};
 use super::energy::Jacobian;
-use super::exact_unfolding::{Lengths, unfold};
-use super::opening::open;
-use super::overlap::overlaps;
-use super::start_maps::{conformal, tutte};
+use super::exact_unfolding::{EdgeLengths, unfold_triangles};
+use super::overlap::count_border_intersections;
+use super::split_surface::SplitSurface;
+use super::start_maps::{conformal_map, tutte_map};
 use glam::DVec2;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -22,16 +22,16 @@ use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView, NONE, PositionBuffer};
 
 /// Default limit on the steps of a descent.
-const MAX_ITERATIONS: u32 = 200;
+const DEFAULT_MAX_ITERATIONS: u32 = 200;
 /// Distance between charts, relative to the greatest width of a chart.
-const CHART_GAP: f64 = 0.05;
+const RELATIVE_CHART_GAP: f64 = 0.05;
 
 /// Edges of an exact chart that cross by at most this, relative to the root of its area, only
 /// touch.
-const MAX_TOUCH: f64 = 1e-8;
+const MAX_RELATIVE_TOUCH_DEPTH: f64 = 1e-8;
 
 /// A chart in the plane.
-struct Flat {
+struct FlatChart {
     /// The positions in the unit.
     x: Vec<DVec2>,
     finish: Finish,
@@ -47,14 +47,14 @@ struct Flat {
     tip: Option<u32>,
 }
 
-impl Flat {
+impl FlatChart {
     /// Returns true if a dart was worthwhile.
-    fn is_better_than(&self, other: &Flat) -> bool {
+    fn is_better_than(&self, other: &FlatChart) -> bool {
         self.folds == 0 && self.overlaps == 0 && self.energy < other.energy
     }
 
     /// Returns the largest factor by which a length changes, above 1.
-    fn worst(&self) -> f64 {
+    fn largest_stretch(&self) -> f64 {
         let of = |&[most, least]: &[f64; 2]| most.max(1.0 / least.max(f64::MIN_POSITIVE));
         self.stretches.iter().map(of).fold(1.0, f64::max)
     }
@@ -91,11 +91,11 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     let mut surface = CutSurface::new(mesh, &job.part(0.0, 0.05))?;
     surface.cut_paths(&options.cuts, &job.part(0.05, 0.05))?;
     let mut split = SplitSurface::new(&surface, &job.part(0.05, 0.06))?;
-    if open(&mut surface, &split, &job.part(0.06, 0.08))? {
+    if open_charts_to_discs(&mut surface, &split, &job.part(0.06, 0.08))? {
         split = SplitSurface::new(&surface, &job.part(0.08, 0.1))?;
     }
     let count = split.vertices.len();
-    let mut flats: Vec<Option<Flat>> = alloc::with_capacity(count)?;
+    let mut flats: Vec<Option<FlatChart>> = alloc::with_capacity(count)?;
     flats.resize_with(count, || None);
     let whole = job.part(0.1, 0.95);
     // The number of darts is unknown in advance: each gets half of the remaining progress.
@@ -103,18 +103,18 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     let middle = if looks { 0.5 } else { 1.0 };
     let (first, mut rest) = (whole.part(0.0, middle), whole.part(middle, 1.0));
     for (chart, flat) in flats.iter_mut().enumerate() {
-        *flat = Some(flatten(&surface, &split, chart, unit, options, looks, &first.share(chart, count))?);
+        *flat = Some(flatten_chart(&surface, &split, chart, unit, options, looks, &first.share(chart, count))?);
     }
     let mut made = 0;
     while made < options.max_darts {
-        let Some((chart, tip)) = worst(&flats, options) else {
+        let Some((chart, tip)) = choose_chart_for_dart(&flats, options) else {
             break;
         };
         let job = rest.part(0.0, 0.5);
         rest = rest.part(0.5, 1.0);
-        let cut = dart(&mut surface, &split, chart, tip, &job.part(0.0, 0.1))?;
+        let cut = cut_dart(&mut surface, &split, chart, tip, &job.part(0.0, 0.1))?;
         let parts = SplitSurface::new(&surface, &job.part(0.1, 0.1))?;
-        let flat = flatten(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
+        let flat = flatten_chart(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
         let old = flats[chart].as_mut().filter(|old| !flat.is_better_than(old));
         if let Some(old) = old {
             // Do not try further darts on this chart.
@@ -130,17 +130,17 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
 }
 
 /// Returns the chart that most needs a dart, and the vertex at which the dart should end.
-fn worst(flats: &[Option<Flat>], options: &Options<'_>) -> Option<(usize, u32)> {
+fn choose_chart_for_dart(flats: &[Option<FlatChart>], options: &Options<'_>) -> Option<(usize, u32)> {
     let limit = options.max_stretch.unwrap_or(1.0);
     let needs = flats.iter().enumerate().filter_map(|(k, flat)| {
         let flat = flat.as_ref()?;
-        (flat.worst() > limit).then_some((flat.worst(), k, flat.tip?))
+        (flat.largest_stretch() > limit).then_some((flat.largest_stretch(), k, flat.tip?))
     });
     needs.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))).map(|(_, chart, tip)| (chart, tip))
 }
 
 /// Cuts from a vertex inside a chart along the shortest path to its border, and returns the path.
-fn dart(
+fn cut_dart(
     surface: &mut CutSurface<'_, '_>,
     split: &SplitSurface,
     chart: usize,
@@ -151,25 +151,25 @@ fn dart(
     let mut on_border = BitSet::new(split.vertex_map.len())?;
     for &f in split.faces.get(chart) {
         for h in faces.range(f as usize).map(|h| h as u32) {
-            if surface.across(h) == NONE {
+            if surface.mate_across(h) == NONE {
                 [h, faces.next(h)].iter().for_each(|&h| on_border.insert(split.corners[h as usize]));
             }
         }
     }
     let count = split.vertex_map.len();
-    let graph = Graph::new(surface, count, |h| split.corners[h as usize], job)?;
+    let graph = SurfaceGraph::new(surface, count, |h| split.corners[h as usize], job)?;
     let mut search = PathSearch::new(count)?;
-    let Some(end) = search.shortest(&graph, &[tip], |v| on_border.contains(v), job)? else {
+    let Some(end) = search.search_nearest_target(&graph, &[tip], |v| on_border.contains(v), job)? else {
         return Ok(Vec::new());
     };
-    let path = search.path(end)?;
+    let path = search.path_half_edges(end)?;
     for &h in &path {
-        surface.cut(h, CutKind::Dart)?;
+        surface.cut_edge(h, CutKind::Dart)?;
     }
     Ok(path)
 }
 
-fn flatten(
+fn flatten_chart(
     surface: &CutSurface<'_, '_>,
     split: &SplitSurface,
     number: usize,
@@ -177,52 +177,52 @@ fn flatten(
     options: &Options<'_>,
     looks_for_tip: bool,
     job: &Job<'_>,
-) -> Result<Flat> {
+) -> Result<FlatChart> {
     let chart = ChartMesh::new(surface, split, number, unit, &job.part(0.0, 0.05))?;
-    let exact = |x| measure(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
-    let lengths = Lengths::new(&chart, &job.part(0.05, 0.05))?;
-    let turned = unfold(&chart, &job.part(0.05, 0.05))?;
-    if lengths.are_kept(&turned, &job.part(0.05, 0.05))? {
+    let exact = |x| measure_flat_chart(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
+    let lengths = EdgeLengths::new(&chart, &job.part(0.05, 0.05))?;
+    let turned = unfold_triangles(&chart, &job.part(0.05, 0.05))?;
+    if lengths.are_lengths_kept(&turned, &job.part(0.05, 0.05))? {
         return exact(turned);
     }
     let mut system = ChartSystem::new(&chart, &job.part(0.05, 0.1))?;
-    if let Some(x) = lengths.restore(&mut system, turned, &job.part(0.1, 0.12))? {
+    if let Some(x) = lengths.restore_lengths(&mut system, turned, &job.part(0.1, 0.12))? {
         return exact(x);
     }
-    let x = conformal(&chart, &mut system, &job.part(0.12, 0.15))?;
-    if let Some(x) = lengths.restore(&mut system, alloc::copied(&x)?, &job.part(0.15, 0.18))? {
+    let x = conformal_map(&chart, &mut system, &job.part(0.12, 0.15))?;
+    if let Some(x) = lengths.restore_lengths(&mut system, alloc::copied(&x)?, &job.part(0.15, 0.18))? {
         return exact(x);
     }
     let tip = match looks_for_tip {
-        true => darts::tip(&chart, &mut system, &job.part(0.18, 0.2))?.map(|v| v + split.vertices[number].start),
+        true => find_dart_tip(&chart, &mut system, &job.part(0.18, 0.2))?.map(|v| v + split.vertices[number].start),
         false => None,
     };
     let is_conformal = options.distortion == Distortion::Conformal;
-    if is_conformal && chart.folds(&x) == 0 && is_apart(&chart, &x, &job.part(0.2, 0.2))? {
-        return measure(&chart, x, Finish::Conformal, 0, tip, &job.part(0.95, 1.0));
+    if is_conformal && chart.count_folded_triangles(&x) == 0 && has_simple_border(&chart, &x, &job.part(0.2, 0.2))? {
+        return measure_flat_chart(&chart, x, Finish::Conformal, 0, tip, &job.part(0.95, 1.0));
     }
-    let limit = if options.max_iterations == 0 { MAX_ITERATIONS } else { options.max_iterations };
+    let limit = if options.max_iterations == 0 { DEFAULT_MAX_ITERATIONS } else { options.max_iterations };
     // The rigid energy does not prevent folds, so start from a map without folds.
     let end = if options.distortion == Distortion::Rigid { 0.6 } else { 0.95 };
     let mut descent = minimise_distortion(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
-    if options.distortion == Distortion::Rigid && descent.end != End::Folded {
+    if options.distortion == Distortion::Rigid && descent.end != DescentOutcome::Folded {
         let before = descent.iterations;
         descent = minimise_distortion(&chart, &mut system, Distortion::Rigid, descent.x, limit, &job.part(end, 0.95))?;
         descent.iterations += before;
     }
     let finish = match descent.end {
-        End::Folded => Finish::Folded,
+        DescentOutcome::Folded => Finish::Folded,
         _ if is_conformal => Finish::NotConformal,
-        End::Converged => Finish::Converged,
-        End::Stalled => Finish::Stalled,
-        End::IterationLimit => Finish::IterationLimit,
+        DescentOutcome::Converged => Finish::Converged,
+        DescentOutcome::Stalled => Finish::Stalled,
+        DescentOutcome::IterationLimit => Finish::IterationLimit,
     };
-    measure(&chart, descent.x, finish, descent.iterations, tip, &job.part(0.95, 1.0))
+    measure_flat_chart(&chart, descent.x, finish, descent.iterations, tip, &job.part(0.95, 1.0))
 }
 
 /// Returns true if the border of a map does not intersect itself.
-fn is_apart(chart: &ChartMesh, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
-    Ok(overlaps(&chart.border, x, 0.0, 1, job)? == 0)
+fn has_simple_border(chart: &ChartMesh, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
+    Ok(count_border_intersections(&chart.border, x, 0.0, 1, job)? == 0)
 }
 
 /// Returns the injective map of least distortion by descent from `x`. If `x` folds, or the descent
@@ -237,35 +237,51 @@ fn minimise_distortion(
 ) -> Result<Descent> {
     let (mut start, mut iterations) = (x, 0);
     for job in [job.part(0.0, 0.5), job.part(0.5, 1.0)] {
-        if chart.folds(&start) == 0 {
+        if chart.count_folded_triangles(&start) == 0 {
             let mut last = None;
-            let free = descend(chart, system, distortion, start, Border::Free(&mut last), limit, &job.part(0.0, 0.4))?;
+            let free = minimise_by_descent(
+                chart,
+                system,
+                distortion,
+                start,
+                BorderRule::Free(&mut last),
+                limit,
+                &job.part(0.0, 0.4),
+            )?;
             iterations += free.iterations;
-            if is_apart(chart, &free.x, &job.part(0.4, 0.4))? {
+            if has_simple_border(chart, &free.x, &job.part(0.4, 0.4))? {
                 return Ok(Descent { iterations, ..free });
             }
             if let Some(last) = last {
-                let done = descend(chart, system, distortion, last, Border::Apart, limit, &job.part(0.4, 0.9))?;
+                let done = minimise_by_descent(
+                    chart,
+                    system,
+                    distortion,
+                    last,
+                    BorderRule::Apart,
+                    limit,
+                    &job.part(0.4, 0.9),
+                )?;
                 return Ok(Descent { iterations: iterations + done.iterations, ..done });
             }
         }
-        start = tutte(chart, system, &job.part(0.9, 1.0))?;
+        start = tutte_map(chart, system, &job.part(0.9, 1.0))?;
     }
-    Ok(Descent { x: start, iterations, end: End::Folded })
+    Ok(Descent { x: start, iterations, end: DescentOutcome::Folded })
 }
 
 /// Measures the chart, after turning it so that it is longest along x.
-fn measure(
+fn measure_flat_chart(
     chart: &ChartMesh,
     mut x: Vec<DVec2>,
     finish: Finish,
     iterations: u32,
     tip: Option<u32>,
     job: &Job<'_>,
-) -> Result<Flat> {
+) -> Result<FlatChart> {
     job.step(0.0, STAGE)?;
-    lay_along_x(&chart.border, &mut x);
-    let slack = MAX_TOUCH * chart.area().sqrt();
+    turn_longest_along_x(&chart.border, &mut x);
+    let slack = MAX_RELATIVE_TOUCH_DEPTH * chart.total_area().sqrt();
     let faces = chart.faces.last().map_or(0, |&last| last as usize + 1);
     let mut stretches = alloc::filled([0.0f64, f64::INFINITY], faces)?;
     for (k, ((triangle, shape), &f)) in chart.triangles.iter().zip(&chart.shapes).zip(&chart.faces).enumerate() {
@@ -275,16 +291,22 @@ fn measure(
         *stretch = [stretch[0].max(most), stretch[1].min(least)];
     }
     job.step(0.0, STAGE)?;
-    Ok(Flat {
+    Ok(FlatChart {
         finish,
         iterations,
         stretches,
         energy: mean_energy(chart, Distortion::Symmetric, &x, &job.part(0.0, 0.0))?,
         // In an exact chart, the sides of slits coincide.
-        overlaps: overlaps(&chart.border, &x, if finish == Finish::Exact { slack } else { 0.0 }, u32::MAX, job)?,
-        folds: if finish == Finish::Exact { 0 } else { chart.folds(&x) },
-        area: chart.area(),
-        flat_area: (0..chart.triangles.len()).map(|t| chart.double_area(t, &x) / 2.0).sum(),
+        overlaps: count_border_intersections(
+            &chart.border,
+            &x,
+            if finish == Finish::Exact { slack } else { 0.0 },
+            u32::MAX,
+            job,
+        )?,
+        folds: if finish == Finish::Exact { 0 } else { chart.count_folded_triangles(&x) },
+        area: chart.total_area(),
+        flat_area: (0..chart.triangles.len()).map(|t| chart.signed_double_area(t, &x) / 2.0).sum(),
         tip,
         x,
     })
@@ -292,7 +314,7 @@ fn measure(
 
 /// Turns a map so that its border is longest along x, and moves its lower left corner to the
 /// origin.
-fn lay_along_x(border: &[[u32; 2]], x: &mut [DVec2]) {
+fn turn_longest_along_x(border: &[[u32; 2]], x: &mut [DVec2]) {
     let count = border.len() as f64;
     let mean = border.iter().map(|&[v, _]| x[v as usize]).sum::<DVec2>() / count;
     let (mut difference, mut mixed) = (0.0, 0.0);
@@ -315,14 +337,14 @@ fn build_result(
     mesh: &MeshView<'_>,
     surface: CutSurface<'_, '_>,
     split: SplitSurface,
-    flats: &[Flat],
+    flats: &[FlatChart],
     unit: f64,
     darts: u32,
     job: &Job<'_>,
 ) -> Result<Developed> {
     job.step(0.0, STAGE)?;
-    let width = |flat: &Flat| flat.x.iter().fold(0.0, |most: f64, p| most.max(p.x));
-    let gap = CHART_GAP * flats.iter().map(width).fold(0.0, f64::max);
+    let width = |flat: &FlatChart| flat.x.iter().fold(0.0, |most: f64, p| most.max(p.x));
+    let gap = RELATIVE_CHART_GAP * flats.iter().map(width).fold(0.0, f64::max);
     job.step(0.0, STAGE)?;
     let mut points = alloc::with_capacity(split.vertex_map.len())?;
     let mut stretches = alloc::filled([1.0; 2], mesh.faces().len())?;

@@ -37,7 +37,7 @@ impl Jacobian {
     }
 
     /// Returns the symmetric matrix U diag(values) U^T.
-    pub(super) fn with_stretches(&self, values: [f64; 2]) -> DMat2 {
+    pub(super) fn matrix_with_stretches(&self, values: [f64; 2]) -> DMat2 {
         let (mean, half) = ((values[0] + values[1]) / 2.0, (values[0] - values[1]) / 2.0);
         let [c, s] = (half * self.double_angle).to_array();
         DMat2::from_cols(DVec2::new(mean + c, s), DVec2::new(s, mean - c))
@@ -45,7 +45,7 @@ impl Jacobian {
 }
 
 /// Returns the energy, a sum over the singular values.
-pub(super) fn energy(distortion: Distortion, stretch: [f64; 2]) -> f64 {
+pub(super) fn stretch_energy(distortion: Distortion, stretch: [f64; 2]) -> f64 {
     let one = |s: f64| match distortion {
         Distortion::Symmetric if s <= 0.0 => f64::INFINITY,
         Distortion::Symmetric => s * s + 1.0 / (s * s),
@@ -57,7 +57,7 @@ pub(super) fn energy(distortion: Distortion, stretch: [f64; 2]) -> f64 {
 /// Returns the squared weights w of the quadratic proxy |W (J - R)|^2, with W = U diag(w) U^T. The
 /// proxy and the energy have equal gradients at J: f'(s) = 2 w^2 (s - 1) for each singular value s
 /// (Rabinovich et al., equation 24).
-pub(super) fn weights(distortion: Distortion, stretch: [f64; 2]) -> [f64; 2] {
+pub(super) fn proxy_weights(distortion: Distortion, stretch: [f64; 2]) -> [f64; 2] {
     stretch.map(|s| match distortion {
         // (s - 1 / s^3) / (s - 1) without the common factor.
         Distortion::Symmetric => (s + 1.0) * (s * s + 1.0) / (s * s * s),

@@ -18,8 +18,8 @@
 //! |---|---|
 //! | [`develop_request`](self) | options and results |
 //! | [`cut_edges`](self) | cut edges; shortest paths |
-//! | [`opening`](self) | cuts that leave only discs |
-//! | [`charts`](self) | the connected components of a cut surface |
+//! | [`cut_to_discs`](self) | cuts that leave only discs |
+//! | [`split_surface`](self) | the connected components of a cut surface |
 //! | [`chart`](self) | one chart as triangles with their shapes |
 //! | [`exact_unfolding`](self) | exact development about edges |
 //! | [`chart_system`](self) | the linear system of one chart |
@@ -27,20 +27,20 @@
 //! | [`energy`](self) | the distortion of one triangle |
 //! | [`descend`](self) | least distortion |
 //! | [`overlap`](self) | borders that cross in the plane |
-//! | [`darts`](self) | the best place for a dart |
+//! | [`dart_tip`](self) | the best place for a dart |
 //! | [`develop_run`](self) | from the mesh to the result |
 
 mod chart;
 mod chart_system;
-mod charts;
+mod split_surface;
 mod cut_edges;
-mod darts;
+mod dart_tip;
 mod descend;
 mod develop_request;
 mod develop_run;
 mod energy;
 mod exact_unfolding;
-mod opening;
+mod cut_to_discs;
 mod overlap;
 mod start_maps;
 

@@ -17,7 +17,13 @@ use robust::{Coord, orient2d};
 ///
 /// Edges are swept from left to right: O(b log b + p) for b edges and p pairs of edges that overlap
 /// in x.
-pub(super) fn overlaps(border: &[[u32; 2]], x: &[DVec2], slack: f64, enough: u32, job: &Job<'_>) -> Result<u32> {
+pub(super) fn count_border_intersections(
+    border: &[[u32; 2]],
+    x: &[DVec2],
+    slack: f64,
+    enough: u32,
+    job: &Job<'_>,
+) -> Result<u32> {
     let job = &job.part(0.0, 0.0);
     let low = |edge: &[u32; 2]| edge.map(|v| x[v as usize].x).into_iter().fold(f64::INFINITY, f64::min);
     let high = |edge: &[u32; 2]| edge.map(|v| x[v as usize].x).into_iter().fold(f64::NEG_INFINITY, f64::max);
@@ -33,7 +39,7 @@ pub(super) fn overlaps(border: &[[u32; 2]], x: &[DVec2], slack: f64, enough: u32
         for &other in &open {
             let other = border[other as usize];
             let is_neighbour = other.iter().any(|v| edge.contains(v));
-            if !is_neighbour && meet(edge.map(|v| x[v as usize]), other.map(|v| x[v as usize]), slack) {
+            if !is_neighbour && segments_meet(edge.map(|v| x[v as usize]), other.map(|v| x[v as usize]), slack) {
                 count += 1;
                 if count == enough {
                     return Ok(count);
@@ -45,7 +51,7 @@ pub(super) fn overlaps(border: &[[u32; 2]], x: &[DVec2], slack: f64, enough: u32
     Ok(count)
 }
 
-fn meet([p, q]: [DVec2; 2], [r, s]: [DVec2; 2], slack: f64) -> bool {
+fn segments_meet([p, q]: [DVec2; 2], [r, s]: [DVec2; 2], slack: f64) -> bool {
     let apart = |k: usize| p[k].max(q[k]) < r[k].min(s[k]) || r[k].max(s[k]) < p[k].min(q[k]);
     if apart(0) || apart(1) {
         return false;

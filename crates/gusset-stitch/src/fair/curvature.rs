@@ -1,20 +1,20 @@
 //! The curvature of a patch at each vertex, without the detail of its triangles.
 
-use super::rings::{Rings, Weights};
+use super::one_rings::{LaplacianWeights, OneRings};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
 /// Number of vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 14;
+const VERTICES_PER_REPORT: usize = 1 << 14;
 
 /// Number of smoothing passes over the normals.
-const NORMAL_PASSES: u32 = 2;
+const NORMAL_SMOOTHING_PASSES: u32 = 2;
 
 /// Sums over vertices.
 #[derive(Clone, Copy)]
-struct Sum {
+struct CurvatureSum {
     /// The Laplacian along the normal, times the area.
     bend: f64,
     /// The area of the vertices with a Laplacian.
@@ -28,8 +28,8 @@ struct Sum {
 ///
 /// Smoothing removes the ridges of a polyhedron, and keeps the bend of the whole. The Laplacians
 /// are not averaged as vectors, because the mean is too short where normals turn. The normals are
-/// averaged only in [`NORMAL_PASSES`] passes, because around a thin tube their mean vanishes.
-/// Vertices whose one-ring is not `closed` get the values of their neighbours.
+/// averaged only in [`NORMAL_SMOOTHING_PASSES`] passes, because around a thin tube their mean
+/// vanishes. Vertices whose one-ring is not `closed` get the values of their neighbours.
 ///
 /// `points` are in a unit of about their size; the result is in the reciprocal of that unit. Each
 /// of the `passes` averages over all neighbours, weighted by area; together they reach about 2
@@ -41,8 +41,8 @@ pub(crate) fn mean_curvature(
     passes: u32,
     job: &Job<'_>,
 ) -> Result<Vec<DVec3>> {
-    let rings = Rings::new(points, triangles, Weights::Cotangent, &job.part(0.0, 0.0))?;
-    let mut sums = alloc::filled(Sum { bend: 0.0, area: 0.0, normal: DVec3::ZERO }, points.len())?;
+    let rings = OneRings::new(points, triangles, LaplacianWeights::Cotangent, &job.part(0.0, 0.0))?;
+    let mut sums = alloc::filled(CurvatureSum { bend: 0.0, area: 0.0, normal: DVec3::ZERO }, points.len())?;
     for &corners in triangles {
         let [a, b, c] = corners.map(|v| points[v as usize]);
         corners.iter().for_each(|&v| sums[v as usize].normal += (b - a).cross(c - a) / 6.0);
@@ -50,27 +50,28 @@ pub(crate) fn mean_curvature(
     for (v, sum) in sums.iter_mut().enumerate().filter(|&(v, _)| closed(v)) {
         let laplacian: DVec3 = rings.ring(v).iter().map(|&(w, weight)| weight * (points[w as usize] - points[v])).sum();
         sum.bend = laplacian.dot(sum.normal.normalize_or_zero());
-        sum.area = 1.0 / rings.scale(v);
+        sum.area = 1.0 / rings.energy_scale(v);
     }
     let mut next = alloc::copied(&sums)?;
     for pass in 0..passes {
         let share = job.share(pass as usize, passes as usize);
         let count = sums.len();
         for (v, mean) in next.iter_mut().enumerate() {
-            share.step_every(REPORT_INTERVAL, v, count, "refining")?;
+            share.step_every(VERTICES_PER_REPORT, v, count, "refining")?;
             let share = 1.0 / (1.0 + rings.ring(v).len() as f64);
             let ring = rings.ring(v).iter().map(|&(w, _)| sums[w as usize]);
-            *mean = ring.fold(sums[v], |mean, sum| Sum {
+            *mean = ring.fold(sums[v], |mean, sum| CurvatureSum {
                 bend: mean.bend + sum.bend,
                 area: mean.area + sum.area,
                 normal: mean.normal + sum.normal,
             });
-            let normal = if pass < NORMAL_PASSES { share * mean.normal } else { sums[v].normal };
-            *mean = Sum { bend: share * mean.bend, area: share * mean.area, normal };
+            let normal = if pass < NORMAL_SMOOTHING_PASSES { share * mean.normal } else { sums[v].normal };
+            *mean = CurvatureSum { bend: share * mean.bend, area: share * mean.area, normal };
         }
         std::mem::swap(&mut sums, &mut next);
     }
-    let mean =
-        |sum: Sum| if sum.area > 0.0 { sum.bend / sum.area * sum.normal.normalize_or_zero() } else { DVec3::ZERO };
+    let mean = |sum: CurvatureSum| {
+        if sum.area > 0.0 { sum.bend / sum.area * sum.normal.normalize_or_zero() } else { DVec3::ZERO }
+    };
     alloc::collect(sums.into_iter().map(mean))
 }

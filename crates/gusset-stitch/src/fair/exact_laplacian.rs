@@ -10,7 +10,7 @@
 //! application in applied mechanics* (1980), for differences that are exact for polynomials.
 //! Neighbours are placed in the tangent plane, in their directions and at their distances.
 
-use super::rings::{MatrixRows, Rings};
+use super::one_rings::{MatrixRows, OneRings};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -18,13 +18,13 @@ use gusset_base::geom::linear::cholesky;
 use gusset_base::job::Job;
 
 /// Slack of the conditions, which limits the weights if neighbours are few or collinear.
-const SLACK: f64 = 1e-3;
+const CONDITION_SLACK: f64 = 1e-3;
 /// Number of vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 12;
+const VERTICES_PER_REPORT: usize = 1 << 12;
 /// Smallest ratio of a ring's width to its length; narrower rings are treated as this wide.
-const MIN_WIDTH: f64 = 1e-3;
+const MIN_RING_WIDTH_RATIO: f64 = 1e-3;
 /// The functions x, y, x^2 / 2, y^2 / 2, x y.
-const CONDITIONS: usize = 5;
+const CONDITIONS_PER_VERTEX: usize = 5;
 
 /// The rows and the columns of the Laplacian, for the neighbours of rings.
 pub(super) struct ExactLaplacian {
@@ -35,7 +35,7 @@ pub(super) struct ExactLaplacian {
 
 impl ExactLaplacian {
     /// Computes the weights. O(T) for T triangles; extra memory: 32 bytes per neighbour.
-    pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], rings: &Rings, job: &Job<'_>) -> Result<Self> {
+    pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], rings: &OneRings, job: &Job<'_>) -> Result<Self> {
         let mut normals = alloc::filled(DVec3::ZERO, points.len())?;
         for &triangle in triangles {
             let [a, b, c] = triangle.map(|v| points[v as usize]);
@@ -43,10 +43,10 @@ impl ExactLaplacian {
         }
         let (mut rows, mut middle) = (Vec::new(), alloc::with_capacity(points.len())?);
         for v in 0..points.len() {
-            job.step_every(REPORT_INTERVAL, v + 1, points.len(), "fairing")?;
+            job.step_every(VERTICES_PER_REPORT, v + 1, points.len(), "fairing")?;
             let first = rows.len();
             alloc::append(&mut rows, rings.ring(v))?;
-            weigh(&mut rows[first..], normals[v].normalize_or_zero(), |w| points[w as usize] - points[v]);
+            set_exact_weights(&mut rows[first..], normals[v].normalize_or_zero(), |w| points[w as usize] - points[v]);
             middle.push(-rows[first..].iter().map(|&(_, weight)| weight).sum::<f64>());
         }
         let mut columns = alloc::copied(&rows)?;
@@ -54,24 +54,24 @@ impl ExactLaplacian {
         let mut next = 0;
         for v in 0..points.len() {
             for &(w, _) in rings.ring(v) {
-                columns[next].1 = all.entry(w as usize, v as u32);
+                columns[next].1 = all.row_entry(w as usize, v as u32);
                 next += 1;
             }
         }
         Ok(ExactLaplacian { rows, columns, middle })
     }
 
-    pub(super) fn rows<'a>(&'a self, rings: &'a Rings) -> MatrixRows<'a> {
+    pub(super) fn matrix_rows<'a>(&'a self, rings: &'a OneRings) -> MatrixRows<'a> {
         MatrixRows::new(rings, &self.rows, &self.middle)
     }
 
-    pub(super) fn columns<'a>(&'a self, rings: &'a Rings) -> MatrixRows<'a> {
+    pub(super) fn matrix_columns<'a>(&'a self, rings: &'a OneRings) -> MatrixRows<'a> {
         MatrixRows::new(rings, &self.columns, &self.middle)
     }
 }
 
 /// Replaces the cotangent weights of a ring by weights of the exact Laplacian.
-fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
+fn set_exact_weights(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
     let squared = |w: u32| leg(w).length_squared();
     let area = ring.iter().map(|&(w, weight)| weight * squared(w)).sum::<f64>() / 4.0;
     // Scale the weights to be exact for the squared distance.
@@ -81,7 +81,7 @@ fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
         return;
     }
     let flat = |w: u32| leg(w).reject_from_normalized(normal).normalize_or_zero() * leg(w).length();
-    let Some([x, y]) = axes(ring, normal, flat) else {
+    let Some([x, y]) = extents_of_ring(ring, normal, flat) else {
         return;
     };
     // Along its principal axes, each in its own unit, a ring of needles becomes round.
@@ -91,16 +91,16 @@ fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
     };
     let unit = x.1 * x.1;
     let laplacians = [0.0, 0.0, 1.0, unit / (y.1 * y.1), 0.0];
-    let mut lower = [[0.0; CONDITIONS]; CONDITIONS];
+    let mut lower = [[0.0; CONDITIONS_PER_VERTEX]; CONDITIONS_PER_VERTEX];
     let mut missing = laplacians.map(|laplacian| DVec3::new(laplacian, 0.0, 0.0));
     for &(w, weight) in &*ring {
         let values = conditions(w);
-        for i in 0..CONDITIONS {
+        for i in 0..CONDITIONS_PER_VERTEX {
             missing[i].x -= values[i] * weight * unit;
             (0..=i).for_each(|j| lower[i][j] += values[i] * values[j]);
         }
     }
-    (0..CONDITIONS).for_each(|i| lower[i][i] += SLACK);
+    (0..CONDITIONS_PER_VERTEX).for_each(|i| lower[i][i] += CONDITION_SLACK);
     cholesky::solve(&mut lower, &mut missing);
     for (w, weight) in ring {
         let values = conditions(*w);
@@ -111,7 +111,7 @@ fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
 
 /// Returns the directions in which a ring is longest and shortest, with its root mean square
 /// extent; `None` for a ring of size 0.
-fn axes(ring: &[(u32, f64)], normal: DVec3, flat: impl Fn(u32) -> DVec3) -> Option<[(DVec3, f64); 2]> {
+fn extents_of_ring(ring: &[(u32, f64)], normal: DVec3, flat: impl Fn(u32) -> DVec3) -> Option<[(DVec3, f64); 2]> {
     let (x, y) = normal.any_orthonormal_pair();
     let mean = |u: DVec3, v: DVec3| {
         ring.iter().map(|&(w, _)| flat(w)).map(|leg| leg.dot(u) * leg.dot(v)).sum::<f64>() / ring.len().max(1) as f64
@@ -119,5 +119,5 @@ fn axes(ring: &[(u32, f64)], normal: DVec3, flat: impl Fn(u32) -> DVec3) -> Opti
     let (sin, cos) = libm::sincos(0.5 * libm::atan2(2.0 * mean(x, y), mean(x, x) - mean(y, y)));
     let (long, short) = (x * cos + y * sin, y * cos - x * sin);
     let [length, width] = [long, short].map(|axis| mean(axis, axis).sqrt());
-    (length > 0.0).then(|| [(long, length), (short, width.max(MIN_WIDTH * length))])
+    (length > 0.0).then(|| [(long, length), (short, width.max(MIN_RING_WIDTH_RATIO * length))])
 }

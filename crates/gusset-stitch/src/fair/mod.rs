@@ -16,23 +16,23 @@
 //!
 //! | file | task |
 //! |---|---|
-//! | [`rings`](self) | the neighbours of each vertex and their weights |
+//! | [`one_rings`](self) | the neighbours of each vertex and their weights |
 //! | [`continuity`](self) | the continuity of a plate with its surroundings |
 //! | [`exact_laplacian`](self) | a Laplacian that is exact for quadratic functions |
 //! | [`curvature`](self) | the curvature of a patch, without the detail of its triangles |
 //! | [`plate`](self) | the energy's normal equations, and the new positions |
-//! | [`couplings`](self) | the unknowns that the equations couple |
+//! | [`plate_couplings`](self) | the unknowns that the equations couple |
 
 mod continuity;
-mod couplings;
+mod plate_couplings;
 mod curvature;
 mod exact_laplacian;
 mod plate;
-mod rings;
+mod one_rings;
 #[cfg(test)]
 mod tests;
 
 pub use continuity::Continuity;
 pub(crate) use curvature::mean_curvature;
-pub(crate) use plate::{Plate, RestShape, thin_plate};
-pub(crate) use rings::Weights;
+pub(crate) use one_rings::LaplacianWeights;
+pub(crate) use plate::{Plate, RestShape, minimise_plate_energy};

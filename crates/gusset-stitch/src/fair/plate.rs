@@ -8,20 +8,20 @@
 //! the edges between centres.
 
 use super::continuity::Continuity;
-use super::couplings::Couplings;
 use super::exact_laplacian::ExactLaplacian;
-use super::rings::{MatrixRows, Rings, Weights};
+use super::one_rings::{LaplacianWeights, MatrixRows, OneRings};
+use super::plate_couplings::PlateCouplings;
 
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
-use gusset_base::sparse::{Symmetric, dissect};
+use gusset_base::sparse::{SparseSymmetric, dissect};
 use gusset_mesh::NONE;
 
 /// Number of vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 12;
+const VERTICES_PER_REPORT: usize = 1 << 12;
 
 /// A patch, and the energy to minimise.
 #[derive(Clone, Copy)]
@@ -33,12 +33,12 @@ pub(crate) struct Plate<'a> {
     /// are the free vertices and the fixed vertices next to a free one. `triangles` must contain
     /// the whole one-ring of each, including old neighbours.
     pub(crate) centres: &'a [bool],
-    pub(crate) weights: Weights,
-    /// The energy: the Laplacian, or, with [`Weights::Cotangent`] only, its gradient. In the latter
-    /// case the fixed vertices next to those above are centres too.
+    pub(crate) weights: LaplacianWeights,
+    /// The energy: the Laplacian, or, with [`LaplacianWeights::Cotangent`] only, its gradient. In
+    /// the latter case the fixed vertices next to those above are centres too.
     pub(crate) continuity: Continuity,
-    /// The rest shape of the plate; `None` for a flat one. Only with [`Weights::Cotangent`] and
-    /// [`Continuity::C1`].
+    /// The rest shape of the plate; `None` for a flat one. Only with
+    /// [`LaplacianWeights::Cotangent`] and [`Continuity::C1`].
     pub(crate) shape: Option<RestShape<'a>>,
     /// Positions by which the vertices are ordered: evenly spread, with neighbours near each other;
     /// `None` for the points themselves. They affect time and memory, and the result only by
@@ -76,18 +76,18 @@ pub(crate) struct RestShape<'a> {
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>) -> Result<()> {
+pub(crate) fn minimise_plate_energy(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>) -> Result<()> {
     job.step(0.0, "fairing")?;
     let unit = common_unit(&*points);
     // Use coordinates relative to one of the points, to keep precision far from the origin.
     let origin = points.first().map_or(DVec3::ZERO, |&p| p / unit);
     let local = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-    let rings = Rings::new(&local, plate.triangles, plate.weights, &job.part(0.0, 0.15))?;
+    let rings = OneRings::new(&local, plate.triangles, plate.weights, &job.part(0.0, 0.15))?;
     let mut unknowns = anchored_vertices(&rings, plate.free)?;
-    let couplings = Couplings { rings: &rings, is_row: plate.centres, continuity: plate.continuity };
+    let couplings = PlateCouplings { rings: &rings, is_row: plate.centres, continuity: plate.continuity };
     dissect(&mut unknowns, plate.layout.unwrap_or(&local), couplings, &job.part(0.15, 0.2))?;
     let (matrix, mut moves) =
-        assemble_equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
+        assemble_plate_equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
     matrix.factor(&job.part(0.3, 0.9))?.solve(&mut moves, &job.part(0.9, 1.0))?;
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
@@ -99,7 +99,7 @@ pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>)
 }
 
 /// Returns the free vertices that a chain of free vertices connects with a fixed one.
-fn anchored_vertices(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
+fn anchored_vertices(rings: &OneRings, free: &[bool]) -> Result<Vec<u32>> {
     let mut is_anchored = alloc::filled(false, free.len())?;
     let mut list = alloc::with_capacity(free.len())?;
     let neighbours = |v: u32| rings.ring(v as usize).iter().map(|&(w, _)| w as usize);
@@ -125,28 +125,29 @@ fn anchored_vertices(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
 /// Returns the second derivative of the energy, in the order of `unknowns`, and its negative
 /// gradient, both halved. `points` are in `unit` from `origin`, and the plate's shape is in the
 /// original coordinates.
-fn assemble_equations(
+fn assemble_plate_equations(
     points: &[DVec3],
-    rings: &Rings,
+    rings: &OneRings,
     unknowns: &[u32],
     plate: &Plate<'_>,
     (unit, origin): (f64, DVec3),
     job: &Job<'_>,
-) -> Result<(Symmetric, Vec<DVec3>)> {
+) -> Result<(SparseSymmetric, Vec<DVec3>)> {
     let centres = plate.centres;
     let exact = match plate.continuity {
         Continuity::C1 => None,
         Continuity::C2 => Some(ExactLaplacian::new(points, plate.triangles, rings, &job.part(0.0, 0.3))?),
     };
-    let (rows, columns) =
-        exact.as_ref().map_or((rings.rows(), rings.rows()), |exact| (exact.rows(rings), exact.columns(rings)));
+    let (rows, columns) = exact.as_ref().map_or((rings.laplacian_rows(), rings.laplacian_rows()), |exact| {
+        (exact.matrix_rows(rings), exact.matrix_columns(rings))
+    });
     let bend = bend_derivatives(points, rings, rows, plate, unit)?;
     let mut place = alloc::filled(NONE, points.len())?;
     for (k, &v) in unknowns.iter().enumerate() {
         place[v as usize] = k as u32;
     }
     let (n, assembly) = (unknowns.len(), job.part(0.3, 1.0));
-    let mut matrix = Symmetric {
+    let mut matrix = SparseSymmetric {
         start: alloc::with_capacity(n + 1)?,
         entries: alloc::with_capacity(10 * n)?,
         diagonal: alloc::with_capacity(n)?,
@@ -155,40 +156,40 @@ fn assemble_equations(
     let mut moves = alloc::with_capacity(n)?;
     let (mut shares, mut column) = (SparseSums::new(points.len())?, SparseSums::new(n)?);
     for (k, &v) in unknowns.iter().enumerate() {
-        assembly.step_every(REPORT_INTERVAL, k + 1, n, "fairing")?;
+        assembly.step_every(VERTICES_PER_REPORT, k + 1, n, "fairing")?;
         let mut gradient = DVec3::ZERO;
         for (c, factor) in columns.row(v as usize).filter(|&(c, _)| centres[c]) {
             gradient += factor * bend[c];
             match plate.continuity {
-                Continuity::C1 => shares.add(c, factor * rings.scale(c))?,
+                Continuity::C1 => shares.add_term(c, factor * rings.energy_scale(c))?,
                 Continuity::C2 => {
-                    for (other, weight) in edges(rings, centres, c) {
-                        shares.add(c, factor * weight)?;
-                        shares.add(other, -factor * weight)?;
+                    for (other, weight) in edges_to_centres(rings, centres, c) {
+                        shares.add_term(c, factor * weight)?;
+                        shares.add_term(other, -factor * weight)?;
                     }
                 }
             }
         }
-        for (c, share) in shares.drain() {
+        for (c, share) in shares.drain_sums() {
             for (w, weight) in rows.row(c) {
                 let i = place[w] as usize;
                 // Skip vertices that are not unknowns.
                 if i <= k {
-                    column.add(i, share * weight)?;
+                    column.add_term(i, share * weight)?;
                 }
             }
         }
         // A spring with the strength area / reach^4.
         let spring = |own: RestShape<'_>| {
             let squared = (own.reach / unit) * (own.reach / unit);
-            let strength = 1.0 / (squared * squared * rings.scale(v as usize));
+            let strength = 1.0 / (squared * squared * rings.energy_scale(v as usize));
             (strength, points[v as usize] - (own.places[v as usize] / unit - origin))
         };
         let (strength, away) = plate.shape.map_or((0.0, DVec3::ZERO), spring);
         moves.push(-gradient - strength * away);
         let mut diagonal = 0.0;
         alloc::reserve(&mut matrix.entries, column.len())?;
-        for (i, value) in column.drain() {
+        for (i, value) in column.drain_sums() {
             if i == k {
                 diagonal = value + strength;
             } else {
@@ -205,13 +206,13 @@ fn assemble_equations(
 /// centre: L p - h, or for curvature continuity the weighted sum of its differences.
 fn bend_derivatives(
     points: &[DVec3],
-    rings: &Rings,
+    rings: &OneRings,
     rows: MatrixRows<'_>,
     plate: &Plate<'_>,
     unit: f64,
 ) -> Result<Vec<DVec3>> {
     let centres = plate.centres;
-    let scale = |c: usize| if plate.continuity == Continuity::C1 { rings.scale(c) } else { 1.0 };
+    let scale = |c: usize| if plate.continuity == Continuity::C1 { rings.energy_scale(c) } else { 1.0 };
     let mut bend = alloc::filled(DVec3::ZERO, points.len())?;
     for c in (0..points.len()).filter(|&c| centres[c]) {
         let neighbours = rows.row(c).skip(1);
@@ -221,12 +222,13 @@ fn bend_derivatives(
     if plate.continuity == Continuity::C1 {
         return Ok(bend);
     }
-    let difference = |c: usize| edges(rings, centres, c).map(|(other, weight)| weight * (bend[c] - bend[other])).sum();
+    let difference =
+        |c: usize| edges_to_centres(rings, centres, c).map(|(other, weight)| weight * (bend[c] - bend[other])).sum();
     alloc::collect((0..points.len()).map(|c| if centres[c] { difference(c) } else { DVec3::ZERO }))
 }
 
 /// Returns the edges from a centre to other centres, and their weights.
-fn edges(rings: &Rings, centres: &[bool], c: usize) -> impl Iterator<Item = (usize, f64)> {
+fn edges_to_centres(rings: &OneRings, centres: &[bool], c: usize) -> impl Iterator<Item = (usize, f64)> {
     rings.ring(c).iter().map(|&(w, weight)| (w as usize, weight)).filter(|&(w, _)| centres[w])
 }
 
@@ -243,7 +245,7 @@ impl SparseSums {
         Ok(SparseSums { sums, has_terms, numbers: Vec::new() })
     }
 
-    fn add(&mut self, number: usize, value: f64) -> Result<()> {
+    fn add_term(&mut self, number: usize, value: f64) -> Result<()> {
         if !std::mem::replace(&mut self.has_terms[number], true) {
             alloc::push(&mut self.numbers, number as u32)?;
         }
@@ -257,7 +259,7 @@ impl SparseSums {
 
     /// Returns the indices with terms, in the order of their first terms, and their sums. Resets
     /// all sums.
-    fn drain(&mut self) -> impl Iterator<Item = (usize, f64)> {
+    fn drain_sums(&mut self) -> impl Iterator<Item = (usize, f64)> {
         let (sums, has_terms) = (&mut self.sums, &mut self.has_terms);
         self.numbers.drain(..).map(|number| {
             has_terms[number as usize] = false;

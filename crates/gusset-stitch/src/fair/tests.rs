@@ -1,26 +1,26 @@
 //! Tests thin-plate fairing with known shapes and equations.
 
 use super::exact_laplacian::ExactLaplacian;
-use super::rings::Rings;
-use super::{Continuity, Plate, RestShape, Weights, mean_curvature, thin_plate};
+use super::one_rings::OneRings;
+use super::{Continuity, LaplacianWeights, Plate, RestShape, mean_curvature, minimise_plate_energy};
 use glam::{DQuat, DVec3};
 use gusset_base::Job;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-const ALL_WEIGHTS: [Weights; 2] = [Weights::Uniform, Weights::Cotangent];
+const ALL_WEIGHTS: [LaplacianWeights; 2] = [LaplacianWeights::Uniform, LaplacianWeights::Cotangent];
 
 /// A patch with free vertices.
 #[derive(Clone)]
-struct Patch {
+struct TestPatch {
     points: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     free: Vec<bool>,
 }
 
-impl Patch {
+impl TestPatch {
     /// Returns the free vertices, and their neighbours that are not on the patch's own border.
-    fn centres(&self) -> Vec<bool> {
+    fn free_vertices_and_neighbours(&self) -> Vec<bool> {
         let edges: BTreeSet<[u32; 2]> = self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
         let mut centres = self.free.clone();
         for &[a, b] in edges.iter().filter(|&&[a, b]| self.free[a as usize] || self.free[b as usize]) {
@@ -34,27 +34,27 @@ impl Patch {
         centres
     }
 
-    fn fair(&mut self, weights: Weights) {
-        self.fair_at(&self.centres(), weights);
+    fn fair_with_own_centres(&mut self, weights: LaplacianWeights) {
+        self.fair_with_centres(&self.free_vertices_and_neighbours(), weights);
     }
 
-    fn fair_at(&mut self, centres: &[bool], weights: Weights) {
-        self.bend(centres, weights, None);
+    fn fair_with_centres(&mut self, centres: &[bool], weights: LaplacianWeights) {
+        self.fair_with_rest_curvature(centres, weights, None);
     }
 
-    fn bend(&mut self, centres: &[bool], weights: Weights, curvature: Option<&[DVec3]>) {
+    fn fair_with_rest_curvature(&mut self, centres: &[bool], weights: LaplacianWeights, curvature: Option<&[DVec3]>) {
         let (triangles, free) = (&self.triangles, &self.free);
         let places = self.points.clone();
         // The reach is far beyond the patch, so that the springs do not matter.
         let shape = curvature.map(|curvature| RestShape { curvature, places: &places, reach: 1e9 });
         let plate = Plate { triangles, free, centres, weights, continuity: Continuity::C1, shape, layout: None };
-        thin_plate(&mut self.points, &plate, &Job::default()).unwrap();
+        minimise_plate_energy(&mut self.points, &plate, &Job::default()).unwrap();
     }
 }
 
 /// Returns a disk of radius 1 in the plane z = 0, with a middle vertex and `rings` rings of 6 i
 /// vertices. All vertices except the last two rings are free.
-fn disk(rings: u32) -> Patch {
+fn disk_patch(rings: u32) -> TestPatch {
     let first = |i: u32| if i == 0 { 0 } else { 3 * i * (i - 1) + 1 };
     let vertex = |i: u32, k: u32| if i == 0 { 0 } else { first(i) + k % (6 * i) };
     let (mut points, mut triangles) = (vec![DVec3::ZERO], Vec::new());
@@ -74,11 +74,11 @@ fn disk(rings: u32) -> Patch {
         }
     }
     let free = (0..points.len() as u32).map(|v| v < first(rings - 1)).collect();
-    Patch { points, triangles, free }
+    TestPatch { points, triangles, free }
 }
 
 /// Returns a reproducible number from -1 to 1.
-fn noise(i: usize) -> f64 {
+fn reproducible_noise(i: usize) -> f64 {
     ((i as f64 * 12.9898).sin() * 43758.5453).fract()
 }
 
@@ -87,12 +87,12 @@ fn a_plane_stays_a_plane() {
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 1.0);
     let away = DVec3::new(100.0, -200.0, 50.0);
     for weights in ALL_WEIGHTS {
-        let mut patch = disk(8);
+        let mut patch = disk_patch(8);
         for (i, p) in patch.points.iter_mut().enumerate() {
-            *p += DVec3::new(noise(i), noise(i + 1000), 0.0) * 0.03;
+            *p += DVec3::new(reproducible_noise(i), reproducible_noise(i + 1000), 0.0) * 0.03;
             *p = turn * *p + away;
         }
-        patch.fair(weights);
+        patch.fair_with_own_centres(weights);
         for p in &patch.points {
             assert!((turn.inverse() * (*p - away)).z.abs() < 1e-12, "{weights:?}");
         }
@@ -101,17 +101,17 @@ fn a_plane_stays_a_plane() {
 
 #[test]
 fn fixed_vertices_keep_their_bits_and_free_ones_forget_where_they_were() {
-    let mut patch = disk(6);
+    let mut patch = disk_patch(6);
     for (i, p) in patch.points.iter_mut().enumerate() {
-        p.z = (3.0 * p.x).sin() + 0.1 * noise(i);
+        p.z = (3.0 * p.x).sin() + 0.1 * reproducible_noise(i);
     }
     let mut other = patch.clone();
     for v in (0..other.points.len()).filter(|&v| other.free[v]) {
-        other.points[v] += DVec3::new(noise(v), noise(v + 7), noise(v + 99));
+        other.points[v] += DVec3::new(reproducible_noise(v), reproducible_noise(v + 7), reproducible_noise(v + 99));
     }
     let before = patch.points.clone();
-    patch.fair(Weights::Uniform);
-    other.fair(Weights::Uniform);
+    patch.fair_with_own_centres(LaplacianWeights::Uniform);
+    other.fair_with_own_centres(LaplacianWeights::Uniform);
     for (v, &was) in before.iter().enumerate() {
         assert_eq!(patch.points[v] == was, !patch.free[v]);
         assert!(patch.points[v].distance(other.points[v]) < 1e-12);
@@ -124,11 +124,11 @@ fn fixed_vertices_keep_their_bits_and_free_ones_forget_where_they_were() {
 fn biharmonic_functions_are_found() {
     let height = |p: DVec3| 1e-4 * (p.length_squared() * (p.x + 1.0) + p.x * p.y);
     let error = |rings: u32| {
-        let mut patch = disk(rings);
+        let mut patch = disk_patch(rings);
         for v in 0..patch.points.len() {
             patch.points[v].z = if patch.free[v] { 0.0 } else { height(patch.points[v]) };
         }
-        patch.fair(Weights::Cotangent);
+        patch.fair_with_own_centres(LaplacianWeights::Cotangent);
         patch.points.iter().map(|&p| (p.z - height(p)).abs()).fold(0.0, f64::max) / 1e-4
     };
     let errors = [8, 16, 32].map(error);
@@ -141,18 +141,21 @@ fn biharmonic_functions_are_found() {
 fn a_hole_in_a_sphere_is_domed() {
     for weights in ALL_WEIGHTS {
         for radius in [0.2, 0.4] {
-            let mut patch = disk(16);
+            let mut patch = disk_patch(16);
             let on_sphere = |p: DVec3| DVec3::new(p.x, p.y, (1.0 - p.x * p.x - p.y * p.y).sqrt());
             let rim = on_sphere(DVec3::X * radius).z;
             for v in 0..patch.points.len() {
                 let flat = patch.points[v] * radius;
                 patch.points[v] = if patch.free[v] { flat + DVec3::Z * rim } else { on_sphere(flat) };
             }
-            patch.fair(weights);
+            patch.fair_with_own_centres(weights);
             let error = patch.points.iter().map(|p| (p.length() - 1.0).abs()).fold(0.0, f64::max);
             // Uniform weights mistake the disk's six corners for bends: 5 % of the dome's height.
-            let bound =
-                if weights == Weights::Cotangent { 1.2 * radius.powi(4) / 8.0 } else { 0.025 * radius * radius };
+            let bound = if weights == LaplacianWeights::Cotangent {
+                1.2 * radius.powi(4) / 8.0
+            } else {
+                0.025 * radius * radius
+            };
             assert!(error < bound, "{weights:?}: {error} at {radius}");
         }
     }
@@ -160,7 +163,7 @@ fn a_hole_in_a_sphere_is_domed() {
 
 /// Returns a tube of `rows` rows with `around` vertices each. All rows except the outer two on each
 /// side are free.
-fn tube(around: u32, rows: u32) -> Patch {
+fn tube_patch(around: u32, rows: u32) -> TestPatch {
     let (mut points, mut triangles, mut free) = (Vec::new(), Vec::new(), Vec::new());
     for row in 0..rows {
         for k in 0..around {
@@ -174,19 +177,19 @@ fn tube(around: u32, rows: u32) -> Patch {
             }
         }
     }
-    Patch { points, triangles, free }
+    TestPatch { points, triangles, free }
 }
 
 #[test]
 fn a_gap_in_a_cylinder_gets_its_waist_back() {
     for weights in ALL_WEIGHTS {
-        let mut patch = tube(60, 9);
+        let mut patch = tube_patch(60, 9);
         for (v, p) in patch.points.iter_mut().enumerate() {
             if patch.free[v] {
                 *p *= DVec3::new(0.95, 0.95, 1.0);
             }
         }
-        patch.fair(weights);
+        patch.fair_with_own_centres(weights);
         for p in &patch.points {
             assert!((p.truncate().length() - 1.0).abs() < 5e-3, "{weights:?} {p}");
         }
@@ -197,12 +200,12 @@ fn a_gap_in_a_cylinder_gets_its_waist_back() {
 fn symmetric_input_gives_symmetric_output() {
     // The disk is symmetric under a sixth of a turn, up to the numbering of each ring.
     for weights in ALL_WEIGHTS {
-        let mut patch = disk(7);
+        let mut patch = disk_patch(7);
         for p in &mut patch.points {
             let angle = p.y.atan2(p.x);
             p.z = 0.3 * p.length_squared() * (6.0 * angle).cos();
         }
-        patch.fair(weights);
+        patch.fair_with_own_centres(weights);
         let turn = DQuat::from_rotation_z(TAU / 6.0);
         for &p in &patch.points {
             let nearest = patch.points.iter().map(|q| q.distance(turn * p)).fold(f64::INFINITY, f64::min);
@@ -215,11 +218,11 @@ fn symmetric_input_gives_symmetric_output() {
 /// own way.
 #[test]
 fn the_energy_is_least() {
-    let mut patch = disk(6);
+    let mut patch = disk_patch(6);
     for (i, p) in patch.points.iter_mut().enumerate() {
-        *p += DVec3::new(noise(i), noise(i + 1000), noise(i + 2000)) * 0.2;
+        *p += DVec3::new(reproducible_noise(i), reproducible_noise(i + 1000), reproducible_noise(i + 2000)) * 0.2;
     }
-    let centres = patch.centres();
+    let centres = patch.free_vertices_and_neighbours();
     let mut neighbours = vec![BTreeSet::new(); patch.points.len()];
     for &[a, b, c] in &patch.triangles {
         for [u, v] in [[a, b], [b, c], [c, a]] {
@@ -232,7 +235,7 @@ fn the_energy_is_least() {
         (0..points.len()).filter(|&v| centres[v]).map(|v| (mean(v) - points[v]).length_squared()).sum()
     };
     let before = energy(&patch.points);
-    patch.fair(Weights::Uniform);
+    patch.fair_with_own_centres(LaplacianWeights::Uniform);
     let least = energy(&patch.points);
     assert!(least < before / 2.0);
     for v in (0..patch.points.len()).filter(|&v| patch.free[v]) {
@@ -252,11 +255,11 @@ fn the_energy_is_least() {
 fn a_single_free_vertex_moves_to_the_mean() {
     // With uniform weights and itself as the only centre, a vertex moves to the mean of its
     // neighbours.
-    let mut patch = disk(1);
+    let mut patch = disk_patch(1);
     patch.free = vec![true, false, false, false, false, false, false];
     patch.points[0] = DVec3::new(0.3, 0.2, 5.0);
     let centres = patch.free.clone();
-    patch.fair_at(&centres, Weights::Uniform);
+    patch.fair_with_centres(&centres, LaplacianWeights::Uniform);
     assert!(patch.points[0].length() < 1e-15);
 }
 
@@ -264,20 +267,20 @@ fn a_single_free_vertex_moves_to_the_mean() {
 fn vertices_that_nothing_determines_stay() {
     for weights in ALL_WEIGHTS {
         // All vertices are free: the energy is 0 wherever the patch shrinks to a point.
-        let mut patch = disk(4);
+        let mut patch = disk_patch(4);
         patch.free.fill(true);
         let before = patch.points.clone();
-        patch.fair(weights);
+        patch.fair_with_own_centres(weights);
         assert_eq!(patch.points, before);
 
         // Without centres the energy is 0.
-        let mut patch = disk(4);
+        let mut patch = disk_patch(4);
         let none = vec![false; patch.points.len()];
-        patch.fair_at(&none, weights);
+        patch.fair_with_centres(&none, weights);
         assert_eq!(patch.points, before);
 
         // Add a second disk far away, loose vertices, and degenerate triangles.
-        let mut patch = disk(4);
+        let mut patch = disk_patch(4);
         let count = patch.points.len() as u32;
         patch.points.extend(before.iter().map(|&p| p + DVec3::X * 10.0));
         let again: Vec<_> = patch.triangles.iter().map(|t| t.map(|v| v + count)).collect();
@@ -286,7 +289,7 @@ fn vertices_that_nothing_determines_stay() {
         patch.triangles.extend([[2 * count, 2 * count, 0], [2 * count, 2 * count + 1, 2 * count]]);
         patch.free.resize(patch.points.len(), true);
         patch.points[0].z = 1.0;
-        patch.fair(weights);
+        patch.fair_with_own_centres(weights);
         assert!(patch.points[0].z.abs() < 1e-9, "{weights:?}");
         assert_eq!(patch.points[2 * count as usize], DVec3::ONE);
         assert!((count..2 * count).all(|v| patch.points[v as usize].x > 8.0));
@@ -297,13 +300,13 @@ fn vertices_that_nothing_determines_stay() {
 fn one_centre_moves_one_vertex() {
     // One centre among seven free vertices: one of them makes the sum 0, and the others stay.
     for weights in ALL_WEIGHTS {
-        let mut patch = disk(3);
+        let mut patch = disk_patch(3);
         for (i, p) in patch.points.iter_mut().enumerate() {
-            *p += DVec3::new(noise(i), noise(i + 1000), noise(i + 2000)) * 0.1;
+            *p += DVec3::new(reproducible_noise(i), reproducible_noise(i + 1000), reproducible_noise(i + 2000)) * 0.1;
         }
         let before = patch.points.clone();
         let centres: Vec<bool> = (0..before.len()).map(|v| v == 0).collect();
-        patch.fair_at(&centres, weights);
+        patch.fair_with_centres(&centres, weights);
         let moved: Vec<f64> = before.iter().zip(&patch.points).map(|(p, q)| p.distance(*q)).collect();
         assert_eq!(moved.iter().filter(|&&by| by > 1e-12).count(), 1, "{weights:?} {moved:?}");
         assert!(moved.iter().all(|&by| by < 2.0), "{weights:?} {moved:?}");
@@ -314,19 +317,19 @@ fn one_centre_moves_one_vertex() {
 fn degenerate_patches_do_no_harm() {
     for weights in ALL_WEIGHTS {
         for size in [0.0, 1e-300, 1e300] {
-            let mut patch = disk(4);
+            let mut patch = disk_patch(4);
             patch.points.iter_mut().for_each(|p| *p *= size);
             // Half of the free vertices coincide.
             for v in (0..10).filter(|v| v % 2 == 0) {
                 patch.points[v] = patch.points[0];
             }
-            patch.fair(weights);
+            patch.fair_with_own_centres(weights);
             assert!(patch.points.iter().all(|p| p.abs().max_element() <= 1.1 * size), "{weights:?} {size}");
         }
     }
-    let (triangles, free, centres, weights) = (&[], &[], &[], Weights::Uniform);
+    let (triangles, free, centres, weights) = (&[], &[], &[], LaplacianWeights::Uniform);
     let plate = Plate { triangles, free, centres, weights, continuity: Continuity::C1, shape: None, layout: None };
-    let nothing = thin_plate(&mut [], &plate, &Job::default());
+    let nothing = minimise_plate_energy(&mut [], &plate, &Job::default());
     assert_eq!(nothing, Ok(()));
 }
 
@@ -334,25 +337,26 @@ fn degenerate_patches_do_no_harm() {
 /// plate stays below it.
 #[test]
 fn a_bent_plate_has_its_own_shape() {
-    const RADIUS: f64 = 1.2;
+    const BALL_RADIUS: f64 = 1.2;
     for size in [1e-3, 1.0, 1e3] {
-        let mut patch = disk(12);
+        let mut patch = disk_patch(12);
         for p in &mut patch.points {
-            p.z = (RADIUS * RADIUS - p.x * p.x - p.y * p.y).sqrt();
+            p.z = (BALL_RADIUS * BALL_RADIUS - p.x * p.x - p.y * p.y).sqrt();
             *p *= size;
         }
         let ball = patch.points.clone();
         // Twice the mean curvature, towards the centre.
-        let curvature: Vec<DVec3> = ball.iter().map(|p| -2.0 * p / (RADIUS * size).powi(2)).collect();
-        let farthest =
-            |patch: &Patch| patch.points.iter().map(|p| (p.length() / (RADIUS * size) - 1.0).abs()).fold(0.0, f64::max);
+        let curvature: Vec<DVec3> = ball.iter().map(|p| -2.0 * p / (BALL_RADIUS * size).powi(2)).collect();
+        let farthest = |patch: &TestPatch| {
+            patch.points.iter().map(|p| (p.length() / (BALL_RADIUS * size) - 1.0).abs()).fold(0.0, f64::max)
+        };
         for (v, p) in patch.points.iter_mut().enumerate().filter(|&(v, _)| patch.free[v]) {
-            p.z += 0.02 * noise(v) * size;
+            p.z += 0.02 * reproducible_noise(v) * size;
         }
-        let centres = patch.centres();
+        let centres = patch.free_vertices_and_neighbours();
         let mut flat = patch.clone();
-        flat.bend(&centres, Weights::Cotangent, None);
-        patch.bend(&centres, Weights::Cotangent, Some(&curvature));
+        flat.fair_with_rest_curvature(&centres, LaplacianWeights::Cotangent, None);
+        patch.fair_with_rest_curvature(&centres, LaplacianWeights::Cotangent, Some(&curvature));
         assert!(farthest(&patch) < 4e-3, "{size} {}", farthest(&patch));
         assert!(farthest(&flat) > 3.0 * farthest(&patch), "{size} {}", farthest(&flat));
     }
@@ -362,20 +366,20 @@ fn a_bent_plate_has_its_own_shape() {
 /// the rim; and ridges of noise are smoothed out.
 #[test]
 fn mean_curvature_of_a_ball_is_its_inverse_radius() {
-    let mut patch = disk(12);
+    let mut patch = disk_patch(12);
     patch.points.iter_mut().for_each(|p| p.z = (4.0 - p.x * p.x - p.y * p.y).sqrt());
     // Put the rim first.
     patch.points.reverse();
     let last = patch.points.len() as u32 - 1;
     patch.triangles.iter_mut().flatten().for_each(|v| *v = last - *v);
-    let off = |passes: u32, patch: &Patch| {
+    let off = |passes: u32, patch: &TestPatch| {
         let curvature = mean_curvature(&patch.points, &patch.triangles, &|v| v >= 72, passes, &Job::default()).unwrap();
         let off = curvature.iter().zip(&patch.points).map(|(bend, &p)| bend.distance(-p / 2.0));
         off.fold(0.0, f64::max)
     };
     assert!(off(5, &patch) < 0.1, "{}", off(5, &patch));
     for v in 72..patch.points.len() {
-        patch.points[v].z += 1e-3 * noise(v);
+        patch.points[v].z += 1e-3 * reproducible_noise(v);
     }
     let [rough, smooth] = [off(1, &patch), off(10, &patch)];
     assert!(smooth < rough / 2.0 && smooth < 0.3, "{rough} {smooth}");
@@ -388,9 +392,9 @@ fn mean_curvature_of_a_ball_is_its_inverse_radius() {
 fn triharmonic_functions_are_found() {
     let height = |p: DVec3| 1e-4 * p.length_squared() * (p.length_squared() * (p.x + 1.0) + p.x * p.y + p.y + 1.0);
     let error = |rings: u32, continuity: Continuity| {
-        let mut patch = disk(rings);
+        let mut patch = disk_patch(rings);
         for (v, p) in patch.points.iter_mut().enumerate() {
-            *p += DVec3::new(noise(v), noise(v + 1000), 0.0) * 0.2 / f64::from(rings);
+            *p += DVec3::new(reproducible_noise(v), reproducible_noise(v + 1000), 0.0) * 0.2 / f64::from(rings);
         }
         // Three rows are fixed.
         let count = patch.points.len();
@@ -401,9 +405,9 @@ fn triharmonic_functions_are_found() {
             patch.points[v].z = if patch.free[v] { 0.0 } else { height(patch.points[v]) };
         }
         let (triangles, free) = (&patch.triangles, &patch.free);
-        let weights = Weights::Cotangent;
+        let weights = LaplacianWeights::Cotangent;
         let plate = Plate { triangles, free, centres: &centres, weights, continuity, shape: None, layout: None };
-        thin_plate(&mut patch.points, &plate, &Job::default()).unwrap();
+        minimise_plate_energy(&mut patch.points, &plate, &Job::default()).unwrap();
         patch.points.iter().map(|&p| (p.z - height(p)).abs()).fold(0.0, f64::max) / 1e-4
     };
     let errors = [8, 16, 32].map(|rings| error(rings, Continuity::C2));
@@ -417,19 +421,19 @@ fn laplacians_of_quadratic_functions_are_exact() {
     type Function = fn(DVec3) -> f64;
     let functions: [(Function, f64); 3] = [(|p| p.x * p.x, 2.0), (|p| p.y * p.y, 2.0), (|p| p.x * p.y, 0.0)];
     for (stretch, most) in [(1.0, 0.01), (3.0, 0.02), (10.0, 0.05), (0.05, 0.25)] {
-        let mut patch = disk(12);
+        let mut patch = disk_patch(12);
         for (v, p) in patch.points.iter_mut().enumerate() {
-            *p = 12.0 * *p + DVec3::new(noise(v), noise(v + 1000), 0.0) * 0.25;
+            *p = 12.0 * *p + DVec3::new(reproducible_noise(v), reproducible_noise(v + 1000), 0.0) * 0.25;
             p.y *= stretch;
         }
         let (points, triangles) = (&patch.points, &patch.triangles);
-        let rings = Rings::new(points, triangles, Weights::Cotangent, &Job::default()).unwrap();
+        let rings = OneRings::new(points, triangles, LaplacianWeights::Cotangent, &Job::default()).unwrap();
         let exact = ExactLaplacian::new(points, triangles, &rings, &Job::default()).unwrap();
         let inner: Vec<usize> = (0..points.len()).filter(|&v| patch.free[v]).collect();
         for (k, (f, expected)) in functions.iter().enumerate() {
             // In the plane of each vertex.
             let laplacian = |&v: &usize| {
-                let row = exact.rows(&rings).row(v);
+                let row = exact.matrix_rows(&rings).row(v);
                 row.map(|(w, weight)| weight * f(points[w] - points[v])).sum::<f64>() - expected
             };
             let square: f64 = inner.iter().map(laplacian).map(|error| error * error).sum();
@@ -443,15 +447,15 @@ fn laplacians_of_quadratic_functions_are_exact() {
 /// A plane stays a plane with irregular triangles.
 #[test]
 fn a_plane_stays_a_plane_with_its_curvature() {
-    let mut patch = disk(9);
+    let mut patch = disk_patch(9);
     for (v, p) in patch.points.iter_mut().enumerate() {
-        *p += DVec3::new(noise(v), noise(v + 1000), 0.0) * 0.05;
-        p.z = if patch.free[v] { 0.1 * noise(v + 77) } else { 0.0 };
+        *p += DVec3::new(reproducible_noise(v), reproducible_noise(v + 1000), 0.0) * 0.05;
+        p.z = if patch.free[v] { 0.1 * reproducible_noise(v + 77) } else { 0.0 };
     }
     let centres: Vec<_> = (0..patch.points.len()).map(|v| v < patch.points.len() - 54).collect();
     let (triangles, free) = (&patch.triangles, &patch.free);
-    let (weights, continuity) = (Weights::Cotangent, Continuity::C2);
+    let (weights, continuity) = (LaplacianWeights::Cotangent, Continuity::C2);
     let plate = Plate { triangles, free, centres: &centres, weights, continuity, shape: None, layout: None };
-    thin_plate(&mut patch.points, &plate, &Job::default()).unwrap();
+    minimise_plate_energy(&mut patch.points, &plate, &Job::default()).unwrap();
     assert!(patch.points.iter().all(|p| p.z.abs() < 1e-10));
 }

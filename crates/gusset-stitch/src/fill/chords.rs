@@ -1,7 +1,7 @@
 //! Sets of chords of a loop that a triangulation may use.
 //!
-//! [`AllChords`] has every chord. [`NearChords`] has the chords near the sides of a coarser
-//! triangulation.
+//! [`AllChords`] has every chord. [`ChordsNearTriangulation`] has the chords near the sides of a
+//! coarser triangulation.
 
 use gusset_base::error::Result;
 use gusset_base::sort;
@@ -9,14 +9,14 @@ use gusset_base::sort::Buckets;
 
 /// Numbered chords (i, k), i < k, of a loop of n vertices, including the edges (i, i + 1). The
 /// chords (i, m) and (m, k) have smaller numbers than (i, k).
-pub(super) trait Chords {
-    fn count(&self) -> usize;
-    fn find(&self, i: usize, k: usize) -> Option<usize>;
+pub(super) trait ChordSet {
+    fn chord_count(&self) -> usize;
+    fn find_chord_number(&self, i: usize, k: usize) -> Option<usize>;
     /// Calls `visit` for every chord, in the order of the numbers.
-    fn try_each(&self, visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()>;
+    fn try_each_chord(&self, visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()>;
     /// Calls `visit` for each m between i and k, ascending, for which (i, m) and (m, k) are chords.
     /// Passes m and the numbers of both chords.
-    fn each_apex(&self, i: usize, k: usize, visit: impl FnMut(usize, [usize; 2]));
+    fn visit_apexes(&self, i: usize, k: usize, visit: impl FnMut(usize, [usize; 2]));
 }
 
 /// All chords of a loop with this number of vertices.
@@ -26,26 +26,26 @@ fn chord_number(i: usize, k: usize) -> usize {
     k * (k - 1) / 2 + (k - 1 - i)
 }
 
-impl Chords for AllChords {
-    fn count(&self) -> usize {
+impl ChordSet for AllChords {
+    fn chord_count(&self) -> usize {
         self.0 * (self.0 - 1) / 2
     }
 
-    fn find(&self, i: usize, k: usize) -> Option<usize> {
+    fn find_chord_number(&self, i: usize, k: usize) -> Option<usize> {
         Some(chord_number(i, k))
     }
 
-    fn try_each(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
+    fn try_each_chord(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
         (1..self.0).try_for_each(|k| (0..k).rev().try_for_each(|i| visit(chord_number(i, k), [i, k])))
     }
 
-    fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
+    fn visit_apexes(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
         (i + 1..k).for_each(|m| visit(m, [chord_number(i, m), chord_number(m, k)]));
     }
 }
 
 /// A sparse set of chords, indexed by both ends.
-pub(super) struct NearChords {
+pub(super) struct ChordsNearTriangulation {
     /// The chords (i, k) of one k occupy `first[start[k]..start[k + 1]]`. A chord's number is its
     /// index in `first`.
     start: Vec<u32>,
@@ -55,14 +55,14 @@ pub(super) struct NearChords {
     after: Buckets<(u32, u32)>,
 }
 
-impl NearChords {
+impl ChordsNearTriangulation {
     /// Builds the chords near a coarse triangulation of a loop of `n` vertices.
     ///
     /// `triangles` triangulates the vertices `kept` of the loop. The set has the edges of the loop,
     /// the chords that cut off one vertex, and the chord from the first to the last vertex. It also
     /// has each chord whose ends lie at most `band` vertices from the ends of a side of
     /// `triangles`. O(band^2 n) time and memory.
-    pub(super) fn new(n: usize, triangles: &[[u32; 3]], kept: &[u32], band: u32) -> Result<NearChords> {
+    pub(super) fn new(n: usize, triangles: &[[u32; 3]], kept: &[u32], band: u32) -> Result<ChordsNearTriangulation> {
         // Each chord is the longest side of exactly one triangle, in the numbering of the vertices.
         let edges = (1..kept.len() as u32).map(|v| (v - 1, v));
         let given = triangles.iter().map(|&[a, _, c]| (a, c)).chain(edges);
@@ -93,25 +93,25 @@ impl NearChords {
         let places = (0..n).flat_map(|k| (start[k]..start[k + 1]).map(move |number| (k, number)));
         let after =
             Buckets::new(n, (0, 0), places.map(|(k, number)| (first[number as usize] as usize, (k as u32, number))))?;
-        Ok(NearChords { start, first, after })
+        Ok(ChordsNearTriangulation { start, first, after })
     }
 
-    fn starts_to(&self, k: usize) -> &[u32] {
+    fn chord_starts_to(&self, k: usize) -> &[u32] {
         &self.first[self.start[k] as usize..self.start[k + 1] as usize]
     }
 }
 
-impl Chords for NearChords {
-    fn count(&self) -> usize {
+impl ChordSet for ChordsNearTriangulation {
+    fn chord_count(&self) -> usize {
         self.first.len()
     }
 
-    fn find(&self, i: usize, k: usize) -> Option<usize> {
+    fn find_chord_number(&self, i: usize, k: usize) -> Option<usize> {
         let after = self.after.get(i);
         after.binary_search_by_key(&(k as u32), |&(k, _)| k).ok().map(|at| after[at].1 as usize)
     }
 
-    fn try_each(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
+    fn try_each_chord(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
         for k in 0..self.start.len() - 1 {
             for number in self.start[k] as usize..self.start[k + 1] as usize {
                 visit(number, [self.first[number] as usize, k])?;
@@ -120,8 +120,8 @@ impl Chords for NearChords {
         Ok(())
     }
 
-    fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
-        let (after, before, start) = (self.after.get(i), self.starts_to(k), self.start[k] as usize);
+    fn visit_apexes(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
+        let (after, before, start) = (self.after.get(i), self.chord_starts_to(k), self.start[k] as usize);
         // Walk the shorter list, and search the longer one.
         if after.len() <= before.len() {
             for &(m, left) in after.iter().take_while(|&&(m, _)| (m as usize) < k) {

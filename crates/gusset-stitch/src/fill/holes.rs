@@ -1,11 +1,11 @@
 //! Fills the selected holes of a mesh, step by step.
 
-use super::cheapest::group_by_cost;
-use super::choose::choose;
+use super::candidate_loops::choose_loops;
 use super::fill_request::{Fairing, Filled, Options, Refinement, Selection, Together};
-use super::filling::Filling;
-use super::groups::patch_groups;
-use super::result::{Made, build_result};
+use super::fill_result::{FinishedPatches, build_result};
+use super::group_by_cost::group_by_cost;
+use super::hole_filling::HoleFilling;
+use super::patch_groups::group_candidates_by_patch;
 use crate::boundary::{self, Survey, boundary_loops};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -67,19 +67,23 @@ pub fn fill_holes(mesh: &MeshView<'_>, selection: Selection<'_>, options: &Optio
     }
     let survey = boundary::Options { survey: Survey::BoundaryOnly, ..boundary::Options::default() };
     let boundary = boundary_loops(mesh, &survey, &job.part(0.0, 0.2))?;
-    let candidates = choose(mesh, &boundary, selection, options)?;
+    let candidates = choose_loops(mesh, &boundary, selection, options)?;
     if options.plan_only {
-        return build_result(Made::empty(mesh), &candidates, options, &job.part(0.2, 1.0));
+        return build_result(FinishedPatches::empty(mesh), &candidates, options, &job.part(0.2, 1.0));
     }
-    let mut passes = alloc::filled(0u8, mesh.positions().len())?;
+    let mut loops_through_vertex = alloc::filled(0u8, mesh.positions().len())?;
     for found in boundary.iter() {
-        found.vertices.iter().for_each(|&v| passes[v as usize] = passes[v as usize].saturating_add(1));
+        found
+            .vertices
+            .iter()
+            .for_each(|&v| loops_through_vertex[v as usize] = loops_through_vertex[v as usize].saturating_add(1));
     }
-    let mut groups = patch_groups(&candidates, selection, options.together)?;
+    let mut groups = group_candidates_by_patch(&candidates, selection, options.together)?;
     if options.together == Together::Cheapest && !matches!(selection, Selection::Groups(_)) {
-        groups = group_by_cost(mesh, &passes, &candidates, &groups, options.weight, &job.part(0.2, 0.4))?;
+        groups = group_by_cost(mesh, &loops_through_vertex, &candidates, &groups, options.weight, &job.part(0.2, 0.4))?;
     }
-    let mut filling = Filling::new(mesh, &candidates, &groups, &passes, options, &job.part(0.4, 0.45))?;
-    filling.fill(&job.part(0.45, 0.8))?;
+    let mut filling =
+        HoleFilling::new(mesh, &candidates, &groups, &loops_through_vertex, options, &job.part(0.4, 0.45))?;
+    filling.build_patches(&job.part(0.45, 0.8))?;
     build_result(filling.made, &candidates, options, &job.part(0.8, 1.0))
 }

@@ -9,46 +9,46 @@
 //! | file | subject |
 //! |---|---|
 //! | [`fill_request`](self) | options, results, status of each hole |
-//! | [`choose`](self) | selection of the loops to fill |
-//! | [`near`](self) | the old faces near the holes |
-//! | [`surroundings`](self) | the old faces that touch the rims |
+//! | [`candidate_loops`](self) | selection of the loops to fill |
+//! | [`faces_near_boxes`](self) | the old faces near the holes |
+//! | [`old_faces_at_rims`](self) | the old faces that touch the rims |
 //! | [`patch_rim`](self) | the loops of one patch with their own vertex numbers |
-//! | [`weigh`](self) | the cost of a triangulation |
+//! | [`triangulation_cost`](self) | the cost of a triangulation |
 //! | [`chords`](self) | the chords of a triangulation |
-//! | [`search`](self) | the triangulation of least cost |
+//! | [`triangulation_search`](self) | the triangulation of least cost |
 //! | [`loops`](self) | several loops closed by one patch |
-//! | [`clip`](self) | ear clipping of long planar loops |
+//! | [`ear_clipping`](self) | ear clipping of long planar loops |
 //! | [`creases`](self) | creases continued across a hole |
 //! | [`patch`](self) | the attempts to fill one rim |
-//! | [`placed`](self) | patches in the mesh |
+//! | [`placed_patch`](self) | patches in the mesh |
 //! | [`patch_cuts`](self) | intersecting faces |
-//! | [`groups`](self) | the loops that share a patch |
-//! | [`cheapest`](self) | the loops that cost less together |
-//! | [`filling`](self) | all patches |
-//! | [`result`](self) | the patches appended to the mesh, reports |
+//! | [`patch_groups`](self) | the loops that share a patch |
+//! | [`group_by_cost`](self) | the loops that cost less together |
+//! | [`hole_filling`](self) | all patches |
+//! | [`fill_result`](self) | the patches appended to the mesh, reports |
 //! | [`holes`](self) | the steps in order |
 
-mod cheapest;
-mod choose;
+mod group_by_cost;
+mod candidate_loops;
 mod chords;
-mod clip;
+mod ear_clipping;
 mod creases;
 mod fill_request;
-mod filling;
-mod groups;
+mod hole_filling;
+mod patch_groups;
 mod holes;
 mod loops;
-mod near;
+mod faces_near_boxes;
 mod patch;
 mod patch_cuts;
 mod patch_rim;
-mod placed;
-mod result;
-mod search;
-mod surroundings;
-mod weigh;
+mod placed_patch;
+mod fill_result;
+mod triangulation_search;
+mod old_faces_at_rims;
+mod triangulation_cost;
 
-pub(crate) use clip::clip_ears;
+pub(crate) use ear_clipping::clip_ears;
 pub use fill_request::{
     Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Measures, Options, Refinement, Selection,
     Together, Weight,

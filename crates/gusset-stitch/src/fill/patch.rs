@@ -1,13 +1,13 @@
 //! The patch of one rim: its triangulation, or a blend if new vertices are requested, by a sequence
 //! of attempts.
 
-use super::clip::{clip_ears, is_planar, mean_normal};
-use super::creases::{Division, divide};
+use super::creases::{DividedHole, divide_along_creases};
+use super::ear_clipping::{clip_ears, is_planar, mean_normal};
 use super::fill_request::{Fairing, Finish, Options, Refinement, Weight};
-use super::loops::triangulate_together;
+use super::loops::triangulate_loops_together;
 use super::patch_rim::PatchRim;
-use super::search::{MAX_EXACT, minimum_weight};
-use crate::blend::{self, FairingWay, VertexLimits};
+use super::triangulation_search::{MAX_EXACT_VERTICES, minimum_weight_triangulation};
+use crate::blend::{self, BlendFairing, NewVertexLimits};
 use crate::remesh::PatchMesh;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -17,62 +17,62 @@ use gusset_base::geom::triangle_places::nearest_places;
 use gusset_base::job::Job;
 
 /// Estimated limit on the new vertices of a hole, if the caller sets none.
-const MAX_NEW_VERTICES: u32 = 50_000;
+const DEFAULT_MAX_NEW_VERTICES: u32 = 50_000;
 /// Limit on the new vertices that sharp angles at the rim may request, per rim vertex, if the
 /// caller sets none.
-const MAX_NEW_AT_RIM: u32 = 4;
+const DEFAULT_MAX_NEW_PER_RIM_VERTEX: u32 = 4;
 /// The fairing attempts for blends, in order, until nothing intersects.
-const WAYS: [FairingWay; 4] = [
-    FairingWay { rounds: 4, unfolds: false },
-    FairingWay { rounds: 4, unfolds: true },
-    FairingWay { rounds: 1, unfolds: true },
-    FairingWay::UNFAIRED,
+const FAIRING_ATTEMPTS: [BlendFairing; 4] = [
+    BlendFairing { rounds: 4, unfolds: false },
+    BlendFairing { rounds: 4, unfolds: true },
+    BlendFairing { rounds: 1, unfolds: true },
+    BlendFairing::WITHOUT_FAIRING,
 ];
 /// Faired vertices stay in the rim's box, enlarged on all sides by this fraction of its diagonal.
-pub(super) const MAX_BULGE: f64 = 0.5;
+pub(super) const MAX_RELATIVE_BULGE: f64 = 0.5;
 
 /// One attempt to fill a hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Attempt {
+pub(super) struct PatchAttempt {
     pub(super) weight: Weight,
     /// How the blend is faired; `None` for a patch without new vertices.
-    way: Option<FairingWay>,
+    way: Option<BlendFairing>,
     /// True if creases of the old surface are continued. Without creases the attempt fails.
     creased: bool,
 }
 
-impl Attempt {
+impl PatchAttempt {
     /// Returns true if the patch has new vertices.
     pub(super) fn is_blend(self) -> bool {
         self.way.is_some()
     }
 
     /// Returns the construction of the resulting patch.
-    pub(super) fn finish(self) -> Finish {
+    pub(super) fn construction(self) -> Finish {
         match self.way {
             None => Finish::Plain,
-            Some(FairingWay::UNFAIRED) => Finish::Refined,
+            Some(BlendFairing::WITHOUT_FAIRING) => Finish::Refined,
             Some(_) => Finish::Faired,
         }
     }
 }
 
 /// Returns the attempts that the options allow, the requested one first.
-pub(super) fn attempts(options: &Options) -> Vec<Attempt> {
+pub(super) fn list_attempts(options: &Options) -> Vec<PatchAttempt> {
     let mut weights = vec![options.weight];
     weights.extend(Weight::CHOICES.values.iter().copied().filter(|&weight| weight != options.weight));
-    let blends: &[FairingWay] = match (options.refinement, options.fairing) {
+    let blends: &[BlendFairing] = match (options.refinement, options.fairing) {
         (Refinement::None, _) => &[],
-        (Refinement::RimDensity(_), Fairing::None) => &[FairingWay::UNFAIRED],
-        (Refinement::RimDensity(_), Fairing::ThinPlate) => &WAYS,
+        (Refinement::RimDensity(_), Fairing::None) => &[BlendFairing::WITHOUT_FAIRING],
+        (Refinement::RimDensity(_), Fairing::ThinPlate) => &FAIRING_ATTEMPTS,
     };
     let mut ways = Vec::new();
     for weight in weights {
         let creases: &[bool] = if options.ignore_creases { &[false] } else { &[true, false] };
         for &creased in creases {
-            ways.extend(blends.iter().map(|&way| Attempt { weight, way: Some(way), creased }));
+            ways.extend(blends.iter().map(|&way| PatchAttempt { weight, way: Some(way), creased }));
         }
-        ways.extend(creases.iter().map(|&creased| Attempt { weight, way: None, creased }));
+        ways.extend(creases.iter().map(|&creased| PatchAttempt { weight, way: None, creased }));
     }
     ways
 }
@@ -92,23 +92,23 @@ pub(super) struct Patch {
 }
 
 /// Builds patches for one rim.
-pub(super) struct Planner<'a, T: Fn(u32, u32) -> bool> {
+pub(super) struct PatchBuilder<'a, T: Fn(u32, u32) -> bool> {
     rim: &'a PatchRim,
     options: &'a Options,
     /// Returns true if two rim vertices must not get an edge.
     taken: &'a T,
     /// The last triangulation, and the plan of the blends based on it.
     coarse: Option<(Weight, Vec<[u32; 3]>)>,
-    plan: Option<blend::Plan<&'a T>>,
+    plan: Option<blend::BlendPlan<&'a T>>,
 }
 
-impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
+impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
     pub(super) fn new(rim: &'a PatchRim, options: &'a Options, taken: &'a T) -> Self {
-        Planner { rim, options, taken, coarse: None, plan: None }
+        PatchBuilder { rim, options, taken, coarse: None, plan: None }
     }
 
     /// Returns true if the last patch had no triangulation.
-    pub(super) fn is_stuck(&self) -> bool {
+    pub(super) fn lacks_triangulation(&self) -> bool {
         self.coarse.is_none()
     }
 
@@ -117,27 +117,27 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
     ///
     /// O(n^3) for a rim of n <= 128 vertices, O(n log n) for longer ones. Refinement and fairing of
     /// m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
-    pub(super) fn patch(&mut self, attempt: Attempt, job: &Job<'_>) -> Result<Option<Patch>> {
+    pub(super) fn build_patch(&mut self, attempt: PatchAttempt, job: &Job<'_>) -> Result<Option<Patch>> {
         let rim = self.rim;
         if self.coarse.as_ref().is_none_or(|&(weight, _)| weight != attempt.weight) {
             self.plan = None;
-            let found = triangulate(rim, attempt.weight, self.taken, &job.part(0.0, 0.4))?;
+            let found = triangulate_rim(rim, attempt.weight, self.taken, &job.part(0.0, 0.4))?;
             self.coarse = found.map(|triangles| (attempt.weight, triangles));
         }
         let Some((_, coarse)) = &self.coarse else {
             return Ok(None);
         };
         if attempt.creased {
-            return self.creased_patch(attempt, coarse, &job.part(0.4, 1.0));
+            return self.build_creased_patch(attempt, coarse, &job.part(0.4, 1.0));
         }
         if let (Refinement::RimDensity(limit), None, true) =
             (self.options.refinement, &self.plan, attempt.way.is_some())
         {
             let copy = alloc::copied(coarse)?;
-            self.plan = blend::Plan::new(
+            self.plan = blend::BlendPlan::new(
                 rim.old_ring(self.options.continuity)?,
                 copy,
-                vertex_limits(limit),
+                new_vertex_limits(limit),
                 self.taken,
                 &job.part(0.4, 0.6),
             )?;
@@ -150,29 +150,31 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             let triangles = alloc::copied(&coarse)?;
             return Ok(Some(Patch { points: Vec::new(), unfaired: Vec::new(), coarse, triangles }));
         };
-        let made = plan.blend(way, &job.part(0.6, 1.0))?;
-        if !is_near(rim, &made.points) {
+        let made = plan.create_blend(way, &job.part(0.6, 1.0))?;
+        if !is_near_rim(rim, &made.points) {
             return Ok(None);
         }
-        if way != FairingWay::UNFAIRED {
+        if way != BlendFairing::WITHOUT_FAIRING {
             return Ok(Some(Patch { points: made.points, unfaired: made.unfaired, coarse, triangles: made.triangles }));
         }
         // Flips and moves cut the corners of a bent triangulation. Project the vertices back onto
         // it, so that each lies at the weighted mean of its parents.
-        let points = on_triangles(&rim.points[..rim.count], &coarse, &made.points, &job.part(1.0, 1.0))?;
+        let points = project_onto_triangles(&rim.points[..rim.count], &coarse, &made.points, &job.part(1.0, 1.0))?;
         Ok(Some(Patch { unfaired: alloc::copied(&points)?, points, coarse, triangles: made.triangles }))
     }
 
     /// Builds the patch from parts between creases; `None` if no creases continue. `whole` is the
     /// initial triangulation of the hole, which defines the parents of new vertices.
-    fn creased_patch(&self, attempt: Attempt, whole: &[[u32; 3]], job: &Job<'_>) -> Result<Option<Patch>> {
+    fn build_creased_patch(&self, attempt: PatchAttempt, whole: &[[u32; 3]], job: &Job<'_>) -> Result<Option<Patch>> {
         let rim = self.rim;
         let limits = match self.options.refinement {
-            Refinement::RimDensity(limit) if attempt.way.is_some() => Some(vertex_limits(limit)),
+            Refinement::RimDensity(limit) if attempt.way.is_some() => Some(new_vertex_limits(limit)),
             _ => None,
         };
         // Half of the new vertices are for the parts.
-        let Some(Division { points, parts }) = divide(rim, self.taken, limits.map(|limits| limits.new / 2))? else {
+        let Some(DividedHole { points, parts }) =
+            divide_along_creases(rim, self.taken, limits.map(|limits| limits.new / 2))?
+        else {
             return Ok(None);
         };
         let unfaired = alloc::copied(&points)?;
@@ -180,15 +182,15 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
         let all: usize = parts.iter().map(|part| part.names.len()).sum();
         for (k, part) in parts.iter().enumerate() {
             let job = job.share(k, parts.len());
-            let taken = |u: u32, v: u32| part.is_taken(u, v, self.taken);
-            let Some(mut triangles) = triangulate(&part.rim, attempt.weight, &taken, &job.part(0.0, 0.4))? else {
+            let taken = |u: u32, v: u32| part.is_taken_edge(u, v, self.taken);
+            let Some(mut triangles) = triangulate_rim(&part.rim, attempt.weight, &taken, &job.part(0.0, 0.4))? else {
                 return Ok(None);
             };
             let first = rim.count + patch.points.len();
             if let Some((way, limits)) = attempt.way.zip(limits) {
                 let new = (u64::from(limits.new / 2) * part.names.len() as u64 / all as u64).max(1) as u32;
-                let limits = VertexLimits { new, ..limits };
-                let plan = blend::Plan::new(
+                let limits = NewVertexLimits { new, ..limits };
+                let plan = blend::BlendPlan::new(
                     part.rim.old_ring(self.options.continuity)?,
                     triangles,
                     limits,
@@ -198,8 +200,8 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
                 let Some(plan) = plan else {
                     return Ok(None);
                 };
-                let made = plan.blend(way, &job.part(0.6, 1.0))?;
-                let unfaired = if way == FairingWay::UNFAIRED { &made.points } else { &made.unfaired };
+                let made = plan.create_blend(way, &job.part(0.6, 1.0))?;
+                let unfaired = if way == BlendFairing::WITHOUT_FAIRING { &made.points } else { &made.unfaired };
                 alloc::append(&mut patch.points, &made.points)?;
                 alloc::append(&mut patch.unfaired, unfaired)?;
                 triangles = made.triangles;
@@ -210,61 +212,67 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             };
             alloc::extend(&mut patch.triangles, triangles.iter().map(|triangle| triangle.map(name)))?;
         }
-        Ok(is_near(rim, &patch.points).then_some(patch))
+        Ok(is_near_rim(rim, &patch.points).then_some(patch))
     }
 }
 
 /// Returns the limits on new vertices for the caller's `limit`, or for 0.
-fn vertex_limits(limit: u32) -> VertexLimits {
-    let [new, at_rim] = if limit == 0 { [MAX_NEW_VERTICES, MAX_NEW_AT_RIM] } else { [limit, 0] };
-    VertexLimits { new, at_rim, growth: f64::INFINITY }
+fn new_vertex_limits(limit: u32) -> NewVertexLimits {
+    let [new, at_rim] =
+        if limit == 0 { [DEFAULT_MAX_NEW_VERTICES, DEFAULT_MAX_NEW_PER_RIM_VERTEX] } else { [limit, 0] };
+    NewVertexLimits { new, at_rim, growth: f64::INFINITY }
 }
 
 /// Returns the nearest point on the triangles for each point.
-fn on_triangles(rim: &[DVec3], triangles: &[[u32; 3]], points: &[DVec3], job: &Job<'_>) -> Result<Vec<DVec3>> {
+fn project_onto_triangles(
+    rim: &[DVec3],
+    triangles: &[[u32; 3]],
+    points: &[DVec3],
+    job: &Job<'_>,
+) -> Result<Vec<DVec3>> {
     let places = nearest_places(rim, triangles, points, "refining", job)?;
     let at = |v: u32| rim[v as usize];
     alloc::collect(places.iter().map(|&(of, weights)| of.into_iter().zip(weights).map(|(v, w)| w * at(v)).sum()))
 }
 
-fn is_near(rim: &PatchRim, points: &[DVec3]) -> bool {
-    let room = neighbourhood(&rim.points[..rim.count]);
+fn is_near_rim(rim: &PatchRim, points: &[DVec3]) -> bool {
+    let room = patch_bounds(&rim.points[..rim.count]);
     points.iter().all(|&p| room.axis_distances(p) == DVec3::ZERO)
 }
 
 /// Returns the box that no patch leaves.
-pub(super) fn neighbourhood(rim: &[DVec3]) -> Aabb {
+pub(super) fn patch_bounds(rim: &[DVec3]) -> Aabb {
     let around = Aabb::from_points(rim);
-    around.inflated(MAX_BULGE * around.diagonal())
+    around.inflated(MAX_RELATIVE_BULGE * around.diagonal())
 }
 
 /// Returns the triangulation of least weight; `None` if none is found without a taken edge.
-pub(super) fn triangulate(
+pub(super) fn triangulate_rim(
     rim: &PatchRim,
     weight: Weight,
     taken: &dyn Fn(u32, u32) -> bool,
     job: &Job<'_>,
 ) -> Result<Option<Vec<[u32; 3]>>> {
-    let polygons = rim.polygons()?;
+    let polygons = rim.loop_polygons()?;
     let [polygon] = polygons.as_slice() else {
-        return triangulate_together(&polygons, weight, taken, job);
+        return triangulate_loops_together(&polygons, weight, taken, job);
     };
     let points = polygon.points.as_slice();
     let n = points.len();
     // A planar triangulation without overlaps also has the least area.
     let planar = matches!(weight, Weight::Continuation | Weight::Area) && is_planar(points, mean_normal(points));
     if planar
-        && n > MAX_EXACT
+        && n > MAX_EXACT_VERTICES
         && let Some(triangles) = clip_ears(points, taken, &job.part(0.0, 0.1))?
     {
         return flip_to_delaunay(points, triangles, taken, &job.part(0.1, 1.0)).map(Some);
     }
     // On a plane, the surface beyond the rim does not matter.
     let weight = if planar { Weight::Area } else { weight };
-    let found = minimum_weight(polygon, weight, &|i, k| taken(i as u32, k as u32), &job.part(0.1, 1.0))?;
+    let found = minimum_weight_triangulation(polygon, weight, &|i, k| taken(i as u32, k as u32), &job.part(0.1, 1.0))?;
     let Some(triangles) = found else {
         // For a long rim, only chords in bands were tried.
-        return if n > MAX_EXACT { clip_ears(points, taken, &job.part(1.0, 1.0)) } else { Ok(None) };
+        return if n > MAX_EXACT_VERTICES { clip_ears(points, taken, &job.part(1.0, 1.0)) } else { Ok(None) };
     };
     if planar {
         return flip_to_delaunay(points, triangles, taken, &job.part(1.0, 1.0)).map(Some);
@@ -280,6 +288,6 @@ fn flip_to_delaunay(
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 3]>> {
     let mut mesh = PatchMesh::new(alloc::copied(points)?, triangles)?;
-    mesh.relax(points.len(), &taken, job)?;
+    mesh.flip_edges_to_delaunay(points.len(), &taken, job)?;
     Ok(mesh.triangles)
 }

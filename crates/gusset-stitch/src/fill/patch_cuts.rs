@@ -1,7 +1,7 @@
 //! Intersections of patches with each other and with old faces.
 
-use super::placed::{MeshAndPatchVertices, Placed};
-use crate::intersect::{Soup, intersecting_pairs};
+use super::placed_patch::{MeshAndPatchVertices, PlacedPatch};
+use crate::intersect::{TriangleSoup, intersecting_pairs};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
@@ -11,7 +11,7 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::MeshView;
 
 /// Faces between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const FACES_PER_REPORT: usize = 1 << 16;
 
 /// The old faces near the holes, as triangles.
 pub(super) struct OldTriangles {
@@ -26,7 +26,7 @@ impl OldTriangles {
         let at = |v: u32| mesh.positions().get(v);
         let (mut corners, mut faces, mut face) = (Vec::new(), Vec::new(), Vec::new());
         for (k, &f) in near.iter().enumerate() {
-            job.step_every(REPORT_INTERVAL, k, near.len(), "looking for intersections")?;
+            job.step_every(FACES_PER_REPORT, k, near.len(), "looking for intersections")?;
             face.clear();
             alloc::extend(&mut face, mesh.face(f as usize))?;
             let squared = |p: usize, q: usize| at(face[p]).distance_squared(at(face[q]));
@@ -43,7 +43,12 @@ impl OldTriangles {
     /// Converts pairs of triangles to pairs of faces of the result. The triangles of `patches` are
     /// numbered consecutively, and the old triangles follow. The larger number comes first, and is
     /// a patch's face. Each pair occurs once, in ascending order.
-    pub(super) fn faces_of(&self, pairs: &[[u32; 2]], patches: &[Placed], first_new: u32) -> Result<Vec<[u32; 2]>> {
+    pub(super) fn pairs_of_faces(
+        &self,
+        pairs: &[[u32; 2]],
+        patches: &[PlacedPatch],
+        first_new: u32,
+    ) -> Result<Vec<[u32; 2]>> {
         let count: usize = patches.iter().map(|patch| patch.triangles.len()).sum();
         let face = |t: u32| match (t as usize).checked_sub(count) {
             Some(k) => self.faces[k],
@@ -60,19 +65,19 @@ impl OldTriangles {
 
 /// Finds the pairs of intersecting triangles with at least one patch triangle. The triangles of the
 /// patches are numbered consecutively, and the old triangles follow.
-pub(super) fn find_cuts(
+pub(super) fn find_patch_intersections(
     vertices: &MeshAndPatchVertices<'_>,
-    patches: &[Placed],
+    patches: &[PlacedPatch],
     old: &OldTriangles,
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 2]>> {
     let mut new = alloc::with_capacity(patches.iter().map(|patch| patch.triangles.len()).sum())?;
     patches.iter().for_each(|patch| new.extend_from_slice(&patch.triangles));
-    intersecting_pairs(&Soup { at: |v| vertices.scaled(v), new: &new, old: &old.corners }, job)
+    intersecting_pairs(&TriangleSoup { at: |v| vertices.scaled_position(v), new: &new, old: &old.corners }, job)
 }
 
-/// Returns the patches with triangles among pairs of [`find_cuts`], ascending.
-pub(super) fn cutting_patches(pairs: &[[u32; 2]], patches: &[Placed]) -> Result<Vec<usize>> {
+/// Returns the patches with triangles among pairs of [`find_patch_intersections`], ascending.
+pub(super) fn intersecting_patches(pairs: &[[u32; 2]], patches: &[PlacedPatch]) -> Result<Vec<usize>> {
     let mut ends = alloc::with_capacity(patches.len())?;
     for patch in patches {
         ends.push(ends.last().unwrap_or(&0) + patch.triangles.len());
@@ -84,36 +89,36 @@ pub(super) fn cutting_patches(pairs: &[[u32; 2]], patches: &[Placed]) -> Result<
 }
 
 /// Counts the intersections of single patches.
-pub(super) struct Trials<'a> {
+pub(super) struct IntersectionCounter<'a> {
     old: &'a OldTriangles,
     /// Boxes of single old triangles.
-    triangles: Boxes,
+    triangles: OrderedBoxTree,
     /// Boxes that contain the patches.
-    rooms: Boxes,
+    rooms: OrderedBoxTree,
 }
 
 /// A tree over boxes in spatial order.
-struct Boxes {
+struct OrderedBoxTree {
     tree: BoxTree,
     order: Vec<u32>,
 }
 
-impl Boxes {
+impl OrderedBoxTree {
     fn new(boxes: &[Aabb], job: &Job<'_>) -> Result<Self> {
         let order = spatial_order(boxes, 1, job, "looking for intersections")?;
         let leaves = order.iter().map(|&k| boxes[k as usize]);
         let leaves = alloc::collect_cancellable(leaves, &job.part(1.0, 1.0), "looking for intersections")?;
         let tree = BoxTree::new_cancellable(leaves.into_iter(), &job.part(1.0, 1.0), "looking for intersections")?;
-        Ok(Boxes { tree, order })
+        Ok(OrderedBoxTree { tree, order })
     }
 
     /// Visits the boxes that overlap a box.
-    fn each_overlapping(&self, around: &Aabb, mut visit: impl FnMut(usize) -> Result<()>) -> Result<()> {
+    fn visit_overlapping_boxes(&self, around: &Aabb, mut visit: impl FnMut(usize) -> Result<()>) -> Result<()> {
         self.tree.overlapping(around, 0.0, |leaf| self.order.get(leaf).map_or(Ok(()), |&k| visit(k as usize)))
     }
 }
 
-impl<'a> Trials<'a> {
+impl<'a> IntersectionCounter<'a> {
     /// Builds the trees. `rooms` has a box for each patch that contains every attempt at it. O(n
     /// log n) for n old triangles and patches.
     pub(super) fn new(
@@ -124,32 +129,32 @@ impl<'a> Trials<'a> {
     ) -> Result<Self> {
         let boxes = old.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| vertices.position(v))));
         let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), "looking for intersections")?;
-        Ok(Trials {
+        Ok(IntersectionCounter {
             old,
-            triangles: Boxes::new(&boxes, &job.part(0.0, 0.5))?,
-            rooms: Boxes::new(rooms, &job.part(0.5, 1.0))?,
+            triangles: OrderedBoxTree::new(&boxes, &job.part(0.0, 0.5))?,
+            rooms: OrderedBoxTree::new(rooms, &job.part(0.5, 1.0))?,
         })
     }
 
     /// Counts the pairs of intersecting triangles if `patch` replaces patch `k`: pairs within the
     /// patch, and pairs with other triangles.
-    pub(super) fn count(
+    pub(super) fn count_intersections(
         &self,
         vertices: &MeshAndPatchVertices<'_>,
-        patches: &[Placed],
+        patches: &[PlacedPatch],
         k: usize,
-        patch: &Placed,
+        patch: &PlacedPatch,
         job: &Job<'_>,
     ) -> Result<usize> {
         // Enlarge the box: scaling by the unit, a power of two, may round tiny coordinates to 0.
         let around = patch.around.inflated(f64::MIN_POSITIVE * vertices.unit);
         let mut others = Vec::new();
-        self.triangles.each_overlapping(&around, |t| alloc::push(&mut others, self.old.corners[t]))?;
-        self.rooms.each_overlapping(&around, |j| {
+        self.triangles.visit_overlapping_boxes(&around, |t| alloc::push(&mut others, self.old.corners[t]))?;
+        self.rooms.visit_overlapping_boxes(&around, |j| {
             let other = &patches[j];
             if j != k && other.around.overlaps(&around) { alloc::append(&mut others, &other.triangles) } else { Ok(()) }
         })?;
-        let soup = Soup { at: |v| vertices.scaled(v), new: &patch.triangles, old: &others };
+        let soup = TriangleSoup { at: |v| vertices.scaled_position(v), new: &patch.triangles, old: &others };
         Ok(intersecting_pairs(&soup, job)?.len())
     }
 }

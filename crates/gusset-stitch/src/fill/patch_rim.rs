@@ -1,7 +1,7 @@
 //! The loops of one patch and the faces around them, with their own vertex numbers.
 
-use super::weigh::Polygon;
-use crate::blend::{Beyond, MAX_FAN_TRIANGLES, OldRing};
+use super::triangulation_cost::Polygon;
+use crate::blend::{MAX_FAN_TRIANGLES, OldRing, SecondRing};
 use crate::fair::Continuity;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -56,12 +56,12 @@ impl PatchRim {
         let unit = common_unit(points);
         let origin = points[0] / unit;
         let points = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-        PatchRim::from_scaled((origin, unit), points, lengths, faces, (across, whole))
+        PatchRim::from_scaled_points((origin, unit), points, lengths, faces, (across, whole))
     }
 
     /// Creates the rim of a part with one loop, from points in the unit and from the origin of this
     /// rim.
-    pub(super) fn part(
+    pub(super) fn rim_of_part(
         &self,
         points: Vec<DVec3>,
         faces: OldFaces,
@@ -69,10 +69,10 @@ impl PatchRim {
         whole: Vec<bool>,
     ) -> Result<PatchRim> {
         let lengths = vec![whole.len()];
-        PatchRim::from_scaled((self.origin, self.unit), points, lengths, faces, (across, whole))
+        PatchRim::from_scaled_points((self.origin, self.unit), points, lengths, faces, (across, whole))
     }
 
-    fn from_scaled(
+    fn from_scaled_points(
         (origin, unit): (DVec3, f64),
         points: Vec<DVec3>,
         lengths: Vec<usize>,
@@ -93,12 +93,12 @@ impl PatchRim {
     }
 
     /// Converts a point back to mesh coordinates.
-    pub(super) fn to_mesh(&self, p: DVec3) -> DVec3 {
+    pub(super) fn to_mesh_coordinates(&self, p: DVec3) -> DVec3 {
         (p + self.origin) * self.unit
     }
 
     /// Returns each loop as a polygon.
-    pub(super) fn polygons(&self) -> Result<Vec<Polygon>> {
+    pub(super) fn loop_polygons(&self) -> Result<Vec<Polygon>> {
         let mut first = 0;
         alloc::try_collect(self.lengths.iter().map(|&n| {
             let own = first..first + n;
@@ -111,7 +111,7 @@ impl PatchRim {
     /// Returns the number of smoothing steps for the curvature of a patch. The curvature then
     /// spreads over about a third of a round hole. The number grows with the square of the longest
     /// loop's length in edges.
-    fn smoothing_steps(&self) -> u32 {
+    fn curvature_smoothing_steps(&self) -> u32 {
         let radius = self.lengths.iter().copied().max().unwrap_or(0) as f64 / std::f64::consts::TAU;
         (0.5 * radius * radius).clamp(10.0, 400.0) as u32
     }
@@ -129,16 +129,16 @@ impl PatchRim {
             centred: alloc::collect(self.whole.iter().zip(&valence).map(is_centre))?,
             rims: alloc::collect(self.lengths.iter().map(|&n| (n, true)))?,
             reach: f64::INFINITY,
-            follows: (continuity == Continuity::C1).then(|| self.smoothing_steps()),
-            beyond: self.beyond(continuity)?,
+            follows: (continuity == Continuity::C1).then(|| self.curvature_smoothing_steps()),
+            beyond: self.second_ring(continuity)?,
         })
     }
 
     /// Returns the faces beyond the rim. A vertex outside the rim gets a Laplacian only if its
     /// one-ring is complete.
-    fn beyond(&self, continuity: Continuity) -> Result<Beyond> {
+    fn second_ring(&self, continuity: Continuity) -> Result<SecondRing> {
         if continuity == Continuity::C1 {
-            return Ok(Beyond::default());
+            return Ok(SecondRing::default());
         }
         let triangles = self.around.iter().chain(&self.beyond);
         let mut sides = alloc::with_capacity(3 * (self.around.len() + self.beyond.len()))?;
@@ -159,6 +159,6 @@ impl PatchRim {
         }
         let is_centre = |v: usize| is_whole[v] && (1..=MAX_FAN_TRIANGLES).contains(&valence[v]);
         let centred = alloc::collect((self.count..self.points.len()).map(is_centre))?;
-        Ok(Beyond { continuity, triangles: alloc::copied(&self.beyond)?, centred })
+        Ok(SecondRing { continuity, triangles: alloc::copied(&self.beyond)?, centred })
     }
 }

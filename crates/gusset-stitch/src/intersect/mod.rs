@@ -9,4 +9,4 @@ mod predicates;
 mod triangle_fans;
 mod triangle_pairs;
 
-pub(crate) use triangle_pairs::{Soup, intersecting_pairs, intersecting_pairs_where};
+pub(crate) use triangle_pairs::{TriangleSoup, intersecting_pairs, intersecting_pairs_where};

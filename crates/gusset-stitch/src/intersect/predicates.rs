@@ -10,7 +10,7 @@ use robust::{Coord, Coord3D, orient2d, orient3d};
 
 /// Returns six times the signed volume of the tetrahedron. Its sign tells the side of the plane pqr
 /// on which s lies.
-fn volume(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
+fn six_fold_signed_volume(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
     let at = |v: DVec3| Coord3D { x: v.x, y: v.y, z: v.z };
     orient3d(at(p), at(q), at(r), at(s))
 }
@@ -20,7 +20,7 @@ fn volume(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
 struct AxisProjection(usize);
 
 impl AxisProjection {
-    fn area(self, p: DVec3, q: DVec3, r: DVec3) -> f64 {
+    fn projected_double_area(self, p: DVec3, q: DVec3, r: DVec3) -> f64 {
         let (x, y) = [(1, 2), (2, 0), (0, 1)][self.0];
         let at = |v: DVec3| Coord { x: v[x], y: v[y] };
         orient2d(at(p), at(q), at(r))
@@ -28,51 +28,59 @@ impl AxisProjection {
 
     /// Returns true if the segments pq and rs meet in the projection.
     fn segments_meet(self, p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> bool {
-        let (to_r, to_s) = (self.area(p, q, r), self.area(p, q, s));
-        let (to_p, to_q) = (self.area(r, s, p), self.area(r, s, q));
+        let (to_r, to_s) = (self.projected_double_area(p, q, r), self.projected_double_area(p, q, s));
+        let (to_p, to_q) = (self.projected_double_area(r, s, p), self.projected_double_area(r, s, q));
         if [to_r, to_s, to_p, to_q] == [0.0; 4] {
             // Collinear segments meet if their boxes overlap.
             return (0..3)
                 .filter(|&k| k != self.0)
                 .all(|k| p[k].max(q[k]) >= r[k].min(s[k]) && r[k].max(s[k]) >= p[k].min(q[k]));
         }
-        !same_side(to_r, to_s) && !same_side(to_p, to_q)
+        !have_same_sign(to_r, to_s) && !have_same_sign(to_p, to_q)
     }
 
     /// Returns true if the segment pq meets the triangle in the projection.
     fn segment_meets(self, p: DVec3, q: DVec3, [a, b, c]: [DVec3; 3]) -> bool {
-        let inside = [self.area(a, b, p), self.area(b, c, p), self.area(c, a, p)];
-        all_on_one_side(inside) || [(a, b), (b, c), (c, a)].iter().any(|&(r, s)| self.segments_meet(p, q, r, s))
+        let inside = [
+            self.projected_double_area(a, b, p),
+            self.projected_double_area(b, c, p),
+            self.projected_double_area(c, a, p),
+        ];
+        are_all_on_one_side(inside) || [(a, b), (b, c), (c, a)].iter().any(|&(r, s)| self.segments_meet(p, q, r, s))
     }
 }
 
-fn same_side(x: f64, y: f64) -> bool {
+fn have_same_sign(x: f64, y: f64) -> bool {
     (x > 0.0 && y > 0.0) || (x < 0.0 && y < 0.0)
 }
 
-fn all_on_one_side(signs: [f64; 3]) -> bool {
+fn are_all_on_one_side(signs: [f64; 3]) -> bool {
     signs.iter().all(|&s| s >= 0.0) || signs.iter().all(|&s| s <= 0.0)
 }
 
 /// Returns a projection in which the triangle has a positive area; `None` for a degenerate
 /// triangle.
-fn projection([a, b, c]: [DVec3; 3]) -> Option<AxisProjection> {
-    (0..3).map(AxisProjection).find(|along| along.area(a, b, c) != 0.0)
+fn non_degenerate_projection([a, b, c]: [DVec3; 3]) -> Option<AxisProjection> {
+    (0..3).map(AxisProjection).find(|along| along.projected_double_area(a, b, c) != 0.0)
 }
 
 /// Returns true if the closed segment pq meets the closed triangle.
 fn segment_meets(p: DVec3, q: DVec3, triangle: [DVec3; 3]) -> bool {
     let [a, b, c] = triangle;
-    let (to_p, to_q) = (volume(a, b, c, p), volume(a, b, c, q));
-    if same_side(to_p, to_q) {
+    let (to_p, to_q) = (six_fold_signed_volume(a, b, c, p), six_fold_signed_volume(a, b, c, q));
+    if have_same_sign(to_p, to_q) {
         return false;
     }
     if to_p != 0.0 || to_q != 0.0 {
         // The segment meets the plane in one point. The point is inside if pq turns the same way
         // around all three edges.
-        return all_on_one_side([volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)]);
+        return are_all_on_one_side([
+            six_fold_signed_volume(p, q, a, b),
+            six_fold_signed_volume(p, q, b, c),
+            six_fold_signed_volume(p, q, c, a),
+        ]);
     }
-    match projection(triangle) {
+    match non_degenerate_projection(triangle) {
         Some(along) => along.segment_meets(p, q, triangle),
         // A degenerate triangle consists of its three edges.
         None => [(a, b), (b, c), (c, a)].iter().any(|&(r, s)| segments_meet(p, q, r, s)),
@@ -81,39 +89,40 @@ fn segment_meets(p: DVec3, q: DVec3, triangle: [DVec3; 3]) -> bool {
 
 fn segments_meet(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> bool {
     // The segments are coplanar and meet in every projection.
-    volume(p, q, r, s) == 0.0 && (0..3).all(|k| AxisProjection(k).segments_meet(p, q, r, s))
+    six_fold_signed_volume(p, q, r, s) == 0.0 && (0..3).all(|k| AxisProjection(k).segments_meet(p, q, r, s))
 }
 
 /// Returns true if p lies on the closed segment rs.
-fn is_on(p: DVec3, r: DVec3, s: DVec3) -> bool {
+fn is_on_segment(p: DVec3, r: DVec3, s: DVec3) -> bool {
     segments_meet(p, p, r, s)
 }
 
 /// Returns true if the triangles with vertices `v` and `w` intersect.
 pub(super) fn triangles_intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
     // Vertices with equal numbers coincide, and most pairs are decided by the numbers alone.
-    intersect(v, w, &at) && {
-        let (same_v, same_w) = unify_by_position(v, w, &at);
-        (same_v, same_w) == (v, w) || intersect(same_v, same_w, &at)
+    unified_triangles_intersect(v, w, &at) && {
+        let (same_v, same_w) = unify_coincident_vertices(v, w, &at);
+        (same_v, same_w) == (v, w) || unified_triangles_intersect(same_v, same_w, &at)
     }
 }
 
 /// Replaces each vertex by the first vertex at its position.
-fn unify_by_position(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> ([u32; 3], [u32; 3]) {
+fn unify_coincident_vertices(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> ([u32; 3], [u32; 3]) {
     let first = |x: u32| v.into_iter().chain(w).find(|&y| at(x) == at(y)).unwrap_or(x);
     (v.map(first), w.map(first))
 }
 
 /// Tests triangles whose coincident vertices have equal numbers. A triangle with a repeated vertex
 /// is a segment or a point.
-fn intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
+fn unified_triangles_intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
     let (p, q) = (v.map(&at), w.map(&at));
     // The plane of one triangle separates most nearby pairs.
     let apart = |t: [DVec3; 3], from: [u32; 3], others: [u32; 3]| {
-        let side =
-            |k: usize| if from.contains(&others[k]) { None } else { Some(volume(t[0], t[1], t[2], at(others[k]))) };
+        let side = |k: usize| {
+            if from.contains(&others[k]) { None } else { Some(six_fold_signed_volume(t[0], t[1], t[2], at(others[k]))) }
+        };
         let mut sides = (0..3).filter_map(side);
-        sides.next().is_none_or(|first| first != 0.0 && sides.all(|s| same_side(s, first)))
+        sides.next().is_none_or(|first| first != 0.0 && sides.all(|s| have_same_sign(s, first)))
     };
     let shared = || v.into_iter().enumerate().filter(|&(k, x)| w.contains(&x) && !v[..k].contains(&x));
     let count = shared().count();
@@ -136,7 +145,7 @@ fn intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
         // ends of that side.
         1 => shared().any(|(_, x)| {
             let reaches = |rest: Option<(DVec3, DVec3)>, other: [DVec3; 3]| match rest {
-                Some((a, b)) if is_on(at(x), a, b) => segment_meets(a, a, other) || segment_meets(b, b, other),
+                Some((a, b)) if is_on_segment(at(x), a, b) => segment_meets(a, a, other) || segment_meets(b, b, other),
                 Some((a, b)) => segment_meets(a, b, other),
                 None => false,
             };
@@ -150,14 +159,17 @@ fn intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
                 return false;
             };
             // Folded onto each other: coplanar, and on the same side of the edge.
-            let same_side_of_edge = |along: AxisProjection| same_side(along.area(e, f, a), along.area(e, f, b));
+            let same_side_of_edge = |along: AxisProjection| {
+                have_same_sign(along.projected_double_area(e, f, a), along.projected_double_area(e, f, b))
+            };
             // Collinear: beyond the same end of the edge.
             let beyond_same_end = || {
-                projection(q).is_none()
-                    && ![a, b].iter().any(|&x| is_on(x, e, f))
-                    && ![e, f].iter().any(|&x| is_on(x, a, b))
+                non_degenerate_projection(q).is_none()
+                    && ![a, b].iter().any(|&x| is_on_segment(x, e, f))
+                    && ![e, f].iter().any(|&x| is_on_segment(x, a, b))
             };
-            volume(e, f, a, b) == 0.0 && projection(p).map_or_else(beyond_same_end, same_side_of_edge)
+            six_fold_signed_volume(e, f, a, b) == 0.0
+                && non_degenerate_projection(p).map_or_else(beyond_same_end, same_side_of_edge)
         }
         _ => true,
     }
@@ -172,7 +184,7 @@ mod tests {
     /// of p(s, t) = q(u, v) with 0 <= s, t, s + t <= 1 and likewise u, v. They form a polytope. Its
     /// corners are the points at which four independent rows are 0. Returns each corner as
     /// homogeneous coordinates (x, y, z, w), w > 0.
-    fn common_corners(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> Vec<[i128; 4]> {
+    fn corners_of_common_points(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> Vec<[i128; 4]> {
         let edge = |t: [[i64; 3]; 3], corner: usize, k: usize| i128::from(t[corner][k] - t[0][k]);
         // Rows: coefficients of s, t, u, v and a constant. The first three must be 0, and the other
         // six non-negative.
@@ -202,7 +214,7 @@ mod tests {
 
     /// Returns true if the triangles share points other than coincident vertices and the segments
     /// between these.
-    fn intersect_properly(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> bool {
+    fn intersect_beyond_shared_vertices(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> bool {
         let mut shared = p.to_vec();
         shared.retain(|corner| q.contains(corner));
         shared.sort_unstable();
@@ -220,7 +232,7 @@ mod tests {
                 _ => false,
             }
         };
-        !common_corners(p, q).iter().all(is_shared)
+        !corners_of_common_points(p, q).iter().all(is_shared)
     }
 
     fn determinant(m: [[i128; 4]; 4]) -> i128 {
@@ -252,7 +264,7 @@ mod tests {
             let all: Vec<[i64; 3]> = all.into_iter().map(|(x, y, z)| [x, y, z]).collect();
             let points: Vec<DVec3> = all.iter().map(|&[x, y, z]| DVec3::new(x as f64, y as f64, z as f64)).collect();
             let (p, q) = ([all[0], all[1], all[2]], [all[3], all[4], all[5]]);
-            let expected = intersect_properly(p, q);
+            let expected = intersect_beyond_shared_vertices(p, q);
             prop_assert_eq!(triangles_intersect([0, 1, 2], [3, 4, 5], |v| points[v as usize]), expected);
             // Test again with equal numbers for coincident vertices.
             let number = |k: usize| (0..6).find(|&j| all[j] == all[k]).unwrap_or(k) as u32;

@@ -12,13 +12,13 @@ use gusset_base::geom::Aabb;
 use gusset_mesh::NONE;
 
 /// Bound on the round-off of a product, relative to the size of its factors.
-const ROUND_OFF: f64 = 1.0 / (1u64 << 40) as f64;
+const MAX_RELATIVE_ROUND_OFF: f64 = 1.0 / (1u64 << 40) as f64;
 /// Largest slope of a triangle's own sides against a plane through one of them.
-const OWN_SLOPE: f64 = 1.0 / (1u64 << 46) as f64;
+const MAX_OWN_SIDE_SLOPE: f64 = 1.0 / (1u64 << 46) as f64;
 
 /// For each node of a tree over groups of triangles, the vertex that they share, and the box of
 /// their other corners.
-pub(super) struct Fans(Vec<SharedApex>);
+pub(super) struct TriangleFans(Vec<SharedApex>);
 
 /// The only vertex that all triangles of a group share, and the bounding box of their other
 /// corners.
@@ -29,7 +29,7 @@ struct SharedApex {
     others: Aabb,
 }
 
-impl Fans {
+impl TriangleFans {
     /// Builds the fans of groups of `group` triangles of `new` in this order. Calls `report` with
     /// the number of each node. O(n log n) for n triangles.
     pub(super) fn new(
@@ -38,7 +38,7 @@ impl Fans {
         new: &[[u32; 3]],
         at: &impl Fn(u32) -> DVec3,
         report: &impl Fn(usize) -> Result<()>,
-    ) -> Result<Fans> {
+    ) -> Result<TriangleFans> {
         let leaves = order.len().div_ceil(group).next_power_of_two();
         // The vertices that all triangles of a node share; `None` for empty nodes.
         let mut shared = alloc::filled(None, 2 * leaves)?;
@@ -67,17 +67,17 @@ impl Fans {
             let corners = triangles.iter().flat_map(|&t| new[t as usize]).filter(|&v| v != apex);
             *fan = SharedApex { apex, others: Aabb::from_points(corners.map(at)) };
         }
-        Ok(Fans(fans))
+        Ok(TriangleFans(fans))
     }
 
     /// Returns true if the planes through the sides of a triangle prove that it shares only one
     /// vertex with the triangles of a node. O(1).
     #[inline]
-    pub(super) fn is_beside(&self, node: usize, sides: &Sides) -> bool {
+    pub(super) fn meets_fan_only_in_apex(&self, node: usize, sides: &TrianglePlanes) -> bool {
         let fan = &self.0[node];
         fan.apex != NONE
             && sides.vertices.iter().position(|&v| v == fan.apex).is_some_and(|k| {
-                let slack = ROUND_OFF * (sides.size + fan.others.max_norm());
+                let slack = MAX_RELATIVE_ROUND_OFF * (sides.size + fan.others.max_norm());
                 [k, (k + 2) % 3].into_iter().any(|side| {
                     let normal = sides.normals[side];
                     // The corner of the box that is least far along the normal.
@@ -96,7 +96,7 @@ fn common_vertices(a: [u32; 3], b: [u32; 3]) -> [u32; 3] {
 }
 
 /// The sides of a triangle, and the perpendicular planes through them.
-pub(super) struct Sides {
+pub(super) struct TrianglePlanes {
     vertices: [u32; 3],
     corners: [DVec3; 3],
     /// For each side, the normal of its plane, pointing away from the triangle. Side k leads from
@@ -106,12 +106,12 @@ pub(super) struct Sides {
     size: f64,
 }
 
-fn size(points: &[DVec3; 3]) -> f64 {
+fn coordinate_size(points: &[DVec3; 3]) -> f64 {
     points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()))
 }
 
-impl Sides {
-    pub(super) fn new(vertices: [u32; 3], corners: [DVec3; 3]) -> Sides {
+impl TrianglePlanes {
+    pub(super) fn new(vertices: [u32; 3], corners: [DVec3; 3]) -> TrianglePlanes {
         let [p, q, r] = corners;
         let normal = (q - p).cross(r - p).normalize_or_zero();
         let normals = [0, 1, 2].map(|k| {
@@ -119,19 +119,19 @@ impl Sides {
             let away = side.cross(normal).normalize_or_zero();
             // The normal of a needle is mostly round-off. The slopes of its own sides must be far
             // below the slopes that others may have.
-            let is_sound =
-                away.dot(side).abs() <= OWN_SLOPE * side.length() && away.dot(other) <= OWN_SLOPE * other.length();
+            let is_sound = away.dot(side).abs() <= MAX_OWN_SIDE_SLOPE * side.length()
+                && away.dot(other) <= MAX_OWN_SIDE_SLOPE * other.length();
             if is_sound { away } else { DVec3::ZERO }
         });
-        Sides { vertices, corners, normals, size: size(&corners) }
+        TrianglePlanes { vertices, corners, normals, size: coordinate_size(&corners) }
     }
 
     /// Returns true if another triangle lies strictly beyond one of the sides, except for common
     /// ends of that side. The triangles then share nothing else.
     #[inline]
-    pub(super) fn are_beside(&self, other: [u32; 3], at: &impl Fn(u32) -> DVec3) -> bool {
+    pub(super) fn meets_only_in_common_vertices(&self, other: [u32; 3], at: &impl Fn(u32) -> DVec3) -> bool {
         let points = other.map(at);
-        let slack = ROUND_OFF * (size(&points) + self.size);
+        let slack = MAX_RELATIVE_ROUND_OFF * (coordinate_size(&points) + self.size);
         (0..3).any(|k| {
             let ends = [self.vertices[k], self.vertices[(k + 1) % 3]];
             let is_beyond =
@@ -144,7 +144,7 @@ impl Sides {
 #[cfg(test)]
 mod tests {
     use super::super::predicates::triangles_intersect;
-    use super::super::{Soup, intersecting_pairs};
+    use super::super::{TriangleSoup, intersecting_pairs};
     use glam::DVec3;
     use gusset_base::job::Job;
 
@@ -166,7 +166,7 @@ mod tests {
             let line = 2..n as u32 + 2;
             let new: Vec<[u32; 3]> = line.map(|k| [k % 3 / 2, k, k + 1]).collect();
             let at = |v: u32| points[v as usize];
-            let found = intersecting_pairs(&Soup { at, new: &new, old: &[] }, &Job::default()).unwrap();
+            let found = intersecting_pairs(&TriangleSoup { at, new: &new, old: &[] }, &Job::default()).unwrap();
             let all = (0..new.len() as u32).flat_map(|j| (0..j).map(move |i| [i, j]));
             let mut expected: Vec<_> =
                 all.filter(|pair| triangles_intersect(new[pair[0] as usize], new[pair[1] as usize], at)).collect();

@@ -1,7 +1,7 @@
 //! All pairs of intersecting triangles with at least one new triangle.
 
 use super::predicates::triangles_intersect;
-use super::triangle_fans::{Fans, Sides};
+use super::triangle_fans::{TriangleFans, TrianglePlanes};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -12,12 +12,12 @@ use gusset_base::job::Job;
 use gusset_base::par;
 
 /// Number of new triangles in a leaf of the tree of boxes.
-const LEAF_TRIANGLES: usize = 4;
+const MAX_LEAF_TRIANGLES: usize = 4;
 
 /// Number of triangles that a thread tests at a time.
-const CHUNK: usize = 1 << 9;
+const TRIANGLES_PER_TASK: usize = 1 << 9;
 /// Number of triangles between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 15;
+const TRIANGLES_PER_REPORT: usize = 1 << 15;
 
 /// Number of visited leaves between two progress reports. If all triangles coincide, each visits
 /// all leaves.
@@ -29,7 +29,7 @@ const GROUPS_PER_REPORT: usize = 1 << 16;
 const STAGE: &str = "looking for intersections";
 
 /// New and old triangles over common points, in a unit that keeps products in range.
-pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
+pub(crate) struct TriangleSoup<'a, P: Fn(u32) -> DVec3 + Sync> {
     /// Returns the position of a vertex.
     pub(crate) at: P,
     /// The new triangles.
@@ -42,7 +42,7 @@ pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
 /// Triangles of strips between dense rims are needles, whose axis-aligned boxes would overlap
 /// thousands of others.
 fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<'_>) -> Result<Vec<OrientedBox>> {
-    let groups = order.chunks(LEAF_TRIANGLES);
+    let groups = order.chunks(MAX_LEAF_TRIANGLES);
     let leaves = groups.len().next_power_of_two();
     let empty = std::iter::repeat_n(OrientedBox::EMPTY, 2 * leaves);
     let mut boxes = alloc::collect_cancellable(empty, &job.part(0.0, 0.0), STAGE)?;
@@ -64,7 +64,7 @@ fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<
 /// O((n + o) log n + overlapping pairs of boxes) for n new and o old triangles; extra memory about
 /// 200 bytes per new triangle.
 pub(crate) fn intersecting_pairs(
-    soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
+    soup: &TriangleSoup<'_, impl Fn(u32) -> DVec3 + Sync>,
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 2]>> {
     intersecting_pairs_where(soup, &|_, _| true, &|_, _| true, job)
@@ -73,7 +73,7 @@ pub(crate) fn intersecting_pairs(
 /// Returns the [`intersecting_pairs`] among the `wanted` pairs for which `list` returns true.
 /// `list` is called only for pairs that intersect.
 pub(crate) fn intersecting_pairs_where(
-    soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
+    soup: &TriangleSoup<'_, impl Fn(u32) -> DVec3 + Sync>,
     wanted: &(impl Fn(u32, u32) -> bool + Sync),
     list: &(impl Fn(u32, u32) -> bool + Sync),
     job: &Job<'_>,
@@ -84,14 +84,14 @@ pub(crate) fn intersecting_pairs_where(
     job.step(0.0, STAGE)?;
     let around = |t: &[u32; 3]| Aabb::from_points(t.map(&soup.at));
     let boxes = alloc::collect_cancellable(soup.new.iter().map(around), &job.part(0.0, 0.0), STAGE)?;
-    let order = spatial_order(&boxes, LEAF_TRIANGLES, &job.part(0.0, 0.1), STAGE)?;
+    let order = spatial_order(&boxes, MAX_LEAF_TRIANGLES, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);
     let leaf_box = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
-    let tree = BoxTree::new_cancellable(order.chunks(LEAF_TRIANGLES).map(leaf_box), &job.part(0.0, 0.0), STAGE)?;
+    let tree = BoxTree::new_cancellable(order.chunks(MAX_LEAF_TRIANGLES).map(leaf_box), &job.part(0.0, 0.0), STAGE)?;
     job.step(0.0, STAGE)?;
     let turned = oriented_boxes(&order, |i| soup.new[i as usize].map(&soup.at), &job.part(0.0, 0.0))?;
     let report = |k| job.part(0.0, 0.0).step_every(GROUPS_PER_REPORT, k, order.len(), STAGE);
-    let fans = Fans::new(&order, LEAF_TRIANGLES, soup.new, &soup.at, &report)?;
+    let fans = TriangleFans::new(&order, MAX_LEAF_TRIANGLES, soup.new, &soup.at, &report)?;
     let n = soup.new.len();
     let pairs_of = |range: std::ops::Range<usize>, job: &Job<'_>| -> Result<Vec<[u32; 2]>> {
         let (mut pairs_of_chunk, mut leaves) = (Vec::new(), 0usize);
@@ -99,21 +99,21 @@ pub(crate) fn intersecting_pairs_where(
             let (triangle, query) =
                 if k < n { (soup.new[k], boxes[k]) } else { (soup.old[k - n], around(&soup.old[k - n])) };
             let corners = triangle.map(&soup.at);
-            let sides = Sides::new(triangle, corners);
+            let sides = TrianglePlanes::new(triangle, corners);
             let enter = |node: usize, b: &Aabb| {
-                b.overlaps(&query) && !turned[node].is_beside(&corners) && !fans.is_beside(node, &sides)
+                b.overlaps(&query) && !turned[node].is_beside(&corners) && !fans.meets_fan_only_in_apex(node, &sides)
             };
             tree.descend(enter, |leaf| {
                 leaves += 1;
                 if leaves.is_multiple_of(LEAVES_PER_REPORT) {
                     job.step(0.0, STAGE)?;
                 }
-                let of_leaf = &order[LEAF_TRIANGLES * leaf..n.min(LEAF_TRIANGLES * (leaf + 1))];
+                let of_leaf = &order[MAX_LEAF_TRIANGLES * leaf..n.min(MAX_LEAF_TRIANGLES * (leaf + 1))];
                 let met = |&&i: &&u32| {
                     (i as usize) < k
                         && boxes[i as usize].overlaps(&query)
                         && wanted(i, k as u32)
-                        && !sides.are_beside(soup.new[i as usize], &soup.at)
+                        && !sides.meets_only_in_common_vertices(soup.new[i as usize], &soup.at)
                         && triangles_intersect(soup.new[i as usize], triangle, &soup.at)
                         && list(i, k as u32)
                 };
@@ -124,10 +124,10 @@ pub(crate) fn intersecting_pairs_where(
     };
     let mut pairs = Vec::new();
     let total = n + soup.old.len();
-    for start in (0..total).step_by(REPORT_INTERVAL) {
-        let count = REPORT_INTERVAL.min(total - start);
+    for start in (0..total).step_by(TRIANGLES_PER_REPORT) {
+        let count = TRIANGLES_PER_REPORT.min(total - start);
         let part = job.part(start as f64 / total as f64, (start + count) as f64 / total as f64);
-        let pairs_of_chunk = par::map_jobs(&part, STAGE, par::ranges(count, CHUNK), |range, job| {
+        let pairs_of_chunk = par::map_jobs(&part, STAGE, par::ranges(count, TRIANGLES_PER_TASK), |range, job| {
             pairs_of(start + range.start..start + range.end, job)
         })?;
         alloc::append_all(&mut pairs, pairs_of_chunk.into_iter().map(Ok))?;

@@ -15,7 +15,7 @@ pub(crate) struct PatchMesh {
     across: Vec<[u32; 3]>,
 }
 
-fn next(k: usize) -> usize {
+fn next_corner(k: usize) -> usize {
     (k + 1) % 3
 }
 
@@ -25,7 +25,7 @@ impl PatchMesh {
         let mut sides = alloc::with_capacity(3 * triangles.len())?;
         for (t, corners) in triangles.iter().enumerate() {
             for k in 0..3 {
-                let (u, v) = (corners[k], corners[next(k)]);
+                let (u, v) = (corners[k], corners[next_corner(k)]);
                 sides.push((u.min(v), u.max(v), t as u32, k));
             }
         }
@@ -47,37 +47,37 @@ impl PatchMesh {
         })
     }
 
-    pub(crate) fn corners(&self, t: usize) -> [DVec3; 3] {
+    pub(crate) fn corner_points(&self, t: usize) -> [DVec3; 3] {
         self.triangles[t].map(|v| self.points[v as usize])
     }
 
     /// Returns the triangle across side `k` of triangle `t`, and the index of the side there;
     /// `None` at the rim.
-    pub(crate) fn beyond(&self, t: usize, k: usize) -> Option<(usize, usize)> {
+    pub(crate) fn triangle_across(&self, t: usize, k: usize) -> Option<(usize, usize)> {
         let s = self.across[t][k];
         if s == NONE {
             return None;
         }
-        let head = self.triangles[t][next(k)];
+        let head = self.triangles[t][next_corner(k)];
         (0..3).find(|&j| self.triangles[s as usize][j] == head).map(|j| (s as usize, j))
     }
 
     /// Splits triangle `t` into three that meet at `point`: t and the last two. Side 0 of each is
     /// one of the old sides.
-    pub(crate) fn split(&mut self, t: usize, point: DVec3) -> Result<[usize; 3]> {
+    pub(crate) fn split_triangle(&mut self, t: usize, point: DVec3) -> Result<[usize; 3]> {
         let middle = self.points.len() as u32;
         alloc::push(&mut self.points, point)?;
         let parts = [t, self.triangles.len(), self.triangles.len() + 1];
         let (old, across) = (self.triangles[t], self.across[t]);
         for (k, &part) in parts.iter().enumerate() {
-            let corners = [old[k], old[next(k)], middle];
-            let around = [across[k], parts[next(k)] as u32, parts[next(next(k))] as u32];
+            let corners = [old[k], old[next_corner(k)], middle];
+            let around = [across[k], parts[next_corner(k)] as u32, parts[next_corner(next_corner(k))] as u32];
             if part == t {
                 (self.triangles[t], self.across[t]) = (corners, around);
             } else {
                 alloc::push(&mut self.triangles, corners)?;
                 alloc::push(&mut self.across, around)?;
-                self.replace(across[k], t as u32, part as u32);
+                self.replace_neighbour(across[k], t as u32, part as u32);
             }
         }
         Ok(parts)
@@ -93,10 +93,10 @@ impl PatchMesh {
     ) -> Result<[usize; 4]> {
         let middle = self.points.len() as u32;
         alloc::push(&mut self.points, point)?;
-        let (a, b) = (self.triangles[t][k], self.triangles[t][next(k)]);
-        let (c, d) = (self.triangles[t][next(next(k))], self.triangles[s][next(next(j))]);
-        let [beyond_bc, beyond_ca] = [self.across[t][next(k)], self.across[t][next(next(k))]];
-        let [beyond_ad, beyond_db] = [self.across[s][next(j)], self.across[s][next(next(j))]];
+        let (a, b) = (self.triangles[t][k], self.triangles[t][next_corner(k)]);
+        let (c, d) = (self.triangles[t][next_corner(next_corner(k))], self.triangles[s][next_corner(next_corner(j))]);
+        let [beyond_bc, beyond_ca] = [self.across[t][next_corner(k)], self.across[t][next_corner(next_corner(k))]];
+        let [beyond_ad, beyond_db] = [self.across[s][next_corner(j)], self.across[s][next_corner(next_corner(j))]];
         let (t2, s2) = (self.triangles.len(), self.triangles.len() + 1);
         alloc::reserve(&mut self.triangles, 2)?;
         alloc::reserve(&mut self.across, 2)?;
@@ -104,21 +104,21 @@ impl PatchMesh {
         (self.triangles[s], self.across[s]) = ([b, middle, d], [t2 as u32, s2 as u32, beyond_db]);
         self.triangles.extend([[middle, b, c], [middle, a, d]]);
         self.across.extend([[s as u32, beyond_bc, t as u32], [t as u32, beyond_ad, s as u32]]);
-        self.replace(beyond_bc, t as u32, t2 as u32);
-        self.replace(beyond_ad, s as u32, s2 as u32);
+        self.replace_neighbour(beyond_bc, t as u32, t2 as u32);
+        self.replace_neighbour(beyond_ad, s as u32, s2 as u32);
         Ok([t, s, t2, s2])
     }
 
     /// Flips the side shared by triangles `t` (its side `k`) and `s` (its side `j`).
-    pub(crate) fn flip(&mut self, (t, k): (usize, usize), (s, j): (usize, usize)) {
-        let (a, b) = (self.triangles[t][k], self.triangles[t][next(k)]);
-        let (c, d) = (self.triangles[t][next(next(k))], self.triangles[s][next(next(j))]);
-        let [beyond_bc, beyond_ca] = [self.across[t][next(k)], self.across[t][next(next(k))]];
-        let [beyond_ad, beyond_db] = [self.across[s][next(j)], self.across[s][next(next(j))]];
+    pub(crate) fn flip_side(&mut self, (t, k): (usize, usize), (s, j): (usize, usize)) {
+        let (a, b) = (self.triangles[t][k], self.triangles[t][next_corner(k)]);
+        let (c, d) = (self.triangles[t][next_corner(next_corner(k))], self.triangles[s][next_corner(next_corner(j))]);
+        let [beyond_bc, beyond_ca] = [self.across[t][next_corner(k)], self.across[t][next_corner(next_corner(k))]];
+        let [beyond_ad, beyond_db] = [self.across[s][next_corner(j)], self.across[s][next_corner(next_corner(j))]];
         (self.triangles[t], self.across[t]) = ([a, d, c], [beyond_ad, s as u32, beyond_ca]);
         (self.triangles[s], self.across[s]) = ([d, b, c], [beyond_db, beyond_bc, t as u32]);
-        self.replace(beyond_ad, s as u32, t as u32);
-        self.replace(beyond_bc, t as u32, s as u32);
+        self.replace_neighbour(beyond_ad, s as u32, t as u32);
+        self.replace_neighbour(beyond_bc, t as u32, s as u32);
     }
 
     /// Lists the triangles around corner `k` of triangle `t` in order, with the index of the corner
@@ -130,7 +130,7 @@ impl PatchMesh {
         loop {
             alloc::push(star, here)?;
             // The side that ends in the centre begins there in the triangle across.
-            let Some(beyond) = self.beyond(here.0, next(next(here.1))) else {
+            let Some(beyond) = self.triangle_across(here.0, next_corner(next_corner(here.1))) else {
                 return Ok(false);
             };
             here = beyond;
@@ -142,31 +142,31 @@ impl PatchMesh {
         }
     }
 
-    /// Returns true for a triangle that [`PatchMesh::collapse`] removed.
+    /// Returns true for a triangle that [`PatchMesh::collapse_edge`] removed.
     pub(crate) fn is_removed(&self, t: usize) -> bool {
         self.triangles[t][0] == NONE
     }
 
     /// Moves corner `k` of triangle `t`, whose one-ring is `star`, onto the next corner. Removes
     /// the two triangles at the edge between them, and the vertex.
-    pub(crate) fn collapse(&mut self, (t, k): (usize, usize), star: &[(usize, usize)]) {
-        let onto = self.triangles[t][next(k)];
+    pub(crate) fn collapse_edge(&mut self, (t, k): (usize, usize), star: &[(usize, usize)]) {
+        let onto = self.triangles[t][next_corner(k)];
         for &(s, j) in star {
             self.triangles[s][j] = onto;
         }
         for &(s, j) in [star[0], star[star.len() - 1]].iter() {
             // The sides that do not vanish: for t, the ones after and before the collapsed side.
-            let sides = if s == t { [next(j), next(next(j))] } else { [next(j), j] };
+            let sides = if s == t { [next_corner(j), next_corner(next_corner(j))] } else { [next_corner(j), j] };
             let [x, y] = sides.map(|side| self.across[s][side]);
-            self.replace(x, s as u32, y);
-            self.replace(y, s as u32, x);
+            self.replace_neighbour(x, s as u32, y);
+            self.replace_neighbour(y, s as u32, x);
             (self.triangles[s], self.across[s]) = ([NONE; 3], [NONE; 3]);
         }
     }
 
     /// Renumbers the remaining triangles and the vertices that they use. Vertices below `rim` keep
     /// their numbers. Returns the old number of each remaining vertex.
-    pub(crate) fn compact(&mut self, rim: usize) -> Result<Vec<u32>> {
+    pub(crate) fn renumber_remaining(&mut self, rim: usize) -> Result<Vec<u32>> {
         let mut number = alloc::filled(NONE, self.points.len())?;
         self.triangles.retain(|triangle| triangle[0] != NONE);
         self.triangles.as_flattened().iter().for_each(|&v| number[v as usize] = 0);
@@ -184,7 +184,7 @@ impl PatchMesh {
     }
 
     /// Replaces the neighbour `old` of triangle `t` by `new`.
-    fn replace(&mut self, t: u32, old: u32, new: u32) {
+    fn replace_neighbour(&mut self, t: u32, old: u32, new: u32) {
         if t != NONE {
             for side in self.across[t as usize].iter_mut().filter(|side| **side == old) {
                 *side = new;
@@ -194,11 +194,11 @@ impl PatchMesh {
 
     /// Returns true if the patch has an edge from corner `k` of triangle `t` to vertex `v`.
     pub(crate) fn has_edge(&self, t: usize, k: usize, v: u32) -> bool {
-        self.any_around(t, k, |s| self.triangles[s].contains(&v))
+        self.any_triangle_around(t, k, |s| self.triangles[s].contains(&v))
     }
 
     /// Returns true if `test` holds for a triangle around corner `k` of triangle `t`.
-    pub(super) fn any_around(&self, t: usize, k: usize, test: impl Fn(usize) -> bool) -> bool {
+    pub(super) fn any_triangle_around(&self, t: usize, k: usize, test: impl Fn(usize) -> bool) -> bool {
         let centre = self.triangles[t][k];
         let corner = |t: usize| (0..3).find(|&k| self.triangles[t][k] == centre).unwrap_or(0);
         // Walk in one direction, and then, if the rim was met, in the other.
@@ -208,7 +208,7 @@ impl PatchMesh {
                 if test(here) {
                     return true;
                 }
-                let side = if way == 0 { corner(here) } else { next(next(corner(here))) };
+                let side = if way == 0 { corner(here) } else { next_corner(next_corner(corner(here))) };
                 let beyond = self.across[here][side];
                 if beyond == NONE {
                     break;

@@ -7,7 +7,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::triangle::double_area;
 
 /// The attributes of a patch's vertices besides their positions.
-pub(crate) struct Sizing {
+pub(crate) struct VertexSizes {
     /// The wanted length of the sides at each vertex.
     pub(crate) size: Vec<f64>,
     /// The position of each vertex without fairing.
@@ -20,14 +20,14 @@ pub(crate) struct Sizing {
     pub(crate) shortest: f64,
 }
 
-impl Sizing {
-    pub(crate) fn try_clone(&self) -> Result<Sizing> {
+impl VertexSizes {
+    pub(crate) fn try_clone(&self) -> Result<VertexSizes> {
         let [unfaired, curvature] = [alloc::copied(&self.unfaired)?, alloc::copied(&self.curvature)?];
-        Ok(Sizing { size: alloc::copied(&self.size)?, unfaired, curvature, ..*self })
+        Ok(VertexSizes { size: alloc::copied(&self.size)?, unfaired, curvature, ..*self })
     }
 
     /// Appends the attributes of a new vertex at a weighted mean of three others.
-    pub(super) fn insert(&mut self, parents: [u32; 3], weights: [f64; 3]) -> Result<()> {
+    pub(super) fn insert_mean(&mut self, parents: [u32; 3], weights: [f64; 3]) -> Result<()> {
         let parts = || parents.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0);
         let size = parts().map(|(v, weight)| weight * self.size[v as usize]).sum();
         let mean = |of: &[DVec3]| parts().map(|(v, weight)| weight * of[v as usize]).sum::<DVec3>();
@@ -38,7 +38,7 @@ impl Sizing {
     }
 
     /// Keeps only these vertices, in ascending order.
-    pub(super) fn keep(&mut self, kept: &[u32]) {
+    pub(super) fn keep_vertices(&mut self, kept: &[u32]) {
         for (new, &old) in kept.iter().enumerate() {
             self.size[new] = self.size[old as usize];
             self.unfaired[new] = self.unfaired[old as usize];
@@ -50,25 +50,25 @@ impl Sizing {
     }
 
     /// Returns the mean size of a triangle.
-    pub(super) fn triangle_size(&self, corners: [u32; 3]) -> f64 {
+    pub(super) fn mean_triangle_size(&self, corners: [u32; 3]) -> f64 {
         corners.iter().map(|&v| self.size[v as usize]).sum::<f64>() / 3.0
     }
 
     /// Returns the mean size of a side.
-    pub(super) fn side_size(&self, u: u32, v: u32) -> f64 {
+    pub(super) fn mean_side_size(&self, u: u32, v: u32) -> f64 {
         (self.size[u as usize] + self.size[v as usize]) / 2.0
     }
 }
 
 /// Returns the factor of all sizes that keeps the number of new vertices below `limit`.
-pub(crate) fn size_growth(mesh: &PatchMesh, size: &[f64], limit: u32) -> f64 {
-    (vertices_needed(mesh, size) / f64::from(limit)).sqrt().max(1.0)
+pub(crate) fn size_growth_for_limit(mesh: &PatchMesh, size: &[f64], limit: u32) -> f64 {
+    (estimate_new_vertices(mesh, size) / f64::from(limit)).sqrt().max(1.0)
 }
 
 /// Estimates the number of new vertices for these sizes: one for each two equilateral triangles.
-pub(crate) fn vertices_needed(mesh: &PatchMesh, size: &[f64]) -> f64 {
+pub(crate) fn estimate_new_vertices(mesh: &PatchMesh, size: &[f64]) -> f64 {
     let needed = |t: usize| {
-        let [a, b, c] = mesh.corners(t);
+        let [a, b, c] = mesh.corner_points(t);
         let mean = mesh.triangles[t].iter().map(|&v| size[v as usize]).sum::<f64>() / 3.0;
         double_area(a, b, c) / (3f64.sqrt() * mean * mean)
     };

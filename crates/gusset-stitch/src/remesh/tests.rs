@@ -1,16 +1,16 @@
 //! Edits preserve adjacency, and the resulting triangles satisfy the requirements.
 
-use super::{PatchMesh, Sizing, even, refine};
+use super::{PatchMesh, VertexSizes, even_out_side_lengths, refine_by_insertion};
 use glam::DVec3;
 use gusset_base::Job;
 use gusset_base::geom::triangle::min_angle;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
-const NOTHING_TAKEN: fn(u32, u32) -> bool = |_, _| false;
+const NO_TAKEN_EDGE: fn(u32, u32) -> bool = |_, _| false;
 
 /// Returns a square of `n` x `n` cells in the plane, with the rim's vertices first, in order.
-fn square(n: u32) -> (PatchMesh, usize) {
+fn square_mesh(n: u32) -> (PatchMesh, usize) {
     let mut number = BTreeMap::new();
     let mut points = Vec::new();
     let rim = (0..n)
@@ -31,9 +31,9 @@ fn square(n: u32) -> (PatchMesh, usize) {
     (PatchMesh::new(points, triangles).unwrap(), 4 * n as usize)
 }
 
-fn area(mesh: &PatchMesh) -> f64 {
+fn total_area(mesh: &PatchMesh) -> f64 {
     let signed = |t: usize| {
-        let [a, b, c] = mesh.corners(t);
+        let [a, b, c] = mesh.corner_points(t);
         (b - a).cross(c - a).z / 2.0
     };
     (0..mesh.triangles.len()).map(signed).sum()
@@ -48,7 +48,7 @@ fn assert_disc(mesh: &PatchMesh, rim: usize) {
         }
     }
     for (&(u, v), &(t, k)) in &sides {
-        assert_eq!(mesh.beyond(t, k), sides.get(&(v, u)).copied());
+        assert_eq!(mesh.triangle_across(t, k), sides.get(&(v, u)).copied());
     }
     let outer = sides.keys().filter(|&&(u, v)| !sides.contains_key(&(v, u))).count();
     assert_eq!(outer, rim);
@@ -56,8 +56,8 @@ fn assert_disc(mesh: &PatchMesh, rim: usize) {
     assert_eq!(mesh.points.len() + mesh.triangles.len(), edges + 1);
 }
 
-fn sizing(mesh: &PatchMesh, size: f64) -> Sizing {
-    Sizing {
+fn uniform_sizes(mesh: &PatchMesh, size: f64) -> VertexSizes {
+    VertexSizes {
         size: vec![size; mesh.points.len()],
         unfaired: mesh.points.clone(),
         curvature: vec![DVec3::ZERO; mesh.points.len()],
@@ -69,18 +69,18 @@ fn sizing(mesh: &PatchMesh, size: f64) -> Sizing {
 proptest! {
     #[test]
     fn edits_keep_a_disc(edits in prop::collection::vec((0..4, any::<u16>(), 0..3usize), 1..60)) {
-        let (mut mesh, rim) = square(3);
+        let (mut mesh, rim) = square_mesh(3);
         let mut star = Vec::new();
         for (kind, place, k) in edits {
             let t = usize::from(place) % mesh.triangles.len();
-            let corners = mesh.corners(t);
-            match (kind, mesh.beyond(t, k)) {
-                (0, _) => drop(mesh.split(t, (corners[0] + corners[1] + corners[2]) / 3.0).unwrap()),
+            let corners = mesh.corner_points(t);
+            match (kind, mesh.triangle_across(t, k)) {
+                (0, _) => drop(mesh.split_triangle(t, (corners[0] + corners[1] + corners[2]) / 3.0).unwrap()),
                 (1, Some(beyond)) => {
                     let middle = corners[k].midpoint(corners[(k + 1) % 3]);
                     mesh.split_side((t, k), beyond, middle).unwrap();
                 }
-                (2, Some(_)) => drop(mesh.relax_side(rim, &NOTHING_TAKEN, t, k)),
+                (2, Some(_)) => drop(mesh.flip_side_if_not_delaunay(rim, &NO_TAKEN_EDGE, t, k)),
                 (3, Some(_)) if mesh.triangles[t][k] as usize >= rim => {
                     // Common neighbours other than the two beside the side would pinch the disc.
                     prop_assert!(mesh.one_ring(t, k, &mut star).unwrap());
@@ -88,14 +88,14 @@ proptest! {
                     let others = star[1..star.len() - 1].iter().map(|&(s, j)| mesh.triangles[s][(j + 2) % 3]);
                     let others: Vec<u32> = others.take(star.len().saturating_sub(3)).collect();
                     if star.len() > 3 && others.iter().all(|&v| v != onto && !mesh.has_edge(t, (k + 1) % 3, v)) {
-                        mesh.collapse((t, k), &star);
-                        mesh.compact(rim).unwrap();
+                        mesh.collapse_edge((t, k), &star);
+                        mesh.renumber_remaining(rim).unwrap();
                     }
                 }
                 _ => {}
             }
             assert_disc(&mesh, rim);
-            prop_assert!((area(&mesh) - 9.0).abs() < 1e-9);
+            prop_assert!((total_area(&mesh) - 9.0).abs() < 1e-9);
         }
     }
 }
@@ -103,19 +103,19 @@ proptest! {
 #[test]
 fn a_square_is_refined_to_any_size_without_sharp_angles() {
     for (n, size) in [(1, 0.1), (4, 1.0), (6, 0.4), (24, 4.0)] {
-        let (mut mesh, rim) = square(n);
-        let mut sizing = sizing(&mesh, size);
-        even(&mut mesh, rim, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
+        let (mut mesh, rim) = square_mesh(n);
+        let mut sizing = uniform_sizes(&mesh, size);
+        even_out_side_lengths(&mut mesh, rim, &mut sizing, &NO_TAKEN_EDGE, &Job::default()).unwrap();
         assert_disc(&mesh, rim);
-        refine(&mut mesh, rim, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
-        mesh.settle(rim, &NOTHING_TAKEN, 3, &Job::default()).unwrap();
+        refine_by_insertion(&mut mesh, rim, &mut sizing, &NO_TAKEN_EDGE, &Job::default()).unwrap();
+        mesh.move_vertices_within_surface(rim, &NO_TAKEN_EDGE, 3, &Job::default()).unwrap();
         assert_disc(&mesh, rim);
         let whole = f64::from(n * n);
-        assert!((area(&mesh) / whole - 1.0).abs() < 1e-12);
+        assert!((total_area(&mesh) / whole - 1.0).abs() < 1e-12);
         assert_eq!(sizing.unfaired.len(), mesh.points.len());
         let least = (0..mesh.triangles.len())
             .map(|t| {
-                let [a, b, c] = mesh.corners(t);
+                let [a, b, c] = mesh.corner_points(t);
                 assert!((b - a).cross(c - a).z > 0.0, "{n} {size}: {a} {b} {c}");
                 min_angle(a, b, c).to_degrees()
             })
@@ -133,10 +133,10 @@ fn taken_edges_are_never_made() {
     let points = [[0.0, 0.0], [1.0, 0.2], [3.0, 0.0], [1.0, -0.2]].map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
     let triangles = vec![[0, 2, 1], [0, 3, 2]];
     let mut free = PatchMesh::new(points.clone(), triangles.clone()).unwrap();
-    free.relax(4, &NOTHING_TAKEN, &Job::default()).unwrap();
+    free.flip_edges_to_delaunay(4, &NO_TAKEN_EDGE, &Job::default()).unwrap();
     assert!(free.triangles.iter().all(|t| t.contains(&1) && t.contains(&3)));
     let mut taken = PatchMesh::new(points, triangles.clone()).unwrap();
-    taken.relax(4, &|u, v| (u.min(v), u.max(v)) == (1, 3), &Job::default()).unwrap();
+    taken.flip_edges_to_delaunay(4, &|u, v| (u.min(v), u.max(v)) == (1, 3), &Job::default()).unwrap();
     assert_eq!(taken.triangles, triangles);
 }
 
@@ -146,11 +146,11 @@ fn coincident_and_collinear_points_do_not_hang() {
         let points: Vec<DVec3> = points.iter().map(|&[x, y]| DVec3::new(x, y, 0.0)).collect();
         let mut mesh = PatchMesh::new(points, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
         for size in [0.0, 0.1, f64::NAN] {
-            let mut sizing = sizing(&mesh, size);
+            let mut sizing = uniform_sizes(&mesh, size);
             sizing.limit = mesh.points.len() + 50;
-            even(&mut mesh, 4, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
-            refine(&mut mesh, 4, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
-            mesh.settle(4, &NOTHING_TAKEN, 2, &Job::default()).unwrap();
+            even_out_side_lengths(&mut mesh, 4, &mut sizing, &NO_TAKEN_EDGE, &Job::default()).unwrap();
+            refine_by_insertion(&mut mesh, 4, &mut sizing, &NO_TAKEN_EDGE, &Job::default()).unwrap();
+            mesh.move_vertices_within_surface(4, &NO_TAKEN_EDGE, 2, &Job::default()).unwrap();
             assert!(mesh.points.iter().all(|p| p.is_finite()));
         }
     }
@@ -160,30 +160,31 @@ fn coincident_and_collinear_points_do_not_hang() {
 fn a_crease_is_ironed_out_and_a_gentle_slope_stays() {
     let bends = |mesh: &PatchMesh| {
         let normal = |t: usize| {
-            let [a, b, c] = mesh.corners(t);
+            let [a, b, c] = mesh.corner_points(t);
             (b - a).cross(c - a).normalize()
         };
-        let sides = (0..mesh.triangles.len()).flat_map(|t| (0..3).filter_map(move |k| Some((t, mesh.beyond(t, k)?.0))));
+        let sides = (0..mesh.triangles.len())
+            .flat_map(|t| (0..3).filter_map(move |k| Some((t, mesh.triangle_across(t, k)?.0))));
         sides.map(|(t, s)| normal(t).dot(normal(s))).fold(1.0, f64::min)
     };
     let least = std::f64::consts::FRAC_1_SQRT_2;
     for (height, moves) in [(0.2, false), (4.0, true)] {
-        let (mut mesh, rim) = square(8);
+        let (mut mesh, rim) = square_mesh(8);
         // A spike in the middle, and beside it a vertex on which a fold lies.
         mesh.points[rim + 24].z = height;
         mesh.points[rim + 25].x += if moves { 1.5 } else { 0.0 };
         let before = mesh.points.clone();
         assert_eq!(bends(&mesh) < least, moves);
-        mesh.iron(rim, least, &vec![false; rim], &Job::default()).unwrap();
+        mesh.iron_out_creases(rim, least, &vec![false; rim], &Job::default()).unwrap();
         assert!(bends(&mesh) >= least);
         assert_eq!(mesh.points != before, moves);
         assert_eq!(mesh.points[..rim], before[..rim]);
         assert_disc(&mesh, rim);
     }
     // Next to a crease of the rim, nothing moves.
-    let (mut mesh, rim) = square(4);
+    let (mut mesh, rim) = square_mesh(4);
     mesh.points[rim + 4].z = 4.0;
     let before = mesh.points.clone();
-    mesh.iron(rim, least, &vec![true; rim], &Job::default()).unwrap();
+    mesh.iron_out_creases(rim, least, &vec![true; rim], &Job::default()).unwrap();
     assert_eq!(mesh.points, before);
 }

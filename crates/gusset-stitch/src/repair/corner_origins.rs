@@ -26,7 +26,7 @@ pub struct CornerOrigins {
 
 impl CornerOrigins {
     /// Appends the origin of the next corner.
-    pub(super) fn push(&mut self, origin: Corner) -> Result<()> {
+    pub(super) fn push(&mut self, origin: CornerOrigin) -> Result<()> {
         if origin.at > 0.0 {
             let corner = self.corners.len() as u32;
             alloc::push(&mut self.on_edges, CornerOnEdge { corner, end: origin.end, at: origin.at })?;
@@ -35,17 +35,17 @@ impl CornerOrigins {
     }
 
     /// Selects the origins of the corners `left` of an intermediate mesh; `None` keeps all.
-    pub(super) fn restricted_to(self, left: Option<&[u32]>) -> Result<CornerOrigins> {
+    pub(super) fn select_corners(self, left: Option<&[u32]>) -> Result<CornerOrigins> {
         let Some(left) = left else { return Ok(self) };
         let mut all = CornerOrigins { corners: alloc::with_capacity(left.len())?, on_edges: Vec::new() };
         for &corner in left {
-            all.push(self.get(corner))?;
+            all.push(self.origin_of_corner(corner))?;
         }
         Ok(all)
     }
 
     /// Replaces old corners by their own origins `left`; `None` keeps them.
-    pub(crate) fn rebased(mut self, left: Option<&[u32]>) -> CornerOrigins {
+    pub(crate) fn composed_with_earlier(mut self, left: Option<&[u32]>) -> CornerOrigins {
         if let Some(left) = left {
             self.corners.iter_mut().for_each(|corner| *corner = left[*corner as usize]);
             self.on_edges.iter_mut().for_each(|on| on.end = left[on.end as usize]);
@@ -53,18 +53,18 @@ impl CornerOrigins {
         self
     }
 
-    fn get(&self, corner: u32) -> Corner {
+    fn origin_of_corner(&self, corner: u32) -> CornerOrigin {
         let start = self.corners[corner as usize];
         match self.on_edges.binary_search_by_key(&corner, |on| on.corner) {
-            Ok(k) => Corner { start, end: self.on_edges[k].end, at: self.on_edges[k].at },
-            Err(_) => Corner { start, end: start, at: 0.0 },
+            Ok(k) => CornerOrigin { start, end: self.on_edges[k].end, at: self.on_edges[k].at },
+            Err(_) => CornerOrigin { start, end: start, at: 0.0 },
         }
     }
 }
 
 /// An old corner, or a point on the edge from it to the next corner of its face.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Corner {
+pub(super) struct CornerOrigin {
     pub(super) start: u32,
     pub(super) end: u32,
     pub(super) at: f64,

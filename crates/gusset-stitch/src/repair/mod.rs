@@ -4,21 +4,21 @@
 //! * [`sew`]: welds borders that do not match vertex by vertex, by splitting edges.
 //! * [`orient`]: turns faces over until neighbours agree, and turns closed surfaces outwards.
 //! * [`corner_origins`]: origins of the corners of a repaired mesh.
-//! * [`cluster`](self): clusters of coincident vertices.
-//! * [`seams`](self): pairs of edges that can be sewn without harm.
-//! * [`corners`](self): the corners at each vertex.
-//! * [`tolerance`](self): the largest distance between copies of one vertex.
-//! * [`junctions`](self): the splits of free edges.
+//! * [`vertex_clusters`](self): clusters of coincident vertices.
+//! * [`sew_edges`](self): pairs of edges that can be sewn without harm.
+//! * [`vertex_corners`](self): the corners at each vertex.
+//! * [`weld_tolerance`](self): the largest distance between copies of one vertex.
+//! * [`t_junctions`](self): the splits of free edges.
 //! * [`split_mesh`](self), [`split_face`](self): faces with split edges.
 
-mod cluster;
+mod vertex_clusters;
 pub mod corner_origins;
-mod corners;
-mod junctions;
+mod vertex_corners;
+mod t_junctions;
 pub mod orient;
-mod seams;
+mod sew_edges;
 pub mod sew;
 mod split_face;
 mod split_mesh;
-mod tolerance;
+mod weld_tolerance;
 pub mod weld;

@@ -73,7 +73,7 @@ pub struct Oriented {
 }
 
 /// Number of faces between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const FACES_PER_REPORT: usize = 1 << 16;
 
 const STAGE: &str = "orienting faces";
 
@@ -95,7 +95,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
             continue;
         }
         components += 1;
-        search.component(f, &mut turned, &job.part(0.5, 0.9))?;
+        search.find_component(f, &mut turned, &job.part(0.5, 0.9))?;
         let component = &search.found;
         if search.half_edge != NONE {
             component.iter().for_each(|&g| turned[g as usize] = false);
@@ -106,7 +106,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         let mut invert = 2 * against > component.len();
         if options.outward == Outward::Closed && search.closed {
             // Invert the component if it faces inwards after the search.
-            let inward = faces_inward(mesh, component, &turned, &job.part(0.9, 0.9))?.unwrap_or(invert);
+            let inward = is_inside_out(mesh, component, &turned, &job.part(0.9, 0.9))?.unwrap_or(invert);
             inverted_components += u32::from(inward != invert);
             invert = inward;
         }
@@ -115,7 +115,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         }
     }
     job.step(0.9, STAGE)?;
-    let mut oriented = concat::empty(slice::from_ref(mesh).iter(), [0; 3])?;
+    let mut oriented = concat::empty_with_room(slice::from_ref(mesh).iter(), [0; 3])?;
     concat::append(&mut oriented, mesh, &job.part(0.9, 0.9), |f| turned[f])?;
     job.step(1.0, STAGE)?;
     let turned_faces = turned.iter().filter(|&&t| t).count() as u32;
@@ -139,7 +139,7 @@ pub fn turn_outwards(mesh: &mut Mesh, job: &Job<'_>) -> Result<Outwards> {
     if mesh.face_count() == 0 {
         return Ok(Outwards::default());
     }
-    let mut found = inward_components(&mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.95))?;
+    let mut found = find_inward_components(&mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.95))?;
     job.step(0.95, STAGE)?;
     sort(&mut found.turned, Ord::cmp, &job.part(0.95, 1.0), STAGE)?;
     for &f in &found.turned {
@@ -161,7 +161,7 @@ pub struct Outwards {
 }
 
 /// Finds the components that face inwards, and those without volume.
-fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
+fn find_inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.6))?;
     let mut against = alloc::filled(false, mesh.faces().len())?;
     let mut search = ComponentSearch::new(mesh, &topology)?;
@@ -170,11 +170,11 @@ fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
         if search.seen[f as usize] {
             continue;
         }
-        search.component(f, &mut against, &job.part(0.6, 1.0))?;
+        search.find_component(f, &mut against, &job.part(0.6, 1.0))?;
         let component = &search.found;
         let consistent = search.half_edge == NONE && !component.iter().any(|&g| against[g as usize]);
         if search.closed && consistent {
-            match faces_inward(mesh, component, &against, &job.part(1.0, 1.0))? {
+            match is_inside_out(mesh, component, &against, &job.part(1.0, 1.0))? {
                 Some(true) => alloc::append(&mut outwards.turned, component)?,
                 Some(false) => {}
                 None => alloc::push(&mut outwards.zero_volume, f)?,
@@ -214,7 +214,7 @@ impl<'m> ComponentSearch<'m> {
     }
 
     /// Finds the component of face `f`. Marks in `turned` the faces that disagree with `f`.
-    fn component(&mut self, f: u32, turned: &mut [bool], job: &Job<'_>) -> Result<()> {
+    fn find_component(&mut self, f: u32, turned: &mut [bool], job: &Job<'_>) -> Result<()> {
         let faces = self.mesh.faces();
         (self.half_edge, self.closed) = (NONE, true);
         self.found.clear();
@@ -222,7 +222,7 @@ impl<'m> ComponentSearch<'m> {
         self.seen[f as usize] = true;
         let mut next = 0;
         while let Some(&f) = self.found.get(next) {
-            job.step_every(REPORT_INTERVAL, self.reached, faces.len(), STAGE)?;
+            job.step_every(FACES_PER_REPORT, self.reached, faces.len(), STAGE)?;
             self.reached += 1;
             next += 1;
             let proper = |&h: &u32| !self.topology.is_ignored(h);
@@ -251,7 +251,7 @@ impl<'m> ComponentSearch<'m> {
 ///
 /// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r.
 /// Coordinates are relative to a vertex of the set, in a power-of-two unit of its size.
-fn faces_inward(mesh: &MeshView<'_>, faces: &[u32], turned: &[bool], job: &Job<'_>) -> Result<Option<bool>> {
+fn is_inside_out(mesh: &MeshView<'_>, faces: &[u32], turned: &[bool], job: &Job<'_>) -> Result<Option<bool>> {
     let point = |v: u32| mesh.positions().get(v);
     let corners = || faces.iter().flat_map(|&f| mesh.face(f as usize));
     // Halve the coordinates, so that differences of the largest numbers do not overflow.
@@ -263,7 +263,7 @@ fn faces_inward(mesh: &MeshView<'_>, faces: &[u32], turned: &[bool], job: &Job<'
     let (mut sum, mut size) = (0.0, 0.0);
     for (k, &f) in faces.iter().enumerate() {
         // Small components do not report progress.
-        if k % REPORT_INTERVAL == REPORT_INTERVAL - 1 {
+        if k % FACES_PER_REPORT == FACES_PER_REPORT - 1 {
             job.step(0.0, STAGE)?;
         }
         let mut corners = mesh.face(f as usize).map(at);

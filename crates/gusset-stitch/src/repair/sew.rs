@@ -7,10 +7,10 @@
 //! each free edge has one face and is split in one way. Vertices of the input do not move.
 
 use super::corner_origins::CornerOrigins;
-use super::junctions::Junctions;
 use super::split_mesh::{SplitMesh, split_edges};
-use super::tolerance::Source;
+use super::t_junctions::TJunctions;
 use super::weld::{Options, Vertices, Weld, weld, weld_within};
+use super::weld_tolerance::ToleranceSource;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -66,8 +66,8 @@ pub struct Sew {
 pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew> {
     let first = weld(mesh, options, &job.part(0.0, 0.4))?;
     let source = match options.tolerance {
-        Some(tolerance) => Source::Given(tolerance),
-        None => Source::Earlier(first.tolerance),
+        Some(tolerance) => ToleranceSource::Given(tolerance),
+        None => ToleranceSource::Earlier(first.tolerance),
     };
     let mut sewn = Sew::from_weld(first)?;
     if sewn.mesh.face_count() == 0 {
@@ -76,7 +76,7 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
     let (split, left) = {
         let view = sewn.mesh.view(&job.part(0.4, 0.45))?;
         let topology = Topology::new(&view, &job.part(0.45, 0.5))?;
-        let junctions = Junctions::find(&view, &topology, source, &job.part(0.5, 0.7))?;
+        let junctions = TJunctions::find(&view, &topology, source, &job.part(0.5, 0.7))?;
         (split_edges(&view, &junctions, &job.part(0.7, 0.75))?, junctions.left)
     };
     let second = match split.split_faces {
@@ -89,9 +89,9 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
             Some(weld_within(&view, &options, source, &job.part(0.8, 1.0))?)
         }
     };
-    sewn.list_left(&left, second.as_ref())?;
+    sewn.list_vertices_left(&left, second.as_ref())?;
     if let Some(second) = second {
-        sewn.follow(split, second)?;
+        sewn.follow_second_weld(split, second)?;
     }
     job.step(1.0, STAGE)?;
     Ok(sewn)
@@ -102,9 +102,9 @@ impl Sew {
     pub fn from_weld(weld: Weld) -> Result<Self> {
         let kept = weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE);
         let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
-        count_sources(&weld.vertex_map, |_| 1, &mut sources);
+        count_sources_saturating(&weld.vertex_map, |_| 1, &mut sources);
         Ok(Sew {
-            seam_vertices: multiple_sources(&sources)?,
+            seam_vertices: vertices_with_several_sources(&sources)?,
             face_origin: alloc::gather(kept.map(|(_, old)| old))?,
             old_corners: weld.old_corners,
             corner_origins: weld.corners_left.map(|corners| CornerOrigins { corners, on_edges: Vec::new() }),
@@ -124,7 +124,7 @@ impl Sew {
 
     /// Lists the old vertices that are not sewn: the vertices `left` of the mesh, and the vertices
     /// that welding left, by its second pass if there was one.
-    fn list_left(&mut self, left: &[u32], again: Option<&Weld>) -> Result<()> {
+    fn list_vertices_left(&mut self, left: &[u32], again: Option<&Weld>) -> Result<()> {
         let mut is_left = alloc::filled(false, self.mesh.positions.len())?;
         left.iter().for_each(|&v| is_left[v as usize] = true);
         match again {
@@ -145,11 +145,12 @@ impl Sew {
     }
 
     /// Replaces this mesh by the mesh with split edges after it was welded again.
-    fn follow(&mut self, split: SplitMesh, weld: Weld) -> Result<()> {
+    fn follow_second_weld(&mut self, split: SplitMesh, weld: Weld) -> Result<()> {
         let before = self.corner_origins.take();
         let left = before.as_ref().map(|origins| &origins.corners[..]);
-        self.corner_origins = Some(split.corner_origins.restricted_to(weld.corners_left.as_deref())?.rebased(left));
-        self.list_new(&split.new_vertices, &weld)?;
+        self.corner_origins =
+            Some(split.corner_origins.select_corners(weld.corners_left.as_deref())?.composed_with_earlier(left));
+        self.list_new_vertices(&split.new_vertices, &weld)?;
         self.splits = (split.mesh.positions.len() - self.mesh.positions.len()) as u32;
         let mut origin = alloc::with_capacity(weld.mesh.face_count())?;
         let kept = weld.face_map.iter().zip(&split.face_origin).filter(|&(&new, _)| new != NONE);
@@ -160,8 +161,8 @@ impl Sew {
         }
         let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
         let before = |v: usize| 1 + u8::from(self.seam_vertices.binary_search(&(v as u32)).is_ok());
-        count_sources(&weld.vertex_map, before, &mut sources);
-        self.seam_vertices = multiple_sources(&sources)?;
+        count_sources_saturating(&weld.vertex_map, before, &mut sources);
+        self.seam_vertices = vertices_with_several_sources(&sources)?;
         self.face_origin = origin;
         self.dropped_faces = self.face_map.iter().filter(|&&new| new == NONE).count() as u32;
         for new in self.vertex_map.iter_mut().filter(|new| **new != NONE) {
@@ -170,11 +171,11 @@ impl Sew {
         self.mesh = weld.mesh;
         self.split_faces = split.split_faces;
         self.sewn_edges += weld.sewn_edges;
-        self.count_welded()
+        self.count_welded_vertices()
     }
 
     /// Lists the vertices at splits that are not old vertices.
-    fn list_new(&mut self, new: &[([u32; 2], f64)], weld: &Weld) -> Result<()> {
+    fn list_new_vertices(&mut self, new: &[([u32; 2], f64)], weld: &Weld) -> Result<()> {
         let (old, of_splits) = weld.vertex_map.split_at(self.mesh.positions.len());
         let mut next = old.iter().filter(|&&name| name != NONE).max().map_or(0, |last| last + 1);
         for (&name, &(ends, at)) in of_splits.iter().zip(new) {
@@ -187,7 +188,7 @@ impl Sew {
         Ok(())
     }
 
-    fn count_welded(&mut self) -> Result<()> {
+    fn count_welded_vertices(&mut self) -> Result<()> {
         let mut seen = alloc::filled(false, self.mesh.positions.len())?;
         let again = |&&new: &&u32| new != NONE && std::mem::replace(&mut seen[new as usize], true);
         self.welded_vertices = self.vertex_map.iter().filter(again).count() as u32;
@@ -197,7 +198,7 @@ impl Sew {
 
 /// Counts the vertices that were merged into each new vertex, saturating at two. `weight` returns
 /// the count of an old vertex.
-fn count_sources(vertex_map: &[u32], weight: impl Fn(usize) -> u8, sources: &mut [u8]) {
+fn count_sources_saturating(vertex_map: &[u32], weight: impl Fn(usize) -> u8, sources: &mut [u8]) {
     for (old, &new) in vertex_map.iter().enumerate().filter(|&(_, &new)| new != NONE) {
         let count = &mut sources[new as usize];
         *count = (*count + weight(old)).min(2);
@@ -205,6 +206,6 @@ fn count_sources(vertex_map: &[u32], weight: impl Fn(usize) -> u8, sources: &mut
 }
 
 /// Returns the vertices with several sources.
-fn multiple_sources(sources: &[u8]) -> Result<Vec<u32>> {
+fn vertices_with_several_sources(sources: &[u8]) -> Result<Vec<u32>> {
     alloc::gather(sources.iter().zip(0..).filter(|&(&count, _)| count > 1).map(|(_, v)| v))
 }

@@ -5,7 +5,7 @@
 //! the side after. No part has three corners on one side, and the number of parts is linear. Larger
 //! faces gain corners.
 
-use super::corner_origins::Corner;
+use super::corner_origins::CornerOrigin;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -13,7 +13,7 @@ use gusset_base::geom::scale::common_unit;
 use gusset_mesh::MeshView;
 
 /// A corner of a face with new vertices: its vertex, and its place on the old face.
-pub(super) type PlacedCorner = (u32, Corner);
+pub(super) type PlacedCorner = (u32, CornerOrigin);
 
 /// A face with new vertices on its edges.
 #[derive(Default)]
@@ -27,7 +27,7 @@ pub(super) struct SplitFace {
 impl SplitFace {
     /// Sets face `f` with vertices on its half-edges. The places are ordered triples of the
     /// half-edge, the position along it, and the vertex.
-    pub(super) fn set(
+    pub(super) fn set_face(
         &mut self,
         mesh: &MeshView<'_>,
         f: usize,
@@ -40,16 +40,16 @@ impl SplitFace {
         for h in range.clone() {
             let (start, end) = (h as u32, if h + 1 == range.end { range.start as u32 } else { h as u32 + 1 });
             alloc::push(&mut self.corners, self.ring.len())?;
-            alloc::push(&mut self.ring, (mesh.faces().corner(start), Corner { start, end: start, at: 0.0 }))?;
+            alloc::push(&mut self.ring, (mesh.faces().corner(start), CornerOrigin { start, end: start, at: 0.0 }))?;
             while let Some((_, at, v)) = places.next_if(|&(half_edge, ..)| half_edge as usize == h) {
-                alloc::push(&mut self.ring, (v, Corner { start, end, at }))?;
+                alloc::push(&mut self.ring, (v, CornerOrigin { start, end, at }))?;
             }
         }
         Ok(())
     }
 
     /// Calls `emit` with each part.
-    pub(super) fn parts(&self, mut emit: impl FnMut(&[PlacedCorner]) -> Result<()>) -> Result<()> {
+    pub(super) fn visit_parts(&self, mut emit: impl FnMut(&[PlacedCorner]) -> Result<()>) -> Result<()> {
         let count = self.ring.len();
         let &[a, b, c] = self.corners.as_slice() else { return emit(&self.ring) };
         // The sides as ranges of the ring, from corner to corner.
@@ -71,7 +71,7 @@ impl SplitFace {
 
 /// Returns true if all parts of a triangle have its orientation; true for larger faces. Old
 /// vertices at the new places give the positions.
-pub(super) fn is_upright(mesh: &MeshView<'_>, f: usize, split: &SplitFace) -> bool {
+pub(super) fn has_upright_parts(mesh: &MeshView<'_>, f: usize, split: &SplitFace) -> bool {
     if mesh.faces().range(f).len() != 3 {
         return true;
     }
@@ -85,7 +85,7 @@ pub(super) fn is_upright(mesh: &MeshView<'_>, f: usize, split: &SplitFace) -> bo
     let [a, b, c] = [0, 1, 2].map(|k| split.ring[split.corners[k]]);
     let whole = normal(&[a, b, c]);
     let mut upright = true;
-    let outcome = split.parts(|part| {
+    let outcome = split.visit_parts(|part| {
         upright &= normal(part).dot(whole) > 0.0;
         Ok(())
     });

@@ -1,8 +1,8 @@
 //! A mesh with split edges: triangles become triangles, larger faces gain corners.
 
 use super::corner_origins::CornerOrigins;
-use super::junctions::Junctions;
 use super::split_face::SplitFace;
+use super::t_junctions::TJunctions;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -10,7 +10,7 @@ use gusset_mesh::{Mesh, MeshView, PositionBuffer, check_size};
 use std::ops::Range;
 
 /// Number of faces between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const FACES_PER_REPORT: usize = 1 << 16;
 
 const STAGE: &str = "splitting edges";
 
@@ -29,8 +29,8 @@ pub(super) struct SplitMesh {
 
 /// Splits the edges. Each split gets a vertex of its own, at the position of the vertex that lies
 /// there. O(V + H).
-pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<'_>) -> Result<SplitMesh> {
-    let Junctions { edges, splits, .. } = junctions;
+pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &TJunctions, job: &Job<'_>) -> Result<SplitMesh> {
+    let TJunctions { edges, splits, .. } = junctions;
     let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
     check_size((vertices + splits.len()) as u64, (mesh.faces().half_edge_count() + 6 * splits.len()) as u64)?;
     let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), vertices + splits.len())?;
@@ -53,14 +53,14 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
     let (mut next, mut split_face) = (0, SplitFace::default());
     let (mut f, mut reported) = (0, 0);
     while f < faces {
-        if f >= reported + REPORT_INTERVAL {
+        if f >= reported + FACES_PER_REPORT {
             job.step(f as f64 / faces as f64, STAGE)?;
             reported = f;
         }
         // Append runs of unchanged faces at once.
-        let until = face_of(next).unwrap_or(faces).min(f + REPORT_INTERVAL);
+        let until = face_of(next).unwrap_or(faces).min(f + FACES_PER_REPORT);
         if f < until {
-            result.append(mesh, f..until)?;
+            result.append_unchanged_faces(mesh, f..until)?;
             f = until;
             continue;
         }
@@ -69,14 +69,14 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
             next += 1;
         }
         let half_edge = |k: usize| edges[splits[k].edge as usize].half_edge;
-        split_face.set(mesh, f, (first..next).map(|k| (half_edge(k), splits[k].at, (vertices + k) as u32)))?;
+        split_face.set_face(mesh, f, (first..next).map(|k| (half_edge(k), splits[k].at, (vertices + k) as u32)))?;
         result.split_faces += 1;
-        split_face.parts(|part| {
+        split_face.visit_parts(|part| {
             for &(v, origin) in part {
                 alloc::push(&mut result.mesh.face_corners, v)?;
                 result.corner_origins.push(origin)?;
             }
-            result.end_face(f)
+            result.end_part_of_face(f)
         })?;
         f += 1;
     }
@@ -85,7 +85,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
 
 impl SplitMesh {
     /// Appends a non-empty range of unchanged faces.
-    fn append(&mut self, mesh: &MeshView<'_>, range: Range<usize>) -> Result<()> {
+    fn append_unchanged_faces(&mut self, mesh: &MeshView<'_>, range: Range<usize>) -> Result<()> {
         let given = mesh.faces();
         let corners = given.range(range.start).start..given.range(range.end - 1).end;
         let shift = self.mesh.face_corners.len();
@@ -97,7 +97,7 @@ impl SplitMesh {
     }
 
     /// Ends a face that is a part of face `f`.
-    fn end_face(&mut self, f: usize) -> Result<()> {
+    fn end_part_of_face(&mut self, f: usize) -> Result<()> {
         alloc::push(&mut self.mesh.face_offsets, self.mesh.face_corners.len() as u32)?;
         alloc::push(&mut self.face_origin, f as u32)
     }

@@ -13,10 +13,10 @@
 //! tolerance covers the rounding of the coordinates, and keeps the ends of every edge apart: see
 //! `tolerance`.
 
-use super::cluster::Clusters;
-use super::corners::Corners;
-use super::seams::{free_vertices, is_free, sew};
-use super::tolerance::{Source, Tolerance};
+use super::sew_edges::{free_vertices, is_free, sew_coincident_edges};
+use super::vertex_clusters::VertexClusters;
+use super::vertex_corners::VertexCorners;
+use super::weld_tolerance::{ToleranceSource, WeldTolerance};
 use gusset_base::alloc;
 use gusset_base::choices;
 use gusset_base::error::{Error, Result};
@@ -25,7 +25,7 @@ use gusset_base::sort::sort;
 use gusset_mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges, unordered};
 
 /// Number of faces, or edges, between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 18;
+const ELEMENTS_PER_REPORT: usize = 1 << 18;
 
 const STAGE: &str = "welding";
 
@@ -102,35 +102,41 @@ pub struct Weld {
 pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
     let given = options.tolerance.unwrap_or(0.0);
     Error::require((0.0..f64::INFINITY).contains(&given), "tolerance", given)?;
-    weld_within(mesh, options, options.tolerance.map_or(Source::Data, Source::Given), job)
+    weld_within(mesh, options, options.tolerance.map_or(ToleranceSource::Data, ToleranceSource::Given), job)
 }
 
 /// Welds with a tolerance from another source than the options.
-pub(super) fn weld_within(mesh: &MeshView<'_>, options: &Options, source: Source, job: &Job<'_>) -> Result<Weld> {
+pub(super) fn weld_within(
+    mesh: &MeshView<'_>,
+    options: &Options,
+    source: ToleranceSource,
+    job: &Job<'_>,
+) -> Result<Weld> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;
-    let members = members(mesh, &topology, sewing)?;
-    let tolerance = Tolerance::find(mesh, &members, source, &job.part(0.2, 0.3))?;
+    let members = weldable_vertices(mesh, &topology, sewing)?;
+    let tolerance = WeldTolerance::find_for_members(mesh, &members, source, &job.part(0.2, 0.3))?;
     job.step(0.3, STAGE)?;
-    let corners = if sewing || options.collapse { None } else { Some(Corners::new(mesh, &job.part(0.3, 0.3))?) };
-    let mut clusters = Clusters::find(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
+    let corners = if sewing || options.collapse { None } else { Some(VertexCorners::new(mesh, &job.part(0.3, 0.3))?) };
+    let mut clusters =
+        VertexClusters::cluster_members(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
     let representative = match sewing {
-        true => sew(mesh, &topology, &clusters.representative, options.collapse, &job.part(0.6, 0.9))?,
+        true => sew_coincident_edges(mesh, &topology, &clusters.representative, options.collapse, &job.part(0.6, 0.9))?,
         false => alloc::copied(&clusters.representative)?,
     };
-    let mut welded = rebuild(mesh, &representative, options, &job.part(0.9, 0.95))?;
+    let mut welded = rebuild_mesh(mesh, &representative, options, &job.part(0.9, 0.95))?;
     welded.tolerance = tolerance.length;
     let places = [&clusters.representative[..], &representative];
-    welded.count_edges(mesh, &topology, places, sewing, &job.part(0.95, 1.0))?;
-    clusters.add_split(&members, &representative, &job.part(1.0, 1.0))?;
+    welded.count_sewn_edges(mesh, &topology, places, sewing, &job.part(0.95, 1.0))?;
+    clusters.add_unmerged_members(&members, &representative, &job.part(1.0, 1.0))?;
     welded.left_vertices = clusters.kept_apart;
     job.step(1.0, STAGE)?;
     Ok(welded)
 }
 
 /// Returns the vertices that may be welded, ascending.
-fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<Vec<u32>> {
+fn weldable_vertices(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<Vec<u32>> {
     if boundary {
         return free_vertices(mesh, topology);
     }
@@ -139,10 +145,10 @@ fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<V
     alloc::gather((0..).zip(&marked).filter(|&(_, &m)| m).map(|(v, _)| v))
 }
 
-impl Clusters {
+impl VertexClusters {
     /// Adds the members of clusters that were not merged into one vertex to those kept apart, and
     /// sorts these.
-    fn add_split(&mut self, members: &[u32], representative: &[u32], job: &Job<'_>) -> Result<()> {
+    fn add_unmerged_members(&mut self, members: &[u32], representative: &[u32], job: &Job<'_>) -> Result<()> {
         job.step(0.0, STAGE)?;
         let mut split = alloc::filled(false, self.representative.len())?;
         for &v in members {
@@ -159,7 +165,7 @@ impl Clusters {
 }
 
 /// Returns the mesh with each vertex replaced by its representative, and the maps.
-fn rebuild(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: &Job<'_>) -> Result<Weld> {
+fn rebuild_mesh(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: &Job<'_>) -> Result<Weld> {
     job.step(0.0, STAGE)?;
     let faces = mesh.faces();
     let mut face_map = alloc::with_capacity(faces.len())?;
@@ -168,12 +174,12 @@ fn rebuild(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     face_offsets.push(0);
     let mut left = alloc::with_capacity(if options.collapse { faces.half_edge_count() } else { 0 })?;
     for f in 0..faces.len() {
-        job.part(0.0, 0.4).step_every(REPORT_INTERVAL, f, faces.len(), STAGE)?;
+        job.part(0.0, 0.4).step_every(ELEMENTS_PER_REPORT, f, faces.len(), STAGE)?;
         let start = face_corners.len();
         face_corners.extend(mesh.face(f).map(|v| representative[v as usize]));
         if options.collapse {
             left.extend(faces.range(f).map(|corner| corner as u32));
-            if !close_gaps(&mut face_corners, &mut left, start) {
+            if !merge_equal_corners(&mut face_corners, &mut left, start) {
                 face_corners.truncate(start);
                 left.truncate(start);
                 face_map.push(NONE);
@@ -189,7 +195,7 @@ fn rebuild(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     face_corners.iter().for_each(|&v| stays[v as usize] = true);
     if faces.is_merged() {
         // Keep the split vertices of merged faces, which are restored later.
-        let mut stay = |h| stays[representative[faces.split_corner(h) as usize] as usize] = true;
+        let mut stay = |h| stays[representative[faces.corner_before_merging(h) as usize] as usize] = true;
         match options.collapse {
             true => left.iter().copied().for_each(&mut stay),
             false => (0..faces.half_edge_count() as u32).for_each(&mut stay),
@@ -226,7 +232,7 @@ fn rebuild(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
 
 /// Merges successive equal corners of the face from corner `start`, and keeps the parallel list
 /// `left` in step. Returns false if fewer than three different vertices remain.
-fn close_gaps(corners: &mut Vec<u32>, left: &mut Vec<u32>, start: usize) -> bool {
+fn merge_equal_corners(corners: &mut Vec<u32>, left: &mut Vec<u32>, start: usize) -> bool {
     let mut end = start;
     for k in start..corners.len() {
         if end == start || corners[k] != corners[end - 1] {
@@ -246,7 +252,7 @@ fn close_gaps(corners: &mut Vec<u32>, left: &mut Vec<u32>, start: usize) -> bool
 impl Weld {
     /// Counts the sewn edges, and lists the free edges that coincide with another edge and were not
     /// sewn.
-    fn count_edges(
+    fn count_sewn_edges(
         &mut self,
         mesh: &MeshView<'_>,
         topology: &Topology,
@@ -259,7 +265,7 @@ impl Weld {
         let taken = |h| if free_only { is_free(topology, h) } else { !topology.is_ignored(h) };
         let mut edges = Vec::new();
         for f in 0..mesh.faces().len() {
-            job.part(0.0, 0.2).step_every(REPORT_INTERVAL, f, mesh.faces().len(), STAGE)?;
+            job.part(0.0, 0.2).step_every(ELEMENTS_PER_REPORT, f, mesh.faces().len(), STAGE)?;
             if self.face_map[f] == NONE {
                 continue;
             }
@@ -274,7 +280,7 @@ impl Weld {
         let (mut done, count, counting) = (0, edges.len(), job.part(0.8, 0.9));
         for together in edges.chunk_by(|a, b| a.0 == b.0) {
             for edge in together.chunk_by(|a, b| a.1 == b.1) {
-                if done / REPORT_INTERVAL < (done + edge.len()) / REPORT_INTERVAL {
+                if done / ELEMENTS_PER_REPORT < (done + edge.len()) / ELEMENTS_PER_REPORT {
                     counting.step(done as f64 / count as f64, STAGE)?;
                 }
                 done += edge.len();
@@ -282,8 +288,8 @@ impl Weld {
                 if edge.len() == 2 && edge.iter().all(|e| free(&e)) {
                     self.sewn_edges += 1;
                 } else if together.len() > 1 {
-                    for some in edge.chunks(REPORT_INTERVAL) {
-                        if some.len() == REPORT_INTERVAL {
+                    for some in edge.chunks(ELEMENTS_PER_REPORT) {
+                        if some.len() == ELEMENTS_PER_REPORT {
                             counting.step(done as f64 / count as f64, STAGE)?;
                         }
                         alloc::extend(&mut self.left_edges, some.iter().filter(free).map(|&(_, _, h)| h))?;

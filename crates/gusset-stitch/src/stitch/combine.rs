@@ -61,14 +61,14 @@ pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result
 }
 
 /// Returns the strip as a separate mesh. Its vertex v is `names[v]` of `whole`.
-pub(super) fn strip_alone(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<Mesh> {
+pub(super) fn strip_as_mesh(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<Mesh> {
     let faces = strip.faces;
     Ok(Mesh::new(whole.positions.select(names)?, faces.offsets, faces.corners))
 }
 
 /// Returns the faces from `first` as a separate mesh, with the vertices that they use in ascending
 /// order.
-pub(crate) fn part_alone(whole: &Mesh, first: usize, job: &Job<'_>) -> Result<Mesh> {
+pub(crate) fn faces_as_mesh(whole: &Mesh, first: usize, job: &Job<'_>) -> Result<Mesh> {
     const STAGE: &str = "putting the pieces together";
     let start = whole.face_offsets[first];
     let corners = &whole.face_corners[start as usize..];

@@ -48,7 +48,7 @@ impl ExistingEdges {
     }
 
     /// Returns the places (i, j) of the edges' ends on rims `a` and `b`.
-    pub(super) fn nodes(&self, a: &Rim, b: &Rim) -> Result<Vec<[u32; 2]>> {
+    pub(super) fn lattice_nodes(&self, a: &Rim, b: &Rim) -> Result<Vec<[u32; 2]>> {
         if self.is_empty() {
             return Ok(Vec::new());
         }

@@ -1,6 +1,6 @@
 //! The extent of a stitch: whole loops, or their facing arcs.
 
-use super::facing::{self, Arc, Planes, find_facing_scaled, round_off, squareness};
+use super::facing::{self, Arc, Planes, find_facing_scaled, relative_round_off, squareness};
 use super::stitch_rim::Rim;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -24,7 +24,7 @@ pub enum Extent {
 
 /// Loops are joined whole if the mean |cosine| of the angles between their normals and the line of
 /// centres exceeds this: angles below 60 degrees.
-const MIN_WHOLE_COSINE: f64 = 0.5;
+const MIN_MEAN_COSINE_FOR_WHOLE_LOOPS: f64 = 0.5;
 
 /// Returns the arcs that `extent` selects, or `None` for whole loops. The coordinates of the rims
 /// are at most 2. The tolerance in `options` has the same unit; `None` means the round-off of such
@@ -37,7 +37,7 @@ pub(super) fn select_arcs(
     scalar: Scalar,
     job: &Job<'_>,
 ) -> Result<Option<[Arc; 2]>> {
-    let tolerance = options.tolerance.unwrap_or(2.0 * round_off(scalar));
+    let tolerance = options.tolerance.unwrap_or(2.0 * relative_round_off(scalar));
     let planes = Planes::new(&a.points, &b.points, options.centres);
     let found = || {
         let found = find_facing_scaled(&a.points, &b.points, planes, tolerance, options.run, job)?;
@@ -47,7 +47,7 @@ pub(super) fn select_arcs(
         Extent::WholeLoops => Ok(None),
         Extent::OpenArcs => found(),
         Extent::Auto => {
-            if squareness(&a.points, &planes) + squareness(&b.points, &planes) > 2.0 * MIN_WHOLE_COSINE {
+            if squareness(&a.points, &planes) + squareness(&b.points, &planes) > 2.0 * MIN_MEAN_COSINE_FOR_WHOLE_LOOPS {
                 return Ok(None);
             }
             match found() {

@@ -25,7 +25,7 @@ use gusset_mesh::Scalar;
 use std::ops::Range;
 
 /// Number of visited points between two progress reports, if each search visits all points.
-const REPORT_INTERVAL: usize = 1 << 23;
+const POINTS_PER_REPORT: usize = 1 << 23;
 
 const STAGE: &str = "looking for facing arcs";
 
@@ -164,7 +164,7 @@ pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Res
     let unit = common_unit(a.iter().chain(b));
     let small = |points: &[DVec3]| alloc::collect(points.iter().map(|&p| p / unit));
     let (small_a, small_b) = (small(a)?, small(b)?);
-    let limit = options.tolerance.map_or(2.0 * round_off(Scalar::F64), |t| t / unit);
+    let limit = options.tolerance.map_or(2.0 * relative_round_off(Scalar::F64), |t| t / unit);
     let planes = Planes::new(&small_a, &small_b, options.centres);
     let mut facing_runs = find_facing_scaled(&small_a, &small_b, planes, limit, options.run, &job.part(0.1, 1.0))?;
     facing_runs.planes.centres = facing_runs.planes.centres.map(|c| c * unit);
@@ -182,7 +182,7 @@ pub(super) fn check_points(side: Side, points: &[DVec3]) -> Result<()> {
 
 /// Returns the round-off relative to the largest coordinate: 64 units in the last place of the
 /// scalar type.
-pub(super) fn round_off(scalar: Scalar) -> f64 {
+pub(super) fn relative_round_off(scalar: Scalar) -> f64 {
     64.0 * match scalar {
         Scalar::F32 => f64::from(f32::EPSILON),
         Scalar::F64 => f64::EPSILON,
@@ -218,8 +218,8 @@ pub(super) fn find_facing_scaled(
         }
     }
     let taken = match run {
-        Run::Longest => [longest(&runs[0]), longest(&runs[1])],
-        Run::Closest => closest(a, b, &runs, job)?,
+        Run::Longest => [longest_run(&runs[0]), longest_run(&runs[1])],
+        Run::Closest => closest_runs(a, b, &runs, job)?,
     };
     Ok(Facing { planes, distances, runs, taken })
 }
@@ -242,12 +242,12 @@ pub fn cyclic_runs<T>(values: &[T], has: impl Fn(&T) -> bool) -> Result<Vec<Arc>
     Ok(runs)
 }
 
-fn longest(runs: &[Arc]) -> Arc {
+fn longest_run(runs: &[Arc]) -> Arc {
     runs.iter().copied().rev().max_by_key(|run| run.count).unwrap_or(Arc { first: 0, count: 0 })
 }
 
 /// Returns the runs that contain the closest pair of facing vertices.
-fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Result<[Arc; 2]> {
+fn closest_runs(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Result<[Arc; 2]> {
     let total = runs[1].iter().map(|run| run.count).sum();
     let (mut points, mut owner) = (alloc::with_capacity(total)?, alloc::with_capacity(total)?);
     for (k, run) in runs[1].iter().enumerate() {
@@ -256,7 +256,7 @@ fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Res
     }
     let tree = KdTree::with_boxes(&points, &job.part(0.0, 0.5), STAGE)?;
     let job = job.part(0.5, 1.0);
-    let interval = (REPORT_INTERVAL / total.max(1)).clamp(1, 1 << 12);
+    let interval = (POINTS_PER_REPORT / total.max(1)).clamp(1, 1 << 12);
     let (mut best, mut done) = ((f64::INFINITY, [0, 0]), 0);
     for (k, run) in runs[0].iter().enumerate() {
         for i in run.places(a.len()) {
@@ -284,11 +284,11 @@ impl Arc {
 /// (the vector area of its polygon) and the line of centres. Coaxial rims give 1, and should be
 /// joined whole; loops side by side in a plane give 0.
 pub fn squareness(points: &[DVec3], planes: &Planes) -> f64 {
-    normal(points).dot(planes.normals[0].normalize_or_zero()).abs()
+    area_vector_direction(points).dot(planes.normals[0].normalize_or_zero()).abs()
 }
 
 /// Returns the direction of a closed polyline's vector area; 0 for a degenerate polyline.
-pub(super) fn normal(points: &[DVec3]) -> DVec3 {
+pub(super) fn area_vector_direction(points: &[DVec3]) -> DVec3 {
     let (n, centre) = (points.len(), centre(points));
     let area: DVec3 = (0..n).map(|i| (points[i] - centre).cross(points[(i + 1) % n] - centre)).sum();
     area.normalize_or_zero()

@@ -11,15 +11,15 @@
 //!
 //! **Blends** are tested in the same way, and return towards their positions without fairing.
 
-use super::avoid::avoid_cuts;
-use super::blend::{self, Blend, WAYS};
+use super::avoid_intersections::search_strip_without_intersections;
 use super::existing_edges::ExistingEdges;
 use super::meridian::Meridians;
-use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::stitch_request::{Cells, Fairing, Finish, Intersections, Options};
 use super::strip::Strip;
+use super::strip_blend::{self, FAIRING_ATTEMPTS, StripBlend};
+use super::strip_neighbourhood::{IntersectingTriangles, StripNeighbourhood};
 use crate::blend::MAX_FAN_TRIANGLES;
-use crate::fair::{Continuity, Plate, Weights, thin_plate};
+use crate::fair::{Continuity, LaplacianWeights, Plate, minimise_plate_energy};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -28,7 +28,7 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::Mesh;
 
 /// Largest number of rounds that reduce the fairing.
-const MAX_BACK_OFFS: u32 = 12;
+const MAX_BACK_OFF_ROUNDS: u32 = 12;
 
 /// A vertex whose share of the fairing falls below this is no longer faired.
 const MIN_FAIRING_SHARE: f64 = 0.1;
@@ -75,20 +75,20 @@ fn check_strip(
         && options.meridians == Meridians::Continuation
         && options.cells == Cells::Triangles;
     if avoids && options.intersections == Intersections::Auto {
-        let left = avoid_cuts(whole, strip, existing, unit, options, job)?;
+        let left = search_strip_without_intersections(whole, strip, existing, unit, options, job)?;
         return Ok(CheckedStrip { intersections: Some(left), back_offs: 0, finish: Finish::Strip });
     }
     let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
     let rims = strip.rim_count();
-    let mut neighbourhood = Neighbourhood::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;
+    let mut neighbourhood = StripNeighbourhood::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;
     // Round to the scalar type of the result, so that the tested positions are the returned ones.
-    neighbourhood.round();
+    neighbourhood.round_new_vertices();
     let straight = alloc::copied(&neighbourhood.points)?;
     if faired {
-        neighbourhood.fair(strip, &job.part(0.0, 0.4))?;
-        neighbourhood.round();
+        neighbourhood.fair_new_vertices(strip, &job.part(0.0, 0.4))?;
+        neighbourhood.round_new_vertices();
     }
-    let checked = neighbourhood.check(straight, faired, options.intersections, &job.part(0.4, 1.0))?;
+    let checked = neighbourhood.check_and_back_off(straight, faired, options.intersections, &job.part(0.4, 1.0))?;
     let points = neighbourhood.points;
     strip.grid.points.truncate(rims);
     alloc::append(&mut strip.grid.points, &points)?;
@@ -107,22 +107,22 @@ fn check_blend(
 ) -> Result<CheckedStrip> {
     let rims = strip.rim_count();
     let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
-    let mut best: Option<(CheckedStrip, Blend)> = None;
-    let Some(plan) = blend::plan(whole, strip, unit, &job.part(0.0, 0.2))? else {
+    let mut best: Option<(CheckedStrip, StripBlend)> = None;
+    let Some(plan) = strip_blend::plan_strip_blend(whole, strip, unit, &job.part(0.0, 0.2))? else {
         job.note("a blend would need too many vertices: the strip stays in its place");
         return Ok(plain);
     };
     let job = job.part(0.2, 1.0);
-    for (k, way) in WAYS.into_iter().enumerate() {
-        let part = job.share(k, WAYS.len());
-        let mut found = blend::blend(&plan, strip, way, &part.part(0.0, 0.5))?;
+    for (k, way) in FAIRING_ATTEMPTS.into_iter().enumerate() {
+        let part = job.share(k, FAIRING_ATTEMPTS.len());
+        let mut found = strip_blend::create_strip_blend(&plan, strip, way, &part.part(0.0, 0.5))?;
         // The strip's own faces are restored after this blend has been judged.
         let faces = std::mem::replace(&mut strip.faces, found.faces);
-        let mut neighbourhood = Neighbourhood::new(whole, strip, unit, found.unfaired)?;
-        neighbourhood.round();
+        let mut neighbourhood = StripNeighbourhood::new(whole, strip, unit, found.unfaired)?;
+        neighbourhood.round_new_vertices();
         let straight = std::mem::replace(&mut neighbourhood.points, found.points);
-        neighbourhood.round();
-        let checked = neighbourhood.check(straight, true, options.intersections, &part.part(0.5, 1.0))?;
+        neighbourhood.round_new_vertices();
+        let checked = neighbourhood.check_and_back_off(straight, true, options.intersections, &part.part(0.5, 1.0))?;
         (found.points, found.unfaired) = (neighbourhood.points, Vec::new());
         found.faces = std::mem::replace(&mut strip.faces, faces);
         let count = cuts(&checked);
@@ -149,10 +149,10 @@ fn check_blend(
     }
 }
 
-impl Neighbourhood<'_> {
+impl StripNeighbourhood<'_> {
     /// Looks for intersecting faces if requested. If the new vertices are `faired`, moves them back
     /// towards `straight` until the faired strip adds no intersections.
-    fn check(
+    fn check_and_back_off(
         &mut self,
         straight: Vec<DVec3>,
         faired: bool,
@@ -163,35 +163,35 @@ impl Neighbourhood<'_> {
         if intersections == Intersections::Ignore {
             return Ok(checked);
         }
-        let look = |round: u32| job.share(round as usize, MAX_BACK_OFFS as usize + 2);
+        let look = |round: u32| job.share(round as usize, MAX_BACK_OFF_ROUNDS as usize + 2);
         let old = self.old_triangles_nearby(&straight, job)?;
-        let mut found = self.intersections(&old, &look(0))?;
+        let mut found = self.find_intersections(&old, &look(0))?;
         let plate = alloc::copied(&self.points)?;
         let mut share = alloc::filled(1.0, plate.len())?;
-        while faired && checked.back_offs < MAX_BACK_OFFS && self.back_off(&found, &mut share)? {
+        while faired && checked.back_offs < MAX_BACK_OFF_ROUNDS && self.reduce_fairing_shares(&found, &mut share)? {
             for (k, point) in self.points.iter_mut().enumerate() {
                 *point = straight[k].lerp(plate[k], share[k]);
             }
-            self.round();
+            self.round_new_vertices();
             checked.back_offs += 1;
-            found = self.intersections(&old, &look(checked.back_offs))?;
+            found = self.find_intersections(&old, &look(checked.back_offs))?;
         }
         if faired && !found.pairs.is_empty() {
             // Use the straight rows if they have fewer intersections.
             let faired = std::mem::replace(&mut self.points, straight);
-            let intersections = self.intersections(&old, &look(MAX_BACK_OFFS + 1))?;
+            let intersections = self.find_intersections(&old, &look(MAX_BACK_OFF_ROUNDS + 1))?;
             if intersections.pairs.len() < found.pairs.len() {
                 found = intersections;
             } else {
                 self.points = faired;
             }
         }
-        checked.intersections = Some(self.faces(&old, &found)?);
+        checked.intersections = Some(self.pairs_of_faces(&old, &found)?);
         Ok(checked)
     }
 
     /// Moves the new vertices to the minimum of the thin plate's energy.
-    fn fair(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
+    fn fair_new_vertices(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
         let mut triangles = self.strip_triangles()?.corners;
         let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.contains(v)), job)?.corners;
         alloc::append(&mut triangles, &round)?;
@@ -213,7 +213,7 @@ impl Neighbourhood<'_> {
         let is_centre =
             |(k, &v): (usize, &u32)| (is_new(v) || (on_rim(v) && valence[k] <= MAX_FAN_TRIANGLES)) && !is_end(v);
         let centres = alloc::collect(vertices.iter().enumerate().map(is_centre))?;
-        self.space_evenly(strip, &vertices, &triangles, &mut points)?;
+        self.space_old_vertices_like_rows(strip, &vertices, &triangles, &mut points)?;
         let layout = alloc::collect(vertices.iter().map(|&v| match v.checked_sub(self.base) {
             Some(k) => strip.grid.regular_grid_position(k as usize),
             None => DVec3::ZERO,
@@ -222,12 +222,12 @@ impl Neighbourhood<'_> {
             triangles: &triangles,
             free: &free,
             centres: &centres,
-            weights: Weights::Uniform,
+            weights: LaplacianWeights::Uniform,
             continuity: Continuity::C1,
             shape: None,
             layout: Some(&layout),
         };
-        thin_plate(&mut points, &plate, job)?;
+        minimise_plate_energy(&mut points, &plate, job)?;
         for (&v, &p) in vertices.iter().zip(&points) {
             if is_new(v) {
                 self.points[(v - self.base) as usize] = p;
@@ -239,7 +239,7 @@ impl Neighbourhood<'_> {
     /// Moves the old vertices beyond the rims, in the patch only, to the spacing of the rows. The
     /// plate assumes edges of equal length, and needs only the slope at the rim from these
     /// vertices.
-    fn space_evenly(
+    fn space_old_vertices_like_rows(
         &self,
         strip: &Strip,
         vertices: &[u32],
@@ -271,7 +271,7 @@ impl Neighbourhood<'_> {
 
     /// Reduces the plate's share at the new vertices of intersecting faces, and a little nearby.
     /// Returns false if no share is left at these vertices.
-    fn back_off(&self, found: &IntersectingTriangles, share: &mut [f64]) -> Result<bool> {
+    fn reduce_fairing_shares(&self, found: &IntersectingTriangles, share: &mut [f64]) -> Result<bool> {
         let mut distance = alloc::filled(BACK_OFF_RINGS, share.len())?;
         let index = |v: u32| v.checked_sub(self.base).map(|k| k as usize);
         let intersecting = found.pairs.as_flattened().iter().filter_map(|&k| found.strip.corners.get(k as usize));

@@ -6,7 +6,7 @@
 //! meridians from both candidates are searched, and the better ones are kept.
 
 use super::existing_edges::ExistingEdges;
-use super::polyline::{lengths, samples};
+use super::polyline::{lengths, samples_by_arc_length};
 use super::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::error::Result;
@@ -28,7 +28,7 @@ pub enum Start {
 
 /// Number of vertices between two progress reports. A search is slow if all vertices are about
 /// equally far.
-const REPORT_INTERVAL: usize = 1 << 7;
+const SEARCHES_PER_REPORT: usize = 1 << 7;
 
 /// Number of vertices between two progress reports when arc lengths are looked up.
 const LENGTHS_PER_REPORT: usize = 1 << 18;
@@ -36,12 +36,12 @@ const LENGTHS_PER_REPORT: usize = 1 << 18;
 const STAGE: &str = "looking for the closest pair";
 
 /// Number of samples of each rim for the rotation.
-const SAMPLES: usize = 1 << 10;
+const SAMPLES_PER_RIM: usize = 1 << 10;
 
 /// Returns the places (i, j) of the closest vertices of the two rims that are not yet joined by an
 /// edge. Among equally close pairs the smallest i wins, then the smallest j. Returns `None` if
 /// every pair is joined. O((N + M) log M).
-pub(super) fn closest_pair(
+pub(super) fn closest_vertex_pair(
     a: &Rim,
     b: &Rim,
     existing: &ExistingEdges,
@@ -51,7 +51,7 @@ pub(super) fn closest_pair(
     let job = job.part(0.1, 1.0);
     let mut best = (f64::INFINITY, None);
     for (i, (&p, &u)) in a.points.iter().zip(&a.vertices).enumerate() {
-        job.step_every(REPORT_INTERVAL, i, a.points.len(), STAGE)?;
+        job.step_every(SEARCHES_PER_REPORT, i, a.points.len(), STAGE)?;
         let found = tree.nearest(p, best.0, |j| !existing.contains(u, b.vertices[j as usize]));
         if let Some((distance, j)) = found
             && (distance < best.0 || best.1.is_none())
@@ -65,14 +65,17 @@ pub(super) fn closest_pair(
 /// Returns the places (i, j) of the closest vertices after the best rotation, if no edge joins them
 /// yet. The rotation of rim B along rim A minimises the sum of squared distances between points at
 /// equal arc lengths. The rims run side by side. O(N log M), plus a Fourier transform of
-/// [`SAMPLES`] samples.
-pub(super) fn pair_by_rotation(
+/// [`SAMPLES_PER_RIM`] samples.
+pub(super) fn vertex_pair_by_best_rotation(
     a: &Rim,
     b: &Rim,
     existing: &ExistingEdges,
     job: &Job<'_>,
 ) -> Result<Option<(usize, usize)>> {
-    let shift = best_shift(&samples(&a.points, true, SAMPLES)?, &samples(&b.points, true, SAMPLES)?);
+    let shift = best_rotation_fraction(
+        &samples_by_arc_length(&a.points, true, SAMPLES_PER_RIM)?,
+        &samples_by_arc_length(&b.points, true, SAMPLES_PER_RIM)?,
+    );
     job.step(0.0, STAGE)?;
     let (along_a, along_b) = (arc_fractions(&a.points)?, arc_fractions(&b.points)?);
     let m = b.points.len();
@@ -98,7 +101,7 @@ pub(super) fn pair_by_rotation(
 /// For all s at once this is the inverse transform of conj(P) Q. The number of samples is a power
 /// of two. The transform uses no platform-specific vector instructions, so that all platforms give
 /// the same bits.
-fn best_shift(p: &[DVec3], q: &[DVec3]) -> f64 {
+fn best_rotation_fraction(p: &[DVec3], q: &[DVec3]) -> f64 {
     let n = p.len();
     let [forward, inverse] = [FftDirection::Forward, FftDirection::Inverse].map(|way| Radix4::new(n, way));
     let mut product = vec![Complex::new(0.0, 0.0); n];
@@ -139,14 +142,14 @@ mod tests {
     fn the_rotation_of_a_wavy_ring_is_found() {
         let ring = |turn: f64| -> Vec<DVec3> {
             let point = |i: usize| {
-                let t = std::f64::consts::TAU * (i as f64 / SAMPLES as f64 + turn);
+                let t = std::f64::consts::TAU * (i as f64 / SAMPLES_PER_RIM as f64 + turn);
                 DVec3::new(t.cos(), t.sin(), 0.3 * (3.0 * t).sin() + 0.2 * (2.0 * t).cos())
             };
-            (0..SAMPLES).map(point).collect()
+            (0..SAMPLES_PER_RIM).map(point).collect()
         };
         for turn in [0.0, 0.125, 0.5, 0.984375] {
             // The start of the first ring lies at -turn on the second.
-            assert_eq!(best_shift(&ring(0.0), &ring(turn)), (1.0 - turn) % 1.0);
+            assert_eq!(best_rotation_fraction(&ring(0.0), &ring(turn)), (1.0 - turn) % 1.0);
         }
     }
 }

@@ -11,7 +11,7 @@
 //! P(r+1, c) -> P(r+1, c+1).
 
 use super::existing_edges::ExistingEdges;
-use super::meridian::Pair;
+use super::meridian::MeridianEnds;
 use super::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -20,7 +20,7 @@ use gusset_mesh::MAX_ELEMENTS;
 
 /// The matrix P in the strip's own vertex numbers: rim A's vertices, then rim B's, then the new
 /// ones row by row.
-pub(crate) struct Grid {
+pub(crate) struct MeridianGrid {
     rows: usize,
     columns: usize,
     /// The number of distinct columns: one less than `columns` if the band is closed.
@@ -39,12 +39,12 @@ pub(crate) struct FaceList {
     pub(super) corners: Vec<u32>,
 }
 
-impl Grid {
+impl MeridianGrid {
     /// Creates the matrix over `pairs` with `rows` interior rows.
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::OutOfMemory`].
-    pub(super) fn new(a: &Rim, b: &Rim, pairs: &[Pair], rows: u32) -> Result<Grid> {
+    pub(super) fn new(a: &Rim, b: &Rim, pairs: &[MeridianEnds], rows: u32) -> Result<MeridianGrid> {
         let (n, m) = (a.vertices.len(), b.vertices.len());
         let columns = pairs.len();
         // A single meridian spans no face, and gets no rows.
@@ -52,7 +52,7 @@ impl Grid {
         let distinct = if a.closed { columns - 1 } else { columns };
         let total = (rows as u64 + 2) * columns as u64 + (n + m) as u64;
         Error::check_count("corners of the strip", 4 * total, MAX_ELEMENTS)?;
-        let mut grid = Grid {
+        let mut grid = MeridianGrid {
             rows,
             columns,
             distinct,
@@ -89,14 +89,14 @@ impl Grid {
         DVec3::new(libm::cos(along * round) / round, libm::sin(along * round) / round, up)
     }
 
-    fn vertex(&self, row: usize, column: usize) -> u32 {
+    fn vertex_at(&self, row: usize, column: usize) -> u32 {
         self.matrix[row * self.columns + column]
     }
 
     /// Returns the ends of each new vertex's meridian as strip vertices: one on rim A, and one on
     /// rim B.
     pub(super) fn meridian_ends(&self) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
-        self.new.iter().map(|&(column, _)| [self.vertex(0, column), self.vertex(self.rows + 1, column)])
+        self.new.iter().map(|&(column, _)| [self.vertex_at(0, column), self.vertex_at(self.rows + 1, column)])
     }
 
     /// Returns the faces, meridian by meridian from A to B. If `quads`, four distinct neighbours
@@ -105,7 +105,7 @@ impl Grid {
     /// # Errors
     /// [`Error::NoStrip`] if a meridian without interior vertices, or both diagonals of a quad in a
     /// strip without rows, repeat an existing edge of the mesh.
-    pub(super) fn faces(&self, a: &Rim, b: &Rim, existing: &ExistingEdges, quads: bool) -> Result<FaceList> {
+    pub(super) fn build_faces(&self, a: &Rim, b: &Rim, existing: &ExistingEdges, quads: bool) -> Result<FaceList> {
         let n = a.vertices.len() as u32;
         let existing = (self.rows == 0 && !existing.is_empty()).then_some(existing);
         // Vertices of A have numbers below n. Without interior rows the other vertices are on B.
@@ -121,14 +121,14 @@ impl Grid {
             FaceList { offsets: alloc::with_capacity(2 * cells + 1)?, corners: alloc::with_capacity(6 * cells)? };
         list.offsets.push(0);
         for column in 0..self.distinct {
-            if taken(self.vertex(0, column), self.vertex(self.rows + 1, column)) {
-                return blocked(self.vertex(0, column));
+            if taken(self.vertex_at(0, column), self.vertex_at(self.rows + 1, column)) {
+                return blocked(self.vertex_at(0, column));
             }
         }
         for column in 0..self.columns - 1 {
             for row in 0..=self.rows {
-                let [p, q] = [self.vertex(row, column + 1), self.vertex(row, column)];
-                let [r, s] = [self.vertex(row + 1, column), self.vertex(row + 1, column + 1)];
+                let [p, q] = [self.vertex_at(row, column + 1), self.vertex_at(row, column)];
+                let [r, s] = [self.vertex_at(row + 1, column), self.vertex_at(row + 1, column + 1)];
                 match (p == q, r == s) {
                     (true, true) => {}
                     (true, false) => list.push(&[q, r, s]),
@@ -169,7 +169,12 @@ impl Grid {
     /// suffices, because rims have at least three vertices.
     fn quad_to_flip(&self, n: u32, taken: &impl Fn(u32, u32) -> bool) -> Option<usize> {
         let cell = |column: usize| {
-            [self.vertex(0, column + 1), self.vertex(0, column), self.vertex(1, column), self.vertex(1, column + 1)]
+            [
+                self.vertex_at(0, column + 1),
+                self.vertex_at(0, column),
+                self.vertex_at(1, column),
+                self.vertex_at(1, column + 1),
+            ]
         };
         // Counts the steps on A away from B_0, and on B away from A_0.
         let steps = |[p, q, r, s]: [u32; 4], by_pr: bool| match (p == q, r == s) {

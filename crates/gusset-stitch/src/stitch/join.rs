@@ -1,11 +1,11 @@
 //! The stages of stitching in order, from two loops to one mesh.
 
-use super::combine::{append_piece, append_strip, strip_alone};
+use super::combine::{append_piece, append_strip, strip_as_mesh};
 use super::existing_edges::ExistingEdges;
 use super::extent::{Extent, select_arcs};
 use super::facing::{self, check_tolerance};
 use super::fair_and_check::fair_and_check;
-use super::loop_pairing::{nearest_pair, usable_rims};
+use super::loop_pairing::{remove_nearest_pair, usable_rims};
 use super::quality::Quality;
 use super::sense::{arcs_run_the_same_way, rims_disagree};
 use super::stitch_request::{IndexMap, Options, Orientation, Request, Stitch};
@@ -47,7 +47,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     if matches!(options.extent, Extent::OpenArcs | Extent::Arcs(_)) {
         Error::require(options.twist == 0, "twist", options.twist as f64)?;
     }
-    let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
+    let RimsInCommonUnit { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
     cut_arcs(request, options, [&mut a, &mut b], unit, &job.part(0.35, 0.4))?;
     let existing = match request.b {
         Some(_) => ExistingEdges::empty(),
@@ -66,13 +66,13 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
             None => "the loops' components disagree in orientation: that of the second loop has been turned over",
         });
     }
-    options.note_unread(job);
+    options.note_unread_options(job);
     let options = &options.strip_options();
 
     // Combine both pieces in one mesh. Only the component of rim B is turned over.
     let mut pieces = vec![request.a];
     pieces.extend(request.b);
-    let mut whole = concat::empty(pieces.iter().copied(), [0; 3])?;
+    let mut whole = concat::empty_with_room(pieces.iter().copied(), [0; 3])?;
     let mesh_b = request.b.unwrap_or(request.a);
     let mut turned_faces = if turn { faces_of_component(mesh_b, b.vertices[0])? } else { Vec::new() };
     let is_turned = |f: usize| turned_faces.binary_search(&(f as u32)).is_ok();
@@ -91,10 +91,10 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     // On one oriented surface the rims run in opposite directions. Reverse B, so that they run side
     // by side.
     if turn {
-        b.turn();
+        b.adapt_to_turned_surface();
     }
     b.reverse();
-    let mean_side = || whole.mean_side() / unit;
+    let mean_side = || whole.mean_side_length() / unit;
     let mut strip = Strip::build(a, b, &existing, options, mean_side, &job.part(0.4, 0.6))?;
     let checked = fair_and_check(&whole, &mut strip, unit, &existing, options, &job.part(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
@@ -106,7 +106,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let weights = alloc::collect(strip.parents.iter().map(|parents| parents.weights))?;
     let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
     let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
-    let mut strip = strip_alone(&whole, strip, &attached.names)?;
+    let mut strip = strip_as_mesh(&whole, strip, &attached.names)?;
     let measured = if options.outward == Outward::Closed { 0.9 } else { 1.0 };
     let quality = Quality::measure(&whole, &strip, &job.part(0.75, measured))?;
     let mut turned_outwards = Vec::new();
@@ -153,20 +153,20 @@ fn cut_arcs(request: &Request<'_>, options: &Options, [a, b]: [&mut Rim; 2], uni
     // The round-off is determined by the coarser scalar type.
     let scalar = request.b.unwrap_or(request.a).positions().scalar().min(request.a.positions().scalar());
     if let Some([arc_a, arc_b]) = select_arcs(a, b, options.extent, &how, scalar, job)? {
-        a.cut(arc_a)?;
-        b.cut(arc_b)?;
+        a.cut_to_arc(arc_a)?;
+        b.cut_to_arc(arc_b)?;
     }
     Ok(())
 }
 
 /// Two rims, each with its surface on the left, in a common unit.
-struct Rims {
+struct RimsInCommonUnit {
     a: Rim,
     b: Rim,
     unit: f64,
 }
 
-fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
+fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<RimsInCommonUnit> {
     let options = boundary::Options::default();
     let boundary_a = boundary_loops(request.a, &options, &job.part(0.0, 0.4))?;
     let second = request.b.map(|b| boundary_loops(b, &options, &job.part(0.4, 0.8))).transpose()?;
@@ -182,10 +182,10 @@ fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
     let unit = common_unit(a.iter().chain(&b).flat_map(|rim| &rim.points));
     a.iter_mut().chain(&mut b).flat_map(|rim| &mut rim.points).for_each(|p| *p /= unit);
     if request.loop_a.is_some() && request.loop_b.is_some() {
-        return Ok(Rims { a: a.swap_remove(0), b: b.swap_remove(0), unit });
+        return Ok(RimsInCommonUnit { a: a.swap_remove(0), b: b.swap_remove(0), unit });
     }
-    let (a, b) = nearest_pair(a, b, request.b.is_none(), &job.part(0.8, 1.0))?;
-    Ok(Rims { a, b, unit })
+    let (a, b) = remove_nearest_pair(a, b, request.b.is_none(), &job.part(0.8, 1.0))?;
+    Ok(RimsInCommonUnit { a, b, unit })
 }
 
 /// Returns true if the second piece must be turned over.

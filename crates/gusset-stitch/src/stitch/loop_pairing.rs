@@ -15,7 +15,7 @@ use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 
 /// Number of evenly spaced vertices of a rim that determine its distance from another rim.
-const SAMPLE_VERTICES: usize = 1 << 10;
+const MAX_SAMPLE_VERTICES: usize = 1 << 10;
 
 const STAGE: &str = "pairing the loops";
 
@@ -29,13 +29,18 @@ pub(super) fn usable_rims(mesh: &MeshView<'_>, boundary: &Boundary) -> Result<Ve
 /// paired with itself.
 ///
 /// Box tests for all pairs, and nearest-point searches for the pairs that the boxes do not exclude.
-pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job: &Job<'_>) -> Result<(Rim, Rim)> {
+pub(super) fn remove_nearest_pair(
+    mut a: Vec<Rim>,
+    mut b: Vec<Rim>,
+    one_mesh: bool,
+    job: &Job<'_>,
+) -> Result<(Rim, Rim)> {
     let boxes = alloc::collect(b.iter().map(|rim| Aabb::from_points(&rim.points)))?;
     let mut best = (f64::INFINITY, None);
     for (i, p) in a.iter().enumerate() {
         let job = job.share(i, a.len());
         job.step(0.0, STAGE)?;
-        let (around, tree_p) = (Aabb::from_points(&p.points), tree(&p.points, &job.part(0.0, 0.1))?);
+        let (around, tree_p) = (Aabb::from_points(&p.points), build_tree(&p.points, &job.part(0.0, 0.1))?);
         let job = job.part(0.1, 1.0);
         for (j, q) in b.iter().enumerate() {
             // The distance of the boxes is a lower bound.
@@ -47,7 +52,7 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
             if there >= best.0 {
                 continue;
             }
-            let distance = there.max(mean_distance(&p.points, &tree(&q.points, &job.share(j, b.len()))?));
+            let distance = there.max(mean_distance(&p.points, &build_tree(&q.points, &job.share(j, b.len()))?));
             if distance < best.0 && !(one_mesh && shared_vertex(p, q)?.is_some()) {
                 best = (distance, Some((i, j)));
             }
@@ -60,21 +65,21 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
     Ok((a.swap_remove(i), b.swap_remove(j)))
 }
 
-fn tree<'a>(points: &'a [DVec3], job: &Job<'_>) -> Result<KdTree<'a>> {
+fn build_tree<'a>(points: &'a [DVec3], job: &Job<'_>) -> Result<KdTree<'a>> {
     KdTree::new(points, job, STAGE)
 }
 
 /// Returns the larger of the two mean distances from the vertices of one rim to the nearest vertex
 /// of the other.
 pub fn mean_gap(a: &Rim, b: &Rim, job: &Job<'_>) -> Result<f64> {
-    let there = mean_distance(&b.points, &tree(&a.points, &job.part(0.0, 0.5))?);
-    Ok(there.max(mean_distance(&a.points, &tree(&b.points, &job.part(0.5, 1.0))?)))
+    let there = mean_distance(&b.points, &build_tree(&a.points, &job.part(0.0, 0.5))?);
+    Ok(there.max(mean_distance(&a.points, &build_tree(&b.points, &job.part(0.5, 1.0))?)))
 }
 
 /// Returns the mean distance from the vertices of one rim to the nearest vertex of the other.
 /// Samples long rims evenly.
 fn mean_distance(from: &[DVec3], to: &KdTree<'_>) -> f64 {
-    let asked = from.iter().step_by(from.len().div_ceil(SAMPLE_VERTICES));
+    let asked = from.iter().step_by(from.len().div_ceil(MAX_SAMPLE_VERTICES));
     let count = asked.len() as f64;
     asked.map(|p| to.nearest(*p, f64::INFINITY, |_| true).map_or(0.0, |(squared, _)| squared.sqrt())).sum::<f64>()
         / count

@@ -22,16 +22,16 @@
 //! | [`grid`](self) | rows between the rims, matrix P, and the faces between them |
 //! | [`strip`](self) | strip between two rims: start, meridians, grid |
 //! | [`fair_and_check`](self) | fairing of the rows, and intersections of the strip |
-//! | [`avoid`](self) | another strip if one intersects |
-//! | [`blend`](self) | finer triangles on a smooth surface in place of the strip |
-//! | [`neighbourhood`](self) | the faces around a strip |
+//! | [`avoid_intersections`](self) | another strip if one intersects |
+//! | [`strip_blend`](self) | finer triangles on a smooth surface in place of the strip |
+//! | [`strip_neighbourhood`](self) | the faces around a strip |
 //! | [`ruled`](self) | a strip between polylines without meshes |
 //! | [`combine`](self) | one mesh of both pieces and the strip, with maps from old to new |
 //! | [`quality`](self) | quality measures of the result |
 //! | [`join`](self) | all stages in order |
 
-mod avoid;
-mod blend;
+mod avoid_intersections;
+mod strip_blend;
 pub mod combine;
 pub mod existing_edges;
 mod extent;
@@ -42,7 +42,7 @@ mod grid;
 mod join;
 pub mod loop_pairing;
 pub mod meridian;
-mod neighbourhood;
+mod strip_neighbourhood;
 pub mod polyline;
 mod quality;
 mod ruled;
@@ -51,8 +51,8 @@ mod stitch_request;
 pub mod stitch_rim;
 pub mod strip;
 
-pub(crate) use combine::part_alone;
-pub(crate) use stitch_rim::{FreeEdges, check_loop};
+pub(crate) use combine::faces_as_mesh;
+pub(crate) use stitch_rim::{FreeEdges, check_loop_indices};
 
 pub use extent::Extent;
 pub use first_meridian::Start;

@@ -6,7 +6,7 @@ use gusset_base::error::Result;
 
 /// Returns `count` points at equal arc lengths, including both ends of an open polyline. The
 /// polyline must have at least one point.
-pub(super) fn samples(points: &[DVec3], closed: bool, count: usize) -> Result<Vec<DVec3>> {
+pub(super) fn samples_by_arc_length(points: &[DVec3], closed: bool, count: usize) -> Result<Vec<DVec3>> {
     let n = points.len();
     let edges = if closed { n } else { n - 1 };
     let edge = |i: usize| points[i].distance(points[(i + 1) % n]);
@@ -39,7 +39,7 @@ pub fn lengths(points: &[DVec3], closed: bool) -> Result<Vec<f64>> {
 }
 
 /// Returns the point nearest to `p` on the two edges of a polyline that meet at point `v`.
-pub fn nearest_beside(points: &[DVec3], closed: bool, v: usize, p: DVec3) -> DVec3 {
+pub fn nearest_point_on_adjacent_edges(points: &[DVec3], closed: bool, v: usize, p: DVec3) -> DVec3 {
     let n = points.len();
     let here = points[v];
     let on_edge = |other: DVec3| {

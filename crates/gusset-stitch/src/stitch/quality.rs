@@ -8,7 +8,7 @@ use gusset_mesh::{Defect, Mesh};
 use std::f64::consts::FRAC_PI_3;
 
 /// Faces between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const FACES_PER_REPORT: usize = 1 << 16;
 
 /// Measures of the strip, and of the connectivity of the whole result.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -57,7 +57,7 @@ impl Quality {
         let unit = common_unit(&points);
         let (mut longest, mut double_area): (f64, f64) = (0.0, 0.0);
         for (f, w) in strip.face_offsets.windows(2).enumerate() {
-            job.step_every(REPORT_INTERVAL, f, strip.face_offsets.len(), "measuring new faces")?;
+            job.step_every(FACES_PER_REPORT, f, strip.face_offsets.len(), "measuring new faces")?;
             let face = &strip.face_corners[w[0] as usize..w[1] as usize];
             let p = |k: usize| points[face[k % face.len()] as usize] / unit;
             longest = (0..face.len()).map(|k| p(k).distance(p(k + 1))).fold(longest, f64::max);

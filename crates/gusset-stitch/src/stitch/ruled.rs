@@ -4,10 +4,10 @@
 use super::existing_edges::ExistingEdges;
 use super::facing::check_points;
 use super::first_meridian::Start;
-use super::meridian::{MeridianSearch, Meridians, Pair};
+use super::meridian::{MeridianEnds, MeridianSearch, Meridians};
 use super::stitch_request::{Cells, Options, Rows};
 use super::stitch_rim::Rim;
-use super::strip::{Strip, from_given_start};
+use super::strip::{Strip, meridians_from_given_start};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result, Side};
@@ -41,7 +41,7 @@ pub struct Ruled {
     /// The meridians as places counted from the first meridian. Between closed polylines of N and M
     /// points they run from (0, 0) to (N, M), where place N is place 0 again. Between open ones
     /// they run to (N - 1, M - 1).
-    pub meridians: Vec<Pair>,
+    pub meridians: Vec<MeridianEnds>,
     /// A's points, then B's, then the new ones row by row. Faces run A_i+1, A_i, B_j: against
     /// polyline A, and along B.
     pub mesh: Mesh,
@@ -76,7 +76,7 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
     let unit = common_unit(a.iter().chain(b));
     let rim = |points: &[DVec3]| Rim::from_points(alloc::collect(points.iter().map(|&p| p / unit))?, closed);
     let (rim_a, rim_b) = (rim(a)?, rim(b)?);
-    let mean_side = mean_segment([&rim_a, &rim_b]);
+    let mean_side = mean_segment_length([&rim_a, &rim_b]);
     let existing = ExistingEdges::empty();
     let stitch = Options {
         meridians: options.meridians,
@@ -89,7 +89,8 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
     let strip = if closed && options.start.is_some() {
         Strip::build(rim_a, rim_b, &existing, &stitch, || mean_side, job)?
     } else {
-        let found = from_given_start(&rim_a, &rim_b, &existing, &stitch, job)?.ok_or(Error::NoStrip { vertex: 0 })?;
+        let found =
+            meridians_from_given_start(&rim_a, &rim_b, &existing, &stitch, job)?.ok_or(Error::NoStrip { vertex: 0 })?;
         Strip::from_meridians(rim_a, rim_b, found.pairs, &existing, &stitch, || mean_side)?
     };
     job.step(1.0, "making faces")?;
@@ -119,11 +120,11 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
 }
 
 /// Returns the mean length of the segments of both polylines; infinity without segments.
-fn mean_segment(rims: [&Rim; 2]) -> f64 {
-    let count: u32 = rims.iter().map(|rim| rim.segments()).sum();
+fn mean_segment_length(rims: [&Rim; 2]) -> f64 {
+    let count: u32 = rims.iter().map(|rim| rim.segment_count()).sum();
     if count == 0 {
         return f64::INFINITY;
     }
-    let length = |rim: &Rim| (0..rim.segments()).map(|i| rim.point(i).distance(rim.point(i + 1))).sum::<f64>();
+    let length = |rim: &Rim| (0..rim.segment_count()).map(|i| rim.point(i).distance(rim.point(i + 1))).sum::<f64>();
     rims.map(length).iter().sum::<f64>() / f64::from(count)
 }

@@ -3,7 +3,7 @@
 use super::extent::Extent;
 use super::facing::{Centres, Run};
 use super::first_meridian::Start;
-use super::meridian::{MeridianSearch, Meridians, Pair};
+use super::meridian::{MeridianEnds, MeridianSearch, Meridians};
 use super::quality::Quality;
 use crate::repair::orient::Outward;
 use gusset_base::choices;
@@ -163,7 +163,7 @@ pub struct Options {
 
 impl Options {
     /// Notes the requested options that are not read.
-    pub(crate) fn note_unread(&self, job: &Job<'_>) {
+    pub(crate) fn note_unread_options(&self, job: &Job<'_>) {
         let no_rows = matches!(self.rows, Rows::None | Rows::Count(0));
         if self.finish == Finish::Blend {
             if !no_rows || self.cells == Cells::Quads || self.fairing == Fairing::ThinPlate {
@@ -232,7 +232,7 @@ pub struct Stitch {
     /// The meridians as places (i, j) on the rims: the paper's matrix H. On a closed band they run
     /// from (0, 0) to (N, M), where place N is place 0 again. On an open strip they run to (N - 1,
     /// M - 1).
-    pub meridians: Vec<Pair>,
+    pub meridians: Vec<MeridianEnds>,
     /// The paper's matrix P of vertices of [`Stitch::mesh`], row by row from rim A to rim B, with
     /// one column for each meridian.
     pub matrix: Vec<u32>,

@@ -29,11 +29,11 @@ pub struct Rim {
 }
 
 /// Loops with any of these flags cannot carry a strip.
-const UNUSABLE: u32 = LoopFlags::OPEN | LoopFlags::NON_MANIFOLD | LoopFlags::NOT_ORIENTED;
+const UNUSABLE_LOOP_FLAGS: u32 = LoopFlags::OPEN | LoopFlags::NON_MANIFOLD | LoopFlags::NOT_ORIENTED;
 
 /// Returns true if `candidate` can carry a strip.
 pub fn is_usable(candidate: &Loop<'_>) -> bool {
-    !candidate.flags.any(UNUSABLE) && candidate.vertices.len() >= 3
+    !candidate.flags.any(UNUSABLE_LOOP_FLAGS) && candidate.vertices.len() >= 3
 }
 
 impl Rim {
@@ -44,7 +44,7 @@ impl Rim {
 
     /// Creates a rim from a loop given by the caller, in either direction.
     pub(super) fn from_vertices(mesh: &MeshView<'_>, edges: &FreeEdges, vertices: &[u32], side: Side) -> Result<Rim> {
-        check_loop(mesh, side as u32, vertices)?;
+        check_loop_indices(mesh, side as u32, vertices)?;
         let count = vertices.len();
         if count < 3 {
             return Err(Error::LoopTooShort { side, count: count as u32 });
@@ -60,7 +60,7 @@ impl Rim {
         let mut along = alloc::with_capacity(count)?;
         for place in 0..count {
             let (u, v) = (vertices[place], vertices[(place + 1) % count]);
-            let (way, face) = match (edges.face_that_runs(u, v), edges.face_that_runs(v, u)) {
+            let (way, face) = match (edges.face_along(u, v), edges.face_along(v, u)) {
                 (Some(face), _) => (0, face),
                 (None, Some(face)) => (1, face),
                 (None, None) => return Err(Error::LoopEdgeNotFree { side, place: place as u32, vertex: u }),
@@ -114,12 +114,12 @@ impl Rim {
     }
 
     /// Returns the mean distance of the vertices from their centre.
-    pub(crate) fn radius(&self) -> f64 {
+    pub(crate) fn mean_radius(&self) -> f64 {
         let middle = centre(&self.points);
         self.points.iter().map(|p| p.distance(middle)).sum::<f64>() / self.points.len() as f64
     }
 
-    pub(super) fn segments(&self) -> u32 {
+    pub(super) fn segment_count(&self) -> u32 {
         self.vertices.len() as u32 - u32::from(!self.closed)
     }
 
@@ -129,12 +129,12 @@ impl Rim {
     }
 
     /// Returns the positions of all places, and for a loop the first again at the end.
-    pub(super) fn line(&self) -> Result<Vec<DVec3>> {
-        alloc::collect((0..self.segments() as usize + 1).map(|i| self.point(i as u32)))
+    pub(super) fn closed_points(&self) -> Result<Vec<DVec3>> {
+        alloc::collect((0..self.segment_count() as usize + 1).map(|i| self.point(i as u32)))
     }
 
     /// Cuts the rim to `arc`, whose places count along the loop as the caller gave it.
-    pub(crate) fn cut(&mut self, arc: Arc) -> Result<()> {
+    pub(crate) fn cut_to_arc(&mut self, arc: Arc) -> Result<()> {
         let n = self.vertices.len();
         let last = (arc.first + arc.count - 1) % n;
         let arc = if self.backwards { Arc { first: n - 1 - last, ..arc } } else { arc };
@@ -158,13 +158,13 @@ impl Rim {
 
     /// Adapts the rim to a surface that has been turned over: reverses it, so that the surface is
     /// on the left again.
-    pub(crate) fn turn(&mut self) {
+    pub(crate) fn adapt_to_turned_surface(&mut self) {
         self.reverse();
         self.normals.iter_mut().for_each(|normal| *normal = -*normal);
     }
 
     /// Makes place `first` the new place 0.
-    pub(super) fn start_at(&mut self, first: usize) {
+    pub(super) fn rotate_to_start_at(&mut self, first: usize) {
         self.vertices.rotate_left(first);
         self.points.rotate_left(first);
         self.normals.rotate_left(first);
@@ -205,7 +205,7 @@ pub fn shared_vertex(a: &Rim, b: &Rim) -> Result<Option<u32>> {
 
 /// Checks that a mesh has all vertices of the caller's loop `number`. Fails with
 /// [`Error::LoopIndexOutOfRange`].
-pub(crate) fn check_loop(mesh: &MeshView<'_>, number: u32, vertices: &[u32]) -> Result<()> {
+pub(crate) fn check_loop_indices(mesh: &MeshView<'_>, number: u32, vertices: &[u32]) -> Result<()> {
     match (0..).zip(vertices).find(|&(_, &vertex)| vertex as usize >= mesh.positions().len()) {
         Some((place, &vertex)) => Err(Error::LoopIndexOutOfRange { number, place, vertex }),
         None => Ok(()),
@@ -231,7 +231,7 @@ impl FreeEdges {
     }
 
     /// Returns the face that runs the free edge from `u` to `v` in this direction.
-    pub(crate) fn face_that_runs(&self, u: u32, v: u32) -> Option<u32> {
+    pub(crate) fn face_along(&self, u: u32, v: u32) -> Option<u32> {
         let at = self.0.partition_point(|&(a, b, _)| (a, b) < (u, v));
         self.0.get(at).filter(|&&(a, b, _)| (a, b) == (u, v)).map(|&(_, _, face)| face)
     }

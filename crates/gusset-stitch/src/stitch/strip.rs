@@ -1,10 +1,11 @@
 //! The strip between two rims: first meridian, remaining meridians, rows and faces.
 
 use super::existing_edges::ExistingEdges;
-use super::first_meridian::{Start, closest_pair, pair_by_rotation};
-use super::grid::{FaceList, Grid};
+use super::first_meridian::{Start, closest_vertex_pair, vertex_pair_by_best_rotation};
+use super::grid::{FaceList, MeridianGrid};
 use super::meridian::{
-    self, MeridianChoice, Meridians, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near,
+    self, MeridianChoice, MeridianEnds, Meridians, RimPair, StepPenalty, choose_meridians, choose_meridians_near_path,
+    sorted_forbidden_nodes,
 };
 use super::stitch_request::{Cells, Options, Rows};
 use super::stitch_rim::Rim;
@@ -14,7 +15,7 @@ use gusset_base::job::Job;
 use gusset_base::par;
 
 /// A second start is used if its relative gain exceeds this.
-const MIN_RELATIVE_GAIN: f64 = 1.0 / (1 << 20) as f64;
+const MIN_RELATIVE_GAIN_OF_SECOND_START: f64 = 1.0 / (1 << 20) as f64;
 
 /// Lattices with fewer nodes are searched on one thread.
 const MIN_NODES_PER_THREAD: usize = 1 << 14;
@@ -24,16 +25,16 @@ pub(crate) struct Strip {
     /// The rims, side by side from the first meridian on.
     pub(crate) a: Rim,
     pub(crate) b: Rim,
-    pub(crate) meridians: Vec<Pair>,
-    pub(crate) grid: Grid,
+    pub(crate) meridians: Vec<MeridianEnds>,
+    pub(crate) grid: MeridianGrid,
     pub(crate) faces: FaceList,
     /// The parents of each new vertex.
-    pub(crate) parents: Vec<Parents>,
+    pub(crate) parents: Vec<RimParents>,
 }
 
 /// The rim vertices that a new vertex is interpolated from.
 #[derive(Clone, Copy)]
-pub(crate) struct Parents {
+pub(crate) struct RimParents {
     /// Strip vertices. In a row, they are the ends of the meridian, the end on rim B twice.
     pub(crate) vertices: [u32; 3],
     /// The weight of each parent, at least 0, with sum 1. In a row the last is 0.
@@ -57,11 +58,13 @@ impl Strip {
         job: &Job<'_>,
     ) -> Result<Strip> {
         let meridians = if a.closed {
-            best_start(&mut a, &mut b, existing, options, job)?
+            choose_best_first_meridian(&mut a, &mut b, existing, options, job)?
         } else if options.twist != 0 {
             return Err(Error::OptionOutOfRange { option: "twist", value: options.twist as f64 });
         } else {
-            from_given_start(&a, &b, existing, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
+            meridians_from_given_start(&a, &b, existing, options, job)?
+                .ok_or(Error::NoStrip { vertex: a.vertices[0] })?
+                .pairs
         };
         job.step(1.0, meridian::STAGE)?;
         let strip = Strip::from_meridians(a, b, meridians, existing, options, mean_side)?;
@@ -76,7 +79,7 @@ impl Strip {
     pub(super) fn from_meridians(
         a: Rim,
         b: Rim,
-        meridians: Vec<Pair>,
+        meridians: Vec<MeridianEnds>,
         existing: &ExistingEdges,
         options: &Options,
         mean_side: impl Fn() -> f64,
@@ -91,12 +94,12 @@ impl Strip {
                 ((mean_meridian / mean_side()).round() - 1.0).clamp(0.0, f64::from(u32::MAX)) as u32
             }
         };
-        let grid = Grid::new(&a, &b, &meridians, rows)?;
-        let faces = grid.faces(&a, &b, existing, options.cells == Cells::Quads)?;
+        let grid = MeridianGrid::new(&a, &b, &meridians, rows)?;
+        let faces = grid.build_faces(&a, &b, existing, options.cells == Cells::Quads)?;
         let parents = grid
             .meridian_ends()
             .zip(&grid.new)
-            .map(|([a, b], &(_, weight))| Parents { vertices: [a, b, b], weights: [1.0 - weight, weight, 0.0] });
+            .map(|([a, b], &(_, weight))| RimParents { vertices: [a, b, b], weights: [1.0 - weight, weight, 0.0] });
         let parents = alloc::gather(parents)?;
         Ok(Strip { a, b, meridians, grid, faces, parents })
     }
@@ -107,12 +110,12 @@ impl Strip {
     /// [`Error::NoStrip`], [`Error::OutOfMemory`].
     pub(super) fn set_meridians(
         &mut self,
-        meridians: Vec<Pair>,
+        meridians: Vec<MeridianEnds>,
         existing: &ExistingEdges,
         options: &Options,
     ) -> Result<()> {
-        self.grid = Grid::new(&self.a, &self.b, &meridians, 0)?;
-        self.faces = self.grid.faces(&self.a, &self.b, existing, options.cells == Cells::Quads)?;
+        self.grid = MeridianGrid::new(&self.a, &self.b, &meridians, 0)?;
+        self.faces = self.grid.build_faces(&self.a, &self.b, existing, options.cells == Cells::Quads)?;
         self.meridians = meridians;
         Ok(())
     }
@@ -124,44 +127,44 @@ impl Strip {
 }
 
 /// Rotates the rims to the best first meridian, and returns the meridians from there.
-fn best_start(
+fn choose_best_first_meridian(
     a: &mut Rim,
     b: &mut Rim,
     existing: &ExistingEdges,
     options: &Options,
     job: &Job<'_>,
-) -> Result<Vec<Pair>> {
+) -> Result<Vec<MeridianEnds>> {
     let none = Error::NoStrip { vertex: a.vertices[0] };
     let count = b.vertices.len();
-    let (i, j) = closest_pair(a, b, existing, &job.part(0.0, 0.2))?.ok_or(none)?;
+    let (i, j) = closest_vertex_pair(a, b, existing, &job.part(0.0, 0.2))?.ok_or(none)?;
     let j = ((j as i64 + options.twist.rem_euclid(count as i64)).rem_euclid(count as i64)) as usize;
     let second = match options.start {
         Start::Auto if options.twist == 0 => {
-            pair_by_rotation(a, b, existing, &job.part(0.2, 0.2))?.filter(|&other| other != (i, j))
+            vertex_pair_by_best_rotation(a, b, existing, &job.part(0.2, 0.2))?.filter(|&other| other != (i, j))
         }
         _ => None,
     };
-    a.start_at(i);
-    b.start_at(j);
+    a.rotate_to_start_at(i);
+    b.rotate_to_start_at(j);
     let job = job.part(0.2, 1.0);
     job.step(0.0, meridian::STAGE)?;
     let Some((i2, j2)) = second else {
-        return from_given_start(a, b, existing, options, &job)?.map(|chosen| chosen.pairs).ok_or(none);
+        return meridians_from_given_start(a, b, existing, options, &job)?.map(|chosen| chosen.pairs).ok_or(none);
     };
     let (mut other_a, mut other_b) = (a.try_clone()?, b.try_clone()?);
     job.step(0.0, meridian::STAGE)?;
-    other_a.start_at((i2 + a.vertices.len() - i) % a.vertices.len());
-    other_b.start_at((j2 + count - j) % count);
+    other_a.rotate_to_start_at((i2 + a.vertices.len() - i) % a.vertices.len());
+    other_b.rotate_to_start_at((j2 + count - j) % count);
     let linear = matches!(options.meridians, Meridians::Index | Meridians::ArcLength | Meridians::Greedy);
     let threads = if linear || a.vertices.len() * count < MIN_NODES_PER_THREAD { 1 } else { job.threads() };
     let (first, other) = par::run_both(
         &job.with_threads(threads),
         meridian::STAGE,
-        |job| from_given_start(a, b, existing, options, job),
-        |job| from_given_start(&other_a, &other_b, existing, options, job),
+        |job| meridians_from_given_start(a, b, existing, options, job),
+        |job| meridians_from_given_start(&other_a, &other_b, existing, options, job),
     )?;
     let is_better = |other: &MeridianChoice| match &first {
-        Some(first) => other.cost < first.cost * (1.0 - MIN_RELATIVE_GAIN),
+        Some(first) => other.cost < first.cost * (1.0 - MIN_RELATIVE_GAIN_OF_SECOND_START),
         None => true,
     };
     match other.filter(is_better) {
@@ -174,14 +177,14 @@ fn best_start(
 }
 
 /// Returns the best meridians from the given first meridian.
-pub(crate) fn from_given_start(
+pub(crate) fn meridians_from_given_start(
     a: &Rim,
     b: &Rim,
     existing: &ExistingEdges,
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    between_rims(a, b, existing, options, &[], |rims| meridians(rims, options.meridians, options.search, job))
+    with_rim_pair(a, b, existing, options, &[], |rims| choose_meridians(rims, options.meridians, options.search, job))
 }
 
 /// Returns the best meridians near a path, with penalties on some steps.
@@ -190,14 +193,16 @@ pub(super) fn meridians_near_path(
     b: &Rim,
     existing: &ExistingEdges,
     options: &Options,
-    path: &[Pair],
+    path: &[MeridianEnds],
     penalties: &[StepPenalty],
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    between_rims(a, b, existing, options, penalties, |rims| meridians_near(rims, options.meridians, path, job))
+    with_rim_pair(a, b, existing, options, penalties, |rims| {
+        choose_meridians_near_path(rims, options.meridians, path, job)
+    })
 }
 
-fn between_rims<T>(
+fn with_rim_pair<T>(
     a: &Rim,
     b: &Rim,
     existing: &ExistingEdges,
@@ -208,10 +213,10 @@ fn between_rims<T>(
     let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
     // With interior rows, no meridian is a single edge.
     let forbidden = match options.rows {
-        Rows::None => forbidden_nodes(existing.nodes(a, b)?.into_iter(), n, m, a.closed)?,
+        Rows::None => sorted_forbidden_nodes(existing.lattice_nodes(a, b)?.into_iter(), n, m, a.closed)?,
         _ => Vec::new(),
     };
-    let (line_a, line_b) = (a.line()?, b.line()?);
+    let (line_a, line_b) = (a.closed_points()?, b.closed_points()?);
     let sides = Some([a.normals.as_slice(), b.normals.as_slice()]);
     find(&RimPair { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides, penalties })
 }

@@ -20,22 +20,22 @@
 //! | file | task |
 //! |---|---|
 //! | [`trim_request`](self) | options and results |
-//! | [`layer`](self) | a prepared piece |
-//! | [`covers`](self) | the places on other pieces that vertices lie on |
-//! | [`region`](self) | the faces that are kept: thin parts, islands, pinches |
-//! | [`crossings`](self) | kept faces that intersect each other |
+//! | [`trim_piece`](self) | a prepared piece |
+//! | [`vertex_covers`](self) | the places on other pieces that vertices lie on |
+//! | [`kept_faces`](self) | the faces that are kept: thin parts, islands, pinches |
+//! | [`crossing_faces`](self) | kept faces that intersect each other |
 //! | [`trim_run`](self) | all steps in order |
-//! | [`remains`](self) | the kept faces as one mesh, and their origins |
+//! | [`kept_meshes`](self) | the kept faces as one mesh, and their origins |
 
-mod covers;
-mod crossings;
-mod layer;
-mod region;
-mod remains;
+mod vertex_covers;
+mod crossing_faces;
+mod trim_piece;
+mod kept_faces;
+mod kept_meshes;
 mod trim_request;
 mod trim_run;
 
-pub use remains::Remains;
+pub use kept_meshes::Remains;
 pub use trim_request::{Options, Trimmed};
 pub use trim_run::trim;
 

@@ -19,20 +19,20 @@ pub struct Options<'a> {
 }
 
 /// Default for the smallest number of faces of a part.
-const MIN_FACES: u32 = 30;
+const DEFAULT_MIN_FACES: u32 = 30;
 /// Parts that other pieces show too are removed if they have fewer than this multiple of that
 /// number.
-pub(super) const SPARE_FACTOR: u32 = 20;
+pub(super) const SPARE_ISLAND_FACTOR: u32 = 20;
 
 impl Options<'_> {
     /// Returns the smallest number of faces of a part.
-    pub(super) fn least_faces(&self) -> u32 {
-        if self.min_faces == 0 { MIN_FACES } else { self.min_faces }
+    pub(super) fn min_part_faces(&self) -> u32 {
+        if self.min_faces == 0 { DEFAULT_MIN_FACES } else { self.min_faces }
     }
 
     /// Returns the smallest number of faces of a part that other pieces show too.
-    pub(crate) fn least_island(&self) -> u32 {
-        SPARE_FACTOR.saturating_mul(self.least_faces())
+    pub(crate) fn min_island_faces(&self) -> u32 {
+        SPARE_ISLAND_FACTOR.saturating_mul(self.min_part_faces())
     }
 }
 

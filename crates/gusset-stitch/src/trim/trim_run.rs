@@ -1,16 +1,16 @@
 //! The steps of trimming, from the meshes to the kept faces.
 
 use super::STAGE;
-use super::covers::{Covers, SameSurface};
-use super::crossings::{add_touching, crossings};
-use super::layer::Layer;
-use super::region::{Region, RegionRims};
+use super::crossing_faces::{add_touching_faces, find_crossing_faces};
+use super::kept_faces::{KeptFaceRims, KeptFaces};
+use super::trim_piece::TrimPiece;
 use super::trim_request::{Options, Trimmed};
-use crate::align::common_unit_of;
+use super::vertex_covers::{SameSurfaceCriterion, VertexCovers};
+use crate::align::common_length_unit;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::Aabb;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::geom::triangle_places::TriangleTree;
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
@@ -18,20 +18,20 @@ use gusset_mesh::MeshView;
 use std::ops::ControlFlow;
 
 /// Default largest distance between meshes of one surface, in mean edges.
-const MAX_DISTANCE_EDGES: f64 = 4.0;
+const DEFAULT_MAX_DISTANCE_MEAN_EDGES: f64 = 4.0;
 /// Default largest angle between normals of one surface, in radians.
-const MAX_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
+const DEFAULT_MAX_NORMAL_RADIANS: f64 = std::f64::consts::FRAC_PI_3;
 /// Smallest width of gaps, in mean edges.
-const GAP_EDGES: f64 = 0.5;
+const MIN_GAP_MEAN_EDGES: f64 = 0.5;
 /// Advantage of earlier pieces in confidence, in mean edges. At a common border, noise must not
 /// decide.
-const EARLIER_PIECE_BIAS: f64 = 3.0;
+const EARLIER_PIECE_BIAS_MEAN_EDGES: f64 = 3.0;
 /// Number of smoothing passes over the margins, for a smooth line between the pieces.
-const SMOOTHING_PASSES: usize = 6;
+const MARGIN_SMOOTHING_PASSES: usize = 6;
 /// Margins are clamped to this.
-const MAX_MARGIN: f64 = 8.0;
+const MAX_CONFIDENCE_MARGIN: f64 = 8.0;
 /// Largest number of rounds that remove faces and keep others in their place.
-const MAX_ROUNDS: usize = 12;
+const MAX_TRIMMING_ROUNDS: usize = 12;
 
 /// Selects the faces of overlapping pieces to keep, so that no two surfaces lie on each other.
 /// Narrow gaps remain between them.
@@ -59,75 +59,77 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     for (&viewpoint, k) in options.viewpoints.iter().zip(0..) {
         Error::check_finite(Element::Point, k, viewpoint)?;
     }
-    let unit = common_unit_of(pieces, job)?;
-    let all = pieces.iter().map(|piece| bounds(piece, unit)).fold(Aabb::EMPTY, Aabb::union);
+    let unit = common_length_unit(pieces, job)?;
+    let all = pieces.iter().map(|piece| bounds_of_used_vertices(piece, unit)).fold(Aabb::EMPTY, Aabb::union);
     let origin = if all.is_empty() { glam::DVec3::ZERO } else { all.centre() };
     let count = pieces.len();
     let (prepare, look) = (job.part(0.0, 0.3), job.part(0.3, 0.8));
     let mut layers = alloc::with_capacity(count)?;
     for (k, piece) in pieces.iter().enumerate() {
-        layers.push(Layer::new(piece, k, unit, origin, options, &prepare.share(k, count))?);
+        layers.push(TrimPiece::new(piece, k, unit, origin, options, &prepare.share(k, count))?);
     }
     let trees = alloc::try_collect(layers.iter().map(|layer| {
-        let Layer { scan, triangles, .. } = layer;
+        let TrimPiece { scan, triangles, .. } = layer;
         TriangleTree::new(&scan.points, triangles, "looking at the pieces", &prepare.part(1.0, 1.0))
     }))?;
-    let same = SameSurface {
+    let same = SameSurfaceCriterion {
         distance: options.max_distance.map(|distance| distance / unit),
-        edges: MAX_DISTANCE_EDGES,
-        cosine: libm::cos(if angle == 0.0 { MAX_ANGLE } else { angle }),
+        edges: DEFAULT_MAX_DISTANCE_MEAN_EDGES,
+        cosine: libm::cos(if angle == 0.0 { DEFAULT_MAX_NORMAL_RADIANS } else { angle }),
     };
-    let covers = alloc::try_collect((0..count).map(|k| Covers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
+    let covers =
+        alloc::try_collect((0..count).map(|k| VertexCovers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
     let mut pairs = Vec::new();
     for (k, covers) in (0..).zip(&covers) {
-        alloc::extend(&mut pairs, covers.pieces()?.into_iter().map(|j| [j.min(k), j.max(k)]))?;
+        alloc::extend(&mut pairs, covers.covering_pieces()?.into_iter().map(|j| [j.min(k), j.max(k)]))?;
     }
     sort_distinct(&mut pairs);
-    let min_faces = options.least_faces();
+    let min_faces = options.min_part_faces();
     let job = job.part(0.8, 1.0);
     let mut regions = alloc::try_collect(
-        pieces.iter().enumerate().map(|(k, piece)| Region::new(piece, &job.part(0.0, 0.1).share(k, count))),
+        pieces.iter().enumerate().map(|(k, piece)| KeptFaces::new(piece, &job.part(0.0, 0.1).share(k, count))),
     )?;
     let mut cut = 0;
-    for round in 0..MAX_ROUNDS {
-        let job = job.part(0.1, 1.0).share(round, MAX_ROUNDS);
+    for round in 0..MAX_TRIMMING_ROUNDS {
+        let job = job.part(0.1, 1.0).share(round, MAX_TRIMMING_ROUNDS);
         // Removed faces do not compete, so other faces are kept in their place.
         let mut lost = false;
         for k in 0..count {
             let done = 0.7 * k as f64 / count as f64;
-            lost |= choose_faces(&layers, &covers, &mut regions, k, min_faces, &job.part(done, done))?;
+            lost |= choose_kept_faces(&layers, &covers, &mut regions, k, min_faces, &job.part(done, done))?;
         }
-        if lost && round + 2 < MAX_ROUNDS {
+        if lost && round + 2 < MAX_TRIMMING_ROUNDS {
             continue;
         }
-        if round + 2 < MAX_ROUNDS {
+        if round + 2 < MAX_TRIMMING_ROUNDS {
             let mut back = false;
             for k in 0..count {
                 job.step(0.7, STAGE)?;
                 let is_kept = |piece: u32, face: u32| regions[piece as usize].keeps[face as usize];
-                let on = (0..layers[k].scan.points.len()).map(|v| covers[k].is_on(v, is_kept));
+                let on = (0..layers[k].scan.points.len()).map(|v| covers[k].is_covered_where(v, is_kept));
                 let on = alloc::collect_cancellable(on, &job.part(0.7, 0.7), STAGE)?;
-                back |= regions[k].restore(&on, min_faces, &job.part(0.7, 0.7))?;
+                back |= regions[k].restore_islands(&on, min_faces, &job.part(0.7, 0.7))?;
             }
             if back {
                 continue;
             }
         }
-        let mut crossing_faces = crossings(&layers, &regions, &job.part(0.7, 1.0))?;
-        add_touching(&layers, &regions, &pairs, &mut crossing_faces)?;
+        let mut crossing_faces = find_crossing_faces(&layers, &regions, &job.part(0.7, 1.0))?;
+        add_touching_faces(&layers, &regions, &pairs, &mut crossing_faces)?;
         if crossing_faces.iter().all(Vec::is_empty) {
             break;
         }
         for (region, faces) in regions.iter_mut().zip(&crossing_faces) {
             cut += faces.len() as u32;
-            region.remove_for_good(faces)?;
+            region.remove_with_neighbours_for_good(faces)?;
         }
     }
-    let kept =
-        |region: &Region<'_, '_>| alloc::gather((0..).zip(&region.keeps).filter(|(_, keeps)| **keeps).map(|(f, _)| f));
+    let kept = |region: &KeptFaces<'_, '_>| {
+        alloc::gather((0..).zip(&region.keeps).filter(|(_, keeps)| **keeps).map(|(f, _)| f))
+    };
     Ok(Trimmed {
         kept: alloc::try_collect(regions.iter().map(kept))?,
-        covered: alloc::collect(covers.iter().map(Covers::count))?,
+        covered: alloc::collect(covers.iter().map(VertexCovers::covered_vertex_count))?,
         pairs,
         spacing: unit * layers.iter().map(|layer| layer.scan.spacing).fold(0.0, f64::max),
         crossings: cut,
@@ -135,12 +137,12 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
 }
 
 /// Chooses the faces of piece `k` to keep. They do not lie on kept faces of earlier pieces, and are
-/// at least as confident as later pieces, up to [`EARLIER_PIECE_BIAS`]. Returns true if islands
-/// were removed.
-fn choose_faces(
-    layers: &[Layer],
-    covers: &[Covers],
-    regions: &mut [Region<'_, '_>],
+/// at least as confident as later pieces, up to [`EARLIER_PIECE_BIAS_MEAN_EDGES`]. Returns true if
+/// islands were removed.
+fn choose_kept_faces(
+    layers: &[TrimPiece],
+    covers: &[VertexCovers],
+    regions: &mut [KeptFaces<'_, '_>],
     k: usize,
     min_faces: u32,
     job: &Job<'_>,
@@ -155,20 +157,24 @@ fn choose_faces(
         Some(j) => !after[j].lost[face as usize],
         None => false,
     };
-    let margin = |v| covers[k].margin(v, layer.confidence[v], competes).clamp(-MAX_MARGIN, MAX_MARGIN);
+    let margin = |v| {
+        covers[k]
+            .confidence_margin(v, layer.confidence[v], competes)
+            .clamp(-MAX_CONFIDENCE_MARGIN, MAX_CONFIDENCE_MARGIN)
+    };
     let mut margins = alloc::collect_cancellable((0..points.len()).map(margin), job, STAGE)?;
-    own[0].smooth(&mut margins, SMOOTHING_PASSES, job)?;
-    let mut rims = [RegionRims::default(), RegionRims::default()];
+    own[0].smooth_vertex_values(&mut margins, MARGIN_SMOOTHING_PASSES, job)?;
+    let mut rims = [KeptFaceRims::default(), KeptFaceRims::default()];
     for (region, other) in before.iter().zip(layers) {
         job.step(0.0, STAGE)?;
-        if layer.scan.bounds.is_within(&other.scan.bounds, GAP_EDGES * other.scan.spacing) {
-            region.add_rim(&other.scan, &mut rims, job)?;
+        if layer.scan.bounds.is_within(&other.scan.bounds, MIN_GAP_MEAN_EDGES * other.scan.spacing) {
+            region.add_rim_points(&other.scan, &mut rims, job)?;
         }
     }
     let trees = alloc::try_collect(rims.iter().map(|rims| KdTree::new(&rims.points, job, STAGE)))?;
-    let gap = Radius::new((GAP_EDGES * layer.scan.spacing).max(f64::MIN_POSITIVE));
+    let gap = ScaledRadius::new((MIN_GAP_MEAN_EDGES * layer.scan.spacing).max(f64::MIN_POSITIVE));
     let is_near_rim = |v: usize| {
-        let bars = |rims: &RegionRims, r: u32| rims.normals[r as usize].dot(layer.scan.normals[v]) > 0.0;
+        let bars = |rims: &KeptFaceRims, r: u32| rims.normals[r as usize].dot(layer.scan.normals[v]) > 0.0;
         // Borders that already meet need no gap.
         let count = if layer.scan.rim.contains(v as u32) { 1 } else { 2 };
         rims.iter().zip(&trees).take(count).any(|(rims, tree)| {
@@ -180,16 +186,17 @@ fn choose_faces(
     for v in 0..points.len() {
         job.step_every(1 << 14, v, points.len(), STAGE)?;
         let is_kept = |piece: u32, face: u32| before.get(piece as usize).is_some_and(|r| r.keeps[face as usize]);
-        barred.push(covers[k].is_on(v, is_kept) || is_near_rim(v));
+        barred.push(covers[k].is_covered_where(v, is_kept) || is_near_rim(v));
     }
     job.step(0.0, STAGE)?;
-    let wanted: Vec<bool> = alloc::collect(margins.iter().map(|&margin| margin > -EARLIER_PIECE_BIAS))?;
-    let shown = alloc::collect_cancellable((0..points.len()).map(|v| covers[k].is_on(v, competes)), job, STAGE)?;
+    let wanted: Vec<bool> = alloc::collect(margins.iter().map(|&margin| margin > -EARLIER_PIECE_BIAS_MEAN_EDGES))?;
+    let shown =
+        alloc::collect_cancellable((0..points.len()).map(|v| covers[k].is_covered_where(v, competes)), job, STAGE)?;
     job.step(0.0, STAGE)?;
-    own[0].keep_where(&wanted, &barred, &shown, min_faces, job)
+    own[0].keep_faces_where(&wanted, &barred, &shown, min_faces, job)
 }
 
 /// Returns the box of the vertices that faces use.
-fn bounds(piece: &MeshView<'_>, unit: f64) -> Aabb {
+fn bounds_of_used_vertices(piece: &MeshView<'_>, unit: f64) -> Aabb {
     Aabb::from_points((0..piece.faces().len()).flat_map(|f| piece.face(f).map(|v| piece.positions().get(v) / unit)))
 }

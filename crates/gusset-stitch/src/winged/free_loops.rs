@@ -6,8 +6,8 @@
 //! So a walk cannot leave its fan at a bow-tie, cannot turn back, and terminates. It starts in the
 //! direction with the surface on the left, and is cut into simple loops.
 
-use super::tables::{EdgeMarks, WingedEdge, WingedEdges};
-use crate::boundary::split_simple;
+use super::winged_edges::{EdgeMarks, WingedEdge, WingedEdges};
+use crate::boundary::split_into_simple_loops;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -15,7 +15,7 @@ use gusset_base::sort;
 use gusset_mesh::NONE;
 
 /// Number of edges between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 18;
+const EDGES_PER_REPORT: usize = 1 << 18;
 
 const STAGE: &str = "walking along the boundary";
 
@@ -42,7 +42,7 @@ impl FreeLoops {
 
 /// An edge and the direction in which it is walked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Step {
+struct DirectedEdge {
     edge: u32,
     /// True from M to N, with L on the left; false from N to M, with R on the left.
     forward: bool,
@@ -59,33 +59,33 @@ struct Step {
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
-    let edge = |step: Step| &tables.edges()[step.edge as usize];
-    let tail = |step: Step| if step.forward { edge(step).m } else { edge(step).n };
-    let head = |step: Step| if step.forward { edge(step).n } else { edge(step).m };
+    let edge = |step: DirectedEdge| &tables.edges()[step.edge as usize];
+    let tail = |step: DirectedEdge| if step.forward { edge(step).m } else { edge(step).n };
+    let head = |step: DirectedEdge| if step.forward { edge(step).n } else { edge(step).m };
 
     let mut seen = alloc::filled(false, tables.edges().len())?;
     let mut place = alloc::filled(NONE, tables.edge_of_vertex().len())?;
-    let mut walk: Vec<Step> = Vec::new();
-    let mut loops: Vec<Vec<Step>> = Vec::new();
+    let mut walk: Vec<DirectedEdge> = Vec::new();
+    let mut loops: Vec<Vec<DirectedEdge>> = Vec::new();
     for (i, start) in tables.edges().iter().enumerate() {
-        if !is_free(start) || start.marks != 0 || seen[i] {
+        if !is_free_edge(start) || start.marks != 0 || seen[i] {
             continue;
         }
-        let first = Step { edge: i as u32, forward: start.left != NONE };
+        let first = DirectedEdge { edge: i as u32, forward: start.left != NONE };
         let mut step = first;
         walk.clear();
         loop {
-            job.step_every(REPORT_INTERVAL, walk.len(), tables.edges().len(), STAGE)?;
+            job.step_every(EDGES_PER_REPORT, walk.len(), tables.edges().len(), STAGE)?;
             seen[step.edge as usize] = true;
             alloc::push(&mut walk, step)?;
-            step = next_free(tables, step, head(step));
+            step = next_free_edge(tables, step, head(step));
             if step == first {
                 break;
             }
         }
         job.step(0.0, STAGE)?;
-        let keep = |piece: &[Step], _| alloc::push(&mut loops, alloc::copied(piece)?);
-        split_simple(&walk, tail, head, &mut place, job, keep)?;
+        let keep = |piece: &[DirectedEdge], _| alloc::push(&mut loops, alloc::copied(piece)?);
+        split_into_simple_loops(&walk, tail, head, &mut place, job, keep)?;
     }
     job.step(0.0, STAGE)?;
     for steps in &mut loops {
@@ -112,7 +112,7 @@ pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
 }
 
 /// Criterion (3) according to the text: exactly one side is NULL.
-fn is_free(edge: &WingedEdge) -> bool {
+fn is_free_edge(edge: &WingedEdge) -> bool {
     (edge.left == NONE) != (edge.right == NONE) && edge.marks & EdgeMarks::DEGENERATE == 0
 }
 
@@ -122,7 +122,7 @@ fn is_free(edge: &WingedEdge) -> bool {
 /// wing c or d. If that edge lacks a face on its other side, it is the next edge, leaving v.
 /// Otherwise the walk continues in that face. An edge with one face cannot be its own wing, because
 /// a face has three proper edges.
-fn next_free(tables: &WingedEdges, step: Step, v: u32) -> Step {
+fn next_free_edge(tables: &WingedEdges, step: DirectedEdge, v: u32) -> DirectedEdge {
     let mut at = &tables.edges()[step.edge as usize];
     let mut forward = step.forward;
     loop {
@@ -139,7 +139,7 @@ fn next_free(tables: &WingedEdges, step: Step, v: u32) -> Step {
         let ends_here = at.n == v;
         let behind = if ends_here { at.left } else { at.right };
         if behind == NONE {
-            return Step { edge: wing, forward: !ends_here };
+            return DirectedEdge { edge: wing, forward: !ends_here };
         }
         forward = ends_here;
     }

@@ -9,14 +9,14 @@
 //! runs it from N to M; c precedes it in L, and e follows it. Missing entries are NULL, here
 //! [`NONE`](gusset_mesh::NONE).
 //!
-//! * [`tables`](self): the tables, and their construction from a mesh.
+//! * [`winged_edges`](self): the tables, and their construction from a mesh.
 //! * [`free_loops`](self): algorithm 1 on the tables.
-//! * [`faces`](self): the polygons of a table.
+//! * [`winged_faces`](self): the polygons of a table.
 
-mod faces;
+mod winged_faces;
 mod free_loops;
-mod tables;
+mod winged_edges;
 
-pub use faces::{WingedFaces, faces};
 pub use free_loops::{FreeLoops, free_loops};
-pub use tables::{EdgeMarks, Winding, WingedEdge, WingedEdges};
+pub use winged_edges::{EdgeMarks, Winding, WingedEdge, WingedEdges};
+pub use winged_faces::{WingedFaces, faces};

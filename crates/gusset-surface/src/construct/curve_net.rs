@@ -9,10 +9,10 @@
 //! the degree of the curves. With two rows and two columns, L and M are linear, and S is the Coons
 //! patch. Without columns, S is the skin of the rows.
 
-use super::blend::blend;
-use super::nearest_points::{Boxes, nearest};
-use super::net_curve::{CurvePiece, CurvePlace, NetCurve, degree};
-use crate::axis::TAPS;
+use super::cardinal_pieces::cardinal_pieces;
+use super::nearest_points::{SegmentBoxTree, nearest_points_of_curves};
+use super::net_curve::{CurvePiece, CurvePlace, NetCurve, max_segment_degree};
+use crate::axis::NODES_PER_CUBIC;
 use crate::{MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -73,17 +73,17 @@ impl Sheet<'static> {
     /// the column and their distance; [`Error::CurvesOutOfOrder`]; [`Error::TooLarge`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_curves(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
-        net.check()?;
-        if degree(net.rows.iter().chain(net.columns).copied())? <= 3 {
-            Ok(Sheet::Cubic(Gordon::from_net(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        net.check_curves()?;
+        if max_segment_degree(net.rows.iter().chain(net.columns).copied())? <= 3 {
+            Ok(Sheet::Cubic(GordonSurface::from_net(net, &job.part(0.0, 0.5))?.compute_patches(&job.part(0.5, 1.0))?))
         } else {
-            Ok(Sheet::High(Gordon::from_net(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::High(GordonSurface::from_net(net, &job.part(0.0, 0.5))?.compute_patches(&job.part(0.5, 1.0))?))
         }
     }
 }
 
 impl CurveNet<'_> {
-    fn check(&self) -> Result<()> {
+    fn check_curves(&self) -> Result<()> {
         let [rows, columns] = [self.rows.len(), self.columns.len()];
         let enough = |count: usize, closed: bool| count == 0 || count >= if closed { 3 } else { 2 };
         if rows + columns == 0 || !enough(rows, self.closed[0]) || !enough(columns, self.closed[1]) {
@@ -94,14 +94,14 @@ impl CurveNet<'_> {
     }
 
     /// The diagonal of the bounding box of all curves, and their largest absolute coordinate.
-    fn extent(&self) -> (f64, f64) {
+    fn diagonal_and_max_coordinate(&self) -> (f64, f64) {
         let bounds = Aabb::from_points(self.rows.iter().chain(self.columns).flat_map(CurveView::points));
         (bounds.diagonal(), bounds.low.abs().max(bounds.high.abs()).max_element())
     }
 }
 
 /// The curves of a net, cut at the nodes.
-pub(super) struct Gordon<const N: usize> {
+pub(super) struct GordonSurface<const N: usize> {
     closed: [bool; 2],
     /// Piece j of row k runs from column j to the next one. Without columns, each row is one piece.
     /// Columns accordingly.
@@ -114,7 +114,7 @@ pub(super) struct Gordon<const N: usize> {
     points: [Vec<bool>; 2],
 }
 
-impl<const N: usize> Gordon<N> {
+impl<const N: usize> GordonSurface<N> {
     /// Finds the nodes, where the curves are nearest to each other, and cuts the curves there.
     fn from_net(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         let total = (net.rows.len() + net.columns.len()) as f64;
@@ -128,11 +128,11 @@ impl<const N: usize> Gordon<N> {
         let boxes = |net_curves: &[NetCurve<N>], before: usize| {
             alloc::try_collect((0..net_curves.len()).map(|k| {
                 job.step(0.1 + 0.1 * (before + k) as f64 / total, NODE_STAGE)?;
-                Boxes::from_curve(&net_curves[k])
+                SegmentBoxTree::from_curve(&net_curves[k])
             }))
         };
         let (row_boxes, column_boxes) = (boxes(&rows, 0)?, boxes(&columns, rows.len())?);
-        let (size, max_coordinate) = net.extent();
+        let (size, max_coordinate) = net.diagonal_and_max_coordinate();
         let tolerance = net.tolerance.unwrap_or(1e-6 * size);
         let rounding_error = 4.0 * f64::EPSILON * max_coordinate;
         // Lengths below this are neither searched for nor cut off.
@@ -141,7 +141,7 @@ impl<const N: usize> Gordon<N> {
         let places = alloc::try_collect((0..count).map(|n| {
             let (k, l) = (n / columns.len(), n % columns.len());
             job.step(0.2 + 0.6 * n as f64 / count as f64, NODE_STAGE)?;
-            let met = nearest([&rows[k], &columns[l]], [&row_boxes[k], &column_boxes[l]], slack)?;
+            let met = nearest_points_of_curves([&rows[k], &columns[l]], [&row_boxes[k], &column_boxes[l]], slack)?;
             if met.distance > tolerance.max(rounding_error) {
                 return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
             }
@@ -150,7 +150,7 @@ impl<const N: usize> Gordon<N> {
                 snap_to_joint(&columns[l], met.places[1], slack),
             ])
         }))?;
-        Gordon::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
+        GordonSurface::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
     }
 
     /// `places` holds, row by row, the places on the row and the column where they meet.
@@ -162,11 +162,11 @@ impl<const N: usize> Gordon<N> {
         job: &Job<'_>,
     ) -> Result<Self> {
         let [height, width] = [rows.len(), columns.len()];
-        let points = |curves: &[NetCurve<N>]| alloc::collect(curves.iter().map(NetCurve::is_point));
+        let points = |curves: &[NetCurve<N>]| alloc::collect(curves.iter().map(NetCurve::is_single_point));
         let points = [points(&rows)?, points(&columns)?];
         let nodes = alloc::collect(places.iter().enumerate().map(|(n, &[on_row, on_column])| {
             let (k, l) = (n / width, n % width);
-            let (p, q) = (rows[k].point(on_row), columns[l].point(on_column));
+            let (p, q) = (rows[k].point_at(on_row), columns[l].point_at(on_column));
             match (points[0][k], points[1][l]) {
                 (true, _) => p,
                 (false, true) => q,
@@ -186,87 +186,95 @@ impl<const N: usize> Gordon<N> {
                     let (row, column) = place(k, l);
                     Error::CurvesOutOfOrder { row: row as u32, column: column as u32 }
                 };
-                pieces(&mut net_curves[k], at, closed[1 - axis], ends, out_of_order)
+                cut_curve_at_places(&mut net_curves[k], at, closed[1 - axis], ends, out_of_order)
             }))
         };
         let (along_rows, along_columns) = (cut(&mut rows, 0)?, cut(&mut columns, 1)?);
-        Ok(Gordon { closed, rows: along_rows, columns: along_columns, nodes, points })
+        Ok(GordonSurface { closed, rows: along_rows, columns: along_columns, nodes, points })
     }
 
     /// Computes the patches over all cells.
-    pub(super) fn patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
+    pub(super) fn compute_patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
         if self.rows.is_empty() {
-            let skin = self.skin(&self.columns, &self.points[1], self.closed[1], &job.part(0.0, 0.8))?;
+            let skin =
+                self.compute_skin_patches(&self.columns, &self.points[1], self.closed[1], &job.part(0.0, 0.8))?;
             return transpose_patches(&skin, &job.part(0.8, 1.0));
         }
         if self.columns.is_empty() {
-            return self.skin(&self.rows, &self.points[0], self.closed[0], job);
+            return self.compute_skin_patches(&self.rows, &self.points[0], self.closed[0], job);
         }
-        let u = Strips::from_curves(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
-        let v = Strips::from_curves(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
-        let (blend_u, blend_v) = (blend(&u.lengths, self.closed[0])?, blend(&v.lengths, self.closed[1])?);
-        let rows = v.refine(&self.rows, &job.part(0.2, 0.3))?;
-        let columns = u.refine(&self.columns, &job.part(0.3, 0.4))?;
-        let cells_v = alloc::collect(v.cells()?.into_iter().map(|(strip, part)| {
+        let u = LineStrips::from_curves(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
+        let v = LineStrips::from_curves(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
+        let (blend_u, blend_v) =
+            (cardinal_pieces(&u.lengths, self.closed[0])?, cardinal_pieces(&v.lengths, self.closed[1])?);
+        let rows = v.refine_curves_to_cells(&self.rows, &job.part(0.2, 0.3))?;
+        let columns = u.refine_curves_to_cells(&self.columns, &job.part(0.3, 0.4))?;
+        let cells_v = alloc::collect(v.strips_and_ranges_of_cells()?.into_iter().map(|(strip, part)| {
             let piece = &blend_v[strip];
             (piece.lines, piece.bernstein_weights::<N>(part))
         }))?;
-        let mut patches = patches_with_capacity(u.count(), v.count())?;
-        for (i, (strip, part)) in u.cells()?.into_iter().enumerate() {
+        let mut patches = patches_with_capacity(u.cell_count(), v.cell_count())?;
+        for (i, (strip, part)) in u.strips_and_ranges_of_cells()?.into_iter().enumerate() {
             let piece = &blend_u[strip];
             let across = piece.bernstein_weights::<N>(part);
             // C_l - sum L_k P_kl, which is 0 at nodes.
             let rest = alloc::collect((0..self.columns.len()).map(|l| {
                 let nodes = piece.lines.map(|k| self.nodes[k * self.columns.len() + l]);
                 let curve = columns[l][i];
-                std::array::from_fn::<DVec3, N, _>(|a| curve[a] - weighted_sum(&across[a], &nodes))
+                std::array::from_fn::<DVec3, N, _>(|a| curve[a] - weighted_point_sum(&across[a], &nodes))
             }))?;
             for (j, (lines, along)) in cells_v.iter().enumerate() {
                 job.part(0.4, 1.0).step_every(PATCHES_PER_REPORT, patches.len(), patches.capacity(), PATCH_STAGE)?;
                 let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
                 let point = |a: usize, b: usize| {
-                    weighted_sum(&across[a], &rows.map(|row| row[b]))
-                        + weighted_sum(&along[b], &rest.map(|rest| rest[a]))
+                    weighted_point_sum(&across[a], &rows.map(|row| row[b]))
+                        + weighted_point_sum(&along[b], &rest.map(|rest| rest[a]))
                 };
                 let points = std::array::from_fn(|a| std::array::from_fn(|b| point(a, b)));
                 patches.push(Patch { points });
             }
         }
-        Ok(Patches::from_patches(patches, u.count(), v.count()))
+        Ok(Patches::from_patches(patches, u.cell_count(), v.cell_count()))
     }
 
     /// Computes the sum of L_k R_k only.
-    fn skin(&self, rows: &[Vec<CurvePiece<N>>], points: &[bool], closed: bool, job: &Job<'_>) -> Result<Patches<N>> {
-        let v = Strips::from_curves(rows, points, &job.part(0.0, 0.2))?;
-        let refined = v.refine(rows, &job.part(0.2, 0.4))?;
+    fn compute_skin_patches(
+        &self,
+        rows: &[Vec<CurvePiece<N>>],
+        points: &[bool],
+        closed: bool,
+        job: &Job<'_>,
+    ) -> Result<Patches<N>> {
+        let v = LineStrips::from_curves(rows, points, &job.part(0.0, 0.2))?;
+        let refined = v.refine_curves_to_cells(rows, &job.part(0.2, 0.4))?;
         let last = rows.len() - usize::from(!closed);
         let apart = |k: usize| {
             let (row, next) = (&refined[k], &refined[(k + 1) % rows.len()]);
             let sum: f64 = row.iter().zip(next).map(|(a, b)| a[0].distance(b[0]) + a[N - 1].distance(b[N - 1])).sum();
             sum / (2 * row.len()) as f64
         };
-        let blend = blend(&fill_zero_lengths(alloc::collect((0..last).map(apart))?), closed)?;
-        let mut patches = patches_with_capacity(last, v.count())?;
+        let blend = cardinal_pieces(&fill_zero_lengths(alloc::collect((0..last).map(apart))?), closed)?;
+        let mut patches = patches_with_capacity(last, v.cell_count())?;
         for piece in &blend {
             let across = piece.bernstein_weights::<N>([0.0, 1.0]);
             let patch = |j: usize| {
                 let rows = piece.lines.map(|k| &refined[k][j]);
-                let point = |a: usize, b: usize| weighted_sum(&across[a], &rows.map(|row| row[b]));
+                let point = |a: usize, b: usize| weighted_point_sum(&across[a], &rows.map(|row| row[b]));
                 Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
             };
-            for j in 0..v.count() {
+            for j in 0..v.cell_count() {
                 job.part(0.4, 1.0).step_every(PATCHES_PER_REPORT, patches.len(), patches.capacity(), PATCH_STAGE)?;
                 patches.push(patch(j));
             }
         }
-        Ok(Patches::from_patches(patches, last, v.count()))
+        Ok(Patches::from_patches(patches, last, v.cell_count()))
     }
 }
 
-/// The place, or the joint of segments if it is within `near`.
-fn snap_to_joint<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -> CurvePlace {
-    let here = net_curve.point(at);
-    let close = |t: f64| net_curve.point(CurvePlace { t, ..at }).distance(here) <= near;
+/// The place, or the joint of segments if it is within `max_distance`.
+fn snap_to_joint<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, max_distance: f64) -> CurvePlace {
+    let here = net_curve.point_at(at);
+    let close = |t: f64| net_curve.point_at(CurvePlace { t, ..at }).distance(here) <= max_distance;
     let count = net_curve.segments.len();
     if at.t < 0.5 && close(0.0) {
         CurvePlace { t: 0.0, ..at }
@@ -281,26 +289,26 @@ fn snap_to_joint<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: 
 
 /// Cuts a curve into the pieces between its places, and moves their ends to the nodes. Reverses the
 /// curve if it runs against the order.
-fn pieces<const N: usize>(
+fn cut_curve_at_places<const N: usize>(
     net_curve: &mut NetCurve<N>,
     mut at: Vec<CurvePlace>,
     closed: bool,
     ends: impl Fn(usize) -> DVec3,
     out_of_order: impl Fn(usize) -> Error,
 ) -> Result<Vec<CurvePiece<N>>> {
-    let point = net_curve.is_point();
+    let point = net_curve.is_single_point();
     if closed && !net_curve.closed && !point {
         return Err(Error::CurveNotClosed);
     }
     net_curve.closed = closed;
     if at.is_empty() {
-        return alloc::try_collect([net_curve.whole()]);
+        return alloc::try_collect([net_curve.whole_piece()]);
     }
     if !point {
         let falls = |at: &[CurvePlace]| (1..at.len()).filter(|&k| at[k] < at[k - 1]).count();
-        if 2 * falls(&at) > at.len() - 1 || (closed && falls(&at) == 1 && at.len() == 3 && is_reversed(&at)) {
-            at.iter_mut().for_each(|at| *at = net_curve.reversed(*at));
-            net_curve.reverse();
+        if 2 * falls(&at) > at.len() - 1 || (closed && falls(&at) == 1 && at.len() == 3 && are_places_reversed(&at)) {
+            at.iter_mut().for_each(|at| *at = net_curve.reversed_place(*at));
+            net_curve.reverse_direction();
         }
         // On a closed curve, the places may begin anywhere.
         let count = if closed { at.len() } else { at.len() - 1 };
@@ -315,7 +323,7 @@ fn pieces<const N: usize>(
             }
         }
     }
-    let mut pieces = net_curve.cut(&at)?;
+    let mut pieces = net_curve.cut_at_places(&at)?;
     for (k, piece) in pieces.iter_mut().enumerate() {
         piece.move_ends(ends(k), ends(k + 1));
     }
@@ -323,13 +331,13 @@ fn pieces<const N: usize>(
 }
 
 /// True if three places on a closed curve are in reverse order.
-fn is_reversed(at: &[CurvePlace]) -> bool {
+fn are_places_reversed(at: &[CurvePlace]) -> bool {
     // The parameter falls once in forward order, and twice in reverse order.
     (0..3).filter(|&k| at[(k + 1) % 3] < at[k]).count() == 2
 }
 
 /// The intervals between the lines of one direction, and their subdivision into cells.
-struct Strips {
+struct LineStrips {
     /// The fraction of the parameter that each interval takes.
     lengths: Vec<f64>,
     /// The ends of each interval's cells, as fractions of the interval; the last one is 1.
@@ -338,7 +346,7 @@ struct Strips {
     ends: Vec<Vec<Vec<f64>>>,
 }
 
-impl Strips {
+impl LineStrips {
     /// Computes the strips from the curves that cross them. `points` marks curves that are single
     /// points.
     fn from_curves<const N: usize>(curves: &[Vec<CurvePiece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
@@ -352,21 +360,21 @@ impl Strips {
         for strip in 0..count {
             job.step(strip as f64 / count as f64, PATCH_STAGE)?;
             let own = alloc::collect(curves.iter().map(|curve| &curve[strip].ends[..]))?;
-            let (breaks, ends) = breaks(&own, points)?;
+            let (breaks, ends) = merge_breaks(&own, points)?;
             all_breaks.push(breaks);
             all_ends.push(ends);
         }
-        Ok(Strips { lengths: fill_zero_lengths(lengths), breaks: all_breaks, ends: all_ends })
+        Ok(LineStrips { lengths: fill_zero_lengths(lengths), breaks: all_breaks, ends: all_ends })
     }
 
     /// The number of cells.
-    fn count(&self) -> usize {
+    fn cell_count(&self) -> usize {
         self.breaks.iter().map(Vec::len).sum()
     }
 
     /// The strip of each cell, and the range of the cell within the strip.
-    fn cells(&self) -> Result<Vec<(usize, [f64; 2])>> {
-        let mut cells = alloc::with_capacity(self.count())?;
+    fn strips_and_ranges_of_cells(&self) -> Result<Vec<(usize, [f64; 2])>> {
+        let mut cells = alloc::with_capacity(self.cell_count())?;
         for (strip, breaks) in self.breaks.iter().enumerate() {
             cells.extend((0..breaks.len()).map(|k| (strip, [if k == 0 { 0.0 } else { breaks[k - 1] }, breaks[k]])));
         }
@@ -374,12 +382,16 @@ impl Strips {
     }
 
     /// The segments of each curve over each cell.
-    fn refine<const N: usize>(&self, curves: &[Vec<CurvePiece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
+    fn refine_curves_to_cells<const N: usize>(
+        &self,
+        curves: &[Vec<CurvePiece<N>>],
+        job: &Job<'_>,
+    ) -> Result<Vec<Vec<[DVec3; N]>>> {
         alloc::try_collect((0..curves.len()).map(|k| {
             job.step(k as f64 / curves.len() as f64, PATCH_STAGE)?;
-            let mut refined = alloc::with_capacity(self.count())?;
+            let mut refined = alloc::with_capacity(self.cell_count())?;
             for (strip, piece) in curves[k].iter().enumerate() {
-                piece.refine(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
+                piece.append_refined_segments(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
             }
             Ok(refined)
         }))
@@ -388,10 +400,10 @@ impl Strips {
 
 /// The breaks of a strip from the segment ends of the curves' pieces, and for each piece its ends
 /// snapped to the breaks.
-fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
-    let curves = || own.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
+fn merge_breaks(segment_ends: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
+    let curves = || segment_ends.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
     let Some(first) = curves().next() else {
-        return Ok((alloc::filled(1.0, 1)?, alloc::try_collect(own.iter().map(|_| alloc::filled(1.0, 1)))?));
+        return Ok((alloc::filled(1.0, 1)?, alloc::try_collect(segment_ends.iter().map(|_| alloc::filled(1.0, 1)))?));
     };
     if curves().all(|ends| ends.len() == first.len()) {
         // Matched in order.
@@ -403,11 +415,11 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
         return Ok((breaks, ends));
     }
     let mut all = Vec::new();
-    for (curve, ends) in own.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
+    for (curve, ends) in segment_ends.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
         alloc::extend(&mut all, ends[..ends.len() - 1].iter().map(|&end| (end, curve)))?;
     }
     sort::stable(&mut all, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let mut ends: Vec<Vec<f64>> = alloc::collect(own.iter().map(|_| Vec::new()))?;
+    let mut ends: Vec<Vec<f64>> = alloc::collect(segment_ends.iter().map(|_| Vec::new()))?;
     let mut breaks: Vec<f64> = Vec::new();
     for (end, curve) in all {
         let last = breaks.last().copied().unwrap_or(0.0);
@@ -449,6 +461,6 @@ fn transpose_patches<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Res
 }
 
 /// The weighted sum of points.
-fn weighted_sum(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
-    (1..TAPS).fold(weights[0] * points[0], |sum, k| sum + weights[k] * points[k])
+fn weighted_point_sum(weights: &[f64; NODES_PER_CUBIC], points: &[DVec3; NODES_PER_CUBIC]) -> DVec3 {
+    (1..NODES_PER_CUBIC).fold(weights[0] * points[0], |sum, k| sum + weights[k] * points[k])
 }

@@ -1,7 +1,7 @@
 //! Surfaces of frames, which the module of outlines computes.
 
-use super::curve_net::Gordon;
-use super::net_curve::{CurvePlace, NetCurve, degree};
+use super::curve_net::GordonSurface;
+use super::net_curve::{CurvePlace, NetCurve, max_segment_degree};
 use crate::{Grid, Nodes, Scheme, Sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -50,12 +50,16 @@ impl Sheet<'static> {
     ) -> Result<Self> {
         let counts = [grid.rows, grid.columns];
         if kind == FrameSurface::Nodes && grid.corners.is_empty() {
-            return node_grid(counts, &grid.nodes, closed, job);
+            return node_sheet(counts, &grid.nodes, closed, job);
         }
-        if degree(curves.into_iter().flat_map(|fit| (0..fit.len()).map(move |k| fit.curve(k))))? <= 3 {
-            Ok(Sheet::Cubic(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        if max_segment_degree(curves.into_iter().flat_map(|fit| (0..fit.len()).map(move |k| fit.curve(k))))? <= 3 {
+            Ok(Sheet::Cubic(
+                gordon_surface(counts, curves, closed, &job.part(0.0, 0.5))?.compute_patches(&job.part(0.5, 1.0))?,
+            ))
         } else {
-            Ok(Sheet::High(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::High(
+                gordon_surface(counts, curves, closed, &job.part(0.0, 0.5))?.compute_patches(&job.part(0.5, 1.0))?,
+            ))
         }
     }
 }
@@ -64,7 +68,12 @@ impl Sheet<'static> {
 const NODES_PER_REPORT: usize = 1 << 17;
 
 /// Creates the grid of the nodes. Repeats the first line at the end of a closed direction.
-fn node_grid([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2], job: &Job<'_>) -> Result<Sheet<'static>> {
+fn node_sheet(
+    [rows, columns]: [usize; 2],
+    nodes: &[DVec3],
+    closed: [bool; 2],
+    job: &Job<'_>,
+) -> Result<Sheet<'static>> {
     let [height, width] = [rows + usize::from(closed[0]), columns + usize::from(closed[1])];
     let mut data = alloc::with_capacity(3 * height * width)?;
     let places = (0..height).flat_map(|i| (0..width).map(move |j| (i % rows, j % columns)));
@@ -77,12 +86,12 @@ fn node_grid([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2], jo
 }
 
 /// Creates the Gordon surface of the curves, whose nodes the frame knows.
-fn gordon<const N: usize>(
+fn gordon_surface<const N: usize>(
     [rows, columns]: [usize; 2],
     [across, along]: [&Fit; 2],
     closed: [bool; 2],
     job: &Job<'_>,
-) -> Result<Gordon<N>> {
+) -> Result<GordonSurface<N>> {
     let min = closed.map(|closed| if closed { 3 } else { 2 });
     if rows < min[0] || columns < min[1] {
         return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
@@ -93,7 +102,7 @@ fn gordon<const N: usize>(
         let (segment, count) = (place.segment as usize, net_curve.segments.len());
         // A joint counts as the start of the next segment.
         match place.t {
-            _ if net_curve.is_point() => CurvePlace { segment: 0, t: 0.0 },
+            _ if net_curve.is_single_point() => CurvePlace { segment: 0, t: 0.0 },
             1.0 if net_curve.closed => CurvePlace { segment: (segment + 1) % count, t: 0.0 },
             1.0 if segment + 1 < count => CurvePlace { segment: segment + 1, t: 0.0 },
             t => CurvePlace { segment, t },
@@ -103,5 +112,5 @@ fn gordon<const N: usize>(
         let (k, l) = (n / columns, n % columns);
         [at(&row_curves[k], across.place(n)), at(&column_curves[l], along.place(l * rows + k))]
     }))?;
-    Gordon::new(row_curves, column_curves, closed, &places, job)
+    GordonSurface::new(row_curves, column_curves, closed, &places, job)
 }

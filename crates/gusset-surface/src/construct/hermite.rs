@@ -1,7 +1,7 @@
 //! Surfaces through nodes with given tangents.
 
-use crate::axis::Axis;
-use crate::checks::finite_points;
+use crate::axis::GridAxis;
+use crate::checks::first_finite_points;
 use crate::{Nodes, Patch, Patches, Scheme, Sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -55,43 +55,43 @@ impl Sheet<'static> {
     /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn from_tangents(given: &Tangents<'_>, job: &Job<'_>) -> Result<Self> {
-        let hermite = Hermite::new(given)?;
+        let hermite = CheckedHermiteData::new(given)?;
         let [rows, columns] = [hermite.rows - 1, hermite.columns - 1];
-        let twists = hermite.twists()?;
+        let twists = hermite.node_twists()?;
         let mut patches = alloc::with_capacity(rows * columns)?;
         for i in 0..rows {
             job.step(i as f64 / rows as f64, "making patches")?;
-            patches.extend((0..columns).map(|j| hermite.patch(&twists, i, j)));
+            patches.extend((0..columns).map(|j| hermite.cell_patch(&twists, i, j)));
         }
         Ok(Sheet::Cubic(Patches::from_patches(patches, rows, columns)))
     }
 }
 
 /// Nodes and tangents that were checked.
-struct Hermite<'a> {
+struct CheckedHermiteData<'a> {
     given: &'a Tangents<'a>,
     rows: usize,
     columns: usize,
-    axes: [Axis; 2],
+    axes: [GridAxis; 2],
 }
 
-impl<'a> Hermite<'a> {
+impl<'a> CheckedHermiteData<'a> {
     fn new(given: &'a Tangents<'a>) -> Result<Self> {
         let (nodes, closed) = (given.nodes, given.closed);
         let (rows, columns) = (nodes.rows(), nodes.columns());
-        let axes = Axis::new_pair([rows, columns], closed, Scheme::SixTap)?;
+        let axes = GridAxis::new_pair([rows, columns], closed, Scheme::SixTap)?;
         nodes.check_finite()?;
         let arrays = [("tangents", given.u), ("tangents", given.v)];
         let twists = if let Twists::Given(twists) = given.twists { Some(("twists", twists)) } else { None };
         for (what, vectors) in arrays.into_iter().chain(twists) {
-            finite_points(vectors, (rows * columns) as u64, what)?;
+            first_finite_points(vectors, (rows * columns) as u64, what)?;
         }
-        nodes.check_closed(closed)?;
-        Ok(Hermite { given, rows, columns, axes })
+        nodes.check_closed_directions(closed)?;
+        Ok(CheckedHermiteData { given, rows, columns, axes })
     }
 
     /// The index of the node (i, j). In a closed direction, the last line maps to the first one.
-    fn node(&self, i: usize, j: usize) -> usize {
+    fn node_index(&self, i: usize, j: usize) -> usize {
         let [closed_u, closed_v] = self.given.closed;
         let i = if closed_u && i == self.rows - 1 { 0 } else { i };
         let j = if closed_v && j == self.columns - 1 { 0 } else { j };
@@ -99,27 +99,28 @@ impl<'a> Hermite<'a> {
     }
 
     /// S_uv at each node.
-    fn twists(&self) -> Result<Vec<DVec3>> {
+    fn node_twists(&self) -> Result<Vec<DVec3>> {
         let places = (0..self.rows * self.columns).map(|k| (k / self.columns, k % self.columns));
         alloc::collect(places.map(|(i, j)| match self.given.twists {
             Twists::Zero => DVec3::ZERO,
-            Twists::Given(twists) => twists[self.node(i, j)],
+            Twists::Given(twists) => twists[self.node_index(i, j)],
             Twists::Differences => {
-                let ((rows, of_rows), (columns, of_columns)) = (self.axes[0].slope(i), self.axes[1].slope(j));
-                let across = |k: usize| of_rows[k] * self.given.v[self.node(rows[k], j)];
-                let along = |k: usize| of_columns[k] * self.given.u[self.node(i, columns[k])];
+                let ((rows, of_rows), (columns, of_columns)) =
+                    (self.axes[0].slope_nodes_and_weights(i), self.axes[1].slope_nodes_and_weights(j));
+                let across = |k: usize| of_rows[k] * self.given.v[self.node_index(rows[k], j)];
+                let along = |k: usize| of_columns[k] * self.given.u[self.node_index(i, columns[k])];
                 0.5 * (0..rows.len()).map(|k| across(k) + along(k)).sum::<DVec3>()
             }
-            Twists::Adini => self.adini(i, j),
+            Twists::Adini => self.adini_twist(i, j),
         }))
     }
 
     /// Adini's twist, from differences over the adjacent lines: of S_u along the row, plus of S_v
     /// along the column, minus the mixed difference of the nodes.
-    fn adini(&self, i: usize, j: usize) -> DVec3 {
+    fn adini_twist(&self, i: usize, j: usize) -> DVec3 {
         let (rows, columns) = (self.adjacent_lines(0, i), self.adjacent_lines(1, j));
         let [height, width] = [rows, columns].map(|[_, _, span]| span as f64);
-        let (given, node) = (self.given, |i: usize, j: usize| self.node(i, j));
+        let (given, node) = (self.given, |i: usize, j: usize| self.node_index(i, j));
         let along = (given.u[node(i, columns[1])] - given.u[node(i, columns[0])]) / width;
         let across = (given.v[node(rows[1], j)] - given.v[node(rows[0], j)]) / height;
         let corner = |a: usize, b: usize| given.nodes.get(rows[a], columns[b]);
@@ -129,7 +130,7 @@ impl<'a> Hermite<'a> {
 
     /// The lines before and after a line, and the number of intervals between them.
     fn adjacent_lines(&self, direction: usize, line: usize) -> [usize; 3] {
-        let last = self.axes[direction].cells();
+        let last = self.axes[direction].interval_count();
         if self.given.closed[direction] {
             return [(line + last - 1) % last, (line + 1) % last, 2];
         }
@@ -137,10 +138,10 @@ impl<'a> Hermite<'a> {
         [before, after, after - before]
     }
 
-    fn patch(&self, twists: &[DVec3], i: usize, j: usize) -> Patch<4> {
+    fn cell_patch(&self, twists: &[DVec3], i: usize, j: usize) -> Patch<4> {
         let mut points = [[DVec3::ZERO; 4]; 4];
         for (di, dj) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            let (point, node) = (self.given.nodes.get(i + di, j + dj), self.node(i + di, j + dj));
+            let (point, node) = (self.given.nodes.get(i + di, j + dj), self.node_index(i + di, j + dj));
             // A third of the derivative, directed into the cell.
             let inwards = |end: usize| if end == 0 { 1.0 / 3.0 } else { -1.0 / 3.0 };
             let (u, v) = (inwards(di) * self.given.u[node], inwards(dj) * self.given.v[node]);

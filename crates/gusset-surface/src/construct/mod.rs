@@ -12,7 +12,7 @@
 //! common sides. Patches are never rational, because quotients lack the control nets from which
 //! searches take bounds.
 
-mod blend;
+mod cardinal_pieces;
 mod curve_net;
 mod frame_surface;
 mod hermite;

@@ -3,9 +3,9 @@
 //! Best-first branch and bound: the pair of boxes with the smallest gap is refined next. Invariant:
 //! the gap of a pair is a lower bound of the distance of its curves. The search ends at the first
 //! pair whose gap is not below the best distance. Cost: about O(log segments), at most
-//! [`MAX_SPLITS`] splits.
+//! [`MAX_SPLIT_PAIRS_OF_PARTS`] splits.
 
-use super::net_curve::{CurvePlace, NetCurve, restricted};
+use super::net_curve::{CurvePlace, NetCurve, restrict_segment};
 use crate::frontier::{BranchAndBound, Frontier};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -15,18 +15,18 @@ use gusset_base::geom::bernstein::evaluate_with_slope;
 
 /// Largest number of pairs of parts that are split for two curves. Without a limit, curves that
 /// coincide would never end.
-const MAX_SPLITS: usize = 1 << 14;
+const MAX_SPLIT_PAIRS_OF_PARTS: usize = 1 << 14;
 /// Largest number of halvings of a segment.
 const MAX_SUBDIVISION_DEPTH: u32 = 48;
 /// Largest number of Newton steps from a start.
 const MAX_NEWTON_STEPS: usize = 16;
 
 /// A binary hierarchy of boxes over the segments of a curve.
-pub(super) struct Boxes {
+pub(super) struct SegmentBoxTree {
     levels: Vec<Vec<Aabb>>,
 }
 
-impl Boxes {
+impl SegmentBoxTree {
     pub(super) fn from_curve<const N: usize>(net_curve: &NetCurve<N>) -> Result<Self> {
         let mut levels = alloc::with_capacity(32)?;
         let mut level = alloc::collect(net_curve.segments.iter().map(Aabb::from_points))?;
@@ -36,15 +36,15 @@ impl Boxes {
             levels.push(std::mem::replace(&mut level, above));
         }
         levels.push(level);
-        Ok(Boxes { levels })
+        Ok(SegmentBoxTree { levels })
     }
 
-    fn get(&self, (level, k): (usize, usize)) -> Aabb {
+    fn box_at(&self, (level, k): (usize, usize)) -> Aabb {
         self.levels[level][k]
     }
 
     /// The one or two children of a box.
-    fn children(&self, (level, k): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
+    fn child_indices(&self, (level, k): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
         let count = self.levels[level - 1].len();
         (2 * k..(2 * k + 2).min(count)).map(move |child| (level - 1, child))
     }
@@ -52,13 +52,13 @@ impl Boxes {
 
 /// The places where two curves are nearest to each other.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct NearestPoints {
+pub(super) struct NearestCurvePlaces {
     pub(super) places: [CurvePlace; 2],
     pub(super) distance: f64,
 }
 
 /// A part of a segment of each curve.
-struct SegmentPair<const N: usize> {
+struct SegmentPartPair<const N: usize> {
     of: [usize; 2],
     points: [[DVec3; N]; 2],
     from: [f64; 2],
@@ -67,79 +67,79 @@ struct SegmentPair<const N: usize> {
 }
 
 /// A pair that may be closer: of boxes over segments, or of parts of segments.
-enum CurveTask<const N: usize> {
+enum CurvePairTask<const N: usize> {
     Boxes([(usize, usize); 2]),
-    SegmentPair(Box<SegmentPair<N>>),
+    SegmentPair(Box<SegmentPartPair<N>>),
 }
 
 /// Finds the nearest points of two curves. Their distance exceeds the smallest one by at most
 /// `slack`.
-pub(super) fn nearest<const N: usize>(
+pub(super) fn nearest_points_of_curves<const N: usize>(
     net_curves: [&NetCurve<N>; 2],
-    boxes: [&Boxes; 2],
+    boxes: [&SegmentBoxTree; 2],
     slack: f64,
-) -> Result<NearestPoints> {
-    let best = NearestPoints { places: [CurvePlace { segment: 0, t: 0.0 }; 2], distance: f64::INFINITY };
+) -> Result<NearestCurvePlaces> {
+    let best = NearestCurvePlaces { places: [CurvePlace { segment: 0, t: 0.0 }; 2], distance: f64::INFINITY };
     let mut search =
         NearestPointsSearch { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
-    search.push_task(0.0, CurveTask::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
-    search.run()?;
+    search.push_task(0.0, CurvePairTask::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
+    search.search_best_first()?;
     Ok(search.best)
 }
 
 /// The search for the nearest points of two curves.
 struct NearestPointsSearch<'a, const N: usize> {
     net_curves: [&'a NetCurve<N>; 2],
-    boxes: [&'a Boxes; 2],
+    boxes: [&'a SegmentBoxTree; 2],
     slack: f64,
-    best: NearestPoints,
+    best: NearestCurvePlaces,
     /// Among equal gaps, the pair added first comes first.
-    frontier: Frontier<CurveTask<N>, usize>,
+    frontier: Frontier<CurvePairTask<N>, usize>,
     added: usize,
     splits: usize,
 }
 
 impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
-    type Task = CurveTask<N>;
-    type Key = usize;
-    type Stop = Error;
+    type SearchTask = CurvePairTask<N>;
+    type TieBreakKey = usize;
+    type StopReason = Error;
 
-    fn frontier(&mut self) -> &mut Frontier<CurveTask<N>, usize> {
+    fn frontier(&mut self) -> &mut Frontier<CurvePairTask<N>, usize> {
         &mut self.frontier
     }
 
-    fn is_wanted(&mut self, gap: f64) -> bool {
+    fn is_bound_wanted(&mut self, gap: f64) -> bool {
         let is_settled = gap >= self.best.distance - self.slack;
         !is_settled
     }
 
-    fn branch(&mut self, gap: f64, task: CurveTask<N>) -> Result<()> {
+    fn branch_task(&mut self, gap: f64, task: CurvePairTask<N>) -> Result<()> {
         match task {
-            CurveTask::Boxes([a, b]) if a.0 == 0 && b.0 == 0 => {
+            CurvePairTask::Boxes([a, b]) if a.0 == 0 && b.0 == 0 => {
                 let of = [a.1, b.1];
                 let points = [0, 1].map(|k| self.net_curves[k].segments[of[k]]);
-                let whole = SegmentPair { of, points, from: [0.0; 2], size: [1.0; 2], depth: 0 };
-                self.push_task(gap, CurveTask::SegmentPair(Box::new(whole)))
+                let whole = SegmentPartPair { of, points, from: [0.0; 2], size: [1.0; 2], depth: 0 };
+                self.push_task(gap, CurvePairTask::SegmentPair(Box::new(whole)))
             }
-            CurveTask::Boxes(pair) => {
+            CurvePairTask::Boxes(pair) => {
                 let taller = usize::from(pair[0].0 < pair[1].0);
                 let boxes = self.boxes;
-                boxes[taller].children(pair[taller]).try_for_each(|child| {
+                boxes[taller].child_indices(pair[taller]).try_for_each(|child| {
                     let mut pair = pair;
                     pair[taller] = child;
-                    let [a, b] = [0, 1].map(|k| boxes[k].get(pair[k]));
-                    self.push_task(a.distance(&b), CurveTask::Boxes(pair))
+                    let [a, b] = [0, 1].map(|k| boxes[k].box_at(pair[k]));
+                    self.push_task(a.distance(&b), CurvePairTask::Boxes(pair))
                 })
             }
-            CurveTask::SegmentPair(parts) => {
-                self.improve(&parts);
-                if parts.depth == MAX_SUBDIVISION_DEPTH || self.splits == MAX_SPLITS {
+            CurvePairTask::SegmentPair(parts) => {
+                self.descend_from_middles(&parts);
+                if parts.depth == MAX_SUBDIVISION_DEPTH || self.splits == MAX_SPLIT_PAIRS_OF_PARTS {
                     return Ok(());
                 }
                 self.splits += 1;
-                parts.halves().into_iter().try_for_each(|half| {
+                parts.halve_longer_part().into_iter().try_for_each(|half| {
                     let [a, b] = half.points.map(Aabb::from_points);
-                    self.push_task(a.distance(&b), CurveTask::SegmentPair(Box::new(half)))
+                    self.push_task(a.distance(&b), CurvePairTask::SegmentPair(Box::new(half)))
                 })
             }
         }
@@ -147,30 +147,30 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
 }
 
 impl<const N: usize> NearestPointsSearch<'_, N> {
-    fn push_task(&mut self, gap: f64, task: CurveTask<N>) -> Result<()> {
+    fn push_task(&mut self, gap: f64, task: CurvePairTask<N>) -> Result<()> {
         self.added += 1;
         self.frontier.push(gap, self.added, task)
     }
 
     /// Improves the best places by a descent from the middle of two parts.
-    fn improve(&mut self, parts: &SegmentPair<N>) {
+    fn descend_from_middles(&mut self, parts: &SegmentPartPair<N>) {
         let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
-        let minimum = minimise(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
+        let minimum = minimise_distance(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
         if minimum.1 < self.best.distance {
             let places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: minimum.0[k] });
-            self.best = NearestPoints { places, distance: minimum.1 };
+            self.best = NearestCurvePlaces { places, distance: minimum.1 };
         }
     }
 }
 
-impl<const N: usize> SegmentPair<N> {
+impl<const N: usize> SegmentPartPair<N> {
     /// Halves the longer part, and pairs each half with the other part.
-    fn halves(&self) -> [SegmentPair<N>; 2] {
+    fn halve_longer_part(&self) -> [SegmentPartPair<N>; 2] {
         let [a, b] = self.points.map(|points| Aabb::from_points(points).size().length_squared());
         let longer = usize::from(b > a);
         [0.0, 0.5].map(|from| {
-            let mut half = SegmentPair { depth: self.depth + 1, ..*self };
-            half.points[longer] = restricted(&self.points[longer], [from, from + 0.5]);
+            let mut half = SegmentPartPair { depth: self.depth + 1, ..*self };
+            half.points[longer] = restrict_segment(&self.points[longer], [from, from + 0.5]);
             half.from[longer] += from * self.size[longer];
             half.size[longer] *= 0.5;
             half
@@ -180,7 +180,7 @@ impl<const N: usize> SegmentPair<N> {
 
 /// Descends from parameters of two segments to a local minimum of the distance, with Gauss-Newton
 /// steps within 0 to 1. Returns the parameters and the distance.
-fn minimise<const N: usize>(segments: &[[DVec3; N]; 2], start: [f64; 2]) -> ([f64; 2], f64) {
+fn minimise_distance<const N: usize>(segments: &[[DVec3; N]; 2], start: [f64; 2]) -> ([f64; 2], f64) {
     let apart = |at: [f64; 2]| {
         let [[p, pd], [q, qd]] = [0, 1].map(|k| evaluate_with_slope(&segments[k], at[k]));
         (p - q, pd, qd)

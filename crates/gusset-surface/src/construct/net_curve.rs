@@ -8,10 +8,10 @@ use gusset_base::geom::bernstein::{elevate, evaluate, restrict};
 use gusset_curve::CurveView;
 
 /// Smallest fraction of the parameter of a piece that a segment takes.
-const MIN_SEGMENT_SHARE: f64 = 1e-9;
+const MIN_SEGMENT_PARAMETER_FRACTION: f64 = 1e-9;
 /// Largest ratio between the length of a segment in the parameter and the length of its polygon,
 /// both relative to the whole curve.
-const MAX_LENGTH_DISTORTION: f64 = 16.0;
+const MAX_PARAMETER_TO_LENGTH_RATIO: f64 = 16.0;
 
 /// A place on a curve of a net.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
@@ -43,7 +43,7 @@ pub(super) struct CurvePiece<const N: usize> {
 /// # Errors
 /// [`Error::EmptyCurve`] if a curve lacks points, [`Error::OptionOutOfRange`] if a degree is above
 /// 7.
-pub(super) fn degree<'a>(mut curves: impl Iterator<Item = CurveView<'a>>) -> Result<usize> {
+pub(super) fn max_segment_degree<'a>(mut curves: impl Iterator<Item = CurveView<'a>>) -> Result<usize> {
     curves.try_fold(1, |highest, curve| {
         if curve.points().is_empty() {
             return Err(Error::EmptyCurve);
@@ -63,7 +63,7 @@ impl<const N: usize> NetCurve<N> {
             points[..controls.len()].copy_from_slice(controls);
             elevate(&mut points, controls.len() - 1);
             // Exact copies keep a segment that is a single point exact.
-            if is_point(controls) {
+            if are_points_equal(controls) {
                 points = [controls[0]; N];
             }
             segments.push(points);
@@ -72,19 +72,19 @@ impl<const N: usize> NetCurve<N> {
             segments.push([curve.points()[0]; N]);
         }
         let mut net_curve = NetCurve { lengths: Vec::new(), segments, closed: curve.is_closed() };
-        net_curve.lengths = net_curve.parameter_lengths()?;
+        net_curve.lengths = net_curve.segment_parameter_lengths()?;
         Ok(net_curve)
     }
 
     /// True if the curve is a single point.
-    pub(super) fn is_point(&self) -> bool {
-        is_point(self.segments.as_flattened())
+    pub(super) fn is_single_point(&self) -> bool {
+        are_points_equal(self.segments.as_flattened())
     }
 
     /// Lengths of segments in a parameter with continuous lengths of derivatives. For a curve that
     /// is C1 in some knots, these are its knot intervals. Segments that are single points have
     /// length 0.
-    fn parameter_lengths(&self) -> Result<Vec<f64>> {
+    fn segment_parameter_lengths(&self) -> Result<Vec<f64>> {
         let polygon = |points: &[DVec3; N]| points.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
         let polygons = alloc::collect(self.segments.iter().map(polygon))?;
         let total: f64 = polygons.iter().sum();
@@ -102,36 +102,36 @@ impl<const N: usize> NetCurve<N> {
         let sum: f64 = lengths.iter().sum();
         let wild = |(&length, &polygon): (&f64, &f64)| {
             let [length, polygon] = [length / sum, polygon / total];
-            !(length <= MAX_LENGTH_DISTORTION * polygon && polygon <= MAX_LENGTH_DISTORTION * length)
+            !(length <= MAX_PARAMETER_TO_LENGTH_RATIO * polygon && polygon <= MAX_PARAMETER_TO_LENGTH_RATIO * length)
         };
         if lengths.iter().zip(&polygons).any(wild) { Ok(polygons) } else { Ok(lengths) }
     }
 
-    pub(super) fn point(&self, at: CurvePlace) -> DVec3 {
+    pub(super) fn point_at(&self, at: CurvePlace) -> DVec3 {
         evaluate(&self.segments[at.segment], at.t)
     }
 
     /// Reverses the curve.
-    pub(super) fn reverse(&mut self) {
+    pub(super) fn reverse_direction(&mut self) {
         self.segments.reverse();
         self.segments.iter_mut().for_each(|points| points.reverse());
         self.lengths.reverse();
     }
 
-    /// The place that corresponds to `at` after [`NetCurve::reverse`].
-    pub(super) fn reversed(&self, at: CurvePlace) -> CurvePlace {
+    /// The place that corresponds to `at` after [`NetCurve::reverse_direction`].
+    pub(super) fn reversed_place(&self, at: CurvePlace) -> CurvePlace {
         CurvePlace { segment: self.segments.len() - 1 - at.segment, t: 1.0 - at.t }
     }
 
     /// The pieces between successive places. On a closed curve, the last piece leads from the last
     /// place to the first. The pieces of a curve that is a single point are equal.
-    pub(super) fn cut(&self, places: &[CurvePlace]) -> Result<Vec<CurvePiece<N>>> {
+    pub(super) fn cut_at_places(&self, places: &[CurvePlace]) -> Result<Vec<CurvePiece<N>>> {
         let count = if self.closed { places.len() } else { places.len() - 1 };
         alloc::try_collect((0..count).map(|k| self.piece_between(places[k], places[(k + 1) % places.len()])))
     }
 
     /// The whole curve as one piece.
-    pub(super) fn whole(&self) -> Result<CurvePiece<N>> {
+    pub(super) fn whole_piece(&self) -> Result<CurvePiece<N>> {
         let last = self.segments.len() - 1;
         self.piece_between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
     }
@@ -144,7 +144,7 @@ impl<const N: usize> NetCurve<N> {
             }
             piece.length += self.lengths[segment] * (end - start);
             alloc::push(&mut piece.ends, piece.length)?;
-            alloc::push(&mut piece.segments, restricted(&self.segments[segment], [start, end]))
+            alloc::push(&mut piece.segments, restrict_segment(&self.segments[segment], [start, end]))
         };
         if from.segment == to.segment && from.t < to.t {
             add(from.segment, [from.t, to.t])?;
@@ -159,18 +159,18 @@ impl<const N: usize> NetCurve<N> {
             add(to.segment, [0.0, to.t])?;
         }
         if piece.segments.is_empty() {
-            alloc::push(&mut piece.segments, [self.point(from); N])?;
+            alloc::push(&mut piece.segments, [self.point_at(from); N])?;
             alloc::push(&mut piece.ends, 0.0)?;
         }
-        piece.spread();
+        piece.spread_segment_ends();
         Ok(piece)
     }
 }
 
 impl<const N: usize> CurvePiece<N> {
     /// Converts ends to fractions, and keeps a minimum distance between them.
-    fn spread(&mut self) {
-        let min = MIN_SEGMENT_SHARE * self.length;
+    fn spread_segment_ends(&mut self) {
+        let min = MIN_SEGMENT_PARAMETER_FRACTION * self.length;
         let (mut before, mut total) = (0.0, 0.0);
         for end in &mut self.ends {
             let length = *end - before;
@@ -205,7 +205,12 @@ impl<const N: usize> CurvePiece<N> {
 
     /// Appends the segments over the spans between breaks, the last of which is 1. `ends` are the
     /// ends of the piece's segments, all of which are among the breaks.
-    pub(super) fn refine(&self, ends: &[f64], breaks: &[f64], refined: &mut Vec<[DVec3; N]>) -> Result<()> {
+    pub(super) fn append_refined_segments(
+        &self,
+        ends: &[f64],
+        breaks: &[f64],
+        refined: &mut Vec<[DVec3; N]>,
+    ) -> Result<()> {
         alloc::reserve(refined, breaks.len())?;
         let (mut segment, mut from) = (0, 0.0);
         let mut start = self.segments[0][0];
@@ -213,7 +218,7 @@ impl<const N: usize> CurvePiece<N> {
             let first = if segment == 0 { 0.0 } else { ends[segment - 1] };
             let length = ends[segment] - first;
             let [low, high] = [(from - first) / length, if to >= ends[segment] { 1.0 } else { (to - first) / length }];
-            let mut points = restricted(&self.segments[segment], [low, high]);
+            let mut points = restrict_segment(&self.segments[segment], [low, high]);
             // Neighbours share their ends exactly.
             points[0] = start;
             start = points[N - 1];
@@ -227,12 +232,12 @@ impl<const N: usize> CurvePiece<N> {
     }
 }
 
-fn is_point(points: &[DVec3]) -> bool {
+fn are_points_equal(points: &[DVec3]) -> bool {
     points.iter().all(|&p| p == points[0])
 }
 
 /// A segment restricted to a range of its parameters. The full range returns the segment unchanged.
-pub(super) fn restricted<const N: usize>(points: &[DVec3; N], range: [f64; 2]) -> [DVec3; N] {
+pub(super) fn restrict_segment<const N: usize>(points: &[DVec3; N], range: [f64; 2]) -> [DVec3; N] {
     let mut part = *points;
     restrict(&mut part, range);
     part

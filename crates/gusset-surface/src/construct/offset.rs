@@ -8,7 +8,7 @@ use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_curve::frame::node_distances;
 
-const STAGE: &str = "offsetting";
+const PROGRESS_STAGE: &str = "offsetting";
 
 impl Sheet<'_> {
     /// Returns the sheet through the corners of this sheet's cells, each moved along the surface's
@@ -48,11 +48,12 @@ impl Sheet<'_> {
                 alloc::collect((0..height * width).map(|k| own[k / width % h * w + k % width % w]))?
             }
             _ => alloc::collect((0..height * width).map(|k| {
-                let ([i, u], [j, v]) = (cell_at_line(k / width, rows), cell_at_line(k % width, columns));
+                let ([i, u], [j, v]) =
+                    (cell_and_parameter_of_line(k / width, rows), cell_and_parameter_of_line(k % width, columns));
                 self.normal(i as usize, j as usize, u, v)
             }))?,
         };
-        job.step(0.3, STAGE)?;
+        job.step(0.3, PROGRESS_STAGE)?;
         let same = |k: usize| {
             let (i, j) = (k / width, k % width);
             let [i, j] = [(i, rows, closed[0]), (j, columns, closed[1])].map(|(i, n, c)| if c { i % n } else { i });
@@ -66,7 +67,7 @@ impl Sheet<'_> {
         let made = Sheet::Grid(Grid::new(nodes, closed, Scheme::SixTap)?);
         let mut deviation = 0.0f64;
         for k in 0..rows * columns {
-            job.part(0.5, 1.0).step_every(1 << 12, k, rows * columns, STAGE)?;
+            job.part(0.5, 1.0).step_every(1 << 12, k, rows * columns, PROGRESS_STAGE)?;
             let (i, j) = (k / columns, k % columns);
             let corners = [[i, j], [i, j + 1], [i + 1, j], [i + 1, j + 1]].map(|[i, j]| distance(same(i * width + j)));
             let by = corners.iter().sum::<f64>() / 4.0;
@@ -78,7 +79,7 @@ impl Sheet<'_> {
 }
 
 /// The cell that a line of corners belongs to, and the parameter of the line in it.
-fn cell_at_line(line: usize, cells: usize) -> [f64; 2] {
+fn cell_and_parameter_of_line(line: usize, cells: usize) -> [f64; 2] {
     let cell = line.min(cells - 1);
     [cell as f64, (line - cell) as f64]
 }

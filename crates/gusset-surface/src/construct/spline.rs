@@ -79,17 +79,23 @@ pub(super) type PieceNet<T> = [[T; MAX_DEGREE + 1]; MAX_DEGREE + 1];
 
 impl Spline<'_> {
     /// The pieces over intervals, in u and in v.
-    pub(super) fn pieces(&self, intervals: &[Vec<SplineInterval>; 2]) -> Result<[Vec<SplinePiece>; 2]> {
-        Ok([self.axes[0].pieces(&intervals[0], self.counts[0])?, self.axes[1].pieces(&intervals[1], self.counts[1])?])
+    pub(super) fn bezier_pieces_by_direction(
+        &self,
+        intervals: &[Vec<SplineInterval>; 2],
+    ) -> Result<[Vec<SplinePiece>; 2]> {
+        Ok([
+            self.axes[0].bezier_pieces(&intervals[0], self.counts[0])?,
+            self.axes[1].bezier_pieces(&intervals[1], self.counts[1])?,
+        ])
     }
 
     /// The index, among the spline's control points, of point (a, b) of a piece's control net.
-    pub(super) fn place(&self, rows: &SplinePiece, columns: &SplinePiece, a: usize, b: usize) -> usize {
+    pub(super) fn control_point_index(&self, rows: &SplinePiece, columns: &SplinePiece, a: usize, b: usize) -> usize {
         (rows.first + a) % self.counts[0] * self.counts[1] + (columns.first + b) % self.counts[1]
     }
 
     /// The control net of a piece, from control points of the spline in any representation.
-    pub(super) fn net<T: Copy + Default + Add<Output = T> + Mul<f64, Output = T>>(
+    pub(super) fn piece_control_net<T: Copy + Default + Add<Output = T> + Mul<f64, Output = T>>(
         &self,
         points: &[T],
         rows: &SplinePiece,
@@ -100,7 +106,7 @@ impl Spline<'_> {
         let (mut along, mut net) = (PieceNet::default(), PieceNet::default());
         for (a, row) in along[..=p].iter_mut().enumerate() {
             for (point, weights) in row[..=q].iter_mut().zip(&columns.weights) {
-                let terms = (0..=q).map(|b| points[self.place(rows, columns, a, b)] * weights[b]);
+                let terms = (0..=q).map(|b| points[self.control_point_index(rows, columns, a, b)] * weights[b]);
                 *point = terms.fold(T::default(), |sum, term| sum + term);
             }
         }
@@ -114,7 +120,7 @@ impl Spline<'_> {
 }
 
 /// The parameters of the borders of cells.
-pub(super) fn border_knots(intervals: &[Vec<SplineInterval>; 2]) -> Result<[Vec<f64>; 2]> {
+pub(super) fn knots_at_cell_borders(intervals: &[Vec<SplineInterval>; 2]) -> Result<[Vec<f64>; 2]> {
     let of = |intervals: &[SplineInterval]| {
         let mut knots = alloc::with_capacity(intervals.len() + 1)?;
         knots.extend(intervals.first().map(|first| first.ends[0]));
@@ -126,13 +132,13 @@ pub(super) fn border_knots(intervals: &[Vec<SplineInterval>; 2]) -> Result<[Vec<
 
 impl SplineAxis<'_> {
     /// The spans that are not empty. `direction` is 0 or 1, for errors.
-    pub(super) fn intervals(&self, count: usize, direction: u32) -> Result<Vec<SplineInterval>> {
+    pub(super) fn nonempty_spans(&self, count: usize, direction: u32) -> Result<Vec<SplineInterval>> {
         let needed = if self.closed { count + 1 } else { count + self.degree + 1 };
         if self.knots.len() != needed {
             let given = self.knots.len() as u64;
             return Err(Error::WrongKnotCount { direction, given, needed: needed as u64 });
         }
-        self.check(count, direction)?;
+        self.check_knots(count, direction)?;
         let spans = if self.closed { 0..count } else { self.degree..count };
         let ends = |k: usize| [self.knots[k], self.knots[k + 1]];
         let mut intervals = alloc::with_capacity(spans.len())?;
@@ -141,11 +147,11 @@ impl SplineAxis<'_> {
     }
 
     /// The pieces over successive intervals, from the first to the last span.
-    fn pieces(&self, intervals: &[SplineInterval], count: usize) -> Result<Vec<SplinePiece>> {
+    fn bezier_pieces(&self, intervals: &[SplineInterval], count: usize) -> Result<Vec<SplinePiece>> {
         let mut pieces: Vec<SplinePiece> = alloc::with_capacity(intervals.len())?;
         let mut before = 0;
         for interval in intervals {
-            let mut piece = self.piece(interval, count);
+            let mut piece = self.bezier_piece(interval, count);
             // Neighbouring pieces share their ends exactly: the first point of this piece is the
             // last point of the previous one.
             if let Some(last) = pieces.last() {
@@ -170,7 +176,7 @@ impl SplineAxis<'_> {
     }
 
     /// Knot k. In a closed direction, knots continue periodically.
-    fn knot(&self, k: isize, count: usize) -> f64 {
+    fn periodic_knot(&self, k: isize, count: usize) -> f64 {
         if !self.closed {
             return self.knots[k as usize];
         }
@@ -181,7 +187,7 @@ impl SplineAxis<'_> {
         self.knots[at as usize] + rounds as f64 * (self.knots[count] - self.knots[0])
     }
 
-    fn check(&self, count: usize, direction: u32) -> Result<()> {
+    fn check_knots(&self, count: usize, direction: u32) -> Result<()> {
         let bad = |knot: usize| Err(Error::BadKnot { direction, knot: knot as u32, value: self.knots[knot] });
         for (k, &knot) in self.knots.iter().enumerate() {
             if !knot.is_finite() || (k > 0 && knot < self.knots[k - 1]) {
@@ -198,7 +204,7 @@ impl SplineAxis<'_> {
         let inner = if self.closed { 0..count } else { from + 1..to };
         for k in inner {
             let (here, far) = (k as isize, (k + self.degree) as isize);
-            let (from, to) = (self.knot(here, count), self.knot(far, count));
+            let (from, to) = (self.periodic_knot(here, count), self.periodic_knot(far, count));
             let within = self.closed || (from > self.knots[self.degree] && from < self.knots[count]);
             if within && from == to {
                 return bad((k + self.degree) % self.knots.len());
@@ -210,9 +216,9 @@ impl SplineAxis<'_> {
     /// The piece over [a, b]: the blossom at p - i arguments a and i arguments b, as weights.
     /// Weights are not negative, and each is accurate to a few units in the last place, however
     /// small.
-    fn piece(&self, interval: &SplineInterval, count: usize) -> SplinePiece {
+    fn bezier_piece(&self, interval: &SplineInterval, count: usize) -> SplinePiece {
         let (p, k, [a, b]) = (self.degree, interval.knot, interval.ends);
-        let knot = |i: usize| self.knot(k as isize + 1 + i as isize - p as isize, count);
+        let knot = |i: usize| self.periodic_knot(k as isize + 1 + i as isize - p as isize, count);
         // The 2 p knots around the span that its control points depend on: p up to its start, and p
         // after it.
         let around: [f64; 2 * MAX_DEGREE] = std::array::from_fn(|i| if i < 2 * p { knot(i) } else { 0.0 });

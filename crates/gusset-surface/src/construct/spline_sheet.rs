@@ -1,9 +1,9 @@
 //! Sheets of splines: the exact pieces of polynomial splines, and approximations of rational ones.
 
 use super::rational;
-use super::spline::{Spline, SplineInterval, SplineOptions, border_knots};
-use crate::checks::finite_points;
-use crate::patches::Origin;
+use super::spline::{Spline, SplineInterval, SplineOptions, knots_at_cell_borders};
+use crate::checks::first_finite_points;
+use crate::patches::SplineOrigin;
 use crate::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -37,10 +37,10 @@ impl Sheet<'static> {
         }
         let count = (rows as u64).saturating_mul(columns as u64);
         Error::check_count("control points", count, MAX_NODES)?;
-        finite_points(spline.points, count, "control points")?;
-        let intervals = [spline.axes[0].intervals(rows, 0)?, spline.axes[1].intervals(columns, 1)?];
+        first_finite_points(spline.points, count, "control points")?;
+        let intervals = [spline.axes[0].nonempty_spans(rows, 0)?, spline.axes[1].nonempty_spans(columns, 1)?];
         if rational::has_different_weights(spline)? {
-            return Ok(Sheet::High(rational::patches(spline, intervals, options, job)?));
+            return Ok(Sheet::High(rational::fit_patches(spline, intervals, options, job)?));
         }
         if spline.axes.iter().all(|axis| axis.degree <= 3) {
             Ok(Sheet::Cubic(exact_patches(spline, &intervals, job)?))
@@ -57,17 +57,17 @@ fn exact_patches<const N: usize>(
     job: &Job<'_>,
 ) -> Result<Patches<N>> {
     let [p, q] = [0, 1].map(|k| spline.axes[k].degree);
-    let [u, v] = spline.pieces(intervals)?;
+    let [u, v] = spline.bezier_pieces_by_direction(intervals)?;
     let mut patches = alloc::with_capacity(u.len().saturating_mul(v.len()))?;
     for (i, rows) in u.iter().enumerate() {
         job.step(i as f64 / u.len() as f64, "making patches")?;
         for columns in v.iter() {
-            let net = spline.net(spline.points, rows, columns);
+            let net = spline.piece_control_net(spline.points, rows, columns);
             let mut packed = [DVec3::ZERO; (MAX_DEGREE + 1) * (MAX_DEGREE + 1)];
             packed.chunks_exact_mut(q + 1).zip(&net).for_each(|(to, from)| to.copy_from_slice(&from[..=q]));
-            patches.push(Patch::elevated(&packed[..(p + 1) * (q + 1)], [p, q]));
+            patches.push(Patch::from_lower_degrees(&packed[..(p + 1) * (q + 1)], [p, q]));
         }
     }
     Ok(Patches::from_patches(patches, u.len(), v.len())
-        .with_origin(Origin { deviation: 0.0, knots: border_knots(intervals)? }))
+        .with_spline_origin(SplineOrigin { deviation: 0.0, knots: knots_at_cell_borders(intervals)? }))
 }

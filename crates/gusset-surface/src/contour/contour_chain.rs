@@ -32,7 +32,7 @@ pub(super) struct ContourPaths {
 }
 
 impl ContourPaths {
-    pub(super) fn append(&mut self, other: ContourPaths) -> Result<()> {
+    pub(super) fn append_paths(&mut self, other: ContourPaths) -> Result<()> {
         // With one level and sheet, no copy is needed.
         if self.paths.is_empty() {
             *self = other;
@@ -45,63 +45,64 @@ impl ContourPaths {
     }
 }
 
-const NONE: u32 = u32::MAX;
+const NO_SUCCESSOR: u32 = u32::MAX;
 
 /// A hash table of arcs by the keys of the marks where they begin, with open addressing.
-struct ArcsByStart<'a> {
+struct ArcTableByStart<'a> {
     arcs: &'a [ContourArc],
     slots: Vec<u32>,
     shift: u32,
 }
 
-impl<'a> ArcsByStart<'a> {
+impl<'a> ArcTableByStart<'a> {
     fn new(arcs: &'a [ContourArc]) -> Result<Self> {
         let bits = usize::BITS - (2 * arcs.len()).leading_zeros();
-        let mut table = ArcsByStart { arcs, slots: alloc::filled(NONE, 1 << bits)?, shift: u64::BITS - bits };
+        let mut table =
+            ArcTableByStart { arcs, slots: alloc::filled(NO_SUCCESSOR, 1 << bits)?, shift: u64::BITS - bits };
         for (k, arc) in arcs.iter().enumerate() {
-            let at = table.slot(arc.keys[0]);
+            let at = table.slot_of_key(arc.keys[0]);
             table.slots[at] = k as u32;
         }
         Ok(table)
     }
 
     /// The slot of a key, or the free slot for it.
-    fn slot(&self, key: u64) -> usize {
+    fn slot_of_key(&self, key: u64) -> usize {
         let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> self.shift) as usize;
-        while self.slots[at] != NONE && self.arcs[self.slots[at] as usize].keys[0] != key {
+        while self.slots[at] != NO_SUCCESSOR && self.arcs[self.slots[at] as usize].keys[0] != key {
             at = (at + 1) & (self.slots.len() - 1);
         }
         at
     }
 
-    fn get(&self, key: u64) -> Option<usize> {
-        let arc = self.slots[self.slot(key)];
-        (arc != NONE).then_some(arc as usize)
+    fn arc_beginning_at(&self, key: u64) -> Option<usize> {
+        let arc = self.slots[self.slot_of_key(key)];
+        (arc != NO_SUCCESSOR).then_some(arc as usize)
     }
 }
 
-/// Links the arcs of a sheet, and adds its paths. `jumps` tells whether the cells at a side have
-/// separate marks, which are linked first.
-pub(super) fn chain(
+/// Links the arcs of a sheet, and adds its paths. `has_jumps` tells whether the cells at a side
+/// have separate marks, which are linked first.
+pub(super) fn chain_arcs(
     sheet: u32,
     found: &mut ContourArcs,
     lattice: &ContourLattice,
-    jumps: bool,
+    has_jumps: bool,
     threads: usize,
-    made: &mut ContourPaths,
+    found_paths: &mut ContourPaths,
 ) -> Result<()> {
-    sort_by_level(&mut found.arcs)?;
-    if jumps {
-        link_arcs(&mut found.arcs, lattice)?;
+    sort_arcs_by_level(&mut found.arcs)?;
+    if has_jumps {
+        link_arcs_across_sides(&mut found.arcs, lattice)?;
     }
     let levels = alloc::gather(found.arcs.chunk_by(|a, b| a.level == b.level))?;
-    let parts = par::map(threads, levels.into_iter(), |arcs| paths(sheet, arcs, &found.inner))?;
-    parts.into_iter().try_for_each(|part| made.append(part?))
+    let parts = par::map(threads, levels.into_iter(), |arcs| paths_of_level(sheet, arcs, &found.inner))?;
+    parts.into_iter().try_for_each(|part| found_paths.append_paths(part?))
 }
 
 /// Sorts arcs by level. Cells come in the order of the search, each with its levels. The sort is
 /// stable.
-fn sort_by_level(arcs: &mut Vec<ContourArc>) -> Result<()> {
+fn sort_arcs_by_level(arcs: &mut Vec<ContourArc>) -> Result<()> {
     if arcs.is_sorted_by_key(|arc| arc.level) {
         return Ok(());
     }
@@ -111,13 +112,13 @@ fn sort_by_level(arcs: &mut Vec<ContourArc>) -> Result<()> {
     Ok(())
 }
 
-/// For each arc, the index of its successor or [`NONE`], and whether it has a predecessor.
-fn successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
-    let table = ArcsByStart::new(arcs)?;
-    let mut next = alloc::filled(NONE, arcs.len())?;
+/// For each arc, the index of its successor or [`NO_SUCCESSOR`], and whether it has a predecessor.
+fn find_successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
+    let table = ArcTableByStart::new(arcs)?;
+    let mut next = alloc::filled(NO_SUCCESSOR, arcs.len())?;
     let mut entered = alloc::filled(false, arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
-        if let Some(after) = table.get(arc.keys[1]).filter(|&after| !entered[after]) {
+        if let Some(after) = table.arc_beginning_at(arc.keys[1]).filter(|&after| !entered[after]) {
             next[k] = after as u32;
             entered[after] = true;
         }
@@ -126,8 +127,8 @@ fn successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
 }
 
 /// The paths of one level, sorted by the lowest cell of each and the key of its mark.
-fn paths(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<ContourPaths> {
-    let (next, entered) = successors(arcs)?;
+fn paths_of_level(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<ContourPaths> {
+    let (next, entered) = find_successors(arcs)?;
     let count = arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>();
     let (mut paths, mut places) = (Vec::new(), alloc::with_capacity(count)?);
     let lowest = |k: usize| (arcs[k].cell, arcs[k].keys[0]);
@@ -144,12 +145,12 @@ fn paths(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<ContourPath
             if lowest(last) < lowest(min) {
                 min = last;
             }
-            if next[last] == NONE || next[last] as usize == head {
+            if next[last] == NO_SUCCESSOR || next[last] as usize == head {
                 break;
             }
             last = next[last] as usize;
         }
-        let closed = next[last] != NONE;
+        let closed = next[last] != NO_SUCCESSOR;
         let first = places.len();
         let mut at = if closed { min } else { head };
         loop {
@@ -158,10 +159,10 @@ fn paths(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<ContourPath
             let [from, to] = arc.inner.map(|k| k as usize);
             alloc::push(&mut places, place(&arc.ends[0]))?;
             alloc::extend(&mut places, inner[from..to].iter().map(place))?;
-            if arc.jumps || next[at] == NONE {
+            if arc.jumps || next[at] == NO_SUCCESSOR {
                 alloc::push(&mut places, place(&arc.ends[1]))?;
             }
-            if next[at] == NONE || (closed && next[at] as usize == min) {
+            if next[at] == NO_SUCCESSOR || (closed && next[at] as usize == min) {
                 break;
             }
             at = next[at] as usize;
@@ -175,7 +176,7 @@ fn paths(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<ContourPath
 
 /// An end of an arc on a side between cells with discontinuous fields.
 #[derive(Clone, Copy)]
-struct SideEnd {
+struct ArcEndOnSide {
     level: u32,
     /// The index of the side or the corner.
     group: u64,
@@ -190,34 +191,41 @@ struct SideEnd {
 /// opposite signs, the side itself belongs to the zero set between exit and entry. Cells may
 /// disagree on the sign at a corner, which leaves some ends over. They are linked around the
 /// nearest corner.
-fn link_arcs(arcs: &mut [ContourArc], lattice: &ContourLattice) -> Result<()> {
+fn link_arcs_across_sides(arcs: &mut [ContourArc], lattice: &ContourLattice) -> Result<()> {
     let mut ends = alloc::with_capacity(2 * arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
         for (key, at, exit) in [(arc.keys[0], arc.ends[0], false), (arc.keys[1], arc.ends[1], true)] {
             let side = key >> 7;
             let inside = key >> 63 == 1;
-            if !inside && !lattice.on_edge_side(arc.cell, side) {
-                ends.push(SideEnd { level: arc.level, group: side, t: at[(side & 1) as usize], key, arc: k, exit });
+            if !inside && !lattice.is_side_on_open_edge(arc.cell, side) {
+                ends.push(ArcEndOnSide {
+                    level: arc.level,
+                    group: side,
+                    t: at[(side & 1) as usize],
+                    key,
+                    arc: k,
+                    exit,
+                });
             }
         }
     }
-    let mut left = link_pairs(ends, arcs)?;
+    let mut left = link_exits_to_entries(ends, arcs)?;
     for end in &mut left {
-        end.group = lattice.node(end.group, end.t >= 0.5);
+        end.group = lattice.corner_index_of_side(end.group, end.t >= 0.5);
         // The distance from the corner.
         end.t = end.t.min(1.0 - end.t);
     }
-    link_pairs(left, arcs)?;
+    link_exits_to_entries(left, arcs)?;
     Ok(())
 }
 
 /// Links exits to entries of the same level and group, in order. Returns the remaining ends.
-fn link_pairs(mut ends: Vec<SideEnd>, arcs: &mut [ContourArc]) -> Result<Vec<SideEnd>> {
+fn link_exits_to_entries(mut ends: Vec<ArcEndOnSide>, arcs: &mut [ContourArc]) -> Result<Vec<ArcEndOnSide>> {
     sort::stable(&mut ends, &|a, b| {
-        let by = |end: &SideEnd| (end.level, end.group);
+        let by = |end: &ArcEndOnSide| (end.level, end.group);
         by(a).cmp(&by(b)).then(a.t.total_cmp(&b.t)).then(a.key.cmp(&b.key))
     });
-    let mut waiting: VecDeque<SideEnd> = VecDeque::new();
+    let mut waiting: VecDeque<ArcEndOnSide> = VecDeque::new();
     let mut left = Vec::new();
     for group in ends.chunk_by(|a, b| (a.level, a.group) == (b.level, b.group)) {
         let bytes = size_of_val(group) as u64;

@@ -1,7 +1,7 @@
 //! Indices of the cells of a sheet and of their sides, also across closed directions.
 
 use crate::Sheet;
-use crate::cells::{BLOCK, block_range};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, cell_range_of_block};
 use std::ops::Range;
 
 /// The cells of a sheet in rows and columns.
@@ -16,21 +16,21 @@ pub(super) struct ContourLattice {
 impl ContourLattice {
     /// Returns the lattice of a sheet.
     pub(super) fn new(sheet: &Sheet<'_>) -> Self {
-        ContourLattice { counts: sheet.cells(), closed: sheet.seams() }
+        ContourLattice { counts: sheet.cells(), closed: sheet.has_exact_seams() }
     }
 
     /// The numbers of blocks in u and in v.
-    pub(super) fn blocks(&self) -> [usize; 2] {
-        self.counts.map(|count| count.div_ceil(BLOCK))
+    pub(super) fn block_counts(&self) -> [usize; 2] {
+        self.counts.map(|count| count.div_ceil(CELLS_PER_BLOCK_SIDE))
     }
 
     /// The ranges of rows and columns of a block.
-    pub(super) fn block(&self, [row, column]: [u32; 2]) -> [Range<usize>; 2] {
-        [block_range(row as usize, self.counts[0]), block_range(column as usize, self.counts[1])]
+    pub(super) fn cells_of_block(&self, [row, column]: [u32; 2]) -> [Range<usize>; 2] {
+        [cell_range_of_block(row as usize, self.counts[0]), cell_range_of_block(column as usize, self.counts[1])]
     }
 
     /// The index of a side of a cell. Both cells at the side agree on it.
-    pub(super) fn side(&self, [i, j]: [usize; 2], side: usize) -> u64 {
+    pub(super) fn side_index(&self, [i, j]: [usize; 2], side: usize) -> u64 {
         let next = |k: usize, d: usize| if self.closed[d] && k + 1 == self.counts[d] { 0 } else { k + 1 };
         let (i, j) = match side {
             1 => (next(i, 0), j),
@@ -42,11 +42,11 @@ impl ContourLattice {
     }
 
     /// The index of the corner at the start of a side, or at its end.
-    pub(super) fn node(&self, side: u64, end: bool) -> u64 {
+    pub(super) fn corner_index_of_side(&self, side: u64, at_end: bool) -> u64 {
         let width = self.counts[1] as u64 + 1;
         let (node, d) = (side / 2, (side % 2) as usize);
         let mut at = [node / width, node % width];
-        if end {
+        if at_end {
             let last = self.closed[d] && at[d] + 1 == self.counts[d] as u64;
             at[d] = if last { 0 } else { at[d] + 1 };
         }
@@ -56,7 +56,11 @@ impl ContourLattice {
     /// The cell that owns the side or corner after a cell in the given directions. The last of the
     /// two cells at a side, or of the four at a corner, owns it; at an open edge, the first one.
     /// Also returns whether the side is at the high end of its owner.
-    pub(super) fn owner(&self, [i, j]: [usize; 2], [after_u, after_v]: [bool; 2]) -> ([usize; 2], [bool; 2]) {
+    pub(super) fn owner_of_side_or_corner(
+        &self,
+        [i, j]: [usize; 2],
+        [after_u, after_v]: [bool; 2],
+    ) -> ([usize; 2], [bool; 2]) {
         let along = |k: usize, after: bool, d: usize| match (after, k + 1 == self.counts[d]) {
             (false, _) => (k, false),
             (true, false) => (k + 1, false),
@@ -68,7 +72,7 @@ impl ContourLattice {
     }
 
     /// True if a place is on an open edge of the sheet.
-    pub(super) fn on_edge(&self, cell: [u32; 2], at: [f64; 2]) -> bool {
+    pub(super) fn is_place_on_open_edge(&self, cell: [u32; 2], at: [f64; 2]) -> bool {
         (0..2).any(|d| {
             let (first, last) = (cell[d] == 0, cell[d] as usize + 1 == self.counts[d]);
             !self.closed[d] && (first && at[d] <= 1e-9 || last && at[d] >= 1.0 - 1e-9)
@@ -76,14 +80,16 @@ impl ContourLattice {
     }
 
     /// True if the side of a cell with the given index is on an open edge.
-    pub(super) fn on_edge_side(&self, [i, j]: [u32; 2], side: u64) -> bool {
+    pub(super) fn is_side_on_open_edge(&self, [i, j]: [u32; 2], side: u64) -> bool {
         let cell = [i as usize, j as usize];
-        (0..4).find(|&which| self.side(cell, which) == side).is_some_and(|which| self.is_open(cell, which))
+        (0..4)
+            .find(|&which| self.side_index(cell, which) == side)
+            .is_some_and(|which| self.is_cell_side_open(cell, which))
     }
 
     /// True if side 0 to 3 of a cell is on an open edge.
     #[inline]
-    pub(super) fn is_open(&self, [i, j]: [usize; 2], side: usize) -> bool {
+    pub(super) fn is_cell_side_open(&self, [i, j]: [usize; 2], side: usize) -> bool {
         match side {
             0 => !self.closed[1] && j == 0,
             1 => !self.closed[0] && i + 1 == self.counts[0],

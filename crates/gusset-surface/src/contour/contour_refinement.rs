@@ -4,25 +4,25 @@
 //!
 //! Cost: O(M^2) and a few Newton steps for each point; at most 2^12 points for an arc.
 
-use super::cell::{ArcGraph, Link};
-use super::side::bracketed;
+use super::cell_arcs::{ArcAsGraph, MarkedArc};
+use super::side_sign_changes::find_bracketed_root;
 use crate::Patch;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::bernstein::value_and_slope_by_differences as value_and_slope;
 
 /// Largest number of halvings of an arc.
-const MAX_HALVINGS: u32 = 12;
+const MAX_ARC_HALVINGS: u32 = 12;
 /// Fraction of `chord` that the middle and the quarters of an arc may be off the chord. Between
 /// them, a cubic is off by at most 1.1 times as much. Beside a pole, where parameters are very
 /// uneven, 1.15 times was observed.
-const SAMPLED_CHORD_SHARE: f64 = 0.85;
+const MAX_SAMPLED_CHORD_FRACTION: f64 = 0.85;
 
 /// An arc over its patch.
-struct Curve<'a, const N: usize, const M: usize> {
+struct ArcOverPatch<'a, const N: usize, const M: usize> {
     patch: &'a Patch<N>,
-    field: &'a Field<M>,
-    graph: ArcGraph,
+    field: &'a BernsteinField<M>,
+    graph: ArcAsGraph,
     chord: f64,
     /// Values up to this may be 0.
     rounding_error: f64,
@@ -36,33 +36,39 @@ struct ArcPoint {
 }
 
 /// True if the deviation of surface and field from bilinear ones proves that an arc stays within
-/// `chord` of its chord.
+/// `chord_tolerance` of its chord.
 ///
 /// Let the arc be a graph of v over u. Along the straight line between its ends in (u, v), the
 /// bilinear parts bend by at most a quarter of their twists. The field on the line is therefore
 /// within 2 `deviation` + twist / 4 of 0. Where |F_v| >= m, the arc is within this divided by m of
 /// the line. Between arc and line, the surface moves by at most its largest step in v times this,
 /// plus 2 `deviation`. The twist of the field is at most the twist of the surface.
-pub(super) fn is_straight<const M: usize>(
+pub(super) fn is_arc_near_chord<const M: usize>(
     corners: &[DVec3; 4],
-    field: &Field<M>,
-    link: &Link,
+    field: &BernsteinField<M>,
+    link: &MarkedArc,
     deviation: f64,
-    chord: f64,
+    chord_tolerance: f64,
 ) -> bool {
     let Some(graph) = link.graph else { return false };
-    let [low, high] = field.slope_ranges()[1 - graph.over];
-    stays_near(corners, graph.over, low.max(-high), deviation, chord)
+    let [low, high] = field.derivative_ranges()[1 - graph.over];
+    is_graph_near_chord(corners, graph.over, low.max(-high), deviation, chord_tolerance)
 }
 
-/// [`is_straight`] for an arc that is a graph over u (0) or v (1). `slope` is a lower bound of the
-/// field's slope in the other parameter.
+/// [`is_arc_near_chord`] for an arc that is a graph over u (0) or v (1). `slope` is a lower bound
+/// of the field's slope in the other parameter.
 #[inline]
-pub(super) fn stays_near(corners: &[DVec3; 4], over: usize, slope: f64, deviation: f64, chord: f64) -> bool {
+pub(super) fn is_graph_near_chord(
+    corners: &[DVec3; 4],
+    over: usize,
+    slope: f64,
+    deviation: f64,
+    chord_tolerance: f64,
+) -> bool {
     let [p00, p01, p10, p11] = corners;
     let twist = *p00 + *p11 - *p01 - *p10;
     let steps = if over == 0 { [*p01 - *p00, *p11 - *p10] } else { [*p10 - *p00, *p11 - *p01] };
-    let margin = chord - 2.0 * deviation;
+    let margin = chord_tolerance - 2.0 * deviation;
     let near = |twist: f64, step: f64| {
         let bend = 2.0 * deviation + 0.25 * twist;
         bend * (slope + step) <= margin * slope
@@ -74,35 +80,39 @@ pub(super) fn stays_near(corners: &[DVec3; 4], over: usize, slope: f64, deviatio
 }
 
 /// Residual of the field at a root that rounding may cause, in units of the field's rounding error.
-const MAX_RESIDUAL_ROUNDINGS: f64 = 16.0;
+const MAX_RESIDUAL_IN_ROUNDINGS: f64 = 16.0;
 
 /// The place of an arc at the middle of the parameter that it is a graph over. Returns `None` if
 /// the field does not vanish there, or the arc is not a graph.
-pub(super) fn middle<const M: usize>(field: &Field<M>, link: &Link, rounding_error: f64) -> Option<DVec2> {
-    middle_place(field, link.graph?, [link.from.at, link.to.at], rounding_error).ok()
+pub(super) fn middle_of_arc<const M: usize>(
+    field: &BernsteinField<M>,
+    link: &MarkedArc,
+    rounding_error: f64,
+) -> Option<DVec2> {
+    middle_of_graph(field, link.graph?, [link.from.at, link.to.at], rounding_error).ok()
 }
 
-/// Adds places between the ends of an arc until its chords are within `chord` of it, tested at
-/// their middles and quarters. Values up to `rounding_error` may be 0. If the field does not vanish
-/// where the arc should be, returns the place instead of adding it.
-pub(super) fn refine<const N: usize, const M: usize>(
+/// Adds places between the ends of an arc until its chords are within `chord_tolerance` of it,
+/// tested at their middles and quarters. Values up to `rounding_error` may be 0. If the field does
+/// not vanish where the arc should be, returns the place instead of adding it.
+pub(super) fn insert_arc_points<const N: usize, const M: usize>(
     patch: &Patch<N>,
-    field: &Field<M>,
-    link: &Link,
-    chord: f64,
+    field: &BernsteinField<M>,
+    link: &MarkedArc,
+    chord_tolerance: f64,
     rounding_error: f64,
     places: &mut Vec<DVec2>,
 ) -> Option<DVec2> {
-    let curve = Curve { patch, field, graph: link.graph?, chord, rounding_error };
+    let curve = ArcOverPatch { patch, field, graph: link.graph?, chord: chord_tolerance, rounding_error };
     let [from, to] = [link.from.at, link.to.at].map(|at| ArcPoint { at, point: patch.point(at.x, at.y) });
-    curve.middle_node(from, to).and_then(|middle| curve.halve(from, middle, to, MAX_HALVINGS, places)).err()
+    curve.middle_point(from, to).and_then(|middle| curve.halve_arc(from, middle, to, MAX_ARC_HALVINGS, places)).err()
 }
 
 /// The place of a graph at the mean of the parameters of two others. Returns the expected place as
 /// an error if the field does not vanish there.
-fn middle_place<const M: usize>(
-    field: &Field<M>,
-    ArcGraph { over, range }: ArcGraph,
+fn middle_of_graph<const M: usize>(
+    field: &BernsteinField<M>,
+    ArcAsGraph { over, range }: ArcAsGraph,
     [a, b]: [DVec2; 2],
     rounding_error: f64,
 ) -> Result<DVec2, DVec2> {
@@ -112,21 +122,25 @@ fn middle_place<const M: usize>(
         _ => field.c.map(|row| value_and_slope(&row, along)[0]),
     };
     let mut at = DVec2::splat(along);
-    at[1 - over] = bracketed(&c, range);
+    at[1 - over] = find_bracketed_root(&c, range);
     let [value, slope] = value_and_slope(&c, at[1 - over]);
     // Adds the rounding of the parameter to the rounding of the field.
-    if value.abs() <= MAX_RESIDUAL_ROUNDINGS * (rounding_error + f64::EPSILON * slope.abs()) { Ok(at) } else { Err(at) }
+    if value.abs() <= MAX_RESIDUAL_IN_ROUNDINGS * (rounding_error + f64::EPSILON * slope.abs()) {
+        Ok(at)
+    } else {
+        Err(at)
+    }
 }
 
-impl<const N: usize, const M: usize> Curve<'_, N, M> {
+impl<const N: usize, const M: usize> ArcOverPatch<'_, N, M> {
     /// The place at the mean of the parameters of two others.
-    fn middle_node(&self, a: ArcPoint, b: ArcPoint) -> Result<ArcPoint, DVec2> {
-        let at = middle_place(self.field, self.graph, [a.at, b.at], self.rounding_error)?;
+    fn middle_point(&self, a: ArcPoint, b: ArcPoint) -> Result<ArcPoint, DVec2> {
+        let at = middle_of_graph(self.field, self.graph, [a.at, b.at], self.rounding_error)?;
         Ok(ArcPoint { at, point: self.patch.point(at.x, at.y) })
     }
 
     /// Adds the places needed between `from` and `to`, given the place between them.
-    fn halve(
+    fn halve_arc(
         &self,
         from: ArcPoint,
         middle: ArcPoint,
@@ -134,20 +148,20 @@ impl<const N: usize, const M: usize> Curve<'_, N, M> {
         depth: u32,
         places: &mut Vec<DVec2>,
     ) -> Result<(), DVec2> {
-        let quarters = [self.middle_node(from, middle)?, self.middle_node(middle, to)?];
-        let limit = SAMPLED_CHORD_SHARE * self.chord;
-        let far = |node: &ArcPoint| distance_squared(node.point, from.point, to.point) > limit * limit;
+        let quarters = [self.middle_point(from, middle)?, self.middle_point(middle, to)?];
+        let limit = MAX_SAMPLED_CHORD_FRACTION * self.chord;
+        let far = |node: &ArcPoint| squared_distance_from_segment(node.point, from.point, to.point) > limit * limit;
         if depth == 0 || ![quarters[0], middle, quarters[1]].iter().any(far) {
             return Ok(());
         }
-        let before = self.halve(from, quarters[0], middle, depth - 1, places);
+        let before = self.halve_arc(from, quarters[0], middle, depth - 1, places);
         places.push(middle.at);
-        before.and(self.halve(middle, quarters[1], to, depth - 1, places))
+        before.and(self.halve_arc(middle, quarters[1], to, depth - 1, places))
     }
 }
 
 /// The squared distance of a point from a segment.
-fn distance_squared(point: DVec3, a: DVec3, b: DVec3) -> f64 {
+fn squared_distance_from_segment(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     let (from, along) = (point - a, b - a);
     let length = along.length_squared();
     let t = if length > 0.0 { (from.dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };

@@ -4,16 +4,16 @@
 //! bilinear one, exclude the level. Cost: O(1) for each cell examined, O(M^3) for each crossed cell
 //! that is not simple; memory is proportional to the number of arcs.
 
-use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
+use super::cell_arcs::{InnerMarkKeys, MarkedArc, SIDES_PER_CELL, SignChangeMark, find_cell_arcs, has_one_sign};
 use super::contour_lattice::ContourLattice;
-use super::contour_refinement::{is_straight, middle, refine, stays_near};
-use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners};
-use super::side::{crossings, positive};
-use super::side_roots::roots;
-use super::source::{CellBase, Continuity, ContourSource, CornerTest};
+use super::contour_refinement::{insert_arc_points, is_arc_near_chord, is_graph_near_chord, middle_of_arc};
+use super::contour_source::{ContourSource, CornerTestData, PreparedCell, SideContinuity};
+use super::corner_crossing::{CornerCrossing, decide_crossing_by_corners, root_of_side_chord};
+use super::side_roots::compute_side_roots;
+use super::side_sign_changes::{counts_as_positive, find_sign_changes};
 use crate::Patch;
-use crate::cells::Cells;
-use crate::subdivision::Field;
+use crate::cells::SheetCells;
+use crate::subdivision::BernsteinField;
 use glam::{DVec2, DVec3};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -52,7 +52,7 @@ pub(super) struct ContourArcs {
 }
 
 impl ContourArcs {
-    fn append(&mut self, other: &ContourArcs) -> Result<()> {
+    fn append_arcs(&mut self, other: &ContourArcs) -> Result<()> {
         let shift = self.inner.len() as u32;
         alloc::append(&mut self.inner, &other.inner)?;
         alloc::append(&mut self.unresolved, &other.unresolved)?;
@@ -72,9 +72,9 @@ pub(super) struct ContourSearch<'a, C, S, const N: usize, const M: usize> {
 
 /// Memory that the work on cells reuses.
 #[derive(Default)]
-struct CellWorkspace {
-    marks: Vec<Mark>,
-    links: Vec<Link>,
+struct ContourCellWorkspace {
+    marks: Vec<SignChangeMark>,
+    links: Vec<MarkedArc>,
     /// Arcs of simple cells (arc, end, side) whose ends are still to be computed as roots of the
     /// polynomials along sides.
     open: Vec<(u32, u8, u8)>,
@@ -82,12 +82,12 @@ struct CellWorkspace {
     roots: Vec<f64>,
 }
 
-impl CellWorkspace {
+impl ContourCellWorkspace {
     /// Computes the ends that are still open.
-    fn solve_open_ends(&mut self, arcs: &mut [ContourArc]) {
-        roots(&self.sides, &mut self.roots);
+    fn solve_pending_arc_ends(&mut self, arcs: &mut [ContourArc]) {
+        compute_side_roots(&self.sides, &mut self.roots);
         for (&(arc, end, side), &root) in self.open.iter().zip(&self.roots) {
-            arcs[arc as usize].ends[usize::from(end)] = on_side(usize::from(side), root);
+            arcs[arc as usize].ends[usize::from(end)] = place_on_side(usize::from(side), root);
         }
         self.open.clear();
         self.sides.clear();
@@ -97,7 +97,7 @@ impl CellWorkspace {
 
 /// The place at parameter t on a side of a cell.
 #[inline]
-fn on_side(side: usize, t: f64) -> DVec2 {
+fn place_on_side(side: usize, t: f64) -> DVec2 {
     match side {
         0 => DVec2::new(t, 0.0),
         1 => DVec2::new(1.0, t),
@@ -107,22 +107,22 @@ fn on_side(side: usize, t: f64) -> DVec2 {
 }
 
 /// One level in a cell.
-struct CellLevel<'a, const M: usize> {
+struct LevelInCell<'a, const M: usize> {
     cell: [usize; 2],
     level: usize,
-    field: &'a Field<M>,
+    field: &'a BernsteinField<M>,
     rounding_error: f64,
     /// Bound of the deviation of the field and the surface from bilinear ones.
     deviation: f64,
     /// Polynomials along the sides.
-    sides: [[f64; M]; SIDES],
+    sides: [[f64; M]; SIDES_PER_CELL],
     /// Whether the field counts as positive at the corners 2 u + v.
     corners: [bool; 4],
 }
 
-impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
+impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
     /// Finds the arcs in the blocks `block(k)` for k < `count`, given as (row, column).
-    pub(super) fn run(
+    pub(super) fn find_arcs(
         &self,
         count: usize,
         block: impl Fn(usize) -> [u32; 2] + Sync,
@@ -136,11 +136,11 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
             let chunk = (LEVEL_BLOCKS_PER_TASK / self.source.level_count()).clamp(1, BLOCKS_PER_TASK);
             let parts = par::map_cancellable(&part, "contours", par::ranges(blocks, chunk), |range| {
                 let mut part = ContourArcs::default();
-                let (mut workspace, mut cache) = (CellWorkspace::default(), S::Cache::default());
+                let (mut workspace, mut cache) = (ContourCellWorkspace::default(), S::BlockCache::default());
                 for k in range {
-                    self.block(block(first + k), &mut cache, &mut workspace, &mut part)?;
+                    self.search_block(block(first + k), &mut cache, &mut workspace, &mut part)?;
                 }
-                workspace.solve_open_ends(&mut part.arcs);
+                workspace.solve_pending_arc_ends(&mut part.arcs);
                 Ok(part)
             });
             for part in parts? {
@@ -148,50 +148,52 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
                 if found.arcs.is_empty() && found.unresolved.is_empty() {
                     found = part;
                 } else {
-                    found.append(&part)?;
+                    found.append_arcs(&part)?;
                 }
             }
         }
         Ok(found)
     }
 
-    fn block(
+    fn search_block(
         &self,
         block: [u32; 2],
-        cache: &mut S::Cache,
-        workspace: &mut CellWorkspace,
+        cache: &mut S::BlockCache,
+        workspace: &mut ContourCellWorkspace,
         found: &mut ContourArcs,
     ) -> Result<()> {
-        let [rows, columns] = self.lattice.block(block);
-        let Some(block) = self.source.block([rows.clone(), columns.clone()], cache) else { return Ok(()) };
+        let [rows, columns] = self.lattice.cells_of_block(block);
+        let Some(block) = self.source.prepare_block([rows.clone(), columns.clone()], cache) else { return Ok(()) };
         for cell in rows.flat_map(|i| columns.clone().map(move |j| [i, j])) {
-            if !self.source.may_cross(&block, cell) || self.crossing_by_corners(&block, cell, workspace, found)? {
+            if !self.source.may_level_cross_cell(&block, cell)
+                || self.add_arcs_by_corners(&block, cell, workspace, found)?
+            {
                 continue;
             }
-            let CellBase { levels, rounding_error, data } = self.source.base(&block, cell, cache);
+            let PreparedCell { levels, rounding_error, data } = self.source.prepare_cell(&block, cell, cache);
             let mut patch = None;
             for level in levels {
-                let field = snap_field(self.source.field(&data, level), rounding_error);
-                let [low, high] = field.range();
+                let field = snap_small_coefficients(self.source.level_field(&data, level), rounding_error);
+                let [low, high] = field.coefficient_range();
                 // Includes rounding: if sides agree only within rounding, the neighbour may have
                 // marks on a side that this cell lacks.
                 if low > rounding_error || high < -rounding_error {
                     continue;
                 }
-                if self.source.continuity() != Continuity::UpToRounding && one_sign(&field) {
+                if self.source.side_continuity() != SideContinuity::UpToRounding && has_one_sign(&field) {
                     if high - low <= rounding_error {
                         // Within rounding, the whole cell belongs to the zero set.
                         alloc::push(&mut found.unresolved, (cell.map(|k| k as u32), DVec2::splat(0.5)))?;
                     }
                     continue;
                 }
-                let (sides, corners) = match self.source.continuity() {
-                    Continuity::UpToRounding => self.common_border(&block, cell, &field, level, cache),
-                    _ => own_border(&field),
+                let (sides, corners) = match self.source.side_continuity() {
+                    SideContinuity::UpToRounding => self.border_from_owners(&block, cell, &field, level, cache),
+                    _ => border_from_cell(&field),
                 };
-                let deviation = self.source.deviation(&block);
-                let cell_level = CellLevel { cell, level, field: &field, rounding_error, deviation, sides, corners };
-                self.cell_level(&cell_level, &mut patch, workspace, found)?;
+                let deviation = self.source.bilinear_deviation(&block);
+                let cell_level = LevelInCell { cell, level, field: &field, rounding_error, deviation, sides, corners };
+                self.search_level_in_cell(&cell_level, &mut patch, workspace, found)?;
             }
         }
         Ok(())
@@ -200,29 +202,32 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
     /// Adds the arcs of a cell if it is simple for all levels, and no arc needs inner points.
     /// Otherwise returns false, and adds nothing.
     #[inline]
-    fn crossing_by_corners(
+    fn add_arcs_by_corners(
         &self,
-        block: &S::Block,
+        block: &S::BlockData,
         cell: [usize; 2],
-        workspace: &mut CellWorkspace,
+        workspace: &mut ContourCellWorkspace,
         found: &mut ContourArcs,
     ) -> Result<bool> {
-        if self.chord.is_some_and(|chord| 4.0 * self.source.deviation(block) > chord) {
+        if self.chord.is_some_and(|chord| 4.0 * self.source.bilinear_deviation(block) > chord) {
             return Ok(false);
         }
-        let Some(CornerTest { levels, corners, slack, rounding_error }) = self.source.corner_test(block, cell) else {
+        let Some(CornerTestData { levels, corners, slack, rounding_error }) = self.source.corner_test(block, cell)
+        else {
             return Ok(false);
         };
         let (arcs, open) = (found.arcs.len(), workspace.open.len());
         for level in levels {
-            let values = corners.map(|x| x - self.source.level(level));
-            let done = match crossing_by_corners(values, slack, rounding_error) {
+            let values = corners.map(|x| x - self.source.level_value(level));
+            let done = match decide_crossing_by_corners(values, slack, rounding_error) {
                 Some(CornerCrossing::Misses) => continue,
-                Some(CornerCrossing::Crosses { over, slope, .. }) if !self.is_straight(block, cell, over, slope) => {
+                Some(CornerCrossing::Crosses { over, slope, .. })
+                    if !self.is_graph_straight(block, cell, over, slope) =>
+                {
                     false
                 }
                 Some(CornerCrossing::Crosses { sides, .. }) => {
-                    self.cross(cell, level, sides, (values, rounding_error), workspace, found)?;
+                    self.add_crossing_arc(cell, level, sides, (values, rounding_error), workspace, found)?;
                     true
                 }
                 None => false,
@@ -240,37 +245,45 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
     /// True if an arc that is a graph over u (0) or v (1) in a cell needs no inner points. `slope`
     /// is a lower bound of the field's slope.
     #[inline]
-    fn is_straight(&self, block: &S::Block, cell: [usize; 2], over: usize, slope: f64) -> bool {
-        let stays = |chord| stays_near(&self.corners(cell), over, slope, self.source.deviation(block), chord);
+    fn is_graph_straight(&self, block: &S::BlockData, cell: [usize; 2], over: usize, slope: f64) -> bool {
+        let stays = |chord| {
+            is_graph_near_chord(
+                &self.cell_corner_points(cell),
+                over,
+                slope,
+                self.source.bilinear_deviation(block),
+                chord,
+            )
+        };
         self.chord.is_none_or(stays)
     }
 
     #[inline]
-    fn corners(&self, [i, j]: [usize; 2]) -> [DVec3; 4] {
-        [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner(i, j))
+    fn cell_corner_points(&self, [i, j]: [usize; 2]) -> [DVec3; 4] {
+        [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner_point(i, j))
     }
 
     /// Adds the arc from one side of a simple cell to another.
     #[inline]
-    fn cross(
+    fn add_crossing_arc(
         &self,
         cell: [usize; 2],
         level: usize,
         sides: [usize; 2],
         (corners, rounding_error): ([f64; 4], f64),
-        workspace: &mut CellWorkspace,
+        workspace: &mut ContourCellWorkspace,
         found: &mut ContourArcs,
     ) -> Result<()> {
         let arc = found.arcs.len() as u32;
         let inner = found.inner.len() as u32;
-        let keys = sides.map(|side| (2 * self.lattice.side(cell, side)) << 6);
+        let keys = sides.map(|side| (2 * self.lattice.side_index(cell, side)) << 6);
         // The end of an arc matters only if no arc follows, which happens at open edges.
-        let ends = sides.map(|side| on_side(side, chord_root(corners, side)));
+        let ends = sides.map(|side| place_on_side(side, root_of_side_chord(corners, side)));
         for (end, side) in sides.into_iter().enumerate() {
-            if end == 0 || self.lattice.is_open(cell, side) {
+            if end == 0 || self.lattice.is_cell_side_open(cell, side) {
                 alloc::push(&mut workspace.open, (arc, end as u8, side as u8))?;
-                let along = self.source.side_coefficients(cell, side, level);
-                alloc::push(&mut workspace.sides, along.map(|x| snap(x, rounding_error)))?;
+                let along = self.source.field_coefficients_on_side(cell, side, level);
+                alloc::push(&mut workspace.sides, along.map(|x| snap_to_zero(x, rounding_error)))?;
             }
         }
         let cell = cell.map(|k| k as u32);
@@ -282,25 +295,25 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
 
     /// The polynomials along a cell's sides and the signs at its corners, as computed from the
     /// cells that own them.
-    fn common_border(
+    fn border_from_owners(
         &self,
-        block: &S::Block,
+        block: &S::BlockData,
         cell: [usize; 2],
-        own: &Field<M>,
+        own: &BernsteinField<M>,
         level: usize,
-        cache: &mut S::Cache,
-    ) -> ([[f64; M]; SIDES], [bool; 4]) {
-        let ([low_v, mut high_u, mut high_v, low_u], mut corners) = own_border(own);
+        cache: &mut S::BlockCache,
+    ) -> ([[f64; M]; SIDES_PER_CELL], [bool; 4]) {
+        let ([low_v, mut high_u, mut high_v, low_u], mut corners) = border_from_cell(own);
         for after in [[true, false], [false, true], [true, true]] {
-            let (owner, ends) = self.lattice.owner(cell, after);
+            let (owner, ends) = self.lattice.owner_of_side_or_corner(cell, after);
             let field = if owner == cell {
                 *own
             } else {
-                let base = self.source.base(block, owner, cache);
-                snap_field(self.source.field(&base.data, level), base.rounding_error)
+                let base = self.source.prepare_cell(block, owner, cache);
+                snap_small_coefficients(self.source.level_field(&base.data, level), base.rounding_error)
             };
             let [a, b] = ends.map(|end| if end { M - 1 } else { 0 });
-            corners[2 * usize::from(after[0]) + usize::from(after[1])] = positive(field.c[a][b]);
+            corners[2 * usize::from(after[0]) + usize::from(after[1])] = counts_as_positive(field.c[a][b]);
             match after {
                 [true, false] => high_u = field.c[a],
                 [false, true] => high_v = field.c.map(|row| row[b]),
@@ -311,27 +324,27 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
     }
 
     /// Adds the arcs of one level in one cell.
-    fn cell_level(
+    fn search_level_in_cell(
         &self,
-        cell_level: &CellLevel<'_, M>,
+        cell_level: &LevelInCell<'_, M>,
         patch: &mut Option<Patch<N>>,
-        workspace: &mut CellWorkspace,
+        workspace: &mut ContourCellWorkspace,
         found: &mut ContourArcs,
     ) -> Result<()> {
-        let CellLevel { cell: at, level, field, rounding_error, deviation, corners, .. } = *cell_level;
-        let CellWorkspace { marks, links, .. } = workspace;
+        let LevelInCell { cell: at, level, field, rounding_error, deviation, corners, .. } = *cell_level;
+        let ContourCellWorkspace { marks, links, .. } = workspace;
         links.clear();
-        self.marks(cell_level, marks);
+        self.find_marks(cell_level, marks);
         let cell = at.map(|k| k as u32);
         let number = (at[0] * self.lattice.counts[1] + at[1]) as u64;
-        let mut keys = Keys(1 << 63 | number << 24);
-        if let Some(place) = arcs(field, marks, corners, rounding_error, &mut keys, |link| links.push(link)) {
+        let mut keys = InnerMarkKeys(1 << 63 | number << 24);
+        if let Some(place) = find_cell_arcs(field, marks, corners, rounding_error, &mut keys, |link| links.push(link)) {
             alloc::push(&mut found.unresolved, (cell, place))?;
         }
         for link in links.iter() {
             let [from, to] = [link.from.at, link.to.at];
             // Places on the arc itself, because the midpoint of its ends may be far from it.
-            let places = || [from, middle(field, link, rounding_error).unwrap_or(from), to];
+            let places = || [from, middle_of_arc(field, link, rounding_error).unwrap_or(from), to];
             let keeps = self.source.keeps_arc(at, level, places);
             if keeps.is_none() {
                 alloc::push(&mut found.unresolved, (cell, from))?;
@@ -340,11 +353,12 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
                 continue;
             }
             let first = found.inner.len() as u32;
-            let straight =
-                |chord: f64| deviation < chord && is_straight(&self.corners(at), field, link, deviation, chord);
+            let straight = |chord: f64| {
+                deviation < chord && is_arc_near_chord(&self.cell_corner_points(at), field, link, deviation, chord)
+            };
             if let Some(chord) = self.chord.filter(|&chord| !straight(chord)) {
-                let patch = patch.get_or_insert_with(|| self.cells.patch(at[0], at[1]));
-                if let Some(place) = refine(patch, field, link, chord, rounding_error, &mut found.inner) {
+                let patch = patch.get_or_insert_with(|| self.cells.cell_patch(at[0], at[1]));
+                if let Some(place) = insert_arc_points(patch, field, link, chord, rounding_error, &mut found.inner) {
                     alloc::push(&mut found.unresolved, (cell, place))?;
                 }
             }
@@ -356,18 +370,23 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
     }
 
     /// Finds the marks of a level on the sides of a cell.
-    fn marks(&self, cell_level: &CellLevel<'_, M>, marks: &mut Vec<Mark>) {
+    fn find_marks(&self, cell_level: &LevelInCell<'_, M>, marks: &mut Vec<SignChangeMark>) {
         marks.clear();
-        let jumps = self.source.continuity() == Continuity::Discontinuous;
+        let jumps = self.source.side_continuity() == SideContinuity::Discontinuous;
         let [c00, c01, c10, c11] = cell_level.corners;
         let ends = [[c00, c10], [c10, c11], [c01, c11], [c00, c01]];
         for (side, (c, ends)) in cell_level.sides.iter().zip(ends).enumerate() {
             // Where fields are discontinuous, the two cells at a side have separate marks.
             let which = u64::from(jumps && (side == 1 || side == 2));
-            let key = (2 * self.lattice.side(cell_level.cell, side) + which) << 6;
+            let key = (2 * self.lattice.side_index(cell_level.cell, side) + which) << 6;
             let mut count = 0;
-            crossings(c, ends, |crossing| {
-                marks.push(Mark { key: key | count, at: on_side(side, crossing.t), side, rising: crossing.rising });
+            find_sign_changes(c, ends, |crossing| {
+                marks.push(SignChangeMark {
+                    key: key | count,
+                    at: place_on_side(side, crossing.t),
+                    side,
+                    rising: crossing.rising,
+                });
                 count += 1;
             });
         }
@@ -377,19 +396,19 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
 /// Rounds values within the rounding error to 0. A piece that lies in a plane within rounding then
 /// lies in it exactly, and produces no tiny curves. Equal coefficients remain equal.
 #[inline]
-fn snap_field<const M: usize>(field: Field<M>, rounding_error: f64) -> Field<M> {
-    Field { c: field.c.map(|row| row.map(|x| snap(x, rounding_error))) }
+fn snap_small_coefficients<const M: usize>(field: BernsteinField<M>, rounding_error: f64) -> BernsteinField<M> {
+    BernsteinField { c: field.c.map(|row| row.map(|x| snap_to_zero(x, rounding_error))) }
 }
 
 #[inline]
-fn snap(x: f64, rounding_error: f64) -> f64 {
+fn snap_to_zero(x: f64, rounding_error: f64) -> f64 {
     if x.abs() <= rounding_error { 0.0 } else { x }
 }
 
 /// The polynomials along the sides and the signs at the corners, computed from the cell itself.
 #[inline]
-fn own_border<const M: usize>(field: &Field<M>) -> ([[f64; M]; SIDES], [bool; 4]) {
+fn border_from_cell<const M: usize>(field: &BernsteinField<M>) -> ([[f64; M]; SIDES_PER_CELL], [bool; 4]) {
     let c = &field.c;
     let sides = [c.map(|row| row[0]), c[M - 1], c.map(|row| row[M - 1]), c[0]];
-    (sides, [c[0][0], c[0][M - 1], c[M - 1][0], c[M - 1][M - 1]].map(positive))
+    (sides, [c[0][0], c[0][M - 1], c[M - 1][0], c[M - 1][M - 1]].map(counts_as_positive))
 }

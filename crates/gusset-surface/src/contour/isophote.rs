@@ -8,17 +8,17 @@
 
 use super::cone_culling;
 use super::contour_lattice::ContourLattice;
+use super::contour_paths::{SheetContourSet, add_point_paths};
 use super::contour_search::{ContourArcs, ContourSearch};
-use super::creases::creases;
-use super::normals::squares;
-use super::paths::{ContourSet, add_points};
+use super::contour_source::{ContourSource, PreparedCell, SideContinuity, levels_between};
+use super::creases::find_creases_at_angles;
+use super::normal_fields::sum_of_squared_fields;
 use super::point_spacing::{PointSpacing, add_leus_points};
-use super::projected_normals::{Corners, ProjectedNormals, frame};
-use super::source::{CellBase, Continuity, ContourSource, levels_between};
-use crate::cells::Cells;
+use super::projected_normals::{ProjectedBlockCorners, ProjectedNormals, frame_with_third_axis};
+use crate::cells::SheetCells;
 use crate::checks::{check_ascending, unit_vector};
-use crate::ranges::angles;
-use crate::subdivision::Field;
+use crate::ranges::angle_range_to_third_axis;
+use crate::subdivision::BernsteinField;
 use crate::{NormalKind, Paths, Place, Sheet, Surface};
 use glam::{DVec2, DVec3};
 use gusset_base::error::{Error, Result};
@@ -28,65 +28,70 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Sines and cosines below this count as 0.
-const MIN_SINE: f64 = 1e-8;
+const MIN_NONZERO_SINE: f64 = 1e-8;
 /// Largest error of the angles of points caused by rounding, in radians.
-const MAX_ANGLE_ERROR: f64 = 1e-6;
+const MAX_ANGLE_ERROR_RADIANS: f64 = 1e-6;
 /// Number of blocks that a thread searches in one task.
 const BLOCKS_PER_TASK: usize = 64;
 
 /// The equation H = 0.
 struct SilhouetteSource<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
 
-impl<C: Cells<N>, const N: usize, const M: usize> ContourSource<M> for SilhouetteSource<'_, C, N> {
-    type Block = Corners;
-    type Base = Field<M>;
-    type Cache = ();
+impl<C: SheetCells<N>, const N: usize, const M: usize> ContourSource<M> for SilhouetteSource<'_, C, N> {
+    type BlockData = ProjectedBlockCorners;
+    type CellData = BernsteinField<M>;
+    type BlockCache = ();
 
-    fn block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<Corners> {
-        Some(self.0.corners(&cells))
+    fn prepare_block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<ProjectedBlockCorners> {
+        Some(self.0.project_block_corners(&cells))
     }
 
-    fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
-        let [low, high] = block.ranges(cell)[2];
+    fn may_level_cross_cell(&self, block: &ProjectedBlockCorners, cell: [usize; 2]) -> bool {
+        let [low, high] = block.normal_component_ranges(cell)[2];
         if low > 0.0 || high < 0.0 {
             return false;
         }
         let of = self.0.hodographs(cell);
-        let rounding_error = self.0.rounding_error(&of);
-        let [low, high] = of.ranges()[2];
+        let rounding_error = self.0.normal_rounding_error(&of);
+        let [low, high] = of.normal_component_ranges()[2];
         low <= rounding_error && high >= -rounding_error
     }
 
-    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> CellBase<Field<M>> {
+    fn prepare_cell(
+        &self,
+        _: &ProjectedBlockCorners,
+        cell: [usize; 2],
+        (): &mut (),
+    ) -> PreparedCell<BernsteinField<M>> {
         let of = self.0.hodographs(cell);
-        CellBase { levels: 0..1, rounding_error: self.0.rounding_error(&of), data: of.normal(2) }
+        PreparedCell { levels: 0..1, rounding_error: self.0.normal_rounding_error(&of), data: of.normal_component(2) }
     }
 
-    fn field(&self, base: &Field<M>, _: usize) -> Field<M> {
+    fn level_field(&self, base: &BernsteinField<M>, _: usize) -> BernsteinField<M> {
         *base
     }
 
-    fn continuity(&self) -> Continuity {
+    fn side_continuity(&self) -> SideContinuity {
         self.0.continuity
     }
 }
 
 /// The equation sin^2 alpha H^2 = cos^2 alpha P.
-struct Isophotes<'a, C, const N: usize, const H: usize> {
+struct IsophoteSource<'a, C, const N: usize, const H: usize> {
     normals: &'a ProjectedNormals<'a, C, N>,
     classes: &'a AngleClasses,
 }
 
 /// The squares that the equations of a cell's angles share.
-struct Squares<const M: usize> {
-    along: Field<M>,
-    across: Field<M>,
+struct SquaredNormalFields<const M: usize> {
+    along: BernsteinField<M>,
+    across: BernsteinField<M>,
 }
 
-impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
+impl<C, const N: usize, const H: usize> IsophoteSource<'_, C, N, H> {
     /// The indices of the angles in a range, or whose supplements are in it, and of all angles
     /// between them.
-    fn levels_in(&self, [low, high]: [f64; 2]) -> Range<usize> {
+    fn levels_in_range(&self, [low, high]: [f64; 2]) -> Range<usize> {
         let AngleClasses { radians, unsigned, .. } = self.classes;
         let own = levels_between(radians, [low, high], 0.0);
         if !unsigned {
@@ -100,33 +105,51 @@ impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
     }
 }
 
-impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> ContourSource<M> for Isophotes<'_, C, N, H> {
-    type Block = Corners;
-    type Base = Squares<M>;
-    type Cache = ();
+impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSource<M>
+    for IsophoteSource<'_, C, N, H>
+{
+    type BlockData = ProjectedBlockCorners;
+    type CellData = SquaredNormalFields<M>;
+    type BlockCache = ();
 
-    fn block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<Corners> {
-        Some(self.normals.corners(&cells))
+    fn prepare_block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<ProjectedBlockCorners> {
+        Some(self.normals.project_block_corners(&cells))
     }
 
-    fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
-        if self.levels_in(angles(&block.ranges(cell), 0.0)).is_empty() {
+    fn may_level_cross_cell(&self, block: &ProjectedBlockCorners, cell: [usize; 2]) -> bool {
+        if self.levels_in_range(angle_range_to_third_axis(&block.normal_component_ranges(cell), 0.0)).is_empty() {
             return false;
         }
         let of = self.normals.hodographs(cell);
-        !self.levels_in(angles(&of.ranges(), self.normals.rounding_error(&of))).is_empty()
+        !self
+            .levels_in_range(angle_range_to_third_axis(
+                &of.normal_component_ranges(),
+                self.normals.normal_rounding_error(&of),
+            ))
+            .is_empty()
     }
 
-    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> CellBase<Squares<M>> {
+    fn prepare_cell(
+        &self,
+        _: &ProjectedBlockCorners,
+        cell: [usize; 2],
+        (): &mut (),
+    ) -> PreparedCell<SquaredNormalFields<M>> {
         let of = self.normals.hodographs(cell);
-        let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
-        let [u, v] = of.speeds();
-        let levels = self.levels_in(angles(&of.ranges(), self.normals.rounding_error(&of)));
-        let rounding_error = 4.0 * u * v * self.normals.rounding_error(&of);
-        CellBase {
+        let [first, second, along]: [BernsteinField<H>; 3] = std::array::from_fn(|k| of.normal_component(k));
+        let [u, v] = of.max_speeds();
+        let levels = self.levels_in_range(angle_range_to_third_axis(
+            &of.normal_component_ranges(),
+            self.normals.normal_rounding_error(&of),
+        ));
+        let rounding_error = 4.0 * u * v * self.normals.normal_rounding_error(&of);
+        PreparedCell {
             levels,
             rounding_error,
-            data: Squares { along: squares(&[along]), across: squares(&[first, second]) },
+            data: SquaredNormalFields {
+                along: sum_of_squared_fields(&[along]),
+                across: sum_of_squared_fields(&[first, second]),
+            },
         }
     }
 
@@ -135,7 +158,7 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> ContourSource<
     }
 
     /// Increases with the cosine of the angle, where H has the sign of cos alpha.
-    fn field(&self, base: &Squares<M>, level: usize) -> Field<M> {
+    fn level_field(&self, base: &SquaredNormalFields<M>, level: usize) -> BernsteinField<M> {
         let [sin, cos] = self.classes.others[level];
         let sign = if cos < 0.0 && !self.classes.unsigned { -1.0 } else { 1.0 };
         base.along.linear_combination(sign * sin * sin, &base.across, -sign * cos * cos)
@@ -149,15 +172,15 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> ContourSource<
         if self.classes.unsigned {
             return Some(true);
         }
-        let rounding_error = self.normals.rounding_error(&self.normals.hodographs(cell));
-        let patch = self.normals.cells.patch(cell[0], cell[1]);
+        let rounding_error = self.normals.normal_rounding_error(&self.normals.hodographs(cell));
+        let patch = self.normals.cells.cell_patch(cell[0], cell[1]);
         let sign = self.classes.others[level][1].signum();
         let along = places().map(|at| sign * patch.jet(at.x, at.y).normal().dot(self.normals.frame[2]));
         let (right, wrong) = (along.iter().any(|&x| x > rounding_error), along.iter().any(|&x| x < -rounding_error));
         if right && wrong { None } else { Some(!wrong) }
     }
 
-    fn continuity(&self) -> Continuity {
+    fn side_continuity(&self) -> SideContinuity {
         self.normals.continuity
     }
 }
@@ -217,30 +240,30 @@ impl Surface<'_> {
         angles.iter().try_for_each(|&angle| Error::require((0.0..=max + 1e-15).contains(&angle), "levels", angle))?;
         let mut search = IsophoteSearch {
             surface: self,
-            frame: frame(axis),
+            frame: frame_with_third_axis(axis),
             classes: AngleClasses::new(angles, unsigned)?,
-            chord: self.chord(spacing)?,
-            curves: ContourSet::default(),
+            chord: self.chord_tolerance(spacing)?,
+            curves: SheetContourSet::default(),
             points: Vec::new(),
         };
         for k in 0..self.len() {
             let part = self.sheet_job(k, job);
             match self.sheet(k) {
-                Sheet::Grid(cells) => search.find::<_, 4, 6, 11>(k, cells, &part)?,
-                Sheet::Cubic(cells) => search.find::<_, 4, 6, 11>(k, cells, &part)?,
-                Sheet::High(cells) => search.find::<_, 8, 14, 27>(k, cells, &part)?,
+                Sheet::Grid(cells) => search.search_sheet::<_, 4, 6, 11>(k, cells, &part)?,
+                Sheet::Cubic(cells) => search.search_sheet::<_, 4, 6, 11>(k, cells, &part)?,
+                Sheet::High(cells) => search.search_sheet::<_, 8, 14, 27>(k, cells, &part)?,
             }
         }
         let IsophoteSearch { curves, points, .. } = search;
-        let mut isophotes = curves.paths(self, &job.part(0.9, 1.0))?;
-        add_points(self, &points, &mut isophotes)?;
-        self.report_angles(axis, angles, unsigned, &mut isophotes)?;
+        let mut isophotes = curves.into_paths(self, &job.part(0.9, 1.0))?;
+        add_point_paths(self, &points, &mut isophotes)?;
+        self.report_wrong_angles(axis, angles, unsigned, &mut isophotes)?;
         add_leus_points(isophotes, spacing)
     }
 
     /// Reports places of curves where the normal is regular, but makes another angle: once for
     /// successive points of a cell.
-    fn report_angles(&self, axis: DVec3, angles: &[f64], unsigned: bool, paths: &mut Paths) -> Result<()> {
+    fn report_wrong_angles(&self, axis: DVec3, angles: &[f64], unsigned: bool, paths: &mut Paths) -> Result<()> {
         let mut last: Option<Place> = None;
         for k in 0..paths.len() {
             let goal = angles[paths.levels[k] as usize];
@@ -249,7 +272,7 @@ impl Surface<'_> {
                 let along = normal.dot(axis);
                 let angle = libm::atan2(normal.cross(axis).length(), if unsigned { along.abs() } else { along });
                 let known = last.is_some_and(|last| (last.sheet, last.cell) == (place.sheet, place.cell));
-                if (angle - goal).abs() > MAX_ANGLE_ERROR
+                if (angle - goal).abs() > MAX_ANGLE_ERROR_RADIANS
                     && !known
                     && self.local_geometry(place).normal.kind == NormalKind::Regular
                 {
@@ -267,12 +290,12 @@ impl AngleClasses {
         let mut classes = AngleClasses { unsigned, ..AngleClasses::default() };
         for (k, &angle) in angles.iter().enumerate() {
             let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-            if sin.abs() >= MIN_SINE {
+            if sin.abs() >= MIN_NONZERO_SINE {
                 alloc::push(&mut classes.crossed, angle)?;
             }
-            if cos.abs() < MIN_SINE {
+            if cos.abs() < MIN_NONZERO_SINE {
                 alloc::push(&mut classes.silhouettes, k as u32)?;
-            } else if sin.abs() < MIN_SINE {
+            } else if sin.abs() < MIN_NONZERO_SINE {
                 alloc::push(&mut classes.poles, (k as u32, cos))?;
                 if unsigned {
                     alloc::push(&mut classes.poles, (k as u32, -cos))?;
@@ -293,28 +316,32 @@ struct IsophoteSearch<'a> {
     frame: [DVec3; 3],
     classes: AngleClasses,
     chord: Option<f64>,
-    curves: ContourSet,
+    curves: SheetContourSet,
     points: Vec<(u32, Place)>,
 }
 
 impl IsophoteSearch<'_> {
     /// Adds the curves and points of sheet k.
-    fn find<C: Cells<N>, const N: usize, const H: usize, const M: usize>(
+    fn search_sheet<C: SheetCells<N>, const N: usize, const H: usize, const M: usize>(
         &mut self,
         k: usize,
         cells: &C,
         job: &Job<'_>,
     ) -> Result<()> {
         let IsophoteSearch { surface, frame, ref classes, chord, ref mut curves, ref mut points } = *self;
-        let (sheet, cones, job) = (surface.sheet(k), surface.cones(k, &job.part(0.0, 0.5))?, job.part(0.5, 1.0));
+        let (sheet, cones, job) =
+            (surface.sheet(k), surface.cones_of_sheet(k, &job.part(0.0, 0.5))?, job.part(0.5, 1.0));
         let lattice = ContourLattice::new(sheet);
-        let is_smooth = matches!(sheet, Sheet::Grid(grid) if grid.axes().iter().all(|axis| axis.is_smooth()));
+        let is_smooth =
+            matches!(sheet, Sheet::Grid(grid) if grid.axes().iter().all(|axis| axis.has_continuous_slopes()));
         let jumps = !is_smooth;
-        let continuity = if is_smooth { Continuity::UpToRounding } else { Continuity::Discontinuous };
+        let continuity = if is_smooth { SideContinuity::UpToRounding } else { SideContinuity::Discontinuous };
         let normals = ProjectedNormals::new(surface, k, cells, frame, continuity);
         // The blocks, row by row, that may have one of some angles.
         let blocks = |angles: &[f64]| {
-            cone_culling::blocks(cones, frame[2], |range| cone_culling::may_have_angle(angles, classes.unsigned, range))
+            cone_culling::select_blocks_by_cones(cones, frame[2], |range| {
+                cone_culling::may_have_angle(angles, classes.unsigned, range)
+            })
         };
         let passes = classes.silhouettes.len()
             + usize::from(!classes.others.is_empty())
@@ -328,27 +355,27 @@ impl IsophoteSearch<'_> {
         let crossed = if classes.silhouettes.is_empty() { Vec::new() } else { blocks(&[0.5 * PI])? };
         for &number in &classes.silhouettes {
             let search = ContourSearch::<_, _, N, H> { cells, source: &SilhouetteSource(&normals), lattice, chord };
-            let mut contour_arcs = search.run(crossed.len(), |k| crossed[k], &next())?;
+            let mut contour_arcs = search.find_arcs(crossed.len(), |k| crossed[k], &next())?;
             contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = number);
-            curves.add(k, contour_arcs, &lattice, jumps, job.threads())?;
+            curves.add_sheet_arcs(k, contour_arcs, &lattice, jumps, job.threads())?;
         }
         if !classes.others.is_empty() {
-            let source = Isophotes::<C, N, H> { normals: &normals, classes };
+            let source = IsophoteSource::<C, N, H> { normals: &normals, classes };
             let crossed = blocks(&classes.radians)?;
             let search = ContourSearch::<_, _, N, M> { cells, source: &source, lattice, chord };
-            let mut contour_arcs = search.run(crossed.len(), |k| crossed[k], &next())?;
+            let mut contour_arcs = search.find_arcs(crossed.len(), |k| crossed[k], &next())?;
             contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
-            curves.add(k, contour_arcs, &lattice, jumps, job.threads())?;
+            curves.add_sheet_arcs(k, contour_arcs, &lattice, jumps, job.threads())?;
         }
         if jumps {
             let (angles, unsigned) = (&classes.crossed, classes.unsigned);
-            let unresolved = creases(&normals, cones, &lattice, angles, unsigned, &next())?;
+            let unresolved = find_creases_at_angles(&normals, cones, &lattice, angles, unsigned, &next())?;
             let crease_arcs = ContourArcs { unresolved, ..ContourArcs::default() };
-            curves.add(k, crease_arcs, &lattice, true, job.threads())?;
+            curves.add_sheet_arcs(k, crease_arcs, &lattice, true, job.threads())?;
         }
         for &(number, sign) in &classes.poles {
             let blocks = blocks(&[if sign > 0.0 { 0.0 } else { PI }])?;
-            for part in poles::<C, N, H>(&normals, k as u32, &lattice, &blocks, sign, &next())? {
+            for part in find_normals_along_axis::<C, N, H>(&normals, k as u32, &lattice, &blocks, sign, &next())? {
                 let [simple, unresolved] = part?;
                 alloc::extend(points, simple.into_iter().map(|place| (number, place)))?;
                 alloc::append(&mut curves.unresolved, &unresolved)?;
@@ -360,7 +387,7 @@ impl IsophoteSearch<'_> {
 
 /// Finds the places in some blocks where the normal has the direction (`sign` 1), or the opposite
 /// one, and the unresolved places.
-fn poles<C: Cells<N>, const N: usize, const H: usize>(
+fn find_normals_along_axis<C: SheetCells<N>, const N: usize, const H: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     sheet: u32,
     lattice: &ContourLattice,
@@ -371,10 +398,11 @@ fn poles<C: Cells<N>, const N: usize, const H: usize>(
     par::map_cancellable(job, "contours", par::ranges(blocks.len(), BLOCKS_PER_TASK), |range| {
         let mut found = [Vec::new(), Vec::new()];
         for &block in &blocks[range] {
-            let (corners, cells) = normals.block(lattice, block);
+            let (corners, cells) = normals.block_corners_and_cells(lattice, block);
             for cell in cells {
                 let place = |at: DVec2| Place { sheet, cell: cell.map(|k| k as u32), u: at.x, v: at.y };
-                for (places, roots) in found.iter_mut().zip(normals.roots::<H>(&corners, cell, sign)?) {
+                for (places, roots) in found.iter_mut().zip(normals.find_normals_along_axis::<H>(&corners, cell, sign)?)
+                {
                     alloc::extend(places, roots.into_iter().map(place))?;
                 }
             }

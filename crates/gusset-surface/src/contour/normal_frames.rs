@@ -1,6 +1,6 @@
 //! Points with their normals, computed without patches.
 
-use crate::axis::{Axis, TAPS, Weights};
+use crate::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
 use crate::{Grid, Jet, Place, Sheet, Surface};
 use glam::DVec3;
 use gusset_base::simd::{self, Kernel};
@@ -8,18 +8,18 @@ use gusset_base::simd::{self, Kernel};
 /// The nodes that a parameter within a cell depends on, their weights, and the weights of the
 /// derivative.
 #[inline(always)]
-fn weights(axis: &Axis, cell: usize, t: f64) -> ([usize; TAPS], [[f64; TAPS]; 2]) {
-    let (lines, weights) = axis.taps(cell);
+fn node_weights_at(axis: &GridAxis, cell: usize, t: f64) -> ([usize; NODES_PER_CUBIC], [[f64; NODES_PER_CUBIC]; 2]) {
+    let (lines, weights) = axis.nodes_and_weights(cell);
     let s = 1.0 - t;
     let bernstein = [s * s * s, 3.0 * t * s * s, 3.0 * t * t * s, t * t * t];
     let slopes = [-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t];
-    (lines, [blend(&bernstein, weights), blend(&slopes, weights)])
+    (lines, [blend_bezier_weights(&bernstein, weights), blend_bezier_weights(&slopes, weights)])
 }
 
 /// Sums of the nodes' weights in four Bézier points.
 #[inline(always)]
-fn blend(by: &[f64; 4], weights: &Weights) -> [f64; TAPS] {
-    let mut sum = [0.0; TAPS];
+fn blend_bezier_weights(by: &[f64; 4], weights: &BezierWeights) -> [f64; NODES_PER_CUBIC] {
+    let mut sum = [0.0; NODES_PER_CUBIC];
     for (by, weights) in by.iter().zip(weights) {
         sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += by * weight);
     }
@@ -29,40 +29,43 @@ fn blend(by: &[f64; 4], weights: &Weights) -> [f64; TAPS] {
 impl Grid<'_> {
     /// The point at parameters (u, v) of a cell, then S_u and S_v.
     #[inline(always)]
-    fn frame(&self, [i, j]: [usize; 2], u: f64, v: f64) -> [DVec3; 3] {
+    fn point_and_tangents(&self, [i, j]: [usize; 2], u: f64, v: f64) -> [DVec3; 3] {
         let [across, along] = self.axes();
-        let ((rows, [by_u, slopes_u]), (columns, [by_v, slopes_v])) = (weights(across, i, u), weights(along, j, v));
-        let node = self.nodes().quads();
+        let ((rows, [by_u, slopes_u]), (columns, [by_v, slopes_v])) =
+            (node_weights_at(across, i, u), node_weights_at(along, j, v));
+        let node = self.nodes().four_number_reader();
         // Most places are on a line of the surface, where the other lines have weight 0.
         if v == 0.0 || v == 1.0 {
             let [point, along_v, along_u] =
-                sums([&by_v, &slopes_v], [&by_u, &slopes_u], |column, row| node(rows[row], columns[column]));
+                weighted_node_sums([&by_v, &slopes_v], [&by_u, &slopes_u], |column, row| {
+                    node(rows[row], columns[column])
+                });
             return [point, along_u, along_v];
         }
-        sums([&by_u, &slopes_u], [&by_v, &slopes_v], |row, column| node(rows[row], columns[column]))
+        weighted_node_sums([&by_u, &slopes_u], [&by_v, &slopes_v], |row, column| node(rows[row], columns[column]))
     }
 }
 
 /// The sum of nodes, weighted by products of two weights. Then the sums in which the first or the
 /// second weight is replaced by the weight of the derivative. Skips lines of weight 0.
 #[inline(always)]
-fn sums(
-    [outer, outer_slopes]: [&[f64; TAPS]; 2],
-    [inner, inner_slopes]: [&[f64; TAPS]; 2],
+fn weighted_node_sums(
+    [outer, outer_slopes]: [&[f64; NODES_PER_CUBIC]; 2],
+    [inner, inner_slopes]: [&[f64; NODES_PER_CUBIC]; 2],
     node: impl Fn(usize, usize) -> [f64; 4],
 ) -> [DVec3; 3] {
     let [mut point, mut along_outer, mut along_inner] = [[0.0; 4]; 3];
     let add = |sum: &mut [f64; 4], weight: f64, node: &[f64; 4]| {
         sum.iter_mut().zip(node).for_each(|(sum, x)| *sum += weight * x);
     };
-    for o in 0..TAPS {
+    for o in 0..NODES_PER_CUBIC {
         let (weight, slope) = (outer[o], outer_slopes[o]);
         if weight == 0.0 && slope == 0.0 {
             continue;
         }
         // Sums along the line come first, so that its points depend on no other nodes.
         let (mut sum, mut slopes) = ([0.0; 4], [0.0; 4]);
-        for i in 0..TAPS {
+        for i in 0..NODES_PER_CUBIC {
             let node = node(o, i);
             add(&mut sum, inner[i], &node);
             add(&mut slopes, inner_slopes[i], &node);
@@ -76,14 +79,14 @@ fn sums(
 }
 
 /// Computes points and normals at places of a grid.
-struct Frames<'a> {
+struct PointAndNormalKernel<'a> {
     surface: &'a Surface<'a>,
     places: &'a [Place],
     points: &'a mut [DVec3],
     normals: &'a mut [DVec3],
 }
 
-impl Kernel for Frames<'_> {
+impl Kernel for PointAndNormalKernel<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -97,7 +100,7 @@ impl Kernel for Frames<'_> {
 impl Surface<'_> {
     /// Computes [`Surface::point_and_normal`] for many places.
     pub(super) fn points_and_normals(&self, places: &[Place], points: &mut [DVec3], normals: &mut [DVec3]) {
-        simd::run(Frames { surface: self, places, points, normals });
+        simd::run(PointAndNormalKernel { surface: self, places, points, normals });
     }
 
     /// The point at a place, and the unit normal there or its limit at a pole.
@@ -106,11 +109,11 @@ impl Surface<'_> {
         let cell = place.cell.map(|k| k as usize);
         let jet = match self.sheet(place.sheet as usize) {
             Sheet::Grid(grid) => {
-                let [point, u, v] = grid.frame(cell, place.u, place.v);
+                let [point, u, v] = grid.point_and_tangents(cell, place.u, place.v);
                 Jet { point, u, v, uu: DVec3::ZERO, uv: DVec3::ZERO, vv: DVec3::ZERO }
             }
             sheet => sheet.jet(cell[0], cell[1], place.u, place.v),
         };
-        (jet.point, self.normal_by(place, &jet))
+        (jet.point, self.normal_from_jet(place, &jet))
     }
 }

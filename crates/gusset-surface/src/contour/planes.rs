@@ -1,8 +1,8 @@
 //! Finds the blocks that a stack of parallel planes crosses, in one descent for all planes. Uses
 //! the ranges of the planes' function over boxes.
 
-use super::source::levels_between;
-use crate::index::Pyramid;
+use super::contour_source::levels_between;
+use crate::index::BoxPyramid;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -20,8 +20,8 @@ pub struct Planes<'a> {
 
 /// The blocks (row, column) that planes at `offsets` from `point` may cross. `counts` are the
 /// numbers of blocks in u and in v.
-pub(super) fn blocks(
-    index: &Pyramid,
+pub(super) fn blocks_crossed_by_planes(
+    index: &BoxPyramid,
     counts: [usize; 2],
     point: DVec3,
     normal: DVec3,
@@ -47,7 +47,7 @@ pub(super) fn blocks(
             let there = (row << (level - 1)) < counts[0] && (column << (level - 1)) < counts[1];
             if there
                 && crossed(range)
-                && below.oriented(row, column).is_none_or(|oriented| crossed(oriented.range_along(normal)))
+                && below.oriented_box(row, column).is_none_or(|oriented| crossed(oriented.range_along(normal)))
             {
                 waiting.push((level - 1, row, column));
             }

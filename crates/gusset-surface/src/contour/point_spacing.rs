@@ -28,15 +28,15 @@ pub enum PointSpacing {
 }
 
 /// Largest number of points between two crossings.
-pub(super) const MAX_POINTS: u32 = 1000;
+pub(super) const MAX_POINTS_BETWEEN_CROSSINGS: u32 = 1000;
 
 impl Surface<'_> {
     /// The chord tolerance; `None` if no points are inserted on the surface.
-    pub(super) fn chord(&self, spacing: PointSpacing) -> Result<Option<f64>> {
+    pub(super) fn chord_tolerance(&self, spacing: PointSpacing) -> Result<Option<f64>> {
         match spacing {
-            PointSpacing::Auto => Ok(Some(1e-4 * self.diagonal())),
+            PointSpacing::Auto => Ok(Some(1e-4 * self.box_diagonal())),
             PointSpacing::CellEdges => Ok(None),
-            PointSpacing::Leus(count) if count <= MAX_POINTS => Ok(None),
+            PointSpacing::Leus(count) if count <= MAX_POINTS_BETWEEN_CROSSINGS => Ok(None),
             PointSpacing::Leus(count) => Err(Error::OptionOutOfRange { option: "points", value: count.into() }),
             PointSpacing::Chord(chord) if chord > 0.0 && chord.is_finite() => Ok(Some(chord.max(self.tolerance()))),
             PointSpacing::Chord(value) => Err(Error::OptionOutOfRange { option: "chord", value }),
@@ -56,20 +56,24 @@ pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Pat
     let mut made = Paths { ends: vec![0], ..Paths::default() };
     for k in 0..given.len() {
         let (points, closed) = (given.points_of(k), given.closed[k]);
-        made.reserve(points.len() * (count + 1))?;
-        for (i, at) in given.range(k).enumerate() {
+        made.reserve_points(points.len() * (count + 1))?;
+        for (i, at) in given.point_range(k).enumerate() {
             let (place, normal) = (given.places[at], given.normals[at]);
-            made.push(place, points[i], normal)?;
+            made.push_point(place, points[i], normal)?;
             if i + 1 == points.len() && !closed {
                 break;
             }
-            let next = given.normals[given.range(k).start + (i + 1) % points.len()];
+            let next = given.normals[given.point_range(k).start + (i + 1) % points.len()];
             for step in 1..=count {
                 let t = step as f64 / (count + 1) as f64;
-                made.push(place, cubic(points, closed, i, t), normal.lerp(next, t).normalize_or_zero())?;
+                made.push_point(
+                    place,
+                    local_cubic_point(points, closed, i, t),
+                    normal.lerp(next, t).normalize_or_zero(),
+                )?;
             }
         }
-        made.end(closed, given.levels[k])?;
+        made.end_path(closed, given.levels[k])?;
     }
     made.unresolved = given.unresolved;
     Ok(made)
@@ -77,7 +81,7 @@ pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Pat
 
 /// The cubic through points i - 1 to i + 2, or fewer if they do not exist, parametrised by chord
 /// length. Evaluated at fraction t of the way from point i to the next.
-fn cubic(points: &[DVec3], closed: bool, i: usize, t: f64) -> DVec3 {
+fn local_cubic_point(points: &[DVec3], closed: bool, i: usize, t: f64) -> DVec3 {
     let n = points.len();
     let (first, count) = if closed {
         if n >= 4 { (i + n - 1, 4) } else { (i, n) }

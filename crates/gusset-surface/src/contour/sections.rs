@@ -5,13 +5,13 @@
 //! the signed distance. See [`super::contour_search`].
 
 use super::contour_lattice::ContourLattice;
+use super::contour_paths::SheetContourSet;
 use super::contour_search::ContourSearch;
-use super::paths::ContourSet;
+use super::contour_source::{NodalScalarSource, PlaneDistanceSource};
 use super::planes::{self, Planes};
 use super::point_spacing::{PointSpacing, add_leus_points};
-use super::source::{Nodal, Plane};
-use crate::axis::{Axis, Scheme};
-use crate::cells::BLOCK;
+use crate::axis::{GridAxis, Scheme};
+use crate::cells::CELLS_PER_BLOCK_SIDE;
 use crate::checks::{check_ascending, check_finite, unit_vector};
 use crate::{Paths, Sheet, Surface, each_sheet};
 use gusset_base::error::{Element, Error, Result};
@@ -38,40 +38,66 @@ impl Surface<'_> {
         let normal = unit_vector(planes.normal, "normal")?;
         check_finite(planes.point, "point")?;
         check_ascending(planes.levels, "levels")?;
-        let chord = self.chord(spacing)?;
+        let chord = self.chord_tolerance(spacing)?;
         let max_coordinate = self.max_coordinate().max(planes.point.abs().max_element());
         // A few rounding errors of coordinates of this size.
         let rounding_error = 16.0 * f64::EPSILON * max_coordinate;
-        let mut contours = ContourSet::default();
+        let mut contours = SheetContourSet::default();
         for k in 0..self.len() {
-            let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
+            let (part, (sheet, index)) = (self.sheet_job(k, job), self.sheet_and_index(k));
             let lattice = ContourLattice::new(sheet);
-            let blocks = planes::blocks(index, lattice.blocks(), planes.point, normal, planes.levels, rounding_error)?;
+            let blocks = planes::blocks_crossed_by_planes(
+                index,
+                lattice.block_counts(),
+                planes.point,
+                normal,
+                planes.levels,
+                rounding_error,
+            )?;
             let block = |k: usize| blocks[k];
             let jumps = !matches!(sheet, Sheet::Grid(_));
             let found = match sheet {
                 Sheet::Grid(grid) => {
                     let axes = grid.axes();
                     let value = |i: usize, j: usize| (grid.nodes().get(i, j) - planes.point).dot(normal);
-                    let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
+                    let excess = axes[0].lebesgue_constant() * axes[1].lebesgue_constant() - 1.0;
                     // The normal is a unit vector, so the deviation of the surface bounds the
                     // deviation of the product.
-                    let deviation = |i: usize, j: usize| index.deviation(i / BLOCK, j / BLOCK) + rounding_error;
-                    let source = Nodal { axes, value, levels: planes.levels, rounding_error, excess, deviation };
-                    ContourSearch { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
+                    let deviation = |i: usize, j: usize| {
+                        index.block_deviation(i / CELLS_PER_BLOCK_SIDE, j / CELLS_PER_BLOCK_SIDE) + rounding_error
+                    };
+                    let source =
+                        NodalScalarSource { axes, value, levels: planes.levels, rounding_error, excess, deviation };
+                    ContourSearch { cells: grid, source: &source, lattice, chord }.find_arcs(
+                        blocks.len(),
+                        block,
+                        &part,
+                    )?
                 }
                 Sheet::Cubic(cells) => {
-                    let source = Plane { cells, normal, origin: planes.point, levels: planes.levels, rounding_error };
-                    ContourSearch { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
+                    let source = PlaneDistanceSource {
+                        cells,
+                        normal,
+                        origin: planes.point,
+                        levels: planes.levels,
+                        rounding_error,
+                    };
+                    ContourSearch { cells, source: &source, lattice, chord }.find_arcs(blocks.len(), block, &part)?
                 }
                 Sheet::High(cells) => {
-                    let source = Plane { cells, normal, origin: planes.point, levels: planes.levels, rounding_error };
-                    ContourSearch { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
+                    let source = PlaneDistanceSource {
+                        cells,
+                        normal,
+                        origin: planes.point,
+                        levels: planes.levels,
+                        rounding_error,
+                    };
+                    ContourSearch { cells, source: &source, lattice, chord }.find_arcs(blocks.len(), block, &part)?
                 }
             };
-            contours.add(k, found, &lattice, jumps, job.threads())?;
+            contours.add_sheet_arcs(k, found, &lattice, jumps, job.threads())?;
         }
-        add_leus_points(contours.paths(self, &job.part(0.9, 1.0))?, spacing)
+        add_leus_points(contours.into_paths(self, &job.part(0.9, 1.0))?, spacing)
     }
 
     /// Finds the contours of a scalar field that is given at the corners of the cells: the curves
@@ -89,33 +115,36 @@ impl Surface<'_> {
     /// not finite or not ascending; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn contours(&self, values: &[f64], levels: &[f64], spacing: PointSpacing, job: &Job<'_>) -> Result<Paths> {
         check_ascending(levels, "levels")?;
-        let chord = self.chord(spacing)?;
-        self.check_values(values)?;
-        let mut contours = ContourSet::default();
+        let chord = self.chord_tolerance(spacing)?;
+        self.check_field_values(values)?;
+        let mut contours = SheetContourSet::default();
         let mut first = 0;
         for k in 0..self.len() {
-            let (part, (sheet, _)) = (self.sheet_job(k, job), self.indexed(k));
+            let (part, (sheet, _)) = (self.sheet_job(k, job), self.sheet_and_index(k));
             let lattice = ContourLattice::new(sheet);
             let [rows, columns] = sheet.cells().map(|count| count + 1);
             let own = &values[first..first + rows * columns];
             first += rows * columns;
             let largest = own.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-            let made = [Axis::new(rows, false, Scheme::SixTap), Axis::new(columns, false, Scheme::SixTap)];
+            let made = [GridAxis::new(rows, false, Scheme::SixTap), GridAxis::new(columns, false, Scheme::SixTap)];
             let axes = match sheet {
                 Sheet::Grid(grid) => grid.axes(),
                 _ => [&made[0], &made[1]],
             };
             let value = |i: usize, j: usize| own[i * columns + j];
-            let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
+            let excess = axes[0].lebesgue_constant() * axes[1].lebesgue_constant() - 1.0;
             let rounding_error = 16.0 * f64::EPSILON * largest;
-            let source = Nodal { axes, value, levels, rounding_error, excess, deviation: |_, _| f64::INFINITY };
-            let [_, across] = lattice.blocks();
+            let source =
+                NodalScalarSource { axes, value, levels, rounding_error, excess, deviation: |_, _| f64::INFINITY };
+            let [_, across] = lattice.block_counts();
             let block = |k: usize| [(k / across) as u32, (k % across) as u32];
-            let count = lattice.blocks()[0] * across;
-            let found = each_sheet!(sheet, cells => ContourSearch { cells, source: &source, lattice, chord }.run(count, block, &part))?;
-            contours.add(k, found, &lattice, false, job.threads())?;
+            let count = lattice.block_counts()[0] * across;
+            let found = each_sheet!(sheet, cells => {
+                ContourSearch { cells, source: &source, lattice, chord }.find_arcs(count, block, &part)
+            })?;
+            contours.add_sheet_arcs(k, found, &lattice, false, job.threads())?;
         }
-        add_leus_points(contours.paths(self, &job.part(0.9, 1.0))?, spacing)
+        add_leus_points(contours.into_paths(self, &job.part(0.9, 1.0))?, spacing)
     }
 
     /// The job of sheet k: its share of the search.
@@ -123,7 +152,7 @@ impl Surface<'_> {
         job.part(0.0, 0.9).share(k, self.len())
     }
 
-    fn check_values(&self, values: &[f64]) -> Result<()> {
+    fn check_field_values(&self, values: &[f64]) -> Result<()> {
         let (count, given) = (self.node_count(), values.len() as u64);
         if given < count {
             return Err(Error::ArrayTooShort { what: "values", needed: 8 * count, given: 8 * given });

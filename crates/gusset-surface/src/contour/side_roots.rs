@@ -3,51 +3,51 @@
 use gusset_base::simd::{self, Kernel};
 
 /// Number of Newton steps for the crossing on a side of a cell.
-const NEWTON_STEPS: usize = 4;
+const NEWTON_STEPS_PER_SIDE: usize = 4;
 
 /// Number of sides whose roots are computed together.
-const LANES: usize = 8;
+const SIDES_PER_VECTOR: usize = 8;
 
 /// Computes the roots of cubic polynomials along sides that
-/// [`crossing_by_corners`](super::corner_crossing::crossing_by_corners) has proven to be crossed.
-pub(super) fn roots(sides: &[[f64; 4]], found: &mut Vec<f64>) {
-    simd::run(RootKernel { sides, found });
+/// [`decide_crossing_by_corners`](super::corner_crossing::decide_crossing_by_corners) has proven to be crossed.
+pub(super) fn compute_side_roots(sides: &[[f64; 4]], found: &mut Vec<f64>) {
+    simd::run(SideRootKernel { sides, found });
 }
 
-struct RootKernel<'a> {
+struct SideRootKernel<'a> {
     sides: &'a [[f64; 4]],
     found: &'a mut Vec<f64>,
 }
 
-impl Kernel for RootKernel<'_> {
+impl Kernel for SideRootKernel<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        for sides in self.sides.chunks(LANES) {
-            let mut c = [[0.0; LANES]; 4];
-            for lane in 0..LANES {
+        for sides in self.sides.chunks(SIDES_PER_VECTOR) {
+            let mut c = [[0.0; SIDES_PER_VECTOR]; 4];
+            for lane in 0..SIDES_PER_VECTOR {
                 let side = &sides[lane.min(sides.len() - 1)];
                 (0..4).for_each(|k| c[k][lane] = side[k]);
             }
-            let mut t = [0.0; LANES];
-            newton(&c, &mut t);
+            let mut t = [0.0; SIDES_PER_VECTOR];
+            solve_sides_by_newton(&c, &mut t);
             self.found.extend_from_slice(&t[..sides.len()]);
         }
     }
 }
 
 #[inline(always)]
-fn newton(c: &[[f64; LANES]; 4], t: &mut [f64; LANES]) {
+fn solve_sides_by_newton(c: &[[f64; SIDES_PER_VECTOR]; 4], t: &mut [f64; SIDES_PER_VECTOR]) {
     let clamped = |x: f64| {
         let x = if x > 0.0 { x } else { 0.0 };
         if x < 1.0 { x } else { 1.0 }
     };
-    for lane in 0..LANES {
+    for lane in 0..SIDES_PER_VECTOR {
         t[lane] = clamped(c[0][lane] / (c[0][lane] - c[3][lane]));
     }
-    for _ in 0..NEWTON_STEPS {
-        for lane in 0..LANES {
+    for _ in 0..NEWTON_STEPS_PER_SIDE {
+        for lane in 0..SIDES_PER_VECTOR {
             let [a, b, d, e] = [c[0][lane], c[1][lane], c[2][lane], c[3][lane]];
             let at = t[lane];
             // De Casteljau's algorithm.
@@ -57,7 +57,7 @@ fn newton(c: &[[f64; LANES]; 4], t: &mut [f64; LANES]) {
             t[lane] = clamped(at - (low + at * rise) / (3.0 * rise));
         }
     }
-    for lane in 0..LANES {
+    for lane in 0..SIDES_PER_VECTOR {
         // The value 0 at an end counts as positive, so the sign changes there.
         let start = if c[0][lane] == 0.0 { 0.0 } else { t[lane] };
         t[lane] = if c[3][lane] == 0.0 { 1.0 } else { start };

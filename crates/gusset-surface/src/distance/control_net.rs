@@ -1,17 +1,17 @@
 //! Control nets of any shape: patches, segments of curves (one column), and single points.
 //!
 //! Bounds follow from the nets of derivatives, which are differences of control points: their
-//! vectors lie in the balls of [`Balls`]. O(points) each.
+//! vectors lie in the balls of [`DerivativeBalls`]. O(points) each.
 
 use crate::Jet;
 use glam::DVec3;
 use gusset_base::geom::Aabb;
-use gusset_base::geom::bernstein::{halve, reduce};
+use gusset_base::geom::bernstein::{halve, reduce_by_casteljau};
 
 /// Largest number of control points in a row or a column.
-const MAX_LINE: usize = gusset_curve::MAX_DEGREE + 1;
+const MAX_CONTROL_POINTS_PER_LINE: usize = gusset_curve::MAX_DEGREE + 1;
 /// Largest number of control points in a row or a column of a patch, and of most segments.
-const SHORT_LINE: usize = crate::MAX_DEGREE + 1;
+const MAX_CONTROL_POINTS_PER_PATCH_LINE: usize = crate::MAX_DEGREE + 1;
 
 /// A control net, row by row. A direction with a single control point lacks a parameter.
 #[derive(Debug, Clone, Copy)]
@@ -22,46 +22,46 @@ pub(super) struct ControlNet<'a> {
 
 /// A ball.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Ball {
+pub(super) struct VectorBall {
     pub(super) centre: DVec3,
     pub(super) radius: f64,
 }
 
-impl Ball {
-    fn from_vectors(vectors: impl Iterator<Item = DVec3> + Clone) -> Ball {
+impl VectorBall {
+    fn from_vectors(vectors: impl Iterator<Item = DVec3> + Clone) -> VectorBall {
         let bounds = Aabb::from_points(vectors.clone());
         if bounds.is_empty() {
-            return Ball::default();
+            return VectorBall::default();
         }
         let centre = bounds.centre();
-        Ball { centre, radius: vectors.map(|v| v.distance_squared(centre)).fold(0.0, f64::max).sqrt() }
+        VectorBall { centre, radius: vectors.map(|v| v.distance_squared(centre)).fold(0.0, f64::max).sqrt() }
     }
 
     /// The length of the longest vector in the ball.
-    pub(super) fn reach(&self) -> f64 {
+    pub(super) fn max_vector_length(&self) -> f64 {
         self.centre.length() + self.radius
     }
 }
 
 /// Balls around the points and the derivatives of a net. Second derivatives are uu, uv, vv.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Balls {
-    pub(super) point: Ball,
-    pub(super) first: [Ball; 2],
-    pub(super) second: [Ball; 3],
+pub(super) struct DerivativeBalls {
+    pub(super) point: VectorBall,
+    pub(super) first: [VectorBall; 2],
+    pub(super) second: [VectorBall; 3],
 }
 
-impl Balls {
+impl DerivativeBalls {
     /// For each parameter, how much closer the net may come to its points after a split at the
     /// middle, which is proportional to the second derivatives.
-    pub(super) fn flatness(&self) -> [f64; 2] {
-        let [uu, uv, vv] = self.second.map(|ball| ball.reach());
+    pub(super) fn flatness_gain_by_split(&self) -> [f64; 2] {
+        let [uu, uv, vv] = self.second.map(|ball| ball.max_vector_length());
         [uu + uv, vv + uv].map(|sum| 0.125 * sum)
     }
 
     /// Bounds of the extent of the net along each parameter.
-    pub(super) fn lengths(&self) -> [f64; 2] {
-        self.first.map(|ball| ball.reach())
+    pub(super) fn max_extents(&self) -> [f64; 2] {
+        self.first.map(|ball| ball.max_vector_length())
     }
 }
 
@@ -71,32 +71,32 @@ impl<'a> ControlNet<'a> {
     }
 
     /// Position and derivatives.
-    pub(super) fn jet(&self, at: [f64; 2]) -> Jet {
+    pub(super) fn jet_at(&self, at: [f64; 2]) -> Jet {
         // Most nets have short lines, which saves clearing memory for the longest lines.
-        if self.shape[0].max(self.shape[1]) <= SHORT_LINE {
-            self.jet_within::<SHORT_LINE>(at)
+        if self.shape[0].max(self.shape[1]) <= MAX_CONTROL_POINTS_PER_PATCH_LINE {
+            self.jet_with_buffer::<MAX_CONTROL_POINTS_PER_PATCH_LINE>(at)
         } else {
-            self.jet_within::<MAX_LINE>(at)
+            self.jet_with_buffer::<MAX_CONTROL_POINTS_PER_LINE>(at)
         }
     }
 
-    fn jet_within<const LINE: usize>(&self, [u, v]: [f64; 2]) -> Jet {
+    fn jet_with_buffer<const LINE: usize>(&self, [u, v]: [f64; 2]) -> Jet {
         let [rows, columns] = self.shape;
         let mut work = [DVec3::ZERO; LINE];
         let mut across = [[DVec3::ZERO; LINE]; 3];
         for b in 0..columns {
             (0..rows).for_each(|a| work[a] = self.control_point(a, b));
-            let column_derivatives = derivatives(&mut work[..rows], u);
+            let column_derivatives = value_and_derivatives(&mut work[..rows], u);
             across.iter_mut().zip(column_derivatives).for_each(|(row, derivative)| row[b] = derivative);
         }
-        let [point, v1, vv] = derivatives(&mut across[0][..columns], v);
-        let [u1, uv, _] = derivatives(&mut across[1][..columns], v);
-        let [uu, ..] = derivatives(&mut across[2][..columns], v);
+        let [point, v1, vv] = value_and_derivatives(&mut across[0][..columns], v);
+        let [u1, uv, _] = value_and_derivatives(&mut across[1][..columns], v);
+        let [uu, ..] = value_and_derivatives(&mut across[2][..columns], v);
         Jet { point, u: u1, v: v1, uu, uv, vv }
     }
 
     /// Balls around the vectors of all nets of derivatives.
-    pub(super) fn balls(&self) -> Balls {
+    pub(super) fn derivative_balls(&self) -> DerivativeBalls {
         let [rows, columns] = self.shape;
         let degree = self.shape.map(|count| (count - 1) as f64);
         let indices = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
@@ -110,19 +110,19 @@ impl<'a> ControlNet<'a> {
         let vv = vv.map(|(a, b)| again[1] * (p(a, b + 2) - 2.0 * p(a, b + 1) + p(a, b)));
         let uv = indices(rows - 1, columns - 1);
         let uv = uv.map(|(a, b)| degree[0] * degree[1] * (p(a + 1, b + 1) - p(a + 1, b) - p(a, b + 1) + p(a, b)));
-        Balls {
-            point: Ball::from_vectors(self.points.iter().copied()),
-            first: [Ball::from_vectors(u), Ball::from_vectors(v)],
-            second: [Ball::from_vectors(uu), Ball::from_vectors(uv), Ball::from_vectors(vv)],
+        DerivativeBalls {
+            point: VectorBall::from_vectors(self.points.iter().copied()),
+            first: [VectorBall::from_vectors(u), VectorBall::from_vectors(v)],
+            second: [VectorBall::from_vectors(uu), VectorBall::from_vectors(uv), VectorBall::from_vectors(vv)],
         }
     }
 
     /// Writes the two halves along a parameter, one after the other, each the size of the net.
-    pub(super) fn halves(&self, parameter: usize, out: &mut [DVec3]) {
+    pub(super) fn write_halves(&self, parameter: usize, out: &mut [DVec3]) {
         let [rows, columns] = self.shape;
         let (low, high) = out.split_at_mut(self.points.len());
         let (lines, count) = if parameter == 0 { (columns, rows) } else { (rows, columns) };
-        let mut work = [[DVec3::ZERO; MAX_LINE]; 2];
+        let mut work = [[DVec3::ZERO; MAX_CONTROL_POINTS_PER_LINE]; 2];
         for line in 0..lines {
             let place = |k: usize| if parameter == 0 { k * columns + line } else { line * columns + k };
             let [before, after] = &mut work;
@@ -135,7 +135,7 @@ impl<'a> ControlNet<'a> {
     }
 
     /// The Greville parameters of a control point, at which an affine net has this point.
-    pub(super) fn parameters(&self, point: usize) -> [f64; 2] {
+    pub(super) fn greville_parameters(&self, point: usize) -> [f64; 2] {
         let [rows, columns] = self.shape;
         let share = |k: usize, count: usize| if count > 1 { k as f64 / (count - 1) as f64 } else { 0.0 };
         [share(point / columns, rows), share(point % columns, columns)]
@@ -143,13 +143,13 @@ impl<'a> ControlNet<'a> {
 }
 
 /// The value and the first two derivatives at t.
-fn derivatives(c: &mut [DVec3], t: f64) -> [DVec3; 3] {
+fn value_and_derivatives(c: &mut [DVec3], t: f64) -> [DVec3; 3] {
     let degree = (c.len() - 1) as f64;
     match c.len() {
         1 => [c[0], DVec3::ZERO, DVec3::ZERO],
         2 => [c[0].lerp(c[1], t), c[1] - c[0], DVec3::ZERO],
         _ => {
-            reduce(c, t, 3);
+            reduce_by_casteljau(c, t, 3);
             let (left, right) = (c[0].lerp(c[1], t), c[1].lerp(c[2], t));
             let second = (c[2] - 2.0 * c[1] + c[0]) * (degree * (degree - 1.0));
             [left.lerp(right, t), (right - left) * degree, second]

@@ -7,63 +7,64 @@
 //! bound of the first waiting pair.
 //!
 //! If all points of two pieces are equally far, as on concentric spheres, bounds cannot separate
-//! pairs. The search then ends without proof at [`MAX_PAIRS`] pairs or [`MAX_POINTS`] control
-//! points. It ends at [`MIN_PAIRS`] if the last gain is long past and little is left to gain.
+//! pairs. The search then ends without proof at [`MAX_EXAMINED_PAIRS`] pairs or
+//! [`MAX_STORED_CONTROL_POINTS`] control points. It ends at [`MIN_EXAMINED_PAIRS`] if the last gain
+//! is long past and little is left to gain.
 
-use super::descent::{NetPair, Parameters, Value};
-use super::pieces::{Pieces, Whereabouts};
+use super::distance_descent::{DistanceJet, NetPair, PairParameters};
+use super::side_pieces::{PiecePosition, SidePieces};
 use crate::frontier::{BranchAndBound, Frontier};
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::hull_distance::hull_distance;
 use gusset_base::job::Job;
 
 /// Largest number of pairs examined.
-const MAX_PAIRS: usize = 50_000;
+const MAX_EXAMINED_PAIRS: usize = 50_000;
 /// Number of pairs examined before a search may end without proof. The gap to the lower bound must
 /// be a small fraction of the distance, and half of the pairs must have been examined since the
 /// last gain.
-const MIN_PAIRS: usize = 1 << 13;
+const MIN_EXAMINED_PAIRS: usize = 1 << 13;
 const SMALL_RELATIVE_GAP: f64 = 1e-3;
-const MIN_RELATIVE_GAIN: f64 = 1e-6;
+const MIN_RELATIVE_DISTANCE_GAIN: f64 = 1e-6;
 /// Largest number of control points of pieces, 24 bytes each.
-const MAX_POINTS: usize = 1 << 22;
+const MAX_STORED_CONTROL_POINTS: usize = 1 << 22;
 /// Largest number of descent steps if the descent proves the pair, and otherwise.
-const MAX_STEPS: usize = 24;
-const MAX_STEPS_WITHOUT_PROOF: usize = 8;
+const MAX_DESCENT_STEPS: usize = 24;
+const MAX_DESCENT_STEPS_WITHOUT_PROOF: usize = 8;
 /// Parts of cells and segments of this size are not divided.
-const MIN_SIZE: f64 = 1e-12;
+const MIN_DIVIDED_PART_SIZE: f64 = 1e-12;
 /// Number of pairs between two progress reports.
 const PAIRS_PER_REPORT: usize = 256;
 
-pub(super) const STAGE: &str = "distance";
+pub(super) const PROGRESS_STAGE: &str = "distance";
 
 /// A pair of pieces, and a start for the descent.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PiecePair {
     a: usize,
     b: usize,
-    start: Parameters,
+    start: PairParameters,
 }
 
 /// A point on each side.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Nearest {
+pub(super) struct NearestPair {
     pub(super) distance: f64,
-    pub(super) a: Whereabouts,
-    pub(super) b: Whereabouts,
+    pub(super) a: PiecePosition,
+    pub(super) b: PiecePosition,
 }
 
 /// The search, in the scaled coordinates of the views.
 pub(super) struct DistanceSearch<'a> {
-    pub(super) a: Pieces<'a>,
-    pub(super) b: Pieces<'a>,
+    pub(super) a: SidePieces<'a>,
+    pub(super) b: SidePieces<'a>,
     /// The length to which the distance is proven, and the rounding of distances.
     pub(super) tolerance: f64,
     pub(super) rounding: f64,
     pub(super) job: &'a Job<'a>,
-    pub(super) best: Option<Nearest>,
+    pub(super) best: Option<NearestPair>,
     /// The pair of pieces of `best`, and its place there.
-    last: Option<(PiecePair, Value)>,
+    last: Option<(PiecePair, DistanceJet)>,
     /// The smallest bound of settled pairs.
     pub(super) settled: f64,
     pub(super) pairs: usize,
@@ -73,7 +74,7 @@ pub(super) struct DistanceSearch<'a> {
 }
 
 impl<'a> DistanceSearch<'a> {
-    pub(super) fn new(sides: [Pieces<'a>; 2], tolerance: f64, rounding: f64, job: &'a Job<'a>) -> Self {
+    pub(super) fn new(sides: [SidePieces<'a>; 2], tolerance: f64, rounding: f64, job: &'a Job<'a>) -> Self {
         let [a, b] = sides;
         DistanceSearch {
             a,
@@ -92,49 +93,50 @@ impl<'a> DistanceSearch<'a> {
     }
 
     /// Searches for the nearest points. Returns a lower bound of the distance.
-    pub(super) fn find(&mut self) -> Result<f64> {
-        self.consider(0, 0)?;
-        let left = self.run()?.unwrap_or(f64::INFINITY);
-        self.finish();
-        Ok(left.min(self.settled).min(self.distance()))
+    pub(super) fn find_nearest_pair(&mut self) -> Result<f64> {
+        self.consider_pair(0, 0)?;
+        let left = self.search_best_first()?.unwrap_or(f64::INFINITY);
+        self.descend_from_best_pair();
+        Ok(left.min(self.settled).min(self.best_distance()))
     }
 
     /// Descends from the best points to a local minimum in their pieces. If the pair was settled
     /// without a descent, the distance is within the tolerance, but the points may be beside the
     /// nearest ones.
-    fn finish(&mut self) {
+    fn descend_from_best_pair(&mut self) {
         let Some((pair, value)) = self.last else { return };
-        let (Some(a), Some(b)) = (self.a.net(pair.a), self.b.net(pair.b)) else { return };
-        let value = NetPair { a, b }.minimise(value, MAX_STEPS);
-        self.add(&pair, &value);
+        let (Some(a), Some(b)) = (self.a.control_net(pair.a), self.b.control_net(pair.b)) else { return };
+        let value = NetPair { a, b }.minimise_distance(value, MAX_DESCENT_STEPS);
+        self.record_pair_if_closer(&pair, &value);
     }
 
-    pub(super) fn distance(&self) -> f64 {
+    pub(super) fn best_distance(&self) -> f64 {
         self.best.map_or(f64::INFINITY, |best| best.distance)
     }
 
     /// Pairs with at least this bound need not be examined. Half of the tolerance is reserved for
     /// sums of rounding errors.
-    fn limit(&self) -> f64 {
-        self.distance() - 0.5 * self.tolerance
+    fn prune_bound(&self) -> f64 {
+        self.best_distance() - 0.5 * self.tolerance
     }
 
-    fn settle(&mut self, bound: f64) {
+    fn record_lower_bound(&mut self, bound: f64) {
         self.settled = self.settled.min(bound);
     }
 
     /// Settles a pair by its bound, or adds it to the frontier.
-    fn consider(&mut self, a: usize, b: usize) -> Result<()> {
-        let limit = self.limit();
-        let apart = self.a.bounds(a).distance(self.b.bounds(b)) - self.rounding;
+    fn consider_pair(&mut self, a: usize, b: usize) -> Result<()> {
+        let limit = self.prune_bound();
+        let apart = self.a.bounding_box(a).distance(self.b.bounding_box(b)) - self.rounding;
         if apart >= limit {
-            self.settle(apart);
+            self.record_lower_bound(apart);
             return Ok(());
         }
-        let found = hull_distance(self.a.hull(a), self.b.hull(b), limit + self.rounding, 0.1 * self.tolerance);
+        let found =
+            hull_distance(self.a.hull_points(a), self.b.hull_points(b), limit + self.rounding, 0.1 * self.tolerance);
         let bound = (found.bound - self.rounding).max(apart).max(0.0);
         if bound >= limit {
-            self.settle(bound);
+            self.record_lower_bound(bound);
             return Ok(());
         }
         let corners = &found.corners[..found.count];
@@ -150,13 +152,16 @@ impl<'a> DistanceSearch<'a> {
     }
 
     /// Records a point on each side, if it is closer than the best pair.
-    fn add(&mut self, pair: &PiecePair, value: &Value) {
+    fn record_pair_if_closer(&mut self, pair: &PiecePair, value: &DistanceJet) {
         let [u, v, s, t] = value.at;
-        let nearest_pair =
-            Nearest { distance: value.distance, a: self.a.place(pair.a, [u, v]), b: self.b.place(pair.b, [s, t]) };
-        let key = |nearest: &Nearest| (nearest.distance, nearest.a, nearest.b);
+        let nearest_pair = NearestPair {
+            distance: value.distance,
+            a: self.a.position_at(pair.a, [u, v]),
+            b: self.b.position_at(pair.b, [s, t]),
+        };
+        let key = |nearest: &NearestPair| (nearest.distance, nearest.a, nearest.b);
         if self.best.is_none_or(|best| key(&nearest_pair) < key(&best)) {
-            if nearest_pair.distance < self.distance() * (1.0 - MIN_RELATIVE_GAIN) {
+            if nearest_pair.distance < self.best_distance() * (1.0 - MIN_RELATIVE_DISTANCE_GAIN) {
                 self.pairs_at_gain = self.pairs;
             }
             (self.best, self.last) = (Some(nearest_pair), Some((*pair, *value)));
@@ -164,79 +169,79 @@ impl<'a> DistanceSearch<'a> {
     }
 
     /// Examines a pair of nets. Returns its bound, which may be better than the known one.
-    fn examine(&mut self, pair: &PiecePair, bound: f64) -> f64 {
-        let balls = [self.a.balls(pair.a), self.b.balls(pair.b)];
-        let (Some(a), Some(b)) = (self.a.net(pair.a), self.b.net(pair.b)) else { return bound };
+    fn examine_net_pair(&mut self, pair: &PiecePair, bound: f64) -> f64 {
+        let balls = [self.a.net_balls(pair.a), self.b.net_balls(pair.b)];
+        let (Some(a), Some(b)) = (self.a.control_net(pair.a), self.b.control_net(pair.b)) else { return bound };
         let nets = NetPair { a, b };
-        let start = nets.evaluate(pair.start);
-        let is_fresh = self.a.is_whole(pair.a) && self.b.is_whole(pair.b);
-        let (value, proven) = if nets.is_convex([&balls[0], &balls[1]]) {
-            let value = nets.minimise(start, MAX_STEPS);
-            (value, value.convex_bound() - self.rounding)
-        } else if is_fresh || start.distance < self.distance() {
-            (nets.minimise(start, MAX_STEPS_WITHOUT_PROOF), 0.0)
+        let start = nets.distance_jet_at(pair.start);
+        let is_fresh = self.a.is_whole_cell_or_segment(pair.a) && self.b.is_whole_cell_or_segment(pair.b);
+        let (value, proven) = if nets.is_distance_convex([&balls[0], &balls[1]]) {
+            let value = nets.minimise_distance(start, MAX_DESCENT_STEPS);
+            (value, value.distance_bound_if_convex() - self.rounding)
+        } else if is_fresh || start.distance < self.best_distance() {
+            (nets.minimise_distance(start, MAX_DESCENT_STEPS_WITHOUT_PROOF), 0.0)
         } else {
             (start, 0.0)
         };
-        self.add(pair, &value);
+        self.record_pair_if_closer(pair, &value);
         bound.max(proven)
     }
 
     /// Selects the piece to divide (true for A), and the parameter to divide it along.
     fn choose_division(&mut self, pair: &PiecePair) -> (bool, usize) {
-        let (of_a, of_b) = (self.a.coarseness(pair.a), self.b.coarseness(pair.b));
+        let (of_a, of_b) = (self.a.gain_of_division(pair.a), self.b.gain_of_division(pair.b));
         if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
             return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
         }
-        let has_net = [self.a.net(pair.a).is_some(), self.b.net(pair.b).is_some()];
+        let has_net = [self.a.control_net(pair.a).is_some(), self.b.control_net(pair.b).is_some()];
         if has_net.contains(&false) {
             return (!has_net[0], 0);
         }
-        let (of_a, of_b) = (self.a.length(pair.a), self.b.length(pair.b));
+        let (of_a, of_b) = (self.a.flat_net_length(pair.a), self.b.flat_net_length(pair.b));
         if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) }
     }
 }
 
 impl BranchAndBound for DistanceSearch<'_> {
-    type Task = PiecePair;
-    type Key = (u32, usize, usize);
-    type Stop = Error;
+    type SearchTask = PiecePair;
+    type TieBreakKey = (u32, usize, usize);
+    type StopReason = Error;
 
     fn frontier(&mut self) -> &mut Frontier<PiecePair, (u32, usize, usize)> {
         &mut self.frontier
     }
 
-    fn is_wanted(&mut self, bound: f64) -> bool {
-        let distance = self.distance();
-        let is_long = self.pairs >= MIN_PAIRS && self.pairs - self.pairs_at_gain >= self.pairs / 2;
-        let is_spent = self.pairs >= MAX_PAIRS
-            || self.a.point_count() + self.b.point_count() >= MAX_POINTS
+    fn is_bound_wanted(&mut self, bound: f64) -> bool {
+        let distance = self.best_distance();
+        let is_long = self.pairs >= MIN_EXAMINED_PAIRS && self.pairs - self.pairs_at_gain >= self.pairs / 2;
+        let is_spent = self.pairs >= MAX_EXAMINED_PAIRS
+            || self.a.point_count() + self.b.point_count() >= MAX_STORED_CONTROL_POINTS
             || (is_long && distance - bound <= SMALL_RELATIVE_GAP * distance);
-        bound < self.limit() && distance > self.rounding && !(is_spent && distance.is_finite())
+        bound < self.prune_bound() && distance > self.rounding && !(is_spent && distance.is_finite())
     }
 
-    fn branch(&mut self, bound: f64, pair: PiecePair) -> Result<()> {
+    fn branch_task(&mut self, bound: f64, pair: PiecePair) -> Result<()> {
         self.pairs += 1;
         if self.pairs.is_multiple_of(PAIRS_PER_REPORT) {
-            self.job.step(self.pairs as f64 / (2 * MAX_PAIRS) as f64, STAGE)?;
+            self.job.step(self.pairs as f64 / (2 * MAX_EXAMINED_PAIRS) as f64, PROGRESS_STAGE)?;
         }
-        let are_nets = self.a.net(pair.a).is_some() && self.b.net(pair.b).is_some();
+        let are_nets = self.a.control_net(pair.a).is_some() && self.b.control_net(pair.b).is_some();
         if are_nets {
-            let bound = self.examine(&pair, bound);
-            let is_least = self.a.size(pair.a).max(self.b.size(pair.b)) <= MIN_SIZE;
-            if bound >= self.limit() || is_least {
-                self.settle(bound);
+            let bound = self.examine_net_pair(&pair, bound);
+            let is_least = self.a.parameter_size(pair.a).max(self.b.parameter_size(pair.b)) <= MIN_DIVIDED_PART_SIZE;
+            if bound >= self.prune_bound() || is_least {
+                self.record_lower_bound(bound);
                 return Ok(());
             }
         }
         let (of_a, parameter) = self.choose_division(&pair);
         if of_a {
-            for part in self.a.divide(pair.a, parameter)? {
-                self.consider(part, pair.b)?;
+            for part in self.a.divide_piece(pair.a, parameter)? {
+                self.consider_pair(part, pair.b)?;
             }
         } else {
-            for part in self.b.divide(pair.b, parameter)? {
-                self.consider(pair.a, part)?;
+            for part in self.b.divide_piece(pair.b, parameter)? {
+                self.consider_pair(pair.a, part)?;
             }
         }
         Ok(())

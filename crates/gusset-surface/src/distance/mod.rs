@@ -1,9 +1,9 @@
 //! Nearest points of a surface and a line, a plane, a curve or another surface: tasks c) to e) of
 //! the paper for objects that do not intersect.
 //!
-//! - `control_net`: control nets of patches and segments. `pieces`: the pieces that both sides are
-//!   divided into, with hulls. `descent`: nearest points of two nets, and their proofs.
-//!   `distance_search`: pairs of pieces by rising lower bounds.
+//! - `control_net`: control nets of patches and segments. `side_pieces`: the pieces that both sides
+//!   are divided into, with hulls. `distance_descent`: nearest points of two nets, and their
+//!   proofs. `distance_search`: pairs of pieces by rising lower bounds.
 //!
 //! A plane and an infinite line are projected to a point, so their parameters need no search. Rays
 //! and segments are curves, cut off where the surface ends. Invariant, the study's theorem T5: a
@@ -11,14 +11,14 @@
 //! answer. The bound therefore holds for any result of the search.
 
 mod control_net;
-mod descent;
+mod distance_descent;
 mod distance_search;
-mod pieces;
+mod side_pieces;
 
 use super::checks::{check_finite, unit_vector};
-use super::line_intersection::{Line, MAX_COORDINATE};
+use super::line_intersection::{Line, MAX_LINE_COORDINATE};
 use super::{Place, Surface};
-use distance_search::{DistanceSearch, STAGE};
+use distance_search::{DistanceSearch, PROGRESS_STAGE};
 use glam::DMat3;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -26,7 +26,7 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::scale::floor_to_power_of_two;
 use gusset_base::job::Job;
 use gusset_curve::{CurveView, Place as CurvePlace};
-use pieces::{DistanceSide, Pieces, View, Whereabouts};
+use side_pieces::{AffineView, DistanceSide, PiecePosition, SidePieces};
 
 /// The nearest points of a surface and another object. `T` is the type of places on the object.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,34 +54,34 @@ pub struct Approach<T> {
 }
 
 /// The result of a search, in the caller's unit.
-struct Found {
-    a: Whereabouts,
-    b: Whereabouts,
+struct DistanceOutcome {
+    a: PiecePosition,
+    b: PiecePosition,
     distance: f64,
     bound: f64,
     proven: bool,
     meets: bool,
 }
 
-impl Found {
-    fn approach<T>(&self, surface: &Surface<'_>, other: T, other_point: DVec3) -> Approach<T> {
-        let Found { distance, bound, proven, meets, .. } = *self;
-        let place = place(&self.a);
+impl DistanceOutcome {
+    fn to_approach<T>(&self, surface: &Surface<'_>, other: T, other_point: DVec3) -> Approach<T> {
+        let DistanceOutcome { distance, bound, proven, meets, .. } = *self;
+        let place = place_of_position(&self.a);
         let point = surface.jet(place).point;
         Approach { place, point, normal: surface.normal(place), other, other_point, distance, bound, proven, meets }
     }
 }
 
 /// Converts the position to a place on a surface.
-fn place(at: &Whereabouts) -> Place {
+fn place_of_position(at: &PiecePosition) -> Place {
     Place { sheet: at.number as u32, cell: at.cell.map(|k| k as u32), u: at.at[0], v: at.at[1] }
 }
 
 /// Refuses coordinates whose squares would overflow.
-fn check_size(point: DVec3, option: &'static str) -> Result<()> {
+fn check_coordinate_size(point: DVec3, option: &'static str) -> Result<()> {
     check_finite(point, option)?;
     let largest = point.abs().max_element();
-    Error::require(largest <= MAX_COORDINATE, option, largest)
+    Error::require(largest <= MAX_LINE_COORDINATE, option, largest)
 }
 
 impl Surface<'_> {
@@ -97,11 +97,11 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] if the line is not finite or lacks a direction, or the tolerance
     /// is negative or not finite; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn distance_to_line(&self, line: &Line, tolerance: Option<f64>, job: &Job<'_>) -> Result<Approach<f64>> {
-        line.check()?;
+        line.check_finite_with_direction()?;
         let (along, length) = line.direction_and_length();
         let parameter = |point: DVec3| ((point - line.origin).dot(along) / length).clamp(line.from, line.to);
         let at = |t: f64| line.origin + (t * length) * along;
-        let box_ends: [f64; 8] = self.corners().map(parameter);
+        let box_ends: [f64; 8] = self.bounding_box_corners().map(parameter);
         let ends =
             box_ends.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &t| [low.min(t), high.max(t)]);
         let is_cut = ends[0] == line.from || ends[1] == line.to;
@@ -110,15 +110,15 @@ impl Surface<'_> {
             // surface.
             let points = ends.map(at);
             let view = CurveView::new(&points, &[0, 1], false)?;
-            self.distance_to(DistanceSide::Curve(&view), self.unprojected_view(), &points, tolerance, job)?
+            self.search_distance_in_view(DistanceSide::Curve(&view), self.unprojected_view(), &points, tolerance, job)?
         } else {
             let (u, v) = along.any_orthonormal_pair();
             let near = at(0.5 * (ends[0] + ends[1]));
             let across = DMat3::from_cols(u, v, DVec3::ZERO).transpose();
-            self.distance_to(DistanceSide::Point, (near, across), &[near], tolerance, job)?
+            self.search_distance_in_view(DistanceSide::Point, (near, across), &[near], tolerance, job)?
         };
         let t = if is_cut { ends[0] + (ends[1] - ends[0]) * found.b.at[0] } else { 0.0 };
-        let mut approach = found.approach(self, t, at(t));
+        let mut approach = found.to_approach(self, t, at(t));
         if !is_cut {
             approach.other = parameter(approach.point);
             approach.other_point = at(approach.other);
@@ -141,11 +141,11 @@ impl Surface<'_> {
         tolerance: Option<f64>,
         job: &Job<'_>,
     ) -> Result<Approach<f64>> {
-        check_size(point, "point")?;
+        check_coordinate_size(point, "point")?;
         let normal = unit_vector(normal, "normal")?;
         let across = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, normal).transpose();
-        let nearest = self.distance_to(DistanceSide::Point, (point, across), &[point], tolerance, job)?;
-        let mut approach = nearest.approach(self, 0.0, DVec3::ZERO);
+        let nearest = self.search_distance_in_view(DistanceSide::Point, (point, across), &[point], tolerance, job)?;
+        let mut approach = nearest.to_approach(self, 0.0, DVec3::ZERO);
         let height = normal.dot(approach.point - point);
         approach.other_point = approach.point - height * normal;
         approach.other = nearest.distance.copysign(height);
@@ -167,11 +167,16 @@ impl Surface<'_> {
         if curve.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        curve.points().iter().try_for_each(|&point| check_size(point, "curve"))?;
-        let nearest =
-            self.distance_to(DistanceSide::Curve(curve), self.unprojected_view(), curve.points(), tolerance, job)?;
+        curve.points().iter().try_for_each(|&point| check_coordinate_size(point, "curve"))?;
+        let nearest = self.search_distance_in_view(
+            DistanceSide::Curve(curve),
+            self.unprojected_view(),
+            curve.points(),
+            tolerance,
+            job,
+        )?;
         let at = CurvePlace { segment: nearest.b.number as u32, t: nearest.b.at[0] };
-        Ok(nearest.approach(self, at, curve.point(at)?))
+        Ok(nearest.to_approach(self, at, curve.point(at)?))
     }
 
     /// Finds the nearest points of two surfaces. The default tolerance is the larger of the two.
@@ -188,14 +193,20 @@ impl Surface<'_> {
     ) -> Result<Approach<Place>> {
         let tolerance = tolerance.unwrap_or(self.tolerance().max(other.tolerance()));
         let source = DistanceSide::Surface(other);
-        let nearest = self.distance_to(source, self.unprojected_view(), &other.corners(), Some(tolerance), job)?;
-        let at = place(&nearest.b);
-        Ok(nearest.approach(self, at, other.jet(at).point))
+        let nearest = self.search_distance_in_view(
+            source,
+            self.unprojected_view(),
+            &other.bounding_box_corners(),
+            Some(tolerance),
+            job,
+        )?;
+        let at = place_of_position(&nearest.b);
+        Ok(nearest.to_approach(self, at, other.jet(at).point))
     }
 
     /// The corners of the bounding box.
-    fn corners(&self) -> [DVec3; 8] {
-        pieces::corners(&Aabb::from_points(self.bounds()))
+    fn bounding_box_corners(&self) -> [DVec3; 8] {
+        side_pieces::corners_of_box(&Aabb::from_points(self.bounds()))
     }
 
     /// The view without projection, with its origin in the middle of the surface.
@@ -205,32 +216,32 @@ impl Surface<'_> {
     }
 
     /// Searches in a view. `extent` are points whose hull contains the other side.
-    fn distance_to(
+    fn search_distance_in_view(
         &self,
         other: DistanceSide<'_>,
         (origin, turned): (DVec3, DMat3),
         extent: &[DVec3],
         tolerance: Option<f64>,
         job: &Job<'_>,
-    ) -> Result<Found> {
-        job.step(0.0, STAGE)?;
+    ) -> Result<DistanceOutcome> {
+        job.step(0.0, PROGRESS_STAGE)?;
         let tolerance = tolerance.unwrap_or(self.tolerance());
         Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
-        let all_points = || self.corners().into_iter().chain(extent.iter().copied());
+        let all_points = || self.bounding_box_corners().into_iter().chain(extent.iter().copied());
         let reach = all_points().map(|point| (point - origin).abs().max_element()).fold(0.0, f64::max);
         let largest = all_points().map(|point| point.abs().max_element()).fold(origin.abs().max_element(), f64::max);
         let unit = if reach > 0.0 { floor_to_power_of_two(reach) } else { 1.0 };
         let rounding = 32.0 * f64::EPSILON * (largest / unit);
         let tolerance = (tolerance / unit).max(4.0 * rounding);
-        let view = View { origin, turned, unit };
-        let sides = [Pieces::new(DistanceSide::Surface(self), view)?, Pieces::new(other, view)?];
+        let view = AffineView { origin, turned, unit };
+        let sides = [SidePieces::new(DistanceSide::Surface(self), view)?, SidePieces::new(other, view)?];
         let mut search = DistanceSearch::new(sides, tolerance, rounding, job);
-        let bound = search.find()?;
+        let bound = search.find_nearest_pair()?;
         // Every search examines a pair of nets before it may end.
         let (distance, a, b) = search.best.map_or_else(Default::default, |best| (best.distance, best.a, best.b));
         let meets = distance <= rounding;
         let (distance, bound) = if meets { (0.0, 0.0) } else { (distance, bound.min(distance)) };
         let proven = bound >= distance - tolerance;
-        Ok(Found { a, b, distance: distance * unit, bound: bound * unit, proven, meets })
+        Ok(DistanceOutcome { a, b, distance: distance * unit, bound: bound * unit, proven, meets })
     }
 }

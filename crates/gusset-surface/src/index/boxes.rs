@@ -26,20 +26,20 @@ pub(crate) struct OrientedBox {
 }
 
 /// The largest single-precision number that is at most `value`.
-fn round_down(value: f64) -> f32 {
+fn round_down_to_f32(value: f64) -> f32 {
     let rounded = value as f32;
     if f64::from(rounded) > value { rounded.next_down() } else { rounded }
 }
 
 /// The smallest single-precision number that is at least `value`.
-fn round_up(value: f64) -> f32 {
+fn round_up_to_f32(value: f64) -> f32 {
     let rounded = value as f32;
     if f64::from(rounded) < value { rounded.next_up() } else { rounded }
 }
 
 /// Converts to double precision.
 #[inline(always)]
-fn double(v: [f32; 3]) -> DVec3 {
+fn to_double_precision(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
 }
 
@@ -47,21 +47,24 @@ impl ChildBoxes {
     pub(crate) const EMPTY: ChildBoxes = ChildBoxes { low: [[f32::INFINITY; 4]; 3], high: [[f32::NEG_INFINITY; 4]; 3] };
 
     /// Sets one of the four boxes. `bounds` is relative to the index's origin.
-    pub(crate) fn set(&mut self, child: usize, bounds: Aabb) {
+    pub(crate) fn set_child_box(&mut self, child: usize, bounds: Aabb) {
         for (axis, (low, high)) in bounds.low.to_array().into_iter().zip(bounds.high.to_array()).enumerate() {
-            self.low[axis][child] = round_down(low);
-            self.high[axis][child] = round_up(high);
+            self.low[axis][child] = round_down_to_f32(low);
+            self.high[axis][child] = round_up_to_f32(high);
         }
     }
 
     /// One of the four boxes.
-    pub(crate) fn get(&self, child: usize) -> Aabb {
-        Aabb { low: double(self.low.map(|axis| axis[child])), high: double(self.high.map(|axis| axis[child])) }
+    pub(crate) fn child_box(&self, child: usize) -> Aabb {
+        Aabb {
+            low: to_double_precision(self.low.map(|axis| axis[child])),
+            high: to_double_precision(self.high.map(|axis| axis[child])),
+        }
     }
 
     /// The union of all four boxes.
-    pub(crate) fn whole(&self) -> Aabb {
-        (0..4).map(|child| self.get(child)).fold(Aabb::EMPTY, Aabb::union)
+    pub(crate) fn union_of_children(&self) -> Aabb {
+        (0..4).map(|child| self.child_box(child)).fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// The range of the products of points of each box with a nonzero direction. For an empty box,
@@ -97,7 +100,7 @@ impl ChildBoxes {
     /// [`ChildBoxes::distances_squared`] in single precision, accurate to a few units in the last
     /// place for the rounded point.
     #[inline(always)]
-    pub(crate) fn single_distances_squared(&self, point: [f32; 3]) -> [f32; 4] {
+    pub(crate) fn distances_squared_in_single_precision(&self, point: [f32; 3]) -> [f32; 4] {
         // Unlike `f32::max`, this ignores NaN rules and is a single instruction.
         let max = |a: f32, b: f32| if a > b { a } else { b };
         let mut sums = [0.0; 4];
@@ -113,9 +116,9 @@ impl ChildBoxes {
 }
 
 impl OrientedBox {
-    /// Creates a box that contains all points plus any vector of `by`, with axes along two
+    /// Creates a box that contains all points plus any vector of `padding`, with axes along two
     /// directions of the surface.
-    pub(crate) fn from_points(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: Aabb) -> OrientedBox {
+    pub(crate) fn from_points(points: &[DVec3], along_u: DVec3, along_v: DVec3, padding: Aabb) -> OrientedBox {
         let single = |v: DVec3| v.to_array().map(|x| x as f32);
         // The cross product of nearly parallel directions, as for a block that closes, is dominated
         // by rounding, and not perpendicular to them.
@@ -125,35 +128,35 @@ impl OrientedBox {
         let second = normal.cross(first);
         let mut oriented = OrientedBox { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
         // The box is computed for the axes in use, which are rounded.
-        let axes = oriented.frame();
+        let axes = oriented.axes_as_rows();
         let bounds = Aabb::from_points(points.iter().map(|&point| axes * point));
         // The extent of the displacements along the axes.
-        let (middle, half) = (by.centre(), 0.5 * by.size());
+        let (middle, half) = (padding.centre(), 0.5 * padding.size());
         let reach = DVec3::from_array([0, 1, 2].map(|k| axes.row(k).abs().dot(half)));
-        let bounds = bounds.sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
+        let bounds = bounds.minkowski_sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
         let middle = axes.transpose() * bounds.centre();
         oriented.centre = single(middle);
-        let centre = axes * double(oriented.centre);
+        let centre = axes * to_double_precision(oriented.centre);
         let reach = (bounds.high - centre).abs().max((centre - bounds.low).abs());
         // The axes are orthonormal to 1e-7, and so are lengths along them.
-        oriented.half = reach.to_array().map(|half| round_up(half * (1.0 + 1e-6)));
+        oriented.half = reach.to_array().map(|half| round_up_to_f32(half * (1.0 + 1e-6)));
         oriented
     }
 
     /// A matrix whose rows are the axes.
     #[inline(always)]
-    fn frame(&self) -> DMat3 {
-        let [first, second] = self.axes.map(double);
+    fn axes_as_rows(&self) -> DMat3 {
+        let [first, second] = self.axes.map(to_double_precision);
         DMat3::from_cols(first, second, first.cross(second)).transpose()
     }
 
     /// A lower bound of the squared distance of a point.
     #[inline(always)]
     pub(crate) fn distance_squared(&self, point: DVec3) -> f64 {
-        let [first, second] = self.axes.map(double);
-        let from = point - double(self.centre);
+        let [first, second] = self.axes.map(to_double_precision);
+        let from = point - to_double_precision(self.centre);
         let along = DVec3::new(from.dot(first), from.dot(second), from.dot(first.cross(second)));
-        let half = double(self.half);
+        let half = to_double_precision(self.half);
         let outside = (along.abs() - half).max(DVec3::ZERO);
         outside.length_squared() * (1.0 - 1e-6)
     }
@@ -161,9 +164,9 @@ impl OrientedBox {
     /// False if a line misses the box. In projection along the line, the sum of the half axes
     /// bounds the box in each direction.
     #[inline(always)]
-    pub(crate) fn meets_line(&self, origin: DVec3, direction: DVec3) -> bool {
-        let ([first, second], half) = (self.axes.map(double), double(self.half));
-        let (third, from) = (first.cross(second), origin - double(self.centre));
+    pub(crate) fn may_meet_line(&self, origin: DVec3, direction: DVec3) -> bool {
+        let ([first, second], half) = (self.axes.map(to_double_precision), to_double_precision(self.half));
+        let (third, from) = (first.cross(second), origin - to_double_precision(self.centre));
         // The axes are orthonormal only to 1e-7, so the box is enlarged by a fraction of the
         // distance.
         let half = half + 1e-6 * from.abs().element_sum();
@@ -181,10 +184,10 @@ impl OrientedBox {
     }
 
     /// False if all points, and so their hull, are beyond one side of the box.
-    pub(crate) fn meets_hull(&self, points: &[DVec3]) -> bool {
-        let (frame, half) = (self.frame(), double(self.half));
+    pub(crate) fn may_meet_hull(&self, points: &[DVec3]) -> bool {
+        let (frame, half) = (self.axes_as_rows(), to_double_precision(self.half));
         let (mut bounds, mut farthest) = (Aabb::EMPTY, 0.0_f64);
-        for from in points.iter().map(|&point| point - double(self.centre)) {
+        for from in points.iter().map(|&point| point - to_double_precision(self.centre)) {
             bounds.add(frame * from);
             farthest = farthest.max(from.length_squared());
         }
@@ -196,29 +199,29 @@ impl OrientedBox {
     /// The range of the products of points of the box with a direction.
     #[inline(always)]
     pub(crate) fn range_along(&self, direction: DVec3) -> [f64; 2] {
-        let half = double(self.half);
-        let middle = double(self.centre).dot(direction);
+        let half = to_double_precision(self.half);
+        let middle = to_double_precision(self.centre).dot(direction);
         // The axes are orthonormal to 1e-7, so the box may extend slightly farther.
-        let reach =
-            (self.frame() * direction).abs().dot(half) * (1.0 + 1e-6) + 1e-6 * half.length() * direction.length();
+        let reach = (self.axes_as_rows() * direction).abs().dot(half) * (1.0 + 1e-6)
+            + 1e-6 * half.length() * direction.length();
         [middle - reach, middle + reach]
     }
 
     /// The centre and the half edges of a parallelepiped that contains the box.
     #[inline(always)]
-    pub(crate) fn edges(&self) -> (DVec3, [DVec3; 3]) {
-        let [first, second] = self.axes.map(double);
+    pub(crate) fn centre_and_half_edges(&self) -> (DVec3, [DVec3; 3]) {
+        let [first, second] = self.axes.map(to_double_precision);
         // The box is the set of points whose products with the axes are small. For a matrix that is
         // orthonormal to 1e-7, the transpose equals the inverse to 1e-6, relative to the longest
         // edge, however short the others are.
-        let half = double(self.half);
+        let half = to_double_precision(self.half);
         let [x, y, z] = (half + 1e-6 * half.length()).to_array();
-        (double(self.centre), [x * first, y * second, z * first.cross(second)])
+        (to_double_precision(self.centre), [x * first, y * second, z * first.cross(second)])
     }
 
     /// The corners.
     pub(crate) fn corners(&self) -> [DVec3; 8] {
-        let (centre, half) = self.edges();
+        let (centre, half) = self.centre_and_half_edges();
         let sign = |k: usize, bit: usize| if k >> bit & 1 == 0 { -1.0 } else { 1.0 };
         std::array::from_fn(|k| centre + sign(k, 0) * half[0] + sign(k, 1) * half[1] + sign(k, 2) * half[2])
     }
@@ -228,12 +231,12 @@ impl OrientedBox {
 mod tests {
     use super::*;
 
-    /// `round_down` returns the largest f32 not above the number, and `round_up` the smallest f32
+    /// `round_down_to_f32` returns the largest f32 not above the number, `round_up_to_f32` the smallest
     /// not below it.
     #[test]
     fn rounding_is_directed_and_sharp() {
         let check = |value: f64| {
-            let (low, high) = (round_down(value), round_up(value));
+            let (low, high) = (round_down_to_f32(value), round_up_to_f32(value));
             assert!(f64::from(low) <= value && f64::from(low.next_up()) > value, "{value:e}: {low:e}");
             assert!(f64::from(high) >= value && f64::from(high.next_down()) < value, "{value:e}: {high:e}");
         };
@@ -242,8 +245,8 @@ mod tests {
         for value in exact.into_iter().chain(between).flat_map(|x| [x, -x]) {
             check(value);
         }
-        assert!(exact.iter().all(|&x| f64::from(round_down(x)) == x && f64::from(round_up(x)) == x));
-        assert_eq!((round_down(1e39), round_up(1e39)), (f32::MAX, f32::INFINITY));
+        assert!(exact.iter().all(|&x| f64::from(round_down_to_f32(x)) == x && f64::from(round_up_to_f32(x)) == x));
+        assert_eq!((round_down_to_f32(1e39), round_up_to_f32(1e39)), (f32::MAX, f32::INFINITY));
     }
 
     /// A box in single precision contains the box in double precision, so no distance from it is
@@ -255,9 +258,9 @@ mod tests {
             let low = DVec3::new(0.1, -0.7, 1.3) * (k + 1) as f64;
             Aabb { low, high: low + DVec3::new(0.3, 1e-3, 1e-9) }
         });
-        each.iter().enumerate().for_each(|(k, &bounds)| boxes.set(k, bounds));
+        each.iter().enumerate().for_each(|(k, &bounds)| boxes.set_child_box(k, bounds));
         for (k, bounds) in each.iter().enumerate() {
-            let held = boxes.get(k);
+            let held = boxes.child_box(k);
             assert!(held.low.cmple(bounds.low).all() && held.high.cmpge(bounds.high).all(), "{k}");
             for point in [bounds.low, bounds.high, bounds.low - 1e-8, bounds.high + 1e-8] {
                 assert!(boxes.distances_squared(point)[k] <= bounds.distance_squared(point), "{k} {point}");
@@ -280,7 +283,7 @@ mod tests {
             let signs = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(|bit| 2.0 * bit as f64 - 1.0);
             let points: Vec<DVec3> = (0..8).map(signs).map(|[a, b, c]| a * x + b * y + c * z).collect();
             let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
-            let (centre, half) = OrientedBox::from_points(&points, u, v, exactly).edges();
+            let (centre, half) = OrientedBox::from_points(&points, u, v, exactly).centre_and_half_edges();
             let inside = DMat3::from_cols(half[0], half[1], half[2]).inverse();
             for &point in &points {
                 assert!((inside * (point - centre)).abs().max_element() <= 1.0 + 1e-12, "{k}: {sizes:?}");
@@ -300,7 +303,7 @@ mod tests {
         for (a, b) in (0..36).map(|k| (directions[k / 6], directions[k % 6])) {
             let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
             let found = OrientedBox::from_points(&points, a, b, exactly);
-            let frame = found.frame();
+            let frame = found.axes_as_rows();
             assert!(
                 (frame * frame.transpose() - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-6),
                 "{a} {b}"

@@ -9,7 +9,7 @@ use glam::DVec3;
 /// A line prepared for the slab test, which intersects it with the space between two parallel
 /// planes.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Slab {
+pub(crate) struct LineSlabTest {
     /// For each axis, the line's point at parameter 0, shifted so that entries are early (`enter`)
     /// or exits late (`leave`).
     enter: [f64; 3],
@@ -19,13 +19,13 @@ pub(crate) struct Slab {
     falls: [bool; 3],
 }
 
-impl Slab {
+impl LineSlabTest {
     /// Prepares a line. `foot` is a point of the line, relative to the index's origin. `rounding`
     /// bounds the rounding error of all quantities computed for the line.
-    pub(crate) fn new(foot: DVec3, direction: DVec3, rounding: f64) -> Slab {
+    pub(crate) fn new(foot: DVec3, direction: DVec3, rounding: f64) -> LineSlabTest {
         let falls = direction.to_array().map(|x| x < 0.0);
         let moved = |axis: usize, by: f64| foot[axis] + if falls[axis] { -by } else { by };
-        Slab {
+        LineSlabTest {
             enter: [0, 1, 2].map(|axis| moved(axis, rounding)),
             leave: [0, 1, 2].map(|axis| moved(axis, -rounding)),
             inverse: direction.to_array().map(|x| if x == 0.0 { f64::INFINITY } else { x.recip() }),
@@ -36,10 +36,10 @@ impl Slab {
     /// The parameters, within `from` to `to`, at which the line enters and leaves each box. If the
     /// entry is greater than the exit, the line misses the box.
     #[inline(always)]
-    pub(crate) fn intersect(&self, group: &ChildBoxes, from: f64, to: f64) -> [[f64; 4]; 2] {
+    pub(crate) fn entries_and_exits(&self, boxes: &ChildBoxes, from: f64, to: f64) -> [[f64; 4]; 2] {
         let (mut near, mut far) = ([from; 4], [to; 4]);
         for axis in 0..3 {
-            let (low, high) = (&group.low[axis], &group.high[axis]);
+            let (low, high) = (&boxes.low[axis], &boxes.high[axis]);
             let (first, last) = if self.falls[axis] { (high, low) } else { (low, high) };
             for child in 0..4 {
                 // A line in a side of a box gives 0 times infinity here. NaN is not greater, so it

@@ -4,9 +4,9 @@
 //! divided, and separated pairs are discarded. `subdivision` finds the common points of a part of
 //! the curve and a cell, with proof.
 
-use super::curve_search::{CurveFind, CurvePart, CurveSearch};
-use super::hits::MAX_POINT_LENGTH;
-use super::line::{Hit, HitSelection, Line, MAX_COORDINATE};
+use super::curve_search::{CurvePointInCell, CurveSegmentPart, CurveSheetSearch};
+use super::hit_merging::MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES;
+use super::line::{Hit, HitSelection, Line, MAX_LINE_COORDINATE};
 use super::line_search::LineWorkspace;
 use crate::{Surface, each_sheet};
 use glam::DVec3;
@@ -26,7 +26,7 @@ const MAX_SEGMENT_DEGREE: usize = 7;
 /// Number of segments that a thread processes in one task.
 const SEGMENTS_PER_TASK: usize = 64;
 /// Finds on one curve may be the same point if their parameters differ by at most this.
-const MAX_SAME_PARAMETER_GAP: f64 = 1e-6;
+const MAX_SAME_CURVE_PARAMETER_GAP: f64 = 1e-6;
 
 impl Surface<'_> {
     /// Finds the common points of a curve and the surface, in the order of the curve.
@@ -47,12 +47,12 @@ impl Surface<'_> {
         let mut degrees = curve.segments().map(|segment| segment.len() - 1);
         degrees.try_for_each(|degree| Error::require(degree <= MAX_SEGMENT_DEGREE, "degree", degree as f64))?;
         let mut numbers = curve.points().iter().flat_map(DVec3::to_array);
-        numbers.try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, "curve", x))?;
-        let finds = self.finds(curve, selection, job)?;
-        let mut hits = self.hits(curve, finds)?;
+        numbers.try_for_each(|x| Error::require(x.abs() <= MAX_LINE_COORDINATE, "curve", x))?;
+        let finds = self.find_on_all_segments(curve, selection, job)?;
+        let mut hits = self.hits_from_finds(curve, finds)?;
         if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {
             // The unresolved part may continue in later segments.
-            hits = self.hits(curve, self.finds(curve, HitSelection::All, job)?)?;
+            hits = self.hits_from_finds(curve, self.find_on_all_segments(curve, HitSelection::All, job)?)?;
         }
         if selection != HitSelection::All {
             hits.truncate(1);
@@ -61,17 +61,22 @@ impl Surface<'_> {
     }
 
     /// The finds of all segments, or of the first segments that have any.
-    fn finds(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveFind>> {
+    fn find_on_all_segments(
+        &self,
+        curve: &CurveView<'_>,
+        selection: HitSelection,
+        job: &Job<'_>,
+    ) -> Result<Vec<CurvePointInCell>> {
         let mut finds = Vec::new();
         let count = curve.len();
-        let round = SEGMENTS_PER_TASK * par::at_most(count.div_ceil(SEGMENTS_PER_TASK), job.threads());
+        let round = SEGMENTS_PER_TASK * par::resolve_thread_count(count.div_ceil(SEGMENTS_PER_TASK), job.threads());
         for from in (0..count).step_by(round) {
             job.step(from as f64 / count as f64, "curve and surface")?;
             let to = count.min(from + round);
             for part in par::map(job.threads(), par::ranges(to - from, SEGMENTS_PER_TASK), |range| {
-                let mut finder = Finder::default();
+                let mut finder = SegmentFinder::default();
                 for k in range {
-                    self.segment(from + k, curve.segment(from + k), &mut finder)?;
+                    self.find_on_segment(from + k, curve.segment(from + k), &mut finder)?;
                 }
                 Ok(finder.finds)
             })? {
@@ -85,7 +90,7 @@ impl Surface<'_> {
     }
 
     /// Adds the finds of segment k.
-    fn segment(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
+    fn find_on_segment(&self, k: usize, controls: &[DVec3], finder: &mut SegmentFinder) -> Result<()> {
         if controls.iter().all(|&point| point == controls[0]) {
             // The segment adds nothing to the ends of its neighbours.
             return Ok(());
@@ -97,11 +102,11 @@ impl Surface<'_> {
         }
     }
 
-    fn find_on_line_segment(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) -> Result<()> {
+    fn find_on_line_segment(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut SegmentFinder) -> Result<()> {
         self.find_hits(&Line::segment(a, b), HitSelection::All, &mut finder.lines)?;
         for hit in &finder.lines.hits {
             let ends = hit.span.map(|t| a.lerp(b, t));
-            let find = CurveFind {
+            let find = CurvePointInCell {
                 at: k as f64 + hit.at,
                 span: hit.span.map(|t| k as f64 + t),
                 ends,
@@ -118,33 +123,39 @@ impl Surface<'_> {
         Ok(())
     }
 
-    fn find_on_curved_segment<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
-        let part = CurvePart::whole(elevated_segment::<M>(controls));
+    fn find_on_curved_segment<const M: usize>(
+        &self,
+        k: usize,
+        controls: &[DVec3],
+        finder: &mut SegmentFinder,
+    ) -> Result<()> {
+        let part = CurveSegmentPart::whole_segment(elevated_segment::<M>(controls));
         for sheet in 0..self.len() {
-            let (kind, index) = self.indexed(sheet);
+            let (kind, index) = self.sheet_and_index(sheet);
             each_sheet!(kind, cells => {
-                let search = CurveSearch { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
-                search.run(&part, &mut finder.finds)
+                let (sheet, tolerance) = (sheet as u32, self.tolerance());
+                let search = CurveSheetSearch { cells, index, sheet, segment: k, tolerance };
+                search.find_common_points(&part, &mut finder.finds)
             })?;
         }
         Ok(())
     }
 
     /// Converts finds to hits: each once, in the order of the curve.
-    fn hits(&self, curve: &CurveView<'_>, mut finds: Vec<CurveFind>) -> Result<Vec<CurveHit>> {
-        let merge_distance = self.merge_distance();
+    fn hits_from_finds(&self, curve: &CurveView<'_>, mut finds: Vec<CurvePointInCell>) -> Result<Vec<CurveHit>> {
+        let merge_distance = self.hit_merge_distance();
         merge_overlapping(&mut finds, merge_distance);
         for find in finds.iter_mut().filter(|find| find.tangent) {
-            find.runs_inside = find.length > self.longest_touch();
-            let point = find.length <= MAX_POINT_LENGTH * merge_distance
-                || self.is_crossing(find.place, curve_direction(curve, find.at));
+            find.runs_inside = find.length > self.max_touch_length();
+            let point = find.length <= MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES * merge_distance
+                || self.is_crossing_direction(find.place, curve_direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
-        sort::stable(&mut finds, &compare_hits);
-        let mut kept: Vec<CurveFind> = alloc::with_capacity(finds.len())?;
+        sort::stable(&mut finds, &compare_curve_finds);
+        let mut kept: Vec<CurvePointInCell> = alloc::with_capacity(finds.len())?;
         for find in finds {
-            let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= MAX_SAME_PARAMETER_GAP);
-            let known = near.any(|other| is_same(other, &find, merge_distance));
+            let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= MAX_SAME_CURVE_PARAMETER_GAP);
+            let known = near.any(|other| is_same_crossing(other, &find, merge_distance));
             if !known {
                 kept.push(find);
             }
@@ -154,19 +165,23 @@ impl Surface<'_> {
         if let [first, .., last] = &kept[..]
             && curve.is_closed()
             && !(first.tangent || last.tangent)
-            && last.at - round + MAX_SAME_PARAMETER_GAP >= first.at
+            && last.at - round + MAX_SAME_CURVE_PARAMETER_GAP >= first.at
             && first.point.distance(last.point) <= merge_distance
         {
             kept.pop();
         }
         for find in kept.iter_mut().filter(|find| !find.tangent) {
-            find.tangent = self.is_touched(find.place, curve_direction(curve, find.at), find.point.abs().max_element());
+            find.tangent = self.does_direction_only_touch(
+                find.place,
+                curve_direction(curve, find.at),
+                find.point.abs().max_element(),
+            );
         }
         alloc::collect(kept.iter().map(|find| {
             let span = if find.tangent { find.span } else { [find.at; 2] };
             Hit {
-                at: place(curve, find.at),
-                span: span.map(|at| place(curve, at)),
+                at: curve_place_from_number(curve, find.at),
+                span: span.map(|at| curve_place_from_number(curve, at)),
                 place: find.place,
                 point: find.point,
                 normal: self.normal(find.place),
@@ -178,28 +193,30 @@ impl Surface<'_> {
 }
 
 /// The place of a number that is the sum of segment index and parameter.
-fn place(curve: &CurveView<'_>, at: f64) -> CurvePlace {
-    let segment = (at as usize).min(curve.len() - 1);
-    CurvePlace { segment: segment as u32, t: at - segment as f64 }
+fn curve_place_from_number(curve: &CurveView<'_>, global_parameter: f64) -> CurvePlace {
+    let segment = (global_parameter as usize).min(curve.len() - 1);
+    CurvePlace { segment: segment as u32, t: global_parameter - segment as f64 }
 }
 
 /// The unit vector along the curve.
-fn curve_direction(curve: &CurveView<'_>, at: f64) -> DVec3 {
-    curve.tangent(place(curve, at)).unwrap_or(DVec3::ZERO)
+fn curve_direction(curve: &CurveView<'_>, global_parameter: f64) -> DVec3 {
+    curve.tangent(curve_place_from_number(curve, global_parameter)).unwrap_or(DVec3::ZERO)
 }
 
 /// Orders finds by their place on the curve, then by cells.
-fn compare_hits(a: &CurveFind, b: &CurveFind) -> Ordering {
+fn compare_curve_finds(a: &CurvePointInCell, b: &CurvePointInCell) -> Ordering {
     a.at.total_cmp(&b.at).then_with(|| (a.place.sheet, a.place.cell).cmp(&(b.place.sheet, b.place.cell)))
 }
 
 /// Merges unresolved finds that overlap along the curve. Keeps the place that is closest to the
 /// surface.
-fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
-    let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| compare_hits(a, b));
+fn merge_overlapping(finds: &mut Vec<CurvePointInCell>, merge_distance: f64) {
+    let by_span = |a: &CurvePointInCell, b: &CurvePointInCell| {
+        a.span[0].total_cmp(&b.span[0]).then_with(|| compare_curve_finds(a, b))
+    };
     sort::stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
     finds.dedup_by(|next, all| {
-        let joins = all.tangent && next.tangent && runs_on(all, next, merge_distance);
+        let joins = all.tangent && next.tangent && overlaps_along_curve(all, next, merge_distance);
         if joins {
             all.length += next.length;
             if next.span[1] > all.span[1] {
@@ -214,13 +231,13 @@ fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
 }
 
 /// True if an unresolved find begins within another one, or at its end.
-fn runs_on(first: &CurveFind, next: &CurveFind, merge_distance: f64) -> bool {
+fn overlaps_along_curve(first: &CurvePointInCell, next: &CurvePointInCell, merge_distance: f64) -> bool {
     let near = next.span[0] - first.span[1] <= 1e-3 && first.ends[1].distance(next.ends[0]) <= 2.0 * merge_distance;
     next.span[0] <= first.span[1] || near
 }
 
 /// True if two finds are the same crossing: at the same place of the curve and the surface.
-fn is_same(a: &CurveFind, b: &CurveFind, merge_distance: f64) -> bool {
+fn is_same_crossing(a: &CurvePointInCell, b: &CurvePointInCell, merge_distance: f64) -> bool {
     !a.tangent && !b.tangent && a.point.distance(b.point) <= merge_distance
 }
 
@@ -234,7 +251,7 @@ pub(super) fn elevated_segment<const M: usize>(controls: &[DVec3]) -> [DVec3; M]
 
 /// The finds of one thread.
 #[derive(Default)]
-struct Finder {
+struct SegmentFinder {
     lines: LineWorkspace,
-    finds: Vec<CurveFind>,
+    finds: Vec<CurvePointInCell>,
 }

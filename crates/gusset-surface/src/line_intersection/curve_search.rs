@@ -1,10 +1,10 @@
 //! The descent of the index for a curved segment.
 
-use super::line_search::MAX_RELATIVE_ROUNDING;
+use super::line_search::MAX_RELATIVE_LINE_ROUNDING;
 use crate::Place;
-use crate::cells::{Cells, cells_of_block};
-use crate::index::Pyramid;
-use crate::subdivision::{Crossings, CurveWorkspace, crossings};
+use crate::cells::{SheetCells, cells_of_block};
+use crate::index::BoxPyramid;
+use crate::subdivision::{CrossingWorkspace, CurvePatchCrossings, find_crossings};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -13,7 +13,7 @@ use gusset_base::geom::bernstein::{evaluate, halves};
 
 /// A common point, as found in one cell.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct CurveFind {
+pub(super) struct CurvePointInCell {
     /// The sum of segment index and parameter, at the point and at both ends of the span.
     pub(super) at: f64,
     pub(super) span: [f64; 2],
@@ -32,35 +32,35 @@ pub(super) struct CurveFind {
 
 /// Memory that the cells of a segment reuse.
 #[derive(Default)]
-struct CurveSolver<const M: usize, const N: usize> {
-    workspace: CurveWorkspace<M, N>,
-    found: Crossings,
+struct CurveSolverWorkspace<const M: usize, const N: usize> {
+    workspace: CrossingWorkspace<M, N>,
+    found: CurvePatchCrossings,
     /// Bound of the error of control points.
     rounding_error: f64,
 }
 
 /// A part of a segment.
 #[derive(Clone)]
-pub(super) struct CurvePart<const M: usize> {
+pub(super) struct CurveSegmentPart<const M: usize> {
     points: [DVec3; M],
     from: f64,
     size: f64,
 }
 
-impl<const M: usize> CurvePart<M> {
+impl<const M: usize> CurveSegmentPart<M> {
     /// The whole segment as a part.
-    pub(super) fn whole(points: [DVec3; M]) -> Self {
-        CurvePart { points, from: 0.0, size: 1.0 }
+    pub(super) fn whole_segment(points: [DVec3; M]) -> Self {
+        CurveSegmentPart { points, from: 0.0, size: 1.0 }
     }
 
-    fn bounds(&self) -> Aabb {
+    fn bounding_box(&self) -> Aabb {
         Aabb::from_points(self.points)
     }
 }
 
 /// A part of a segment and a block of cells. `diagonal` is the diagonal of the block's box.
-struct CurveEntry<const M: usize> {
-    part: CurvePart<M>,
+struct CurvePartAndBlock<const M: usize> {
+    part: CurveSegmentPart<M>,
     diagonal: f64,
     level: usize,
     row: usize,
@@ -69,55 +69,59 @@ struct CurveEntry<const M: usize> {
 
 /// Smallest size of a part. Even if the curve is 1e20 times as long as the surface, such parts are
 /// short.
-const MIN_PART_SIZE: f64 = 1e-30;
+const MIN_HALVED_PART_SIZE: f64 = 1e-30;
 
 /// The search in a sheet for a segment.
-pub(super) struct CurveSearch<'a, C, const M: usize, const N: usize> {
+pub(super) struct CurveSheetSearch<'a, C, const M: usize, const N: usize> {
     pub(super) cells: &'a C,
-    pub(super) index: &'a Pyramid,
+    pub(super) index: &'a BoxPyramid,
     pub(super) sheet: u32,
     /// The index of the segment on the curve.
     pub(super) segment: usize,
     pub(super) tolerance: f64,
 }
 
-impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
+impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M, N> {
     /// Adds the common points of the sheet and the segment.
-    pub(super) fn run(&self, whole: &CurvePart<M>, finds: &mut Vec<CurveFind>) -> Result<()> {
+    pub(super) fn find_common_points(
+        &self,
+        whole: &CurveSegmentPart<M>,
+        finds: &mut Vec<CurvePointInCell>,
+    ) -> Result<()> {
         let origin = self.index.origin();
-        let part = CurvePart { points: whole.points.map(|point| point - origin), ..*whole };
-        let (levels, bounds) = (self.index.levels(), self.index.bounds());
+        let part = CurveSegmentPart { points: whole.points.map(|point| point - origin), ..*whole };
+        let (levels, bounds) = (self.index.levels(), self.index.bounding_box());
         let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let diagonal = bounds.diagonal();
         let rounding_error =
-            (8.0 * f64::EPSILON * (bounds.max_norm() + farthest)).min(MAX_RELATIVE_ROUNDING * diagonal);
+            (8.0 * f64::EPSILON * (bounds.max_norm() + farthest)).min(MAX_RELATIVE_LINE_ROUNDING * diagonal);
         let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
-        let mut waiting = vec![CurveEntry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
-        let mut solver = CurveSolver { rounding_error, ..CurveSolver::default() };
+        let mut waiting = vec![CurvePartAndBlock { part, diagonal, level: levels.len(), row: 0, column: 0 }];
+        let mut solver = CurveSolverWorkspace { rounding_error, ..CurveSolverWorkspace::default() };
         while let Some(entry) = waiting.pop() {
-            let CurveEntry { part, diagonal, level, row, column } = entry;
-            let bounds = part.bounds().inflated(rounding_error);
-            if bounds.diagonal() > 2.0 * diagonal && part.size > MIN_PART_SIZE {
+            let CurvePartAndBlock { part, diagonal, level, row, column } = entry;
+            let bounds = part.bounding_box().inflated(rounding_error);
+            if bounds.diagonal() > 2.0 * diagonal && part.size > MIN_HALVED_PART_SIZE {
                 for (half, points) in halves(&part.points).into_iter().enumerate() {
                     let size = 0.5 * part.size;
-                    let part = CurvePart { points, size, from: part.from + half as f64 * size };
+                    let part = CurveSegmentPart { points, size, from: part.from + half as f64 * size };
                     let near = if level == levels.len() {
-                        part.bounds().overlaps(&whole)
+                        part.bounding_box().overlaps(&whole)
                     } else {
-                        self.touches(&part, rounding_error, level, row, column)
+                        self.may_part_touch_block(&part, rounding_error, level, row, column)
                     };
                     if near {
-                        waiting.push(CurveEntry { part, diagonal, level, row, column });
+                        waiting.push(CurvePartAndBlock { part, diagonal, level, row, column });
                     }
                 }
             } else if level == 0 {
-                self.block(&part, [row, column], &mut solver, finds)?;
+                self.search_block(&part, [row, column], &mut solver, finds)?;
             } else {
                 for child in 0..4 {
                     let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-                    if self.touches(&part, rounding_error, level - 1, row, column) {
-                        let diagonal = levels[level - 1].child_boxes(row / 2, column / 2).get(child).diagonal();
-                        waiting.push(CurveEntry { part: part.clone(), diagonal, level: level - 1, row, column });
+                    if self.may_part_touch_block(&part, rounding_error, level - 1, row, column) {
+                        let diagonal = levels[level - 1].child_boxes(row / 2, column / 2).child_box(child).diagonal();
+                        waiting.push(CurvePartAndBlock { part: part.clone(), diagonal, level: level - 1, row, column });
                     }
                 }
             }
@@ -126,48 +130,55 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
     }
 
     /// False if the part misses the boxes of block (row, column) of a level.
-    fn touches(&self, part: &CurvePart<M>, rounding_error: f64, level: usize, row: usize, column: usize) -> bool {
+    fn may_part_touch_block(
+        &self,
+        part: &CurveSegmentPart<M>,
+        rounding_error: f64,
+        level: usize,
+        row: usize,
+        column: usize,
+    ) -> bool {
         let level = &self.index.levels()[level];
-        let block = level.child_boxes(row / 2, column / 2).get(2 * (row % 2) + column % 2);
+        let block = level.child_boxes(row / 2, column / 2).child_box(2 * (row % 2) + column % 2);
         !block.is_empty()
-            && part.bounds().inflated(rounding_error).overlaps(&block)
-            && level.oriented(row, column).is_none_or(|oriented| oriented.meets_hull(&part.points))
+            && part.bounding_box().inflated(rounding_error).overlaps(&block)
+            && level.oriented_box(row, column).is_none_or(|oriented| oriented.may_meet_hull(&part.points))
     }
 
     /// Adds the common points in the cells of a block.
-    fn block(
+    fn search_block(
         &self,
-        part: &CurvePart<M>,
+        part: &CurveSegmentPart<M>,
         block: [usize; 2],
-        solver: &mut CurveSolver<M, N>,
-        finds: &mut Vec<CurveFind>,
+        solver: &mut CurveSolverWorkspace<M, N>,
+        finds: &mut Vec<CurvePointInCell>,
     ) -> Result<()> {
-        let deviation = self.index.deviation(block[0], block[1]) + solver.rounding_error;
-        let along = part.bounds();
-        for [i, j] in cells_of_block(block, self.cells.counts()) {
+        let deviation = self.index.block_deviation(block[0], block[1]) + solver.rounding_error;
+        let along = part.bounding_box();
+        for [i, j] in cells_of_block(block, self.cells.cell_counts()) {
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];
-            let cell = Aabb::from_points(corners.map(|(i, j)| self.cells.corner(i, j) - self.index.origin()));
+            let cell = Aabb::from_points(corners.map(|(i, j)| self.cells.corner_point(i, j) - self.index.origin()));
             if cell.inflated(deviation).overlaps(&along) {
-                self.cell(part, [i, j], solver, finds)?;
+                self.search_cell(part, [i, j], solver, finds)?;
             }
         }
         Ok(())
     }
 
     /// Adds the common points in one cell.
-    fn cell(
+    fn search_cell(
         &self,
-        part: &CurvePart<M>,
+        part: &CurveSegmentPart<M>,
         [i, j]: [usize; 2],
-        solver: &mut CurveSolver<M, N>,
-        finds: &mut Vec<CurveFind>,
+        solver: &mut CurveSolverWorkspace<M, N>,
+        finds: &mut Vec<CurvePointInCell>,
     ) -> Result<()> {
         let origin = self.index.origin();
-        let patch = self.cells.patch(i, j);
+        let patch = self.cells.cell_patch(i, j);
         let mut local = patch;
         local.points.as_flattened_mut().iter_mut().for_each(|point| *point -= origin);
-        let CurveSolver { workspace, found, rounding_error } = solver;
-        crossings(&part.points, &local, *rounding_error, self.tolerance, workspace, found)?;
+        let CurveSolverWorkspace { workspace, found, rounding_error } = solver;
+        find_crossings(&part.points, &local, *rounding_error, self.tolerance, workspace, found)?;
         let along = |t: f64| self.segment as f64 + (part.from + part.size * t).clamp(0.0, 1.0);
         let simple = found.simple.iter().map(|crossing| (crossing.t, [crossing.t; 2], crossing.place, false));
         let unresolved = found.unresolved.iter().map(|cluster| {
@@ -176,7 +187,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
         });
         for (t, span, at, tangent) in simple.chain(unresolved) {
             let ends = span.map(|t| evaluate(&part.points, t) + origin);
-            let find = CurveFind {
+            let find = CurvePointInCell {
                 at: along(t),
                 span: span.map(along),
                 ends,

@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset_base::error::{Error, Result};
 
 /// Largest absolute coordinate of lines and curves. Squares of larger ones would overflow.
-pub(crate) const MAX_COORDINATE: f64 = 1e150;
+pub(crate) const MAX_LINE_COORDINATE: f64 = 1e150;
 
 /// A line, ray or segment: origin + t * direction for t between `from` and `to`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,8 +39,11 @@ impl Line {
     }
 
     /// Checks that the line is finite and has a direction.
-    pub(crate) fn check(&self) -> Result<()> {
-        self.origin.to_array().into_iter().try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, "origin", x))?;
+    pub(crate) fn check_finite_with_direction(&self) -> Result<()> {
+        self.origin
+            .to_array()
+            .into_iter()
+            .try_for_each(|x| Error::require(x.abs() <= MAX_LINE_COORDINATE, "origin", x))?;
         check_finite(self.direction, "direction")?;
         // Parameters of points are divided by the length, and would be infinite.
         let square = self.direction.length_squared();

@@ -45,7 +45,7 @@ impl Surface<'_> {
             }
             Ok((counts, hits))
         };
-        batches(lines, job, each, |(counts, hits)| {
+        process_in_batches(lines, job, each, |(counts, hits)| {
             for count in counts {
                 line_hits.ends.push(line_hits.ends[line_hits.ends.len() - 1] + count);
             }
@@ -68,21 +68,21 @@ impl Surface<'_> {
             }
             Ok(hits)
         };
-        batches(lines, job, each, |hits| alloc::append(&mut first_hits, &hits))?;
+        process_in_batches(lines, job, each, |hits| alloc::append(&mut first_hits, &hits))?;
         Ok(first_hits)
     }
 }
 
-/// Checks lines, processes them in batches, and passes the results to `add` in their order.
-fn batches<R: Send>(
+/// Checks lines, processes them in batches, and passes the results to `receive` in their order.
+fn process_in_batches<R: Send>(
     lines: &[Line],
     job: &Job<'_>,
-    each: impl Fn(&[Line], &mut LineWorkspace) -> Result<R> + Sync,
-    mut add: impl FnMut(R) -> Result<()>,
+    process: impl Fn(&[Line], &mut LineWorkspace) -> Result<R> + Sync,
+    mut receive: impl FnMut(R) -> Result<()>,
 ) -> Result<()> {
     job.step(0.0, "lines")?;
     for (k, line) in lines.iter().enumerate() {
-        line.check().map_err(|error| match error {
+        line.check_finite_with_direction().map_err(|error| match error {
             Error::OptionOutOfRange { option, value } => {
                 let why = match option {
                     "origin" => "needs an origin with coordinates up to 1e150",
@@ -95,14 +95,14 @@ fn batches<R: Send>(
         })?;
     }
     // One workspace for each thread, reused from batch to batch.
-    let threads = par::at_most(lines.len().div_ceil(LINES_PER_TASK), job.threads());
+    let threads = par::resolve_thread_count(lines.len().div_ceil(LINES_PER_TASK), job.threads());
     let mut workspaces = alloc::collect((0..threads).map(|_| LineWorkspace::default()))?;
     let round = LINES_PER_TASK * threads;
     for (k, some) in lines.chunks(round).enumerate() {
         job.step((k * round) as f64 / lines.len() as f64, "lines")?;
         let parts = some.chunks(LINES_PER_TASK).zip(&mut workspaces);
-        for part in par::map(threads, parts, |(batch, workspace)| each(batch, workspace))? {
-            add(part?)?;
+        for part in par::map(threads, parts, |(batch, workspace)| process(batch, workspace))? {
+            receive(part?)?;
         }
     }
     Ok(())

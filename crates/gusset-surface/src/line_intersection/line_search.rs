@@ -1,9 +1,9 @@
 //! The descent of the index for a line.
 
 use super::line::{Hit, HitSelection, Line};
-use crate::cells::{BLOCK, Cells};
-use crate::index::{OrientedBox, Pyramid, Slab};
-use crate::subdivision::{Crossings, CurveWorkspace, Roots, crossings, simple_roots};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
+use crate::index::{BoxPyramid, LineSlabTest, OrientedBox};
+use crate::subdivision::{CrossingWorkspace, CurvePatchCrossings, FieldRoots, find_crossings, find_simple_roots};
 use crate::{Patch, Place};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -13,28 +13,28 @@ use gusset_base::geom::subdivision::UnresolvedCluster;
 
 /// Memory that searches of patches of degree N - 1 reuse.
 #[derive(Default)]
-pub(super) struct Solver<const N: usize> {
-    roots: Roots<N>,
-    workspace: CurveWorkspace<2, N>,
-    crossings: Crossings,
+pub(super) struct PatchRootWorkspace<const N: usize> {
+    roots: FieldRoots<N>,
+    workspace: CrossingWorkspace<2, N>,
+    crossings: CurvePatchCrossings,
 }
 
 /// Memory for sheets of all kinds, and the hits.
 #[derive(Default)]
 pub(super) struct LineWorkspace {
     pub(super) hits: Vec<Hit>,
-    pub(super) cubic: Solver<4>,
-    pub(super) high: Solver<8>,
+    pub(super) cubic: PatchRootWorkspace<4>,
+    pub(super) high: PatchRootWorkspace<8>,
 }
 
 /// Largest rounding error that is allowed for, relative to the surface's size. A larger one would
 /// turn the whole surface into a hit. A line from farther away is replaced by the line through its
 /// rounded foot.
-pub(super) const MAX_RELATIVE_ROUNDING: f64 = 1e-6;
+pub(super) const MAX_RELATIVE_LINE_ROUNDING: f64 = 1e-6;
 
 /// A line relative to a sheet, parametrised by the distance from its foot: the point nearest to the
 /// index's origin.
-struct Ray {
+struct LineInSheet {
     line: Line,
     /// The foot, relative to the index's origin, and in space.
     local: DVec3,
@@ -49,15 +49,15 @@ struct Ray {
     rounding_error: f64,
 }
 
-impl Ray {
-    fn new(line: &Line, index: &Pyramid) -> Ray {
+impl LineInSheet {
+    fn new(line: &Line, index: &BoxPyramid) -> LineInSheet {
         let (along, length) = line.direction_and_length();
         let from = line.origin - index.origin();
         let distance = -from.dot(along);
         let local = from + distance * along;
         let (first, second) = along.any_orthonormal_pair();
-        let bounds = index.bounds();
-        Ray {
+        let bounds = index.bounding_box();
+        LineInSheet {
             line: *line,
             local,
             foot: local + index.origin(),
@@ -65,31 +65,31 @@ impl Ray {
             length,
             across: [first, second],
             start: distance / length,
-            rounding_error: rounding_error(line, index.origin(), [bounds.low, bounds.high]),
+            rounding_error: line_rounding_error(line, index.origin(), [bounds.low, bounds.high]),
         }
     }
 
     /// The distance from the foot at a parameter.
-    fn distance(&self, t: f64) -> f64 {
+    fn distance_from_foot(&self, t: f64) -> f64 {
         (t - self.start) * self.length
     }
 
     /// The parameter of a point.
-    fn parameter(&self, point: DVec3) -> f64 {
+    fn parameter_of_point(&self, point: DVec3) -> f64 {
         (point - self.line.origin).dot(self.along) / self.length
     }
 }
 
 /// Bound of the rounding error of points of a line, and of points in a box, relative to an origin.
-pub(super) fn rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
+pub(super) fn line_rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
     let extent = low.abs().max(high.abs()).length();
     let extent = extent + line.origin.distance(origin) + line.origin.length();
-    (8.0 * f64::EPSILON * extent).min(MAX_RELATIVE_ROUNDING * low.distance(high))
+    (8.0 * f64::EPSILON * extent).min(MAX_RELATIVE_LINE_ROUNDING * low.distance(high))
 }
 
 /// A waiting block, and the distance at which the line enters it.
 #[derive(Debug, Clone, Copy, Default)]
-struct LineEntry {
+struct WaitingLineBlock {
     enters: f64,
     level: u32,
     row: u32,
@@ -98,62 +98,62 @@ struct LineEntry {
 
 /// Largest number of waiting entries: three for each level of a pyramid over 2^31 nodes, which has
 /// at most 30 levels.
-const MAX_STACK: usize = 3 * 30 + 4;
+const MAX_WAITING_BLOCKS: usize = 3 * 30 + 4;
 
 /// The search of one sheet.
-pub(super) struct LineSearch<'a> {
-    pub(super) index: &'a Pyramid,
+pub(super) struct SheetLineSearch<'a> {
+    pub(super) index: &'a BoxPyramid,
     pub(super) sheet: u32,
     pub(super) line: &'a Line,
     pub(super) selection: HitSelection,
     pub(super) tolerance: f64,
 }
 
-impl LineSearch<'_> {
+impl SheetLineSearch<'_> {
     /// Adds the hits of the sheet, whose cells are given. With [`HitSelection::All`], searches all
     /// cells. Otherwise, it searches as far as the first hit and hits that may be merged with it.
-    pub(super) fn run<const N: usize>(
+    pub(super) fn search_sheet<const N: usize>(
         &self,
-        cells: &impl Cells<N>,
-        solver: &mut Solver<N>,
+        cells: &impl SheetCells<N>,
+        solver: &mut PatchRootWorkspace<N>,
         hits: &mut Vec<Hit>,
     ) -> Result<()> {
-        let LineSearch { index, sheet, line, selection, tolerance } = *self;
-        let ray = Ray::new(line, index);
+        let SheetLineSearch { index, sheet, line, selection, tolerance } = *self;
+        let ray = LineInSheet::new(line, index);
         let slack = ray.rounding_error;
-        let slab = Slab::new(ray.local, ray.along, slack);
-        let (from, to) = (ray.distance(line.from) - slack, ray.distance(line.to) + slack);
-        let mut leaf = LineLeaf { cells, index, sheet, ray: &ray, tolerance, solver };
+        let slab = LineSlabTest::new(ray.local, ray.along, slack);
+        let (from, to) = (ray.distance_from_foot(line.from) - slack, ray.distance_from_foot(line.to) + slack);
+        let mut leaf = LineBlockSearch { cells, index, sheet, ray: &ray, tolerance, solver };
         let levels = index.levels();
-        let mut stack = [LineEntry::default(); MAX_STACK];
+        let mut stack = [WaitingLineBlock::default(); MAX_WAITING_BLOCKS];
         let mut count = 1;
-        stack[0] = LineEntry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
-        let mut farthest = self.farthest(&ray, to, hits);
+        stack[0] = WaitingLineBlock { enters: from, level: levels.len() as u32, row: 0, column: 0 };
+        let mut farthest = self.search_limit_after_hits(&ray, to, hits);
         while count > 0 {
             count -= 1;
-            let LineEntry { enters, level, row, column } = stack[count];
+            let WaitingLineBlock { enters, level, row, column } = stack[count];
             if enters > farthest {
                 continue;
             }
             let (row, column) = (row as usize, column as usize);
             if level == 0 {
                 let known = hits.len();
-                leaf.search(row, column, hits)?;
+                leaf.search_block(row, column, hits)?;
                 if hits.len() > known {
                     if selection == HitSelection::Any {
                         return Ok(());
                     }
-                    farthest = self.farthest(&ray, farthest, &hits[known..]);
+                    farthest = self.search_limit_after_hits(&ray, farthest, &hits[known..]);
                 }
                 continue;
             }
             let level_below = &levels[level as usize - 1];
-            let [near, far] = slab.intersect(level_below.child_boxes(row, column), from, farthest);
+            let [near, far] = slab.entries_and_exits(level_below.child_boxes(row, column), from, farthest);
             let waiting = count;
             for child in 0..4 {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-                let misses = |oriented: &OrientedBox| !oriented.meets_line(ray.local, ray.along);
-                if near[child] > far[child] || level_below.oriented(row, column).is_some_and(misses) {
+                let misses = |oriented: &OrientedBox| !oriented.may_meet_line(ray.local, ray.along);
+                if near[child] > far[child] || level_below.oriented_box(row, column).is_some_and(misses) {
                     continue;
                 }
                 // Insertion sort: the nearest child is last, and taken first.
@@ -162,7 +162,8 @@ impl LineSearch<'_> {
                     stack[at] = stack[at - 1];
                     at -= 1;
                 }
-                stack[at] = LineEntry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
+                stack[at] =
+                    WaitingLineBlock { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
                 count += 1;
             }
         }
@@ -171,93 +172,93 @@ impl LineSearch<'_> {
 
     /// The distance along the ray beyond which nothing matters after some hits: beyond all hits
     /// that may be merged with the first one.
-    fn farthest(&self, ray: &Ray, known: f64, hits: &[Hit]) -> f64 {
+    fn search_limit_after_hits(&self, ray: &LineInSheet, known: f64, hits: &[Hit]) -> f64 {
         if self.selection != HitSelection::First {
             return known;
         }
         let extent = 4.0 * self.tolerance + 1e4 * ray.rounding_error;
-        hits.iter().map(|hit| ray.distance(hit.at) + extent).fold(known, f64::min)
+        hits.iter().map(|hit| ray.distance_from_foot(hit.at) + extent).fold(known, f64::min)
     }
 }
 
 /// The search of a block.
-struct LineLeaf<'a, C, const N: usize> {
+struct LineBlockSearch<'a, C, const N: usize> {
     cells: &'a C,
-    index: &'a Pyramid,
+    index: &'a BoxPyramid,
     sheet: u32,
-    ray: &'a Ray,
+    ray: &'a LineInSheet,
     tolerance: f64,
-    solver: &'a mut Solver<N>,
+    solver: &'a mut PatchRootWorkspace<N>,
 }
 
-impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
-    fn search(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) -> Result<()> {
-        let [rows, columns] = self.cells.counts();
-        let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
-        let (left, right) = (column * BLOCK, columns.min((column + 1) * BLOCK));
-        let deviation = self.index.deviation(row, column) + self.ray.rounding_error;
-        let mut corners = [[DVec2::ZERO; BLOCK + 1]; BLOCK + 1];
+impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
+    fn search_block(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) -> Result<()> {
+        let [rows, columns] = self.cells.cell_counts();
+        let (first, last) = (row * CELLS_PER_BLOCK_SIDE, rows.min((row + 1) * CELLS_PER_BLOCK_SIDE));
+        let (left, right) = (column * CELLS_PER_BLOCK_SIDE, columns.min((column + 1) * CELLS_PER_BLOCK_SIDE));
+        let deviation = self.index.block_deviation(row, column) + self.ray.rounding_error;
+        let mut corners = [[DVec2::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1];
         for i in first..=last {
             for j in left..=right {
-                let from = self.cells.corner(i, j) - self.ray.foot;
+                let from = self.cells.corner_point(i, j) - self.ray.foot;
                 corners[i - first][j - left] = DVec2::new(from.dot(self.ray.across[0]), from.dot(self.ray.across[1]));
             }
         }
         for (r, i) in (first..last).enumerate() {
             for (c, j) in (left..right).enumerate() {
                 let quad = [corners[r][c], corners[r][c + 1], corners[r + 1][c + 1], corners[r + 1][c]];
-                if may_hold_origin(&quad, deviation) {
-                    self.cell(i, j, hits)?;
+                if may_hull_reach_origin(&quad, deviation) {
+                    self.search_cell(i, j, hits)?;
                 }
             }
         }
         Ok(())
     }
 
-    fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
-        let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
-        if !simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
+    fn search_cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
+        let fields = self.cells.coordinates_along(i, j, self.ray.foot, self.ray.across);
+        if !find_simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
             return self.search_as_curve(i, j, hits);
         }
         let roots = &self.solver.roots.simple;
         if roots.is_empty() {
             return Ok(());
         }
-        let patch = self.cells.patch(i, j);
-        roots.iter().try_for_each(|&root| self.add(&patch, [i, j], root, None, hits))
+        let patch = self.cells.cell_patch(i, j);
+        roots.iter().try_for_each(|&root| self.add_hit(&patch, [i, j], root, None, hits))
     }
 
     /// Searches a cell in which the fields do not decide: treats the part of the line in the cell's
     /// box as a curve.
     fn search_as_curve(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
-        let patch = self.cells.patch(i, j);
-        let Some(segment) = self.segment(&patch) else { return Ok(()) };
+        let patch = self.cells.cell_patch(i, j);
+        let Some(segment) = self.segment_beside_patch(&patch) else { return Ok(()) };
         let [start, end] = segment;
         let found = &mut self.solver.crossings;
-        crossings(&segment, &patch, self.ray.rounding_error, self.tolerance, &mut self.solver.workspace, found)?;
+        find_crossings(&segment, &patch, self.ray.rounding_error, self.tolerance, &mut self.solver.workspace, found)?;
         for crossing in &self.solver.crossings.simple {
-            self.add(&patch, [i, j], crossing.place, None, hits)?;
+            self.add_hit(&patch, [i, j], crossing.place, None, hits)?;
         }
         for &UnresolvedCluster { best, low, high } in &self.solver.crossings.unresolved {
-            let span = [low.x, high.x].map(|at| self.ray.parameter(start.lerp(end, at.clamp(0.0, 1.0))));
-            self.add(&patch, [i, j], DVec2::new(best.middle.y, best.middle.z), Some(span), hits)?;
+            let span = [low.x, high.x].map(|at| self.ray.parameter_of_point(start.lerp(end, at.clamp(0.0, 1.0))));
+            self.add_hit(&patch, [i, j], DVec2::new(best.middle.y, best.middle.z), Some(span), hits)?;
         }
         Ok(())
     }
 
     /// The part of the line beside the patch: both have the same extent along the line.
-    fn segment(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
+    fn segment_beside_patch(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
         let ray = self.ray;
         let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
         let [low, high] = range(along);
         let slack = ray.rounding_error + self.tolerance;
-        let from = (low - slack).max(ray.distance(ray.line.from) - ray.rounding_error);
-        let to = (high + slack).min(ray.distance(ray.line.to) + ray.rounding_error);
+        let from = (low - slack).max(ray.distance_from_foot(ray.line.from) - ray.rounding_error);
+        let to = (high + slack).min(ray.distance_from_foot(ray.line.to) + ray.rounding_error);
         (from <= to).then(|| [ray.foot + from * ray.along, ray.foot + to * ray.along])
     }
 
     /// Adds a hit, if its parameter is within the line's range.
-    fn add(
+    fn add_hit(
         &self,
         patch: &Patch<N>,
         [i, j]: [usize; 2],
@@ -266,7 +267,7 @@ impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
         hits: &mut Vec<Hit>,
     ) -> Result<()> {
         let (ray, jet) = (self.ray, patch.jet(at.x, at.y));
-        let t = ray.parameter(jet.point);
+        let t = ray.parameter_of_point(jet.point);
         let slack = ray.rounding_error / ray.length;
         if t < ray.line.from - slack || t > ray.line.to + slack {
             return Ok(());
@@ -287,7 +288,7 @@ impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
             place,
             point: jet.point,
             // Where the patch is not regular, the sheet provides the limit later.
-            normal: jet.regular_normal(patch.noise()).unwrap_or(DVec3::ZERO),
+            normal: jet.unit_normal_if_regular(patch.derivative_noise()).unwrap_or(DVec3::ZERO),
             tangent,
             multiplicity: if tangent { 2 } else { 1 },
         };
@@ -295,13 +296,13 @@ impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
     }
 }
 
-/// False if a line through two of four points proves that the origin is farther than `by` from
-/// their hull.
+/// False if a line through two of four points proves that the origin is farther than `distance`
+/// from their hull.
 #[inline(always)]
-fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
+fn may_hull_reach_origin(quad: &[DVec2; 4], distance: f64) -> bool {
     let [a, b, c, d] = *quad;
     let (low, high) = (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)));
-    if low.x > by || low.y > by || high.x < -by || high.y < -by {
+    if low.x > distance || low.y > distance || high.x < -distance || high.y < -distance {
         return false;
     }
     // The signed distances to the left of the side from a to b, scaled by its length, of the origin
@@ -311,7 +312,7 @@ fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
         let (origin, c, d) = (-side.perp_dot(a), side.perp_dot(c - a), side.perp_dot(d - a));
         let (low, high) = (c.min(d).min(0.0), c.max(d).max(0.0));
         let outside = (low - origin).max(origin - high);
-        outside > 0.0 && outside * outside > by * by * side.length_squared()
+        outside > 0.0 && outside * outside > distance * distance * side.length_squared()
     };
     !(separated(a, b, c, d) || separated(b, c, d, a) || separated(c, d, a, b) || separated(d, a, b, c))
 }
@@ -333,7 +334,7 @@ mod tests {
             let near = from.lerp(to, random.f64());
             for (share, expected) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
                 let quad = shape.map(|corner| corner - near - share * by * out);
-                assert_eq!(may_hold_origin(&quad, by), expected, "{quad:?} {by}");
+                assert_eq!(may_hull_reach_origin(&quad, by), expected, "{quad:?} {by}");
             }
         }
     }

@@ -2,8 +2,8 @@
 //!
 //! - `line`: lines and their hits. `line_search`: descent of the index for a line. Over a cell,
 //!   hits are the common roots of two fields, the distances from two planes through the line.
-//!   `subdivision::roots` finds all of them. `hits`: merges hits that several cells found.
-//!   `line_batch`: many lines.
+//!   `subdivision::field_roots` finds all of them. `hit_merging`: merges hits that several cells
+//!   found. `line_batch`: many lines.
 //! - `curve_hits`, `curve_search`: the same for curves. A line that touches the surface or runs in
 //!   it is treated as a curve, whose parameter yields the range of the contact.
 //! - `winding`: whether a line crosses the surface where tangents jump.
@@ -14,7 +14,7 @@
 
 mod curve_hits;
 mod curve_search;
-mod hits;
+mod hit_merging;
 mod line;
 mod line_batch;
 mod line_search;
@@ -24,7 +24,7 @@ pub use curve_hits::CurveHit;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-pub(crate) use line::MAX_COORDINATE;
+pub(crate) use line::MAX_LINE_COORDINATE;
 pub use line::{Hit, HitSelection, Line};
 pub use line_batch::Lines;
 
@@ -33,7 +33,7 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::aabb::range;
 use gusset_curve::ops::{NearMiss, NearMisses};
 use gusset_curve::{CurveView, Place as CurvePlace};
-use line_search::{LineSearch, LineWorkspace};
+use line_search::{LineWorkspace, SheetLineSearch};
 
 impl Surface<'_> {
     /// Finds the common points of a line and the surface, by ascending t.
@@ -46,7 +46,7 @@ impl Surface<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the line is not finite or lacks a direction.
     pub fn line(&self, line: &Line, selection: HitSelection) -> Result<Vec<Hit>> {
-        line.check()?;
+        line.check_finite_with_direction()?;
         let mut workspace = LineWorkspace::default();
         self.find_hits(line, selection, &mut workspace)?;
         Ok(workspace.hits)
@@ -56,13 +56,13 @@ impl Surface<'_> {
     fn find_hits(&self, line: &Line, selection: HitSelection, workspace: &mut LineWorkspace) -> Result<()> {
         workspace.hits.clear();
         for k in 0..self.len() {
-            let (sheet, index) = self.indexed(k);
-            let search = LineSearch { index, sheet: k as u32, line, selection, tolerance: self.tolerance() };
+            let (sheet, index) = self.sheet_and_index(k);
+            let search = SheetLineSearch { index, sheet: k as u32, line, selection, tolerance: self.tolerance() };
             let LineWorkspace { hits, cubic, high } = workspace;
             match sheet {
-                Sheet::Grid(cells) => search.run(cells, cubic, hits)?,
-                Sheet::Cubic(cells) => search.run(cells, cubic, hits)?,
-                Sheet::High(cells) => search.run(cells, high, hits)?,
+                Sheet::Grid(cells) => search.search_sheet(cells, cubic, hits)?,
+                Sheet::Cubic(cells) => search.search_sheet(cells, cubic, hits)?,
+                Sheet::High(cells) => search.search_sheet(cells, high, hits)?,
             }
             if selection == HitSelection::Any && !workspace.hits.is_empty() {
                 break;
@@ -88,7 +88,7 @@ impl Line {
     /// # Errors
     /// The errors of [`near_misses`](Self::near_misses).
     pub fn meetings(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
-        self.check()?;
+        self.check_finite_with_direction()?;
         if within == 0.0 {
             match curve.intersect_line(self.origin, self.direction, &job.part(0.0, 0.5)) {
                 Ok(found) if found.inside.is_empty() && !curve.is_empty() => {
@@ -125,7 +125,7 @@ impl Line {
     /// [`Error::OptionOutOfRange`] if the line is not finite or lacks a direction, and the errors
     /// of [`CurveView::near_misses`](gusset_curve::CurveView::near_misses).
     pub fn near_misses(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
-        self.check()?;
+        self.check_finite_with_direction()?;
         Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
         // The part of the line beside the curve, and a little more.
         let (along, length) = self.direction_and_length();

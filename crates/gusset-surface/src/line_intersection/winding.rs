@@ -10,11 +10,11 @@ use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// Largest deviation from an integer of the turns of cells all around a point.
-const TURN_TOLERANCE: f64 = 0.01;
+const MAX_TURN_COUNT_ERROR: f64 = 0.01;
 
 impl Surface<'_> {
     /// The place moved to a side of its cell, if it is within `tolerance` of one.
-    pub(super) fn on_side(&self, place: Place, tolerance: f64) -> Option<Place> {
+    pub(super) fn snap_to_cell_side(&self, place: Place, tolerance: f64) -> Option<Place> {
         let jet = self.jet(place);
         let snapped = |x: f64, tangent: DVec3| {
             let slack = tolerance / tangent.length();
@@ -34,7 +34,7 @@ impl Surface<'_> {
     /// True if a line only touches the surface at places on sides of cells that are the same point:
     /// it stays on one side of the surrounding cells. False at a border, where cells are not all
     /// around.
-    pub(super) fn only_touches(&self, places: &[Place], direction: DVec3) -> bool {
+    pub(super) fn does_line_only_touch(&self, places: &[Place], direction: DVec3) -> bool {
         let mut cells: Vec<Place> = Vec::new();
         for place in places {
             if !cells.iter().any(|known| (known.sheet, known.cell) == (place.sheet, place.cell)) {
@@ -47,31 +47,31 @@ impl Surface<'_> {
         let seen = |tangent: DVec3| DVec2::new(tangent.dot(x), tangent.dot(y));
         let (mut forth, mut back) = (0.0, 0.0);
         for &place in &cells {
-            let angle = self.corner_angle(place, seen) / TAU;
+            let angle = self.projected_corner_angle(place, seen) / TAU;
             *if angle < 0.0 { &mut back } else { &mut forth } += angle;
         }
         let (turns, turned) = (forth + back, forth.min(-back) > 0.0);
         let whole = turns.round();
         // A fan that turns little, and never back, is at a border.
-        (turns - whole).abs() <= TURN_TOLERANCE && whole % 2.0 == 0.0 && (turned || whole != 0.0)
+        (turns - whole).abs() <= MAX_TURN_COUNT_ERROR && whole % 2.0 == 0.0 && (turned || whole != 0.0)
     }
 
     /// True if a direction only touches the surface at a place next to a side, as far as the
     /// rounding of numbers up to `largest` allows.
-    pub(super) fn is_touched(&self, place: Place, direction: DVec3, largest: f64) -> bool {
-        let (size, sine) = (self.diagonal(), self.normal(place).dot(direction).abs());
+    pub(super) fn does_direction_only_touch(&self, place: Place, direction: DVec3, largest: f64) -> bool {
+        let (size, sine) = (self.box_diagonal(), self.normal(place).dot(direction).abs());
         let rounding_error = 64.0 * f64::EPSILON * largest.max(size);
         let tolerance = rounding_error / sine.max((rounding_error / size).sqrt());
-        let on_side = self.on_side(place, tolerance);
-        on_side.is_some_and(|place| self.only_touches(&[place], direction))
+        let on_side = self.snap_to_cell_side(place, tolerance);
+        on_side.is_some_and(|place| self.does_line_only_touch(&[place], direction))
     }
 
     /// True if the side of its cell that a place is on, across u (direction 0) or v, is a single
     /// point.
-    fn is_pole(&self, place: Place, direction: usize) -> bool {
+    fn is_side_pole(&self, place: Place, direction: usize) -> bool {
         let at = if direction == 0 { place.u } else { place.v };
         let [i, j] = place.cell.map(|k| k as usize);
-        (at == 0.0 || at == 1.0) && self.sheet(place.sheet as usize).side_is_point(direction, i, j, at == 1.0)
+        (at == 0.0 || at == 1.0) && self.sheet(place.sheet as usize).is_cell_side_point(direction, i, j, at == 1.0)
     }
 
     /// The cells of the sheet around a place on a side, each with its parameters of the place. At a
@@ -92,10 +92,10 @@ impl Surface<'_> {
             std::iter::once((cell, at)).chain(next)
         };
         let point = self.jet(place).point;
-        let is_here = |other: &Place| self.jet(*other).point.distance(point) <= 1e-12 * self.diagonal();
+        let is_here = |other: &Place| self.jet(*other).point.distance(point) <= 1e-12 * self.box_diagonal();
         let mut cells = Vec::new();
         for direction in 0..2 {
-            if self.is_pole(place, direction) {
+            if self.is_side_pole(place, direction) {
                 let at = if direction == 0 { place.u } else { place.v };
                 for (line, at) in lines(direction, at) {
                     cells.extend((0..counts[1 - direction] as u32).map(|k| match direction {
@@ -103,7 +103,7 @@ impl Surface<'_> {
                         _ => Place { cell: [k, line], u: 0.5, v: at, ..place },
                     }));
                 }
-                cells.retain(|other| self.is_pole(*other, direction) && is_here(other));
+                cells.retain(|other| self.is_side_pole(*other, direction) && is_here(other));
                 return cells;
             }
         }
@@ -114,23 +114,23 @@ impl Surface<'_> {
     }
 
     /// Returns the angle between the tangents from a place into its cell, in projection.
-    fn corner_angle(&self, place: Place, seen: impl Fn(DVec3) -> DVec2) -> f64 {
+    fn projected_corner_angle(&self, place: Place, project: impl Fn(DVec3) -> DVec2) -> f64 {
         let between = |[a, b]: [DVec2; 2]| libm::atan2(a.perp_dot(b), a.dot(b));
         let at = |u: f64, v: f64| self.jet(Place { u, v, ..place });
         // At a pole, the tangents of the lines that meet there, turning in the sense from S_u to
         // S_v.
         let fan = [0.0, 0.5, 1.0];
         let turn = |[a, b, c]: [DVec2; 3]| between([a, b]) + between([b, c]);
-        if self.is_pole(place, 0) {
+        if self.is_side_pole(place, 0) {
             let inwards = if place.u == 0.0 { 1.0 } else { -1.0 };
-            return turn(fan.map(|v| seen(inwards * at(place.u, if place.u == 0.0 { v } else { 1.0 - v }).u)));
+            return turn(fan.map(|v| project(inwards * at(place.u, if place.u == 0.0 { v } else { 1.0 - v }).u)));
         }
-        if self.is_pole(place, 1) {
+        if self.is_side_pole(place, 1) {
             let inwards = if place.v == 0.0 { 1.0 } else { -1.0 };
-            return turn(fan.map(|u| seen(inwards * at(if place.v == 1.0 { u } else { 1.0 - u }, place.v).v)));
+            return turn(fan.map(|u| project(inwards * at(if place.v == 1.0 { u } else { 1.0 - u }, place.v).v)));
         }
         let jet = at(place.u, place.v);
-        let tangents = [jet.u, jet.v, -jet.u, -jet.v].map(&seen);
+        let tangents = [jet.u, jet.v, -jet.u, -jet.v].map(&project);
         let inside = [place.u < 1.0, place.v < 1.0, place.u > 0.0, place.v > 0.0];
         (0..4)
             .map(|k| (k, (k + 1) % 4))

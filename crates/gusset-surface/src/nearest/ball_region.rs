@@ -4,11 +4,11 @@
 //! Boxes exclude blocks, and a search of the patch excludes cells. The limit is fixed, so the order
 //! of the search does not matter. O(blocks and cells within the distance).
 
-use super::block::blocks_within;
+use super::bounded_block::lowest_blocks_within;
 use super::patch_search::{PartFrontier, nearest_on_patch};
-use super::query::check;
-use crate::cells::Cells;
-use crate::index::Pyramid;
+use super::query_checks::check_query_and_distance;
+use crate::cells::SheetCells;
+use crate::index::BoxPyramid;
 use crate::{Patch, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -50,8 +50,8 @@ impl Surface<'_> {
     /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn region(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<Region> {
-        check("radius", query, radius)?;
-        job.step(0.0, STAGE)?;
+        check_query_and_distance("radius", query, radius)?;
+        job.step(0.0, PROGRESS_STAGE)?;
         let mut region = Region { first: alloc::with_capacity(self.len() + 1)?, ..Region::default() };
         let mut bits = 0_u64;
         for k in 0..self.len() {
@@ -60,11 +60,11 @@ impl Surface<'_> {
         }
         region.first.push(bits);
         region.mask = alloc::zeroed(bits.div_ceil(64) as usize)?;
-        let ball = QueryBall { query, radius, tolerance: self.query_tolerance(query) };
+        let ball = QueryBall { query, radius, tolerance: self.distance_tolerance_for(query) };
         let mut cells_in_ball = Vec::new();
         for k in 0..self.len() {
-            let (sheet, index) = self.indexed(k);
-            each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, &mut cells_in_ball, job))?;
+            let (sheet, index) = self.sheet_and_index(k);
+            each_sheet!(sheet, cells => ball.collect_cells(cells, index, k as u32, &mut cells_in_ball, job))?;
         }
         // The blocks were visited in another order.
         cells_in_ball.sort_unstable();
@@ -82,7 +82,7 @@ impl Surface<'_> {
 /// Number of blocks of cells between two progress reports.
 const BLOCKS_PER_REPORT: usize = 1 << 12;
 
-const STAGE: &str = "region";
+const PROGRESS_STAGE: &str = "region";
 
 /// A ball around the query.
 struct QueryBall {
@@ -93,23 +93,23 @@ struct QueryBall {
 
 impl QueryBall {
     /// Adds the cells of a sheet with a point in the ball, and whether the whole cell is in it.
-    fn collect<const N: usize>(
+    fn collect_cells<const N: usize>(
         &self,
-        cells: &impl Cells<N>,
-        index: &Pyramid,
+        cells: &impl SheetCells<N>,
+        index: &BoxPyramid,
         sheet: u32,
         found: &mut Vec<([u32; 3], bool)>,
         job: &Job<'_>,
     ) -> Result<()> {
         let mut workspace = PartFrontier::default();
-        for (k, block) in blocks_within(index, self.query, self.radius + self.tolerance).enumerate() {
+        for (k, block) in lowest_blocks_within(index, self.query, self.radius + self.tolerance).enumerate() {
             if (k + 1).is_multiple_of(BLOCKS_PER_REPORT) {
-                job.step(0.0, STAGE)?;
+                job.step(0.0, PROGRESS_STAGE)?;
             }
-            for [i, j] in block.cells(cells) {
-                let patch = cells.patch(i, j);
-                let whole = patch.max_distance(self.query) <= self.radius;
-                if whole || self.reaches(&patch, &mut workspace) {
+            for [i, j] in block.cells_of_block(cells) {
+                let patch = cells.cell_patch(i, j);
+                let whole = patch.max_control_distance(self.query) <= self.radius;
+                if whole || self.reaches_patch(&patch, &mut workspace) {
                     alloc::push(found, ([sheet, i as u32, j as u32], whole))?;
                 }
             }
@@ -118,12 +118,12 @@ impl QueryBall {
     }
 
     /// True if a patch has a point in the ball, within the tolerance.
-    fn reaches<const N: usize>(&self, patch: &Patch<N>, workspace: &mut PartFrontier<N>) -> bool {
-        let corners = patch.corners();
+    fn reaches_patch<const N: usize>(&self, patch: &Patch<N>, workspace: &mut PartFrontier<N>) -> bool {
+        let corners = patch.corner_points();
         if corners.as_flattened().iter().any(|corner| corner.distance(self.query) <= self.radius) {
             return true;
         }
-        if patch.box_distance(self.query) > self.radius + self.tolerance {
+        if patch.distance_bound_by_box(self.query) > self.radius + self.tolerance {
             return false;
         }
         let start = DVec2::splat(0.5);

@@ -4,8 +4,8 @@
 //! boxes and a few patches for most queries. Near a centre of curvature, the cost may reach the
 //! limits of `nearest_search`.
 
-use super::nearest_search::{NearestSearch, SurfaceSearch};
-use super::query::check;
+use super::nearest_search::{NearestPointSearch, NearestSurfaceSearch};
+use super::query_checks::check_query_and_distance;
 use crate::{Place, Surface};
 use glam::DVec3;
 
@@ -40,13 +40,18 @@ impl Surface<'_> {
     /// Among points at equal distance, returns the one on the first sheet, and there in the first
     /// cell by rows.
     pub fn closest(&self, query: DVec3, limit: f64) -> Option<Closest> {
-        self.closest_with(query, limit, &mut NearestSearch::default())
+        self.closest_with_workspace(query, limit, &mut NearestPointSearch::default())
     }
 
-    pub(super) fn closest_with(&self, query: DVec3, limit: f64, search: &mut NearestSearch) -> Option<Closest> {
-        check("limit", query, limit).ok()?;
-        let tolerance = self.query_tolerance(query);
-        SurfaceSearch { surface: self, search }.find(query, limit, tolerance);
+    pub(super) fn closest_with_workspace(
+        &self,
+        query: DVec3,
+        limit: f64,
+        search: &mut NearestPointSearch,
+    ) -> Option<Closest> {
+        check_query_and_distance("limit", query, limit).ok()?;
+        let tolerance = self.distance_tolerance_for(query);
+        NearestSurfaceSearch { surface: self, search }.find_nearest(query, limit, tolerance);
         let best = search.incumbent.best.filter(|best| best.distance <= limit)?;
         let (place, bound) = (best.place(), search.settled.min(best.distance));
         Some(Closest {
@@ -63,7 +68,7 @@ impl Surface<'_> {
     /// The length to which distances from a point are proven: the tolerance, or the rounding of
     /// distances if that is larger. Rounding is a few units in the last place of the largest
     /// coordinate.
-    pub(super) fn query_tolerance(&self, query: DVec3) -> f64 {
+    pub(super) fn distance_tolerance_for(&self, query: DVec3) -> f64 {
         let rounding = 16.0 * f64::EPSILON * self.max_coordinate().max(query.abs().max_element());
         self.tolerance().max(rounding)
     }

@@ -8,13 +8,13 @@ use crate::Place;
 use glam::{DVec2, DVec3};
 
 /// Smallest relative decrease of the distance that makes an answer a notable gain.
-const MIN_RELATIVE_GAIN: f64 = 1e-6;
+const MIN_RELATIVE_DISTANCE_GAIN: f64 = 1e-6;
 /// Largest number of answers kept to detect ambiguity.
-const MAX_TIES: usize = 64;
+const MAX_KEPT_ANSWERS: usize = 64;
 
 /// A point of the surface that may be the nearest one.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Answer {
+pub(super) struct NearestAnswer {
     pub(super) point: DVec3,
     /// The unit normal; zero where the patch is not regular.
     pub(super) normal: DVec3,
@@ -24,10 +24,10 @@ pub(super) struct Answer {
     pub(super) parameters: DVec2,
 }
 
-impl Answer {
+impl NearestAnswer {
     /// Whether this answer is closer, or at equal distance comes first.
-    fn precedes(&self, other: &Answer) -> bool {
-        let key = |answer: &Answer| (answer.distance, answer.sheet, answer.cell);
+    fn is_preferred_to(&self, other: &NearestAnswer) -> bool {
+        let key = |answer: &NearestAnswer| (answer.distance, answer.sheet, answer.cell);
         key(self) < key(other)
     }
 
@@ -39,14 +39,14 @@ impl Answer {
 /// An upper bound of the smallest distance: the distance of an answer or of a corner, or the
 /// query's limit.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct UpperBound {
+pub(super) struct DistanceUpperBound {
     pub(super) distance: f64,
     tolerance: f64,
 }
 
-impl UpperBound {
+impl DistanceUpperBound {
     pub(super) fn new(distance: f64, tolerance: f64) -> Self {
-        UpperBound { distance, tolerance }
+        DistanceUpperBound { distance, tolerance }
     }
 
     /// The distance beyond which nothing needs to be examined.
@@ -57,58 +57,58 @@ impl UpperBound {
 
     /// Lowers the bound to the distance of a point.
     #[inline(always)]
-    pub(super) fn lower(&mut self, distance: f64) {
+    pub(super) fn lower_to(&mut self, distance: f64) {
         self.distance = self.distance.min(distance);
     }
 }
 
 /// The answers of a search.
 #[derive(Debug, Default)]
-pub(super) struct Incumbent {
+pub(super) struct IncumbentAnswers {
     pub(super) query: DVec3,
     /// The length to which distances are proven, at least the rounding error.
     pub(super) tolerance: f64,
-    pub(super) upper: UpperBound,
+    pub(super) upper: DistanceUpperBound,
     /// The nearest answer so far.
-    pub(super) best: Option<Answer>,
+    pub(super) best: Option<NearestAnswer>,
     /// Answers within the tolerance of the nearest one, and a few that are slightly farther.
-    ties: Vec<Answer>,
+    ties: Vec<NearestAnswer>,
     /// The unit vector from the nearest answer to the query; zero without an answer.
     pub(super) direction: DVec3,
 }
 
-impl Incumbent {
-    pub(super) fn begin(&mut self, query: DVec3, limit: f64, tolerance: f64) {
+impl IncumbentAnswers {
+    pub(super) fn begin_query(&mut self, query: DVec3, limit: f64, tolerance: f64) {
         self.ties.clear();
         (self.best, self.direction) = (None, DVec3::ZERO);
-        (self.query, self.tolerance, self.upper) = (query, tolerance, UpperBound::new(limit, tolerance));
+        (self.query, self.tolerance, self.upper) = (query, tolerance, DistanceUpperBound::new(limit, tolerance));
     }
 
     /// The distance of the nearest answer; infinite without an answer.
     #[inline(always)]
-    pub(super) fn distance(&self) -> f64 {
+    pub(super) fn nearest_distance(&self) -> f64 {
         self.best.map_or(f64::INFINITY, |best| best.distance)
     }
 
     /// True if an answer at this distance would be notably closer.
-    pub(super) fn is_gain(&self, distance: f64) -> bool {
-        distance < self.distance() * (1.0 - MIN_RELATIVE_GAIN)
+    pub(super) fn is_notable_gain(&self, distance: f64) -> bool {
+        distance < self.nearest_distance() * (1.0 - MIN_RELATIVE_DISTANCE_GAIN)
     }
 
     /// Adds a point of the surface.
-    pub(super) fn add(&mut self, answer: Answer) {
-        let distance = self.distance();
-        self.upper.lower(answer.distance);
-        if self.best.is_none_or(|best| answer.precedes(&best)) {
+    pub(super) fn add_answer(&mut self, answer: NearestAnswer) {
+        let distance = self.nearest_distance();
+        self.upper.lower_to(answer.distance);
+        if self.best.is_none_or(|best| answer.is_preferred_to(&best)) {
             self.best = Some(answer);
             self.direction = (self.query - answer.point).normalize_or_zero();
             if answer.distance < distance - self.tolerance {
                 self.ties.clear();
             }
         }
-        if answer.distance <= self.upper.prune_bound() && self.ties.len() < MAX_TIES {
+        if answer.distance <= self.upper.prune_bound() && self.ties.len() < MAX_KEPT_ANSWERS {
             // A pole belongs to many cells, and one answer for it suffices.
-            let same = 0.1 * self.separation();
+            let same = 0.1 * self.distinct_point_distance();
             if self.ties.iter().all(|other| other.point.distance(answer.point) > same) {
                 self.ties.push(answer);
             }
@@ -116,17 +116,17 @@ impl Incumbent {
     }
 
     /// The distance beyond which two nearest points count as different.
-    fn separation(&self) -> f64 {
-        let distance = self.distance();
+    fn distinct_point_distance(&self) -> f64 {
+        let distance = self.nearest_distance();
         // On a plane, all points within this distance of the nearest point are equally close.
         let alike = (2.0 * distance * self.tolerance).sqrt();
         (0.01 * distance).max(8.0 * alike)
     }
 
     /// True if an answer at another place is equally close.
-    pub(super) fn is_ambiguous(&self, best: &Answer) -> bool {
+    pub(super) fn is_ambiguous(&self, best: &NearestAnswer) -> bool {
         let within = best.distance + self.tolerance;
         let mut ties = self.ties.iter().filter(|other| other.distance <= within);
-        ties.any(|other| other.point.distance(best.point) > self.separation())
+        ties.any(|other| other.point.distance(best.point) > self.distinct_point_distance())
     }
 }

@@ -5,14 +5,14 @@
 //! side or at a corner counts if no cell that meets the point has a descent direction there.
 //! Invariant: a missing minimum is at least as far as the bound at which the search ended.
 
-use super::block::{Block, blocks_within};
+use super::bounded_block::{BoundedBlock, lowest_blocks_within};
 use super::closest::Closest;
-use super::descent_direction::{SIDE_ROUNDING, has_descent_direction};
+use super::descent_direction::{MAX_DISTANCE_ON_SIDE, has_descent_direction};
 use super::nearest_search::cells_around;
-use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
+use super::patch_minima::{LocalMinimum, find_interior_minima, find_side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
-use super::query::check;
-use crate::cells::Cells;
+use super::query_checks::check_query_and_distance;
+use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
 use crate::{Place, Surface, each_sheet};
 use glam::{DVec2, DVec3};
@@ -36,13 +36,13 @@ pub struct Minima {
 }
 
 /// Number of undecided cells at which a search gives up.
-const MAX_UNDECIDED: usize = 512;
+const MAX_UNDECIDED_CELLS: usize = 512;
 /// Number of blocks and cells between two progress reports.
 const CELLS_PER_REPORT: usize = 1 << 7;
 
-const STAGE: &str = "minima";
+const PROGRESS_STAGE: &str = "minima";
 /// Points within this number of tolerances are the same point.
-const SAME_POINT_TOLERANCES: f64 = 16.0;
+const MAX_SAME_POINT_DISTANCE_IN_TOLERANCES: f64 = 16.0;
 
 /// A minimum, and the cell that contains it.
 #[derive(Clone, Copy)]
@@ -63,13 +63,13 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] if the limit is negative or NaN, [`Error::NotFinite`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn local_minima(&self, query: DVec3, limit: f64, most: usize, job: &Job<'_>) -> Result<Minima> {
-        check("limit", query, limit)?;
-        job.step(0.0, STAGE)?;
+        check_query_and_distance("limit", query, limit)?;
+        job.step(0.0, PROGRESS_STAGE)?;
         let mut search = MinimaSearch {
             surface: self,
             query,
             limit,
-            tolerance: self.query_tolerance(query),
+            tolerance: self.distance_tolerance_for(query),
             most,
             found: Vec::new(),
             undecided: Vec::new(),
@@ -78,10 +78,10 @@ impl Surface<'_> {
             job,
         };
         for sheet in 0..self.len() {
-            search.push_block(sheet, Block::root(self.indexed(sheet).1))?;
+            search.push_block(sheet, BoundedBlock::whole_sheet(self.sheet_and_index(sheet).1))?;
         }
-        let bound = search.run()?.unwrap_or(limit);
-        search.end(bound, self.closest(query, limit))
+        let bound = search.search_best_first()?.unwrap_or(limit);
+        search.into_minima(bound, self.closest(query, limit))
     }
 }
 
@@ -95,32 +95,32 @@ struct MinimaSearch<'a> {
     undecided: Vec<FoundMinimum>,
     /// Equal bounds are ordered by sheet, level, row and column, so that the result does not depend
     /// on the queue.
-    frontier: Frontier<(usize, Block), [usize; 4]>,
+    frontier: Frontier<(usize, BoundedBlock), [usize; 4]>,
     /// The number of blocks and cells examined.
     looked_at: usize,
     job: &'a Job<'a>,
 }
 
 impl BranchAndBound for MinimaSearch<'_> {
-    type Task = (usize, Block);
-    type Key = [usize; 4];
-    type Stop = Error;
+    type SearchTask = (usize, BoundedBlock);
+    type TieBreakKey = [usize; 4];
+    type StopReason = Error;
 
-    fn frontier(&mut self) -> &mut Frontier<(usize, Block), [usize; 4]> {
+    fn frontier(&mut self) -> &mut Frontier<(usize, BoundedBlock), [usize; 4]> {
         &mut self.frontier
     }
 
-    fn is_wanted(&mut self, bound: f64) -> bool {
-        bound <= self.prune_bound() && self.undecided.len() <= MAX_UNDECIDED
+    fn is_bound_wanted(&mut self, bound: f64) -> bool {
+        bound <= self.prune_bound() && self.undecided.len() <= MAX_UNDECIDED_CELLS
     }
 
-    fn branch(&mut self, _: f64, (sheet, block): (usize, Block)) -> Result<()> {
-        self.tick()?;
-        let (cells, index) = self.surface.indexed(sheet);
+    fn branch_task(&mut self, _: f64, (sheet, block): (usize, BoundedBlock)) -> Result<()> {
+        self.count_and_report()?;
+        let (cells, index) = self.surface.sheet_and_index(sheet);
         if block.level == 0 {
             return each_sheet!(cells, cells => self.search_block(cells, &block, sheet));
         }
-        let mut children = block.children(index, self.query).into_iter().flatten();
+        let mut children = block.child_blocks(index, self.query).into_iter().flatten();
         children.try_for_each(|block| self.push_block(sheet, block))
     }
 }
@@ -128,12 +128,12 @@ impl BranchAndBound for MinimaSearch<'_> {
 impl MinimaSearch<'_> {
     /// Counts a block or a cell, and reports progress.
     #[inline(never)]
-    fn tick(&mut self) -> Result<()> {
+    fn count_and_report(&mut self) -> Result<()> {
         self.looked_at += 1;
-        if self.looked_at.is_multiple_of(CELLS_PER_REPORT) { self.job.step(0.0, STAGE) } else { Ok(()) }
+        if self.looked_at.is_multiple_of(CELLS_PER_REPORT) { self.job.step(0.0, PROGRESS_STAGE) } else { Ok(()) }
     }
 
-    fn push_block(&mut self, sheet: usize, block: Block) -> Result<()> {
+    fn push_block(&mut self, sheet: usize, block: BoundedBlock) -> Result<()> {
         self.frontier.push(block.bound, [sheet, block.level, block.row, block.column], (sheet, block))
     }
 
@@ -147,26 +147,31 @@ impl MinimaSearch<'_> {
         self.limit.min(last + self.tolerance)
     }
 
-    fn search_block<const N: usize>(&mut self, cells: &impl Cells<N>, block: &Block, sheet: usize) -> Result<()> {
-        for cell in block.cells(cells) {
-            self.tick()?;
-            let patch = cells.patch(cell[0], cell[1]);
-            if patch.box_distance(self.query) > self.limit {
+    fn search_block<const N: usize>(
+        &mut self,
+        cells: &impl SheetCells<N>,
+        block: &BoundedBlock,
+        sheet: usize,
+    ) -> Result<()> {
+        for cell in block.cells_of_block(cells) {
+            self.count_and_report()?;
+            let patch = cells.cell_patch(cell[0], cell[1]);
+            if patch.distance_bound_by_box(self.query) > self.limit {
                 continue;
             }
             let mut minima = Vec::new();
-            interior_minima(&patch, self.query, self.tolerance, |minimum| minima.push(minimum));
-            if !cells.is_smooth_around(cell[0], cell[1]) {
-                side_minima(&patch, self.query, |minimum| minima.push(minimum));
+            find_interior_minima(&patch, self.query, self.tolerance, |minimum| minima.push(minimum));
+            if !cells.is_smooth_around_cell(cell[0], cell[1]) {
+                find_side_minima(&patch, self.query, |minimum| minima.push(minimum));
             }
             for minimum in minima {
-                self.add(FoundMinimum { minimum, sheet, cell })?;
+                self.add_minimum(FoundMinimum { minimum, sheet, cell })?;
             }
         }
         Ok(())
     }
 
-    fn add(&mut self, candidate: FoundMinimum) -> Result<()> {
+    fn add_minimum(&mut self, candidate: FoundMinimum) -> Result<()> {
         let minimum = &candidate.minimum;
         if minimum.bound > self.limit {
             return Ok(());
@@ -174,48 +179,58 @@ impl MinimaSearch<'_> {
         if !minimum.proven {
             return alloc::push(&mut self.undecided, candidate);
         }
-        let near = SAME_POINT_TOLERANCES * self.tolerance;
+        let near = MAX_SAME_POINT_DISTANCE_IN_TOLERANCES * self.tolerance;
         let is_same = |other: &FoundMinimum| other.minimum.point.distance(minimum.point) <= near;
-        if minimum.distance > self.limit || self.found.iter().any(is_same) || !self.is_minimum_around(minimum) {
+        if minimum.distance > self.limit || self.found.iter().any(is_same) || !self.is_minimum_across_cells(minimum) {
             return Ok(());
         }
         alloc::push(&mut self.found, candidate)
     }
 
     /// True if no cell that meets a minimum of one patch has a descent direction there.
-    fn is_minimum_around(&self, minimum: &LocalMinimum) -> bool {
-        let on_border = |x: f64| x <= SIDE_ROUNDING || x >= 1.0 - SIDE_ROUNDING;
+    fn is_minimum_across_cells(&self, minimum: &LocalMinimum) -> bool {
+        let on_border = |x: f64| x <= MAX_DISTANCE_ON_SIDE || x >= 1.0 - MAX_DISTANCE_ON_SIDE;
         if !(on_border(minimum.place.x) || on_border(minimum.place.y)) {
             return true;
         }
         (0..self.surface.len()).all(|sheet| {
-            let (cells, index) = self.surface.indexed(sheet);
-            let mut blocks = blocks_within(index, minimum.point, self.tolerance);
-            each_sheet!(cells, cells => blocks.all(|block| self.is_minimum_in(cells, &block, minimum)))
+            let (cells, index) = self.surface.sheet_and_index(sheet);
+            let mut blocks = lowest_blocks_within(index, minimum.point, self.tolerance);
+            each_sheet!(cells, cells => blocks.all(|block| self.is_minimum_in_block(cells, &block, minimum)))
         })
     }
 
-    fn is_minimum_in<const N: usize>(&self, cells: &impl Cells<N>, block: &Block, minimum: &LocalMinimum) -> bool {
+    fn is_minimum_in_block<const N: usize>(
+        &self,
+        cells: &impl SheetCells<N>,
+        block: &BoundedBlock,
+        minimum: &LocalMinimum,
+    ) -> bool {
         let mut workspace = PartFrontier::default();
-        block.cells(cells).all(|[i, j]| {
-            let (patch, start) = (cells.patch(i, j), DVec2::splat(0.5));
-            if patch.box_distance(minimum.point) > self.tolerance {
+        block.cells_of_block(cells).all(|[i, j]| {
+            let (patch, start) = (cells.cell_patch(i, j), DVec2::splat(0.5));
+            if patch.distance_bound_by_box(minimum.point) > self.tolerance {
                 return true;
             }
             let nearest =
                 nearest_on_patch(&patch, minimum.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace);
             let Some(there) = nearest.filter(|there| there.distance <= self.tolerance) else { return true };
-            !has_descent_direction(&patch, self.query, there.place, SAME_POINT_TOLERANCES * self.tolerance)
+            !has_descent_direction(
+                &patch,
+                self.query,
+                there.place,
+                MAX_SAME_POINT_DISTANCE_IN_TOLERANCES * self.tolerance,
+            )
         })
     }
 
     /// Returns the minima, with one place for all undecided cells that touch.
-    fn end(mut self, bound: f64, nearest: Option<Closest>) -> Result<Minima> {
-        let complete = self.undecided.len() <= MAX_UNDECIDED;
-        merge_adjacent(&mut self.undecided, self.surface)?;
+    fn into_minima(mut self, bound: f64, nearest: Option<Closest>) -> Result<Minima> {
+        let complete = self.undecided.len() <= MAX_UNDECIDED_CELLS;
+        merge_adjacent_undecided(&mut self.undecided, self.surface)?;
         let proven = std::mem::take(&mut self.found);
         // An undecided place next to a proven one is the same place.
-        let near = SAME_POINT_TOLERANCES * self.tolerance;
+        let near = MAX_SAME_POINT_DISTANCE_IN_TOLERANCES * self.tolerance;
         let distance = |a: &FoundMinimum, b: &FoundMinimum| a.minimum.point.distance(b.minimum.point);
         self.undecided.retain(|place| proven.iter().all(|found| distance(found, place) > near));
         let mut points = alloc::with_capacity(proven.len() + self.undecided.len() + 1)?;
@@ -236,7 +251,7 @@ impl MinimaSearch<'_> {
             a.distance.total_cmp(&b.distance).then_with(|| place(a).cmp(&place(b)))
         });
         points.retain(|point| point.distance <= self.limit);
-        merge_points(&mut points, near)?;
+        merge_coincident_minima(&mut points, near)?;
         if self.most > 0 {
             points.truncate(self.most);
         }
@@ -245,12 +260,12 @@ impl MinimaSearch<'_> {
 }
 
 /// Merges points at the same position in space. Keeps the first, or a proven one if there is one.
-fn merge_points(points: &mut Vec<Closest>, near: f64) -> Result<()> {
+fn merge_coincident_minima(points: &mut Vec<Closest>, max_distance: f64) -> Result<()> {
     let mut kept: Vec<Closest> = alloc::with_capacity(points.len())?;
     for point in points.drain(..) {
         // Equal points have nearly equal distances, so only the last ones need to be compared.
-        let alike = kept.iter_mut().rev().take_while(|other| other.distance >= point.distance - near);
-        match { alike }.find(|other| other.point.distance(point.point) <= near) {
+        let alike = kept.iter_mut().rev().take_while(|other| other.distance >= point.distance - max_distance);
+        match { alike }.find(|other| other.point.distance(point.point) <= max_distance) {
             Some(other) if point.proven && !other.proven => *other = point,
             Some(other) => other.bound = other.bound.min(point.bound),
             None => kept.push(point),
@@ -264,13 +279,13 @@ fn merge_points(points: &mut Vec<Closest>, near: f64) -> Result<()> {
 
 /// Keeps the nearest of all undecided minima in cells of a sheet that touch, also across seams of
 /// grids.
-fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> Result<()> {
+fn merge_adjacent_undecided(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> Result<()> {
     sort::stable(undecided.as_mut_slice(), &|a, b| (a.sheet, a.cell).cmp(&(b.sheet, b.cell)));
     let mut groups = DisjointSets::new(undecided.len())?;
     for k in 0..undecided.len() {
         let FoundMinimum { sheet, cell, .. } = undecided[k];
         let of = surface.sheet(sheet);
-        for next in cells_around(of.cells(), of.seams(), cell) {
+        for next in cells_around(of.cells(), of.has_exact_seams(), cell) {
             if let Ok(other) = undecided.binary_search_by_key(&(sheet, next), |other| (other.sheet, other.cell)) {
                 groups.union(k as u32, other as u32);
             }

@@ -7,32 +7,32 @@
 //! databases"). Proofs are relative to the given surface: the patches through the nodes.
 //!
 //! Layers, each of which uses only those above it:
-//! - geometry without state: `foot` (Newton's method on a patch), `bounds` (lower bounds of the
-//!   distance of a patch), `part` (parts of a patch), `block` (blocks of the index), `corners` and
-//!   `leaf` (the cells of a block);
+//! - geometry without state: `foot_point` (Newton's method on a patch), `patch_bounds` (lower
+//!   bounds of the distance of a patch), `patch_part` (parts of a patch), `bounded_block` (blocks
+//!   of the index), `block_corners` and `candidate_block` (the cells of a block);
 //! - `incumbent`: the best answer so far and the upper bound;
 //! - searches with the tasks of `super::frontier`: `nearest_search` (of a surface), `patch_search`
 //!   (of a patch), `patch_minima` (all minima of a patch), with `descent_direction` (which rejects
 //!   places);
-//! - queries: `closest`, `nearest_batch`, `minima`, `ball_region`, with `query` for the checks of
-//!   arguments.
+//! - queries: `closest`, `nearest_batch`, `minima`, `ball_region`, with `query_checks` for the
+//!   checks of arguments.
 
 mod ball_region;
-mod block;
-mod bounds;
+mod bounded_block;
+mod patch_bounds;
 mod closest;
-mod corners;
+mod block_corners;
 mod descent_direction;
-mod foot;
+mod foot_point;
 mod incumbent;
-mod leaf;
+mod candidate_block;
 mod minima;
 mod nearest_batch;
 mod nearest_search;
-mod part;
+mod patch_part;
 mod patch_minima;
 mod patch_search;
-mod query;
+mod query_checks;
 
 pub use ball_region::Region;
 pub use closest::Closest;

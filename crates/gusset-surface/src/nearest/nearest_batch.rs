@@ -6,8 +6,8 @@
 //! for the sort, whose memory is limited to [`QUERIES_PER_SORT`] keys.
 
 use super::closest::Closest;
-use super::nearest_search::NearestSearch;
-use super::query::check_query;
+use super::nearest_search::NearestPointSearch;
+use super::query_checks::check_query_point;
 use crate::Surface;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -45,17 +45,18 @@ impl Surface<'_> {
         job: &Job<'_>,
     ) -> Result<()> {
         Error::require(limit >= 0.0, "limit", limit)?;
-        queries.iter().zip(0..).try_for_each(|(&query, index)| check_query(query, index))?;
+        queries.iter().zip(0..).try_for_each(|(&query, index)| check_query_point(query, index))?;
         let mut order: Vec<(u64, u32)> = alloc::with_capacity(queries.len().min(QUERIES_PER_SORT))?;
         let mut answered = 0;
         for (part, out) in queries.chunks(QUERIES_PER_SORT).zip(out.chunks_mut(QUERIES_PER_SORT)) {
-            sort_along_curve(part, &mut order);
+            sort_along_morton_curve(part, &mut order);
             for round in order.chunks(QUERIES_PER_REPORT) {
                 job.step(answered as f64 / queries.len() as f64, "nearest points")?;
                 answered += round.len();
                 let answers = par::map(job.threads(), round.chunks(QUERIES_PER_TASK), |taken| {
-                    let mut search = NearestSearch::default();
-                    let each = |&(_, k): &(u64, u32)| form(self.closest_with(part[k as usize], limit, &mut search));
+                    let mut search = NearestPointSearch::default();
+                    let each =
+                        |&(_, k): &(u64, u32)| form(self.closest_with_workspace(part[k as usize], limit, &mut search));
                     taken.iter().map(each).collect::<Vec<_>>()
                 })?;
                 for (&(_, k), answer) in round.iter().zip(answers.into_iter().flatten()) {
@@ -68,21 +69,21 @@ impl Surface<'_> {
 }
 
 /// Sorts the indices of the queries along Morton's curve through their bounding box.
-fn sort_along_curve(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
+fn sort_along_morton_curve(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
     let Aabb { low, high } = Aabb::from_points(queries);
     // 10 bits for each coordinate: 2^30 places for 2^16 queries.
     let scale = 1023.0 / (0.5 * high - 0.5 * low).max_element().max(f64::MIN_POSITIVE);
     order.clear();
     order.extend(queries.iter().enumerate().map(|(k, &query)| {
         let along = ((0.5 * query - 0.5 * low) * scale).to_array();
-        let [x, y, z] = along.map(|x| interleave(x as u32));
+        let [x, y, z] = along.map(|x| spread_bits(x as u32));
         (x | y << 1 | z << 2, k as u32)
     }));
     order.sort_unstable();
 }
 
 /// Spreads the lowest 21 bits of a number, each to the lowest of three bits.
-fn interleave(number: u32) -> u64 {
+fn spread_bits(number: u32) -> u64 {
     let mut bits = u64::from(number) & 0x1f_ffff;
     for (shift, mask) in [
         (32, 0x001f_0000_0000_ffff),

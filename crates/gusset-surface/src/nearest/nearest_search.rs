@@ -9,19 +9,19 @@
 //! bound less the tolerance, or at least `settled`.
 //!
 //! At a centre of curvature, all points of a patch are equally close, and bounds cannot separate
-//! its parts. The search then ends without proof after [`MAX_EVALUATIONS`] patches. It ends after
-//! [`MIN_EVALUATIONS`] if the last gain is long past and little is left to gain. Memory: O(patches
-//! examined).
+//! its parts. The search then ends without proof after [`MAX_EXAMINED_PARTS`] patches. It ends
+//! after [`MIN_EXAMINED_PARTS`] if the last gain is long past and little is left to gain. Memory:
+//! O(patches examined).
 
-use super::block::Block;
-use super::bounds::lower_bound;
-use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};
-use super::incumbent::{Answer, Incumbent};
-use super::leaf::{BlockLeaf, CellCandidate};
-use super::part::PatchPart;
-use crate::cells::Cells;
+use super::bounded_block::BoundedBlock;
+use super::candidate_block::{CandidateBlock, CellCandidate};
+use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
+use super::incumbent::{IncumbentAnswers, NearestAnswer};
+use super::patch_bounds::patch_distance_bound;
+use super::patch_part::PatchPart;
+use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
-use crate::index::{OrientedBox, Pyramid};
+use crate::index::{BoxPyramid, OrientedBox};
 use crate::{Patch, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 use std::convert::Infallible;
@@ -32,16 +32,16 @@ const MAX_DEPTH_FIRST_PATCHES: usize = 64;
 const MAX_DEPTH_FIRST_BLOCKS: usize = 1 << 10;
 /// Number of patches and parts examined before a search may end without proof. The gap to the lower
 /// bound must be small, and half of these must have been examined since the last gain.
-const MIN_EVALUATIONS: usize = 1 << 12;
+const MIN_EXAMINED_PARTS: usize = 1 << 12;
 /// Largest number of patches and parts examined.
-const MAX_EVALUATIONS: usize = 100_000;
+const MAX_EXAMINED_PARTS: usize = 100_000;
 /// Gap relative to the distance that counts as small. The foci of coarse surfaces have smaller
 /// gaps, whose parts cannot be separated.
 const SMALL_RELATIVE_GAP: f64 = 1e-3;
 /// Number of candidates collected before they are examined.
-const MAX_CANDIDATES: usize = 64;
+const MAX_CANDIDATE_CELLS: usize = 64;
 /// Largest number of steps from cell to cell in the final descent.
-const MAX_CELL_STEPS: usize = 256;
+const MAX_CELLS_OF_FINAL_DESCENT: usize = 256;
 
 /// A block on the depth-first stack, with a lower bound of its squared distance in single precision
 /// (see [`SinglePrecisionQuery`]).
@@ -55,7 +55,7 @@ struct StackedBlock {
 
 /// Bound of the error of a sum of three squares in single precision below the normal range, and of
 /// the rounding of the number it is compared with. Each is half of the smallest positive number.
-const SUBNORMAL_ERROR: f64 = 2.0 * f32::from_bits(1) as f64;
+const MAX_SUBNORMAL_SQUARE_ERROR: f64 = 2.0 * f32::from_bits(1) as f64;
 
 /// The query, prepared for tests of boxes in single precision.
 struct SinglePrecisionQuery {
@@ -67,23 +67,23 @@ struct SinglePrecisionQuery {
 }
 
 impl SinglePrecisionQuery {
-    fn new(index: &Pyramid, query: DVec3) -> Self {
+    fn new(index: &BoxPyramid, query: DVec3) -> Self {
         let local = query - index.origin();
         let rounding = 2.0 * f64::from(f32::EPSILON) * local.abs().max_element();
         SinglePrecisionQuery { local, single: local.to_array().map(|x| x as f32), rounding }
     }
 
     /// The squared distance that boxes farther than `limit` exceed. The relative error of sums of
-    /// three squares is 2^-22, the absolute error [`SUBNORMAL_ERROR`].
+    /// three squares is 2^-22, the absolute error [`MAX_SUBNORMAL_SQUARE_ERROR`].
     #[inline(always)]
-    fn threshold(&self, limit: f64) -> f32 {
+    fn squared_distance_threshold(&self, limit: f64) -> f32 {
         let distance = (limit + self.rounding) * (1.0 + 2e-6);
-        (distance * distance + SUBNORMAL_ERROR) as f32
+        (distance * distance + MAX_SUBNORMAL_SQUARE_ERROR) as f32
     }
 
     /// The distance that a squared bound proves.
-    fn distance(&self, bound: f32) -> f64 {
-        let square = (f64::from(bound) - SUBNORMAL_ERROR).max(0.0);
+    fn distance_from_squared_bound(&self, bound: f32) -> f64 {
+        let square = (f64::from(bound) - MAX_SUBNORMAL_SQUARE_ERROR).max(0.0);
         (square.sqrt() * (1.0 - 2e-6) - self.rounding).max(0.0)
     }
 }
@@ -91,7 +91,7 @@ impl SinglePrecisionQuery {
 /// A waiting task of a sheet.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum NearestTask {
-    Block(Block),
+    Block(BoundedBlock),
     /// A cell, and parameters close to its nearest point.
     Cell {
         cell: [u32; 2],
@@ -106,7 +106,7 @@ pub(super) enum NearestTask {
 }
 
 /// The patch over a cell, and the cell.
-struct CellPatch<'a, const N: usize> {
+struct CellAndPatch<'a, const N: usize> {
     patch: &'a Patch<N>,
     sheet: u32,
     cell: [u32; 2],
@@ -114,8 +114,8 @@ struct CellPatch<'a, const N: usize> {
 
 /// A search for the nearest point: answers, tasks, and the work done. It can be reused.
 #[derive(Debug, Default)]
-pub(super) struct NearestSearch {
-    pub(super) incumbent: Incumbent,
+pub(super) struct NearestPointSearch {
+    pub(super) incumbent: IncumbentAnswers,
     /// The smallest lower bound of all settled parts.
     pub(super) settled: f64,
     /// Number of patches and parts examined, and this number at the last notable gain.
@@ -129,9 +129,9 @@ pub(super) struct NearestSearch {
     frontier: Frontier<(u32, NearestTask)>,
 }
 
-impl NearestSearch {
-    fn begin(&mut self, query: DVec3, limit: f64, tolerance: f64) {
-        self.incumbent.begin(query, limit, tolerance);
+impl NearestPointSearch {
+    fn begin_query(&mut self, query: DVec3, limit: f64, tolerance: f64) {
+        self.incumbent.begin_query(query, limit, tolerance);
         self.candidates.clear();
         self.frontier.clear();
         (self.settled, self.evaluations, self.evaluations_at_gain, self.blocks) = (f64::INFINITY, 0, 0, 0);
@@ -145,47 +145,47 @@ impl NearestSearch {
 
     /// Records the lower bound of a part that needs no more work.
     #[inline(always)]
-    fn settle(&mut self, bound: f64) {
+    fn record_lower_bound(&mut self, bound: f64) {
         self.settled = self.settled.min(bound);
     }
 
     /// Adds a task to the frontier. If the allocation fails, drops the task and records its bound.
     fn push_task(&mut self, bound: f64, sheet: u32, task: NearestTask) {
         if bound <= self.prune_bound() && self.frontier.push(bound, (), (sheet, task)).is_err() {
-            self.settle(bound);
+            self.record_lower_bound(bound);
         }
     }
 
     /// Searches a sheet depth first, the nearest children first. A long search moves the rest to
     /// the frontier.
-    fn search_sheet<const N: usize>(&mut self, cells: &impl Cells<N>, index: &Pyramid, sheet: u32) {
+    fn search_sheet<const N: usize>(&mut self, cells: &impl SheetCells<N>, index: &BoxPyramid, sheet: u32) {
         let query = SinglePrecisionQuery::new(index, self.incumbent.query);
         let levels = index.levels();
         let mut stack = std::mem::take(&mut self.stack);
         stack.clear();
         stack.push(StackedBlock { level: levels.len() as u32, ..StackedBlock::default() });
         while let Some(block) = stack.pop() {
-            if block.bound > query.threshold(self.prune_bound()) {
+            if block.bound > query.squared_distance_threshold(self.prune_bound()) {
                 continue;
             }
             let (row, column) = (block.row as usize, block.column as usize);
             if self.evaluations >= MAX_DEPTH_FIRST_PATCHES || self.blocks >= MAX_DEPTH_FIRST_BLOCKS {
-                let (bound, level) = (query.distance(block.bound), block.level as usize);
-                self.push_task(bound, sheet, NearestTask::Block(Block { bound, level, row, column }));
+                let (bound, level) = (query.distance_from_squared_bound(block.bound), block.level as usize);
+                self.push_task(bound, sheet, NearestTask::Block(BoundedBlock { bound, level, row, column }));
                 continue;
             }
             if block.level == 0 {
-                let extent = self.search_leaf(&BlockLeaf { cells, index, row, column });
+                let extent = self.collect_block_candidates(&CandidateBlock { cells, index, row, column });
                 // From afar, the first answers and their directions exclude most other cells.
                 let is_far = self.incumbent.direction == DVec3::ZERO && self.prune_bound() > 4.0 * extent;
-                if is_far || self.candidates.len() >= MAX_CANDIDATES {
+                if is_far || self.candidates.len() >= MAX_CANDIDATE_CELLS {
                     self.examine_candidates(cells, sheet);
                 }
                 continue;
             }
             let level = &levels[block.level as usize - 1];
-            let distances = level.child_boxes(row, column).single_distances_squared(query.single);
-            let threshold = query.threshold(self.prune_bound());
+            let distances = level.child_boxes(row, column).distances_squared_in_single_precision(query.single);
+            let threshold = query.squared_distance_threshold(self.prune_bound());
             let first = stack.len();
             for (child, &boxed) in distances.iter().enumerate() {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
@@ -196,7 +196,7 @@ impl NearestSearch {
                     boxed
                 } else {
                     let oriented = |oriented: &OrientedBox| oriented.distance_squared(query.local) as f32;
-                    level.oriented(row, column).map_or(0.0, oriented).max(boxed)
+                    level.oriented_box(row, column).map_or(0.0, oriented).max(boxed)
                 };
                 if bound > threshold {
                     continue;
@@ -216,14 +216,14 @@ impl NearestSearch {
 
     /// Adds a block's candidates. Returns the block's extent.
     #[inline(always)]
-    fn search_leaf<const N: usize>(&mut self, leaf: &BlockLeaf<'_, impl Cells<N>, N>) -> f64 {
+    fn collect_block_candidates<const N: usize>(&mut self, leaf: &CandidateBlock<'_, impl SheetCells<N>, N>) -> f64 {
         self.blocks += 1;
         let (query, direction) = (self.incumbent.query, self.incumbent.direction);
         leaf.find_candidates(query, direction, &mut self.incumbent.upper, &mut self.candidates)
     }
 
     /// Examines the candidates of a sheet by rising lower bounds.
-    fn examine_candidates<const N: usize>(&mut self, cells: &impl Cells<N>, sheet: u32) {
+    fn examine_candidates<const N: usize>(&mut self, cells: &impl SheetCells<N>, sheet: u32) {
         let mut candidates = std::mem::take(&mut self.candidates);
         candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then_with(|| a.cell.cmp(&b.cell)));
         for &CellCandidate { bound, direction, start, cell } in &candidates {
@@ -232,10 +232,11 @@ impl NearestSearch {
                 // All following candidates are beyond the limit too.
                 break;
             }
-            let patch = cells.patch(cell[0] as usize, cell[1] as usize);
-            let is_beyond = |direction: DVec3| patch.half_space_distance(self.incumbent.query, direction) > limit;
+            let patch = cells.cell_patch(cell[0] as usize, cell[1] as usize);
+            let is_beyond =
+                |direction: DVec3| patch.distance_bound_by_half_space(self.incumbent.query, direction) > limit;
             if !is_beyond(direction) && !is_beyond(self.incumbent.direction) {
-                self.examine(&CellPatch { patch: &patch, sheet, cell }, start);
+                self.examine_patch(&CellAndPatch { patch: &patch, sheet, cell }, start);
             }
         }
         candidates.clear();
@@ -243,81 +244,87 @@ impl NearestSearch {
     }
 
     /// Examines the patch over a cell. `start` is close to its nearest point.
-    fn examine_cell<const N: usize>(&mut self, cells: &impl Cells<N>, sheet: u32, [i, j]: [usize; 2], start: DVec2) {
-        self.examine(&CellPatch { patch: &cells.patch(i, j), sheet, cell: [i as u32, j as u32] }, start);
+    fn examine_cell<const N: usize>(
+        &mut self,
+        cells: &impl SheetCells<N>,
+        sheet: u32,
+        [i, j]: [usize; 2],
+        start: DVec2,
+    ) {
+        self.examine_patch(&CellAndPatch { patch: &cells.cell_patch(i, j), sheet, cell: [i as u32, j as u32] }, start);
     }
 
-    fn examine<const N: usize>(&mut self, at: &CellPatch<'_, N>, start: DVec2) {
+    fn examine_patch<const N: usize>(&mut self, at: &CellAndPatch<'_, N>, start: DVec2) {
         self.evaluations += 1;
         let (query, tolerance) = (self.incumbent.query, self.incumbent.tolerance);
-        let foot = minimise(at.patch, query, start, MAX_STEPS);
-        let bound = lower_bound(at.patch, query, &foot, 0.0, tolerance);
+        let foot = descend_to_foot(at.patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
+        let bound = patch_distance_bound(at.patch, query, &foot, 0.0, tolerance);
         if bound > self.prune_bound() {
             return;
         }
-        self.add(at, &foot);
+        self.add_answer(at, &foot);
         if bound >= foot.distance - tolerance {
-            self.settle(bound);
+            self.record_lower_bound(bound);
         } else {
             self.push_task(bound, at.sheet, NearestTask::Part { cell: at.cell, from: DVec2::ZERO, size: DVec2::ONE });
         }
     }
 
-    fn examine_part<const N: usize>(&mut self, at: &CellPatch<'_, N>, part: &PatchPart<N>) {
+    fn examine_part<const N: usize>(&mut self, at: &CellAndPatch<'_, N>, part: &PatchPart<N>) {
         if part.bound > self.prune_bound() {
             return;
         }
         self.evaluations += 1;
         let (query, tolerance) = (self.incumbent.query, self.incumbent.tolerance);
-        let local = minimise(&part.patch, query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
-        if local.distance <= self.prune_bound().min(self.incumbent.distance()) {
+        let local = descend_to_foot(&part.patch, query, DVec2::splat(0.5), MAX_NEWTON_STEPS_ON_PART);
+        if local.distance <= self.prune_bound().min(self.incumbent.nearest_distance()) {
             // Evaluated on the whole patch, because the part's control points are rounded.
-            self.add(at, &Foot::from_place(at.patch, query, part.place(local.place)));
+            self.add_answer(at, &FootPoint::from_place(at.patch, query, part.place_in_patch(local.place)));
         }
-        let bound = lower_bound(&part.patch, query, &local, part.bound, tolerance);
-        if bound >= self.incumbent.distance() - tolerance || part.is_smallest() {
-            self.settle(bound);
+        let bound = patch_distance_bound(&part.patch, query, &local, part.bound, tolerance);
+        if bound >= self.incumbent.nearest_distance() - tolerance || part.is_too_small_to_split() {
+            self.record_lower_bound(bound);
         } else {
             self.push_task(bound, at.sheet, NearestTask::Part { cell: at.cell, from: part.from, size: part.size });
         }
     }
 
     /// Adds an answer.
-    fn add<const N: usize>(&mut self, at: &CellPatch<'_, N>, foot: &Foot) {
-        let Foot { place, jet, distance } = *foot;
-        if self.incumbent.is_gain(distance) {
+    fn add_answer<const N: usize>(&mut self, at: &CellAndPatch<'_, N>, foot: &FootPoint) {
+        let FootPoint { place, jet, distance } = *foot;
+        if self.incumbent.is_notable_gain(distance) {
             self.evaluations_at_gain = self.evaluations;
         }
-        let normal = jet.regular_normal(at.patch.noise()).unwrap_or_default();
+        let normal = jet.unit_normal_if_regular(at.patch.derivative_noise()).unwrap_or_default();
         let (sheet, cell) = (at.sheet, at.cell);
-        self.incumbent.add(Answer { point: jet.point, normal, distance, sheet, cell, parameters: place });
+        self.incumbent.add_answer(NearestAnswer { point: jet.point, normal, distance, sheet, cell, parameters: place });
     }
 
     /// True if the search may end although some points may be as close as `bound`.
-    fn is_exhausted(&self, bound: f64) -> bool {
-        let (distance, tolerance) = (self.incumbent.distance(), self.incumbent.tolerance);
-        let is_stalled =
-            self.evaluations >= MIN_EVALUATIONS && self.evaluations - self.evaluations_at_gain >= MIN_EVALUATIONS / 2;
+    fn may_end_without_proof(&self, bound: f64) -> bool {
+        let (distance, tolerance) = (self.incumbent.nearest_distance(), self.incumbent.tolerance);
+        let is_stalled = self.evaluations >= MIN_EXAMINED_PARTS
+            && self.evaluations - self.evaluations_at_gain >= MIN_EXAMINED_PARTS / 2;
         let is_near = distance - bound <= (SMALL_RELATIVE_GAP * distance).max(tolerance);
-        self.evaluations >= MAX_EVALUATIONS || (is_stalled && is_near)
+        self.evaluations >= MAX_EXAMINED_PARTS || (is_stalled && is_near)
     }
 
     /// Opens a task of a sheet. Its parts may become waiting tasks.
     fn open_task<const N: usize>(
         &mut self,
-        cells: &impl Cells<N>,
-        index: &Pyramid,
+        cells: &impl SheetCells<N>,
+        index: &BoxPyramid,
         sheet: u32,
         bound: f64,
         task: NearestTask,
     ) {
         let query = self.incumbent.query;
         match task {
-            NearestTask::Block(Block { level: 0, row, column, .. }) => {
+            NearestTask::Block(BoundedBlock { level: 0, row, column, .. }) => {
                 let before = self.incumbent.upper.distance;
-                self.search_leaf(&BlockLeaf { cells, index, row, column });
+                self.collect_block_candidates(&CandidateBlock { cells, index, row, column });
                 let upper = self.incumbent.upper.distance;
-                if upper < before && self.incumbent.is_gain(upper) {
+                if upper < before && self.incumbent.is_notable_gain(upper) {
                     self.examine_candidates(cells, sheet);
                 }
                 while let Some(CellCandidate { bound, start, cell, .. }) = self.candidates.pop() {
@@ -325,33 +332,33 @@ impl NearestSearch {
                 }
             }
             NearestTask::Block(block) => {
-                for child in block.children(index, query).into_iter().flatten() {
+                for child in block.child_blocks(index, query).into_iter().flatten() {
                     self.push_task(child.bound.max(bound), sheet, NearestTask::Block(child));
-                    let cell = child.middle(cells);
-                    if self.incumbent.is_gain(cells.corner(cell[0], cell[1]).distance(query)) {
+                    let cell = child.middle_cell(cells);
+                    if self.incumbent.is_notable_gain(cells.corner_point(cell[0], cell[1]).distance(query)) {
                         self.examine_cell(cells, sheet, cell, DVec2::ZERO);
                     }
                 }
             }
             NearestTask::Cell { cell, start } => self.examine_cell(cells, sheet, cell.map(|k| k as usize), start),
             NearestTask::Part { cell, from, size } => {
-                let patch = cells.patch(cell[0] as usize, cell[1] as usize);
-                let at = CellPatch { patch: &patch, sheet, cell };
+                let patch = cells.cell_patch(cell[0] as usize, cell[1] as usize);
+                let at = CellAndPatch { patch: &patch, sheet, cell };
                 let part = PatchPart::from_range(&patch, from, size, bound);
-                part.split(|part| self.examine_part(&at, &part.with_cheap_bounds(query)));
+                part.split_part(|part| self.examine_part(&at, &part.with_bounds_without_descent(query)));
             }
         }
     }
 
     /// Descends from the nearest answer across cells, because a search that ends without proof may
     /// have stopped short of the minimum.
-    fn descend_across_cells<const N: usize>(&mut self, cells: &impl Cells<N>, closed: [bool; 2]) {
-        for _ in 0..MAX_CELL_STEPS {
+    fn descend_across_cells<const N: usize>(&mut self, cells: &impl SheetCells<N>, closed: [bool; 2]) {
+        for _ in 0..MAX_CELLS_OF_FINAL_DESCENT {
             let Some(best) = self.incumbent.best else { return };
-            for cell in cells_around(cells.counts(), closed, best.cell.map(|k| k as usize)) {
+            for cell in cells_around(cells.cell_counts(), closed, best.cell.map(|k| k as usize)) {
                 self.examine_cell(cells, best.sheet, cell, DVec2::splat(0.5));
             }
-            if self.incumbent.distance() >= best.distance - self.incumbent.tolerance {
+            if self.incumbent.nearest_distance() >= best.distance - self.incumbent.tolerance {
                 return;
             }
         }
@@ -373,23 +380,23 @@ pub(super) fn cells_around(
 }
 
 /// A search of a surface.
-pub(super) struct SurfaceSearch<'a> {
+pub(super) struct NearestSurfaceSearch<'a> {
     pub(super) surface: &'a Surface<'a>,
-    pub(super) search: &'a mut NearestSearch,
+    pub(super) search: &'a mut NearestPointSearch,
 }
 
-impl SurfaceSearch<'_> {
+impl NearestSurfaceSearch<'_> {
     /// Searches all sheets for the point nearest to `query`, at most `limit` away.
-    pub(super) fn find(&mut self, query: DVec3, limit: f64, tolerance: f64) {
-        let SurfaceSearch { surface, search } = self;
-        search.begin(query, limit, tolerance);
+    pub(super) fn find_nearest(&mut self, query: DVec3, limit: f64, tolerance: f64) {
+        let NearestSurfaceSearch { surface, search } = self;
+        search.begin_query(query, limit, tolerance);
         for k in sheets_by_distance(surface, query) {
-            let (sheet, index) = surface.indexed(k);
+            let (sheet, index) = surface.sheet_and_index(k);
             each_sheet!(sheet, cells => search.search_sheet(cells, index, k as u32));
         }
-        let Ok(left) = self.run();
-        let SurfaceSearch { surface, search } = self;
-        left.into_iter().for_each(|bound| search.settle(bound));
+        let Ok(left) = self.search_best_first();
+        let NearestSurfaceSearch { surface, search } = self;
+        left.into_iter().for_each(|bound| search.record_lower_bound(bound));
         if let Some(best) = search.incumbent.best.filter(|best| search.settled < best.distance - tolerance) {
             let sheet = surface.sheet(best.sheet as usize);
             each_sheet!(sheet, cells => search.descend_across_cells(cells, sheet.is_closed()));
@@ -397,22 +404,22 @@ impl SurfaceSearch<'_> {
     }
 }
 
-impl BranchAndBound for SurfaceSearch<'_> {
-    type Task = (u32, NearestTask);
-    type Key = ();
-    type Stop = Infallible;
+impl BranchAndBound for NearestSurfaceSearch<'_> {
+    type SearchTask = (u32, NearestTask);
+    type TieBreakKey = ();
+    type StopReason = Infallible;
 
     fn frontier(&mut self) -> &mut Frontier<(u32, NearestTask)> {
         &mut self.search.frontier
     }
 
-    fn is_wanted(&mut self, bound: f64) -> bool {
-        bound <= self.search.prune_bound() && !self.search.is_exhausted(bound)
+    fn is_bound_wanted(&mut self, bound: f64) -> bool {
+        bound <= self.search.prune_bound() && !self.search.may_end_without_proof(bound)
     }
 
-    fn branch(&mut self, bound: f64, (sheet, task): (u32, NearestTask)) -> Result<(), Infallible> {
+    fn branch_task(&mut self, bound: f64, (sheet, task): (u32, NearestTask)) -> Result<(), Infallible> {
         self.search.evaluations += 1;
-        let (cells, index) = self.surface.indexed(sheet as usize);
+        let (cells, index) = self.surface.sheet_and_index(sheet as usize);
         each_sheet!(cells, cells => self.search.open_task(cells, index, sheet, bound, task));
         Ok(())
     }
@@ -423,7 +430,7 @@ fn sheets_by_distance(surface: &Surface<'_>, query: DVec3) -> impl Iterator<Item
     let first = if surface.len() == 1 {
         0
     } else {
-        let distance = |k: usize| surface.indexed(k).1.bounds().distance_squared(query);
+        let distance = |k: usize| surface.sheet_and_index(k).1.bounding_box().distance_squared(query);
         (0..surface.len()).map(|k| (distance(k), k)).fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a }).1
     };
     std::iter::once(first).chain((0..surface.len()).filter(move |&k| k != first))

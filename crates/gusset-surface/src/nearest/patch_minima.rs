@@ -9,10 +9,11 @@
 //! - *undecided*: the distance varies by at most the tolerance, or the limit of parts is reached.
 //!   One place represents all undecided parts.
 //!
-//! All tests use bounds from control points, so no minimum is missed. At most [`MAX_PARTS`] parts.
+//! All tests use bounds from control points, so no minimum is missed. At most
+//! [`MAX_PARTS_PER_PATCH`] parts.
 
-use super::foot::{Foot, MAX_STEPS, gradient_and_hessian, minimise};
-use super::part::{MAX_PARTS, PatchPart};
+use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot, gradient_and_hessian};
+use super::patch_part::{MAX_PARTS_PER_PATCH, PatchPart};
 use crate::Patch;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::range;
@@ -20,14 +21,14 @@ use gusset_base::geom::bernstein::halves;
 
 /// Number of parts examined of a patch without area. The Hessian of a line is never definite, so
 /// splitting can only exclude parts.
-const MAX_PARTS_WITHOUT_AREA: usize = 12;
+const MAX_PARTS_OF_PATCH_WITHOUT_AREA: usize = 12;
 /// Number of parts of a side examined before the rest is accepted unsplit.
-const MAX_PARTS_OF_SIDE: usize = 4 * MAX_PARTS;
+const MAX_PARTS_OF_SIDE: usize = 4 * MAX_PARTS_PER_PATCH;
 /// Largest distance, in parameters, between the end of a descent and the minimum, caused by
 /// rounding.
-const MAX_DESCENT_ERROR: f64 = 1e-6;
+const MAX_DESCENT_PARAMETER_ERROR: f64 = 1e-6;
 /// Smallest size of a part of a side.
-const MIN_SIDE_PART: f64 = 1e-7;
+const MIN_SIDE_PART_SIZE: f64 = 1e-7;
 
 /// A local minimum of the distance, or a place that may be one.
 #[derive(Debug, Clone, Copy)]
@@ -41,49 +42,53 @@ pub(super) struct LocalMinimum {
 }
 
 impl LocalMinimum {
-    fn new(foot: &Foot, bound: f64, proven: bool) -> Self {
-        let Foot { place, jet, distance } = *foot;
+    fn new(foot: &FootPoint, bound: f64, proven: bool) -> Self {
+        let FootPoint { place, jet, distance } = *foot;
         LocalMinimum { place, point: jet.point, distance, bound: bound.min(distance), proven }
     }
 }
 
 /// Finds the minima inside a patch, including those on its border where the slope across it
 /// vanishes. Adds one unproven place for all undecided parts.
-pub(super) fn interior_minima<const N: usize>(
+pub(super) fn find_interior_minima<const N: usize>(
     patch: &Patch<N>,
     query: DVec3,
     tolerance: f64,
     mut add: impl FnMut(LocalMinimum),
 ) {
-    if !may_be_stationary(patch, query) {
+    if !may_have_stationary_point(patch, query) {
         return;
     }
-    let mut parts = vec![PatchPart::whole(patch)];
+    let mut parts = vec![PatchPart::whole_patch(patch)];
     let mut examined = 0;
-    let most = if patch.has_no_area() { MAX_PARTS_WITHOUT_AREA } else { MAX_PARTS };
+    let most = if patch.has_zero_area() { MAX_PARTS_OF_PATCH_WITHOUT_AREA } else { MAX_PARTS_PER_PATCH };
     let mut undecided: Option<LocalMinimum> = None;
     while let Some(part) = parts.pop() {
-        if !may_be_stationary(&part.patch, query) {
+        if !may_have_stationary_point(&part.patch, query) {
             continue;
         }
         examined += 1;
-        let foot = minimise(&part.patch, query, DVec2::splat(0.5), MAX_STEPS);
-        let hessian = part.patch.hessian_range(query, &foot);
-        let noise = part.patch.noise();
+        let foot = descend_to_foot(&part.patch, query, DVec2::splat(0.5), MAX_NEWTON_STEPS_ON_PATCH);
+        let hessian = part.patch.hessian_entry_ranges(query, &foot);
+        let noise = part.patch.derivative_noise();
         let speed = foot.jet.u.length() + foot.jet.v.length();
         if hessian.is_nowhere_definite(noise * (foot.distance + speed + noise)) {
             continue;
         }
-        let on_whole = || Foot::from_place(patch, query, part.place(foot.place));
-        if hessian.min_eigenvalue().is_some() && has_ended(&part.patch, &foot, query) {
-            if is_stationary(&part.patch, &foot, query) {
-                add(LocalMinimum::new(&on_whole(), part.patch.convexity_distance(query, &foot), true));
+        let on_whole = || FootPoint::from_place(patch, query, part.place_in_patch(foot.place));
+        if hessian.min_eigenvalue().is_some() && has_descent_converged(&part.patch, &foot, query) {
+            if is_foot_stationary(&part.patch, &foot, query) {
+                add(LocalMinimum::new(&on_whole(), part.patch.distance_bound_by_convexity(query, &foot), true));
             }
             continue;
         }
         let direction = (query - foot.jet.point).normalize_or_zero();
-        let bound = part.patch.half_space_distance(query, direction).max(part.patch.box_distance(query));
-        if part.is_smallest() || examined >= most || part.patch.max_distance(query) - bound <= tolerance {
+        let bound =
+            part.patch.distance_bound_by_half_space(query, direction).max(part.patch.distance_bound_by_box(query));
+        if part.is_too_small_to_split()
+            || examined >= most
+            || part.patch.max_control_distance(query) - bound <= tolerance
+        {
             let candidate = LocalMinimum::new(&on_whole(), bound, false);
             undecided = Some(match undecided {
                 Some(other) if other.distance <= candidate.distance => {
@@ -94,20 +99,23 @@ pub(super) fn interior_minima<const N: usize>(
             });
             continue;
         }
-        part.split(|part| parts.push(part));
+        part.split_part(|part| parts.push(part));
     }
     undecided.into_iter().for_each(add);
 }
 
 /// True if a descent stopped because no permitted step goes down, and not short of the minimum.
-fn has_ended<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) -> bool {
-    foot.projected_gradient(query).abs().cmple(slope_rounding(patch, foot, query, MAX_DESCENT_ERROR)).all()
+fn has_descent_converged<const N: usize>(patch: &Patch<N>, foot: &FootPoint, query: DVec3) -> bool {
+    foot.projected_gradient(query)
+        .abs()
+        .cmple(max_slope_rounding(patch, foot, query, MAX_DESCENT_PARAMETER_ERROR))
+        .all()
 }
 
 /// True if the slopes across borders of the part vanish within rounding, at the end of a descent.
-fn is_stationary<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) -> bool {
+fn is_foot_stationary<const N: usize>(patch: &Patch<N>, foot: &FootPoint, query: DVec3) -> bool {
     let (gradient, _) = gradient_and_hessian(&foot.jet, query);
-    let (permitted, slack) = (foot.projected_gradient(query), slope_rounding(patch, foot, query, 1e-12));
+    let (permitted, slack) = (foot.projected_gradient(query), max_slope_rounding(patch, foot, query, 1e-12));
     (0..2).all(|k| permitted[k] != 0.0 || gradient[k].abs() <= slack[k])
 }
 
@@ -118,9 +126,9 @@ fn is_stationary<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) ->
 /// the rounding of S_u. The latter is not small relative to S_u where S_u vanishes, as on a fold.
 /// Over a step, the slope grows by the second derivative, |S_u|^2 + (S - q) . S_uu, whose first
 /// term vanishes there too.
-pub(super) fn slope_rounding<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3, step: f64) -> DVec2 {
+pub(super) fn max_slope_rounding<const N: usize>(patch: &Patch<N>, foot: &FootPoint, query: DVec3, step: f64) -> DVec2 {
     let size = foot.jet.point.abs().max(query.abs()).max_element();
-    let noise = patch.noise();
+    let noise = patch.derivative_noise();
     let of = |along: DVec3, bend: DVec3| {
         let rounding = 64.0 * f64::EPSILON * size * along.length() + foot.distance * noise;
         rounding + step * (along.length_squared() + (foot.jet.point - query).dot(bend).abs())
@@ -131,11 +139,11 @@ pub(super) fn slope_rounding<const N: usize>(patch: &Patch<N>, foot: &Foot, quer
 /// False if a slope of the distance is nonzero everywhere in a patch.
 ///
 /// If S is within r of the middle c, then (S - q) . S_u is within r max |S_u| of (c - q) . S_u.
-fn may_be_stationary<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
+fn may_have_stationary_point<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
     let p = &patch.points;
     let count = (N * N) as f64;
     let middle = p.as_flattened().iter().sum::<DVec3>() / count;
-    let (from, radius) = (middle - query, patch.max_distance(middle));
+    let (from, radius) = (middle - query, patch.max_control_distance(middle));
     let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     let mut longest = [0.0_f64; 2];
     let mut add = |k: usize, along: DVec3| {
@@ -147,7 +155,7 @@ fn may_be_stationary<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
         row.iter().zip(next).for_each(|(from, to)| add(0, *to - *from));
     }
     p.iter().flat_map(|row| row.windows(2)).for_each(|pair| add(1, pair[1] - pair[0]));
-    let noise = from.length() * patch.noise();
+    let noise = from.length() * patch.derivative_noise();
     (0..2).all(|k| {
         let slack = radius * longest[k].sqrt() * (1.0 + 1e-9) + noise + f64::MIN_POSITIVE;
         ranges[k][0] <= slack && ranges[k][1] >= -slack
@@ -156,25 +164,29 @@ fn may_be_stationary<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
 
 /// Finds the minima of the distance along each side of a patch, including corners, from which no
 /// permitted step into the patch goes down.
-pub(super) fn side_minima<const N: usize>(patch: &Patch<N>, query: DVec3, mut add: impl FnMut(LocalMinimum)) {
+pub(super) fn find_side_minima<const N: usize>(patch: &Patch<N>, query: DVec3, mut add: impl FnMut(LocalMinimum)) {
     let turned = patch.transposed();
     for (side, at) in [(0, 0.0), (N - 1, 1.0)] {
-        curve_minima(&patch.points[side], query, |t| add_if_minimum(patch, query, DVec2::new(at, t), &mut add));
-        curve_minima(&turned.points[side], query, |t| add_if_minimum(patch, query, DVec2::new(t, at), &mut add));
+        find_minima_along_curve(&patch.points[side], query, |t| {
+            add_if_minimum(patch, query, DVec2::new(at, t), &mut add)
+        });
+        find_minima_along_curve(&turned.points[side], query, |t| {
+            add_if_minimum(patch, query, DVec2::new(t, at), &mut add)
+        });
     }
 }
 
 /// Passes a place on the border to `add` if no permitted step from it goes down.
 fn add_if_minimum<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2, add: &mut impl FnMut(LocalMinimum)) {
-    let foot = Foot::from_place(patch, query, place);
+    let foot = FootPoint::from_place(patch, query, place);
     let slope = foot.projected_gradient(query);
-    if slope.abs().cmple(slope_rounding(patch, &foot, query, 1e-9)).all() {
+    if slope.abs().cmple(max_slope_rounding(patch, &foot, query, 1e-9)).all() {
         add(LocalMinimum::new(&foot, foot.distance, true));
     }
 }
 
 /// Finds parameters close to all minima of the distance along a curve, including its ends.
-fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl FnMut(f64)) {
+fn find_minima_along_curve<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl FnMut(f64)) {
     let degree = (N - 1) as f64;
     let mut parts = vec![(*points, 0.0, 1.0)];
     let mut examined = 0;
@@ -196,8 +208,8 @@ fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl
         let along = bends().map(|bend| from_query.dot(bend)).fold(f64::INFINITY, f64::min);
         // All tangents are within `bend` of their mean.
         let least = (degree.recip() * steps().sum::<DVec3>().length() - bend).max(0.0);
-        if least * least + along - radius * bend > 0.0 || size < MIN_SIDE_PART || examined > MAX_PARTS_OF_SIDE {
-            add(from + size * convex_minimum(&points, query));
+        if least * least + along - radius * bend > 0.0 || size < MIN_SIDE_PART_SIZE || examined > MAX_PARTS_OF_SIDE {
+            add(from + size * minimum_along_convex_curve(&points, query));
             continue;
         }
         let [low, high] = halves(&points);
@@ -208,7 +220,7 @@ fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl
 
 /// The parameter of the smallest distance along a curve whose distance is convex. Newton's method
 /// on the slope, with bisection if a step leaves the bracket.
-fn convex_minimum<const N: usize>(points: &[DVec3; N], query: DVec3) -> f64 {
+fn minimum_along_convex_curve<const N: usize>(points: &[DVec3; N], query: DVec3) -> f64 {
     let (mut low, mut high, mut t) = (0.0, 1.0, 0.5);
     let line = Patch { points: [*points; N] };
     for _ in 0..60 {

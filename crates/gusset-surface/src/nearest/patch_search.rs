@@ -1,12 +1,12 @@
 //! The proven nearest point of one patch.
 //!
-//! The bounds at the foot of a descent (see `bounds`) may prove too little for the tolerance.
-//! Branch and bound then splits the patch, down to 2^-26 of a side, into at most [`MAX_PARTS`]
-//! parts.
+//! The bounds at the foot of a descent (see `patch_bounds`) may prove too little for the tolerance.
+//! Branch and bound then splits the patch, down to 2^-26 of a side, into at most
+//! [`MAX_PARTS_PER_PATCH`] parts.
 
-use super::bounds::lower_bound;
-use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};
-use super::part::{MAX_PARTS, PatchPart};
+use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
+use super::patch_bounds::patch_distance_bound;
+use super::patch_part::{MAX_PARTS_PER_PATCH, PatchPart};
 use crate::Patch;
 use crate::frontier::{BranchAndBound, Frontier};
 use glam::{DVec2, DVec3};
@@ -22,7 +22,7 @@ pub(super) struct NearestOnPatch {
 }
 
 impl NearestOnPatch {
-    fn new(foot: &Foot, bound: f64) -> Self {
+    fn new(foot: &FootPoint, bound: f64) -> Self {
         NearestOnPatch { place: foot.place, distance: foot.distance, bound: bound.min(foot.distance) }
     }
 }
@@ -43,8 +43,8 @@ pub(super) fn nearest_on_patch<const N: usize>(
     tolerance: f64,
     frontier: &mut PartFrontier<N>,
 ) -> Option<NearestOnPatch> {
-    let best = minimise(patch, query, start, MAX_STEPS);
-    let bound = lower_bound(patch, query, &best, 0.0, tolerance);
+    let best = descend_to_foot(patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
+    let bound = patch_distance_bound(patch, query, &best, 0.0, tolerance);
     if bound > limit {
         return None;
     }
@@ -52,7 +52,7 @@ pub(super) fn nearest_on_patch<const N: usize>(
         return Some(NearestOnPatch::new(&best, bound));
     }
     let proven = f64::INFINITY;
-    PatchSearch { patch, query, limit, tolerance, best, proven, examined: 0, added: 0, frontier }.search()
+    PatchSearch { patch, query, limit, tolerance, best, proven, examined: 0, added: 0, frontier }.find_nearest()
 }
 
 /// A search of a patch that must be split.
@@ -61,7 +61,7 @@ struct PatchSearch<'a, const N: usize> {
     query: DVec3,
     limit: f64,
     tolerance: f64,
-    best: Foot,
+    best: FootPoint,
     /// The smallest bound of the settled parts.
     proven: f64,
     examined: usize,
@@ -71,17 +71,17 @@ struct PatchSearch<'a, const N: usize> {
 
 impl<const N: usize> PatchSearch<'_, N> {
     #[cold]
-    fn search(mut self) -> Option<NearestOnPatch> {
+    fn find_nearest(mut self) -> Option<NearestOnPatch> {
         self.frontier.clear();
-        self.split(&PatchPart::whole(self.patch));
-        let Ok(left) = self.run();
+        self.split_part(&PatchPart::whole_patch(self.patch));
+        let Ok(left) = self.search_best_first();
         let bound = self.proven.min(left.unwrap_or(f64::INFINITY));
         (bound <= self.limit).then(|| NearestOnPatch::new(&self.best, bound))
     }
 
-    fn split(&mut self, part: &PatchPart<N>) {
-        part.split(|part| {
-            let part = part.with_cheap_bounds(self.query);
+    fn split_part(&mut self, part: &PatchPart<N>) {
+        part.split_part(|part| {
+            let part = part.with_bounds_without_descent(self.query);
             let bound = part.bound;
             if self.frontier.push(bound, self.added, part).is_err() {
                 self.proven = self.proven.min(bound);
@@ -92,33 +92,35 @@ impl<const N: usize> PatchSearch<'_, N> {
 }
 
 impl<const N: usize> BranchAndBound for PatchSearch<'_, N> {
-    type Task = PatchPart<N>;
-    type Key = u32;
-    type Stop = Infallible;
+    type SearchTask = PatchPart<N>;
+    type TieBreakKey = u32;
+    type StopReason = Infallible;
 
     fn frontier(&mut self) -> &mut PartFrontier<N> {
         self.frontier
     }
 
-    fn is_wanted(&mut self, bound: f64) -> bool {
-        bound.min(self.proven) <= self.limit && bound < self.best.distance - self.tolerance && self.examined < MAX_PARTS
+    fn is_bound_wanted(&mut self, bound: f64) -> bool {
+        bound.min(self.proven) <= self.limit
+            && bound < self.best.distance - self.tolerance
+            && self.examined < MAX_PARTS_PER_PATCH
     }
 
-    fn branch(&mut self, bound: f64, part: PatchPart<N>) -> Result<(), Infallible> {
+    fn branch_task(&mut self, bound: f64, part: PatchPart<N>) -> Result<(), Infallible> {
         self.examined += 1;
-        let local = minimise(&part.patch, self.query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
+        let local = descend_to_foot(&part.patch, self.query, DVec2::splat(0.5), MAX_NEWTON_STEPS_ON_PART);
         if local.distance < self.best.distance {
             // Evaluated on the whole patch, because the part's control points are rounded.
-            let foot = Foot::from_place(self.patch, self.query, part.place(local.place));
+            let foot = FootPoint::from_place(self.patch, self.query, part.place_in_patch(local.place));
             if foot.distance < self.best.distance {
                 self.best = foot;
             }
         }
-        let bound = lower_bound(&part.patch, self.query, &local, bound, self.tolerance);
-        if bound >= self.best.distance - self.tolerance || part.is_smallest() {
+        let bound = patch_distance_bound(&part.patch, self.query, &local, bound, self.tolerance);
+        if bound >= self.best.distance - self.tolerance || part.is_too_small_to_split() {
             self.proven = self.proven.min(bound);
         } else {
-            self.split(&PatchPart { bound, ..part });
+            self.split_part(&PatchPart { bound, ..part });
         }
         Ok(())
     }

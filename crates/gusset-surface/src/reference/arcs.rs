@@ -9,11 +9,11 @@
 //! neighbours compute them.
 
 use super::cell_lattice::Lattice;
+use super::cell_sizes::{BOUND_ROUNDING_FACTOR, Sizes};
 use super::figure::Figure;
 use super::normal_variation::AngleTarget;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
-use super::sizes::{ROUNDING_FACTOR, Sizes};
-use crate::normal::angle;
+use crate::normal::angle_between_unit_vectors;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -25,7 +25,7 @@ use std::f64::consts::PI;
 /// Largest number of arcs.
 pub const MAX_ARCS: u64 = 1 << 30;
 /// An upper bound of the rounding of angles.
-const ANGLE_ROUNDING: f64 = 1e-9;
+const MAX_ANGLE_ROUNDING_RADIANS: f64 = 1e-9;
 
 /// The points of a curve, and bounds of the arcs between them.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,8 +73,8 @@ impl Arcs {
             let gap = points[k].distance(controls[0]) + points[k + 1].distance(controls[controls.len() - 1]);
             let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
             let polygon: f64 = legs().map(DVec3::length).sum();
-            lengths.push((polygon + gap) * ROUNDING_FACTOR);
-            variation.push(turn(&controls, [tangents[k], tangents[(k + 1) % lattice.lines()[1]]]));
+            lengths.push((polygon + gap) * BOUND_ROUNDING_FACTOR);
+            variation.push(max_tangent_turn(&controls, [tangents[k], tangents[(k + 1) % lattice.lines()[1]]]));
         }
         Ok(Arcs { lengths: Sizes::new(lattice, lengths), variation: Sizes::new(lattice, variation), points, tangents })
     }
@@ -90,7 +90,7 @@ impl Arcs {
     /// # Errors
     /// The errors of [`super::figure_incidence`].
     pub fn incidence(&self, figure: Figure<'_>, options: &SearchOptions, job: &Job<'_>) -> Result<SearchOutcome> {
-        figure.search(&self.lengths, &|[_, k]| self.points[k], options, job)
+        figure.search_cells(&self.lengths, &|[_, k]| self.points[k], options, job)
     }
 
     /// Finds the arcs that may have a tangent within a deviation of an angle, or the nearest to it.
@@ -110,7 +110,7 @@ impl Arcs {
 
 /// Bounds the angles between the tangents of an arc and the tangents at its ends. The bound is
 /// twice the half-angle of a cone that contains the legs of its control polygon.
-fn turn(controls: &[DVec3], ends: [DVec3; 2]) -> f64 {
+fn max_tangent_turn(controls: &[DVec3], ends: [DVec3; 2]) -> f64 {
     let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
     let longest = legs().map(DVec3::length).fold(0.0, f64::max);
     let Some(axis) = legs().sum::<DVec3>().try_normalize() else { return PI };
@@ -118,6 +118,6 @@ fn turn(controls: &[DVec3], ends: [DVec3; 2]) -> f64 {
     if legs().any(|leg| leg.length() <= 1e-13 * longest) || ends.contains(&DVec3::ZERO) {
         return PI;
     }
-    let half = legs().chain(ends).map(|leg| angle(axis, leg)).fold(0.0, f64::max);
-    if half < 0.5 * PI { (2.0 * half + ANGLE_ROUNDING).min(PI) } else { PI }
+    let half = legs().chain(ends).map(|leg| angle_between_unit_vectors(axis, leg)).fold(0.0, f64::max);
+    if half < 0.5 * PI { (2.0 * half + MAX_ANGLE_ROUNDING_RADIANS).min(PI) } else { PI }
 }

@@ -1,13 +1,13 @@
 //! Cell regions: chains of cells, and the integer diameter (eqs. 3 to 6).
 
-use super::cell_lattice::{Lattice, Span};
+use super::cell_lattice::{CyclicSpan, Lattice};
 use super::cell_mask::CellMask;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;
 
 /// Marks cells that chains do not reach.
-const UNREACHED: u32 = u32::MAX;
+const UNREACHED_CELL: u32 = u32::MAX;
 
 /// Number of cells between two progress reports.
 const CELLS_PER_REPORT: usize = 1 << 17;
@@ -23,15 +23,15 @@ const CELLS_PER_REPORT: usize = 1 << 17;
 pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>) -> Result<Option<Vec<[usize; 2]>>> {
     let lattice = region.lattice();
     for end in [from, to] {
-        lattice.check(end)?;
+        lattice.check_cell(end)?;
         if !region.get(end) {
             return Err(Error::NoSuch { element: Element::Cell, index: lattice.index(end) as u64 });
         }
     }
-    let mut walk = Walk::new(lattice)?;
+    let mut walk = ShortestCellChains::new(lattice)?;
     walk.find_chains(region, to, job, 0.0)?;
     let steps = |cell: [usize; 2]| walk.steps[lattice.index(cell)];
-    if steps(from) == UNREACHED {
+    if steps(from) == UNREACHED_CELL {
         return Ok(None);
     }
     let mut cells = alloc::with_capacity(steps(from) as usize + 1)?;
@@ -66,7 +66,7 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
         let longest = |k: usize| if lattice.closed[k] { lattice.cells[k] / 2 + 1 } else { lattice.cells[k] };
         return Ok(Some(longest(0).max(longest(1))));
     }
-    let mut walk = Walk::new(lattice)?;
+    let mut walk = ShortestCellChains::new(lattice)?;
     // The middle of the region: half way along a long shortest chain.
     walk.find_chains(region, first, job, 0.0)?;
     if walk.order.len() != count {
@@ -78,7 +78,7 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
     let middle = walk.cell_at_steps(longest / 2);
     walk.find_chains(region, middle, job, 0.0)?;
     let (steps, order) = (std::mem::take(&mut walk.steps), std::mem::take(&mut walk.order));
-    walk = Walk::new(lattice)?;
+    walk = ShortestCellChains::new(lattice)?;
     for (tried, &cell) in order.iter().rev().enumerate() {
         if longest >= 2 * steps[cell as usize] {
             break;
@@ -98,15 +98,16 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
 pub fn euler_characteristic(region: &CellMask, job: &Job<'_>) -> Result<i64> {
     let lattice = region.lattice();
     let [lines_u, lines_v] = lattice.lines();
-    let on = |rows: Span, columns: Span| rows.indices().any(|i| columns.indices().any(|j| region.get([i, j])));
-    let single = |k: usize, at: usize| Span::new(at, 1, lattice.cells[k]);
+    let on =
+        |rows: CyclicSpan, columns: CyclicSpan| rows.indices().any(|i| columns.indices().any(|j| region.get([i, j])));
+    let single = |k: usize, at: usize| CyclicSpan::new(at, 1, lattice.cells[k]);
     let mut sum = region.count() as i64;
     for i in 0..lines_u {
         if (i * lines_v) % CELLS_PER_REPORT < lines_v {
             job.step(i as f64 / lines_u as f64, "vertices")?;
         }
         for j in 0..lines_v {
-            let (rows, columns) = (lattice.span(0, i, 1), lattice.span(1, j, 1));
+            let (rows, columns) = (lattice.span_around_line(0, i, 1), lattice.span_around_line(1, j, 1));
             sum += i64::from(on(rows, columns));
             sum -= i64::from(j < lattice.cells[1] && on(rows, single(1, j)));
             sum -= i64::from(i < lattice.cells[0] && on(single(0, i), columns));
@@ -116,7 +117,7 @@ pub fn euler_characteristic(region: &CellMask, job: &Job<'_>) -> Result<i64> {
 }
 
 /// Shortest chains from one cell to all others of a region.
-struct Walk {
+struct ShortestCellChains {
     lattice: Lattice,
     /// The steps to each cell.
     steps: Vec<u32>,
@@ -124,15 +125,15 @@ struct Walk {
     order: Vec<u32>,
 }
 
-impl Walk {
+impl ShortestCellChains {
     fn new(lattice: Lattice) -> Result<Self> {
-        Ok(Walk { lattice, steps: alloc::filled(UNREACHED, lattice.len())?, order: Vec::new() })
+        Ok(ShortestCellChains { lattice, steps: alloc::filled(UNREACHED_CELL, lattice.len())?, order: Vec::new() })
     }
 
     fn find_chains(&mut self, region: &CellMask, from: [usize; 2], job: &Job<'_>, fraction: f64) -> Result<()> {
         let lattice = self.lattice;
         job.step(fraction, "chains")?;
-        self.steps.fill(UNREACHED);
+        self.steps.fill(UNREACHED_CELL);
         self.order.clear();
         alloc::reserve(&mut self.order, region.count())?;
         self.steps[lattice.index(from)] = 0;
@@ -146,7 +147,7 @@ impl Walk {
             let next = self.steps[cell as usize] + 1;
             for other in lattice.neighbours(lattice.cell(cell as usize)) {
                 let k = lattice.index(other);
-                if self.steps[k] == UNREACHED && region.get(other) {
+                if self.steps[k] == UNREACHED_CELL && region.get(other) {
                     self.steps[k] = next;
                     self.order.push(k as u32);
                 }

@@ -18,22 +18,22 @@ pub struct Lattice {
 /// Consecutive intervals of one direction. In a closed direction, the first interval follows the
 /// last one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Span {
+pub(crate) struct CyclicSpan {
     pub(crate) first: usize,
     pub(crate) len: usize,
     count: usize,
 }
 
-impl Span {
+impl CyclicSpan {
     /// All intervals of a direction.
-    pub(crate) fn full(count: usize) -> Span {
-        Span { first: 0, len: count, count }
+    pub(crate) fn all_intervals(count: usize) -> CyclicSpan {
+        CyclicSpan { first: 0, len: count, count }
     }
 
     /// A span that begins at `first`, which may exceed the number of intervals in a closed
     /// direction.
-    pub(crate) fn new(first: usize, len: usize, count: usize) -> Span {
-        Span { first: first % count, len, count }
+    pub(crate) fn new(first: usize, len: usize, count: usize) -> CyclicSpan {
+        CyclicSpan { first: first % count, len, count }
     }
 
     pub(crate) fn indices(self) -> impl Iterator<Item = usize> {
@@ -47,12 +47,12 @@ impl Span {
         [self.first..end.min(self.count), 0..end.saturating_sub(self.count)]
     }
 
-    pub(crate) fn contains(self, k: usize) -> bool {
+    pub(crate) fn contains_interval(self, k: usize) -> bool {
         self.ranges_around_seam().iter().any(|part| part.contains(&k))
     }
 
     /// True if the span contains all intervals of another one.
-    pub(crate) fn covers(self, other: Span) -> bool {
+    pub(crate) fn covers_span(self, other: CyclicSpan) -> bool {
         let from = (other.first + self.count - self.first) % self.count;
         self.len >= self.count || other.len == 0 || from + other.len <= self.len
     }
@@ -86,7 +86,7 @@ impl Lattice {
     }
 
     /// Returns [`Error::NoSuch`] unless the cell exists.
-    pub(crate) fn check(&self, [i, j]: [usize; 2]) -> Result<()> {
+    pub(crate) fn check_cell(&self, [i, j]: [usize; 2]) -> Result<()> {
         let [rows, columns] = self.cells;
         if i < rows && j < columns {
             return Ok(());
@@ -96,32 +96,32 @@ impl Lattice {
     }
 
     /// The intervals `line - steps .. line + steps - 1` of one direction that exist.
-    pub(crate) fn span(&self, direction: usize, line: usize, steps: usize) -> Span {
+    pub(crate) fn span_around_line(&self, direction: usize, line: usize, steps: usize) -> CyclicSpan {
         let count = self.cells[direction];
         if !self.closed[direction] {
             let first = line.saturating_sub(steps);
-            return Span { first, len: line.saturating_add(steps).min(count) - first, count };
+            return CyclicSpan { first, len: line.saturating_add(steps).min(count) - first, count };
         }
         if steps >= count.div_ceil(2) {
-            return Span::full(count);
+            return CyclicSpan::all_intervals(count);
         }
-        Span::new(line + count - steps, 2 * steps, count)
+        CyclicSpan::new(line + count - steps, 2 * steps, count)
     }
 
     /// The rows and columns of the block of 2 J x 2 J cells around a node, where J is `steps`.
     /// Chains of J cells from the node reach exactly these cells.
-    pub(crate) fn block(&self, [i, j]: [usize; 2], steps: usize) -> [Span; 2] {
-        [self.span(0, i, steps), self.span(1, j, steps)]
+    pub(crate) fn block_around_node(&self, [i, j]: [usize; 2], steps: usize) -> [CyclicSpan; 2] {
+        [self.span_around_line(0, i, steps), self.span_around_line(1, j, steps)]
     }
 
     /// The cells at a node: four, or fewer at the edge.
     pub(crate) fn cells_at_node(&self, node: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
-        let [rows, columns] = self.block(node, 1);
+        let [rows, columns] = self.block_around_node(node, 1);
         rows.indices().flat_map(move |i| columns.indices().map(move |j| [i, j]))
     }
 
     /// The corners of a cell. In closed directions, the last line is the first one.
-    pub(crate) fn corners(&self, [i, j]: [usize; 2]) -> [[usize; 2]; 4] {
+    pub(crate) fn corner_nodes(&self, [i, j]: [usize; 2]) -> [[usize; 2]; 4] {
         let next = |k: usize, at: usize| if self.closed[k] && at + 1 == self.cells[k] { 0 } else { at + 1 };
         [[i, j], [i, next(1, j)], [next(0, i), j], [next(0, i), next(1, j)]]
     }
@@ -132,10 +132,10 @@ impl Lattice {
             let (at, count) = (cell[k], self.cells[k]);
             // Closed directions have at least three cells.
             if self.closed[k] {
-                return Span::new(at + count - 1, 3.min(count), count);
+                return CyclicSpan::new(at + count - 1, 3.min(count), count);
             }
             let first = at.saturating_sub(1);
-            Span { first, len: (at + 2).min(count) - first, count }
+            CyclicSpan { first, len: (at + 2).min(count) - first, count }
         };
         let (rows, columns) = (around(0), around(1));
         rows.indices().flat_map(move |i| columns.indices().map(move |j| [i, j])).filter(move |&other| other != cell)

@@ -1,7 +1,7 @@
 //! Masks of cells, the paper's logical scale: one bit for each cell, 1 as long as the cell may
 //! contain the object.
 
-use super::cell_lattice::{Lattice, Span};
+use super::cell_lattice::{CyclicSpan, Lattice};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 
@@ -97,7 +97,7 @@ impl CellMask {
     }
 
     /// Clears the bits of a block.
-    pub(crate) fn clear(&mut self, [rows, columns]: [Span; 2]) {
+    pub(crate) fn clear_block(&mut self, [rows, columns]: [CyclicSpan; 2]) {
         let width = self.lattice.cells[1];
         for i in rows.indices() {
             for part in columns.ranges_around_seam() {
@@ -108,17 +108,17 @@ impl CellMask {
 
     /// Clears the bits from..to.
     fn clear_bits(&mut self, from: usize, to: usize) {
-        words(from, to).for_each(|(word, ones)| self.words[word] &= !ones);
+        words_and_bit_masks(from, to).for_each(|(word, ones)| self.words[word] &= !ones);
     }
 
     /// True if the bits from..to are all 0.
-    pub(crate) fn is_clear(&self, from: usize, to: usize) -> bool {
-        words(from, to).all(|(word, ones)| self.words[word] & ones == 0)
+    pub(crate) fn are_bits_clear(&self, from: usize, to: usize) -> bool {
+        words_and_bit_masks(from, to).all(|(word, ones)| self.words[word] & ones == 0)
     }
 }
 
 /// The words that contain the bits from..to, each with a mask of these bits.
-fn words(from: usize, to: usize) -> impl Iterator<Item = (usize, u64)> {
+fn words_and_bit_masks(from: usize, to: usize) -> impl Iterator<Item = (usize, u64)> {
     (from / 64..to.div_ceil(64)).map(move |word| {
         let low = if word == from / 64 { u64::MAX << (from % 64) } else { u64::MAX };
         let high = if 64 * (word + 1) > to { u64::MAX >> (64 * (word + 1) - to) } else { u64::MAX };

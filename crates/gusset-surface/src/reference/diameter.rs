@@ -12,8 +12,8 @@
 //! curvature requires the intrinsic one.
 
 use super::cell_lattice::Lattice;
-use super::sizes::{ROUNDING_FACTOR, Sizes};
-use crate::cells::{Cells, by_cell};
+use super::cell_sizes::{BOUND_ROUNDING_FACTOR, Sizes};
+use crate::cells::{SheetCells, compute_by_cell};
 use crate::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -36,7 +36,7 @@ impl Diameters {
     /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
     pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
         let lattice = Lattice::new(sheet);
-        let both = by_cell(
+        let both = compute_by_cell(
             lattice.cells,
             "cells",
             job,
@@ -48,13 +48,13 @@ impl Diameters {
 }
 
 /// The Euclidean and the intrinsic diameter of a cell.
-fn cell_diameters<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
-    let patch = cells.patch(i, j);
-    let seen = lattice.corners([i, j]).map(|[i, j]| cells.corner(i, j));
-    let [[a, b], [c, d]] = patch.corners();
+fn cell_diameters<const N: usize>(cells: &impl SheetCells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
+    let patch = cells.cell_patch(i, j);
+    let seen = lattice.corner_nodes([i, j]).map(|[i, j]| cells.corner_point(i, j));
+    let [[a, b], [c, d]] = patch.corner_points();
     let gap = [a, b, c, d].into_iter().zip(seen).map(|(own, seen)| own.distance(seen)).fold(0.0, f64::max);
     let intrinsic = patch.intrinsic_diameter();
-    [patch.euclidean_diameter(&seen).min(intrinsic + 2.0 * gap), intrinsic].map(|bound| bound * ROUNDING_FACTOR)
+    [patch.euclidean_diameter(&seen).min(intrinsic + 2.0 * gap), intrinsic].map(|bound| bound * BOUND_ROUNDING_FACTOR)
 }
 
 impl<const N: usize> Patch<N> {
@@ -74,7 +74,8 @@ impl<const N: usize> Patch<N> {
 
     /// A bound of the length of the shortest curve on the patch between two of its points.
     fn intrinsic_diameter(&self) -> f64 {
-        let [along_u, along_v] = [self.raised_slope(), self.transposed().raised_slope().transposed()];
+        let [along_u, along_v] =
+            [self.u_derivative_of_full_degree(), self.transposed().u_derivative_of_full_degree().transposed()];
         let longest =
             |points: &mut dyn Iterator<Item = DVec3>| points.map(DVec3::length_squared).fold(0.0, f64::max).sqrt();
         let pairs = || along_u.points.as_flattened().iter().zip(along_v.points.as_flattened());
@@ -91,7 +92,7 @@ impl<const N: usize> Patch<N> {
     }
 
     /// S_u, raised to the degrees of the patch.
-    fn raised_slope(&self) -> Patch<N> {
+    fn u_derivative_of_full_degree(&self) -> Patch<N> {
         let degree = (N - 1) as f64;
         let step = |a: usize, b: usize| degree * (self.points[a + 1][b] - self.points[a][b]);
         let mut slope = *self;

@@ -1,10 +1,10 @@
 //! Figures from which distances are measured: points, planes and lines, curves, and surfaces. The
 //! search for the cells of a sheet that are close to a figure (tasks a, c, d and e of the paper).
 
+use super::cell_sizes::Sizes;
 use super::diameter::Diameters;
 use super::object::{Object, Target};
 use super::reference_search::{SearchOptions, SearchOutcome, search_at_cost};
-use super::sizes::Sizes;
 use crate::{Sheet, Surface};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -26,10 +26,10 @@ pub enum Figure<'a> {
 
 /// Bound of the rounding error of the nearest points of a curve, as a fraction of the curve's size
 /// and the distance.
-const CURVE_ROUNDING: f64 = 1e-9;
+const MAX_RELATIVE_CURVE_ROUNDING: f64 = 1e-9;
 
 /// Computes distances from a figure, rounded down.
-enum Measure<'a> {
+enum DistanceMeasure<'a> {
     Object(Target),
     Curve { search: CurveSearch<'a>, size: f64 },
     Surface(&'a Surface<'a>),
@@ -40,51 +40,52 @@ impl<'a> Figure<'a> {
     ///
     /// # Errors
     /// The errors of [`Object::target`]; [`Error::EmptyCurve`], [`Error::OutOfMemory`].
-    fn measure(&self) -> Result<Measure<'a>> {
+    fn prepare_distance_measure(&self) -> Result<DistanceMeasure<'a>> {
         Ok(match *self {
-            Figure::Object(object) => Measure::Object(object.target()?),
+            Figure::Object(object) => DistanceMeasure::Object(object.target()?),
             Figure::Curve(curve) if curve.is_empty() => return Err(Error::EmptyCurve),
-            Figure::Curve(curve) => {
-                Measure::Curve { search: CurveSearch::new(&curve)?, size: Aabb::from_points(curve.points()).diagonal() }
-            }
-            Figure::Surface(surface) => Measure::Surface(surface),
+            Figure::Curve(curve) => DistanceMeasure::Curve {
+                search: CurveSearch::new(&curve)?,
+                size: Aabb::from_points(curve.points()).diagonal(),
+            },
+            Figure::Surface(surface) => DistanceMeasure::Surface(surface),
         })
     }
 }
 
 /// Cost of a distance from a figure, in words of the mask.
-const CURVE_COST: usize = 1 << 9;
-const SURFACE_COST: usize = 1 << 12;
+const CURVE_DISTANCE_COST_IN_WORDS: usize = 1 << 9;
+const SURFACE_DISTANCE_COST_IN_WORDS: usize = 1 << 12;
 
 impl Figure<'_> {
     /// Runs the corrected search, with nodes at the given points.
-    pub(super) fn search(
+    pub(super) fn search_cells(
         &self,
         sizes: &Sizes,
         node: &dyn Fn([usize; 2]) -> DVec3,
         options: &SearchOptions,
         job: &Job<'_>,
     ) -> Result<SearchOutcome> {
-        let measure = self.measure()?;
+        let measure = self.prepare_distance_measure()?;
         let cost = match measure {
-            Measure::Object(_) => 0,
-            Measure::Curve { .. } => CURVE_COST,
-            Measure::Surface(_) => SURFACE_COST,
+            DistanceMeasure::Object(_) => 0,
+            DistanceMeasure::Curve { .. } => CURVE_DISTANCE_COST_IN_WORDS,
+            DistanceMeasure::Surface(_) => SURFACE_DISTANCE_COST_IN_WORDS,
         };
-        search_at_cost(sizes, cost, &mut |at| measure.distance(node(at)), options, job)
+        search_at_cost(sizes, cost, &mut |at| measure.distance_lower_bound(node(at)), options, job)
     }
 }
 
-impl Measure<'_> {
+impl DistanceMeasure<'_> {
     /// A lower bound of the distance of a point from the figure.
-    fn distance(&self, from: DVec3) -> f64 {
+    fn distance_lower_bound(&self, from: DVec3) -> f64 {
         match self {
-            Measure::Object(target) => target.distance(from),
-            Measure::Curve { search, size } => {
+            DistanceMeasure::Object(target) => target.distance(from),
+            DistanceMeasure::Curve { search, size } => {
                 let distance = search.nearest(from, &Job::default()).map_or(0.0, |found| found.distance);
-                (distance - CURVE_ROUNDING * (size + distance)).max(0.0)
+                (distance - MAX_RELATIVE_CURVE_ROUNDING * (size + distance)).max(0.0)
             }
-            Measure::Surface(surface) => surface.closest(from, f64::INFINITY).map_or(0.0, |found| found.bound),
+            DistanceMeasure::Surface(surface) => surface.closest(from, f64::INFINITY).map_or(0.0, |found| found.bound),
         }
     }
 }
@@ -101,5 +102,5 @@ pub fn figure_incidence(
     options: &SearchOptions,
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
-    figure.search(&diameters.euclidean, &|[i, j]| sheet.corner(i, j), options, job)
+    figure.search_cells(&diameters.euclidean, &|[i, j]| sheet.corner(i, j), options, job)
 }

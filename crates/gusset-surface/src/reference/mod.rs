@@ -52,12 +52,13 @@ mod normal_variation;
 mod object;
 mod reference_search;
 mod section_normal;
-mod sizes;
+mod cell_sizes;
 
 pub use arcs::{Arcs, MAX_ARCS};
 pub use cell_chains::{chain, euler_characteristic, integer_diameter};
 pub use cell_lattice::Lattice;
 pub use cell_mask::CellMask;
+pub use cell_sizes::{Sizes, Sum};
 pub use curvature::curvature_bound;
 pub use diameter::Diameters;
 pub use figure::{Figure, figure_incidence};
@@ -65,4 +66,3 @@ pub use normal_variation::{AngleTarget, angle_incidence, normal_variation_by_con
 pub use object::{Object, Target, incidence};
 pub use reference_search::{Goal, SearchOptions, SearchOutcome, search};
 pub use section_normal::normal_by_sections;
-pub use sizes::{Sizes, Sum};

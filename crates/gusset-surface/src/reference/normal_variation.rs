@@ -9,11 +9,11 @@
 //! - or by the cell's normal cone, which is tighter and does not need K.
 
 use super::cell_lattice::Lattice;
+use super::cell_sizes::Sizes;
 use super::diameter::Diameters;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
-use super::sizes::Sizes;
-use crate::cells::{Cells, by_cell};
-use crate::normal::angle;
+use crate::cells::{SheetCells, compute_by_cell};
+use crate::normal::angle_between_unit_vectors;
 use crate::{MAX_DEGREE, Patch, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -22,7 +22,7 @@ use gusset_base::job::Job;
 use std::f64::consts::PI;
 
 /// An upper bound of the rounding of angles.
-const ANGLE_ROUNDING: f64 = 1e-13;
+const MAX_ANGLE_ROUNDING_RADIANS: f64 = 1e-13;
 
 /// Bounds the variation by normal cones. The bound is pi where a cone of less than a quarter turn
 /// does not exist, as where the surface is not regular.
@@ -32,15 +32,16 @@ const ANGLE_ROUNDING: f64 = 1e-13;
 pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
     let lattice = Lattice::new(sheet);
     let cone = |cell: [usize; 2]| {
-        let (axis, half) = each_sheet!(sheet, cells => cone(cells, cell))?;
-        let reach = |node: DVec3| if node == DVec3::ZERO { PI } else { angle(axis, node) };
+        let (axis, half) = each_sheet!(sheet, cells => normal_cone_of_cell(cells, cell))?;
+        let reach = |node: DVec3| if node == DVec3::ZERO { PI } else { angle_between_unit_vectors(axis, node) };
         // Corners as the neighbours compute them, where normals may jump.
-        let corners = lattice.corners(cell).map(|node| reach(normal(sheet, node))).into_iter().fold(0.0, f64::max);
-        Some(2.0 * half.max(corners) + ANGLE_ROUNDING)
+        let corners =
+            lattice.corner_nodes(cell).map(|node| reach(normal_at_node(sheet, node))).into_iter().fold(0.0, f64::max);
+        Some(2.0 * half.max(corners) + MAX_ANGLE_ROUNDING_RADIANS)
     };
     Ok(Sizes::new(
         lattice,
-        by_cell(lattice.cells, "cells", job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?,
+        compute_by_cell(lattice.cells, "cells", job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?,
     ))
 }
 
@@ -61,18 +62,18 @@ pub fn normal_variation_by_curvature(
     let lattice = Lattice::new(sheet);
     let variation = |cell: [usize; 2]| {
         let own = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[u, v]| sheet.normal(cell[0], cell[1], u, v));
-        let seen = lattice.corners(cell).map(|node| normal(sheet, node));
-        let jump = own.into_iter().zip(seen).map(|(a, b)| angle(a, b)).fold(0.0, f64::max);
+        let seen = lattice.corner_nodes(cell).map(|node| normal_at_node(sheet, node));
+        let jump = own.into_iter().zip(seen).map(|(a, b)| angle_between_unit_vectors(a, b)).fold(0.0, f64::max);
         let regular = own.into_iter().chain(seen).all(|normal| normal != DVec3::ZERO);
-        let turn = curvature * diameters.intrinsic.get(cell) + 2.0 * jump + ANGLE_ROUNDING;
+        let turn = curvature * diameters.intrinsic.get(cell) + 2.0 * jump + MAX_ANGLE_ROUNDING_RADIANS;
         if regular { turn.min(PI) } else { PI }
     };
-    Ok(Sizes::new(lattice, by_cell(lattice.cells, "cells", job, variation)?))
+    Ok(Sizes::new(lattice, compute_by_cell(lattice.cells, "cells", job, variation)?))
 }
 
 /// The unit normal at a node, from the cell that begins there, or from the last cell; zero if no
 /// normal exists.
-fn normal(sheet: &Sheet<'_>, node: [usize; 2]) -> DVec3 {
+fn normal_at_node(sheet: &Sheet<'_>, node: [usize; 2]) -> DVec3 {
     let cells = sheet.cells();
     let of = |k: usize| if node[k] < cells[k] { (node[k], 0.0) } else { (cells[k] - 1, 1.0) };
     let ((i, u), (j, v)) = (of(0), of(1));
@@ -109,7 +110,7 @@ impl AngleTarget {
         if normal == DVec3::ZERO {
             return 0.0;
         }
-        let off = |normal: DVec3| (angle(normal, self.direction) - self.angle).abs();
+        let off = |normal: DVec3| (angle_between_unit_vectors(normal, self.direction) - self.angle).abs();
         if self.unsigned { off(normal).min(off(-normal)) } else { off(normal) }
     }
 }
@@ -127,26 +128,26 @@ pub fn angle_incidence(
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
     let target = target.normalized()?;
-    search(variation, |node| target.deviation(normal(sheet, node)), options, job)
+    search(variation, |node| target.deviation(normal_at_node(sheet, node)), options, job)
 }
 
 /// The axis and the half-angle of a cone that contains all normals of a cell, because it contains
 /// the Bézier points of S_u x S_v. Returns `None` for a quarter turn or more. Where a side is a
 /// single point, the cone contains the limits of the normals.
-fn cone<const N: usize>(cells: &impl Cells<N>, [i, j]: [usize; 2]) -> Option<(DVec3, f64)> {
-    let normals = cells.patch(i, j).normal_points();
+fn normal_cone_of_cell<const N: usize>(cells: &impl SheetCells<N>, [i, j]: [usize; 2]) -> Option<(DVec3, f64)> {
+    let normals = cells.cell_patch(i, j).bezier_points_of_normals();
     // Where the normal vanishes, rounding is not a direction.
     let noise = 1e-13 * normals.iter().map(|normal| normal.length()).fold(0.0, f64::max);
     let directions = || normals.iter().filter(|normal| normal.length() > noise);
     let axis = directions().map(|normal| normal.normalize_or_zero()).sum::<DVec3>().try_normalize()?;
-    let half = directions().map(|&normal| angle(axis, normal)).fold(0.0, f64::max);
+    let half = directions().map(|&normal| angle_between_unit_vectors(axis, normal)).fold(0.0, f64::max);
     (half < 0.5 * PI).then_some((axis, half))
 }
 
 impl<const N: usize> Patch<N> {
     /// The Bézier points of S_u x S_v, of degree 2 N - 3 in u and in v: sums of products, weighted
     /// by binomials.
-    fn normal_points(&self) -> Vec<DVec3> {
+    fn bezier_points_of_normals(&self) -> Vec<DVec3> {
         let (degree, width) = (N - 1, 2 * N - 2);
         let (lower, full) = (binomial_row::<N>(degree - 1), binomial_row::<N>(degree));
         let product = binomial_row::<{ 2 * MAX_DEGREE }>(width - 1);

@@ -67,14 +67,14 @@ impl Object {
 
 impl Target {
     /// A lower bound of the squared distance of points with coordinates within `ranges`.
-    fn gap_squared(&self, ranges: &[[f64; 2]; 3]) -> f64 {
+    fn squared_distance_bound(&self, ranges: &[[f64; 2]; 3]) -> f64 {
         let gap = |k: usize| (ranges[k][0] - self.intervals[k][1]).max(self.intervals[k][0] - ranges[k][1]).max(0.0);
         (0..self.count).map(|k| gap(k) * gap(k)).sum()
     }
 
     /// Bound of the rounding error of a point's coordinates. The axes of points are the
     /// coordinate axes: only the last bit is rounded, and the result is 0.
-    fn rounding(&self, from: DVec3) -> f64 {
+    fn max_coordinate_rounding(&self, from: DVec3) -> f64 {
         if self.axes[0] == DVec3::X && self.count == 3 {
             0.0
         } else {
@@ -85,7 +85,7 @@ impl Target {
     /// The distance of a point, rounded down.
     pub fn distance(&self, from: DVec3) -> f64 {
         let ranges = self.axes.map(|axis| [(from - self.origin).dot(axis); 2]);
-        (self.gap_squared(&ranges).sqrt() - self.rounding(from)).max(0.0)
+        (self.squared_distance_bound(&ranges).sqrt() - self.max_coordinate_rounding(from)).max(0.0)
     }
 }
 

@@ -4,9 +4,9 @@
 //! Invariant: the mask contains all cells that may contain the object. O(n / 64) for the mask and
 //! O(1) to O(J^2) for each evaluated node.
 
-use super::cell_lattice::{Lattice, Span};
+use super::cell_lattice::{CyclicSpan, Lattice};
 use super::cell_mask::CellMask;
-use super::sizes::{Sizes, Sum};
+use super::cell_sizes::{Sizes, Sum};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
@@ -77,7 +77,7 @@ pub fn search(
 /// Runs [`search`] with the cost of evaluating a node, in words of the mask.
 pub(super) fn search_at_cost(
     sizes: &Sizes,
-    cost: usize,
+    node_cost: usize,
     measure: &mut dyn FnMut([usize; 2]) -> f64,
     options: &SearchOptions,
     job: &Job<'_>,
@@ -86,7 +86,8 @@ pub(super) fn search_at_cost(
         Error::require(within >= 0.0, "within", within)?;
     }
     let lattice = sizes.lattice();
-    let mut window = RemainingCells { lattice, spans: lattice.cells.map(Span::full), rings: lattice.closed };
+    let mut window =
+        RemainingCells { lattice, spans: lattice.cells.map(CyclicSpan::all_intervals), rings: lattice.closed };
     let least = ([0, 0], f64::INFINITY);
     let mut outcome = SearchOutcome { mask: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
     let [lines_u, lines_v] = lattice.lines();
@@ -99,13 +100,13 @@ pub(super) fn search_at_cost(
             if window.is_empty() {
                 return Ok(outcome);
             }
-            ticker.spend(lines_v / stride / 8 + 1, i as f64 / (lines_u * stride) as f64)?;
-            if !lattice.span(0, i, 1).indices().any(|row| window.spans[0].contains(row)) {
+            ticker.spend_work(lines_v / stride / 8 + 1, i as f64 / (lines_u * stride) as f64)?;
+            if !lattice.span_around_line(0, i, 1).indices().any(|row| window.spans[0].contains_interval(row)) {
                 continue;
             }
             let mut j = 0;
             while j < lines_v {
-                if stride == 1 && is_quiet(&outcome.mask, i, j) {
+                if stride == 1 && are_cells_of_nodes_excluded(&outcome.mask, i, j) {
                     j += 62;
                     continue;
                 }
@@ -115,8 +116,9 @@ pub(super) fn search_at_cost(
                     && (i / stride).is_multiple_of(2)
                     && (j / stride).is_multiple_of(2);
                 if !seen && lattice.cells_at_node([i, j]).any(|cell| outcome.mask.get(cell)) {
-                    let cleared = visit(&mut outcome, &mut window, sizes, [i, j], measure([i, j]), options);
-                    ticker.spend(cleared + cost, 0.0)?;
+                    let cleared =
+                        exclude_cells_around_node(&mut outcome, &mut window, sizes, [i, j], measure([i, j]), options);
+                    ticker.spend_work(cleared + node_cost, 0.0)?;
                 }
                 j += stride;
             }
@@ -126,18 +128,19 @@ pub(super) fn search_at_cost(
     Ok(outcome)
 }
 
-/// Excludes the cells that a node at distance `r` proves to be too far. Returns the work done.
-fn visit(
+/// Excludes the cells that a node at distance `distance` proves to be too far. Returns the work
+/// done.
+fn exclude_cells_around_node(
     found: &mut SearchOutcome,
     window: &mut RemainingCells,
     sizes: &Sizes,
     node: [usize; 2],
-    r: f64,
+    distance: f64,
     options: &SearchOptions,
 ) -> usize {
     found.evaluations += 1;
-    if r < found.least.1 || (r == found.least.1 && node < found.least.0) {
-        found.least = (node, r);
+    if distance < found.least.1 || (distance == found.least.1 && node < found.least.0) {
+        found.least = (node, distance);
     }
     let within = match options.goal {
         Goal::Within(within) => within,
@@ -145,21 +148,21 @@ fn visit(
     };
     // Points at most `within` away must remain. With the paper's rule, the block may touch them
     // (erratum E2).
-    let (steps, _) = sizes.steps(node, r - within, options.sum);
+    let (steps, _) = sizes.steps(node, distance - within, options.sum);
     let lattice = sizes.lattice();
     if steps == 0 {
         for cell in lattice.cells_at_node(node) {
-            if sizes.get(cell) < r - within {
+            if sizes.get(cell) < distance - within {
                 found.mask.set(cell, false);
             }
         }
         return 8;
     }
-    let block = lattice.block(node, steps);
-    found.mask.clear(block);
+    let block = lattice.block_around_node(node, steps);
+    found.mask.clear_block(block);
     found.blocks += 1;
     if options.drop_lines {
-        found.dropped += window.drop_lines(block) as u64;
+        found.dropped += window.drop_covered_edge_lines(block) as u64;
     }
     let cleared = block[0].len * (block[1].len / 64 + 1);
     if options.sum == Sum::Rings { cleared + block[0].len * block[1].len } else { cleared }
@@ -167,20 +170,23 @@ fn visit(
 
 /// True if the bits of all cells at the nodes j to j + 61 of line i are 0, and these cells are
 /// contiguous in their rows.
-fn is_quiet(mask: &CellMask, i: usize, j: usize) -> bool {
+fn are_cells_of_nodes_excluded(mask: &CellMask, i: usize, j: usize) -> bool {
     let lattice = mask.lattice();
     let width = lattice.cells[1];
     // At the ends of a row, where closed rows continue, nodes are examined one by one.
     if j == 0 || j + 62 > width {
         return false;
     }
-    lattice.span(0, i, 1).indices().all(|row| mask.is_clear(row * width + j - 1, row * width + j + 62))
+    lattice
+        .span_around_line(0, i, 1)
+        .indices()
+        .all(|row| mask.are_bits_clear(row * width + j - 1, row * width + j + 62))
 }
 
 /// The part of the surface that remains after lines were dropped, which is again a surface.
 struct RemainingCells {
     lattice: Lattice,
-    spans: [Span; 2],
+    spans: [CyclicSpan; 2],
     /// Closed directions without dropped lines, which do not have an edge yet.
     rings: [bool; 2],
 }
@@ -192,34 +198,38 @@ impl RemainingCells {
 
     /// Drops lines of cells at the edge that a block covers from side to side. Returns their
     /// number.
-    fn drop_lines(&mut self, block: [Span; 2]) -> usize {
-        (0..2).map(|k| if block[1 - k].covers(self.spans[1 - k]) { self.shorten(k, block[k]) } else { 0 }).sum()
+    fn drop_covered_edge_lines(&mut self, block: [CyclicSpan; 2]) -> usize {
+        (0..2)
+            .map(
+                |k| if block[1 - k].covers_span(self.spans[1 - k]) { self.remove_part_at_edge(k, block[k]) } else { 0 },
+            )
+            .sum()
     }
 
     /// Removes a part from the span in direction k, if the part is at its edge. A ring does not
     /// have an edge, so it becomes a strip.
-    fn shorten(&mut self, k: usize, part: Span) -> usize {
+    fn remove_part_at_edge(&mut self, k: usize, part: CyclicSpan) -> usize {
         let (span, count) = (self.spans[k], self.lattice.cells[k]);
         if span.len == 0 {
             return 0;
         }
-        if part.covers(span) {
+        if part.covers_span(span) {
             self.spans[k].len = 0;
             return span.len;
         }
         if self.rings[k] {
             self.rings[k] = false;
-            self.spans[k] = Span::new(part.first + part.len, count - part.len, count);
+            self.spans[k] = CyclicSpan::new(part.first + part.len, count - part.len, count);
             return part.len;
         }
         let last = (span.first + span.len - 1) % count;
-        if part.contains(span.first) {
+        if part.contains_interval(span.first) {
             // From the first line to the end of the part.
             let dropped = (part.first + part.len + count - span.first) % count;
-            self.spans[k] = Span::new(span.first + dropped, span.len - dropped, count);
+            self.spans[k] = CyclicSpan::new(span.first + dropped, span.len - dropped, count);
             return dropped;
         }
-        if part.contains(last) {
+        if part.contains_interval(last) {
             let kept = (part.first + count - span.first) % count;
             self.spans[k].len = kept;
             return span.len - kept;
@@ -236,7 +246,7 @@ struct ProgressTicker<'a, 'b> {
 }
 
 impl ProgressTicker<'_, '_> {
-    fn spend(&mut self, work: usize, fraction: f64) -> Result<()> {
+    fn spend_work(&mut self, work: usize, fraction: f64) -> Result<()> {
         self.spent += work;
         self.fraction = self.fraction.max(fraction);
         if self.spent < 1 << 16 {

@@ -7,7 +7,7 @@
 //! derivative of a cubic through four points.
 
 use super::cell_lattice::Lattice;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use crate::{Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -16,11 +16,11 @@ use gusset_base::geom::bernstein::{evaluate, halves};
 /// Number of lines that a section interpolates.
 const LINES_PER_SECTION: usize = 4;
 /// Number of cells on either side in which a crossing with a line is sought.
-const MAX_CELLS_AWAY: usize = 8;
+const MAX_CELLS_TO_CROSSING: usize = 8;
 /// Number of cells by which lines are extrapolated beyond an open edge.
-const EXTRAPOLATED_CELLS: f64 = 0.5;
+const MAX_EXTRAPOLATION_IN_CELLS: f64 = 0.5;
 /// Number of halvings of an edge after which a crossing is accurate to the last bit.
-const MAX_HALVINGS: u32 = 60;
+const MAX_EDGE_HALVINGS: u32 = 60;
 
 /// The approximate unit normal at parameters (u, v) of a cell, from two perpendicular plane
 /// sections, on the side of S_u x S_v. Returns zero if a plane crosses fewer than two lines close
@@ -32,7 +32,7 @@ const MAX_HALVINGS: u32 = 60;
 /// # Errors
 /// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] if a parameter is outside 0 to 1.
 pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -> Result<DVec3> {
-    Lattice::new(sheet).check(cell)?;
+    Lattice::new(sheet).check_cell(cell)?;
     [("u", u), ("v", v)].into_iter().try_for_each(|(name, t)| Error::require((0.0..=1.0).contains(&t), name, t))?;
     let [i, j] = cell;
     let point = sheet.jet(i, j, u, v).point;
@@ -46,15 +46,15 @@ pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -
     // The plane along `first` crosses lines of constant u, the plane along `second` lines of
     // constant v.
     let slope = |direction: usize, along: DVec3, across: DVec3| {
-        let section = Section { point, along, across, up: b };
-        each_sheet!(sheet, cells => section.slope(cells, lattice, direction, cell))
+        let section = NormalPlaneSection { point, along, across, up: b };
+        each_sheet!(sheet, cells => section.section_slope(cells, lattice, direction, cell))
     };
     let normal = slope(0, first, second).zip(slope(1, second, first)).map(|(s, t)| b - s * first - t * second);
     Ok(normal.map_or(DVec3::ZERO, DVec3::normalize_or_zero))
 }
 
 /// A plane section near a point of it.
-struct Section {
+struct NormalPlaneSection {
     point: DVec3,
     /// The direction in the plane perpendicular to `up`.
     along: DVec3,
@@ -63,12 +63,12 @@ struct Section {
     up: DVec3,
 }
 
-impl Section {
+impl NormalPlaneSection {
     /// The slope, at the point, of the cubic through the crossings with lines of one direction
     /// around a cell.
-    fn slope<const N: usize>(
+    fn section_slope<const N: usize>(
         &self,
-        cells: &impl Cells<N>,
+        cells: &impl SheetCells<N>,
         lattice: Lattice,
         direction: usize,
         cell: [usize; 2],
@@ -81,40 +81,41 @@ impl Section {
                 // As central as the edges allow.
                 false => at.saturating_sub(1).min((count + 1).saturating_sub(LINES_PER_SECTION)) + k,
             };
-            if let Some(crossing) = self.crossing(cells, lattice, direction, line, cell[1 - direction]) {
+            if let Some(crossing) = self.crossing_with_line(cells, lattice, direction, line, cell[1 - direction]) {
                 let from = crossing - self.point;
                 crossings[found] = [from.dot(self.along), from.dot(self.up)];
                 found += 1;
             }
         }
-        let slope = slope_at_origin(&crossings[..found]);
+        let slope = polynomial_slope_at_origin(&crossings[..found]);
         (found >= 2 && slope.is_finite()).then_some(slope)
     }
 
-    /// The point where the plane crosses a line of the surface close to place `at` on it.
-    fn crossing<const N: usize>(
+    /// The point where the plane crosses a line of the surface close to place `near_place` on it.
+    fn crossing_with_line<const N: usize>(
         &self,
-        cells: &impl Cells<N>,
+        cells: &impl SheetCells<N>,
         lattice: Lattice,
         direction: usize,
         line: usize,
-        at: usize,
+        near_place: usize,
     ) -> Option<DVec3> {
         let (count, closed) = (lattice.cells[1 - direction], lattice.closed[1 - direction]);
         let within = |place: usize, range: [f64; 2]| {
-            let edge = edge(cells, lattice, direction, line, place);
+            let edge = line_controls_over_cell(cells, lattice, direction, line, place);
             let field = edge.map(|control| (control - self.point).dot(self.across));
-            let root = first_root(restricted_polynomial(field, range), MAX_HALVINGS)?;
+            let root = first_root_in_interval(restrict_polynomial(field, range), MAX_EDGE_HALVINGS)?;
             Some(evaluate(&edge, range[0] + root * (range[1] - range[0])))
         };
-        for offset in 0..=MAX_CELLS_AWAY {
+        for offset in 0..=MAX_CELLS_TO_CROSSING {
             let wrapped = |place: Option<usize>| match place {
                 Some(place) if place < count => Some(place),
                 _ if !closed || offset >= count => None,
                 Some(place) => Some(place - count),
-                None => Some(at + count - offset),
+                None => Some(near_place + count - offset),
             };
-            let places = [at.checked_add(offset), at.checked_sub(offset)].into_iter().filter_map(wrapped);
+            let places =
+                [near_place.checked_add(offset), near_place.checked_sub(offset)].into_iter().filter_map(wrapped);
             let crossings = places.filter_map(|place| within(place, [0.0, 1.0]));
             let nearest =
                 crossings.min_by(|a, b| a.distance_squared(self.point).total_cmp(&b.distance_squared(self.point)));
@@ -123,15 +124,15 @@ impl Section {
             }
         }
         // Close to an open edge, the crossing may be on the extension of the line's last cubic.
-        let ends = [(0, [-EXTRAPOLATED_CELLS, 0.0]), (count - 1, [1.0, 1.0 + EXTRAPOLATED_CELLS])];
-        let near = |&(place, _): &(usize, [f64; 2])| !closed && place.abs_diff(at) <= MAX_CELLS_AWAY;
+        let ends = [(0, [-MAX_EXTRAPOLATION_IN_CELLS, 0.0]), (count - 1, [1.0, 1.0 + MAX_EXTRAPOLATION_IN_CELLS])];
+        let near = |&(place, _): &(usize, [f64; 2])| !closed && place.abs_diff(near_place) <= MAX_CELLS_TO_CROSSING;
         ends.into_iter().filter(near).find_map(|(place, range)| within(place, range))
     }
 }
 
 /// The Bézier points of a line of the surface over one cell. Direction 0 means lines of constant u.
-fn edge<const N: usize>(
-    cells: &impl Cells<N>,
+fn line_controls_over_cell<const N: usize>(
+    cells: &impl SheetCells<N>,
     lattice: Lattice,
     direction: usize,
     line: usize,
@@ -142,13 +143,13 @@ fn edge<const N: usize>(
     let row = line - usize::from(is_far);
     let side = if is_far { N - 1 } else { 0 };
     match direction {
-        0 => cells.patch(row, place).points[side],
-        _ => cells.patch(place, row).transposed().points[side],
+        0 => cells.cell_patch(row, place).points[side],
+        _ => cells.cell_patch(place, row).transposed().points[side],
     }
 }
 
 /// A polynomial in Bernstein form, reparametrised to another interval by its blossom.
-fn restricted_polynomial<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
+fn restrict_polynomial<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
     std::array::from_fn(|ends| {
         let mut work = field;
         for (step, count) in (1..N).rev().enumerate() {
@@ -161,7 +162,7 @@ fn restricted_polynomial<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) 
 
 /// The first root of a polynomial in Bernstein form. Halves whose coefficients have one sign are
 /// skipped.
-fn first_root<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
+fn first_root_in_interval<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
     if field.iter().all(|&x| x > 0.0) || field.iter().all(|&x| x < 0.0) {
         return None;
     }
@@ -172,13 +173,13 @@ fn first_root<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
         return Some(0.5);
     }
     let [low, high] = halves(&field);
-    let first = first_root(low, depth - 1).map(|t| 0.5 * t);
-    first.or_else(|| first_root(high, depth - 1).map(|t| 0.5 + 0.5 * t))
+    let first = first_root_in_interval(low, depth - 1).map(|t| 0.5 * t);
+    first.or_else(|| first_root_in_interval(high, depth - 1).map(|t| 0.5 + 0.5 * t))
 }
 
 /// The slope at 0 of the polynomial through points (s, h). Not finite if two points have the same
 /// s.
-fn slope_at_origin(points: &[[f64; 2]]) -> f64 {
+fn polynomial_slope_at_origin(points: &[[f64; 2]]) -> f64 {
     let mut slope = 0.0;
     for (k, &[s, h]) in points.iter().enumerate() {
         let others = || points.iter().enumerate().filter(move |&(m, _)| m != k).map(|(m, point)| (m, point[0]));

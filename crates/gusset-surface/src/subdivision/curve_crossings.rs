@@ -13,7 +13,7 @@
 //! - *unresolved*: along the normal, both parts are within the tolerance. The curve touches the
 //!   surface there, or runs in it, or passes where the surface is not regular.
 //!
-//! Cost: O(M^2 + N^2) for a test, O(N^3) for a split; at most [`MAX_PAIRS`] pairs.
+//! Cost: O(M^2 + N^2) for a test, O(N^3) for a split; at most [`MAX_EXAMINED_PAIRS`] pairs.
 
 use crate::Patch;
 use glam::{DMat3, DVec2, DVec3};
@@ -22,7 +22,8 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::bernstein::{evaluate, evaluate_with_slope, halves};
 use gusset_base::geom::subdivision::{
-    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+    BoxStack, BoxTest, Subdivision, SubdivisionLimits, UnresolvedBox, UnresolvedCluster, cluster_touching_boxes,
+    subdivide,
 };
 use std::convert::Infallible;
 
@@ -30,17 +31,17 @@ use std::convert::Infallible;
 const MAX_SUBDIVISION_DEPTH: u32 = 96;
 /// Largest number of pairs examined. Without a limit, a curve that lies in a surface would never
 /// end.
-const MAX_PAIRS: usize = 2048;
+const MAX_EXAMINED_PAIRS: usize = 2048;
 /// Pairs with a longer parameter range of the curve are halved even if they are flat. This locates
 /// the ends of a common arc.
-const MAX_UNRESOLVED_LENGTH: f64 = 1.0 / 16.0;
+const MAX_UNRESOLVED_PARAMETER_LENGTH: f64 = 1.0 / 16.0;
 /// How far outside a pair a common point may be found besides rounding, as a fraction of the pair.
 /// Both sides of a border find the points on it.
-const MARGIN: f64 = 1e-12;
+const MAX_FRACTION_OUTSIDE_PAIR: f64 = 1e-12;
 
 /// A common point of a curve and a patch, where the curve passes through the patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Crossing {
+pub(crate) struct CurvePatchCrossing {
     /// Parameter on the curve.
     pub(crate) t: f64,
     /// Parameters on the patch.
@@ -51,9 +52,9 @@ pub(crate) struct Crossing {
 
 /// Common points of a curve and a patch.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Crossings {
+pub(crate) struct CurvePatchCrossings {
     /// The transversal crossings, each once.
-    pub(crate) simple: Vec<Crossing>,
+    pub(crate) simple: Vec<CurvePatchCrossing>,
     /// Clusters of (t, u, v) that could not be resolved. The middle of a cluster's best box is
     /// where curve and patch are closest.
     pub(crate) unresolved: Vec<UnresolvedCluster>,
@@ -71,30 +72,30 @@ struct CurvePatchPair<const M: usize, const N: usize> {
 
 /// Memory that searches reuse.
 #[derive(Default)]
-pub(crate) struct CurveWorkspace<const M: usize, const N: usize> {
-    stack: Stack<CurvePatchPair<M, N>>,
+pub(crate) struct CrossingWorkspace<const M: usize, const N: usize> {
+    stack: BoxStack<CurvePatchPair<M, N>>,
     boxes: Vec<UnresolvedBox>,
 }
 
 /// The search for common points of one curve and one patch.
-struct CrossingSearch<'a, const M: usize, const N: usize> {
+struct CurvePatchSearch<'a, const M: usize, const N: usize> {
     whole: CurvePatchPair<M, N>,
     rounding_error: f64,
     tolerance: f64,
-    simple: &'a mut Vec<Crossing>,
+    simple: &'a mut Vec<CurvePatchCrossing>,
     boxes: &'a mut Vec<UnresolvedBox>,
 }
 
 /// Finds all common points of a curve of degree M - 1 and a patch. Control points may be off by
 /// `rounding_error`. Points within `tolerance` of each other need not be told apart. Examines at
-/// most [`MAX_PAIRS`] pairs, and leaves up to as many unresolved.
-pub(crate) fn crossings<const M: usize, const N: usize>(
+/// most [`MAX_EXAMINED_PAIRS`] pairs, and leaves up to as many unresolved.
+pub(crate) fn find_crossings<const M: usize, const N: usize>(
     curve: &[DVec3; M],
     patch: &Patch<N>,
     rounding_error: f64,
     tolerance: f64,
-    workspace: &mut CurveWorkspace<M, N>,
-    found: &mut Crossings,
+    workspace: &mut CrossingWorkspace<M, N>,
+    found: &mut CurvePatchCrossings,
 ) -> Result<()> {
     // Moves the origin to the patch, where rounding is small.
     let origin = patch.points[0][0];
@@ -104,31 +105,31 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     let rounding_error = rounding_error + 8.0 * f64::EPSILON * radius;
     let tolerance = tolerance.max(4.0 * rounding_error);
     let whole = CurvePatchPair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE };
-    let CurveWorkspace { stack, boxes } = workspace;
+    let CrossingWorkspace { stack, boxes } = workspace;
     boxes.clear();
     found.simple.clear();
     found.unresolved.clear();
     let first = whole.clone();
-    let mut search = CrossingSearch { whole, rounding_error, tolerance, simple: &mut found.simple, boxes };
-    let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PAIRS };
+    let mut search = CurvePatchSearch { whole, rounding_error, tolerance, simple: &mut found.simple, boxes };
+    let limits = SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_EXAMINED_PAIRS };
     let Ok(()) = subdivide(&mut search, first, stack, limits);
-    cluster(search.boxes, &mut found.unresolved, || Ok(()))?;
-    found.unresolved.iter_mut().for_each(|cluster| search.whole.refine_unresolved(cluster));
+    cluster_touching_boxes(search.boxes, &mut found.unresolved, || Ok(()))?;
+    found.unresolved.iter_mut().for_each(|cluster| search.whole.refine_closest_place(cluster));
     Ok(())
 }
 
-impl<const M: usize, const N: usize> Subdivision<CurvePatchPair<M, N>, 2> for CrossingSearch<'_, M, N> {
-    type Solution = Crossing;
+impl<const M: usize, const N: usize> Subdivision<CurvePatchPair<M, N>, 2> for CurvePatchSearch<'_, M, N> {
+    type Solution = CurvePatchCrossing;
     type Split = ();
     type Stop = Infallible;
 
     #[inline]
-    fn classify(&mut self, pair: &CurvePatchPair<M, N>) -> Result<BoxTest<Crossing, ()>, Infallible> {
-        Ok(pair.classify(&self.whole, self.rounding_error, self.tolerance))
+    fn classify(&mut self, pair: &CurvePatchPair<M, N>) -> Result<BoxTest<CurvePatchCrossing, ()>, Infallible> {
+        Ok(pair.classify_pair(&self.whole, self.rounding_error, self.tolerance))
     }
 
-    fn accept(&mut self, _: CurvePatchPair<M, N>, crossing: Crossing) -> Result<(), Infallible> {
-        let is_same = |other: &Crossing| {
+    fn accept(&mut self, _: CurvePatchPair<M, N>, crossing: CurvePatchCrossing) -> Result<(), Infallible> {
+        let is_same = |other: &CurvePatchCrossing| {
             let apart = (other.place - crossing.place).abs().max_element().max((other.t - crossing.t).abs());
             apart <= 2.0 * (other.slack + crossing.slack)
         };
@@ -139,35 +140,35 @@ impl<const M: usize, const N: usize> Subdivision<CurvePatchPair<M, N>, 2> for Cr
     }
 
     fn give_up(&mut self, pair: CurvePatchPair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
-        let residual = (evaluate(&pair.curve, 0.5) - pair.patch.place(0.5, 0.5)).length_squared();
+        let residual = (evaluate(&pair.curve, 0.5) - pair.patch.surface_point(0.5, 0.5)).length_squared();
         let half = 0.5 * pair.size;
         self.boxes.push(UnresolvedBox { middle: pair.from + half, half, residual });
         Ok(())
     }
 
     fn split(&mut self, pair: CurvePatchPair<M, N>, (): ()) -> [CurvePatchPair<M, N>; 2] {
-        pair.halves()
+        pair.halve_longest()
     }
 }
 
 /// The largest absolute value of each component.
-fn max_abs(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
+fn max_abs_components(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
     vectors.fold(DVec3::ZERO, |max, vector| max.max(vector.abs()))
 }
 
 impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
-    fn classify(&self, whole: &Self, rounding_error: f64, tolerance: f64) -> BoxTest<Crossing, ()> {
+    fn classify_pair(&self, whole: &Self, rounding_error: f64, tolerance: f64) -> BoxTest<CurvePatchCrossing, ()> {
         let (along, across) = (Aabb::from_points(self.curve), Aabb::from_points(self.patch.points.as_flattened()));
         let gap = along.separation(&across);
         if gap.max_element() > rounding_error {
             return BoxTest::Empty;
         }
-        let (tangent, [u, v]) = (slope(&self.curve, 0.5), self.patch.slopes(0.5, 0.5));
+        let (tangent, [u, v]) = (curve_derivative(&self.curve, 0.5), self.patch.surface_tangents(0.5, 0.5));
         let jacobian = DMat3::from_cols(tangent, -u, -v);
         let normal = u.cross(v);
         let is_flat = match normal.try_normalize() {
             Some(normal) => {
-                if self.apart(normal, rounding_error) {
+                if self.is_separated_along(normal, rounding_error) {
                     return BoxTest::Empty;
                 }
                 let heights = |points: &[DVec3]| range(points.iter().map(|point| point.dot(normal)));
@@ -176,22 +177,25 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
             }
             None => along.union(across).diagonal() <= tolerance,
         };
-        let is_resolved = is_flat && self.size.x <= MAX_UNRESOLVED_LENGTH;
+        let is_resolved = is_flat && self.size.x <= MAX_UNRESOLVED_PARAMETER_LENGTH;
         let undecided = if is_resolved { BoxTest::Unresolved } else { BoxTest::Undecided(()) };
         let volume = tangent.length() * normal.length();
         if jacobian.determinant().abs() <= 1e-9 * volume || volume == 0.0 {
             // Tangents and normal are nearly coplanar. Directions perpendicular to them may still
             // separate the two.
             let sides = [normal.cross(u), normal.cross(v), normal.cross(tangent)];
-            let apart = sides.into_iter().filter_map(DVec3::try_normalize).any(|side| self.apart(side, rounding_error));
+            let apart = sides
+                .into_iter()
+                .filter_map(DVec3::try_normalize)
+                .any(|side| self.is_separated_along(side, rounding_error));
             return if apart { BoxTest::Empty } else { undecided };
         }
-        let test = self.resolve(whole, jacobian.inverse(), rounding_error);
+        let test = self.prove_no_or_one_crossing(whole, jacobian.inverse(), rounding_error);
         test.unwrap_or(undecided)
     }
 
     /// True if a direction separates the two.
-    fn apart(&self, direction: DVec3, rounding_error: f64) -> bool {
+    fn is_separated_along(&self, direction: DVec3, rounding_error: f64) -> bool {
         let [low, high] = range(self.curve.iter().map(|point| point.dot(direction)));
         let [from, to] = range(self.patch.points.as_flattened().iter().map(|point| point.dot(direction)));
         low > to + rounding_error || from > high + rounding_error
@@ -199,7 +203,12 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
 
     /// Tests for zero or one common point, in directions in which C - S is nearly (t, u, v) minus
     /// its root.
-    fn resolve(&self, whole: &Self, inverse: DMat3, rounding_error: f64) -> Option<BoxTest<Crossing, ()>> {
+    fn prove_no_or_one_crossing(
+        &self,
+        whole: &Self,
+        inverse: DMat3,
+        rounding_error: f64,
+    ) -> Option<BoxTest<CurvePatchCrossing, ()>> {
         let curve = self.curve.map(|point| inverse * point);
         let patch = Patch { points: self.patch.points.map(|row| row.map(|point| inverse * point)) };
         // Bound of the error of the root by rounding.
@@ -215,7 +224,7 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
         let by_t = || (0..M - 1).map(|k| m * (curve[k + 1] - curve[k]));
         let by_u = || (0..N - 1).flat_map(|a| (0..N).map(move |b| n * (p[a][b] - p[a + 1][b])));
         let by_v = || (0..N).flat_map(|a| (0..N - 1).map(move |b| n * (p[a][b] - p[a][b + 1])));
-        let (t, u, v) = (max_abs(by_t()), max_abs(by_u()), max_abs(by_v()));
+        let (t, u, v) = (max_abs_components(by_t()), max_abs_components(by_u()), max_abs_components(by_v()));
         let dominant =
             by_t().all(|by| by.x > u.x + v.x) && by_u().all(|by| by.y > t.y + v.y) && by_v().all(|by| by.z > t.z + u.z);
         if !dominant {
@@ -223,8 +232,9 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
         }
         let mut at = DVec3::splat(0.5);
         for _ in 0..32 {
-            let ([u, v], miss) = (patch.slopes(at.y, at.z), evaluate(&curve, at.x) - patch.place(at.y, at.z));
-            let step = DMat3::from_cols(slope(&curve, at.x), -u, -v).inverse() * miss;
+            let ([u, v], miss) =
+                (patch.surface_tangents(at.y, at.z), evaluate(&curve, at.x) - patch.surface_point(at.y, at.z));
+            let step = DMat3::from_cols(curve_derivative(&curve, at.x), -u, -v).inverse() * miss;
             at -= step;
             if !(at - 0.5).abs().cmple(DVec3::ONE).all() {
                 return None;
@@ -233,7 +243,7 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
                 break;
             }
         }
-        let margin = MARGIN + 4.0 * slack;
+        let margin = MAX_FRACTION_OUTSIDE_PAIR + 4.0 * slack;
         if !(at - 0.5).abs().cmple(0.5 + margin).all() {
             return None;
         }
@@ -241,16 +251,16 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
         // points.
         let mut place = self.from + self.size * at;
         for _ in 0..2 {
-            let miss = evaluate(&whole.curve, place.x) - whole.patch.place(place.y, place.z);
+            let miss = evaluate(&whole.curve, place.x) - whole.patch.surface_point(place.y, place.z);
             place -= self.size * (inverse * miss);
         }
         let place = place.clamp(DVec3::ZERO, DVec3::ONE);
         let slack = (self.size * margin).max_element();
-        Some(BoxTest::Unique(Crossing { t: place.x, place: DVec2::new(place.y, place.z), slack }))
+        Some(BoxTest::Unique(CurvePatchCrossing { t: place.x, place: DVec2::new(place.y, place.z), slack }))
     }
 
     /// Halves the pair in its longest direction.
-    fn halves(self) -> [Self; 2] {
+    fn halve_longest(self) -> [Self; 2] {
         let p = &self.patch.points;
         let longest = |from: f64, leg: DVec3| from.max(leg.length_squared());
         let t = (0..M - 1).map(|k| self.curve[k + 1] - self.curve[k]).fold(0.0, longest);
@@ -276,15 +286,15 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
 
     /// Moves the best place of a cluster to where curve and patch are closest within the cluster.
     /// Levenberg-Marquardt steps, clamped to the cluster.
-    fn refine_unresolved(&self, cluster: &mut UnresolvedCluster) {
+    fn refine_closest_place(&self, cluster: &mut UnresolvedCluster) {
         let (low, high) = (cluster.low.max(DVec3::ZERO), cluster.high.min(DVec3::ONE));
-        let miss = |at: DVec3| evaluate(&self.curve, at.x) - self.patch.place(at.y, at.z);
+        let miss = |at: DVec3| evaluate(&self.curve, at.x) - self.patch.surface_point(at.y, at.z);
         let mut at = cluster.best.middle.clamp(low, high);
         let mut gap = miss(at);
         let mut damping = 1e-6;
         for _ in 0..40 {
-            let [u, v] = self.patch.slopes(at.y, at.z);
-            let jacobian = DMat3::from_cols(slope(&self.curve, at.x), -u, -v);
+            let [u, v] = self.patch.surface_tangents(at.y, at.z);
+            let jacobian = DMat3::from_cols(curve_derivative(&self.curve, at.x), -u, -v);
             let (square, gradient) = (jacobian.transpose() * jacobian, jacobian.transpose() * gap);
             let diagonal = DVec3::new(square.x_axis.x, square.y_axis.y, square.z_axis.z) * damping;
             let step = (square + DMat3::from_diagonal(diagonal)).inverse() * gradient;
@@ -308,21 +318,21 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
 impl<const N: usize> Patch<N> {
     /// S(u, v).
     #[inline]
-    fn place(&self, u: f64, v: f64) -> DVec3 {
+    fn surface_point(&self, u: f64, v: f64) -> DVec3 {
         evaluate(&self.points.map(|row| evaluate(&row, v)), u)
     }
 
     /// S_u and S_v.
     #[inline]
-    fn slopes(&self, u: f64, v: f64) -> [DVec3; 2] {
-        let rows = self.points.map(|row| (evaluate(&row, v), slope(&row, v)));
-        [slope(&rows.map(|row| row.0), u), evaluate(&rows.map(|row| row.1), u)]
+    fn surface_tangents(&self, u: f64, v: f64) -> [DVec3; 2] {
+        let rows = self.points.map(|row| (evaluate(&row, v), curve_derivative(&row, v)));
+        [curve_derivative(&rows.map(|row| row.0), u), evaluate(&rows.map(|row| row.1), u)]
     }
 }
 
 /// C'(t).
 #[inline]
-fn slope<const M: usize>(points: &[DVec3; M], t: f64) -> DVec3 {
+fn curve_derivative<const M: usize>(points: &[DVec3; M], t: f64) -> DVec3 {
     evaluate_with_slope(points, t)[1]
 }
 
@@ -331,24 +341,24 @@ mod tests {
     use super::*;
 
     /// The patch (u, v, f(u) + g(v)), f and g cubics by their Bernstein coefficients.
-    fn sum(f: [f64; 4], g: [f64; 4]) -> Patch<4> {
+    fn patch_of_sum(f: [f64; 4], g: [f64; 4]) -> Patch<4> {
         let at = |k: usize| k as f64 / 3.0;
         Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| DVec3::new(at(a), at(b), f[a] + g[b]))) }
     }
 
-    fn straight(a: DVec3, b: DVec3) -> [DVec3; 4] {
+    fn straight_cubic(a: DVec3, b: DVec3) -> [DVec3; 4] {
         std::array::from_fn(|k| a.lerp(b, k as f64 / 3.0))
     }
 
-    fn solve<const M: usize>(curve: &[DVec3; M], patch: &Patch<4>) -> Crossings {
-        let mut found = Crossings::default();
-        crossings(curve, patch, 0.0, 1e-9, &mut CurveWorkspace::default(), &mut found).unwrap();
+    fn solve_crossings<const M: usize>(curve: &[DVec3; M], patch: &Patch<4>) -> CurvePatchCrossings {
+        let mut found = CurvePatchCrossings::default();
+        find_crossings(curve, patch, 0.0, 1e-9, &mut CrossingWorkspace::default(), &mut found).unwrap();
         found.simple.sort_by(|a, b| a.t.total_cmp(&b.t));
         found
     }
 
     /// The Bernstein coefficients of (x - a) (x - b) (x - c).
-    fn cubic([a, b, c]: [f64; 3]) -> [f64; 4] {
+    fn cubic_with_roots([a, b, c]: [f64; 3]) -> [f64; 4] {
         let f = |x: f64, y: f64, z: f64| {
             let sum = |p: f64, q: f64, r: f64| (x - p) * (y - q) * (z - r);
             (sum(a, b, c) + sum(a, c, b) + sum(b, a, c) + sum(b, c, a) + sum(c, a, b) + sum(c, b, a)) / 6.0
@@ -358,39 +368,41 @@ mod tests {
 
     #[test]
     fn all_three_crossings_of_a_cubic_are_found() {
-        let patch = sum(cubic([0.2, 0.5, 0.9]), [0.0; 4]);
-        let line = straight(DVec3::new(0.0, 0.3, 0.0), DVec3::new(1.0, 0.7, 0.0));
-        let found = solve(&line, &patch);
+        let patch = patch_of_sum(cubic_with_roots([0.2, 0.5, 0.9]), [0.0; 4]);
+        let line = straight_cubic(DVec3::new(0.0, 0.3, 0.0), DVec3::new(1.0, 0.7, 0.0));
+        let found = solve_crossings(&line, &patch);
         assert_eq!((found.simple.len(), found.unresolved.len()), (3, 0), "{found:?}");
         for (crossing, t) in found.simple.iter().zip([0.2, 0.5, 0.9]) {
             assert!((crossing.t - t).abs() < 1e-13 && (crossing.place.x - t).abs() < 1e-13, "{found:?}");
             assert!((crossing.place.y - (0.3 + 0.4 * t)).abs() < 1e-13, "{found:?}");
         }
         // A curve that passes through the plane z = 0 three times.
-        let flat = sum([0.0; 4], [0.0; 4]);
-        let heights = cubic([0.1, 0.4, 0.8]);
+        let flat = patch_of_sum([0.0; 4], [0.0; 4]);
+        let heights = cubic_with_roots([0.1, 0.4, 0.8]);
         let wave: [DVec3; 4] =
             std::array::from_fn(|k| DVec3::new(0.2 + 0.2 * k as f64, 0.9 - 0.25 * k as f64, heights[k]));
-        let found = solve(&wave, &flat);
+        let found = solve_crossings(&wave, &flat);
         assert_eq!((found.simple.len(), found.unresolved.len()), (3, 0), "{found:?}");
         assert!((found.simple[1].t - 0.4).abs() < 1e-13);
         // A curve past the patch, and a curve away from it.
-        let past = straight(DVec3::new(1.1, -0.2, -1.0), DVec3::new(1.0001, 0.5, 1.0));
-        assert!(solve(&past, &patch).simple.is_empty() && solve(&past, &patch).unresolved.is_empty());
+        let past = straight_cubic(DVec3::new(1.1, -0.2, -1.0), DVec3::new(1.0001, 0.5, 1.0));
+        assert!(
+            solve_crossings(&past, &patch).simple.is_empty() && solve_crossings(&past, &patch).unresolved.is_empty()
+        );
     }
 
     #[test]
     fn crossings_at_corners_of_parts_are_found_once() {
-        let patch = sum([0.0; 4], [0.0; 4]);
-        let line = straight(DVec3::new(0.4, 0.6, -0.5), DVec3::new(0.6, 0.4, 0.5));
-        let found = solve(&line, &patch);
+        let patch = patch_of_sum([0.0; 4], [0.0; 4]);
+        let line = straight_cubic(DVec3::new(0.4, 0.6, -0.5), DVec3::new(0.6, 0.4, 0.5));
+        let found = solve_crossings(&line, &patch);
         assert_eq!(found.simple.len(), 1, "{found:?}");
         assert!(found.simple[0].place.distance(DVec2::splat(0.5)) < 1e-14);
         // At a corner and on a side of the patch.
         for place in [DVec2::ZERO, DVec2::new(1.0, 0.25), DVec2::ONE] {
             let at = place.extend(0.0);
-            let line = straight(at - DVec3::new(0.3, -0.2, 1.0), at + DVec3::new(0.3, -0.2, 1.0));
-            let found = solve(&line, &patch);
+            let line = straight_cubic(at - DVec3::new(0.3, -0.2, 1.0), at + DVec3::new(0.3, -0.2, 1.0));
+            let found = solve_crossings(&line, &patch);
             assert!(found.simple.len() == 1 && found.simple[0].place.distance(place) < 1e-13, "{found:?}");
         }
     }
@@ -399,28 +411,28 @@ mod tests {
     fn touching_and_running_inside_are_reported() {
         // z = (u - 0.37)^2 and a line with z = 0 across it.
         let dip = [0.37 * 0.37, 0.37 * 0.37 - 0.74 / 3.0, 0.37 * 0.37 - 1.48 / 3.0 + 1.0 / 3.0, 0.63 * 0.63];
-        let line = straight(DVec3::new(0.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0));
-        let found = solve(&line, &sum(dip, [0.0; 4]));
+        let line = straight_cubic(DVec3::new(0.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0));
+        let found = solve_crossings(&line, &patch_of_sum(dip, [0.0; 4]));
         assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
         assert!((found.unresolved[0].best.middle.x - 0.37).abs() < 1e-4, "{found:?}");
         // A line in the plane of the patch: the common part runs from t = 0.25 to 0.75.
-        let line = straight(DVec3::new(-0.5, 0.5, 0.0), DVec3::new(1.5, 0.5, 0.0));
-        let found = solve(&line, &sum([0.0; 4], [0.0; 4]));
+        let line = straight_cubic(DVec3::new(-0.5, 0.5, 0.0), DVec3::new(1.5, 0.5, 0.0));
+        let found = solve_crossings(&line, &patch_of_sum([0.0; 4], [0.0; 4]));
         assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
         let cluster = found.unresolved[0];
         assert!(
-            (cluster.low.x - 0.25).abs() <= MAX_UNRESOLVED_LENGTH
-                && (cluster.high.x - 0.75).abs() <= MAX_UNRESOLVED_LENGTH,
+            (cluster.low.x - 0.25).abs() <= MAX_UNRESOLVED_PARAMETER_LENGTH
+                && (cluster.high.x - 0.75).abs() <= MAX_UNRESOLVED_PARAMETER_LENGTH,
             "{found:?}"
         );
         // A line in the plane of the patch that misses the patch.
-        let past = straight(DVec3::new(0.6, -0.45, 0.0), DVec3::new(1.5, 0.45, 0.0));
-        let found = solve(&past, &sum([0.0; 4], [0.0; 4]));
+        let past = straight_cubic(DVec3::new(0.6, -0.45, 0.0), DVec3::new(1.5, 0.45, 0.0));
+        let found = solve_crossings(&past, &patch_of_sum([0.0; 4], [0.0; 4]));
         assert!(found.simple.is_empty() && found.unresolved.is_empty(), "{found:?}");
         // A curve on a curved sheet, along one of its iso-curves.
-        let wave = cubic([0.1, 0.5, 0.8]);
+        let wave = cubic_with_roots([0.1, 0.5, 0.8]);
         let own: [DVec3; 4] = std::array::from_fn(|k| DVec3::new(k as f64 / 3.0, 0.3, wave[k]));
-        let found = solve(&own, &sum(wave, [0.0; 4]));
+        let found = solve_crossings(&own, &patch_of_sum(wave, [0.0; 4]));
         assert!(!found.unresolved.is_empty(), "{found:?}");
         let covered: f64 = found.unresolved.iter().map(|cluster| cluster.high.x - cluster.low.x).sum();
         assert!(covered > 0.99, "{found:?}");
@@ -429,7 +441,7 @@ mod tests {
     #[test]
     fn raised_degrees_give_equal_crossings() {
         // The same cubic, raised to degree 7.
-        let patch = sum(cubic([0.2, 0.5, 0.9]), cubic([0.1, 0.2, 0.3]));
+        let patch = patch_of_sum(cubic_with_roots([0.2, 0.5, 0.9]), cubic_with_roots([0.1, 0.2, 0.3]));
         let curve = [DVec3::new(0.1, 0.9, -0.3), DVec3::new(0.5, 0.2, 0.6), DVec3::new(0.4, 0.8, -0.8), DVec3::ONE];
         let mut raised = [DVec3::ZERO; 8];
         raised[..4].copy_from_slice(&curve);
@@ -437,7 +449,7 @@ mod tests {
             raised[n] = raised[n - 1];
             (1..n).rev().for_each(|k| raised[k] = raised[k].lerp(raised[k - 1], k as f64 / n as f64));
         }
-        let (low, high) = (solve(&curve, &patch), solve(&raised, &patch));
+        let (low, high) = (solve_crossings(&curve, &patch), solve_crossings(&raised, &patch));
         assert!(!low.simple.is_empty() && low.simple.len() == high.simple.len(), "{low:?} {high:?}");
         for (a, b) in low.simple.iter().zip(&high.simple) {
             assert!((a.t - b.t).abs() < 1e-12 && a.place.distance(b.place) < 1e-12);

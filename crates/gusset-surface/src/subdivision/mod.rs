@@ -3,9 +3,9 @@
 //! [`gusset_base::geom::subdivision`].
 
 mod curve_crossings;
-mod field;
-mod roots;
+mod bernstein_field;
+mod field_roots;
 
-pub(crate) use curve_crossings::{Crossings, CurveWorkspace, crossings};
-pub(crate) use field::Field;
-pub(crate) use roots::{Roots, roots, simple_roots};
+pub(crate) use bernstein_field::BernsteinField;
+pub(crate) use curve_crossings::{CrossingWorkspace, CurvePatchCrossings, find_crossings};
+pub(crate) use field_roots::{FieldRoots, find_roots, find_simple_roots};

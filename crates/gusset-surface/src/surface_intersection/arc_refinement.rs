@@ -8,24 +8,24 @@
 //! Invariant: every inserted point solves the equation. Cost: one or two Newton steps for each
 //! point.
 
-use super::arc::ArcEnd;
-use super::equation::Equation;
+use super::arc_search::ArcEnd;
+use super::intersection_equation::IntersectionEquation;
 use glam::{DVec3, DVec4};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
 /// Largest number of nested cuts.
-const MAX_CUT_DEPTH: u32 = 6;
+const MAX_NESTED_CUTS: u32 = 6;
 /// Rows of control points of a cubic patch. Up to this degree, the ends of pieces reveal all waves
 /// of an arc.
-const CUBIC_ROWS: usize = 4;
+const CONTROL_ROWS_OF_CUBIC: usize = 4;
 /// Largest number of pieces of one cut. Pieces may be cut again.
 const MAX_PIECES_PER_CUT: f64 = 64.0;
 
 /// A point of the arc, and its derivatives: of the parameters with respect to the free one, and the
 /// direction in space.
 #[derive(Clone, Copy)]
-struct Knot {
+struct ArcKnot {
     x: DVec4,
     rates: DVec4,
     point: DVec3,
@@ -36,7 +36,7 @@ struct Knot {
 
 /// Refines one arc.
 pub(super) struct ArcRefinement<'a, const N: usize, const M: usize> {
-    pub(super) equation: &'a Equation<N, M>,
+    pub(super) equation: &'a IntersectionEquation<N, M>,
     /// The parameter on which the other three depend.
     pub(super) free: usize,
     /// Largest permitted distance of the arc from its chords.
@@ -52,14 +52,14 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         let knots = [0, 1].map(|k| {
             let ArcEnd { x, tangent, direction } = ends[k];
             let rates = tangent / tangent[self.free];
-            let speed = self.speed(tangent, direction);
-            Knot { x, rates, point: places[k], direction: direction.normalize_or_zero(), speed }
+            let speed = self.speed_by_free_parameter(tangent, direction);
+            ArcKnot { x, rates, point: places[k], direction: direction.normalize_or_zero(), speed }
         });
-        let pieces = self.pieces(&knots);
+        let pieces = self.piece_count(&knots);
         if pieces > 1.0 {
-            return self.cut(knots, pieces, MAX_CUT_DEPTH, points);
+            return self.cut_between_knots(knots, pieces, MAX_NESTED_CUTS, points);
         }
-        if self.is_bent(&knots) { self.cut(knots, 2.0, MAX_CUT_DEPTH, points) } else { Ok(()) }
+        if self.is_bent(&knots) { self.cut_between_knots(knots, 2.0, MAX_NESTED_CUTS, points) } else { Ok(()) }
     }
 
     /// Tests whether the middle, or a half, is too far from the chord. This detects bends that the
@@ -67,34 +67,40 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
     ///
     /// Let the middle be `off` the chord, and let f be the height of the arch of a half. At the
     /// fraction s of the way to the middle, the curve is off s + 4 f s (1 - s) from the chord.
-    fn is_bent(&self, knots: &[Knot; 2]) -> bool {
-        let Some(middle) = self.knot(knots, 0.5) else {
+    fn is_bent(&self, knots: &[ArcKnot; 2]) -> bool {
+        let Some(middle) = self.knot_between(knots, 0.5) else {
             return false;
         };
         let [first, last] = *knots;
         let (off, chord) = (middle.point - first.point, last.point - first.point);
         let along = chord.normalize_or_zero();
         let off = (off - off.dot(along).clamp(0.0, chord.length()) * along).length();
-        let arch = self.height(&[first, middle]).max(self.height(&[middle, last]));
+        let arch = self.height_over_chord(&[first, middle]).max(self.height_over_chord(&[middle, last]));
         let max = if off >= 4.0 * arch { off } else { (off + 4.0 * arch).powi(2) / (16.0 * arch) };
         max > self.chord
     }
 
     /// Inserts the points that cut the arc between two knots into pieces of equal free parameter.
     /// Cuts pieces further if they are still too long.
-    fn cut(&self, knots: [Knot; 2], pieces: f64, depth: u32, points: &mut Vec<DVec4>) -> Result<()> {
+    fn cut_between_knots(
+        &self,
+        knots: [ArcKnot; 2],
+        piece_count: f64,
+        depth: u32,
+        points: &mut Vec<DVec4>,
+    ) -> Result<()> {
         let mut before = knots[0];
-        for k in 1..=pieces as usize {
-            let last = k as f64 == pieces;
-            let next = if last { Some(knots[1]) } else { self.knot(&knots, k as f64 / pieces) };
+        for k in 1..=piece_count as usize {
+            let last = k as f64 == piece_count;
+            let next = if last { Some(knots[1]) } else { self.knot_between(&knots, k as f64 / piece_count) };
             let Some(next) = next else { continue };
             let piece = [before, next];
             if depth > 0 {
-                let more = self.pieces(&piece);
+                let more = self.piece_count(&piece);
                 if more > 1.0 {
-                    self.cut(piece, more, depth - 1, points)?;
-                } else if (CUBIC_ROWS < N.max(M) || turns_back(&piece)) && self.is_bent(&piece) {
-                    self.cut(piece, 2.0, depth - 1, points)?;
+                    self.cut_between_knots(piece, more, depth - 1, points)?;
+                } else if (CONTROL_ROWS_OF_CUBIC < N.max(M) || does_curve_turn_back(&piece)) && self.is_bent(&piece) {
+                    self.cut_between_knots(piece, 2.0, depth - 1, points)?;
                 }
             }
             if !last {
@@ -107,15 +113,15 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
 
     /// The number of pieces after which all chords between two knots are within the tolerance. The
     /// distance decreases with the square of the number.
-    fn pieces(&self, knots: &[Knot; 2]) -> f64 {
-        (self.height(knots) / self.chord).sqrt().ceil().min(MAX_PIECES_PER_CUT)
+    fn piece_count(&self, knots: &[ArcKnot; 2]) -> f64 {
+        (self.height_over_chord(knots) / self.chord).sqrt().ceil().min(MAX_PIECES_PER_CUT)
     }
 
     /// The distance between the cubic through two knots and their chord. T and U are the components
     /// of the end directions across the chord, L is its length. The distance is the sum of an arch,
     /// L / 8 |T - U|, and a wave, L / (12 sqrt 3) |T + U|. If the cubic starts backwards at an end
     /// by D, the parabola along the chord reaches D^2 / (4 (L + D)) beyond that end.
-    fn height(&self, [first, last]: &[Knot; 2]) -> f64 {
+    fn height_over_chord(&self, [first, last]: &[ArcKnot; 2]) -> f64 {
         let whole = last.point - first.point;
         let length = whole.length();
         let along = whole / length.max(f64::MIN_POSITIVE);
@@ -123,30 +129,36 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         let (one, other) = (across(first.direction), across(last.direction));
         let aside = length * (one.distance(other) / 8.0 + (one + other).length() / (12.0 * 3.0_f64.sqrt()));
         let span = (last.x[self.free] - first.x[self.free]).abs();
-        let beyond = |knot: &Knot| {
+        let beyond = |knot: &ArcKnot| {
             let back = (-span * knot.speed * knot.direction.dot(along)).max(0.0);
             back * back / (4.0 * (length + back)).max(f64::MIN_POSITIVE)
         };
         aside.max(beyond(first)).max(beyond(last))
     }
 
-    fn speed(&self, tangent: DVec4, direction: DVec3) -> f64 {
+    fn speed_by_free_parameter(&self, tangent: DVec4, direction: DVec3) -> f64 {
         direction.length() / tangent[self.free].abs()
     }
 
     /// The knot at fraction t between two knots, measured by the free parameter.
-    fn knot(&self, [first, last]: &[Knot; 2], t: f64) -> Option<Knot> {
+    fn knot_between(&self, [first, last]: &[ArcKnot; 2], t: f64) -> Option<ArcKnot> {
         let (s, whole) = (1.0 - t, last.x[self.free] - first.x[self.free]);
         let rise = s * first.rates - t * last.rates;
         let line = s * s * (1.0 + 2.0 * t) * first.x + t * t * (3.0 - 2.0 * t) * last.x;
-        let (x, frame) = self.equation.refine(line + (s * t * whole) * rise, self.free)?;
-        let (tangent, direction) = (frame.tangent(), frame.direction());
-        let (rates, speed) = (tangent / tangent[self.free], self.speed(tangent, direction));
-        Some(Knot { x, rates, point: self.equation.point(x), direction: direction.normalize_or_zero(), speed })
+        let (x, frame) = self.equation.refine_good_guess(line + (s * t * whole) * rise, self.free)?;
+        let (tangent, direction) = (frame.parameter_tangent(), frame.curve_direction());
+        let (rates, speed) = (tangent / tangent[self.free], self.speed_by_free_parameter(tangent, direction));
+        Some(ArcKnot {
+            x,
+            rates,
+            point: self.equation.point_of_first_patch(x),
+            direction: direction.normalize_or_zero(),
+            speed,
+        })
     }
 }
 
 /// Whether the curve runs in opposite directions at two knots.
-fn turns_back([first, last]: &[Knot; 2]) -> bool {
+fn does_curve_turn_back([first, last]: &[ArcKnot; 2]) -> bool {
     first.direction.dot(last.direction) < 0.0
 }

@@ -11,39 +11,39 @@
 //! |---|---|---|
 //! | 0, to the tolerance | the surfaces touch in a point | two branches cross |
 //! | positive | D > 0: they are apart | two branches pass each other |
-//! | negative | a loop, which `solve` finds | two branches pass each other, on the other sides |
+//! | negative | a loop, which `pair_search` finds | two branches pass each other, on the other sides |
 //!
 //! The table assumes a positive form. D is convex where the form is definite, so it has at most one
 //! critical point and one loop. All other clusters are reported as unresolved.
 //!
 //! Cost: O(n log n) for n balls, O(N^3) for each ball, and a few evaluations for each cluster.
 
-use super::graph::{Form, HeightGraph, Interval};
-use super::pairs::CellPair;
-use super::solve::UnresolvedBall;
+use super::cell_pairs::CellPair;
+use super::height_graph::{FormDefiniteness, HeightGraph, Interval};
+use super::pair_search::UnresolvedBall;
 use crate::{Place, Surface, each_sheet};
 use glam::{DMat2, DMat3, DVec4};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::job::Job;
 
 /// Largest number of balls in a cluster. A larger cluster is not a contact point.
-const MAX_CLUSTER: usize = 4096;
+const MAX_BALLS_PER_CLUSTER: usize = 4096;
 /// Largest number of balls of a cluster from which Newton's method starts.
-const MAX_STARTS: usize = 32;
+const MAX_NEWTON_STARTS_PER_CLUSTER: usize = 32;
 /// Number of neighbouring balls visited between two progress reports.
-const VISITS_PER_REPORT: usize = 1 << 18;
+const NEIGHBOURS_PER_REPORT: usize = 1 << 18;
 /// Largest size of a contact, in radii of its rim, sqrt(2 tolerance / smallest curvature). Boxes
 /// are not halved below that size.
-const MAX_RIMS: f64 = 4.0;
+const MAX_CONTACT_SIZE_IN_RIM_RADII: f64 = 4.0;
 /// Largest number of Newton steps.
 const MAX_NEWTON_STEPS: usize = 32;
 /// How far outside its cells a critical point may be, in parameters. A point on a side belongs to
 /// the cells on both sides.
-const PARAMETER_SLACK: f64 = 1e-6;
+const MAX_PARAMETER_OUTSIDE_CELL: f64 = 1e-6;
 
 /// A critical point of D: a place where two surfaces touch, or nearly touch.
 #[derive(Debug, Clone, Copy)]
@@ -71,7 +71,7 @@ impl CriticalPoint {
     /// left.
     ///
     /// Along N_A x N_B, A is above B on the right, or below it if the normals are opposite.
-    pub(super) fn turn(&self) -> f64 {
+    pub(super) fn passing_side_of_branches(&self) -> f64 {
         if self.is_opposed { -self.gap.signum() } else { self.gap.signum() }
     }
 }
@@ -80,17 +80,18 @@ impl CriticalPoint {
 #[derive(Debug, Default)]
 pub(super) struct CriticalPoints {
     pub(super) points: Vec<CriticalPoint>,
-    /// For each ball, the index of the point that explains it, [`APART`] or [`UNRESOLVED`].
+    /// For each ball, the index of the point that explains it, [`EXPLAINED_AS_APART`] or
+    /// [`NOT_EXPLAINED`].
     pub(super) explanations: Vec<u32>,
 }
 
 /// Marks balls in which the surfaces are farther apart than the tolerance.
-pub(super) const APART: u32 = u32::MAX - 1;
+pub(super) const EXPLAINED_AS_APART: u32 = u32::MAX - 1;
 /// Marks balls that are not explained.
-pub(super) const UNRESOLVED: u32 = u32::MAX;
+pub(super) const NOT_EXPLAINED: u32 = u32::MAX;
 
 /// The result of Newton's method from a ball.
-enum NewtonOutcome {
+enum CriticalPointOutcome {
     Found(CriticalPoint),
     /// The iteration left the ball's cells, towards about this point.
     Beyond(DVec3),
@@ -116,33 +117,33 @@ fn frame_with_normal(normal: DVec3) -> DMat3 {
 
 impl ContactSearch<'_> {
     /// Resolves all clusters that can be resolved.
-    pub(super) fn run(&self, job: &Job<'_>) -> Result<CriticalPoints> {
+    pub(super) fn resolve_clusters(&self, job: &Job<'_>) -> Result<CriticalPoints> {
         let mut critical =
-            CriticalPoints { points: Vec::new(), explanations: alloc::filled(UNRESOLVED, self.balls.len())? };
+            CriticalPoints { points: Vec::new(), explanations: alloc::filled(NOT_EXPLAINED, self.balls.len())? };
         if self.balls.is_empty() {
             return Ok(critical);
         }
-        for (k, cluster) in self.clusters(job)?.iter().enumerate() {
+        for (k, cluster) in self.cluster_balls(job)?.iter().enumerate() {
             if k.is_multiple_of(64) {
                 job.step(0.0, "contact")?;
             }
-            let Some(point) = self.resolve(cluster) else { continue };
+            let Some(point) = self.resolve_cluster(cluster) else { continue };
             let is_apart = !point.is_saddle && point.gap.abs() > self.tolerance;
-            let number = if is_apart { APART } else { critical.points.len() as u32 };
+            let number = if is_apart { EXPLAINED_AS_APART } else { critical.points.len() as u32 };
             cluster.iter().for_each(|&ball| critical.explanations[ball as usize] = number);
             if !is_apart {
                 alloc::push(&mut critical.points, point)?;
             }
         }
-        self.explain_rims(&mut critical);
+        self.assign_rim_balls(&mut critical);
         Ok(critical)
     }
 
     /// Assigns remaining balls within a contact to it. They lie on the rim of a lens thinner than
     /// the tolerance. Arcs on the rim are removed too.
-    fn explain_rims(&self, found: &mut CriticalPoints) {
+    fn assign_rim_balls(&self, found: &mut CriticalPoints) {
         for (ball, number) in
-            self.balls.iter().zip(&mut found.explanations).filter(|(_, number)| **number == UNRESOLVED)
+            self.balls.iter().zip(&mut found.explanations).filter(|(_, number)| **number == NOT_EXPLAINED)
         {
             let is_of = |point: &CriticalPoint| {
                 let sheets = [ball.pair, point.pair].map(|pair| self.pairs[pair as usize].sheets);
@@ -157,7 +158,7 @@ impl ContactSearch<'_> {
 
     /// Groups balls that are close to each other, whatever their sheets. Between the balls of a
     /// crossing there may be boxes that are resolved.
-    fn clusters(&self, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
+    fn cluster_balls(&self, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
         let balls = self.balls;
         let centres = alloc::collect(balls.iter().map(|ball| ball.centre))?;
         let tree = KdTree::new(&centres, job, "contact")?;
@@ -165,14 +166,14 @@ impl ContactSearch<'_> {
         let mut visits = 0;
         for (k, ball) in balls.iter().enumerate() {
             // If all balls coincide, each of them has all others as neighbours.
-            if visits >= VISITS_PER_REPORT || k == 0 {
+            if visits >= NEIGHBOURS_PER_REPORT || k == 0 {
                 job.step(0.0, "contact")?;
                 visits = 0;
             }
             visits += 1;
             // Only smaller balls count, so all of them are within four times the radius.
             let limit = 4.0 * ball.radius + 4.0 * self.resolution;
-            tree.for_each_within(ball.centre, Radius::new(limit.max(f64::MIN_POSITIVE)), &mut |_, n| {
+            tree.for_each_within(ball.centre, ScaledRadius::new(limit.max(f64::MIN_POSITIVE)), &mut |_, n| {
                 visits += 1;
                 let other = &balls[n as usize];
                 let touch = 2.0 * (ball.radius + other.radius) + 4.0 * self.resolution;
@@ -196,26 +197,26 @@ impl ContactSearch<'_> {
 
     /// The critical point of a cluster, if it is proven to be the only one, and explains the
     /// cluster.
-    fn resolve(&self, cluster: &[u32]) -> Option<CriticalPoint> {
+    fn resolve_cluster(&self, cluster: &[u32]) -> Option<CriticalPoint> {
         let ball = |&k: &u32| &self.balls[k as usize];
-        if cluster.len() > MAX_CLUSTER || cluster.iter().any(|k| ball(k).is_whole) {
+        if cluster.len() > MAX_BALLS_PER_CLUSTER || cluster.iter().any(|k| ball(k).is_whole) {
             return None;
         }
         let mut order: Vec<&UnresolvedBall> = alloc::collect(cluster.iter().map(ball)).ok()?;
         order.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.pair.cmp(&b.pair)));
         let found = self.critical_point_among(&order)?;
-        let mut forms = cluster.iter().map(|k| self.form(ball(k), &frame_with_normal(found.normal)));
+        let mut forms = cluster.iter().map(|k| self.relative_form_over_ball(ball(k), &frame_with_normal(found.normal)));
         let form = forms.next()??;
-        if form == Form::Unknown || forms.any(|other| other != Some(form)) {
+        if form == FormDefiniteness::Unknown || forms.any(|other| other != Some(form)) {
             return None;
         }
-        let is_saddle = form == Form::Indefinite;
-        let height = if form == Form::Negative { -found.gap } else { found.gap };
+        let is_saddle = form == FormDefiniteness::Indefinite;
+        let height = if form == FormDefiniteness::Negative { -found.gap } else { found.gap };
         // The critical point inside a loop does not explain the loop.
         (is_saddle || height >= -self.tolerance).then_some(CriticalPoint { is_saddle, ..found })
     }
 
-    fn places(&self, pair: u32, x: DVec4) -> [Place; 2] {
+    fn places_of_pair(&self, pair: u32, x: DVec4) -> [Place; 2] {
         let CellPair { sheets: [a, b], cells: [p, q] } = self.pairs[pair as usize];
         [Place { sheet: a, cell: p, u: x.x, v: x.y }, Place { sheet: b, cell: q, u: x.z, v: x.w }]
     }
@@ -225,14 +226,14 @@ impl ContactSearch<'_> {
     fn critical_point_among(&self, balls: &[&UnresolvedBall]) -> Option<CriticalPoint> {
         let mut left = alloc::collect(0..balls.len()).ok()?;
         let mut towards: Option<DVec3> = None;
-        for _ in 0..MAX_STARTS.min(balls.len()) {
+        for _ in 0..MAX_NEWTON_STARTS_PER_CLUSTER.min(balls.len()) {
             let far = |&k: &usize| towards.map_or(0.0, |point| balls[k].centre.distance_squared(point));
             let (at, &ball) =
                 left.iter().enumerate().min_by(|a, b| far(a.1).total_cmp(&far(b.1)).then(a.1.cmp(b.1)))?;
             left.swap_remove(at);
-            match self.critical_point(balls[ball], balls) {
-                Some(NewtonOutcome::Found(point)) => return Some(point),
-                Some(NewtonOutcome::Beyond(point)) => towards = Some(point),
+            match self.find_critical_point(balls[ball], balls) {
+                Some(CriticalPointOutcome::Found(point)) => return Some(point),
+                Some(CriticalPointOutcome::Beyond(point)) => towards = Some(point),
                 None => {}
             }
         }
@@ -247,10 +248,10 @@ impl ContactSearch<'_> {
     /// and H the second derivatives. If the first point moves by d and the second by d + p - q, the
     /// points coincide in the plane. The slopes become g + G d and h + H (d + p - q), which must be
     /// equal.
-    fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<NewtonOutcome> {
+    fn find_critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<CriticalPointOutcome> {
         let (mut x, mut last) = (ball.x, f64::INFINITY);
         for _ in 0..MAX_NEWTON_STEPS {
-            let [a, b] = self.places(ball.pair, x);
+            let [a, b] = self.places_of_pair(ball.pair, x);
             let (jets, normal) = ([self.surfaces[0].jet(a), self.surfaces[1].jet(b)], self.surfaces[0].normal(a));
             let frame = frame_with_normal(normal.try_normalize()?);
             let [one, other] = [HeightGraph::from_jet(&jets[0], &frame)?, HeightGraph::from_jet(&jets[1], &frame)?];
@@ -272,7 +273,7 @@ impl ContactSearch<'_> {
             }
             // A polynomial says little beyond its cell.
             if step.abs().max_element() > 1.0 {
-                return Some(NewtonOutcome::Beyond(jets[0].point - self.origin + frame * in_plane.extend(0.0)));
+                return Some(CriticalPointOutcome::Beyond(jets[0].point - self.origin + frame * in_plane.extend(0.0)));
             }
             x += step;
             let length = step.abs().max_element();
@@ -280,9 +281,9 @@ impl ContactSearch<'_> {
             let is_rounding = length <= 1e-8 && length > 0.25 * last;
             last = length;
             if length <= 1e-12 || is_rounding {
-                let inside = (x - 0.5).abs().max_element() <= 0.5 + PARAMETER_SLACK;
+                let inside = (x - 0.5).abs().max_element() <= 0.5 + MAX_PARAMETER_OUTSIDE_CELL;
                 let x = x.clamp(DVec4::ZERO, DVec4::ONE);
-                let [a, b] = self.places(ball.pair, x);
+                let [a, b] = self.places_of_pair(ball.pair, x);
                 let [point, other] = [(0, a), (1, b)].map(|(k, place)| self.surfaces[k].jet(place).point - self.origin);
                 let normal = frame.z_axis;
                 let radius = balls.iter().map(|ball| ball.centre.distance(point) + ball.radius).fold(0.0, f64::max);
@@ -298,33 +299,34 @@ impl ContactSearch<'_> {
                 let rim = (2.0 * (self.tolerance + gap.abs()) / least).sqrt();
                 // The surfaces are close to each other over a larger area, for another reason than
                 // this point.
-                if self.resolution < self.tolerance && radius > MAX_RIMS * rim {
+                if self.resolution < self.tolerance && radius > MAX_CONTACT_SIZE_IN_RIM_RADII * rim {
                     return None;
                 }
                 let radius = if rim.is_finite() && determinant > 0.0 { radius.max(1.1 * rim) } else { radius };
                 if !(inside && balls.iter().any(within)) {
-                    return Some(NewtonOutcome::Beyond(point));
+                    return Some(CriticalPointOutcome::Beyond(point));
                 }
                 let is_opposed = jets[1].normal().dot(normal) < 0.0;
                 let found =
                     CriticalPoint { pair: ball.pair, x, point, normal, gap, radius, is_saddle: false, is_opposed };
-                return Some(NewtonOutcome::Found(found));
+                return Some(CriticalPointOutcome::Found(found));
             }
         }
         None
     }
 
     /// Definiteness of the relative second form over the box of a ball.
-    fn form(&self, ball: &UnresolvedBall, frame: &DMat3) -> Option<Form> {
-        let places = self.places(ball.pair, ball.low);
+    fn relative_form_over_ball(&self, ball: &UnresolvedBall, frame: &DMat3) -> Option<FormDefiniteness> {
+        let places = self.places_of_pair(ball.pair, ball.low);
         let size = ball.high - ball.low;
         let over = |k: usize, size: [f64; 2]| {
             let Place { sheet, cell: [i, j], u, v } = places[k];
             let part = [[u, u + size[0]], [v, v + size[1]]].map(|[from, to]| [from, to.min(1.0)]);
             each_sheet!(self.surfaces[k].sheet(sheet as usize), cells => {
-                HeightGraph::from_patch(&crate::cells::Cells::patch(cells, i as usize, j as usize), part, frame)
+                let patch = crate::cells::SheetCells::cell_patch(cells, i as usize, j as usize);
+                HeightGraph::from_patch(&patch, part, frame)
             })
         };
-        Some(Form::from_difference(&over(0, [size.x, size.y])?, &over(1, [size.z, size.w])?))
+        Some(FormDefiniteness::from_difference(&over(0, [size.x, size.y])?, &over(1, [size.z, size.w])?))
     }
 }

@@ -2,17 +2,17 @@
 //! numbers.
 
 use crate::Patch;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::DVec3;
 use gusset_base::geom::bernstein::basis_with_slopes;
 
 /// The fields of x, y and z.
 #[derive(Debug, Clone)]
-pub(super) struct CoordinateNet<const N: usize>([Field<N>; 3]);
+pub(super) struct CoordinateNet<const N: usize>([BernsteinField<N>; 3]);
 
 /// The weighted sum of rows.
 #[inline(always)]
-fn weighted_sum<const N: usize>(rows: &[[f64; N]; N], weights: &[f64; N]) -> [f64; N] {
+fn weighted_row_sum<const N: usize>(rows: &[[f64; N]; N], weights: &[f64; N]) -> [f64; N] {
     let mut sum = [0.0; N];
     for (row, weight) in rows.iter().zip(weights) {
         sum.iter_mut().zip(row).for_each(|(sum, x)| *sum += weight * x);
@@ -26,7 +26,7 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 }
 
 impl<const N: usize> CoordinateNet<N> {
-    pub(super) const ZERO: Self = CoordinateNet([Field { c: [[0.0; N]; N] }; 3]);
+    pub(super) const ZERO: Self = CoordinateNet([BernsteinField { c: [[0.0; N]; N] }; 3]);
 
     /// Creates the net of a patch relative to an origin. Also returns the largest absolute
     /// coordinate before and after the shift.
@@ -43,26 +43,26 @@ impl<const N: usize> CoordinateNet<N> {
         (net, largest.max_element())
     }
 
-    pub(super) fn patch(&self) -> Patch<N> {
+    pub(super) fn to_patch(&self) -> Patch<N> {
         let point = |a: usize, b: usize| DVec3::from_array(std::array::from_fn(|k| self.0[k].c[a][b]));
         Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
     }
 
     /// Evaluates the point at (u, v).
     #[inline]
-    pub(super) fn point(&self, u: f64, v: f64) -> DVec3 {
+    pub(super) fn point_at(&self, u: f64, v: f64) -> DVec3 {
         let ([of_u, _], [of_v, _]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
         let [x, y, z] = &self.0;
-        DVec3::from_array([x, y, z].map(|field| dot(&weighted_sum(&field.c, &of_u), &of_v)))
+        DVec3::from_array([x, y, z].map(|field| dot(&weighted_row_sum(&field.c, &of_u), &of_v)))
     }
 
     /// Evaluates the point and the first derivatives.
     #[inline(always)]
-    pub(super) fn tangents(&self, u: f64, v: f64) -> [DVec3; 3] {
+    pub(super) fn point_and_tangents(&self, u: f64, v: f64) -> [DVec3; 3] {
         let ([of_u, slope_u], [of_v, slope_v]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
         let mut jet = [DVec3::ZERO; 3];
         for (k, field) in self.0.iter().enumerate() {
-            let (values, slopes) = (weighted_sum(&field.c, &of_u), weighted_sum(&field.c, &slope_u));
+            let (values, slopes) = (weighted_row_sum(&field.c, &of_u), weighted_row_sum(&field.c, &slope_u));
             jet[0][k] = dot(&values, &of_v);
             jet[1][k] = dot(&slopes, &of_v);
             jet[2][k] = dot(&values, &slope_v);
@@ -72,7 +72,7 @@ impl<const N: usize> CoordinateNet<N> {
 
     /// The component of the net along a direction.
     #[inline]
-    pub(super) fn project(&self, axis: DVec3) -> Field<N> {
+    pub(super) fn component_along(&self, axis: DVec3) -> BernsteinField<N> {
         let mut c = self.0[0].c;
         let [_, y, z] = &self.0;
         for (row, (y, z)) in c.iter_mut().zip(y.c.iter().zip(&z.c)) {
@@ -80,7 +80,7 @@ impl<const N: usize> CoordinateNet<N> {
                 *x = axis.x * *x + axis.y * y + axis.z * z;
             }
         }
-        Field { c }
+        BernsteinField { c }
     }
 
     /// The halves at u = 1/2.

@@ -2,33 +2,33 @@
 //!
 //! Cost: O(n log n) for n arcs.
 
-use super::bridge::{Bridges, JoinedCrossings, Surroundings};
-use super::contact::{APART, CriticalPoints, UNRESOLVED};
-use super::links::{Chain, Links};
-use super::solve::{FoundArcs, IntersectionArc};
+use super::arc_links::{ArcChain, ArcLinks};
+use super::chain_bridges::{ChainBridges, IntersectedSurfaces, JoinedCrossings};
+use super::contact::{CriticalPoints, EXPLAINED_AS_APART, NOT_EXPLAINED};
+use super::pair_search::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::job::Job;
 use gusset_base::sort;
 use std::ops::ControlFlow;
 
 /// Largest number of neighbours compared with a point. More neighbours are copies of the point.
-const MAX_NEIGHBOURS: usize = 64;
+const MAX_COMPARED_NEIGHBOURS: usize = 64;
 
 /// Number of points between two progress reports.
 const ENDS_PER_REPORT: usize = 1 << 12;
 
 /// Largest number of points with similar positions along a direction that are compared pairwise.
 /// For more points, a tree is faster.
-const MAX_COMPARED: usize = 16;
+const MAX_PAIRWISE_COMPARED_POINTS: usize = 16;
 
 /// Pairs of points at most `within` apart, with their distances.
 ///
 /// Points are sorted along a direction, so close points are close in the order. Few other points
 /// come between, except on curves in planes perpendicular to the direction.
-pub(super) fn near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result<Vec<(f64, u32, u32)>> {
+pub(super) fn find_near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result<Vec<(f64, u32, u32)>> {
     // Not an axis, because surfaces are often parallel to axes.
     let direction = DVec3::new(0.540_302, 0.612_372, 0.577_35);
     let mut order = alloc::collect(points.iter().enumerate().map(|(k, p)| (p.dot(direction), k as u32)))?;
@@ -38,8 +38,8 @@ pub(super) fn near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result
     let mut compared = 0;
     for run in order.chunk_by(|a, b| b.0 - a.0 <= 1.5 * within) {
         let own = job.part(compared as f64 / points.len() as f64, 1.0);
-        if run.len() > MAX_COMPARED {
-            add_pairs_of_many(points, run, within, &mut pairs, &own.part(0.0, 0.0))?;
+        if run.len() > MAX_PAIRWISE_COMPARED_POINTS {
+            add_near_pairs_by_tree(points, run, within, &mut pairs, &own.part(0.0, 0.0))?;
             compared += run.len();
             continue;
         }
@@ -60,7 +60,7 @@ pub(super) fn near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result
 }
 
 /// Adds the pairs of a run of many points.
-fn add_pairs_of_many(
+fn add_near_pairs_by_tree(
     points: &[DVec3],
     run: &[(f64, u32)],
     within: f64,
@@ -68,7 +68,7 @@ fn add_pairs_of_many(
     job: &Job<'_>,
 ) -> Result<()> {
     let own = alloc::collect(run.iter().map(|&(_, k)| points[k as usize]))?;
-    let (tree, reach) = (KdTree::new(&own, job, "paths")?, Radius::new(within.max(f64::MIN_POSITIVE)));
+    let (tree, reach) = (KdTree::new(&own, job, "paths")?, ScaledRadius::new(within.max(f64::MIN_POSITIVE)));
     for (at, &(_, k)) in run.iter().enumerate() {
         job.step_every(ENDS_PER_REPORT, at, run.len(), "paths")?;
         let (mut result, mut seen) = (Ok(()), 0);
@@ -78,7 +78,11 @@ fn add_pairs_of_many(
                 let distance = own[at].distance(own[n as usize]);
                 result = alloc::push(pairs, (distance, k, run[n as usize].1));
             }
-            if result.is_err() || seen == MAX_NEIGHBOURS { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if result.is_err() || seen == MAX_COMPARED_NEIGHBOURS {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
         });
         result?;
     }
@@ -86,14 +90,14 @@ fn add_pairs_of_many(
 }
 
 /// Ends within this number of resolutions may be the same point.
-pub(super) const JOINT_RESOLUTIONS: f64 = 2.0;
+pub(super) const MAX_JOINT_GAP_IN_RESOLUTIONS: f64 = 2.0;
 
 /// Chains of arcs.
 #[derive(Debug, Default)]
-pub(super) struct Chained {
+pub(super) struct ChainedArcs {
     /// Sequences of arcs, each of which continues where the previous one ends, within the
     /// resolution.
-    pub(super) chains: Vec<Chain>,
+    pub(super) chains: Vec<ArcChain>,
     pub(super) crossings: JoinedCrossings,
     /// For each unresolved ball, whether a joint explains it.
     pub(super) passed: Vec<bool>,
@@ -105,15 +109,15 @@ pub(super) struct Chained {
 pub(super) fn chain_arcs(
     pieces: &FoundArcs,
     critical: &CriticalPoints,
-    surroundings: &impl Surroundings,
+    surroundings: &impl IntersectedSurfaces,
     [tolerance, resolution]: [f64; 2],
     job: &Job<'_>,
-) -> Result<Chained> {
+) -> Result<ChainedArcs> {
     let arcs = &pieces.arcs;
     // The start and the end of each arc.
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-    let near = near_pairs(&ends, JOINT_RESOLUTIONS * resolution, job)?;
-    let mut dropped = find_repeated(arcs, &near, false, resolution)?;
+    let near = find_near_pairs(&ends, MAX_JOINT_GAP_IN_RESOLUTIONS * resolution, job)?;
+    let mut dropped = find_repeated_arcs(arcs, &near, false, resolution)?;
     let mut joints = Vec::new();
     for (distance, k, n) in near {
         let (end, start) = if k % 2 == 1 { (k, n) } else { (n, k) };
@@ -124,32 +128,37 @@ pub(super) fn chain_arcs(
     }
     // The closest pairs first.
     sort::stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    let bridges = Bridges { pieces, surroundings, tolerance, resolution };
-    let mut links = Links::from_joints(&joints, &dropped)?;
-    let mut chains = links.chains(&dropped)?;
+    let bridges = ChainBridges { pieces, surroundings, tolerance, resolution };
+    let mut links = ArcLinks::from_joints(&joints, &dropped)?;
+    let mut chains = links.build_chains(&dropped)?;
     // An arc that was removed may have taken the place of another one.
-    if bridges.drop_short(&chains, &mut dropped) | bridges.drop_repeated(&chains, &mut dropped)? {
-        links = Links::from_joints(&joints, &dropped)?;
-        chains = links.chains(&dropped)?;
+    if bridges.drop_short_chains(&chains, &mut dropped) | bridges.drop_repeated_chains(&chains, &mut dropped)? {
+        links = ArcLinks::from_joints(&joints, &dropped)?;
+        chains = links.build_chains(&dropped)?;
     }
     if pieces.balls.is_empty() {
-        return Ok(Chained { chains: links.chains(&dropped)?, ..Chained::default() });
+        return Ok(ChainedArcs { chains: links.build_chains(&dropped)?, ..ChainedArcs::default() });
     }
-    bridges.drop_scraps(&chains, &mut dropped, &|ball| critical.explanations[ball as usize] != APART)?;
-    bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
+    bridges
+        .drop_scrap_chains(&chains, &mut dropped, &|ball| critical.explanations[ball as usize] != EXPLAINED_AS_APART)?;
+    bridges.drop_chains_within_contacts(&critical.points, &chains, &mut dropped)?;
     // Branches that cross are joined after each of them is complete elsewhere.
-    let elsewhere = |ball: u32| critical.explanations[ball as usize] == UNRESOLVED;
-    bridges.join(&links.chains(&dropped)?, &mut links, &elsewhere)?;
-    let crossings = bridges.join_crossings(&critical.points, &links.chains(&dropped)?, &mut links)?;
-    bridges.join(&links.chains(&dropped)?, &mut links, &|_| true)?;
-    Ok(Chained { chains: links.chains(&dropped)?, crossings, passed: bridges.explained_by_joints(&links)? })
+    let elsewhere = |ball: u32| critical.explanations[ball as usize] == NOT_EXPLAINED;
+    bridges.join_loose_ends(&links.build_chains(&dropped)?, &mut links, &elsewhere)?;
+    let crossings = bridges.join_crossings(&critical.points, &links.build_chains(&dropped)?, &mut links)?;
+    bridges.join_loose_ends(&links.build_chains(&dropped)?, &mut links, &|_| true)?;
+    Ok(ChainedArcs {
+        chains: links.build_chains(&dropped)?,
+        crossings,
+        passed: bridges.balls_explained_by_joints(&links)?,
+    })
 }
 
 /// Finds duplicates: arcs that were found from both sides of a side of cells or boxes. `near` holds
 /// pairs of ends that are close to each other. Sheets may have opposite orientations, so a
 /// duplicate in other cells may run in the opposite direction. If `either_way`, it may do so in the
 /// same cells too, because neither piece is the first.
-pub(super) fn find_repeated(
+pub(super) fn find_repeated_arcs(
     arcs: &[IntersectionArc],
     near: &[(f64, u32, u32)],
     either_way: bool,
@@ -160,7 +169,7 @@ pub(super) fn find_repeated(
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
         let (e, f) = (p as usize % 2, q as usize % 2);
         // Most of these pairs are successive arcs.
-        if other.ends[1 - f].distance(one.ends[1 - e]) > JOINT_RESOLUTIONS * resolution {
+        if other.ends[1 - f].distance(one.ends[1 - e]) > MAX_JOINT_GAP_IN_RESOLUTIONS * resolution {
             continue;
         }
         let way = if e == f { 1.0 } else { -1.0 };

@@ -1,13 +1,13 @@
 //! Task e) of the paper: intersections of two surfaces.
 //!
-//! 1. Both pyramids are descended together to find the pairs of cells that may meet (`pairs`).
+//! 1. Both pyramids are descended together to find the pairs of cells that may meet (`cell_pairs`).
 //! 2. Over a pair, the points with A(s, t) = B(u, v) are curves in four parameters. A box of
-//!    parameters is excluded, or proven to contain a graph (`chart`), whose arc is followed from
-//!    side to side (`arc`). Other boxes are halved (`solve`).
+//!    parameters is excluded, or proven to contain a graph (`solution_chart`), whose arc is
+//!    followed from side to side (`arc_search`). Other boxes are halved (`pair_search`).
 //! 3. Unresolved boxes are clustered. The relative second form resolves clusters (`contact`,
-//!    `graph`): points where the surfaces touch, and points where branches cross.
-//! 4. Arcs are chained (`intersection_chain`, `links`), also through crossings and across
-//!    unresolved places (`bridge`).
+//!    `height_graph`): points where the surfaces touch, and points where branches cross.
+//! 4. Arcs are chained (`intersection_chain`, `arc_links`), also through crossings and across
+//!    unresolved places (`chain_bridges`).
 //!
 //! Proven: every common point of the given surfaces lies in a pair of cells of step 1. It lies in a
 //! box whose arc was found or is shorter than the resolution, within the radius of a contact, or in
@@ -17,49 +17,50 @@
 //! One decision is made from points and is not proven. If a curve is closer to a side of a box than
 //! a thousandth of the resolution, it may run along the side, touch it or cross it. The decision
 //! assigns the curve to one of the boxes on both sides. A curve along a side is found from both,
-//! and kept once (`overlap`).
+//! and kept once (`overlapping_arcs`).
 //!
-//! Self-intersections (`itself`) take the same steps. They differ for cells that have points in
-//! common (`joints`, `near`, `poles`), and in how arcs are joined (`trails`).
+//! Self-intersections (`self_intersection`) take the same steps. They differ for cells that have
+//! points in common (`cell_joints`, `adjacent_cells`, `poles`), and in how arcs are joined
+//! (`trails`).
 
-mod arc;
+mod arc_search;
 mod arc_refinement;
-mod bridge;
-mod chart;
+mod chain_bridges;
+mod solution_chart;
 mod contact;
 mod coordinate_net;
-mod equation;
-mod graph;
+mod intersection_equation;
+mod height_graph;
 mod intersection_chain;
-mod itself;
-mod joints;
-mod links;
-mod near;
-mod overlap;
-mod pairs;
-mod places;
+mod self_intersection;
+mod cell_joints;
+mod arc_links;
+mod adjacent_cells;
+mod overlapping_arcs;
+mod cell_pairs;
+mod pair_places;
 mod poles;
-mod solve;
+mod pair_search;
 mod trails;
 
+pub use cell_pairs::{CellPair, MAX_PAIRS};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_base::{alloc, par};
-pub use pairs::{CellPair, MAX_PAIRS};
 
-use super::cells::Cells;
+use super::cells::SheetCells;
 use super::path::{Contact, ContactKind};
 use super::{Paths, Place, Sheet, Surface, each_sheet};
-use bridge::Surroundings;
-use chart::ParameterBox;
-use contact::{APART, ContactSearch, CriticalPoint, UNRESOLVED};
+use chain_bridges::IntersectedSurfaces;
+use contact::{ContactSearch, CriticalPoint, EXPLAINED_AS_APART, NOT_EXPLAINED};
 use coordinate_net::CoordinateNet;
 use glam::{DVec3, DVec4};
-use intersection_chain::{Chained, chain_arcs};
-use overlap::Overlaps;
-use places::PairPlaces;
-use solve::{FoundArcs, IntersectionArc, PairTask};
+use intersection_chain::{ChainedArcs, chain_arcs};
+use overlapping_arcs::OverlappingArcs;
+use pair_places::PairPlaces;
+use pair_search::{CellPairTask, FoundArcs, IntersectionArc};
+use solution_chart::ParameterBox;
 use std::ops::Range;
 
 /// Number of pairs of cells that a thread solves in one task.
@@ -76,7 +77,7 @@ const MAX_BOXES_PER_POSTPONED_PAIR: usize = 1 << 17;
 
 /// Length of arcs that may be lost, in resolutions. Arcs of many successive boxes, as at poles, are
 /// shorter than a resolution together.
-const SHORTEST_ARC_SHARE: f64 = 1.0 / 32.0;
+const SHORTEST_ARC_IN_RESOLUTIONS: f64 = 1.0 / 32.0;
 
 /// Options for intersections.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -92,7 +93,7 @@ pub struct Options {
 }
 
 /// The value, which must be positive, or the default.
-fn positive(option: &'static str, value: Option<f64>, default: f64) -> Result<f64> {
+fn positive_or_default(option: &'static str, value: Option<f64>, default: f64) -> Result<f64> {
     match value {
         Some(value) if value.is_nan() || value <= 0.0 => Err(Error::OptionOutOfRange { option, value }),
         _ => Ok(value.unwrap_or(default)),
@@ -132,23 +133,23 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells;
     /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn meet(&self, other: &Surface<'_>, options: &Options, job: &Job<'_>) -> Result<Paths> {
-        let chord = positive("chord", options.chord, 1e-4 * self.diagonal().min(other.diagonal()))?;
-        let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
+        let chord = positive_or_default("chord", options.chord, 1e-4 * self.box_diagonal().min(other.box_diagonal()))?;
+        let tolerance = positive_or_default("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
-        let rounding = rounding_error(self.diagonal().max(other.diagonal()));
+        let rounding = net_rounding_error(self.box_diagonal().max(other.box_diagonal()));
         let resolution = tolerance.min(self.tolerance().min(other.tolerance())).max(8.0 * rounding);
         let pairs = self.candidates(other, tolerance, &job.part(0.0, 0.2))?;
         let origin = 0.5 * (self.bounds()[0] + self.bounds()[1]);
-        let intersection = Intersection {
+        let intersection = SurfaceIntersection {
             places: PairPlaces { surfaces: [self, other], pairs: &pairs, origin },
             tolerance,
             resolution,
-            shortest: SHORTEST_ARC_SHARE * resolution,
+            shortest: SHORTEST_ARC_IN_RESOLUTIONS * resolution,
             chord: chord.max(resolution),
         };
         let pair_numbers = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
-        let pieces = intersection.solve(&pair_numbers, &job.part(0.2, 0.9))?;
-        let pieces = intersection.cut_overlaps(&pieces, &job.part(0.9, 0.9))?.unwrap_or(pieces);
+        let pieces = intersection.solve_pairs(&pair_numbers, &job.part(0.2, 0.9))?;
+        let pieces = intersection.cut_overlapping_arcs(&pieces, &job.part(0.9, 0.9))?.unwrap_or(pieces);
         let search = ContactSearch {
             surfaces: [self, other],
             pairs: &pairs,
@@ -157,36 +158,36 @@ impl Surface<'_> {
             tolerance,
             resolution: intersection.resolution,
         };
-        let critical = search.run(&job.part(0.9, 0.92))?;
+        let critical = search.resolve_clusters(&job.part(0.9, 0.92))?;
         let chained =
             chain_arcs(&pieces, &critical, &intersection, [tolerance, intersection.resolution], &job.part(0.92, 0.92))?;
-        let mut paths = intersection.paths(&pieces, &chained, &critical.points, &job.part(0.92, 1.0))?;
+        let mut paths = intersection.build_paths(&pieces, &chained, &critical.points, &job.part(0.92, 1.0))?;
         for (k, ball) in pieces.balls.iter().enumerate() {
             let is_explained = chained.passed[k]
                 || match critical.explanations[k] {
-                    UNRESOLVED => false,
-                    APART => true,
+                    NOT_EXPLAINED => false,
+                    EXPLAINED_AS_APART => true,
                     n => chained.crossings.joined[n as usize] || critical.points[n as usize].gap.abs() <= tolerance,
                 };
             if is_explained {
                 continue;
             }
-            let [place, _] = intersection.places.places(ball.pair, ball.x);
+            let [place, _] = intersection.places.clamped_places(ball.pair, ball.x);
             alloc::push(&mut paths.unresolved, place)?;
         }
-        alloc::extend(&mut paths.unresolved, intersection.loose_ends(&pieces, &chained))?;
+        alloc::extend(&mut paths.unresolved, intersection.loose_path_ends(&pieces, &chained))?;
         let cell = |place: &Place| (place.sheet, place.cell);
         sort::stable(&mut paths.unresolved, &|a, b| cell(a).cmp(&cell(b)));
         paths.unresolved.dedup_by_key(|place| cell(place));
         for point in critical.points.iter().filter(|point| point.gap.abs() <= tolerance) {
-            alloc::push(&mut paths.contacts, intersection.contact(point))?;
+            alloc::push(&mut paths.contacts, intersection.contact_at(point))?;
         }
         Ok(paths)
     }
 }
 
 /// Two surfaces to intersect.
-struct Intersection<'a> {
+struct SurfaceIntersection<'a> {
     places: PairPlaces<'a>,
     tolerance: f64,
     /// Accuracy of the ends of arcs: the surfaces' own tolerance, if the option is greater.
@@ -197,8 +198,8 @@ struct Intersection<'a> {
 }
 
 /// For the row and the column of a cell, whether the sheet has another cell before and after it.
-fn neighbours(sheet: &Sheet<'_>, cell: [u32; 2]) -> [[bool; 2]; 2] {
-    let (cells, seams) = (sheet.cells(), sheet.seams());
+fn cell_has_neighbours(sheet: &Sheet<'_>, cell: [u32; 2]) -> [[bool; 2]; 2] {
+    let (cells, seams) = (sheet.cells(), sheet.has_exact_seams());
     match sheet {
         Sheet::Grid(_) => [0, 1].map(|k| [seams[k] || cell[k] > 0, seams[k] || (cell[k] as usize) < cells[k] - 1]),
         // Sides of given patches may differ slightly, so each patch keeps its own.
@@ -207,12 +208,12 @@ fn neighbours(sheet: &Sheet<'_>, cell: [u32; 2]) -> [[bool; 2]; 2] {
 }
 
 /// Bound of the rounding error of coordinate nets up to `size`, and of their halves.
-fn rounding_error(size: f64) -> f64 {
+fn net_rounding_error(size: f64) -> f64 {
     16.0 * f64::EPSILON * size
 }
 
-impl Surroundings for Intersection<'_> {
-    fn sheets(&self, pair: u32) -> [u32; 2] {
+impl IntersectedSurfaces for SurfaceIntersection<'_> {
+    fn sheets_of_pair(&self, pair: u32) -> [u32; 2] {
         self.places.pairs[pair as usize].sheets
     }
 
@@ -220,27 +221,27 @@ impl Surroundings for Intersection<'_> {
         self.places.pairs[pair as usize].cells[0]
     }
 
-    fn point(&self, pair: u32, x: DVec4) -> DVec3 {
-        self.places.point(pair, x)
+    fn point_of_pair(&self, pair: u32, x: DVec4) -> DVec3 {
+        self.places.point_of_first_surface(pair, x)
     }
 
-    fn contains_chord(&self, [from, to]: [DVec3; 2]) -> bool {
+    fn is_chord_near_surfaces(&self, [from, to]: [DVec3; 2]) -> bool {
         let is_near = |point: DVec3, of: &Surface<'_>| of.closest(self.places.origin + point, self.chord).is_some();
         let near = |point: DVec3| self.places.surfaces.iter().all(|surface| is_near(point, surface));
         [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
     }
 }
 
-impl Intersection<'_> {
+impl SurfaceIntersection<'_> {
     /// Finds the arcs of some pairs of cells, in the order of the pairs.
-    fn solve(&self, which: &[u32], job: &Job<'_>) -> Result<FoundArcs> {
+    fn solve_pairs(&self, pairs: &[u32], job: &Job<'_>) -> Result<FoundArcs> {
         let mut pieces = FoundArcs::default();
-        self.solve_all(which, MAX_BOXES_BEFORE_POSTPONING, false, &mut pieces, &job.part(0.0, 0.8))?;
+        self.solve_pairs_with_limit(pairs, MAX_BOXES_BEFORE_POSTPONING, false, &mut pieces, &job.part(0.0, 0.8))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
             let max_boxes =
                 (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
-            self.solve_all(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
+            self.solve_pairs_with_limit(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
             sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
             sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         }
@@ -248,9 +249,9 @@ impl Intersection<'_> {
     }
 
     /// Adds the arcs of some pairs.
-    fn solve_all(
+    fn solve_pairs_with_limit(
         &self,
-        which: &[u32],
+        pairs: &[u32],
         max_boxes: usize,
         last: bool,
         pieces: &mut FoundArcs,
@@ -259,110 +260,119 @@ impl Intersection<'_> {
         let chunk = if last { 1 } else { PAIRS_PER_CHUNK };
         // Most pairs need one or two boxes. Postponed pairs may need all that are permitted.
         let batch = if last { BOXES_PER_REPORT.div_ceil(max_boxes) } else { BOXES_PER_REPORT / 16 };
-        for (k, part) in which.chunks(batch).enumerate() {
-            let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / which.len() as f64).min(1.0));
+        for (k, part) in pairs.chunks(batch).enumerate() {
+            let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / pairs.len() as f64).min(1.0));
             let ranges = par::ranges(part.len(), chunk);
             let parts_found = par::map_jobs(&job.part(from, to), "intersection", ranges, |range, job| {
-                self.chunk(&part[range], max_boxes, last, job)
+                self.solve_chunk(&part[range], max_boxes, last, job)
             })?;
-            parts_found.iter().try_for_each(|part| pieces.append(part))?;
+            parts_found.iter().try_for_each(|part| pieces.append_arcs(part))?;
         }
         Ok(())
     }
 
     /// Finds the arcs of some pairs of any sheets.
-    fn chunk(&self, which: &[u32], max_boxes: usize, last: bool, job: &Job<'_>) -> Result<FoundArcs> {
+    fn solve_chunk(&self, pairs: &[u32], max_boxes: usize, last: bool, job: &Job<'_>) -> Result<FoundArcs> {
         let mut pieces = FoundArcs::default();
         let sheets = |&k: &u32| self.places.pairs[k as usize].sheets;
-        for run in which.chunk_by(|k, n| sheets(k) == sheets(n)) {
+        for run in pairs.chunk_by(|k, n| sheets(k) == sheets(n)) {
             let [a, b] = sheets(&run[0]);
             let (one, other) = (self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize));
-            let task = |k: u32, rounding_error: f64| self.task(k, rounding_error, max_boxes, last);
+            let task = |k: u32, rounding_error: f64| self.pair_task(k, rounding_error, max_boxes, last);
             each_sheet!(one, cells_a => each_sheet!(other, cells_b => {
-                self.run(cells_a, cells_b, run, &task, &mut pieces, job)?;
+                self.solve_pairs_of_sheets(cells_a, cells_b, run, &task, &mut pieces, job)?;
             }));
         }
         Ok(pieces)
     }
 
     /// For the four parameters of pair k, whether the sheet has another cell before and after.
-    fn neighbours(&self, k: u32) -> [[bool; 2]; 4] {
+    fn pair_has_neighbours(&self, k: u32) -> [[bool; 2]; 4] {
         let CellPair { sheets: [a, b], cells: [p, q] } = self.places.pairs[k as usize];
         let [one, other] = [self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize)];
-        let ([s, t], [u, v]) = (neighbours(one, p), neighbours(other, q));
+        let ([s, t], [u, v]) = (cell_has_neighbours(one, p), cell_has_neighbours(other, q));
         [s, t, u, v]
     }
 
     /// The parameters for solving pair k.
-    fn task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> PairTask {
+    fn pair_task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> CellPairTask {
         let [tolerance, resolution] = [self.tolerance, self.resolution].map(|length| length.max(8.0 * rounding_error));
-        let (neighbours, chord, shortest) = (self.neighbours(k), self.chord, self.shortest.max(4.0 * rounding_error));
-        PairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
+        let (neighbours, chord, shortest) =
+            (self.pair_has_neighbours(k), self.chord, self.shortest.max(4.0 * rounding_error));
+        CellPairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
     }
 
     /// Adds the arcs of pairs of two sheets.
-    fn run<const N: usize, const M: usize>(
+    fn solve_pairs_of_sheets<const N: usize, const M: usize>(
         &self,
-        a: &impl Cells<N>,
-        b: &impl Cells<M>,
-        which: &[u32],
-        task: &impl Fn(u32, f64) -> PairTask,
+        a: &impl SheetCells<N>,
+        b: &impl SheetCells<M>,
+        pairs: &[u32],
+        task: &impl Fn(u32, f64) -> CellPairTask,
         pieces: &mut FoundArcs,
         job: &Job<'_>,
     ) -> Result<()> {
-        let mut whole = ParameterBox::<N, M>::WHOLE;
+        let mut whole = ParameterBox::<N, M>::WHOLE_PATCHES;
         let (mut last, mut size_a) = (None, 0.0);
-        for &k in which {
+        for &k in pairs {
             let [p, q] = self.places.pairs[k as usize].cells;
             // Pairs with the same cell of A are successive.
             if last != Some(p) {
-                (whole.nets.a, size_a) = CoordinateNet::new(&a.patch(p[0] as usize, p[1] as usize), self.places.origin);
+                (whole.nets.a, size_a) =
+                    CoordinateNet::new(&a.cell_patch(p[0] as usize, p[1] as usize), self.places.origin);
                 last = Some(p);
             }
             let size_b;
-            (whole.nets.b, size_b) = CoordinateNet::new(&b.patch(q[0] as usize, q[1] as usize), self.places.origin);
-            task(k, rounding_error(size_a.max(size_b))).solve(&whole, pieces, job)?;
+            (whole.nets.b, size_b) =
+                CoordinateNet::new(&b.cell_patch(q[0] as usize, q[1] as usize), self.places.origin);
+            task(k, net_rounding_error(size_a.max(size_b))).solve_pair(&whole, pieces, job)?;
         }
         Ok(())
     }
 
     /// Cuts arcs along sides where other arcs on the same side end. Returns `None` if nothing was
     /// cut.
-    fn cut_overlaps(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Option<FoundArcs>> {
+    fn cut_overlapping_arcs(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Option<FoundArcs>> {
         let (resolution, chord) = (self.resolution, self.chord);
-        Overlaps { pieces, places: &self.places, resolution, chord }.cut(job)
+        OverlappingArcs { pieces, places: &self.places, resolution, chord }.cut_arcs_along_sides(job)
     }
 
     /// The ends of paths that are not at the border of a sheet. Something is unresolved there.
-    fn loose_ends(&self, pieces: &FoundArcs, chained: &Chained) -> impl Iterator<Item = Place> {
+    fn loose_path_ends(&self, pieces: &FoundArcs, chained: &ChainedArcs) -> impl Iterator<Item = Place> {
         let open = chained.chains.iter().filter(|chain| !chain.closed);
         let ends = open.flat_map(|chain| [(chain.arcs[0], 0), (chain.arcs[chain.arcs.len() - 1], 1)]);
         ends.filter_map(|(arc, k)| {
             let IntersectionArc { pair, from, to, at_border, .. } = pieces.arcs[arc as usize];
             let x = pieces.points[[from, to - 1][k] as usize];
-            (!at_border[k] && !self.is_near_border(pair, x)).then(|| self.places.places(pair, x)[0])
+            (!at_border[k] && !self.may_continue_to_border(pair, x)).then(|| self.places.clamped_places(pair, x)[0])
         })
     }
 
     /// Whether a curve that ends here may continue to the border of a sheet in an arc too short to
     /// be found.
-    fn is_near_border(&self, pair: u32, x: DVec4) -> bool {
-        let neighbours = self.neighbours(pair);
-        let columns = self.places.frame(pair, x).1.columns;
+    fn may_continue_to_border(&self, pair: u32, x: DVec4) -> bool {
+        let neighbours = self.pair_has_neighbours(pair);
+        let columns = self.places.origin_and_frame_at(pair, x).1.columns;
         (0..4).any(|k| {
             let near = |away: f64, side: usize| !neighbours[k][side] && away * columns[k].length() <= self.resolution;
             near(x[k], 0) || near(1.0 - x[k], 1)
         })
     }
 
-    fn contact(&self, point: &CriticalPoint) -> Contact {
-        let [place, other] = self.places.places(point.pair, point.x);
+    fn contact_at(&self, point: &CriticalPoint) -> Contact {
+        let [place, other] = self.places.clamped_places(point.pair, point.x);
         let kind = if point.is_saddle { ContactKind::Crossing } else { ContactKind::Point };
         Contact { kind, place, other, gap: point.gap, radius: point.radius }
     }
 
     /// Converts chains of arcs to paths, with the critical points they pass through.
-    fn paths(&self, pieces: &FoundArcs, chained: &Chained, critical: &[CriticalPoint], job: &Job<'_>) -> Result<Paths> {
+    fn build_paths(
+        &self,
+        pieces: &FoundArcs,
+        chained: &ChainedArcs,
+        critical: &[CriticalPoint],
+        job: &Job<'_>,
+    ) -> Result<Paths> {
         let chains = &chained.chains;
         let mut paths = Paths { ends: vec![0], ..Paths::default() };
         for (k, chain) in chains.iter().enumerate() {
@@ -396,7 +406,7 @@ impl Intersection<'_> {
                 }
                 if let Some(node) = node {
                     let CriticalPoint { pair, x, .. } = critical[nodes[node].1 as usize];
-                    let [place, other] = self.places.places(pair, x);
+                    let [place, other] = self.places.clamped_places(pair, x);
                     alloc::push(&mut paths.places, place)?;
                     alloc::push(&mut paths.others, other)?;
                     last = None;
@@ -405,25 +415,25 @@ impl Intersection<'_> {
             alloc::push(&mut paths.ends, paths.places.len() as u32)?;
             alloc::push(&mut paths.closed, chain.closed)?;
         }
-        self.evaluate(&mut paths)?;
-        let size = self.places.surfaces.map(Surface::diagonal);
-        paths.drop_repeats(rounding_error(size[0].max(size[1])));
+        self.evaluate_paths(&mut paths)?;
+        let size = self.places.surfaces.map(Surface::box_diagonal);
+        paths.drop_repeated_points(net_rounding_error(size[0].max(size[1])));
         Ok(paths)
     }
 
     /// Evaluates points and normals at the places of paths.
-    fn evaluate(&self, paths: &mut Paths) -> Result<()> {
+    fn evaluate_paths(&self, paths: &mut Paths) -> Result<()> {
         paths.levels = alloc::filled(0, paths.len())?;
         paths.points = alloc::with_capacity(paths.places.len())?;
         paths.normals = alloc::with_capacity(paths.places.len())?;
         for run in paths.places.chunk_by(|p, q| (p.sheet, p.cell) == (q.sheet, q.cell)) {
             let (sheet, [i, j]) = (self.places.surfaces[0].sheet(run[0].sheet as usize), run[0].cell);
             each_sheet!(sheet, cells => {
-                let patch = Cells::patch(cells, i as usize, j as usize);
+                let patch = SheetCells::cell_patch(cells, i as usize, j as usize);
                 for &place in run {
                     let jet = patch.jet(place.u, place.v);
                     paths.points.push(jet.point);
-                    paths.normals.push(self.places.surfaces[0].normal_by(place, &jet));
+                    paths.normals.push(self.places.surfaces[0].normal_from_jet(place, &jet));
                 }
             });
         }

@@ -13,9 +13,9 @@
 //!
 //! Cost: O(N^3) for each cell and depth.
 
-use super::graph::Interval;
+use super::height_graph::Interval;
 use crate::Patch;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -24,7 +24,7 @@ use gusset_base::job::Job;
 use std::f64::consts::TAU;
 
 /// Largest number of halvings towards the pole.
-const MAX_BAND: i32 = 8;
+const MAX_BAND_HALVINGS: i32 = 8;
 /// Number of cells between two progress reports.
 const CELLS_PER_REPORT: usize = 1 << 8;
 /// Number of pieces of a cell around the pole.
@@ -32,16 +32,16 @@ const PIECES_PER_CELL: usize = 8;
 
 /// The patch of cell k along a border, with u running inwards from the border.
 pub(super) fn patch_from_border<const N: usize>(
-    cells: &impl Cells<N>,
+    cells: &impl SheetCells<N>,
     direction: usize,
     side: usize,
     k: usize,
 ) -> Patch<N> {
-    let last = cells.counts()[direction] - 1;
+    let last = cells.cell_counts()[direction] - 1;
     let at = if side == 0 { 0 } else { last };
     let mut patch = match direction {
-        0 => cells.patch(at, k),
-        _ => cells.patch(k, at).transposed(),
+        0 => cells.cell_patch(at, k),
+        _ => cells.cell_patch(k, at).transposed(),
     };
     if side == 1 {
         patch.points.reverse();
@@ -50,7 +50,7 @@ pub(super) fn patch_from_border<const N: usize>(
 }
 
 /// T, raised to degree N - 1.
-fn quotient<const N: usize>(patch: &Patch<N>) -> Patch<N> {
+fn pole_quotient_patch<const N: usize>(patch: &Patch<N>) -> Patch<N> {
     let mut points = [[DVec3::ZERO; N]; N];
     for a in 1..N {
         let factor = (N - 1) as f64 / a as f64;
@@ -62,7 +62,7 @@ fn quotient<const N: usize>(patch: &Patch<N>) -> Patch<N> {
 }
 
 /// Bounds over pieces.
-struct Bounds {
+struct QuotientBounds {
     /// The smallest r_s / r, and the smallest a_v.
     least: [f64; 2],
     /// The largest |r_v / r|, and the largest |a_s|.
@@ -72,34 +72,35 @@ struct Bounds {
     spread: f64,
 }
 
-impl Bounds {
+impl QuotientBounds {
     /// Adds a piece. Returns `None` if its derivatives cannot be bounded. `normal` is the normal of
     /// the plane.
-    fn add<const N: usize>(&mut self, piece: &Patch<N>, normal: DVec3) -> Option<()> {
+    fn add_piece<const N: usize>(&mut self, piece: &Patch<N>, normal: DVec3) -> Option<()> {
         let middle = piece.point(0.5, 0.5);
         let x = (middle - normal * middle.dot(normal)).try_normalize()?;
         let axes = [x, normal.cross(x)];
         let degree = (N - 1) as f64;
         let flat = piece.points.map(|row| row.map(|p| axes.map(|axis| p.dot(axis))));
-        let mut value = flat[0][0].map(Interval::point);
-        let (mut by_u, mut by_v) = ([Interval::point(0.0); 2], [const { None }; 2]);
+        let mut value = flat[0][0].map(Interval::from_number);
+        let (mut by_u, mut by_v) = ([Interval::from_number(0.0); 2], [const { None }; 2]);
         for (a, b, k) in (0..N * N * 2).map(|n| (n / 2 / N, n / 2 % N, n % 2)) {
-            value[k] = value[k].including(flat[a][b][k]);
+            value[k] = value[k].extended_to(flat[a][b][k]);
             if a + 1 < N {
                 // u T_u, with u from 0 to 1 in the piece's own parameters.
-                by_u[k] = by_u[k].including(degree * (flat[a + 1][b][k] - flat[a][b][k]));
+                by_u[k] = by_u[k].extended_to(degree * (flat[a + 1][b][k] - flat[a][b][k]));
             }
             if b + 1 < N {
                 let slope = degree * (flat[a][b + 1][k] - flat[a][b][k]) * PIECES_PER_CELL as f64;
-                by_v[k] = Some(by_v[k].map_or(Interval::point(slope), |range: Interval| range.including(slope)));
+                by_v[k] =
+                    Some(by_v[k].map_or(Interval::from_number(slope), |range: Interval| range.extended_to(slope)));
             }
         }
         let by_v = [by_v[0]?, by_v[1]?];
         if value[0].low <= 0.0 {
             return None;
         }
-        let square = Interval::point(0.0).including((value[1].low.abs()).max(value[1].high.abs()).powi(2));
-        let inverse = (value[0] * value[0] + square).inverse()?;
+        let square = Interval::from_number(0.0).extended_to((value[1].low.abs()).max(value[1].high.abs()).powi(2));
+        let inverse = (value[0] * value[0] + square).reciprocal()?;
         let along = |slope: [Interval; 2]| (value[0] * slope[0] + value[1] * slope[1]) * inverse;
         let across = |slope: [Interval; 2]| (value[0] * slope[1] - value[1] * slope[0]) * inverse;
         let size = |range: Interval| range.low.abs().max(range.high.abs());
@@ -114,7 +115,7 @@ impl Bounds {
     }
 
     /// Whether the bounds prove the sheet injective.
-    fn are_injective(&self, is_ring: bool) -> bool {
+    fn prove_injective(&self, is_ring: bool) -> bool {
         let is_finite = [self.least, self.greatest].as_flattened().iter().all(|x| x.is_finite());
         let is_dominant = self.least[0] > 0.0
             && self.least[1] > 0.0
@@ -126,17 +127,18 @@ impl Bounds {
 
 /// The smallest number of halvings towards a pole after which the sheet is proven injective there.
 /// `is_ring` tells whether the last cell around the pole is followed by the first.
-pub(super) fn injective_band<const N: usize>(
-    cells: &impl Cells<N>,
+pub(super) fn find_injective_band<const N: usize>(
+    cells: &impl SheetCells<N>,
     direction: usize,
     side: usize,
     is_ring: bool,
     job: &Job<'_>,
 ) -> Result<Option<i32>> {
-    let count = cells.counts()[1 - direction];
-    let mut quotients = alloc::collect((0..count).map(|k| quotient(&patch_from_border(cells, direction, side, k))))?;
-    for band in 0..=MAX_BAND {
-        if are_injective(&quotients, is_ring, job)? {
+    let count = cells.cell_counts()[1 - direction];
+    let mut quotients =
+        alloc::collect((0..count).map(|k| pole_quotient_patch(&patch_from_border(cells, direction, side, k))))?;
+    for band in 0..=MAX_BAND_HALVINGS {
+        if are_quotients_injective(&quotients, is_ring, job)? {
             return Ok(Some(band));
         }
         quotients.iter_mut().for_each(|patch| *patch = patch.halves()[0]);
@@ -144,12 +146,12 @@ pub(super) fn injective_band<const N: usize>(
     Ok(None)
 }
 
-fn are_injective<const N: usize>(quotients: &[Patch<N>], is_ring: bool, job: &Job<'_>) -> Result<bool> {
+fn are_quotients_injective<const N: usize>(quotients: &[Patch<N>], is_ring: bool, job: &Job<'_>) -> Result<bool> {
     let fan = |patch: &Patch<N>| patch.points[0].windows(2).map(|pair| pair[0].cross(pair[1])).sum::<DVec3>();
     let Some(normal) = quotients.iter().map(fan).sum::<DVec3>().try_normalize() else {
         return Ok(false);
     };
-    let mut bounds = Bounds { least: [f64::INFINITY; 2], greatest: [0.0; 2], turn: 0.0, spread: 0.0 };
+    let mut bounds = QuotientBounds { least: [f64::INFINITY; 2], greatest: [0.0; 2], turn: 0.0, spread: 0.0 };
     let pieces = |patch: &Patch<N>| {
         let eighths = |half: Patch<N>| half.halves().map(|quarter| quarter.halves());
         patch.transposed().halves().map(eighths)
@@ -160,9 +162,9 @@ fn are_injective<const N: usize>(quotients: &[Patch<N>], is_ring: bool, job: &Jo
         }
         let pieces = pieces(patch);
         let mut pieces = pieces.as_flattened().as_flattened().iter();
-        if !pieces.all(|piece| bounds.add(&piece.transposed(), normal).is_some()) {
+        if !pieces.all(|piece| bounds.add_piece(&piece.transposed(), normal).is_some()) {
             return Ok(false);
         }
     }
-    Ok(bounds.are_injective(is_ring))
+    Ok(bounds.prove_injective(is_ring))
 }

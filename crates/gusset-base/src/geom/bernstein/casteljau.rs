@@ -48,7 +48,7 @@ impl<T: Coefficient, const N: usize> Coefficient for [T; N] {
 /// One column of de Casteljau's scheme: combines each coefficient except the last with the next
 /// one.
 #[inline(always)]
-fn column<T>(c: &mut [T], combine: impl Fn(&mut T, &T)) {
+fn combine_neighbours<T>(c: &mut [T], combine: impl Fn(&mut T, &T)) {
     for k in 1..c.len() {
         let (before, after) = c.split_at_mut(k);
         combine(&mut before[k - 1], &after[0]);
@@ -58,16 +58,16 @@ fn column<T>(c: &mut [T], combine: impl Fn(&mut T, &T)) {
 /// Applies de Casteljau's columns at t until `keep` coefficients are left, at the start of `c`. The
 /// other coefficients keep their last values.
 #[inline(always)]
-pub fn reduce<T: Coefficient>(c: &mut [T], t: f64, keep: usize) {
+pub fn reduce_by_casteljau<T: Coefficient>(c: &mut [T], t: f64, keep: usize) {
     for count in (keep..c.len()).rev() {
-        column(&mut c[..=count], |x, next| x.blend(next, t));
+        combine_neighbours(&mut c[..=count], |x, next| x.blend(next, t));
     }
 }
 
 #[inline(always)]
 pub fn evaluate<T: Coefficient, const N: usize>(c: &[T; N], t: f64) -> T {
     let mut work = *c;
-    reduce(&mut work, t, 1);
+    reduce_by_casteljau(&mut work, t, 1);
     work[0]
 }
 
@@ -78,9 +78,9 @@ where
     T: Coefficient + Sub<Output = T> + Mul<f64, Output = T>,
 {
     let mut work = *c;
-    reduce(&mut work, t, 2);
+    reduce_by_casteljau(&mut work, t, 2);
     let slope = (work[1] - work[0]) * (N - 1) as f64;
-    reduce(&mut work[..2], t, 1);
+    reduce_by_casteljau(&mut work[..2], t, 1);
     [work[0], slope]
 }
 
@@ -90,7 +90,7 @@ where
 pub fn value_and_slope_by_differences<const N: usize>(c: &[f64; N], t: f64) -> [f64; 2] {
     let mut work = *c;
     for count in (2..N).rev() {
-        column(&mut work[..=count], |x, next| *x += t * (next - *x));
+        combine_neighbours(&mut work[..=count], |x, next| *x += t * (next - *x));
     }
     let rise = work[1] - work[0];
     [work[0] + t * rise, (N - 1) as f64 * rise]
@@ -102,7 +102,7 @@ pub fn split<T: Coefficient>(c: &mut [T], t: f64, before: &mut [T]) {
     let n = c.len();
     for (k, first) in before.iter_mut().enumerate().take(n) {
         *first = c[0];
-        column(&mut c[..n - k], |x, next| x.blend(next, t));
+        combine_neighbours(&mut c[..n - k], |x, next| x.blend(next, t));
     }
 }
 
@@ -112,7 +112,7 @@ pub fn halve<T: Coefficient>(c: &mut [T], before: &mut [T]) {
     let n = c.len();
     for (k, first) in before.iter_mut().enumerate().take(n) {
         *first = c[0];
-        column(&mut c[..n - k], Coefficient::average);
+        combine_neighbours(&mut c[..n - k], Coefficient::average);
     }
 }
 
@@ -129,7 +129,7 @@ pub fn halves<T: Coefficient, const N: usize>(c: &[T; N]) -> [[T; N]; 2] {
 pub fn restrict<T: Coefficient>(c: &mut [T], [from, to]: [f64; 2]) {
     let mut end = to;
     if from > 0.0 {
-        reduce(c, from, 1);
+        reduce_by_casteljau(c, from, 1);
         end = (to - from) / (1.0 - from);
     }
     if to < 1.0 {
@@ -174,7 +174,7 @@ pub fn derive<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(c: &mut [T]) -> 
 pub fn blossom<T: Coefficient, const N: usize>(c: &[T; N], arguments: impl IntoIterator<Item = f64>) -> T {
     let mut work = *c;
     for (count, t) in (1..N).rev().zip(arguments) {
-        column(&mut work[..=count], |x, next| x.blend(next, t));
+        combine_neighbours(&mut work[..=count], |x, next| x.blend(next, t));
     }
     work[0]
 }
@@ -185,13 +185,13 @@ pub fn basis(values: &mut [f64], t: f64) {
     values[0] = 1.0;
     for degree in 1..values.len() {
         values[degree] = 0.0;
-        raise_basis(&mut values[..=degree], t);
+        raise_basis_degree(&mut values[..=degree], t);
     }
 }
 
 /// Raises the degree of the basis by one. `values` holds the Bernstein polynomials at t, then a 0.
 #[inline(always)]
-fn raise_basis(values: &mut [f64], t: f64) {
+fn raise_basis_degree(values: &mut [f64], t: f64) {
     for k in (1..values.len()).rev() {
         values[k] = (1.0 - t) * values[k] + t * values[k - 1];
     }
@@ -207,7 +207,7 @@ pub fn basis_with_slopes<const N: usize>(t: f64) -> [[f64; N]; 2] {
         let before = if k > 0 { values[k - 1] } else { 0.0 };
         slopes[k] = (N - 1) as f64 * (before - values[k]);
     }
-    raise_basis(&mut values, t);
+    raise_basis_degree(&mut values, t);
     [values, slopes]
 }
 
@@ -217,7 +217,7 @@ mod tests {
     use proptest::prelude::*;
 
     /// Evaluates the definition term by term, with binomials from Pascal's triangle.
-    fn by_definition(c: &[f64], t: f64) -> f64 {
+    fn evaluate_by_definition(c: &[f64], t: f64) -> f64 {
         let mut row = vec![1.0];
         for _ in 1..c.len() {
             row = (0..=row.len())
@@ -229,16 +229,16 @@ mod tests {
         c.iter().zip(&row).enumerate().map(term).sum()
     }
 
-    fn coefficients() -> impl Strategy<Value = [f64; 6]> {
+    fn any_coefficients() -> impl Strategy<Value = [f64; 6]> {
         prop::array::uniform6(-1.0..1.0f64)
     }
 
     proptest! {
         #[test]
-        fn values_agree_with_the_definition(c in coefficients(), t in 0.0..1.0f64) {
-            let truth = by_definition(&c, t);
+        fn values_agree_with_the_definition(c in any_coefficients(), t in 0.0..1.0f64) {
+            let truth = evaluate_by_definition(&c, t);
             let steps: Vec<f64> = c.windows(2).map(|pair| 5.0 * (pair[1] - pair[0])).collect();
-            let slope = by_definition(&steps, t);
+            let slope = evaluate_by_definition(&steps, t);
             let near = |a: f64, b: f64| (a - b).abs() < 1e-13;
             prop_assert!(near(evaluate(&c, t), truth));
             for [value, derivative] in [evaluate_with_slope(&c, t), value_and_slope_by_differences(&c, t)] {
@@ -254,24 +254,24 @@ mod tests {
             let mut raised = [0.0; 9];
             raised[..6].copy_from_slice(&c);
             elevate(&mut raised, 5);
-            prop_assert!(near(by_definition(&raised, t), truth));
+            prop_assert!(near(evaluate_by_definition(&raised, t), truth));
         }
 
         #[test]
-        fn parts_agree_with_the_whole(c in coefficients(), t in 0.0..1.0f64, from in 0.0..0.5f64, to in 0.5..1.0f64) {
+        fn parts_agree_with_the_whole(c in any_coefficients(), t in 0.0..1.0f64, from in 0.0..0.5f64, to in 0.5..1.0f64) {
             let near = |a: f64, b: f64| (a - b).abs() < 1e-13;
             for at in [from, to] {
                 let (mut after, mut before) = (c, [0.0; 6]);
                 split(&mut after, at, &mut before);
-                prop_assert!(near(by_definition(&before, t), by_definition(&c, at * t)));
-                prop_assert!(near(by_definition(&after, t), by_definition(&c, at + (1.0 - at) * t)));
+                prop_assert!(near(evaluate_by_definition(&before, t), evaluate_by_definition(&c, at * t)));
+                prop_assert!(near(evaluate_by_definition(&after, t), evaluate_by_definition(&c, at + (1.0 - at) * t)));
             }
             let [before, after] = halves(&c);
-            prop_assert!(near(by_definition(&before, t), by_definition(&c, 0.5 * t)));
-            prop_assert!(near(by_definition(&after, t), by_definition(&c, 0.5 + 0.5 * t)));
+            prop_assert!(near(evaluate_by_definition(&before, t), evaluate_by_definition(&c, 0.5 * t)));
+            prop_assert!(near(evaluate_by_definition(&after, t), evaluate_by_definition(&c, 0.5 + 0.5 * t)));
             let mut part = c;
             restrict(&mut part, [from, to]);
-            prop_assert!(near(by_definition(&part, t), by_definition(&c, from + (to - from) * t)));
+            prop_assert!(near(evaluate_by_definition(&part, t), evaluate_by_definition(&c, from + (to - from) * t)));
             let mut all = c;
             restrict(&mut all, [0.0, 1.0]);
             prop_assert_eq!(all, c);

@@ -71,37 +71,37 @@ pub fn sign_changes(signs: impl Iterator<Item = bool>) -> usize {
 
 /// Coefficients in a fixed-size buffer.
 #[derive(Clone)]
-struct Coefficients {
+struct CoefficientBuffer {
     c: [f64; MAX_COEFFICIENTS],
     len: usize,
 }
 
-impl Coefficients {
+impl CoefficientBuffer {
     fn from_slice(given: &[f64]) -> Self {
         let mut c = [0.0; MAX_COEFFICIENTS];
         c[..given.len()].copy_from_slice(given);
-        Coefficients { c, len: given.len() }
+        CoefficientBuffer { c, len: given.len() }
     }
 }
 
-impl AsRef<[f64]> for Coefficients {
+impl AsRef<[f64]> for CoefficientBuffer {
     fn as_ref(&self) -> &[f64] {
         &self.c[..self.len]
     }
 }
 
-impl AsMut<[f64]> for Coefficients {
+impl AsMut<[f64]> for CoefficientBuffer {
     fn as_mut(&mut self) -> &mut [f64] {
         &mut self.c[..self.len]
     }
 }
 
 /// Intervals of this width are not halved.
-const MIN_WIDTH: f64 = 1.0 / (1u64 << 48) as f64;
+const MIN_INTERVAL_WIDTH: f64 = 1.0 / (1u64 << 48) as f64;
 
 /// The maximum number of halvings for one polynomial. Its roots need fewer, but values that
 /// rounding moves back and forth across the noise could need any number.
-const MAX_HALVINGS: u32 = 20_000;
+const MAX_INTERVAL_HALVINGS: u32 = 20_000;
 
 /// Finds the roots of a polynomial with 1 to [`MAX_COEFFICIENTS`] coefficients. Values up to
 /// `noise` (absolute) count as 0.
@@ -122,25 +122,32 @@ pub fn roots(c: &[f64], noise: f64) -> Roots {
         return found;
     }
     if let [a, b] = *c {
-        linear(a, b, noise, &mut found);
+        push_linear_root(a, b, noise, &mut found);
         return found;
     }
     if let [a, b, d] = *c
-        && solve_quadratic(a, b, d, noise, &mut found)
+        && push_quadratic_roots(a, b, d, noise, &mut found)
     {
         return found;
     }
-    let mut search =
-        RootIsolation { c, noise, clusters: [(0.0, 0.0); MAX_COEFFICIENTS], len: 0, halvings_left: MAX_HALVINGS };
-    bisect(&mut Coefficients::from_slice(c), [0.0, 1.0], &mut |part, interval| search.isolate(part.as_ref(), interval));
+    let mut search = RootIsolation {
+        c,
+        noise,
+        clusters: [(0.0, 0.0); MAX_COEFFICIENTS],
+        len: 0,
+        halvings_left: MAX_INTERVAL_HALVINGS,
+    };
+    bisect(&mut CoefficientBuffer::from_slice(c), [0.0, 1.0], &mut |part, interval| {
+        search.isolate_roots(part.as_ref(), interval)
+    });
     for &(low, high) in &search.clusters[..search.len] {
-        found.push(search.centre(low, high));
+        found.push(search.root_of_cluster(low, high));
     }
     found
 }
 
 /// The root of a (1 - t) + b t, where a and b are not both within the noise.
-fn linear(a: f64, b: f64, noise: f64, found: &mut Roots) {
+fn push_linear_root(a: f64, b: f64, noise: f64, found: &mut Roots) {
     if a.abs() <= noise {
         found.push(0.0);
     } else if b.abs() <= noise {
@@ -156,7 +163,7 @@ fn linear(a: f64, b: f64, noise: f64, found: &mut Roots) {
 ///
 /// With A = a - 2 b + d and B = b - a, the equation is A t^2 + 2 B t + a = 0. Its roots are a / q
 /// and q / A with q = -B -+ sqrt(b^2 - a d), where the sign avoids cancellation.
-fn solve_quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
+fn push_quadratic_roots(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
     let discriminant = b * b - a * d;
     let size = a.abs().max(b.abs()).max(d.abs());
     if a.abs() <= noise || d.abs() <= noise || discriminant.abs() <= 4.0 * noise * size {
@@ -194,17 +201,17 @@ struct RootIsolation<'a> {
 impl RootIsolation<'_> {
     /// Finds the roots between two ends, from left to right; the polynomial has the coefficients
     /// `c` there. Returns true if the halves must be searched instead.
-    fn isolate(&mut self, c: &[f64], [low, high]: [f64; 2]) -> bool {
+    fn isolate_roots(&mut self, c: &[f64], [low, high]: [f64; 2]) -> bool {
         let noise = self.noise;
         if c.iter().all(|x| x.abs() <= noise) {
-            self.add(low, high);
+            self.add_root_interval(low, high);
             return false;
         }
         let changes = |level: f64| sign_changes(c.iter().map(|&x| x > level));
         if changes(noise).max(changes(-noise)) > 1 {
-            let decides = high - low <= MIN_WIDTH || self.halvings_left == 0;
+            let decides = high - low <= MIN_INTERVAL_WIDTH || self.halvings_left == 0;
             if decides {
-                self.add(low, high);
+                self.add_root_interval(low, high);
             } else {
                 self.halvings_left -= 1;
             }
@@ -213,19 +220,19 @@ impl RootIsolation<'_> {
         // The polynomial is within the noise on at most one interval, at a crossing or at an end.
         let (first, last) = (c[0], c[c.len() - 1]);
         if first.abs() <= noise {
-            self.add(low, low);
+            self.add_root_interval(low, low);
         } else if last.abs() <= noise {
-            self.add(high, high);
+            self.add_root_interval(high, high);
         } else if (first < 0.0) != (last < 0.0) {
             let t = low + (high - low) * bracketed_root(0.0, 1.0, first, |t| value_and_slope(c, t));
-            self.add(t, t);
+            self.add_root_interval(t, t);
         }
         false
     }
 
     /// Appends a root, or an interval of roots. If an interval ends within the noise, the next one
     /// starts within the noise, and both belong to the same root.
-    fn add(&mut self, low: f64, high: f64) {
+    fn add_root_interval(&mut self, low: f64, high: f64) {
         if self.len > 0 {
             let last = &mut self.clusters[self.len - 1];
             if low <= last.1 {
@@ -241,7 +248,7 @@ impl RootIsolation<'_> {
 
     /// Returns the root of a cluster. Prefers an end of the whole interval, because the adjacent
     /// segment finds the same root there.
-    fn centre(&self, low: f64, high: f64) -> f64 {
+    fn root_of_cluster(&self, low: f64, high: f64) -> f64 {
         if low == high || low <= 0.0 {
             return low.max(0.0);
         }
@@ -303,7 +310,7 @@ mod tests {
     use proptest::prelude::*;
 
     /// Returns the polynomial with the given roots.
-    fn with_roots(at: &[f64]) -> Vec<f64> {
+    fn polynomial_with_roots(at: &[f64]) -> Vec<f64> {
         at.iter().fold(vec![1.0], |f, &r| {
             let mut product = vec![0.0; f.len() + 1];
             add_product(&f, &[-r, 1.0 - r], 1.0, &mut product);
@@ -311,13 +318,13 @@ mod tests {
         })
     }
 
-    fn normalised(mut c: Vec<f64>) -> Vec<f64> {
+    fn normalise_coefficients(mut c: Vec<f64>) -> Vec<f64> {
         let size = c.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         c.iter_mut().for_each(|x| *x /= size);
         c
     }
 
-    const NOISE: f64 = 1e-14;
+    const ROOT_NOISE: f64 = 1e-14;
 
     #[test]
     fn known_roots_are_found() {
@@ -334,16 +341,16 @@ mod tests {
             (&[1.0, 1.0, 1.0, 0.5], &[0.5, 1.0], 1e-12),
             (&[0.123, 0.123_001, 0.9], &[0.123, 0.123_001, 0.9], 1e-8),
         ] {
-            let found = roots(&normalised(with_roots(given)), NOISE);
+            let found = roots(&normalise_coefficients(polynomial_with_roots(given)), ROOT_NOISE);
             assert_eq!(found.as_slice().len(), expected.len(), "{given:?}: {:?}", found.as_slice());
             for (a, b) in found.as_slice().iter().zip(expected) {
                 assert!((a - b).abs() <= error, "{given:?}: {:?}", found.as_slice());
             }
         }
-        assert!(roots(&[1e-15, -1e-15, 0.0], NOISE).everywhere);
-        assert!(roots(&[], NOISE).as_slice().is_empty());
-        assert!(roots(&[1.0, 0.2, 1.0], NOISE).as_slice().is_empty());
-        assert!(roots(&[1.0, f64::NAN, -1.0, 2.0], NOISE).as_slice().len() < 4);
+        assert!(roots(&[1e-15, -1e-15, 0.0], ROOT_NOISE).everywhere);
+        assert!(roots(&[], ROOT_NOISE).as_slice().is_empty());
+        assert!(roots(&[1.0, 0.2, 1.0], ROOT_NOISE).as_slice().is_empty());
+        assert!(roots(&[1.0, f64::NAN, -1.0, 2.0], ROOT_NOISE).as_slice().len() < 4);
     }
 
     /// (t - a)^2 times a factor that is not 0 at `a`, raised by less than the noise, touches 0 for
@@ -358,8 +365,8 @@ mod tests {
                 let mut product = vec![0.0; factor.len() + 2];
                 add_product(&[a * a, -a * (1.0 - a), (1.0 - a) * (1.0 - a)], factor, 1.0, &mut product);
                 for (lift, touches) in [(0.0, 1), (0.5, 1), (-0.5, 1), (5.0, 0)] {
-                    let c: Vec<f64> = product.iter().map(|x| x + lift * NOISE * sign.signum()).collect();
-                    let found = roots(&c, NOISE);
+                    let c: Vec<f64> = product.iter().map(|x| x + lift * ROOT_NOISE * sign.signum()).collect();
+                    let found = roots(&c, ROOT_NOISE);
                     let near = found.as_slice().iter().filter(|&&t| (t - a).abs() < 1e-5);
                     assert_eq!(near.count(), touches, "factor {k}, a {a}, lift {lift}: {:?}", found.as_slice());
                 }
@@ -376,7 +383,7 @@ mod tests {
             at.sort_by(f64::total_cmp);
             at.dedup_by(|a, b| *a - *b < 0.05);
             let all: Vec<f64> = at.iter().copied().chain(outside).collect();
-            let found = roots(&normalised(with_roots(&all)), NOISE);
+            let found = roots(&normalise_coefficients(polynomial_with_roots(&all)), ROOT_NOISE);
             prop_assert_eq!(found.as_slice().len(), at.len());
             for (a, b) in found.as_slice().iter().zip(&at) {
                 prop_assert!((a - b).abs() < 1e-8);
@@ -385,7 +392,7 @@ mod tests {
 
         #[test]
         fn signs_change_only_at_roots(c in proptest::collection::vec(-1.0..1.0f64, 1..20)) {
-            let found = roots(&c, NOISE);
+            let found = roots(&c, ROOT_NOISE);
             let mut stops = vec![0.0];
             stops.extend_from_slice(found.as_slice());
             stops.push(1.0);

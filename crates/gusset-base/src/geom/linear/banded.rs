@@ -6,21 +6,21 @@ use crate::error::Result;
 
 /// A pivot below this fraction of its diagonal entry counts as rounding. Its row depends on earlier
 /// rows, and its unknown is set to 0.
-const MIN_PIVOT: f64 = 1e-13;
+const MIN_RELATIVE_PIVOT: f64 = 1e-13;
 
 /// The Cholesky factor of a matrix with entries at most W - 1 from the diagonal, and the
 /// forward-solved right side.
 #[derive(Default)]
-pub struct Banded<const W: usize> {
+pub struct BandedCholesky<const W: usize> {
     /// The rows of the factor. The diagonal entry is last.
     rows: Vec<[f64; W]>,
     right: Vec<f64>,
 }
 
-impl<const W: usize> Banded<W> {
+impl<const W: usize> BandedCholesky<W> {
     /// Clears the system and reserves room for `count` rows.
     #[inline]
-    pub fn begin(&mut self, count: usize) -> Result<()> {
+    pub fn clear_and_reserve(&mut self, count: usize) -> Result<()> {
         self.rows.clear();
         self.right.clear();
         alloc::reserve(&mut self.rows, count)?;
@@ -28,7 +28,7 @@ impl<const W: usize> Banded<W> {
     }
 
     /// Appends a row and its right side. `row` has the entries up to the diagonal, which is last.
-    /// [`Banded::begin`] must have reserved room.
+    /// [`BandedCholesky::clear_and_reserve`] must have reserved room.
     pub fn push(&mut self, mut row: [f64; W], mut right: f64) {
         let r = self.rows.len();
         let diagonal = row[W - 1];
@@ -42,7 +42,7 @@ impl<const W: usize> Banded<W> {
         for d in 1..W.min(r + 1) {
             right -= row[W - 1 - d] * self.right[r - d];
         }
-        if pivot > MIN_PIVOT * diagonal {
+        if pivot > MIN_RELATIVE_PIVOT * diagonal {
             row[W - 1] = pivot.sqrt();
             self.right.push(right / row[W - 1]);
         } else {
@@ -76,8 +76,8 @@ mod tests {
         // 4 on the diagonal, -1 and 0.5 beside it.
         let entry = |d: usize| [4.0, -1.0, 0.5][d];
         let wanted: Vec<f64> = (0..9).map(|i| f64::from(i * i % 7) - 2.0).collect();
-        let mut banded = Banded::<3>::default();
-        banded.begin(9).unwrap();
+        let mut banded = BandedCholesky::<3>::default();
+        banded.clear_and_reserve(9).unwrap();
         for r in 0..9usize {
             let right = (0..9usize).filter(|c| c.abs_diff(r) < 3).map(|c| entry(c.abs_diff(r)) * wanted[c]).sum();
             let row = [2, 1, 0].map(|d| if d <= r { entry(d) } else { 0.0 });
@@ -87,7 +87,7 @@ mod tests {
             assert!((x - wanted).abs() < 1e-14, "{x} {wanted}");
         }
         // A row that repeats the previous one does not change the solution.
-        banded.begin(2).unwrap();
+        banded.clear_and_reserve(2).unwrap();
         banded.push([0.0, 0.0, 4.0], 8.0);
         banded.push([0.0, 4.0, 4.0], 8.0);
         assert_eq!(banded.solve(), [2.0, 0.0]);

@@ -7,14 +7,14 @@ use glam::DVec3;
 
 /// A square matrix, row by row, which elimination replaces by its factors.
 #[derive(Default)]
-pub struct Dense {
+pub struct DenseMatrix {
     entries: Vec<f64>,
     /// The row exchanged with each row.
     pivots: Vec<usize>,
     size: usize,
 }
 
-impl Dense {
+impl DenseMatrix {
     /// Resizes to a matrix of `n` rows of zeros.
     #[inline]
     pub fn resize(&mut self, n: usize) -> Result<()> {
@@ -57,7 +57,7 @@ impl Dense {
         true
     }
 
-    /// Solves for a right side in place. Call [`Dense::factor`] first.
+    /// Solves for a right side in place. Call [`DenseMatrix::factor`] first.
     pub fn solve(&self, right: &mut [DVec3]) {
         let n = self.size;
         // The factor's rows were exchanged as a whole, so exchange the right side likewise.
@@ -90,7 +90,7 @@ mod tests {
         // another.
         let rows = [[0.0, 2.0, 1.0, 0.1], [0.1, 1.0, 0.0, 3.0], [2.0, 0.3, 1.0, 0.0], [1.0, 0.5, 4.0, 0.2]];
         let wanted = [1.0, -2.0, 3.0, 0.5].map(|x| DVec3::new(x, -x, 1.0));
-        let mut dense = Dense::default();
+        let mut dense = DenseMatrix::default();
         dense.resize(4).unwrap();
         let mut right = [DVec3::ZERO; 4];
         for (r, row) in rows.iter().enumerate() {

@@ -1,15 +1,15 @@
 //! Eigenvalues and eigenvectors of small symmetric matrices, by Jacobi's rotations.
 
 /// The number of Jacobi sweeps. Each squares the relative size of the off-diagonal entries.
-const SWEEPS: usize = 10;
+const JACOBI_SWEEPS: usize = 10;
 
 /// Returns the eigenvalues of a symmetric matrix, unsorted, and the matrix whose columns are their
 /// orthonormal eigenvectors. O(N^3).
-pub fn eigen<const N: usize>(mut k: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
+pub fn symmetric_eigen<const N: usize>(mut k: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
     let mut vectors = [[0.0; N]; N];
     (0..N).for_each(|i| vectors[i][i] = 1.0);
     let pairs = (0..N).flat_map(|p| (p + 1..N).map(move |q| (p, q)));
-    for (p, q) in (0..SWEEPS).flat_map(|_| pairs.clone()) {
+    for (p, q) in (0..JACOBI_SWEEPS).flat_map(|_| pairs.clone()) {
         if k[p][q] == 0.0 {
             continue;
         }
@@ -43,7 +43,7 @@ mod tests {
                 (matrix[i][j], matrix[j][i]) = (random.f64() - 0.5, 0.0);
                 matrix[j][i] = matrix[i][j];
             }
-            let (values, vectors) = eigen(matrix);
+            let (values, vectors) = symmetric_eigen(matrix);
             for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
                 let again: f64 = (0..6).map(|k| values[k] * vectors[i][k] * vectors[j][k]).sum();
                 assert!((again - matrix[i][j]).abs() < 1e-13);

@@ -6,10 +6,10 @@
 use glam::DVec3;
 
 /// Smaller pivots make the system singular, in rows whose coefficients are near 1.
-const MIN_PIVOT: f64 = 1e-14;
+const MIN_PIVOT_MAGNITUDE: f64 = 1e-14;
 
 /// Smaller coefficients of the last unknown of a cyclic system are dropped.
-const MAX_NEGLIGIBLE: f64 = 1e-24;
+const MAX_NEGLIGIBLE_COEFFICIENT: f64 = 1e-24;
 
 /// Solves for `unknowns[1..n - 1]`; the caller sets the first and the last. `row(i)` returns the
 /// coefficients of unknowns i - 1, i and i + 1, and `known(i)` the right side. `upper` is workspace
@@ -26,7 +26,7 @@ pub fn solve(
     for i in 1..last {
         let [lower, diagonal, above] = row(i);
         let diagonal = diagonal - lower * ratio;
-        sound &= diagonal.abs() > MIN_PIVOT;
+        sound &= diagonal.abs() > MIN_PIVOT_MAGNITUDE;
         let scale = 1.0 / diagonal;
         before = (known(i) - before * lower) * scale;
         ratio = above * scale;
@@ -43,7 +43,7 @@ pub fn solve(
 
 /// One end of a cyclic system while its rows are eliminated towards the middle. The unknown reached
 /// last equals `known` - `ratio` * (next unknown) - `across` * (last unknown).
-struct Front {
+struct EliminationFront {
     known: DVec3,
     ratio: f64,
     across: f64,
@@ -51,16 +51,16 @@ struct Front {
     far: f64,
 }
 
-impl Front {
+impl EliminationFront {
     /// Starts before any row, at the last unknown itself.
     fn new(far: f64) -> Self {
-        Front { known: DVec3::ZERO, ratio: 0.0, across: -1.0, far }
+        EliminationFront { known: DVec3::ZERO, ratio: 0.0, across: -1.0, far }
     }
 
     /// Eliminates the next row, given the coefficients of the unknown reached, the next one and the
     /// one after. Returns the pivot and the multiplier.
     #[inline]
-    fn eliminate(&mut self, [behind, diagonal, ahead]: [f64; 3], known: DVec3) -> [f64; 2] {
+    fn eliminate_row(&mut self, [behind, diagonal, ahead]: [f64; 3], known: DVec3) -> [f64; 2] {
         let pivot = diagonal - behind * self.ratio;
         let scale = 1.0 / pivot;
         self.known = (known - self.known * behind) * scale;
@@ -68,11 +68,11 @@ impl Front {
         [pivot, behind * scale]
     }
 
-    /// Eliminates the next row like [`eliminate`](Self::eliminate), and carries the last unknown
-    /// along in this row and in the last row. Returns the pivot.
+    /// Eliminates the next row like [`eliminate_row`](Self::eliminate_row), and carries the last
+    /// unknown along in this row and in the last row. Returns the pivot.
     #[inline]
-    fn carry(&mut self, row: [f64; 3], known: DVec3, last: &mut (f64, DVec3)) -> f64 {
-        let [pivot, taken] = self.eliminate(row, known);
+    fn eliminate_row_with_last(&mut self, row: [f64; 3], known: DVec3, last: &mut (f64, DVec3)) -> f64 {
+        let [pivot, taken] = self.eliminate_row(row, known);
         self.across *= -taken;
         last.0 -= self.far * self.across;
         last.1 -= self.known * self.far;
@@ -82,7 +82,7 @@ impl Front {
 
     /// Returns true if the coefficients of the last unknown are negligible.
     fn is_decoupled_from_last(&self) -> bool {
-        self.across.abs() <= MAX_NEGLIGIBLE && self.far.abs() <= MAX_NEGLIGIBLE
+        self.across.abs() <= MAX_NEGLIGIBLE_COEFFICIENT && self.far.abs() <= MAX_NEGLIGIBLE_COEFFICIENT
     }
 }
 
@@ -108,20 +108,23 @@ pub fn solve_cyclic(
     };
     let [lower, diagonal, above] = row(n - 1, n - 2);
     let mut last = (diagonal, known(n - 1));
-    let (mut first_end, mut last_end) = (Front::new(above), Front::new(lower));
+    let (mut first_end, mut last_end) = (EliminationFront::new(above), EliminationFront::new(lower));
     let mut least = f64::INFINITY;
     // Eliminate rows 0 to n - 2, except the middle row, in pairs. If their number is odd, row 0
     // comes first.
     let (pairs, alone) = ((n - 2) / 2, n % 2);
     let middle = pairs + alone;
     if alone == 1 {
-        least = first_end.carry(forth(0), known(0), &mut last).abs();
+        least = first_end.eliminate_row_with_last(forth(0), known(0), &mut last).abs();
         (unknowns[0], upper[0], across[0]) = (first_end.known, first_end.ratio, first_end.across);
     }
     let mut carried = 0;
     while carried < pairs && !(first_end.is_decoupled_from_last() && last_end.is_decoupled_from_last()) {
         let (i, j) = (alone + carried, n - 2 - carried);
-        let pivots = [first_end.carry(forth(i), known(i), &mut last), last_end.carry(back(j), known(j), &mut last)];
+        let pivots = [
+            first_end.eliminate_row_with_last(forth(i), known(i), &mut last),
+            last_end.eliminate_row_with_last(back(j), known(j), &mut last),
+        ];
         least = least.min(pivots[0].abs()).min(pivots[1].abs());
         (unknowns[i], upper[i], across[i]) = (first_end.known, first_end.ratio, first_end.across);
         (unknowns[j], upper[j], across[j]) = (last_end.known, last_end.ratio, last_end.across);
@@ -129,7 +132,7 @@ pub fn solve_cyclic(
     }
     for k in carried..pairs {
         let (i, j) = (alone + k, n - 2 - k);
-        let [[p, _], [q, _]] = [first_end.eliminate(forth(i), known(i)), last_end.eliminate(back(j), known(j))];
+        let [[p, _], [q, _]] = [first_end.eliminate_row(forth(i), known(i)), last_end.eliminate_row(back(j), known(j))];
         least = least.min(p.abs()).min(q.abs());
         (unknowns[i], upper[i]) = (first_end.known, first_end.ratio);
         (unknowns[j], upper[j]) = (last_end.known, last_end.ratio);
@@ -159,7 +162,7 @@ pub fn solve_cyclic(
     if alone == 1 {
         unknowns[0] = unknowns[0] - after * upper[0] - end * across[0];
     }
-    least.min(pivot.abs()).min(last_pivot.abs()) > MIN_PIVOT
+    least.min(pivot.abs()).min(last_pivot.abs()) > MIN_PIVOT_MAGNITUDE
 }
 
 #[cfg(test)]

@@ -5,38 +5,42 @@
 //! 1953), but the rows are not dominant, and control points may lie far out. Joints next to such
 //! points return to 1/2. O(n) for each of at most 4 rounds.
 
-use super::equations;
+use super::control_equations;
 use super::lock::{self, LockWorkspace};
 use crate::curve::segment;
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::method::power;
 use crate::identify::report::PointStatus;
-use crate::identify::solution::Solution;
-use crate::identify::subcurve::{Output, Subcurve};
+use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
 /// The distance of a control point from its point, in sizes of the outline, beyond which it has run
 /// away. With middle joints it cannot be farther: the inverse of the equations has at most the norm
 /// 3.6, and in each coordinate points are at most 1/2 from the middle of the box.
-const MAX_CONTROL_DISTANCE: f64 = 4.0;
+const MAX_CONTROL_TO_POINT_DISTANCE: f64 = 4.0;
 
 /// The largest distance between the curve and a point that it passes, in sizes of the outline.
-const MAX_MISS: f64 = 1e-14;
+const MAX_POINT_MISS_DISTANCE: f64 = 1e-14;
 
 /// The rounds in which individual joints fall back, before all joints do.
 const MAX_FALLBACK_ROUNDS: u32 = 3;
 
 /// Finds the curve with joints by knots.
-pub(super) fn solve_by_knots(sub: &Subcurve<'_>, workspace: &mut LockWorkspace, out: &mut Output<'_>) -> Result<()> {
+pub(super) fn solve_by_knots(
+    sub: &Subcurve<'_>,
+    workspace: &mut LockWorkspace,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<()> {
     let n = sub.len();
-    workspace.solution.reset_joints(n)?;
-    let alpha = sub.options.method.alpha().unwrap_or(0.5);
+    workspace.solution.reset_joint_parameters(n)?;
+    let alpha = sub.options.method.chord_exponent().unwrap_or(0.5);
     let span = |i: usize| {
-        let [a, p, c] = sub.triple(i);
+        let [a, p, c] = sub.point_and_neighbours(i);
         power(a.distance(p), alpha) + power(p.distance(c), alpha)
     };
     for i in 0..n {
-        let next = sub.next(i);
+        let next = sub.next_index(i);
         let inner = sub.closed || (i > 0 && next > 1 && next < n - 1);
         if inner {
             let (here, there) = (span(i), span(next));
@@ -51,39 +55,39 @@ pub(super) fn solve_by_knots(sub: &Subcurve<'_>, workspace: &mut LockWorkspace, 
 pub(super) fn solve_with_fallback(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
-    out: &mut Output<'_>,
+    out: &mut SubcurveOutput<'_>,
 ) -> Result<bool> {
-    let none_runs_away = |solution: &Solution| !sub.sections().any(|i| has_run_away(sub, solution, i));
+    let none_runs_away = |solution: &CompositeSolution| !sub.section_indices().any(|i| has_run_away(sub, solution, i));
     for round in 0..=MAX_FALLBACK_ROUNDS {
-        let regular = equations::solve(sub, &mut workspace.solution)
+        let regular = control_equations::solve_control_points(sub, &mut workspace.solution)
             && none_runs_away(&workspace.solution)
-            && lock::solve(sub, workspace, out)?;
+            && lock::solve_lock(sub, workspace, out)?;
         if regular && none_runs_away(&workspace.solution) {
             return Ok(true);
         }
         let solution = &mut workspace.solution;
         let (n, all) = (sub.len(), !regular && round + 1 >= MAX_FALLBACK_ROUNDS);
-        let fallen = alloc::gather(sub.sections().filter(|&i| all || has_run_away(sub, solution, i)))?;
+        let fallen = alloc::gather(sub.section_indices().filter(|&i| all || has_run_away(sub, solution, i)))?;
         for i in fallen {
-            out.results[i].flag(PointStatus::JointFellBack);
+            out.results[i].flag_status(PointStatus::JointFellBack);
             solution.beta[i] = 0.5;
-            solution.beta[sub.previous(i)] = 0.5;
+            solution.beta[sub.previous_index(i)] = 0.5;
         }
         solution.t[..n].copy_from_slice(&solution.data_t[..n]);
     }
     // Even with middle joints the lock has no nearby solution, so use the lock by parameters
     // everywhere.
-    equations::solve(sub, &mut workspace.solution);
+    control_equations::solve_control_points(sub, &mut workspace.solution);
     Ok(false)
 }
 
 /// Returns true if the control point of a section is farther away than middle joints allow, or the
 /// section misses its point. Elimination may lose digits if rows are not dominant.
-fn has_run_away(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> bool {
+fn has_run_away(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> bool {
     let (p, b) = (sub.points[i], solution.controls[i]);
-    let section = [solution.joint(sub, sub.previous(i)), b, solution.joint(sub, i)];
-    let (away, miss) = (b.distance(p), segment::point(&section, solution.t[i]).distance(p));
-    away.is_nan() || away > MAX_CONTROL_DISTANCE * sub.size || miss > MAX_MISS * sub.size
+    let section = [solution.joint_point(sub, sub.previous_index(i)), b, solution.joint_point(sub, i)];
+    let (away, miss) = (b.distance(p), segment::point_at(&section, solution.t[i]).distance(p));
+    away.is_nan() || away > MAX_CONTROL_TO_POINT_DISTANCE * sub.size || miss > MAX_POINT_MISS_DISTANCE * sub.size
 }
 
 #[cfg(test)]
@@ -101,20 +105,20 @@ mod tests {
         let mut workspace = LockWorkspace::default();
         let (mut report, mut builder, job) = Default::default();
         let mut results = [PointResult::default(); 9];
-        workspace.solution.resize(9).unwrap();
+        workspace.solution.reserve_for_points(9).unwrap();
         workspace.solution.t.fill(0.4);
         workspace.solution.data_t.fill(0.4);
-        equations::solve(&sub, &mut workspace.solution);
+        control_equations::solve_control_points(&sub, &mut workspace.solution);
         let halves = workspace.solution.controls.clone();
-        workspace.solution.reset_joints(9).unwrap();
+        workspace.solution.reset_joint_parameters(9).unwrap();
         workspace.solution.beta[4] = f64::NAN;
-        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
+        let mut out = SubcurveOutput { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
         solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
         assert_eq!(workspace.solution.controls, halves);
         assert!(results.iter().all(|result| result.status == PointStatus::JointFellBack));
         // A runaway before the equations are solved is harmless.
         let mut results = [PointResult::default(); 9];
-        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
+        let mut out = SubcurveOutput { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
         workspace.solution.controls[4] = DVec3::splat(1e3);
         // Its neighbours then miss their points.
         assert!((0..9).all(|i| has_run_away(&sub, &workspace.solution, i) == (3..6).contains(&i)));

@@ -14,19 +14,19 @@
 //! Source: Nadopta, for sections and methods; the composite reading of a set of sections is ours.
 
 mod curvature;
-mod equations;
+mod control_equations;
 mod knot_joints;
 mod lock;
-mod rounds;
+mod lock_rounds;
 mod self_consistent;
 mod sweeps;
 
+use super::composite_solution::CompositeSolution;
 use super::identify_options::{JointParameter, Lock, Solver};
 use super::method::{Method, power};
 use super::report::{PointStatus, Report};
 use super::residuals::MaxJointSine;
-use super::solution::Solution;
-use super::subcurve::{Output, PointResult, Subcurve};
+use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use crate::curve::{Place, segment};
 use curvature::CurvatureJoints;
 use glam::DVec3;
@@ -42,66 +42,74 @@ pub(super) struct CompositeWorkspace {
 
 impl CompositeWorkspace {
     /// Returns the unknowns; other kinds of curves use the lists for their own.
-    pub(super) fn solution(&mut self) -> &mut Solution {
+    pub(super) fn solution(&mut self) -> &mut CompositeSolution {
         &mut self.lock.solution
     }
 }
 
 /// Appends the composite curve of a subcurve's points.
-pub(super) fn append(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out: &mut Output<'_>) -> Result<()> {
-    solve(sub, workspace, out)?;
+pub(super) fn append_composite_curve(
+    sub: &Subcurve<'_>,
+    workspace: &mut CompositeWorkspace,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<()> {
+    solve_composite_curve(sub, workspace, out)?;
     let solution = workspace.solution();
     if !solution.handles.is_empty() {
-        return append_cubics(sub, solution, out);
+        return append_cubic_sections(sub, solution, out);
     }
     if !sub.closed {
-        return append_open(sub, solution, out);
+        return append_open_quadratics(sub, solution, out);
     }
     let places = (0..).zip(&solution.t).map(|(segment, &t)| Place { segment, t });
     out.results.iter_mut().zip(places).for_each(|(result, place)| result.place = place);
-    write_closed(sub, solution, |p| p, out.builder.closed_quadratics(sub.len())?, out.report);
+    write_closed_curve(sub, solution, |p| p, out.builder.allocate_closed_quadratics(sub.len())?, out.report);
     Ok(())
 }
 
 /// Finds parameters, joint parameters and control points.
-pub(super) fn solve(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out: &mut Output<'_>) -> Result<()> {
+pub(super) fn solve_composite_curve(
+    sub: &Subcurve<'_>,
+    workspace: &mut CompositeWorkspace,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<()> {
     let CompositeWorkspace { lock: workspace, joints } = workspace;
     let (n, solution, options) = (sub.len(), &mut workspace.solution, sub.options);
-    solution.resize(n)?;
+    solution.reserve_for_points(n)?;
     solution.beta.clear();
     solution.handles.clear();
-    find_parameters(sub, solution, out.results);
-    equations::solve(sub, solution);
+    find_section_parameters(sub, solution, out.results);
+    control_equations::solve_control_points(sub, solution);
     if (options.lock, options.joint, options.solver) == (Lock::Parameter, JointParameter::Half, Solver::Fast) {
         return Ok(());
     }
     solution.data_t[..n].copy_from_slice(&solution.t[..n]);
     match options.joint {
-        JointParameter::Half => lock::solve(sub, workspace, out).map(|_| ()),
+        JointParameter::Half => lock::solve_lock(sub, workspace, out).map(|_| ()),
         JointParameter::Knot => knot_joints::solve_by_knots(sub, workspace, out),
-        JointParameter::G2 => curvature::solve_by_curvatures(sub, workspace, joints, out),
+        JointParameter::G2 => curvature::solve_with_continuous_curvature(sub, workspace, joints, out),
     }
 }
 
 /// The parameters of the points by the method on the data's own triangles, within the limits.
-fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) {
+fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut CompositeSolution, results: &mut [PointResult]) {
     let options = sub.options;
-    let [low, high] = sub.parameter_range();
+    let [low, high] = sub.section_parameter_range();
     let enter = |t: f64, parameter: &mut f64, result: &mut PointResult| {
         *parameter = t.clamp(low, high);
         if options.lock == Lock::Parameter && !(low..=high).contains(&t) {
-            result.flag(PointStatus::ClampedParameter);
+            result.flag_status(PointStatus::ClampedParameter);
         }
     };
-    let sections = sub.sections();
-    let Some(alpha) = options.method.alpha() else {
+    let sections = sub.section_indices();
+    let Some(alpha) = options.method.chord_exponent() else {
         for i in sections {
-            let [a, p, c] = sub.triple(i);
-            let t = options.method.parameter(a, p, c).or_else(|status| {
+            let [a, p, c] = sub.point_and_neighbours(i);
+            let t = options.method.section_parameter(a, p, c).or_else(|status| {
                 if options.lock == Lock::Parameter {
-                    results[i].flag(status);
+                    results[i].flag_status(status);
                 }
-                Method::Bisector.parameter(a, p, c)
+                Method::Bisector.section_parameter(a, p, c)
             });
             enter(t.unwrap_or(0.5), &mut solution.t[i], &mut results[i]);
         }
@@ -128,7 +136,7 @@ fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [P
     let mut all_allowed = true;
     let (first, last) = (sections.start, sections.end);
     for i in first..last {
-        let (before, after) = (chords[i], chords[sub.next(i)]);
+        let (before, after) = (chords[i], chords[sub.next_index(i)]);
         let t = before / (before + after);
         all_allowed &= (low..=high).contains(&t);
         solution.t[i] = t;
@@ -141,26 +149,30 @@ fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [P
 }
 
 /// Appends the segments of an open subcurve, and stores the places of the points.
-fn append_open(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
-    let Output { results, builder, .. } = out;
+fn append_open_quadratics(
+    sub: &Subcurve<'_>,
+    solution: &CompositeSolution,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<()> {
+    let SubcurveOutput { results, builder, .. } = out;
     let first = builder.len() as u32;
     let last = sub.len() - 1;
     let ends = sub.end_controls();
-    builder.begin(sub.points[0])?;
+    builder.begin_at_point(sub.points[0])?;
     results[0].place = Place { segment: first, t: 0.0 };
     match (last, ends) {
-        (1, [None, None]) => builder.push(&[sub.points[1]])?,
-        (1, [Some(control), None] | [None, Some(control)]) => builder.push(&[control, sub.points[1]])?,
+        (1, [None, None]) => builder.push_segment(&[sub.points[1]])?,
+        (1, [Some(control), None] | [None, Some(control)]) => builder.push_segment(&[control, sub.points[1]])?,
         _ => {
             if let Some(control) = ends[0] {
-                builder.push(&[control, solution.joint(sub, 0)])?;
+                builder.push_segment(&[control, solution.joint_point(sub, 0)])?;
             }
-            for i in sub.sections() {
+            for i in sub.section_indices() {
                 results[i].place = Place { segment: builder.len() as u32, t: solution.t[i] };
-                builder.push(&[solution.controls[i], solution.joint(sub, i)])?;
+                builder.push_segment(&[solution.controls[i], solution.joint_point(sub, i)])?;
             }
             if let Some(control) = ends[1] {
-                builder.push(&[control, sub.points[last]])?;
+                builder.push_segment(&[control, sub.points[last]])?;
             }
         }
     }
@@ -169,8 +181,8 @@ fn append_open(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) ->
 }
 
 /// Appends the segments of a subcurve of cubic sections, and stores the places of the points.
-fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
-    let Output { results, builder, .. } = out;
+fn append_cubic_sections(sub: &Subcurve<'_>, solution: &CompositeSolution, out: &mut SubcurveOutput<'_>) -> Result<()> {
+    let SubcurveOutput { results, builder, .. } = out;
     let (n, ends) = (sub.len(), sub.end_controls());
     let last = n - 1;
     let of_section = |i: usize, first: DVec3, joint: DVec3| {
@@ -179,46 +191,46 @@ fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) 
         let on = |from: DVec3, part: f64| if part == 1.0 { control } else { from + (control - from) * part };
         [on(first, lambda), on(joint, mu), joint]
     };
-    let mut from = if sub.closed { solution.joint(sub, last) } else { sub.points[0] };
+    let mut from = if sub.closed { solution.joint_point(sub, last) } else { sub.points[0] };
     let start = from;
-    builder.begin(from)?;
+    builder.begin_at_point(from)?;
     if !sub.closed {
         results[0].place = Place { segment: builder.len() as u32, t: 0.0 };
         if ends[0].is_some() {
-            let joint = solution.joint(sub, 0);
-            builder.push(&of_section(0, from, joint))?;
+            let joint = solution.joint_point(sub, 0);
+            builder.push_segment(&of_section(0, from, joint))?;
             from = joint;
         }
     }
-    for i in sub.sections() {
-        let joint = if sub.closed && i == last { start } else { solution.joint(sub, i) };
+    for i in sub.section_indices() {
+        let joint = if sub.closed && i == last { start } else { solution.joint_point(sub, i) };
         results[i].place = Place { segment: builder.len() as u32, t: solution.t[i] };
-        builder.push(&of_section(i, from, joint))?;
+        builder.push_segment(&of_section(i, from, joint))?;
         from = joint;
     }
     if !sub.closed {
         if ends[1].is_some() {
-            builder.push(&of_section(last, from, sub.points[last]))?;
+            builder.push_segment(&of_section(last, from, sub.points[last]))?;
         }
         results[last].place = Place { segment: builder.len() as u32 - 1, t: 1.0 };
     }
     Ok(())
 }
 
-/// Writes the control points of a closed subcurve, each p as `place(p)`: two for each point and one
-/// more. Section i is segment i. Measures the curve at the same time; see
-/// [`measure`](super::residuals::measure).
-pub(super) fn write_closed(
+/// Writes the control points of a closed subcurve, each p as `map_point(p)`: two for each point and
+/// one more. Section i is segment i. Measures the curve at the same time; see
+/// [`measure_residuals`](super::residuals::measure_residuals).
+pub(super) fn write_closed_curve(
     sub: &Subcurve<'_>,
-    solution: &Solution,
-    place: impl Fn(DVec3) -> DVec3,
+    solution: &CompositeSolution,
+    map_point: impl Fn(DVec3) -> DVec3,
     out: &mut [DVec3],
     report: &mut Report,
 ) {
     let n = sub.len();
-    let start = solution.joint(sub, n - 1);
+    let start = solution.joint_point(sub, n - 1);
     let (first, rest) = out.split_at_mut(1);
-    first[0] = place(start);
+    first[0] = map_point(start);
     let controls = &solution.controls[..n];
     let following = controls[1..].iter().chain(&controls[..1]);
     let known = sub.points.iter().zip(controls).zip(following).zip(&solution.t);
@@ -226,9 +238,9 @@ pub(super) fn write_closed(
     for (i, (segment, (((&p, &control), &next), &t))) in rest.as_chunks_mut::<2>().0.iter_mut().zip(known).enumerate() {
         let beta = if solution.beta.is_empty() { 0.5 } else { solution.beta[i] };
         let end = if i + 1 == n { start } else { control + (next - control) * beta };
-        *segment = [place(control), place(end)];
-        farthest = farthest.max(segment::point(&[joint, control, end], t).distance_squared(p));
-        angle.add(end - control, next - end);
+        *segment = [map_point(control), map_point(end)];
+        farthest = farthest.max(segment::point_at(&[joint, control, end], t).distance_squared(p));
+        angle.add_joint(end - control, next - end);
         joint = end;
     }
     report.max_residual = farthest.sqrt() / sub.size;

@@ -19,13 +19,13 @@
 //!
 //! Source: ours.
 
-use super::equations;
-use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
+use super::control_equations;
+use super::lock_rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::identify_options::Options;
 use crate::identify::method::{Method, power};
 use crate::identify::report::{FitStatus, PointStatus};
-use crate::identify::solution::Solution;
-use crate::identify::subcurve::{Output, Subcurve};
+use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -34,25 +34,25 @@ use gusset_base::job::Job;
 /// The number of rows of a closed subcurve that are repeated before its first and after its last.
 /// The influence of a row fades by a factor of about 0.2 from one to the next. The remainder makes
 /// Newton's step inexact, but not the solution. With the symmedian it fades slowly, so the overlap
-/// doubles every few iterations, up to [`MAX_OVERLAP`].
-const MIN_OVERLAP: usize = 8;
+/// doubles every few iterations, up to [`MAX_REPEATED_ROWS_PER_END`].
+const MIN_REPEATED_ROWS_PER_END: usize = 8;
 
-const MAX_OVERLAP: usize = MIN_OVERLAP << 6;
+const MAX_REPEATED_ROWS_PER_END: usize = MIN_REPEATED_ROWS_PER_END << 6;
 
 /// Below a step of this, times the size, the next Newton step would be within rounding.
-const MAX_LAST_STEP: f64 = 1e-6;
+const MAX_RELATIVE_LAST_STEP: f64 = 1e-6;
 
 /// The maximum number of times that a step is halved.
-const MAX_HALVINGS: u32 = 4;
+const MAX_STEP_HALVINGS: u32 = 4;
 
 /// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 14;
 
-const STAGE: &str = "making parameters self-consistent";
+const PROGRESS_STAGE: &str = "making parameters self-consistent";
 
 /// One row of the linear equations of Newton's step.
 #[derive(Clone, Copy)]
-pub(super) struct Row<const D: usize> {
+pub(super) struct NewtonRow<const D: usize> {
     /// The factors of B_(i-1), B_i and B_(i+1) in F_i for a fixed t_i.
     factors: [f64; 3],
     /// The gradients of t_i with respect to B_(i-1), B_i and B_(i+1).
@@ -65,52 +65,57 @@ pub(super) struct Row<const D: usize> {
 
 /// The workspace of Newton's method in D dimensions.
 #[derive(Default)]
-pub(super) struct Newton<const D: usize> {
-    rows: Vec<Row<D>>,
+pub(super) struct SelfConsistentNewton<const D: usize> {
+    rows: Vec<NewtonRow<D>>,
     upper: Vec<[[f64; D]; D]>,
     right: Vec<[f64; D]>,
     step: Vec<[f64; D]>,
 }
 
 /// Returns true if points and control points lie in the plane z = 0.
-pub(super) fn is_planar(sub: &Subcurve<'_>, solution: &Solution) -> bool {
+pub(super) fn is_in_xy_plane(sub: &Subcurve<'_>, solution: &CompositeSolution) -> bool {
     sub.points.iter().chain(&solution.controls[..sub.len()]).all(|p| p.z == 0.0)
 }
 
-impl<const D: usize> Newton<D> {
+impl<const D: usize> SelfConsistentNewton<D> {
     /// Finds the self-consistent parameters and control points, starting from control points that
     /// solve the linear equations. Returns false if the equations become singular, which requires
     /// joint parameters other than 1/2.
-    pub(super) fn solve(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
+    pub(super) fn solve_self_consistent(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut CompositeSolution,
+        out: &mut SubcurveOutput<'_>,
+    ) -> Result<bool> {
         let n = sub.len();
-        let length = n + if sub.closed { 2 * MAX_OVERLAP } else { 0 };
-        let empty = Row { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] };
+        let length = n + if sub.closed { 2 * MAX_REPEATED_ROWS_PER_END } else { 0 };
+        let empty = NewtonRow { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] };
         alloc::grow(&mut self.rows, n, empty)?;
         alloc::grow(&mut self.upper, length, [[0.0; D]; D])?;
         alloc::grow(&mut self.right, length, [0.0; D])?;
         alloc::grow(&mut self.step, n, [0.0; D])?;
         let mut regular = true;
         for round in 0..=MAX_FALLBACK_ROUNDS {
-            if self.converge(sub, solution, out, max_iterations(sub, out.report, round))? {
+            if self.iterate_until_converged(sub, solution, out, max_iterations_of_round(sub, out.report, round))? {
                 break;
             }
             // Points that still move fall back; in the last round all do.
             out.report.status = FitStatus::NotConverged;
-            for i in sub.sections() {
-                let t = section_parameter(sub, solution, i);
+            for i in sub.section_indices() {
+                let t = parameter_on_section(sub, solution, i);
                 if round == MAX_FALLBACK_ROUNDS - 1 || (t - solution.t[i]).abs() > sub.options.tolerance {
                     solution.fell_back[i] = true;
                     solution.t[i] = solution.data_t[i];
-                    out.results[i].flag(PointStatus::FellBack);
+                    out.results[i].flag_status(PointStatus::FellBack);
                 }
             }
-            regular = equations::solve(sub, solution);
+            regular = control_equations::solve_control_points(sub, solution);
         }
-        let [low, high] = sub.parameter_range();
-        for i in sub.sections() {
+        let [low, high] = sub.section_parameter_range();
+        for i in sub.section_indices() {
             let free = low < solution.t[i] && solution.t[i] < high;
             if !free && !solution.fell_back[i] {
-                out.results[i].flag(PointStatus::ClampedParameter);
+                out.results[i].flag_status(PointStatus::ClampedParameter);
             }
         }
         Ok(regular)
@@ -118,39 +123,39 @@ impl<const D: usize> Newton<D> {
 
     /// Iterates until the control points converge. They finally solve the linear equations for the
     /// parameters.
-    fn converge(
+    fn iterate_until_converged(
         &mut self,
         sub: &Subcurve<'_>,
-        solution: &mut Solution,
-        out: &mut Output<'_>,
-        count: u32,
+        solution: &mut CompositeSolution,
+        out: &mut SubcurveOutput<'_>,
+        max_iterations: u32,
     ) -> Result<bool> {
         let (report, job) = (&mut *out.report, out.job);
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
         let (mut smallest, mut scale, mut halvings) = (f64::INFINITY, 0.0, 0);
-        for sweep in 0..count {
-            let overlap = (MIN_OVERLAP << (sweep / 4).min(8)).min(MAX_OVERLAP);
-            let mut sum = self.evaluate(sub, solution, job)?;
-            while sum > smallest && halvings < MAX_HALVINGS {
+        for sweep in 0..max_iterations {
+            let overlap = (MIN_REPEATED_ROWS_PER_END << (sweep / 4).min(8)).min(MAX_REPEATED_ROWS_PER_END);
+            let mut sum = self.evaluate_rows(sub, solution, job)?;
+            while sum > smallest && halvings < MAX_STEP_HALVINGS {
                 halvings += 1;
                 scale *= 0.5;
-                self.add_step(sub, solution, -scale);
-                sum = self.evaluate(sub, solution, job)?;
+                self.add_scaled_step(sub, solution, -scale);
+                sum = self.evaluate_rows(sub, solution, job)?;
             }
             report.iterations += 1;
-            if sum > smallest || !self.eliminate(sub, overlap, job)? {
+            if sum > smallest || !self.compute_newton_step(sub, overlap, job)? {
                 // The fixed-point map itself, which need not make F smaller.
-                equations::solve(sub, solution);
+                control_equations::solve_control_points(sub, solution);
                 (smallest, scale, halvings) = (f64::INFINITY, 0.0, 0);
                 continue;
             }
             (smallest, scale, halvings) = (sum, 1.0, 0);
-            let farthest = self.add_step(sub, solution, 1.0);
-            report.end_cycle(farthest / sub.size)?;
-            if farthest <= MAX_LAST_STEP * sub.size {
+            let farthest = self.add_scaled_step(sub, solution, 1.0);
+            report.record_cycle(farthest / sub.size)?;
+            if farthest <= MAX_RELATIVE_LAST_STEP * sub.size {
                 solution.save_controls();
-                apply_map(sub, solution);
-                let moves = sub.sections().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
+                apply_fixed_point_map(sub, solution);
+                let moves = sub.section_indices().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
                 report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.size;
                 if report.last_move * sub.size <= tolerance {
                     return Ok(true);
@@ -158,53 +163,53 @@ impl<const D: usize> Newton<D> {
                 smallest = f64::INFINITY;
             }
         }
-        apply_map(sub, solution);
+        apply_fixed_point_map(sub, solution);
         Ok(false)
     }
 
     /// Evaluates all rows. Returns the sum of the squares of the F_i.
-    fn evaluate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, job: &Job<'_>) -> Result<f64> {
+    fn evaluate_rows(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution, job: &Job<'_>) -> Result<f64> {
         let mut sum = 0.0;
-        for i in sub.sections() {
-            job.step_every(POINTS_PER_REPORT, i, sub.len(), STAGE)?;
-            let [b, u, v] = solution.legs(sub, i);
+        for i in sub.section_indices() {
+            job.step_every(POINTS_PER_REPORT, i, sub.len(), PROGRESS_STAGE)?;
+            let [b, u, v] = solution.control_and_joints_relative_to_point(sub, i);
             let (t, gradients) = match solution.fell_back[i] {
                 true => (solution.data_t[i], [DVec3::ZERO; 2]),
-                false => parameter(sub.options, u, v),
+                false => parameter_and_gradients(sub.options, u, v),
             };
             solution.t[i] = t;
             let s = 1.0 - t;
             let value = u * (s * s) + b * (2.0 * t * s) + v * (t * t);
             sum += value.length_squared();
-            let (before, after) = (solution.joints[sub.previous(i)], solution.joints[i]);
-            self.rows[i] = Row {
-                factors: equations::row(t, before, after),
+            let (before, after) = (solution.joints[sub.previous_index(i)], solution.joints[i]);
+            self.rows[i] = NewtonRow {
+                factors: control_equations::control_point_coefficients(t, before, after),
                 gradients: [
-                    truncate(gradients[0] * (1.0 - before)),
-                    truncate(gradients[0] * before + gradients[1] * (1.0 - after)),
-                    truncate(gradients[1] * after),
+                    truncate_to_dimension(gradients[0] * (1.0 - before)),
+                    truncate_to_dimension(gradients[0] * before + gradients[1] * (1.0 - after)),
+                    truncate_to_dimension(gradients[1] * after),
                 ],
-                derivative: truncate(((b - u) * s + (v - b) * t) * 2.0),
-                value: truncate(value),
+                derivative: truncate_to_dimension(((b - u) * s + (v - b) * t) * 2.0),
+                value: truncate_to_dimension(value),
             };
         }
         Ok(sum)
     }
 
     /// Computes Newton's step. Returns false if the equations are singular.
-    fn eliminate(&mut self, sub: &Subcurve<'_>, overlap: usize, job: &Job<'_>) -> Result<bool> {
+    fn compute_newton_step(&mut self, sub: &Subcurve<'_>, repeated_rows: usize, job: &Job<'_>) -> Result<bool> {
         let n = sub.len();
         // The rows in order; for a closed subcurve with its overlap.
         let (count, from) = match sub.closed {
-            true => (n + 2 * overlap, n * overlap.div_ceil(n) - overlap),
-            false => (sub.sections().len(), 1),
+            true => (n + 2 * repeated_rows, n * repeated_rows.div_ceil(n) - repeated_rows),
+            false => (sub.section_indices().len(), 1),
         };
         let mut at = from;
         let (mut above, mut right) = ([[0.0; D]; D], [0.0; D]);
         for k in 0..count {
-            job.step_every(POINTS_PER_REPORT, k, count, STAGE)?;
+            job.step_every(POINTS_PER_REPORT, k, count, PROGRESS_STAGE)?;
             let row = &self.rows[at];
-            at = sub.next(at);
+            at = sub.next_index(at);
             // D_k - L_k U_(k-1), and the right side -F_k - L_k y_(k-1), with L = a + q g^T.
             let [lower, middle, upper] = row.factors;
             let [g, h, l] = &row.gradients;
@@ -220,7 +225,7 @@ impl<const D: usize> Newton<D> {
                 block[r][r] += middle;
                 value[r] = -row.value[r] - lower * right[r] - q[r] * across;
             }
-            let Some(inverse) = inverse(&block) else { return Ok(false) };
+            let Some(inverse) = inverse_matrix(&block) else { return Ok(false) };
             let coupling: [[f64; D]; D] =
                 std::array::from_fn(|r| std::array::from_fn(|c| q[r] * l[c] + if r == c { upper } else { 0.0 }));
             for r in 0..D {
@@ -240,7 +245,7 @@ impl<const D: usize> Newton<D> {
                 std::array::from_fn(|r| self.right[k][r] - (0..D).map(|c| upper[r][c] * next[c]).sum::<f64>());
             next = here;
             match sub.closed {
-                true if (overlap..overlap + n).contains(&k) => self.step[k - overlap] = next,
+                true if (repeated_rows..repeated_rows + n).contains(&k) => self.step[k - repeated_rows] = next,
                 true => {}
                 false => self.step[k + 1] = next,
             }
@@ -250,9 +255,9 @@ impl<const D: usize> Newton<D> {
     }
 
     /// Adds the step, times `scale`, to the control points. Returns the largest move.
-    fn add_step(&self, sub: &Subcurve<'_>, solution: &mut Solution, scale: f64) -> f64 {
+    fn add_scaled_step(&self, sub: &Subcurve<'_>, solution: &mut CompositeSolution, scale: f64) -> f64 {
         let mut farthest = 0.0f64;
-        for i in sub.sections() {
+        for i in sub.section_indices() {
             let mut step = [0.0; 3];
             step[..D].copy_from_slice(&self.step[i]);
             let step = DVec3::from_array(step) * scale;
@@ -264,20 +269,20 @@ impl<const D: usize> Newton<D> {
 }
 
 /// Reads off the parameters and solves for the control points: the fixed-point map.
-fn apply_map(sub: &Subcurve<'_>, solution: &mut Solution) {
-    for i in sub.sections() {
-        solution.t[i] = section_parameter(sub, solution, i);
+fn apply_fixed_point_map(sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
+    for i in sub.section_indices() {
+        solution.t[i] = parameter_on_section(sub, solution, i);
     }
-    equations::solve(sub, solution);
+    control_equations::solve_control_points(sub, solution);
 }
 
 /// Returns the parameter of point `i` on its current section.
-fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
+fn parameter_on_section(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> f64 {
     if solution.fell_back[i] {
         return solution.data_t[i];
     }
-    let [_, u, v] = solution.legs(sub, i);
-    parameter(sub.options, u, v).0
+    let [_, u, v] = solution.control_and_joints_relative_to_point(sub, i);
+    parameter_and_gradients(sub.options, u, v).0
 }
 
 /// Returns the parameter on the section with the joints `u` and `v`, relative to the point, and its
@@ -288,9 +293,9 @@ fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
 /// parts x = -u.(v - u) and y = v.(v - u) of the chord. A foot outside the chord counts as its
 /// nearer end, which keeps the parameter continuous.
 #[inline(always)]
-pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 2]) {
+pub(super) fn parameter_and_gradients(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 2]) {
     let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
-    let (t, parts, alpha) = match options.method.alpha() {
+    let (t, parts, alpha) = match options.method.chord_exponent() {
         Some(alpha) => {
             let parts = [u.length_squared(), v.length_squared()];
             let [before, after] = parts.map(|part| power(part.sqrt(), alpha));
@@ -315,14 +320,14 @@ pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 
 }
 
 #[inline]
-fn truncate<const D: usize>(v: DVec3) -> [f64; D] {
+fn truncate_to_dimension<const D: usize>(v: DVec3) -> [f64; D] {
     let all = v.to_array();
     std::array::from_fn(|k| all[k])
 }
 
 /// Returns the inverse of a matrix of 2 or 3 rows, by its adjugate.
 #[inline(always)]
-fn inverse<const D: usize>(m: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
+fn inverse_matrix<const D: usize>(m: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
     let mut adjoint = [[0.0; D]; D];
     let determinant = if D == 2 {
         adjoint[0][0] = m[1][1];
@@ -352,30 +357,34 @@ mod tests {
         let (u, v) = (DVec3::new(-1.0, 0.3, 0.2), DVec3::new(0.7, 0.4, -0.5));
         for method in [Method::Bisector, Method::Symmedian, Method::Alpha(0.3), Method::Normal] {
             let options = Options { method, ..Options::default() };
-            let (_, gradients) = parameter(&options, u, v);
+            let (_, gradients) = parameter_and_gradients(&options, u, v);
             for axis in DVec3::AXES {
                 let h = axis * 1e-6;
-                let by_u = (parameter(&options, u + h, v).0 - parameter(&options, u - h, v).0) / 2e-6;
-                let by_v = (parameter(&options, u, v + h).0 - parameter(&options, u, v - h).0) / 2e-6;
+                let by_u = (parameter_and_gradients(&options, u + h, v).0
+                    - parameter_and_gradients(&options, u - h, v).0)
+                    / 2e-6;
+                let by_v = (parameter_and_gradients(&options, u, v + h).0
+                    - parameter_and_gradients(&options, u, v - h).0)
+                    / 2e-6;
                 assert!((gradients[0].dot(axis) - by_u).abs() < 1e-9, "{method:?} {by_u} {:?}", gradients[0]);
                 assert!((gradients[1].dot(axis) - by_v).abs() < 1e-9, "{method:?} {by_v} {:?}", gradients[1]);
             }
         }
         // At the limits, and where all points coincide.
         let options = Options::default();
-        assert_eq!(parameter(&options, DVec3::ZERO, v), (1.0 / 6.0, [DVec3::ZERO; 2]));
-        assert_eq!(parameter(&options, DVec3::ZERO, DVec3::ZERO), (0.5, [DVec3::ZERO; 2]));
+        assert_eq!(parameter_and_gradients(&options, DVec3::ZERO, v), (1.0 / 6.0, [DVec3::ZERO; 2]));
+        assert_eq!(parameter_and_gradients(&options, DVec3::ZERO, DVec3::ZERO), (0.5, [DVec3::ZERO; 2]));
     }
 
     #[test]
     fn inverse_times_matrix_is_the_identity() {
         let m = [[2.0, 1.0, 0.0], [0.5, 3.0, 1.0], [1.0, 0.0, 1.5]];
-        let inverse3 = inverse(&m).unwrap();
+        let inverse3 = inverse_matrix(&m).unwrap();
         for (r, row) in m.iter().enumerate() {
             let product: [f64; 3] = std::array::from_fn(|c| (0..3).map(|k| row[k] * inverse3[k][c]).sum());
             assert!((0..3).all(|c| (product[c] - f64::from(u8::from(r == c))).abs() < 1e-15), "{product:?}");
         }
-        assert_eq!(inverse(&[[2.0, 0.0], [1.0, 4.0]]).unwrap(), [[0.5, 0.0], [-0.125, 0.25]]);
-        assert!(inverse(&[[1.0, 2.0], [2.0, 4.0]]).is_none());
+        assert_eq!(inverse_matrix(&[[2.0, 0.0], [1.0, 4.0]]).unwrap(), [[0.5, 0.0], [-0.125, 0.25]]);
+        assert!(inverse_matrix(&[[1.0, 2.0], [2.0, 4.0]]).is_none());
     }
 }

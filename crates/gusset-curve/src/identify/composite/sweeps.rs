@@ -17,16 +17,16 @@
 //! Hence t does not depend on the position of B_i on the guide. If both neighbours are on one side,
 //! the section does not cross the guide. O(n) for each sweep.
 
-use super::equations;
-use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
+use super::control_equations;
+use super::lock_rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
 use super::self_consistent;
-use crate::identify::guide::{guide, plane_normal};
+use crate::identify::composite_solution::CompositeSolution;
+use crate::identify::guide::{guide_direction, subcurve_plane_normal};
 use crate::identify::identify_options::{Lock, Solver};
 use crate::identify::method::Method;
-use crate::identify::report::{Account, FitStatus, PointStatus};
-use crate::identify::solution::Solution;
+use crate::identify::report::{FitStatus, PointStatus, ReportInProgress};
 use crate::identify::stepping;
-use crate::identify::subcurve::{Output, PointResult, Subcurve};
+use crate::identify::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -43,21 +43,25 @@ const MAX_SWEEPS_WITHOUT_CROSSING: u32 = 24;
 /// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 14;
 
-const STAGE: &str = "placing control points";
+const PROGRESS_STAGE: &str = "placing control points";
 
 /// Solves by sweeps, starting from control points that solve the linear equations. Returns false if
 /// the equations become singular, which requires joint parameters other than 1/2.
-pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
-    start(sub, solution, out.results)?;
+pub(super) fn solve_by_sweeps(
+    sub: &Subcurve<'_>,
+    solution: &mut CompositeSolution,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<bool> {
+    start_sweeps(sub, solution, out.results)?;
     let lock = sub.options.lock;
     for round in 0..=MAX_FALLBACK_ROUNDS {
-        let rests = converge(sub, solution, out, max_iterations(sub, out.report, round))?;
-        for i in sub.sections() {
+        let rests = sweep_until_converged(sub, solution, out, max_iterations_of_round(sub, out.report, round))?;
+        for i in sub.section_indices() {
             let moves = solution.controls[i].distance(solution.previous[i]) > sub.options.tolerance * sub.size;
             let fails = !rests && (moves || round + 1 >= MAX_FALLBACK_ROUNDS) && lock != Lock::Parameter;
             if fails && !solution.fell_back[i] {
                 solution.fell_back[i] = true;
-                out.results[i].flag(PointStatus::FellBack);
+                out.results[i].flag_status(PointStatus::FellBack);
                 out.report.status = FitStatus::NotConverged;
             }
             if solution.fell_back[i] {
@@ -69,13 +73,15 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outpu
         }
     }
     // With the current parameters, the curve passes the points exactly.
-    let regular = equations::solve(sub, solution);
-    let [low, high] = sub.parameter_range();
-    for i in sub.sections() {
+    let regular = control_equations::solve_control_points(sub, solution);
+    let [low, high] = sub.section_parameter_range();
+    for i in sub.section_indices() {
         match lock {
-            _ if solution.fell_back[i] || solution.missed_guide[i] => out.results[i].flag(PointStatus::NoCrossing),
+            _ if solution.fell_back[i] || solution.missed_guide[i] => {
+                out.results[i].flag_status(PointStatus::NoCrossing)
+            }
             Lock::SelfConsistent if !(low < solution.t[i] && solution.t[i] < high) => {
-                out.results[i].flag(PointStatus::ClampedParameter);
+                out.results[i].flag_status(PointStatus::ClampedParameter);
             }
             _ => {}
         }
@@ -84,10 +90,10 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outpu
 }
 
 /// Moves the control points to the start of the sweeps.
-fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
+fn start_sweeps(sub: &Subcurve<'_>, solution: &mut CompositeSolution, results: &mut [PointResult]) -> Result<()> {
     if sub.options.lock == Lock::DataGuide {
-        find_guides(sub, solution, results)?;
-        for i in sub.sections() {
+        find_guide_directions(sub, solution, results)?;
+        for i in sub.section_indices() {
             if !solution.fell_back[i] {
                 // The nearest place on the guide.
                 let (p, guide) = (sub.points[i], solution.guides[i]);
@@ -96,7 +102,7 @@ fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult
         }
     } else if sub.options.solver == Solver::Step {
         // The paper starts at the points.
-        for i in sub.sections() {
+        for i in sub.section_indices() {
             solution.controls[i] = sub.points[i];
         }
     }
@@ -106,27 +112,32 @@ fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult
 /// Sweeps until neither the moves nor their predicted sum exceed the tolerance. Moves that shrink
 /// by a ratio r sum up to r / (1 - r) of the last one. Keeps the control points before the last
 /// sweep.
-fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, count: u32) -> Result<bool> {
+fn sweep_until_converged(
+    sub: &Subcurve<'_>,
+    solution: &mut CompositeSolution,
+    out: &mut SubcurveOutput<'_>,
+    max_sweeps: u32,
+) -> Result<bool> {
     let (report, n) = (&mut *out.report, sub.len());
     let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
     let rounding = 16.0 * f64::EPSILON * sub.size;
     let (mut last, mut placed) = (f64::INFINITY, 0_usize);
-    for sweep in 0..count {
+    for sweep in 0..max_sweeps {
         report.iterations += 1;
         solution.save_controls();
         let (mut farthest, mut all_placed) = (0.0f64, true);
-        for i in sub.sections() {
+        for i in sub.section_indices() {
             // Counts over all sweeps, because few points may take many sweeps.
             if placed.is_multiple_of(POINTS_PER_REPORT) {
-                out.job.step(i as f64 / n as f64, STAGE)?;
+                out.job.step(i as f64 / n as f64, PROGRESS_STAGE)?;
             }
             placed += 1;
             let before = solution.controls[i];
-            all_placed &= place(sub, solution, (sweep, i), report, out.job)?;
+            all_placed &= place_control_point(sub, solution, (sweep, i), report, out.job)?;
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
         let farthest = farthest.sqrt();
-        report.end_cycle(farthest / sub.size)?;
+        report.record_cycle(farthest / sub.size)?;
         let ratio = farthest / last;
         last = farthest;
         let rests = farthest <= rounding || farthest * ratio <= tolerance * (1.0 - ratio);
@@ -138,20 +149,20 @@ fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, c
 }
 
 /// Places one control point. Returns false if the steps are used up.
-fn place(
+fn place_control_point(
     sub: &Subcurve<'_>,
-    solution: &mut Solution,
+    solution: &mut CompositeSolution,
     (sweep, i): (u32, usize),
-    report: &mut Account,
+    report: &mut ReportInProgress,
     job: &Job<'_>,
 ) -> Result<bool> {
-    let [b, u, v] = solution.legs(sub, i);
+    let [b, u, v] = solution.control_and_joints_relative_to_point(sub, i);
     let mut guide = None;
     let t = match sub.options.lock {
         _ if solution.fell_back[i] => solution.data_t[i],
         Lock::Parameter => solution.data_t[i],
-        Lock::SelfConsistent => self_consistent::parameter(sub.options, u, v).0,
-        Lock::DataGuide => match crossing(sub, solution, i) {
+        Lock::SelfConsistent => self_consistent::parameter_and_gradients(sub.options, u, v).0,
+        Lock::DataGuide => match guide_crossing_parameter(sub, solution, i) {
             Some(t) => {
                 guide = Some(solution.guides[i]);
                 solution.missed_guide[i] = false;
@@ -166,7 +177,8 @@ fn place(
     };
     solution.t[i] = t;
     let s = 1.0 - t;
-    let [_, slope, _] = equations::row(t, solution.joints[sub.previous(i)], solution.joints[i]);
+    let [_, slope, _] =
+        control_equations::control_point_coefficients(t, solution.joints[sub.previous_index(i)], solution.joints[i]);
     // A point that has returned to its guide is first projected on it.
     let start = guide.map_or(b, |guide| guide * guide.dot(b));
     let left = -(u * (s * s) + b * (2.0 * t * s) + v * (t * t)) + (b - start) * slope;
@@ -176,7 +188,7 @@ fn place(
         Solver::Step => {
             let direction = guide.unwrap_or_else(|| left.normalize_or_zero());
             let deviation = |x: f64| direction.dot(left) - slope * x;
-            match stepping::step(sub.options, sub.size, deviation, &mut report.steps, job)? {
+            match stepping::step_to_zero_deviation(sub.options, sub.size, deviation, &mut report.steps, job)? {
                 Some(along) => start + direction * along,
                 None => return Ok(false),
             }
@@ -190,9 +202,9 @@ fn place(
 
 /// Returns the parameter at which the section crosses the guide of its point; `None` if it does
 /// not.
-fn crossing(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
+fn guide_crossing_parameter(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> Option<f64> {
     let guide = solution.guides[i];
-    let (before, after) = (sub.previous(i), sub.next(i));
+    let (before, after) = (sub.previous_index(i), sub.next_index(i));
     let p = sub.points[i];
     let (a, c) = (solution.controls[before] - p, solution.controls[after] - p);
     // The components across the guide; in a plane both are collinear.
@@ -208,23 +220,27 @@ fn crossing(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
 
 /// Finds the guides of the data's own triangles. Points without a guide, and all points of a
 /// subcurve that is not plane, fall back.
-fn find_guides(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
+fn find_guide_directions(
+    sub: &Subcurve<'_>,
+    solution: &mut CompositeSolution,
+    results: &mut [PointResult],
+) -> Result<()> {
     alloc::reset(&mut solution.guides, sub.len(), DVec3::ZERO)?;
-    let normal = plane_normal(sub);
-    for i in sub.sections() {
-        let [a, p, c] = sub.triple(i);
+    let normal = subcurve_plane_normal(sub);
+    for i in sub.section_indices() {
+        let [a, p, c] = sub.point_and_neighbours(i);
         let found = normal.ok_or(PointStatus::OutOfPlane).and_then(|normal| {
-            guide(sub.options.method, a - p, c - p, normal).or_else(|status| {
+            guide_direction(sub.options.method, a - p, c - p, normal).or_else(|status| {
                 // The normal misses the chord, so use the bisector.
-                results[i].flag(status);
-                guide(Method::Bisector, a - p, c - p, normal)
+                results[i].flag_status(status);
+                guide_direction(Method::Bisector, a - p, c - p, normal)
             })
         });
         match found {
             Ok(guide) => solution.guides[i] = guide,
             Err(status) => {
                 solution.fell_back[i] = true;
-                results[i].flag(status);
+                results[i].flag_status(status);
             }
         }
     }

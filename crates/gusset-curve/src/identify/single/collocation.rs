@@ -6,18 +6,18 @@
 //! triangle there. The curve is therefore smooth there too.
 
 use crate::curve::segment;
-use crate::identify::guide::guide;
+use crate::identify::guide::guide_direction;
 use crate::identify::method::Method;
 use crate::identify::subcurve::{PointResult, Subcurve};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bernstein;
-use gusset_base::geom::linear::dense::Dense;
+use gusset_base::geom::linear::dense::DenseMatrix;
 use std::ops::Range;
 
 /// The distance from its points, in sizes of the outline, beyond which a curve misses them.
-pub(super) const MAX_MISS: f64 = 1e-12;
+pub(super) const MAX_POINT_MISS_DISTANCE: f64 = 1e-12;
 
 /// The unknowns, and the workspace to find them. There is one for each point of the subcurve; a
 /// closed one repeats the first at the end.
@@ -35,13 +35,13 @@ pub(in crate::identify) struct Collocation {
     pub(super) previous: Vec<DVec3>,
     pub(super) previous_t: Vec<f64>,
     pub(super) basis: Vec<f64>,
-    pub(super) matrix: Dense,
+    pub(super) matrix: DenseMatrix,
     /// Whether there are end tangents.
     tangents: [bool; 2],
 }
 
 impl Collocation {
-    pub(super) fn begin(&mut self, sub: &Subcurve<'_>, degree: usize) -> Result<()> {
+    pub(super) fn begin_subcurve(&mut self, sub: &Subcurve<'_>, degree: usize) -> Result<()> {
         let count = sub.len() + usize::from(sub.closed);
         self.points.clear();
         alloc::extend(&mut self.points, sub.points.iter().copied().chain(sub.closed.then_some(sub.points[0])))?;
@@ -54,7 +54,7 @@ impl Collocation {
     }
 
     /// Returns the number of points between the ends.
-    pub(super) fn inner(&self) -> usize {
+    pub(super) fn inner_point_count(&self) -> usize {
         self.points.len() - 2
     }
 
@@ -63,9 +63,9 @@ impl Collocation {
     }
 
     /// Returns the indices of the control points that belong to the points between the ends.
-    pub(super) fn inner_range(&self) -> Range<usize> {
+    pub(super) fn inner_control_range(&self) -> Range<usize> {
         let first = 1 + usize::from(self.tangents[0]);
-        first..first + self.inner()
+        first..first + self.inner_point_count()
     }
 
     /// The parameters by the data's own triangles: neighbouring spans have the ratio of t_i to 1 -
@@ -76,10 +76,10 @@ impl Collocation {
         self.t[0] = 0.0;
         for (i, result) in results.iter_mut().enumerate().take(last).skip(1) {
             self.t[i] = sum;
-            let [a, p, c] = sub.triple(i);
-            let t = sub.options.method.parameter(a, p, c).unwrap_or_else(|status| {
-                result.flag(status);
-                Method::Bisector.parameter(a, p, c).unwrap_or(0.5)
+            let [a, p, c] = sub.point_and_neighbours(i);
+            let t = sub.options.method.section_parameter(a, p, c).unwrap_or_else(|status| {
+                result.flag_status(status);
+                Method::Bisector.section_parameter(a, p, c).unwrap_or(0.5)
             });
             span *= (1.0 - t).max(1e-9) / t.max(1e-9);
             sum += span;
@@ -89,7 +89,7 @@ impl Collocation {
     }
 
     /// Places the ends, and the control points next to them on the tangents.
-    pub(super) fn place_ends(&mut self, tangents: [Option<DVec3>; 2]) {
+    pub(super) fn place_end_controls(&mut self, tangents: [Option<DVec3>; 2]) {
         let (last, degree) = (self.points.len() - 1, self.degree());
         self.tangents = tangents.map(|tangent| tangent.is_some());
         self.controls[0] = self.points[0];
@@ -106,26 +106,26 @@ impl Collocation {
 
     /// Finds the guides of the points between the ends. If the method lacks a guide, the bisector
     /// replaces it.
-    pub(super) fn find_guides(&mut self, sub: &Subcurve<'_>, results: &mut [PointResult], normal: DVec3) {
-        for (i, result) in results.iter_mut().enumerate().take(self.inner() + 1).skip(1) {
-            let [a, p, c] = sub.triple(i);
-            let found = guide(sub.options.method, a - p, c - p, normal).or_else(|status| {
-                result.flag(status);
-                guide(Method::Bisector, a - p, c - p, normal)
+    pub(super) fn find_guide_directions(&mut self, sub: &Subcurve<'_>, results: &mut [PointResult], normal: DVec3) {
+        for (i, result) in results.iter_mut().enumerate().take(self.inner_point_count() + 1).skip(1) {
+            let [a, p, c] = sub.point_and_neighbours(i);
+            let found = guide_direction(sub.options.method, a - p, c - p, normal).or_else(|status| {
+                result.flag_status(status);
+                guide_direction(Method::Bisector, a - p, c - p, normal)
             });
             self.guides[i] = found.unwrap_or_else(|_| normal.any_orthonormal_vector());
         }
     }
 
     /// Puts the control points on their points, where the paper starts.
-    pub(super) fn start_at_points(&mut self) {
-        let (inner_range, inner) = (self.inner_range(), self.inner());
+    pub(super) fn set_controls_to_points(&mut self) {
+        let (inner_range, inner) = (self.inner_control_range(), self.inner_point_count());
         self.controls[inner_range].copy_from_slice(&self.points[1..=inner]);
     }
 
     /// Solves the linear equations for the current parameters.
-    pub(super) fn eliminate(&mut self) -> Result<()> {
-        let (inner, inner_range) = (self.inner(), self.inner_range());
+    pub(super) fn solve_linear_equations(&mut self) -> Result<()> {
+        let (inner, inner_range) = (self.inner_point_count(), self.inner_control_range());
         self.controls[inner_range.clone()].fill(DVec3::ZERO);
         self.matrix.resize(inner)?;
         for i in 1..=inner {
@@ -133,14 +133,14 @@ impl Collocation {
             self.matrix.row(i - 1).copy_from_slice(&self.basis[inner_range.clone()]);
         }
         if !self.matrix.factor() {
-            self.start_at_points();
+            self.set_controls_to_points();
             return Ok(());
         }
         // Iterative refinement: the first round leaves rounding errors, and the next removes most
         // of them.
         for _ in 0..3 {
             for i in 1..=inner {
-                self.right[i - 1] = self.points[i] - segment::point(&self.controls, self.t[i]);
+                self.right[i - 1] = self.points[i] - segment::point_at(&self.controls, self.t[i]);
             }
             self.matrix.solve(&mut self.right[..inner]);
             self.controls[inner_range.clone()]
@@ -152,21 +152,21 @@ impl Collocation {
     }
 
     /// Returns the largest distance of a control point from its point.
-    pub(super) fn farthest_control(&self) -> f64 {
-        let pairs = self.controls[self.inner_range()].iter().zip(&self.points[1..]);
+    pub(super) fn max_control_distance(&self) -> f64 {
+        let pairs = self.controls[self.inner_control_range()].iter().zip(&self.points[1..]);
         pairs.map(|(control, &p)| control.distance(p)).fold(0.0, f64::max).min(1e300)
     }
 
     /// Returns the distance of a point from its place on the curve.
-    pub(super) fn distance(&self, i: usize) -> f64 {
-        segment::point(&self.controls, self.t[i]).distance(self.points[i])
+    pub(super) fn residual_distance(&self, i: usize) -> f64 {
+        segment::point_at(&self.controls, self.t[i]).distance(self.points[i])
     }
 
     /// Returns the largest residual, and the sum of squared residuals.
-    pub(super) fn residual(&self) -> (f64, f64) {
+    pub(super) fn max_and_squared_residual(&self) -> (f64, f64) {
         let (mut farthest, mut sum) = (0.0f64, 0.0);
-        for i in 1..=self.inner() {
-            let square = self.distance(i).powi(2);
+        for i in 1..=self.inner_point_count() {
+            let square = self.residual_distance(i).powi(2);
             if square > farthest || square.is_nan() {
                 farthest = square;
             }

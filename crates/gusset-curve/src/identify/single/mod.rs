@@ -12,91 +12,95 @@
 //! Source: Nadopta. O(n^3) time and O(n^2) memory for n points, at most 65.
 
 mod collocation;
-mod guided;
+mod guided_solver;
 
 use super::composite::{self, CompositeWorkspace};
-use super::guide::plane_normal;
+use super::guide::subcurve_plane_normal;
 use super::identify_options::{Lock, Options, Solver};
 use super::method::Method;
 use super::report::{FitStatus, PointStatus};
-use super::subcurve::{Output, Subcurve};
+use super::subcurve::{Subcurve, SubcurveOutput};
 use crate::curve::{MAX_DEGREE, Place};
 pub(super) use collocation::Collocation;
-use collocation::MAX_MISS;
+use collocation::MAX_POINT_MISS_DISTANCE;
 use glam::DVec3;
 use gusset_base::error::Result;
 
 /// The distance of a control point from its point, in sizes of the outline, that indicates nearly
 /// singular equations.
-const MAX_CONTROL_DISTANCE: f64 = 2.0;
+const MAX_CONTROL_TO_POINT_DISTANCE: f64 = 2.0;
 
 /// The distance from the curve, in sizes, at which rounding has made it miss a point.
-const MAX_ROUNDING: f64 = 1e-14;
+const MAX_ROUNDING_MISS: f64 = 1e-14;
 
 /// Appends the single curve of a subcurve's points.
-pub(super) fn append(
+pub(super) fn append_single_curve(
     sub: &Subcurve<'_>,
     collocation: &mut Collocation,
     composite: &mut CompositeWorkspace,
-    out: &mut Output<'_>,
+    out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
-    if let Some(status) = solve(sub, collocation, out)? {
+    if let Some(status) = solve_single_curve(sub, collocation, out)? {
         out.report.status = status;
-        out.flag_all(PointStatus::CompositeInstead);
+        out.flag_all_points(PointStatus::CompositeInstead);
         let options = Options { lock: Lock::Parameter, solver: Solver::Fast, ..*sub.options };
-        return composite::append(&Subcurve { options: &options, ..*sub }, composite, out);
+        return composite::append_composite_curve(&Subcurve { options: &options, ..*sub }, composite, out);
     }
     let segment = out.builder.len() as u32;
     for (i, (result, &t)) in out.results.iter_mut().zip(&collocation.t).enumerate() {
-        if collocation.distance(i) > MAX_ROUNDING * sub.size {
-            result.flag(PointStatus::NotConverged);
+        if collocation.residual_distance(i) > MAX_ROUNDING_MISS * sub.size {
+            result.flag_status(PointStatus::NotConverged);
         }
         result.place = Place { segment, t };
     }
-    out.builder.begin(collocation.controls[0])?;
-    out.builder.push(&collocation.controls[1..])
+    out.builder.begin_at_point(collocation.controls[0])?;
+    out.builder.push_segment(&collocation.controls[1..])
 }
 
 /// Finds parameters and control points. Returns the reason if the curve does not exist.
-fn solve(sub: &Subcurve<'_>, collocation: &mut Collocation, out: &mut Output<'_>) -> Result<Option<FitStatus>> {
+fn solve_single_curve(
+    sub: &Subcurve<'_>,
+    collocation: &mut Collocation,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<Option<FitStatus>> {
     let tangents = if sub.closed { [Some(seam_tangent(sub)); 2] } else { sub.tangents };
     let inner = sub.len() - if sub.closed { 0 } else { 1 };
     let degree = inner + tangents.iter().flatten().count();
     if degree > MAX_DEGREE {
         return Ok(Some(FitStatus::DegreeTooHigh));
     }
-    collocation.begin(sub, degree)?;
-    let normal = if sub.options.lock == Lock::Parameter { None } else { plane_normal(sub) };
+    collocation.begin_subcurve(sub, degree)?;
+    let normal = if sub.options.lock == Lock::Parameter { None } else { subcurve_plane_normal(sub) };
     if sub.options.lock != Lock::Parameter && normal.is_none() {
-        out.flag_all(PointStatus::OutOfPlane);
+        out.flag_all_points(PointStatus::OutOfPlane);
     }
     collocation.find_parameters(sub, out.results);
-    collocation.place_ends(tangents);
+    collocation.place_end_controls(tangents);
     let mut solved = false;
     if let Some(normal) = normal {
-        collocation.find_guides(sub, out.results, normal);
+        collocation.find_guide_directions(sub, out.results, normal);
         solved = collocation.solve_on_guides(sub, normal, out)?;
         if !solved {
             out.report.status = FitStatus::NotConverged;
-            out.flag_all(PointStatus::FellBack);
+            out.flag_all_points(PointStatus::FellBack);
             collocation.find_parameters(sub, out.results);
-            collocation.place_ends(tangents);
+            collocation.place_end_controls(tangents);
         }
     }
     if !solved {
         collocation.solve_for_parameters(sub, out)?;
     }
-    if collocation.farthest_control() > MAX_CONTROL_DISTANCE * sub.size {
+    if collocation.max_control_distance() > MAX_CONTROL_TO_POINT_DISTANCE * sub.size {
         out.report.status = FitStatus::IllConditioned;
     }
-    let miss = collocation.residual().0;
-    Ok((miss.is_nan() || miss > MAX_MISS * sub.size).then_some(FitStatus::IllConditioned))
+    let miss = collocation.max_and_squared_residual().0;
+    Ok((miss.is_nan() || miss > MAX_POINT_MISS_DISTANCE * sub.size).then_some(FitStatus::IllConditioned))
 }
 
 /// Returns the direction of a closed curve at its seam, which is the direction of the section on
 /// the first point's triangle.
 fn seam_tangent(sub: &Subcurve<'_>) -> DVec3 {
-    let [a, p, c] = sub.triple(0);
+    let [a, p, c] = sub.point_and_neighbours(0);
     let section = sub.options.method.compute_section(a, p, c).or_else(|_| Method::Bisector.compute_section(a, p, c));
     let direction =
         section.map(|section| (section.control - a) * (1.0 - section.t) + (c - section.control) * section.t);

@@ -16,34 +16,34 @@
 //!
 //! | file | subject |
 //! |---|---|
-//! | [`ends`](self) | crease ends on the rim |
-//! | [`joins`](self) | the matching of crease ends |
-//! | [`curve`](self) | the curve between two ends |
-//! | [`bridges`](self) | the curves across the hole |
-//! | [`parts`](self) | the parts of the hole |
+//! | [`crease_ends`](self) | crease ends on the rim |
+//! | [`crease_joins`](self) | the matching of crease ends |
+//! | [`crease_curve`](self) | the curve between two ends |
+//! | [`crease_bridges`](self) | the curves across the hole |
+//! | [`hole_parts`](self) | the parts of the hole |
 
-mod bridges;
-mod curve;
-mod ends;
-mod joins;
-mod parts;
+mod crease_bridges;
+mod crease_curve;
+mod crease_ends;
+mod crease_joins;
+mod hole_parts;
 #[cfg(test)]
 mod tests;
 
 use super::patch_rim::PatchRim;
-use bridges::CreaseBridges;
+use crease_bridges::CreaseBridges;
+use crease_joins::CreaseJoin;
 use glam::DVec3;
 use gusset_base::error::Result;
-use joins::Join;
-use parts::Outlines;
+use hole_parts::PartOutlines;
 
-pub(super) use parts::Part;
+pub(super) use hole_parts::HolePart;
 
 /// A hole cut along creases.
-pub(super) struct Division {
+pub(super) struct DividedHole {
     /// The vertices of the curves, numbered after the rim's.
     pub(super) points: Vec<DVec3>,
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<HolePart>,
 }
 
 /// Cuts a hole along the creases that end on its rim.
@@ -53,24 +53,31 @@ pub(super) struct Division {
 /// of new vertices on the curves; `None` allows no new vertices.
 ///
 /// O(n) for n old triangles around the rim, plus O(m^6) for its m ends, which are few on any shape.
-pub(super) fn divide(rim: &PatchRim, taken: &dyn Fn(u32, u32) -> bool, limit: Option<u32>) -> Result<Option<Division>> {
+pub(super) fn divide_along_creases(
+    rim: &PatchRim,
+    taken: &dyn Fn(u32, u32) -> bool,
+    limit: Option<u32>,
+) -> Result<Option<DividedHole>> {
     if rim.lengths.len() > 1 {
         return Ok(None);
     }
-    let corners = ends::corners(rim)?;
-    let (ends, along_rim) = ends::find_ends(rim, &corners)?;
-    let joins = joins::match_ends(rim, &ends)?;
+    let corners = crease_ends::collect_rim_corners(rim)?;
+    let (ends, along_rim) = crease_ends::find_crease_ends(rim, &corners)?;
+    let joins = crease_joins::match_crease_ends(rim, &ends)?;
     let mut bridges = CreaseBridges::new(rim, &ends)?;
     // The limit for each end of a curve.
     let limit = limit.map(|limit| limit as usize / ends.len().max(1));
     for join in &joins {
         match (join, limit) {
-            (&Join::Pair(pair), _) => bridges.join(pair, taken, limit)?,
-            (Join::Star { centre, arms }, Some(limit)) if limit > 0 => bridges.join_at(*centre, arms, limit)?,
-            (Join::Star { .. }, _) => {}
+            (&CreaseJoin::Pair(pair), _) => bridges.join_two_ends(pair, taken, limit)?,
+            (CreaseJoin::Star { centre, arms }, Some(limit)) if limit > 0 => {
+                bridges.join_ends_at_point(*centre, arms, limit)?
+            }
+            (CreaseJoin::Star { .. }, _) => {}
         }
     }
-    let outlines = Outlines { rim, corners: &corners, ends: &ends, along_rim: &along_rim, bridges: &bridges.bridges };
-    let parts = outlines.parts(&bridges.points)?;
-    Ok(parts.map(|parts| Division { points: bridges.points, parts }))
+    let outlines =
+        PartOutlines { rim, corners: &corners, ends: &ends, along_rim: &along_rim, bridges: &bridges.bridges };
+    let parts = outlines.build_parts(&bridges.points)?;
+    Ok(parts.map(|parts| DividedHole { points: bridges.points, parts }))
 }

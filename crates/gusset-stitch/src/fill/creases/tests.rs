@@ -1,15 +1,15 @@
 //! Grids of 9 by 9 cells with a square hole of 5 by 5 cells, over several height functions.
 
 use super::super::patch_rim::{OldFaces, PatchRim};
-use super::{Division, divide};
+use super::{DividedHole, divide_along_creases};
 use glam::DVec3;
 use gusset_base::testing::cases;
 
-const CELLS: u32 = 9;
-const HOLE: std::ops::RangeInclusive<u32> = 2..=6;
+const GRID_CELLS: u32 = 9;
+const HOLE_CELL_RANGE: std::ops::RangeInclusive<u32> = 2..=6;
 
-fn rim(mut height: impl FnMut(f64, f64) -> f64) -> PatchRim {
-    let side = CELLS + 1;
+fn rim_of_height_field(mut height: impl FnMut(f64, f64) -> f64) -> PatchRim {
+    let side = GRID_CELLS + 1;
     // Around the hole counter-clockwise, then all other vertices.
     let ring = (0..5).map(|k| (2 + k, 2)).chain((0..5).map(|k| (7, 2 + k)));
     let ring = ring.chain((0..5).map(|k| (7 - k, 7))).chain((0..5).map(|k| (2, 7 - k)));
@@ -18,8 +18,8 @@ fn rim(mut height: impl FnMut(f64, f64) -> f64) -> PatchRim {
     let others: Vec<_> = others.collect();
     order.extend(others);
     let number = |at: (u32, u32)| order.iter().position(|&other| other == at).unwrap() as u32;
-    let cells = (0..CELLS * CELLS).map(|k| (k % CELLS, k / CELLS));
-    let kept = cells.filter(|(x, y)| !(HOLE.contains(x) && HOLE.contains(y)));
+    let cells = (0..GRID_CELLS * GRID_CELLS).map(|k| (k % GRID_CELLS, k / GRID_CELLS));
+    let kept = cells.filter(|(x, y)| !(HOLE_CELL_RANGE.contains(x) && HOLE_CELL_RANGE.contains(y)));
     let around: Vec<[u32; 3]> = kept
         .flat_map(|(x, y)| {
             let [a, b, c, d] = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)].map(number);
@@ -34,15 +34,15 @@ fn rim(mut height: impl FnMut(f64, f64) -> f64) -> PatchRim {
         .unwrap()
 }
 
-fn divided(rim: &PatchRim, limit: Option<u32>) -> Option<Division> {
-    divide(rim, &|_, _| false, limit).unwrap()
+fn divide_without_taken_edges(rim: &PatchRim, limit: Option<u32>) -> Option<DividedHole> {
+    divide_along_creases(rim, &|_, _| false, limit).unwrap()
 }
 
 #[test]
 fn a_roof_is_two_parts() {
-    let roof = rim(|x, _| -(x - 4.0).abs());
+    let roof = rim_of_height_field(|x, _| -(x - 4.0).abs());
     for (limit, points) in [(None, 0), (Some(100), 3)] {
-        let division = divided(&roof, limit).unwrap();
+        let division = divide_without_taken_edges(&roof, limit).unwrap();
         assert_eq!((division.parts.len(), division.points.len()), (2, points));
         for part in &division.parts {
             // Each part is flat: its own old triangles have one normal.
@@ -53,19 +53,19 @@ fn a_roof_is_two_parts() {
         assert_eq!(names.iter().sum::<usize>(), 20 + 2 + 2 * points);
     }
     // If the chord is taken, the roof is not divided.
-    assert!(divide(&roof, &|_, _| true, None).unwrap().is_none());
+    assert!(divide_along_creases(&roof, &|_, _| true, None).unwrap().is_none());
 }
 
 #[test]
 fn a_ridge_that_touches_the_rim_hides_what_is_beyond() {
-    let ridge = rim(|x, _| -(x - 2.0).abs());
-    let division = divided(&ridge, None).unwrap();
+    let ridge = rim_of_height_field(|x, _| -(x - 2.0).abs());
+    let division = divide_without_taken_edges(&ridge, None).unwrap();
     let [part] = &division.parts[..] else { panic!("it is one part") };
     assert_eq!(part.names, (0..20).collect::<Vec<_>>());
     let normal = DVec3::new(1.0, 0.0, 1.0).normalize();
     assert!(part.rim.normals.iter().all(|&own| own == DVec3::ZERO || own.distance(normal) < 1e-12));
     // Vertices 15 to 20 lie on the ridge.
-    assert!(part.is_taken(15, 18, &|_, _| false) && !part.is_taken(3, 8, &|_, _| false));
+    assert!(part.is_taken_edge(15, 18, &|_, _| false) && !part.is_taken_edge(3, 8, &|_, _| false));
     assert_eq!(part.rim.across.iter().filter(|across| **across == DVec3::ZERO).count(), 5);
 }
 
@@ -75,8 +75,8 @@ fn noise_has_no_creases() {
     let rough = |&seed: &u64| {
         let mut random = fastrand::Rng::with_seed(seed);
         let noise = 0.4 * random.f64();
-        let rough = rim(|x, y| 0.1 * (x * x - x * y) + noise * random.f64());
-        divided(&rough, Some(100)).is_some()
+        let rough = rim_of_height_field(|x, y| 0.1 * (x * x - x * y) + noise * random.f64());
+        divide_without_taken_edges(&rough, Some(100)).is_some()
     };
     // By chance, two unrelated sharp edges may line up.
     let creased: Vec<u64> = (0..count).filter(rough).collect();

@@ -6,21 +6,21 @@
 //! occurs only once, and longer bridges leave fewer chords to try.
 
 use super::super::chords::AllChords;
-use super::super::weigh::Cost;
+use super::super::triangulation_cost::TriangulationCost;
+use super::closing_task::{ClosingTask, OpenedLoopsTriangulation, RepeatedEdgeTreatment};
 use super::numbered_rims::NumberedRims;
-use super::opened::Opened;
-use super::task::{Closed, Repeats, Task};
+use super::opened_loops::OpenedLoops;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort;
 
 /// Largest number of triangles that a search may examine; takes about 50 ms.
-pub(super) const MAX_WORK: f64 = 4e6;
+pub(super) const MAX_EXAMINED_TRIANGLES: f64 = 4e6;
 
 /// Estimates the number of triangles to examine for loops of these lengths; infinite for more than
 /// three loops.
-pub(super) fn search_work(lengths: impl Iterator<Item = usize> + Clone) -> f64 {
+pub(super) fn estimate_search_work(lengths: impl Iterator<Item = usize> + Clone) -> f64 {
     let loops = lengths.clone().count();
     let count: usize = lengths.clone().sum();
     let squares: usize = lengths.map(|n| n * n).sum();
@@ -30,11 +30,11 @@ pub(super) fn search_work(lengths: impl Iterator<Item = usize> + Clone) -> f64 {
         3 => bridges * bridges / 3.0,
         _ => f64::INFINITY,
     };
-    trees * polygon_work(count + 2 * loops - 2)
+    trees * estimate_polygon_work(count + 2 * loops - 2)
 }
 
 /// Estimates the number of triangles to examine for one polygon with n vertices.
-pub(super) fn polygon_work(n: usize) -> f64 {
+pub(super) fn estimate_polygon_work(n: usize) -> f64 {
     (n as f64).powi(3) / 6.0
 }
 
@@ -47,11 +47,11 @@ struct SortedBridges {
 }
 
 impl SortedBridges {
-    fn new(task: &Task<'_>) -> Result<SortedBridges> {
-        let n = task.rims.count() as u32;
+    fn new(task: &ClosingTask<'_>) -> Result<SortedBridges> {
+        let n = task.rims.vertex_count() as u32;
         let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
-        let mut sorted = alloc::gather(pairs.filter(|&[u, v]| task.rims.joins(u, v) && !(task.taken)(u, v)))?;
-        let squared = |[u, v]: [u32; 2]| task.rims.squared(u, v);
+        let mut sorted = alloc::gather(pairs.filter(|&[u, v]| task.rims.joins_two_loops(u, v) && !(task.taken)(u, v)))?;
+        let squared = |[u, v]: [u32; 2]| task.rims.squared_distance(u, v);
         sort::stable(&mut sorted, &|&x, &y| squared(x).total_cmp(&squared(y)).then(x.cmp(&y)));
         let mut rank = alloc::filled(0, (n * n) as usize)?;
         for (&[u, v], at) in sorted.iter().zip(0..) {
@@ -61,24 +61,24 @@ impl SortedBridges {
         Ok(SortedBridges { sorted, rank })
     }
 
-    fn rank(&self, rims: &NumberedRims, u: u32, v: u32) -> u32 {
-        self.rank[u as usize * rims.count() + v as usize]
+    fn rank_of_bridge(&self, rims: &NumberedRims, u: u32, v: u32) -> u32 {
+        self.rank[u as usize * rims.vertex_count() + v as usize]
     }
 }
 
 /// Some loops joined by a tree of bridges.
-struct Branch {
-    opened: Opened,
+struct PartialTree {
+    opened: OpenedLoops,
     is_joined: Vec<bool>,
     /// At index i k + j, for k loops: the least rank that a bridge between the loops i and j may
     /// have.
     least: Vec<u32>,
 }
 
-impl Branch {
+impl PartialTree {
     /// Returns the branch extended by one loop, joined at `place` to its vertex `v` by the bridge
     /// of this rank.
-    fn extended_by_loop(&self, rims: &NumberedRims, place: usize, v: u32, rank: u32) -> Result<Branch> {
+    fn extended_by_loop(&self, rims: &NumberedRims, place: usize, v: u32, rank: u32) -> Result<PartialTree> {
         let ring = rims.ring[v as usize] as usize;
         let (mut is_joined, mut least) = (alloc::copied(&self.is_joined)?, alloc::copied(&self.least)?);
         let k = is_joined.len();
@@ -88,78 +88,83 @@ impl Branch {
             }
         }
         is_joined[ring] = true;
-        Ok(Branch { opened: self.opened.extended_by_loop(place, rims.range(ring), v)?, is_joined, least })
+        Ok(PartialTree { opened: self.opened.extended_by_loop(place, rims.loop_vertices(ring), v)?, is_joined, least })
     }
 }
 
-struct TreeSearch<'a> {
-    task: &'a Task<'a>,
+struct BridgeTreeSearch<'a> {
+    task: &'a ClosingTask<'a>,
     bridges: SortedBridges,
-    best: Option<Closed>,
+    best: Option<OpenedLoopsTriangulation>,
     /// Triangulations that cost no less than this are skipped.
-    limit: Option<Cost>,
+    limit: Option<TriangulationCost>,
     repeats: usize,
 }
 
 /// Returns the number of additional polygon searches, for repeated edges, that double the work.
-pub(super) fn max_repeats(rims: &NumberedRims) -> usize {
-    (MAX_WORK / polygon_work(rims.count() + 2 * rims.loops() - 2)) as usize
+pub(super) fn max_repeated_searches(rims: &NumberedRims) -> usize {
+    (MAX_EXAMINED_TRIANGLES / estimate_polygon_work(rims.vertex_count() + 2 * rims.loop_count() - 2)) as usize
 }
 
 /// Returns the best triangulation that costs less than `limit`, over all trees of bridges.
 ///
 /// By area it is optimal, unless edges repeat in more searches than `repeats`. Bends and bulges are
 /// treated as in the search of a single loop. O(t n^3) for t trees.
-pub(super) fn best_over_trees(
-    task: &Task<'_>,
-    limit: Option<Cost>,
+pub(super) fn best_triangulation_over_trees(
+    task: &ClosingTask<'_>,
+    limit: Option<TriangulationCost>,
     repeats: usize,
     job: &Job<'_>,
-) -> Result<Option<Closed>> {
-    let (rims, k) = (task.rims, task.rims.loops());
-    let mut search = TreeSearch { task, bridges: SortedBridges::new(task)?, best: None, limit, repeats };
+) -> Result<Option<OpenedLoopsTriangulation>> {
+    let (rims, k) = (task.rims, task.rims.loop_count());
+    let mut search = BridgeTreeSearch { task, bridges: SortedBridges::new(task)?, best: None, limit, repeats };
     let count = search.bridges.sorted.len();
     for rank in 0..count {
         let [u, v] = search.bridges.sorted[rank];
         let ring = rims.ring[u as usize] as usize;
-        let range = rims.range(ring);
+        let range = rims.loop_vertices(ring);
         let place = (u - range.start) as usize;
         let mut is_joined = alloc::filled(false, k)?;
         is_joined[ring] = true;
         // The first bridge is the shortest in the tree.
         let least = alloc::filled(rank as u32, k * k)?;
-        let alone = Branch { opened: Opened::from_loop(range)?, is_joined, least };
-        search.branch(alone.extended_by_loop(rims, place, v, rank as u32)?, &job.share(rank, count))?;
+        let alone = PartialTree { opened: OpenedLoops::from_loop(range)?, is_joined, least };
+        search
+            .search_from_partial_tree(alone.extended_by_loop(rims, place, v, rank as u32)?, &job.share(rank, count))?;
     }
     Ok(search.best)
 }
 
-impl TreeSearch<'_> {
-    fn branch(&mut self, branch: Branch, job: &Job<'_>) -> Result<()> {
+impl BridgeTreeSearch<'_> {
+    fn search_from_partial_tree(&mut self, branch: PartialTree, job: &Job<'_>) -> Result<()> {
         let rims = self.task.rims;
         let ring = |v: u32| rims.ring[v as usize] as usize;
-        let k = rims.loops();
+        let k = rims.loop_count();
         let least = |u: u32, v: u32| branch.least[ring(u) * k + ring(v)];
         if branch.is_joined.iter().all(|&is_joined| is_joined) {
             let bridges = &self.bridges;
-            let excluded = |u: u32, v: u32| rims.joins(u, v) && bridges.rank(rims, u, v) < least(u, v);
+            let excluded =
+                |u: u32, v: u32| rims.joins_two_loops(u, v) && bridges.rank_of_bridge(rims, u, v) < least(u, v);
             let chords = AllChords(branch.opened.len());
             let limit = self.best.as_ref().map(|best| &best.cost).or(self.limit.as_ref());
-            let repeats = Repeats::Both(&mut self.repeats);
-            let found = self.task.search(branch.opened, &chords, &excluded, limit, repeats, job)?;
+            let repeats = RepeatedEdgeTreatment::Both(&mut self.repeats);
+            let found = self.task.search_polygon(branch.opened, &chords, &excluded, limit, repeats, job)?;
             self.best = found.or(self.best.take());
             return Ok(());
         }
-        let others = (0..rims.count() as u32).filter(|&v| !branch.is_joined[ring(v)]);
+        let others = (0..rims.vertex_count() as u32).filter(|&v| !branch.is_joined[ring(v)]);
         let places = branch.opened.order.iter().enumerate();
         let mut next = alloc::gather(others.flat_map(|v| places.clone().map(move |(place, &u)| (u, v, place))))?;
-        next.retain(|&(u, v, _)| !(self.task.taken)(u, v) && self.bridges.rank(rims, u, v) > least(u, v));
+        next.retain(|&(u, v, _)| !(self.task.taken)(u, v) && self.bridges.rank_of_bridge(rims, u, v) > least(u, v));
         sort::stable(&mut next, &|x, y| {
-            let key = |&(u, v, place): &(u32, u32, usize)| (self.bridges.rank(rims, u, v), place);
+            let key = |&(u, v, place): &(u32, u32, usize)| (self.bridges.rank_of_bridge(rims, u, v), place);
             key(x).cmp(&key(y))
         });
         for (u, v, place) in next {
-            self.branch(branch.extended_by_loop(rims, place, v, self.bridges.rank(rims, u, v))?, job)?;
+            self.search_from_partial_tree(
+                branch.extended_by_loop(rims, place, v, self.bridges.rank_of_bridge(rims, u, v))?,
+                job,
+            )?;
         }
         Ok(())
     }

@@ -8,48 +8,48 @@
 //! | file | subject |
 //! |---|---|
 //! | [`numbered_rims`](self) | loops with common vertex numbers, and thinned loops |
-//! | [`opened`](self) | loops cut open into one polygon |
-//! | [`task`](self) | the search for such a polygon, and costs |
+//! | [`opened_loops`](self) | loops cut open into one polygon |
+//! | [`closing_task`](self) | the search for such a polygon, and costs |
 //! | [`bridge_trees`](self) | two or three loops with few vertices: all trees of bridges |
-//! | [`exchange`](self) | many loops with few vertices: exchange of bridges |
-//! | [`improve`](self) | repeated search along other bridges |
-//! | [`zip`](self) | two loops side by side |
-//! | [`nested`](self) | planar loops, one around the others |
+//! | [`exchange_bridges`](self) | many loops with few vertices: exchange of bridges |
+//! | [`improve_along_bridges`](self) | repeated search along other bridges |
+//! | [`zip_loops`](self) | two loops side by side |
+//! | [`nested_loops`](self) | planar loops, one around the others |
 
 mod bridge_trees;
-mod exchange;
+mod exchange_bridges;
 #[cfg(test)]
-mod exhaustive;
-mod improve;
-mod nested;
+mod exhaustive_triangulation;
+mod improve_along_bridges;
+mod nested_loops;
 mod numbered_rims;
-mod opened;
-mod task;
+mod opened_loops;
+mod closing_task;
 #[cfg(test)]
 mod tests;
-mod zip;
+mod zip_loops;
 
 use super::Weight;
-use super::chords::{AllChords, NearChords};
-use super::search::{MAX_EXACT, bands, minimum_weight};
-use super::weigh::{Cost, Measure, Polygon};
+use super::chords::{AllChords, ChordsNearTriangulation};
+use super::triangulation_cost::{CostNormalisation, Polygon, TriangulationCost};
+use super::triangulation_search::{MAX_EXACT_VERTICES, band_widths_to_try, minimum_weight_triangulation};
+use closing_task::{ClosingTask, OpenedLoopsTriangulation, RepeatedEdgeTreatment};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use improve::{NOTHING_TAKEN, REPEATS};
+use improve_along_bridges::{MAX_REPEATED_EDGE_SEARCHES, NO_TAKEN_EDGE};
 use numbered_rims::NumberedRims;
-use task::{Closed, Repeats, Task};
 
 /// Largest number of vertices, bridges counted twice, that are searched at full density.
-const MAX_DENSE: usize = 1_000;
+const MAX_DENSE_SEARCH_VERTICES: usize = 1_000;
 
 /// Number of vertices to which each loop is thinned to predict whether two loops may share a patch.
-const TRIAL_VERTICES: usize = 5;
+const TRIAL_VERTICES_PER_LOOP: usize = 5;
 /// The predicted cost of a common patch may exceed the cost apart by this factor.
-const TRIAL_COST_RATIO: f64 = 1.5;
+const MAX_PREDICTED_COST_RATIO: f64 = 1.5;
 /// Loops always become partners if a vertex of the coarser one is this near to the other, relative
 /// to the sides of the thinned loop.
-const TRIAL_NEARNESS: f64 = 0.5;
+const MAX_PARTNER_DISTANCE_SIDES: f64 = 0.5;
 
 /// Triangulates a surface of genus 0 that closes all `loops` together. Returns `None` if none is
 /// found.
@@ -70,7 +70,7 @@ const TRIAL_NEARNESS: f64 = 0.5;
 ///
 /// O(n log n) time for n vertices and few loops; about 4 kB per vertex. Up to some hundred loops:
 /// O(m^3) for the m vertices that remain when every loop has three or four.
-pub(super) fn triangulate_together(
+pub(super) fn triangulate_loops_together(
     loops: &[Polygon],
     weight: Weight,
     taken: &dyn Fn(u32, u32) -> bool,
@@ -80,20 +80,20 @@ pub(super) fn triangulate_together(
         return Ok(None);
     }
     if let [polygon] = loops {
-        return minimum_weight(polygon, weight, &|i, k| taken(i as u32, k as u32), job);
+        return minimum_weight_triangulation(polygon, weight, &|i, k| taken(i as u32, k as u32), job);
     }
     let rims = NumberedRims::new(loops)?;
-    let task = Task { rims: &rims, weight, measure: rims.measure(), taken, is_finest: true };
-    let plane = nested::common_plane(&rims);
+    let task = ClosingTask { rims: &rims, weight, measure: rims.common_cost_normalisation(), taken, is_finest: true };
+    let plane = nested_loops::normal_of_common_plane(&rims);
     if let Some(normal) = plane
-        && let Some(triangles) = nested::triangulate_nested(&task, normal, &job.part(0.0, 0.2))?
+        && let Some(triangles) = nested_loops::triangulate_nested_loops(&task, normal, &job.part(0.0, 0.2))?
     {
         return Ok(Some(triangles));
     }
     // On a plane, the surface beyond the rims does not matter.
     let weight = if plane.is_some() && weight == Weight::Continuation { Weight::Area } else { weight };
-    let found = close_loops(loops, &Task { weight, ..task }, &job.part(0.2, 1.0))?;
-    found.map(|found| found.opened.to_vertices(&found.triangles)).transpose()
+    let found = close_loops_coarse_to_fine(loops, &ClosingTask { weight, ..task }, &job.part(0.2, 1.0))?;
+    found.map(|found| found.opened.places_to_vertices(&found.triangles)).transpose()
 }
 
 /// Returns the cost of triangles that close all loops, together or one by one. The triangles index
@@ -101,18 +101,18 @@ pub(super) fn triangulate_together(
 ///
 /// Costs of the same loops and weight can be compared, to tell which loops should share a patch.
 /// The points need a common origin and unit. O(n log n).
-pub(super) fn cost(loops: &[Polygon], triangles: &[[u32; 3]], weight: Weight) -> Result<Cost> {
+pub(super) fn cost_of_closing(loops: &[Polygon], triangles: &[[u32; 3]], weight: Weight) -> Result<TriangulationCost> {
     let rims = NumberedRims::new(loops)?;
-    let measure = Measure::new(rims.points(), triangles.len());
-    Task { rims: &rims, weight, measure, taken: NOTHING_TAKEN, is_finest: true }.cost(triangles)
+    let measure = CostNormalisation::new(rims.loop_points(), triangles.len());
+    ClosingTask { rims: &rims, weight, measure, taken: NO_TAKEN_EDGE, is_finest: true }.cost_of_closing(triangles)
 }
 
 /// Returns false if two loops are unlikely to cost less together than apart. The prediction thins
 /// each loop to a few vertices, and allows a margin. O(n).
-pub(super) fn may_gain(loops: [&Polygon; 2], weight: Weight, job: &Job<'_>) -> Result<bool> {
-    let few = alloc::try_collect(loops.map(|polygon| polygon.thinned_to(TRIAL_VERTICES)))?;
+pub(super) fn may_cost_less_together(loops: [&Polygon; 2], weight: Weight, job: &Job<'_>) -> Result<bool> {
+    let few = alloc::try_collect(loops.map(|polygon| polygon.thinned_to_points(TRIAL_VERTICES_PER_LOOP)))?;
     let side = |polygon: &Polygon| polygon.perimeter() / polygon.points.len() as f64;
-    let reach = TRIAL_NEARNESS * side(&few[0]).min(side(&few[1]));
+    let reach = MAX_PARTNER_DISTANCE_SIDES * side(&few[0]).min(side(&few[1]));
     // Measure from the thinned loop with the shorter sides.
     let (one, other) = if side(&few[0]) <= side(&few[1]) { (&few[0], loops[1]) } else { (&few[1], loops[0]) };
     if one.points.iter().any(|p| other.points.iter().any(|q| p.distance(*q) < reach)) {
@@ -121,71 +121,113 @@ pub(super) fn may_gain(loops: [&Polygon; 2], weight: Weight, job: &Job<'_>) -> R
     let mut apart = Vec::new();
     let mut first = 0;
     for polygon in &few {
-        let own = minimum_weight(polygon, weight, &|_, _| false, job)?.unwrap_or_default();
+        let own = minimum_weight_triangulation(polygon, weight, &|_, _| false, job)?.unwrap_or_default();
         alloc::extend(&mut apart, own.iter().map(|triangle| triangle.map(|v| first + v)))?;
         first += polygon.points.len() as u32;
     }
-    let limit = cost(&few, &apart, weight)?.scaled(TRIAL_COST_RATIO);
+    let limit = cost_of_closing(&few, &apart, weight)?.scaled(MAX_PREDICTED_COST_RATIO);
     let rims = NumberedRims::new(&few)?;
-    let task = Task { rims: &rims, weight, measure: rims.measure(), taken: NOTHING_TAKEN, is_finest: true };
-    Ok(bridge_trees::best_over_trees(&task, Some(limit), REPEATS, job)?.is_some())
+    let task = ClosingTask {
+        rims: &rims,
+        weight,
+        measure: rims.common_cost_normalisation(),
+        taken: NO_TAKEN_EDGE,
+        is_finest: true,
+    };
+    Ok(bridge_trees::best_triangulation_over_trees(&task, Some(limit), MAX_REPEATED_EDGE_SEARCHES, job)?.is_some())
 }
 
 /// Triangulates from coarse to fine.
-fn close_loops(loops: &[Polygon], task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>> {
+fn close_loops_coarse_to_fine(
+    loops: &[Polygon],
+    task: &ClosingTask<'_>,
+    job: &Job<'_>,
+) -> Result<Option<OpenedLoopsTriangulation>> {
     let lengths = loops.iter().map(|polygon| polygon.points.len());
-    let n = task.rims.count() + 2 * loops.len() - 2;
-    if bridge_trees::search_work(lengths.clone()) <= bridge_trees::MAX_WORK {
-        let best =
-            bridge_trees::best_over_trees(task, None, bridge_trees::max_repeats(task.rims), &job.part(0.0, 0.9))?;
-        return best.map(|best| improve::improve(task, best, &job.part(0.9, 1.0))).transpose();
+    let n = task.rims.vertex_count() + 2 * loops.len() - 2;
+    if bridge_trees::estimate_search_work(lengths.clone()) <= bridge_trees::MAX_EXAMINED_TRIANGLES {
+        let best = bridge_trees::best_triangulation_over_trees(
+            task,
+            None,
+            bridge_trees::max_repeated_searches(task.rims),
+            &job.part(0.0, 0.9),
+        )?;
+        return best
+            .map(|best| improve_along_bridges::improve_along_other_bridges(task, best, &job.part(0.9, 1.0)))
+            .transpose();
     }
-    let is_small = loops.len() > 3 && exchange::pass_work(lengths) <= bridge_trees::MAX_WORK;
+    let is_small =
+        loops.len() > 3 && exchange_bridges::estimate_pass_work(lengths) <= bridge_trees::MAX_EXAMINED_TRIANGLES;
     let thin = if is_small { None } else { numbered_rims::thin_loops(loops)? };
     let Some((coarse, kept)) = thin else {
-        if n > MAX_DENSE {
+        if n > MAX_DENSE_SEARCH_VERTICES {
             return Ok(None);
         }
-        let best = exchange::exchange_bridges(task, &job.part(0.0, 0.8))?;
-        return best.map(|best| improve::improve(task, best, &job.part(0.8, 1.0))).transpose();
+        let best = exchange_bridges::exchange_bridges(task, &job.part(0.0, 0.8))?;
+        return best
+            .map(|best| improve_along_bridges::improve_along_other_bridges(task, best, &job.part(0.8, 1.0)))
+            .transpose();
     };
     let rims = NumberedRims::new(&coarse)?;
     let taken = |u: u32, v: u32| (task.taken)(kept[u as usize], kept[v as usize]);
-    let measure = rims.measure().with_unit_of(task.measure);
-    let coarse_task = Task { rims: &rims, weight: task.weight, measure, taken: &taken, is_finest: false };
-    let Some(coarse) = close_loops(&coarse, &coarse_task, &job.part(0.0, 0.4))? else {
+    let measure = rims.common_cost_normalisation().with_bulge_unit_of(task.measure);
+    let coarse_task = ClosingTask { rims: &rims, weight: task.weight, measure, taken: &taken, is_finest: false };
+    let Some(coarse) = close_loops_coarse_to_fine(&coarse, &coarse_task, &job.part(0.0, 0.4))? else {
         return Ok(None);
     };
-    let Some(found) = refine(task, &coarse, &kept, &job.part(0.4, 0.7))? else {
+    let Some(found) = refine_triangulation(task, &coarse, &kept, &job.part(0.4, 0.7))? else {
         return Ok(None);
     };
-    let found = zip::zip_loops(task, found, &job.part(0.7, 0.8))?;
-    improve::improve(task, found, &job.part(0.8, 1.0)).map(Some)
+    let found = zip_loops::zip_loops(task, found, &job.part(0.7, 0.8))?;
+    improve_along_bridges::improve_along_other_bridges(task, found, &job.part(0.8, 1.0)).map(Some)
 }
 
 /// Refines a triangulation of thinned loops, with chords near the coarse ones.
-fn refine(task: &Task<'_>, coarse: &Closed, kept: &[u32], job: &Job<'_>) -> Result<Option<Closed>> {
-    let n = task.rims.count() + 2 * task.rims.loops() - 2;
-    if n <= MAX_EXACT {
-        let (opened, _) = coarse.opened.refined(task.rims, kept)?;
-        if let Some(found) = task.search(opened, &AllChords(n), NOTHING_TAKEN, None, Repeats::One(REPEATS), job)? {
+fn refine_triangulation(
+    task: &ClosingTask<'_>,
+    coarse: &OpenedLoopsTriangulation,
+    kept: &[u32],
+    job: &Job<'_>,
+) -> Result<Option<OpenedLoopsTriangulation>> {
+    let n = task.rims.vertex_count() + 2 * task.rims.loop_count() - 2;
+    if n <= MAX_EXACT_VERTICES {
+        let (opened, _) = coarse.opened.refined_loops(task.rims, kept)?;
+        if let Some(found) = task.search_polygon(
+            opened,
+            &AllChords(n),
+            NO_TAKEN_EDGE,
+            None,
+            RepeatedEdgeTreatment::One(MAX_REPEATED_EDGE_SEARCHES),
+            job,
+        )? {
             return Ok(Some(found));
         }
     }
     // A narrow band has fewer chords, so fewer edges repeat.
-    for band in bands(n) {
-        let (opened, places) = coarse.opened.refined(task.rims, kept)?;
-        let chords = NearChords::new(n, &coarse.triangles, &places, band)?;
-        if let Some(found) = task.search(opened, &chords, NOTHING_TAKEN, None, Repeats::One(REPEATS), job)? {
+    for band in band_widths_to_try(n) {
+        let (opened, places) = coarse.opened.refined_loops(task.rims, kept)?;
+        let chords = ChordsNearTriangulation::new(n, &coarse.triangles, &places, band)?;
+        if let Some(found) = task.search_polygon(
+            opened,
+            &chords,
+            NO_TAKEN_EDGE,
+            None,
+            RepeatedEdgeTreatment::One(MAX_REPEATED_EDGE_SEARCHES),
+            job,
+        )? {
             return Ok(Some(found));
         }
     }
-    refine_with_ears(task, coarse, kept)
+    add_ears_at_finer_vertices(task, coarse, kept)
 }
 
 /// Returns the triangulation of the thinned loops with an ear at each additional vertex.
-fn refine_with_ears(task: &Task<'_>, coarse: &Closed, kept: &[u32]) -> Result<Option<Closed>> {
-    let (opened, places) = coarse.opened.refined(task.rims, kept)?;
+fn add_ears_at_finer_vertices(
+    task: &ClosingTask<'_>,
+    coarse: &OpenedLoopsTriangulation,
+    kept: &[u32],
+) -> Result<Option<OpenedLoopsTriangulation>> {
+    let (opened, places) = coarse.opened.refined_loops(task.rims, kept)?;
     let n = opened.len() as u32;
     let mut triangles = alloc::collect(coarse.triangles.iter().map(|corners| corners.map(|p| places[p as usize])))?;
     let ends = places.iter().skip(1).chain([&n]);
@@ -193,11 +235,11 @@ fn refine_with_ears(task: &Task<'_>, coarse: &Closed, kept: &[u32]) -> Result<Op
     let mut ears = alloc::gather(ears.map(|(&from, &to)| [from, from + 1, to % n]))?;
     ears.iter_mut().for_each(|ear| ear.sort_unstable());
     alloc::append(&mut triangles, &ears)?;
-    let named = opened.to_vertices(&triangles)?;
+    let named = opened.places_to_vertices(&triangles)?;
     let mut sides = named.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    if sides.any(|[u, v]| !task.rims.is_edge(u, v) && (task.taken)(u, v)) {
+    if sides.any(|[u, v]| !task.rims.is_rim_edge(u, v) && (task.taken)(u, v)) {
         return Ok(None);
     }
-    let cost = task.cost(&named)?;
-    Ok(Some(Closed { opened, triangles, cost }))
+    let cost = task.cost_of_closing(&named)?;
+    Ok(Some(OpenedLoopsTriangulation { opened, triangles, cost }))
 }

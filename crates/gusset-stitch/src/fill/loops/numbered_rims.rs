@@ -1,6 +1,6 @@
 //! Several loops with common vertex numbers.
 
-use super::super::weigh::{Measure, Polygon};
+use super::super::triangulation_cost::{CostNormalisation, Polygon};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -32,72 +32,72 @@ impl NumberedRims {
     }
 
     /// Returns the number of vertices.
-    pub(super) fn count(&self) -> usize {
+    pub(super) fn vertex_count(&self) -> usize {
         self.ring.len()
     }
 
     /// Returns the number of loops.
-    pub(super) fn loops(&self) -> usize {
+    pub(super) fn loop_count(&self) -> usize {
         self.start.len() - 1
     }
 
     /// Returns the vertices of a loop.
-    pub(super) fn range(&self, ring: usize) -> Range<u32> {
+    pub(super) fn loop_vertices(&self, ring: usize) -> Range<u32> {
         self.start[ring]..self.start[ring + 1]
     }
 
     /// Returns the next vertex on the loop.
-    pub(super) fn next(&self, v: u32) -> u32 {
-        let range = self.range(self.ring[v as usize] as usize);
+    pub(super) fn next_vertex(&self, v: u32) -> u32 {
+        let range = self.loop_vertices(self.ring[v as usize] as usize);
         if v + 1 < range.end { v + 1 } else { range.start }
     }
 
     /// Returns true if the vertices are the ends of a rim edge.
-    pub(super) fn is_edge(&self, u: u32, v: u32) -> bool {
-        self.next(u) == v || self.next(v) == u
+    pub(super) fn is_rim_edge(&self, u: u32, v: u32) -> bool {
+        self.next_vertex(u) == v || self.next_vertex(v) == u
     }
 
     /// Returns true if the vertices lie on different loops.
-    pub(super) fn joins(&self, u: u32, v: u32) -> bool {
+    pub(super) fn joins_two_loops(&self, u: u32, v: u32) -> bool {
         self.ring[u as usize] != self.ring[v as usize]
     }
 
     /// Returns the points of each loop.
-    pub(super) fn points(&self) -> impl Iterator<Item = &[DVec3]> + Clone {
-        (0..self.loops()).map(|ring| {
-            let Range { start, end } = self.range(ring);
+    pub(super) fn loop_points(&self) -> impl Iterator<Item = &[DVec3]> + Clone {
+        (0..self.loop_count()).map(|ring| {
+            let Range { start, end } = self.loop_vertices(ring);
             &self.all.points[start as usize..end as usize]
         })
     }
 
     /// Returns the measure of triangulations that close all loops together.
-    pub(super) fn measure(&self) -> Measure {
-        Measure::new(self.points(), (self.count() + 2 * self.loops()).saturating_sub(4))
+    pub(super) fn common_cost_normalisation(&self) -> CostNormalisation {
+        CostNormalisation::new(self.loop_points(), (self.vertex_count() + 2 * self.loop_count()).saturating_sub(4))
     }
 
     /// Returns the squared distance between two vertices.
-    pub(super) fn squared(&self, u: u32, v: u32) -> f64 {
+    pub(super) fn squared_distance(&self, u: u32, v: u32) -> f64 {
         self.all.points[u as usize].distance_squared(self.all.points[v as usize])
     }
 }
 
 /// Loops with fewer vertices are not thinned, because three must remain.
-const MIN_THINNED: usize = 5;
+const MIN_THINNED_VERTICES: usize = 5;
 
 /// Removes about every other vertex of the long loops: those with more than half as many vertices
 /// as the longest. Returns the loops, and for each remaining vertex its old number; `None` if all
 /// loops are short.
 pub(super) fn thin_loops(loops: &[Polygon]) -> Result<Option<(Vec<Polygon>, Vec<u32>)>> {
     let longest = loops.iter().map(|polygon| polygon.points.len()).max().unwrap_or(0);
-    if longest < MIN_THINNED {
+    if longest < MIN_THINNED_VERTICES {
         return Ok(None);
     }
     let (mut coarse, mut kept) = (alloc::with_capacity(loops.len())?, Vec::new());
     let mut first = 0;
     for polygon in loops {
         let n = polygon.points.len();
-        let (thin, of_loop) = if n >= MIN_THINNED && 2 * n > longest {
-            polygon.coarser()?
+        let (thin, of_loop) = if n >= MIN_THINNED_VERTICES && 2 * n > longest {
+            polygon.every_other_point()?
         } else {
             let [points, across, normals] =
                 [&polygon.points, &polygon.across, &polygon.normals].map(|of| alloc::copied(of));

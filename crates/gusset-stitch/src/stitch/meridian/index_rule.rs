@@ -10,7 +10,7 @@
 //!
 //! An open polyline with N vertices has N - 1 segments; a closed one has N.
 
-use super::rim_pair::Pair;
+use super::rim_pair::MeridianEnds;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
@@ -36,7 +36,7 @@ pub fn index_rule(n: u32, m: u32) -> impl ExactSizeIterator<Item = u32> {
 }
 
 /// Returns the meridians for `n` segments on rim A and `m` on rim B. Exchanges the roles if m > n.
-pub(crate) fn index_meridians(n: u32, m: u32) -> Result<Vec<Pair>> {
+pub(crate) fn meridians_by_index_rule(n: u32, m: u32) -> Result<Vec<MeridianEnds>> {
     if m <= n {
         alloc::collect(index_rule(n, m).enumerate().map(|(i, j)| [i as u32, j]))
     } else {
@@ -50,7 +50,7 @@ mod tests {
     use gusset_base::testing::cases;
 
     /// Returns the j with the least |m i - n j| by enumeration, the later of equals.
-    fn brute_force(n: u64, m: u64, i: u64) -> u64 {
+    fn nearest_index_by_enumeration(n: u64, m: u64, i: u64) -> u64 {
         (0..=m).rev().min_by_key(|&j| (m * i).abs_diff(n * j)).unwrap()
     }
 
@@ -59,7 +59,7 @@ mod tests {
         // The counts 0..=200 cover the open rule up to 201 vertices, and the closed rule up to 200.
         for n in (0..=200u32).rev().step_by(200 / cases(200) as usize) {
             for m in 0..=n {
-                let expected = (0..=n).map(|i| brute_force(n.into(), m.into(), i.into()) as u32);
+                let expected = (0..=n).map(|i| nearest_index_by_enumeration(n.into(), m.into(), i.into()) as u32);
                 assert!(index_rule(n, m).eq(expected), "{n} {m}");
             }
         }
@@ -82,8 +82,8 @@ mod tests {
 
     #[test]
     fn roles_are_exchanged() {
-        let forward = index_meridians(7, 3).unwrap();
-        let backward = index_meridians(3, 7).unwrap();
+        let forward = meridians_by_index_rule(7, 3).unwrap();
+        let backward = meridians_by_index_rule(3, 7).unwrap();
         assert!(forward.iter().map(|&[i, j]| [j, i]).eq(backward));
         assert_eq!((forward[0], forward[7]), ([0, 0], [7, 3]));
     }

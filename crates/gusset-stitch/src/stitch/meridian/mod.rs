@@ -10,34 +10,34 @@
 //! | [`index_rule`](mod@index_rule) | the paper's rule, by index alone |
 //! | `rim_pair` | the two polylines, and the lattice nodes that no path may pass |
 //! | `greedy` | by arc length, and by a greedy rule |
-//! | `metric`, `bend` | costs: area, lengths; bends |
-//! | `lattice` | the cheapest path, if the cost of a step depends only on that step |
-//! | `states` | the cheapest path by bends, or without repeated meridians |
-//! | `band`, `coarse` | coarse-to-fine search of large lattices |
+//! | `step_metric`, `strip_bends` | costs: area, lengths; bends |
+//! | `lattice_path` | the cheapest path, if the cost of a step depends only on that step |
+//! | `state_search` | the cheapest path by bends, or without repeated meridians |
+//! | `lattice_band`, `coarse_to_fine` | coarse-to-fine search of large lattices |
 
-mod band;
-mod bend;
-mod coarse;
+mod lattice_band;
+mod strip_bends;
+mod coarse_to_fine;
 mod greedy;
 pub mod index_rule;
-mod lattice;
-mod metric;
+mod lattice_path;
+mod step_metric;
 mod rim_pair;
-mod states;
+mod state_search;
 #[cfg(test)]
 mod tests;
 
-use band::Band;
-use bend::{Bends, tie_break};
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use index_rule::index_meridians;
-use metric::Metric;
-pub use rim_pair::Pair;
+use index_rule::meridians_by_index_rule;
+use lattice_band::LatticeBand;
+pub use rim_pair::MeridianEnds;
 pub(super) use rim_pair::STAGE;
-pub(crate) use rim_pair::{RimPair, StepPenalty, forbidden_nodes};
-use states::{Cost, cheapest_path, is_simple};
+pub(crate) use rim_pair::{RimPair, StepPenalty, sorted_forbidden_nodes};
+use state_search::{PathCost, cheapest_path, is_simple_path};
+use step_metric::StepMetric;
+use strip_bends::{StripBends, weight_of_squared_lengths};
 
 /// The choice of meridians.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -99,18 +99,18 @@ pub enum MeridianSearch {
 }
 
 /// Lattices with more nodes are searched from coarse to fine.
-const MAX_EXACT_NODES: usize = 1 << 21;
+const MAX_EXACT_LATTICE_NODES: usize = 1 << 21;
 
 /// Meridians, and their cost in the chosen measure.
 pub(crate) struct MeridianChoice {
-    pub(crate) pairs: Vec<Pair>,
+    pub(crate) pairs: Vec<MeridianEnds>,
     /// Comparable only for the same rims and choice.
     pub(crate) cost: f64,
 }
 
 /// Returns the meridians of `choice` that pass no forbidden node and, on closed rims, do not
 /// repeat. Returns `None` if there are none. The index rule ignores both conditions.
-pub(crate) fn meridians(
+pub(crate) fn choose_meridians(
     rims: &RimPair<'_>,
     choice: Meridians,
     search: MeridianSearch,
@@ -118,65 +118,66 @@ pub(crate) fn meridians(
 ) -> Result<Option<MeridianChoice>> {
     let (a, b) = (rims.a, rims.b);
     job.step(0.0, STAGE)?;
-    let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1)?;
+    let paper = meridians_by_index_rule(a.len() as u32 - 1, b.len() as u32 - 1)?;
     job.step(0.0, STAGE)?;
-    let area = Metric::area(a, b, &paper);
-    let chosen = |metric: Metric, pairs: Vec<Pair>| MeridianChoice { cost: metric.path_cost(a, b, &pairs), pairs };
+    let area = StepMetric::area_with_tie_break(a, b, &paper);
+    let chosen =
+        |metric: StepMetric, pairs: Vec<MeridianEnds>| MeridianChoice { cost: metric.path_cost(a, b, &pairs), pairs };
     let simple = match choice {
         Meridians::Index => return Ok(Some(chosen(area, paper))),
         Meridians::ArcLength => greedy::arc_length_meridians(rims)?,
         Meridians::Greedy => greedy::greedy_meridians(rims)?,
-        Meridians::Continuation => return continuation(rims, &paper, search, job),
-        Meridians::MinArea => return additive(rims, area, search, job),
-        Meridians::MinDiagonal => return additive(rims, Metric::Diagonal, search, job),
-        Meridians::Quad => return additive(rims, Metric::Quad, search, job),
-        Meridians::Smooth => return smooth(rims, &paper, search, job),
+        Meridians::Continuation => return meridians_of_best_continuation(rims, &paper, search, job),
+        Meridians::MinArea => return cheapest_meridians(rims, area, search, job),
+        Meridians::MinDiagonal => return cheapest_meridians(rims, StepMetric::Diagonal, search, job),
+        Meridians::Quad => return cheapest_meridians(rims, StepMetric::Quad, search, job),
+        Meridians::Smooth => return smoothest_meridians(rims, &paper, search, job),
     };
-    if is_simple(rims, &simple) && !simple.iter().any(|&pair| rims.is_forbidden(pair)) {
-        return Ok(Some(chosen(Metric::Diagonal, simple)));
+    if is_simple_path(rims, &simple) && !simple.iter().any(|&pair| rims.is_forbidden(pair)) {
+        return Ok(Some(chosen(StepMetric::Diagonal, simple)));
     }
-    additive(rims, Metric::Diagonal, search, job)
+    cheapest_meridians(rims, StepMetric::Diagonal, search, job)
 }
 
 /// Half the width of the band for other meridians.
-const NEAR_HALF_BAND: usize = 32;
+const NEAR_PATH_HALF_BAND_NODES: usize = 32;
 
 /// Returns the best meridians near `path`, with penalties on some steps. Minimises the area or the
 /// total length for those choices, and maximises the continuation for all others.
-pub(crate) fn meridians_near(
+pub(crate) fn choose_meridians_near_path(
     rims: &RimPair<'_>,
     choice: Meridians,
-    path: &[Pair],
+    path: &[MeridianEnds],
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
-    let paper = index_meridians(n as u32, m as u32)?;
-    let band = Band::around_path(path, n, m, NEAR_HALF_BAND)?;
+    let paper = meridians_by_index_rule(n as u32, m as u32)?;
+    let band = LatticeBand::around_path(path, n, m, NEAR_PATH_HALF_BAND_NODES)?;
     let metric = match choice {
-        Meridians::MinArea => Metric::area(rims.a, rims.b, &paper),
-        Meridians::MinDiagonal => Metric::Diagonal,
-        _ => return best_continuation(rims, &paper, &band, None, job),
+        Meridians::MinArea => StepMetric::area_with_tie_break(rims.a, rims.b, &paper),
+        Meridians::MinDiagonal => StepMetric::Diagonal,
+        _ => return best_continuation_in_band(rims, &paper, &band, None, job),
     };
-    let found = cheapest_path(rims, &Cost::StepCosts(metric), &band, rims.closed, None, job)?;
+    let found = cheapest_path(rims, &PathCost::StepCosts(metric), &band, rims.closed, None, job)?;
     Ok(found.map(|(cost, pairs)| MeridianChoice { cost, pairs }))
 }
 
 /// Returns the cheapest path for a metric that depends only on each step.
-fn additive(
+fn cheapest_meridians(
     rims: &RimPair<'_>,
-    metric: Metric,
+    metric: StepMetric,
     search: MeridianSearch,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| match lattice::cheapest_path(
+    let find = |rims: &RimPair<'_>, band: &LatticeBand, job: &Job<'_>| match lattice_path::cheapest_path(
         rims,
         metric,
         band,
         &job.part(0.0, 0.5),
     )? {
         // The best of all paths is usually proper, and is then the best proper path.
-        Some(path) if !is_simple(rims, &path) => {
-            Ok(cheapest_path(rims, &Cost::StepCosts(metric), band, true, None, &job.part(0.5, 1.0))?
+        Some(path) if !is_simple_path(rims, &path) => {
+            Ok(cheapest_path(rims, &PathCost::StepCosts(metric), band, true, None, &job.part(0.5, 1.0))?
                 .map(|(_, path)| path))
         }
         found => Ok(found),
@@ -186,16 +187,21 @@ fn additive(
 }
 
 /// Returns the path with the least bends.
-fn smooth(rims: &RimPair<'_>, paper: &[Pair], search: MeridianSearch, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
+fn smoothest_meridians(
+    rims: &RimPair<'_>,
+    paper: &[MeridianEnds],
+    search: MeridianSearch,
+    job: &Job<'_>,
+) -> Result<Option<MeridianChoice>> {
     let cost = std::cell::Cell::new(f64::INFINITY);
-    let tie = tie_break(rims, paper);
-    let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| {
+    let tie = weight_of_squared_lengths(rims, paper);
+    let find = |rims: &RimPair<'_>, band: &LatticeBand, job: &Job<'_>| {
         let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
-        let bends = Bends::smooth(rims, tie)?;
+        let bends = StripBends::least_bends(rims, tie)?;
         // The best of all paths is usually proper here too.
-        let found = match cheapest_path(rims, &Cost::Bends(&bends), band, false, None, &first)? {
-            Some((_, path)) if !is_simple(rims, &path) => {
-                cheapest_path(rims, &Cost::Bends(&bends), band, true, None, &second)?
+        let found = match cheapest_path(rims, &PathCost::Bends(&bends), band, false, None, &first)? {
+            Some((_, path)) if !is_simple_path(rims, &path) => {
+                cheapest_path(rims, &PathCost::Bends(&bends), band, true, None, &second)?
             }
             found => found,
         };
@@ -210,27 +216,28 @@ fn smooth(rims: &RimPair<'_>, paper: &[Pair], search: MeridianSearch, job: &Job<
 
 /// Half the width of the band around the strip of least area in which the best continuation is
 /// searched, in places on either rim.
-const GUIDE_HALF_BAND: usize = 16;
+const GUIDE_HALF_BAND_NODES: usize = 16;
 
 /// Returns the path of the best continuation, near the strip of least area unless the search is
 /// exact.
-fn continuation(
+fn meridians_of_best_continuation(
     rims: &RimPair<'_>,
-    paper: &[Pair],
+    paper: &[MeridianEnds],
     search: MeridianSearch,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    let guide = additive(rims, Metric::area(rims.a, rims.b, paper), search, &job.part(0.0, 0.5))?;
+    let guide =
+        cheapest_meridians(rims, StepMetric::area_with_tie_break(rims.a, rims.b, paper), search, &job.part(0.0, 0.5))?;
     match guide {
-        Some(guide) if rims.has_sides() => {
+        Some(guide) if rims.has_faces_along_rims() => {
             let first = (search != MeridianSearch::Exact).then_some(guide.pairs[1]);
             let band = match search {
                 MeridianSearch::Auto => {
-                    Band::around_path(&guide.pairs, rims.a.len() - 1, rims.b.len() - 1, GUIDE_HALF_BAND)?
+                    LatticeBand::around_path(&guide.pairs, rims.a.len() - 1, rims.b.len() - 1, GUIDE_HALF_BAND_NODES)?
                 }
-                MeridianSearch::Exact => Band::full(rims.a.len() - 1, rims.b.len() - 1)?,
+                MeridianSearch::Exact => LatticeBand::whole_lattice(rims.a.len() - 1, rims.b.len() - 1)?,
             };
-            let found = best_continuation(rims, paper, &band, first, &job.part(0.5, 1.0))?;
+            let found = best_continuation_in_band(rims, paper, &band, first, &job.part(0.5, 1.0))?;
             Ok(Some(found.unwrap_or(guide)))
         }
         guide => Ok(guide),
@@ -238,17 +245,17 @@ fn continuation(
 }
 
 /// Returns the best continuation within `band`. `first` is the end of its first step, if given.
-fn best_continuation(
+fn best_continuation_in_band(
     rims: &RimPair<'_>,
-    paper: &[Pair],
-    band: &Band,
-    first: Option<Pair>,
+    paper: &[MeridianEnds],
+    band: &LatticeBand,
+    first: Option<MeridianEnds>,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    let bends = Bends::continuation(rims, tie_break(rims, paper))?;
-    let cost = Cost::Bends(&bends);
+    let bends = StripBends::best_continuation(rims, weight_of_squared_lengths(rims, paper))?;
+    let cost = PathCost::Bends(&bends);
     let found = match cheapest_path(rims, &cost, band, false, first, &job.part(0.0, 0.5))? {
-        Some((_, path)) if !is_simple(rims, &path) => {
+        Some((_, path)) if !is_simple_path(rims, &path) => {
             cheapest_path(rims, &cost, band, true, first, &job.part(0.5, 1.0))?
         }
         found => found,
@@ -260,12 +267,12 @@ fn best_continuation(
 fn search_lattice(
     rims: &RimPair<'_>,
     search: MeridianSearch,
-    find: &impl Fn(&RimPair<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
+    find: &impl Fn(&RimPair<'_>, &LatticeBand, &Job<'_>) -> Result<Option<Vec<MeridianEnds>>>,
     job: &Job<'_>,
-) -> Result<Option<Vec<Pair>>> {
+) -> Result<Option<Vec<MeridianEnds>>> {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
-    if search == MeridianSearch::Auto && (n + 1) * (m + 1) > MAX_EXACT_NODES {
-        return coarse::coarse_to_fine(rims, find, job);
+    if search == MeridianSearch::Auto && (n + 1) * (m + 1) > MAX_EXACT_LATTICE_NODES {
+        return coarse_to_fine::search_coarse_to_fine(rims, find, job);
     }
-    find(rims, &Band::full(n, m)?, job)
+    find(rims, &LatticeBand::whole_lattice(n, m)?, job)
 }

@@ -8,7 +8,7 @@ use gusset_base::error::Result;
 pub(in crate::stitch) const STAGE: &str = "finding the best meridians";
 
 /// One meridian: the places on rim A and on rim B.
-pub type Pair = [u32; 2];
+pub type MeridianEnds = [u32; 2];
 
 /// The two polylines that meridians join, of N + 1 and M + 1 points. The last point of a closed
 /// polyline repeats the first.
@@ -18,7 +18,7 @@ pub(crate) struct RimPair<'a> {
     pub(crate) b: &'a [DVec3],
     pub(crate) closed: bool,
     /// The forbidden nodes, in ascending order.
-    pub(crate) forbidden: &'a [Pair],
+    pub(crate) forbidden: &'a [MeridianEnds],
     /// For each edge of A and of B, the unit normal of the old face along it. The strip's triangles
     /// run A_i A_i-1 B_j seen from the side of this normal.
     pub(crate) sides: Option<[&'a [DVec3]; 2]>,
@@ -30,7 +30,7 @@ pub(crate) struct RimPair<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepPenalty {
     /// The node that the step leads to.
-    pub(crate) to: Pair,
+    pub(crate) to: MeridianEnds,
     /// True for a step on rim B.
     pub(crate) on_b: bool,
     pub(crate) extra: f64,
@@ -38,11 +38,11 @@ pub(crate) struct StepPenalty {
 
 impl RimPair<'_> {
     /// Returns true if faces along the rims are known.
-    pub(super) fn has_sides(&self) -> bool {
+    pub(super) fn has_faces_along_rims(&self) -> bool {
         self.sides.is_some_and(|sides| sides.iter().any(|side| side.iter().any(|&normal| normal != DVec3::ZERO)))
     }
 
-    pub(super) fn forbidden_in_row(&self, i: usize) -> &[Pair] {
+    pub(super) fn forbidden_in_row(&self, i: usize) -> &[MeridianEnds] {
         let from = self.forbidden.partition_point(|&[row, _]| (row as usize) < i);
         let count = self.forbidden[from..].partition_point(|&[row, _]| row as usize == i);
         &self.forbidden[from..from + count]
@@ -55,14 +55,19 @@ impl RimPair<'_> {
         &self.penalties[from..from + count]
     }
 
-    pub(super) fn is_forbidden(&self, node: Pair) -> bool {
+    pub(super) fn is_forbidden(&self, node: MeridianEnds) -> bool {
         !self.forbidden.is_empty() && self.forbidden.binary_search(&node).is_ok()
     }
 }
 
 /// Returns lattice nodes in ascending order, with the ends of closed rims listed twice. The input
 /// `nodes` have i < N and j < M.
-pub(crate) fn forbidden_nodes(nodes: impl Iterator<Item = Pair>, n: u32, m: u32, closed: bool) -> Result<Vec<Pair>> {
+pub(crate) fn sorted_forbidden_nodes(
+    nodes: impl Iterator<Item = MeridianEnds>,
+    n: u32,
+    m: u32,
+    closed: bool,
+) -> Result<Vec<MeridianEnds>> {
     let mut all = Vec::new();
     for [i, j] in nodes {
         alloc::push(&mut all, [i, j])?;

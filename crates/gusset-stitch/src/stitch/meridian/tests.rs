@@ -1,15 +1,15 @@
 //! Checks every choice of meridians that has a measure by brute force, and the coarse-to-fine
 //! search by the exact one.
 
-use super::index_rule::index_meridians;
-use super::metric::strip_area;
+use super::index_rule::meridians_by_index_rule;
+use super::step_metric::strip_area;
 use super::*;
 use glam::DVec3;
 use gusset_base::testing::cases;
 use proptest::prelude::*;
 
 /// Returns the edges that a path uses. The end of a closed polyline is identified with its start.
-fn edges(rims: &RimPair<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
+fn edges_of_path(rims: &RimPair<'_>, path: &[MeridianEnds]) -> Vec<[usize; 2]> {
     let (n, m) = (rims.a.len(), rims.b.len());
     let (n, m) = if rims.closed { (n - 1, m - 1) } else { (n, m) };
     let mut edges: Vec<_> = path.iter().map(|&[i, j]| [i as usize % n, j as usize % m]).collect();
@@ -21,19 +21,19 @@ fn edges(rims: &RimPair<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
     edges
 }
 
-fn is_good(rims: &RimPair<'_>, path: &[Pair]) -> bool {
-    edges(rims, path).windows(2).all(|pair| pair[0] != pair[1])
+fn is_allowed_path(rims: &RimPair<'_>, path: &[MeridianEnds]) -> bool {
+    edges_of_path(rims, path).windows(2).all(|pair| pair[0] != pair[1])
         && !path.iter().any(|pair| rims.forbidden.contains(pair))
 }
 
 /// Visits every good path by enumeration.
-fn all_paths(rims: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pair])) {
+fn visit_all_paths(rims: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[MeridianEnds])) {
     let end = [rims.a.len() as u32 - 1, rims.b.len() as u32 - 1];
     let mut paths = vec![vec![[0, 0]]];
     while let Some(path) = paths.pop() {
         let [i, j] = *path.last().unwrap();
         if [i, j] == end {
-            if is_good(rims, &path) {
+            if is_allowed_path(rims, &path) {
                 visit(&path);
             }
             continue;
@@ -47,7 +47,7 @@ fn all_paths(rims: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pai
 }
 
 /// Returns the bends of a strip, triangle by triangle.
-fn bends(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
+fn total_bends(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
     let (a, b) = (|i: u32| rims.a[i as usize], |j: u32| rims.b[j as usize]);
     let mut sum = 0.0;
     let mut normals = Vec::new();
@@ -73,7 +73,7 @@ fn bends(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
 }
 
 /// Returns the measure of continuation, triangle by triangle, in mean edges of the rims.
-fn continuation(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
+fn continuation_measure(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
     let length = |line: &[DVec3]| line.windows(2).map(|edge| (edge[1] - edge[0]).length()).sum::<f64>();
     let mean = (length(rims.a) + length(rims.b)) / (rims.a.len() + rims.b.len() - 2) as f64;
     let [along_a, along_b] = rims.sides.unwrap();
@@ -96,7 +96,7 @@ fn continuation(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
         (before + after).normalize_or_zero()
     };
     let (a, b) = (|i: u32| rims.a[i as usize], |j: u32| rims.b[j as usize]);
-    let bulge = |[i, j]: Pair| {
+    let bulge = |[i, j]: MeridianEnds| {
         let heights = [vertex(along_a, i), vertex(along_b, j)].map(|normal| normal.dot(b(j) - a(i)) / mean);
         ((heights[0].powi(2) + heights[1].powi(2)) / 32.0).sqrt()
     };
@@ -118,24 +118,24 @@ fn continuation(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
     sum + normals.windows(2).map(|pair| (pair[0] - pair[1]).length()).sum::<f64>()
 }
 
-fn check(rims: &RimPair<'_>) {
+fn check_all_choices(rims: &RimPair<'_>) {
     check_continuation(rims);
     let (a, b) = (rims.a, rims.b);
-    let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
-    let length = |&[i, j]: &Pair| a[i as usize].distance(b[j as usize]);
-    let squares = |path: &[Pair]| path[1..].iter().map(|pair| length(pair).powi(2)).sum::<f64>();
-    type Measure<'a> = &'a dyn Fn(&[Pair]) -> f64;
+    let paper = meridians_by_index_rule(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
+    let length = |&[i, j]: &MeridianEnds| a[i as usize].distance(b[j as usize]);
+    let squares = |path: &[MeridianEnds]| path[1..].iter().map(|pair| length(pair).powi(2)).sum::<f64>();
+    type Measure<'a> = &'a dyn Fn(&[MeridianEnds]) -> f64;
     let triangles: &[[u32; 2]] = &[[1, 0], [0, 1]];
     let cases: [(Meridians, &[[u32; 2]], Measure<'_>); 4] = [
         (Meridians::MinArea, triangles, &|path| strip_area(a, b, path)),
         (Meridians::MinDiagonal, triangles, &|path| path[1..].iter().map(length).sum()),
-        (Meridians::Smooth, triangles, &|path| bends(rims, path)),
+        (Meridians::Smooth, triangles, &|path| total_bends(rims, path)),
         (Meridians::Quad, &[[1, 0], [0, 1], [1, 1]], &squares),
     ];
     for (choice, steps, measure) in cases {
         let mut least = f64::INFINITY;
         let mut slack = 0.0;
-        all_paths(rims, steps, |path| {
+        visit_all_paths(rims, steps, |path| {
             if measure(path) < least {
                 least = measure(path);
                 // The weight of the tie break for the best path.
@@ -151,10 +151,10 @@ fn check(rims: &RimPair<'_>) {
                 };
             }
         });
-        match meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap() {
+        match choose_meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap() {
             None => assert_eq!(least, f64::INFINITY, "{choice:?}"),
             Some(chosen) => {
-                assert!(is_good(rims, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
+                assert!(is_allowed_path(rims, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
                 assert_eq!(
                     (chosen.pairs[0], chosen.pairs.last()),
                     ([0, 0], Some(&[a.len() as u32 - 1, b.len() as u32 - 1]))
@@ -166,23 +166,23 @@ fn check(rims: &RimPair<'_>) {
         }
     }
     for choice in [Meridians::ArcLength, Meridians::Greedy] {
-        if let Some(chosen) = meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap() {
-            assert!(is_good(rims, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
+        if let Some(chosen) = choose_meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap() {
+            assert!(is_allowed_path(rims, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
         }
     }
 }
 
 fn check_continuation(rims: &RimPair<'_>) {
-    if !rims.has_sides() || rims.a[1..].iter().chain(&rims.b[1..]).all(|&p| p == rims.a[0]) {
+    if !rims.has_faces_along_rims() || rims.a[1..].iter().chain(&rims.b[1..]).all(|&p| p == rims.a[0]) {
         return;
     }
     let mut least = f64::INFINITY;
-    all_paths(rims, &[[1, 0], [0, 1]], |path| least = least.min(continuation(rims, path)));
-    match meridians(rims, Meridians::Continuation, MeridianSearch::Exact, &Job::default()).unwrap() {
+    visit_all_paths(rims, &[[1, 0], [0, 1]], |path| least = least.min(continuation_measure(rims, path)));
+    match choose_meridians(rims, Meridians::Continuation, MeridianSearch::Exact, &Job::default()).unwrap() {
         None => assert_eq!(least, f64::INFINITY),
         Some(chosen) => {
-            assert!(is_good(rims, &chosen.pairs), "{:?}", chosen.pairs);
-            let cost = continuation(rims, &chosen.pairs);
+            assert!(is_allowed_path(rims, &chosen.pairs), "{:?}", chosen.pairs);
+            let cost = continuation_measure(rims, &chosen.pairs);
             // The tie break is 2^-20 of the meridians' lengths, in mean edges.
             assert!((least * (1.0 - 1e-9)..=least * (1.0 + 1e-3) + 1e-3).contains(&cost), "{cost} {least}");
         }
@@ -190,12 +190,12 @@ fn check_continuation(rims: &RimPair<'_>) {
 }
 
 /// Repeats the first point at the end.
-fn closed(points: &[DVec3]) -> Vec<DVec3> {
+fn repeat_first_point(points: &[DVec3]) -> Vec<DVec3> {
     points.iter().chain(&points[..1]).copied().collect()
 }
 
 /// Returns a path with steps on A where `on_a` is true, as long as there are any.
-fn walk(on_a: &[bool], n: usize, m: usize) -> Vec<Pair> {
+fn path_with_steps(on_a: &[bool], n: usize, m: usize) -> Vec<MeridianEnds> {
     let mut path = vec![[0, 0]];
     for &on_a in on_a {
         let [i, j] = path[path.len() - 1];
@@ -208,7 +208,7 @@ fn walk(on_a: &[bool], n: usize, m: usize) -> Vec<Pair> {
     path
 }
 
-fn polyline(coordinates: &[(i8, i8, i8)]) -> Vec<DVec3> {
+fn polyline_of_integers(coordinates: &[(i8, i8, i8)]) -> Vec<DVec3> {
     coordinates.iter().map(|&(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z)) / 128.0).collect()
 }
 
@@ -225,19 +225,21 @@ proptest! {
         forbidden in any::<u64>(),
         sparse in 1u32..5,
     ) {
-        let a = polyline(&a);
-        let b: Vec<_> = polyline(&b).iter().map(|&p| p * shrink).collect();
+        let a = polyline_of_integers(&a);
+        let b: Vec<_> = polyline_of_integers(&b).iter().map(|&p| p * shrink).collect();
         let (n, m) = (a.len() as u32, b.len() as u32);
-        let sides: Vec<_> = polyline(&sides).iter().map(|p| p.normalize_or_zero()).collect();
+        let sides: Vec<_> = polyline_of_integers(&sides).iter().map(|p| p.normalize_or_zero()).collect();
         let sides = [&sides[..5], &sides[5..]];
         let some = (0..n).flat_map(|i| (0..m).map(move |j| [i, j]));
         let some: Vec<_> =
             some.filter(|&[i, j]| (i * 7 + j) % sparse == 3 && forbidden >> (i * 6 + j) & 1 == 1).collect();
         for few in [&[][..], &some] {
-            let nodes = |closed| forbidden_nodes(few.iter().copied(), n, m, closed).unwrap();
+            let nodes = |closed| sorted_forbidden_nodes(few.iter().copied(), n, m, closed).unwrap();
             for sides in [None, Some(sides)] {
-                check(&RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &nodes(true), sides, penalties: &[] });
-                check(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides, penalties: &[] });
+                let (closed_a, closed_b) = (repeat_first_point(&a), repeat_first_point(&b));
+                let rims = RimPair { a: &closed_a, b: &closed_b, closed: true, forbidden: &nodes(true), sides, penalties: &[] };
+                check_all_choices(&rims);
+                check_all_choices(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides, penalties: &[] });
             }
         }
     }
@@ -250,21 +252,21 @@ proptest! {
         path in prop::collection::vec(any::<bool>(), 12),
         width in 0usize..2,
     ) {
-        let (a, b) = (polyline(&a), polyline(&b));
+        let (a, b) = (polyline_of_integers(&a), polyline_of_integers(&b));
         let (n, m) = (a.len() - 1, b.len() - 1);
-        let middle = walk(&path, n, m);
-        let band = Band::around_path(&middle, n, m, width).unwrap();
+        let middle = path_with_steps(&path, n, m);
+        let band = LatticeBand::around_path(&middle, n, m, width).unwrap();
         let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, penalties: &[] };
-        let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
-        for (metric, steps) in [(Metric::Diagonal, &[[1, 0], [0, 1]][..]), (Metric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
+        let within = |path: &[MeridianEnds]| path.iter().all(|&[i, j]| band.columns_of_row(i as usize).contains(&(j as usize)));
+        for (metric, steps) in [(StepMetric::Diagonal, &[[1, 0], [0, 1]][..]), (StepMetric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
             let mut least = f64::INFINITY;
-            all_paths(&rims, steps, |path| {
+            visit_all_paths(&rims, steps, |path| {
                 if within(path) {
                     least = least.min(metric.path_cost(&a, &b, path));
                 }
             });
-            let plain = lattice::cheapest_path(&rims, metric, &band, &Job::default()).unwrap().unwrap();
-            let (_, by_states) = cheapest_path(&rims, &Cost::StepCosts(metric), &band, false, None, &Job::default()).unwrap().unwrap();
+            let plain = lattice_path::cheapest_path(&rims, metric, &band, &Job::default()).unwrap().unwrap();
+            let (_, by_states) = cheapest_path(&rims, &PathCost::StepCosts(metric), &band, false, None, &Job::default()).unwrap().unwrap();
             for path in [plain, by_states] {
                 let cost = metric.path_cost(&a, &b, &path);
                 prop_assert!(within(&path) && (cost - least).abs() < 1e-12, "{metric:?} {cost} {least} {path:?}");
@@ -283,12 +285,12 @@ proptest! {
         normals in prop::collection::vec(any::<(i8, i8, i8)>(), 12),
         penalties in prop::collection::btree_map((0u32..6, 0u32..6, any::<bool>()), 0.0..50.0, 0..6),
     ) {
-        let (a, b) = (polyline(&a), polyline(&b));
-        let (a, b) = if closes { (closed(&a), closed(&b)) } else { (a, b) };
+        let (a, b) = (polyline_of_integers(&a), polyline_of_integers(&b));
+        let (a, b) = if closes { (repeat_first_point(&a), repeat_first_point(&b)) } else { (a, b) };
         let (n, m) = (a.len() - 1, b.len() - 1);
-        let middle = walk(&path, n, m);
-        let band = Band::around_path(&middle, n, m, width).unwrap();
-        let normals: Vec<DVec3> = polyline(&normals).into_iter().map(DVec3::normalize_or_zero).collect();
+        let middle = path_with_steps(&path, n, m);
+        let band = LatticeBand::around_path(&middle, n, m, width).unwrap();
+        let normals: Vec<DVec3> = polyline_of_integers(&normals).into_iter().map(DVec3::normalize_or_zero).collect();
         let sides = Some([&normals[..n], &normals[6..6 + m]]);
         let penalties: Vec<StepPenalty> = penalties
             .into_iter()
@@ -296,36 +298,36 @@ proptest! {
             .filter(|penalty| penalty.to[0] as usize <= n && penalty.to[1] as usize <= m)
             .collect();
         let rims = RimPair { a: &a, b: &b, closed: closes, forbidden: &[], sides, penalties: &penalties };
-        let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
-        let extra = |path: &[Pair]| {
-            let of = |step: &[Pair]| {
+        let within = |path: &[MeridianEnds]| path.iter().all(|&[i, j]| band.columns_of_row(i as usize).contains(&(j as usize)));
+        let extra = |path: &[MeridianEnds]| {
+            let of = |step: &[MeridianEnds]| {
                 let own = |p: &&StepPenalty| p.to == step[1] && p.on_b == (step[1][0] == step[0][0]);
                 penalties.iter().filter(own).map(|p| p.extra).sum::<f64>()
             };
             path.windows(2).map(of).sum::<f64>()
         };
-        type Measure<'a> = &'a dyn Fn(&[Pair]) -> f64;
-        let cases: [(Bends<'_>, Measure<'_>); 2] = [
-            (Bends::smooth(&rims, 0.0).unwrap(), &|path| bends(&rims, path)),
-            (Bends::continuation(&rims, 0.0).unwrap(), &|path| continuation(&rims, path)),
+        type Measure<'a> = &'a dyn Fn(&[MeridianEnds]) -> f64;
+        let cases: [(StripBends<'_>, Measure<'_>); 2] = [
+            (StripBends::least_bends(&rims, 0.0).unwrap(), &|path| total_bends(&rims, path)),
+            (StripBends::best_continuation(&rims, 0.0).unwrap(), &|path| continuation_measure(&rims, path)),
         ];
         for (of, measure) in &cases {
             for simple in [false, true] {
                 // The least cost of simple paths; other paths may be cheaper.
                 let mut least = f64::INFINITY;
-                all_paths(&rims, &[[1, 0], [0, 1]], |path| {
+                visit_all_paths(&rims, &[[1, 0], [0, 1]], |path| {
                     if within(path) {
                         least = least.min(measure(path) + extra(path));
                     }
                 });
-                let Some((cost, path)) = cheapest_path(&rims, &Cost::Bends(of), &band, simple, None, &Job::default()).unwrap() else {
+                let Some((cost, path)) = cheapest_path(&rims, &PathCost::Bends(of), &band, simple, None, &Job::default()).unwrap() else {
                     prop_assert!(simple && least == f64::INFINITY);
                     continue;
                 };
                 let (own, slack) = (measure(&path) + extra(&path), 1e-9 * (1.0 + cost));
                 prop_assert!(within(&path) && (own - cost).abs() <= slack, "{own} {cost} {path:?}");
                 prop_assert!(cost <= least + slack, "{cost} {least} {path:?}");
-                if is_simple(&rims, &path) {
+                if is_simple_path(&rims, &path) {
                     prop_assert!(cost >= least - slack, "{cost} {least} {path:?}");
                 } else {
                     prop_assert!(!simple);
@@ -341,7 +343,8 @@ proptest! {
     ) {
         // Two points span no strip.
         prop_assume!(a.len() + b.len() > 2);
-        check(&RimPair { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None, penalties: &[] });
+        let (a, b) = (polyline_of_integers(&a), polyline_of_integers(&b));
+        check_all_choices(&RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, penalties: &[] });
     }
 }
 
@@ -363,7 +366,7 @@ proptest! {
                 DVec3::new(t.cos(), t.sin(), lift + (1.0 + lift) * wave.sum::<f64>())
             }).collect()
         };
-        let (a, b) = (closed(&rim(n, 0.0, 0.0)), closed(&rim((ratio * n as f64) as usize, 0.3, shift)));
+        let (a, b) = (repeat_first_point(&rim(n, 0.0, 0.0)), repeat_first_point(&rim((ratio * n as f64) as usize, 0.3, shift)));
         let lost = coarse_search_excess(&a, &b, &[]);
         prop_assert!(lost <= 0.0005, "{lost}");
     }
@@ -389,26 +392,28 @@ proptest! {
             }
             points
         };
-        let (a, b) = (closed(&rim(n, 0.0)), closed(&rim((ratio * n as f64) as usize, 0.3)));
+        let (a, b) = (repeat_first_point(&rim(n, 0.0)), repeat_first_point(&rim((ratio * n as f64) as usize, 0.3)));
         let (n, m) = (a.len() as u32 - 1, b.len() as u32 - 1);
         let place = |share: f64, count: u32| 1 + (share * f64::from(count - 2)) as u32;
         let barred = barred.iter().map(|&(i, j)| [place(i, n), place(j, m)]);
-        let lost = coarse_search_excess(&a, &b, &forbidden_nodes(barred, n, m, true).unwrap());
+        let lost = coarse_search_excess(&a, &b, &sorted_forbidden_nodes(barred, n, m, true).unwrap());
         prop_assert!(lost <= 0.0005, "{lost}");
     }
 }
 
 /// Returns the largest relative excess of the coarse-to-fine cost over the exact cost, over all
 /// step metrics.
-fn coarse_search_excess(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
+fn coarse_search_excess(a: &[DVec3], b: &[DVec3], forbidden: &[MeridianEnds]) -> f64 {
     let rims = RimPair { a, b, closed: true, forbidden, sides: None, penalties: &[] };
-    let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
+    let paper = meridians_by_index_rule(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let mut most = 0.0f64;
-    for metric in [Metric::area(a, b, &paper), Metric::Diagonal, Metric::Quad] {
+    for metric in [StepMetric::area_with_tie_break(a, b, &paper), StepMetric::Diagonal, StepMetric::Quad] {
         let job = Job::default();
-        let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| lattice::cheapest_path(rims, metric, band, job);
-        let coarse = coarse::coarse_to_fine(&rims, &find, &job).unwrap().unwrap();
-        let exact = find(&rims, &Band::full(a.len() - 1, b.len() - 1).unwrap(), &job).unwrap().unwrap();
+        let find = |rims: &RimPair<'_>, band: &LatticeBand, job: &Job<'_>| {
+            lattice_path::cheapest_path(rims, metric, band, job)
+        };
+        let coarse = coarse_to_fine::search_coarse_to_fine(&rims, &find, &job).unwrap().unwrap();
+        let exact = find(&rims, &LatticeBand::whole_lattice(a.len() - 1, b.len() - 1).unwrap(), &job).unwrap().unwrap();
         assert!(coarse.iter().all(|node| !forbidden.contains(node)));
         let (coarse, exact) = (metric.path_cost(a, b, &coarse), metric.path_cost(a, b, &exact));
         assert!(coarse >= exact * (1.0 - 1e-12), "{metric:?} {coarse} {exact}");
@@ -425,12 +430,19 @@ fn a_plane_ring_gets_short_meridians() {
         (0..n).map(|i| DVec3::new(r * angle(i).cos(), r * angle(i).sin(), 0.0)).collect()
     };
     let (a, b) = (circle(48, 2.0), circle(32, 1.7));
-    let rims = RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None, penalties: &[] };
+    let rims = RimPair {
+        a: &repeat_first_point(&a),
+        b: &repeat_first_point(&b),
+        closed: true,
+        forbidden: &[],
+        sides: None,
+        penalties: &[],
+    };
     let up = [vec![DVec3::NEG_Z; 48], vec![DVec3::NEG_Z; 32]];
     let known = RimPair { sides: Some([&up[0], &up[1]]), ..rims };
     for (choice, rims) in [(Meridians::MinArea, &rims), (Meridians::Smooth, &rims), (Meridians::Continuation, &known)] {
-        let chosen = meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap().unwrap();
-        let length = |&[i, j]: &Pair| a[i as usize % 48].distance(b[j as usize % 32]);
+        let chosen = choose_meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap().unwrap();
+        let length = |&[i, j]: &MeridianEnds| a[i as usize % 48].distance(b[j as usize % 32]);
         let longest = chosen.pairs.iter().map(length).fold(0.0, f64::max);
         // No meridian leans sideways by more than one edge: the gap is 0.3 wide, and the longer
         // edge 0.334 long.

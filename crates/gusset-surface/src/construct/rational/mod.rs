@@ -1,17 +1,17 @@
 //! Converts rational splines to polynomial patches of degree 7 in the same parameters.
 //!
 //! The spans of the spline are cut, whole rows and columns at a time, until the piece of every cell
-//! is within the tolerance. [`fit`] computes the pieces. [`bound`] proves their distance for all
-//! parameters. The bound includes the rounding of the cells' control points, of the bound itself,
-//! and of the result. Errors decrease with the eighth power of the size of cells.
+//! is within the tolerance. [`piece_fit`] computes the pieces. [`difference_bound`] proves their
+//! distance for all parameters. The bound includes the rounding of the cells' control points, of
+//! the bound itself, and of the result. Errors decrease with the eighth power of the size of cells.
 
-mod bound;
-mod fit;
+mod difference_bound;
+mod piece_fit;
 
-use self::bound::Difference;
-use self::fit::{ExactPoints, Fit};
-use super::spline::{PieceNet, Spline, SplineInterval, SplineOptions, SplinePiece, border_knots};
-use crate::patches::Origin;
+use self::difference_bound::HomogeneousDifference;
+use self::piece_fit::{ExactBorderPoints, FitFactors};
+use super::spline::{PieceNet, Spline, SplineInterval, SplineOptions, SplinePiece, knots_at_cell_borders};
+use crate::patches::SplineOrigin;
 use crate::{Patch, Patches};
 use glam::DVec3;
 use glam::DVec4;
@@ -32,16 +32,16 @@ const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-12;
 const MIN_RELATIVE_WEIGHT: f64 = 1.183_052_186_166_774e-271;
 
 /// The relative rounding error of one operation, 2^-53.
-const ROUNDING: f64 = 0.5 * f64::EPSILON;
+const UNIT_ROUNDING_ERROR: f64 = 0.5 * f64::EPSILON;
 
 /// Largest number of parts that an interval is cut into in one pass.
-const MAX_PARTS: f64 = 16.0;
+const MAX_PARTS_PER_INTERVAL: f64 = 16.0;
 
 /// Number of cells that a thread computes in one task, which takes some milliseconds.
 const CELLS_PER_TASK: usize = 64;
 /// Number of cells copied between two progress reports, 1.5 KB each.
 const CELLS_PER_REPORT: usize = 1 << 12;
-const STAGE: &str = "fitting patches";
+const PROGRESS_STAGE: &str = "fitting patches";
 
 /// Whether the spline has weights that differ.
 ///
@@ -65,7 +65,7 @@ pub(super) fn has_different_weights(spline: &Spline<'_>) -> Result<bool> {
 }
 
 /// A spline in a scaled and shifted system in which its coordinates are about 1 or less.
-struct Rational<'a> {
+struct ScaledRationalSpline<'a> {
     spline: &'a Spline<'a>,
     /// The scale, a power of two.
     unit: f64,
@@ -73,7 +73,7 @@ struct Rational<'a> {
     middle: DVec3,
     /// Homogeneous coordinates w x, w y, w z and w of the control points.
     homogeneous: Vec<DVec4>,
-    fit: Fit,
+    fit: FitFactors,
     /// Largest permitted bound of a cell, in this scale.
     target: f64,
     /// Rounding to add to the bounds.
@@ -84,7 +84,7 @@ struct Rational<'a> {
 
 /// The fitted cell.
 #[derive(Clone, Copy)]
-struct Cell {
+struct FittedCell {
     patch: Patch<8>,
     /// Bound of the distance from the rational surface, without rounding.
     bound: f64,
@@ -93,16 +93,16 @@ struct Cell {
 }
 
 /// Computes patches within the tolerance of the spline, over intervals that cover all its spans.
-pub(super) fn patches(
+pub(super) fn fit_patches(
     spline: &Spline<'_>,
     mut intervals: [Vec<SplineInterval>; 2],
     options: &SplineOptions,
     job: &Job<'_>,
 ) -> Result<Patches<8>> {
-    let rational = Rational::new(spline, options)?;
+    let rational = ScaledRationalSpline::new(spline, options)?;
     let limit = options.max_cells.unwrap_or(DEFAULT_MAX_CELLS) as u64;
     // All cells ever computed, by task so that they do not move, and the index of each grid cell.
-    let mut tasks: Vec<Vec<Cell>> = Vec::new();
+    let mut tasks: Vec<Vec<FittedCell>> = Vec::new();
     let mut grid: Vec<usize> = Vec::new();
     // For each row and each column, its index in the grid of the previous pass, if it was not cut.
     let mut kept: [Vec<Option<usize>>; 2] = Default::default();
@@ -112,14 +112,14 @@ pub(super) fn patches(
         Error::check_count("cells", counts[0] as u64 * counts[1] as u64, limit)?;
         // Progress increases monotonically for any number of passes.
         let part = job.part(1.0 - 0.5_f64.powi(pass), 1.0 - 0.5_f64.powi(pass + 1));
-        let [u, v] = spline.pieces(&intervals)?;
+        let [u, v] = spline.bezier_pieces_by_direction(&intervals)?;
         let known = |i: usize, j: usize| -> Option<usize> {
             let (row, column) = (*kept[0].get(i)?, *kept[1].get(j)?);
             grid.get(row? * width + column?).copied()
         };
         let (mut now, mut new) = (alloc::with_capacity(counts[0] * counts[1])?, Vec::new());
         for i in 0..counts[0] {
-            part.step(0.0, STAGE)?;
+            part.step(0.0, PROGRESS_STAGE)?;
             for j in 0..counts[1] {
                 let next = tasks.len() * CELLS_PER_TASK + new.len();
                 let cell = known(i, j).unwrap_or(next);
@@ -129,8 +129,8 @@ pub(super) fn patches(
                 }
             }
         }
-        let made = par::map_cancellable(&part, STAGE, new.chunks(CELLS_PER_TASK), |some| {
-            alloc::collect(some.iter().map(|&[i, j]| rational.cell(&u[i], &v[j])))
+        let made = par::map_cancellable(&part, PROGRESS_STAGE, new.chunks(CELLS_PER_TASK), |some| {
+            alloc::collect(some.iter().map(|&[i, j]| rational.fit_cell(&u[i], &v[j])))
         })?;
         alloc::reserve(&mut tasks, made.len())?;
         for made in made {
@@ -149,30 +149,32 @@ pub(super) fn patches(
             break;
         }
         for d in 0..2 {
-            (intervals[d], kept[d]) = cut(&intervals[d], &parts[d], d as u32)?;
+            (intervals[d], kept[d]) = cut_intervals(&intervals[d], &parts[d], d as u32)?;
         }
     }
     let mut patches = alloc::with_capacity(grid.len())?;
     let mut deviation = 0.0_f64;
     for (k, &cell) in grid.iter().enumerate() {
-        job.part(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), STAGE)?;
+        job.part(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), PROGRESS_STAGE)?;
         let cell = cell_by_index(&tasks, cell);
         deviation = deviation.max(cell.bound);
         patches.push(cell.patch);
     }
-    let origin =
-        Origin { deviation: (deviation + rational.rounding) * rational.unit, knots: border_knots(&intervals)? };
-    Ok(Patches::from_patches(patches, intervals[0].len(), intervals[1].len()).with_origin(origin))
+    let origin = SplineOrigin {
+        deviation: (deviation + rational.rounding) * rational.unit,
+        knots: knots_at_cell_borders(&intervals)?,
+    };
+    Ok(Patches::from_patches(patches, intervals[0].len(), intervals[1].len()).with_spline_origin(origin))
 }
 
 /// The cell with the given index.
-fn cell_by_index(tasks: &[Vec<Cell>], number: usize) -> &Cell {
+fn cell_by_index(tasks: &[Vec<FittedCell>], number: usize) -> &FittedCell {
     &tasks[number / CELLS_PER_TASK][number % CELLS_PER_TASK]
 }
 
 /// Cuts intervals into equal parts. Also returns the previous index of each interval that was not
 /// cut.
-fn cut(
+fn cut_intervals(
     intervals: &[SplineInterval],
     parts: &[u8],
     direction: u32,
@@ -194,7 +196,7 @@ fn cut(
     Ok((parts_of_intervals, kept))
 }
 
-impl<'a> Rational<'a> {
+impl<'a> ScaledRationalSpline<'a> {
     fn new(spline: &'a Spline<'a>, options: &SplineOptions) -> Result<Self> {
         let count = spline.counts[0] * spline.counts[1];
         let (given, weights) = (&spline.points[..count], spline.weights.unwrap_or_default());
@@ -216,7 +218,7 @@ impl<'a> Rational<'a> {
         let [p, q] = degrees.map(|degree| degree as f64);
         let (control, product) = (2.0 * (7.0 * (p + q) + 8.0), 2.0 * ((p + 1.0) * (q + 1.0) + 5.0));
         let largest = bounds.low.abs().max(bounds.high.abs()).max_element();
-        let rounding = 2.0 * ROUNDING * (radius * (control + 1.5 * product) + 2.0 * largest);
+        let rounding = 2.0 * UNIT_ROUNDING_ERROR * (radius * (control + 1.5 * product) + 2.0 * largest);
         let tolerance = match options.tolerance {
             Some(given) => {
                 Error::require(given > 0.0 && given.is_finite(), "tolerance", given)?;
@@ -226,33 +228,42 @@ impl<'a> Rational<'a> {
             None => (DEFAULT_RELATIVE_TOLERANCE * diagonal).max(2.0 * rounding),
         };
         let target = tolerance - rounding;
-        Ok(Rational { spline, unit, middle, homogeneous, fit: Fit::new(degrees)?, target, rounding, radius })
+        Ok(ScaledRationalSpline {
+            spline,
+            unit,
+            middle,
+            homogeneous,
+            fit: FitFactors::new(degrees)?,
+            target,
+            rounding,
+            radius,
+        })
     }
 
-    fn cell(&self, rows: &SplinePiece, columns: &SplinePiece) -> Cell {
-        let homogeneous: PieceNet<DVec4> = self.spline.net(&self.homogeneous, rows, columns);
-        let exact = self.exact_points(rows, columns);
-        let known = exact.map(|point| point / self.unit - self.middle);
-        let piece = self.fit.piece(&homogeneous, &known);
+    fn fit_cell(&self, rows: &SplinePiece, columns: &SplinePiece) -> FittedCell {
+        let homogeneous: PieceNet<DVec4> = self.spline.piece_control_net(&self.homogeneous, rows, columns);
+        let exact = self.exact_border_points(rows, columns);
+        let known = exact.map_points(|point| point / self.unit - self.middle);
+        let piece = self.fit.fit_piece(&homogeneous, &known);
         let degrees = [0, 1].map(|d| self.spline.axes[d].degree);
-        let bound = Difference::new(&piece.points, &homogeneous, degrees).bound(self.target);
+        let bound = HomogeneousDifference::new(&piece.points, &homogeneous, degrees).distance_bound(self.target);
         let mut parts = [1, 1];
         if bound > self.target {
-            parts = self.parts(self.fit.errors(&piece, &homogeneous));
+            parts = self.parts_to_cut_cell_into(self.fit.max_errors_by_direction(&piece, &homogeneous));
         }
         let mut patch = Patch { points: piece.points.map(|row| row.map(|point| (point + self.middle) * self.unit)) };
-        exact.restore(&mut patch.points);
-        Cell { patch, bound, parts }
+        exact.overwrite_exact_points(&mut patch.points);
+        FittedCell { patch, bound, parts }
     }
 
     /// Number of parts to cut a cell with these errors in u and in v into, so that each error is at
     /// most 5/13 of the target. The bound is up to 1.3 times the sum of both errors.
-    fn parts(&self, errors: [f64; 2]) -> [u8; 2] {
+    fn parts_to_cut_cell_into(&self, errors: [f64; 2]) -> [u8; 2] {
         let parts = errors.map(|error| match 2.6 * error / self.target {
             // Errors this large do not yet decrease with the eighth power.
             _ if error >= 1e-3 * self.radius => 2,
             excess if excess <= 1.0 => 1,
-            excess => libm::pow(excess, 0.125).ceil().min(MAX_PARTS) as u8,
+            excess => libm::pow(excess, 0.125).ceil().min(MAX_PARTS_PER_INTERVAL) as u8,
         });
         match parts {
             [1, 1] if errors[0] >= errors[1] => [2, 1],
@@ -263,7 +274,7 @@ impl<'a> Rational<'a> {
 
     /// Points that are known exactly, because all control points that they depend on are equal:
     /// corners of clamped splines, and sides that are poles.
-    fn exact_points(&self, rows: &SplinePiece, columns: &SplinePiece) -> ExactPoints {
+    fn exact_border_points(&self, rows: &SplinePiece, columns: &SplinePiece) -> ExactBorderPoints {
         let [p, q] = [0, 1].map(|d| self.spline.axes[d].degree);
         let one = |in_u: Option<usize>, in_v: Option<usize>| {
             let counts = |piece: &SplinePiece, point: Option<usize>, k: usize| {
@@ -272,12 +283,13 @@ impl<'a> Rational<'a> {
             let places = (0..=p)
                 .filter(|&a| counts(rows, in_u, a))
                 .flat_map(|a| (0..=q).filter(|&b| counts(columns, in_v, b)).map(move |b| (a, b)));
-            let mut points = places.map(|(a, b)| self.spline.points[self.spline.place(rows, columns, a, b)]);
+            let mut points =
+                places.map(|(a, b)| self.spline.points[self.spline.control_point_index(rows, columns, a, b)]);
             let first = points.next()?;
             points.all(|point| point == first).then_some(first)
         };
         let (us, vs) = ([Some(0), Some(p)], [Some(0), Some(q)]);
-        ExactPoints {
+        ExactBorderPoints {
             sides: [us.map(|u| one(u, None)), vs.map(|v| one(None, v))],
             corners: us.map(|u| vs.map(|v| one(u, v))),
         }

@@ -1,8 +1,8 @@
 //! Continuous curvature: cubic sections, joined G2.
 //!
 //! Section i is the cubic in the triangle (J_(i-1), B_i, J_i) with the handles lambda_i and mu_i,
-//! see [`equations`]. With E_i = |(B_i - B_(i-1)) x (B_(i+1) - B_i)| and L_i = |B_(i+1) - B_i| it
-//! has at its ends the curvatures
+//! see [`control_equations`]. With E_i = |(B_i - B_(i-1)) x (B_(i+1) - B_i)| and
+//! L_i = |B_(i+1) - B_i| it has at its ends the curvatures
 //!
 //! 2/3 (1 - mu_i) beta_i E_i / (lambda_i^2 (1 - beta_(i-1))^2 L_(i-1)^3) and
 //!
@@ -26,55 +26,57 @@
 //! cubics by tangents and curvatures; Yan, Schiller, Wilensky, Carr and Schaefer, k-Curves, 2017,
 //! for quadratics with continuous curvature.
 
-mod newton;
-mod system;
+mod curvature_newton;
+mod curvature_system;
 
-use super::equations;
+use super::control_equations;
 use super::knot_joints::solve_with_fallback;
 use super::lock::LockWorkspace;
-use crate::identify::guide::plane_normal;
+use crate::identify::composite_solution::CompositeSolution;
+use crate::identify::guide::subcurve_plane_normal;
 use crate::identify::identify_options::Lock;
 use crate::identify::report::{FitStatus, PointStatus};
-use crate::identify::solution::Solution;
-use crate::identify::subcurve::{Output, Subcurve};
+use crate::identify::subcurve::{Subcurve, SubcurveOutput};
+use curvature_newton::{LeastNormNewton, POINTS_PER_REPORT, PROGRESS_STAGE};
+use curvature_system::{
+    EQUATIONS_PER_POINT, GivenPointQuantities, LockEquation, PointUnknowns, evaluate_equations, legs_at_control_point,
+};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use newton::{LeastSteps, POINTS_PER_REPORT, STAGE};
 use std::ops::Range;
-use system::{EQUATIONS, Known, LockEquation, Node, evaluate, legs};
 
 /// The handles of a quadratic.
-const QUADRATIC: [f64; 2] = [2.0 / 3.0; 2];
+const QUADRATIC_HANDLES: [f64; 2] = [2.0 / 3.0; 2];
 
 /// The number of iterations after which the worst equations are given up.
-const ITERATIONS_PER_ROUND: u32 = 12;
+const MAX_ITERATIONS_PER_ROUND: u32 = 12;
 
 /// The relative rounding error of E_i above which a section always counts as straight.
-const MAX_AREA_ERROR: f64 = 1e-2;
+const MAX_RELATIVE_AREA_ERROR: f64 = 1e-2;
 
 /// The relative rounding error of E_i above which a section counts as straight if its curvature is
-/// below [`MIN_CURVATURE`]. Where points are dense all errors are large, so the error alone does
-/// not make a section straight.
-const MAX_STRAIGHT_AREA_ERROR: f64 = 1e-8;
+/// below [`MIN_SIGNIFICANT_CURVATURE`]. Where points are dense all errors are large, so the error
+/// alone does not make a section straight.
+const MAX_RELATIVE_AREA_ERROR_OF_STRAIGHT: f64 = 1e-8;
 
 /// The smallest significant curvature, times the size of the outline.
-const MIN_CURVATURE: f64 = 1e-2;
+const MIN_SIGNIFICANT_CURVATURE: f64 = 1e-2;
 
 /// The maximum number of rounds that search for inflections, because each changes the polygon
 /// slightly.
 const MAX_INFLECTION_ROUNDS: u32 = 8;
 
 /// Gives up the worst failing point within this many neighbours on each side.
-const TROUBLE_REACH: usize = 3;
+const GIVEN_UP_NEIGHBOURS_PER_SIDE: usize = 3;
 
 /// The residual of an equation, in tolerances, that is still accepted once the curve passes its
 /// points.
-const MAX_REST: f64 = 100.0;
+const MAX_RESIDUAL_IN_TOLERANCES: f64 = 100.0;
 
 /// The largest distance between the curve and a point that it passes, in sizes of the outline.
-const MAX_MISS: f64 = 1e-14;
+const MAX_POINT_MISS_DISTANCE: f64 = 1e-14;
 
 /// The sine of the largest angle between two planes that count as one.
 const MAX_PLANE_SINE: f64 = 1e-7;
@@ -82,39 +84,39 @@ const MAX_PLANE_SINE: f64 = 1e-7;
 /// The unknowns, and the workspace of Newton's method.
 #[derive(Default)]
 pub(super) struct CurvatureJoints {
-    nodes: Vec<Node>,
-    known: Vec<Known>,
-    values: Vec<[f64; EQUATIONS]>,
+    nodes: Vec<PointUnknowns>,
+    known: Vec<GivenPointQuantities>,
+    values: Vec<[f64; EQUATIONS_PER_POINT]>,
     /// Joints with zero curvature, and those among them whose equations were given up.
     flat: Vec<bool>,
     given_up: Vec<bool>,
     /// Points whose equations are in trouble.
     in_trouble: Vec<bool>,
-    newton: LeastSteps,
+    newton: LeastNormNewton,
 }
 
 /// Finds the curve with continuous curvature.
-pub(super) fn solve_by_curvatures(
+pub(super) fn solve_with_continuous_curvature(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
     joints: &mut CurvatureJoints,
-    out: &mut Output<'_>,
+    out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
-    workspace.solution.reset_joints(sub.len())?;
+    workspace.solution.reset_joint_parameters(sub.len())?;
     let locked = solve_with_fallback(sub, workspace, out)?;
     let solution = &mut workspace.solution;
     if inner_joints(sub).is_empty() {
         return Ok(());
     }
-    joints.begin(sub, solution, locked)?;
+    joints.start_from_quadratics(sub, solution, locked)?;
     joints.find_inflections(sub, solution);
-    joints.iterate(sub, solution, out)?;
-    let sound = joints.polish(sub, solution) && joints.passes(sub, solution);
+    joints.iterate_until_converged(sub, solution, out)?;
+    let sound = joints.solve_control_points_again(sub, solution) && joints.passes_all_points(sub, solution);
     if !sound {
-        joints.flatten_all(sub, solution);
+        joints.set_all_curvatures_to_zero(sub, solution);
     }
-    joints.measure(sub, out.job)?;
-    joints.set_statuses(sub, out);
+    joints.evaluate_equations(sub, out.job)?;
+    joints.set_point_statuses(sub, out);
     Ok(())
 }
 
@@ -130,19 +132,24 @@ fn inner_joints(sub: &Subcurve<'_>) -> Range<usize> {
 impl CurvatureJoints {
     /// Starts from the curve with quadratic sections, which passes its points. `locked` tells
     /// whether a lock other than the lock by parameter holds.
-    fn begin(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, locked: bool) -> Result<()> {
+    fn start_from_quadratics(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut CompositeSolution,
+        locked: bool,
+    ) -> Result<()> {
         let n = sub.len();
-        alloc::reset(&mut solution.handles, n, QUADRATIC)?;
-        alloc::reset(&mut self.nodes, n, Node::default())?;
-        alloc::reset(&mut self.values, n, [0.0; EQUATIONS])?;
+        alloc::reset(&mut solution.handles, n, QUADRATIC_HANDLES)?;
+        alloc::reset(&mut self.nodes, n, PointUnknowns::default())?;
+        alloc::reset(&mut self.values, n, [0.0; EQUATIONS_PER_POINT])?;
         for list in [&mut self.flat, &mut self.given_up, &mut self.in_trouble] {
             alloc::reset(list, n, false)?;
         }
-        self.newton.begin(n)?;
+        self.newton.reset_for_points(n)?;
         let by_parameter = !locked || sub.options.lock == Lock::Parameter;
-        let plane = if by_parameter { None } else { plane_normal(sub) };
+        let plane = if by_parameter { None } else { subcurve_plane_normal(sub) };
         let known = (0..n).map(|i| {
-            let inner = sub.sections().contains(&i);
+            let inner = sub.section_indices().contains(&i);
             let fallen = by_parameter || !inner || solution.fell_back[i] || solution.missed_guide[i];
             let lock_equation = match (sub.options.lock, plane) {
                 _ if fallen => LockEquation::GivenParameter,
@@ -150,41 +157,50 @@ impl CurvatureJoints {
                 (Lock::DataGuide, Some(normal)) => LockEquation::OnGuide(normal.cross(solution.guides[i])),
                 _ => LockEquation::GivenParameter,
             };
-            let [a, p, c] = sub.triple(i);
+            let [a, p, c] = sub.point_and_neighbours(i);
             let spacing = if inner { 0.5 * (a.distance(p) + p.distance(c)) } else { sub.size };
-            Known { lock_equation, spacing, normal: DVec3::ZERO, curved: false, fixed: !inner, free: [false; 3] }
+            GivenPointQuantities {
+                lock_equation,
+                spacing,
+                normal: DVec3::ZERO,
+                curved: false,
+                fixed: !inner,
+                free: [false; 3],
+            }
         });
         self.known.clear();
         alloc::extend(&mut self.known, known)?;
         for (i, node) in self.nodes.iter_mut().enumerate() {
-            let beta = Solution::joint_parameter(sub, &solution.beta, i);
-            *node = Node { control: solution.controls[i], t: solution.t[i], beta, handles: QUADRATIC };
+            let beta = CompositeSolution::joint_parameter(sub, &solution.beta, i);
+            *node = PointUnknowns { control: solution.controls[i], t: solution.t[i], beta, handles: QUADRATIC_HANDLES };
         }
         Ok(())
     }
 
     /// Sets the curvature to 0 at all joints followed by an inflection or a straight part of the
     /// polygon.
-    fn find_inflections(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) {
+    fn find_inflections(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
         for _ in 0..MAX_INFLECTION_ROUNDS {
-            self.find_normals(sub);
-            if !self.flatten_inflections(sub) {
+            self.find_turn_normals(sub);
+            if !self.set_inflections_to_zero_curvature(sub) {
                 break;
             }
-            self.polish(sub, solution);
+            self.solve_control_points_again(sub, solution);
         }
-        self.find_unknowns(sub);
+        self.choose_unknowns(sub);
     }
 
     /// Sets the curvature to 0 at joints followed by an inflection or a straight part of
     /// the current polygon. Returns false if there are none left.
-    fn flatten_inflections(&mut self, sub: &Subcurve<'_>) -> bool {
+    fn set_inflections_to_zero_curvature(&mut self, sub: &Subcurve<'_>) -> bool {
         let mut any = false;
         for i in inner_joints(sub) {
-            let next = sub.next(i);
+            let next = sub.next_index(i);
             let turns = self.known[i].normal.dot(self.known[next].normal) > 0.0;
-            if !self.flat[i] && (!turns || self.is_straight(sub, i) || self.is_straight(sub, next)) {
-                self.flatten(sub, i);
+            if !self.flat[i]
+                && (!turns || self.is_polygon_straight_at(sub, i) || self.is_polygon_straight_at(sub, next))
+            {
+                self.set_curvature_to_zero(sub, i);
                 any = true;
             }
         }
@@ -192,24 +208,24 @@ impl CurvatureJoints {
     }
 
     /// Returns true if the polygon is straight at control point `i`, up to rounding.
-    fn is_straight(&self, sub: &Subcurve<'_>, i: usize) -> bool {
-        let [before, after] = legs(sub, &self.nodes, i);
+    fn is_polygon_straight_at(&self, sub: &Subcurve<'_>, i: usize) -> bool {
+        let [before, after] = legs_at_control_point(sub, &self.nodes, i);
         let lengths = before.length() * after.length() * (before + after).length();
-        let faint = 2.0 * before.cross(after).length() * sub.size < MIN_CURVATURE * lengths;
-        let error = area_error(sub, &self.nodes, i);
-        error.is_nan() || error > if faint { MAX_STRAIGHT_AREA_ERROR } else { MAX_AREA_ERROR }
+        let faint = 2.0 * before.cross(after).length() * sub.size < MIN_SIGNIFICANT_CURVATURE * lengths;
+        let error = triangle_area_error(sub, &self.nodes, i);
+        error.is_nan() || error > if faint { MAX_RELATIVE_AREA_ERROR_OF_STRAIGHT } else { MAX_RELATIVE_AREA_ERROR }
     }
 
     /// Sets the curvature at a joint to 0.
-    fn flatten(&mut self, sub: &Subcurve<'_>, joint: usize) {
+    fn set_curvature_to_zero(&mut self, sub: &Subcurve<'_>, joint: usize) {
         self.flat[joint] = true;
         self.nodes[joint].handles[0] = 1.0;
-        self.nodes[sub.next(joint)].handles[1] = 1.0;
+        self.nodes[sub.next_index(joint)].handles[1] = 1.0;
     }
 
     /// Sets the curvature at all joints to 0, with middle joints and the parameters of the data.
     /// The equations of the control points are then diagonally dominant.
-    fn flatten_all(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) {
+    fn set_all_curvatures_to_zero(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
         for i in 0..self.nodes.len() {
             self.nodes[i].t = solution.data_t[i];
             self.known[i].lock_equation = LockEquation::GivenParameter;
@@ -219,27 +235,27 @@ impl CurvatureJoints {
         }
         for i in inner_joints(sub) {
             self.given_up[i] |= !self.flat[i];
-            self.flatten(sub, i);
+            self.set_curvature_to_zero(sub, i);
         }
-        self.find_unknowns(sub);
-        self.polish(sub, solution);
+        self.choose_unknowns(sub);
+        self.solve_control_points_again(sub, solution);
     }
 
     /// Computes the sides to which the polygon turns.
-    fn find_normals(&mut self, sub: &Subcurve<'_>) {
+    fn find_turn_normals(&mut self, sub: &Subcurve<'_>) {
         for i in 0..self.nodes.len() {
-            let [before, after] = legs(sub, &self.nodes, i);
+            let [before, after] = legs_at_control_point(sub, &self.nodes, i);
             self.known[i].normal = before.cross(after).normalize_or_zero();
         }
     }
 
     /// Determines which joints have equations, and which unknowns they contain.
-    fn find_unknowns(&mut self, sub: &Subcurve<'_>) {
+    fn choose_unknowns(&mut self, sub: &Subcurve<'_>) {
         let joints = inner_joints(sub);
         let curved = |joint: usize| joints.contains(&joint) && !self.flat[joint];
         for (i, known) in self.known.iter_mut().enumerate() {
             let behind = curved(i);
-            let beside = behind || ((sub.closed || i > 0) && curved(sub.previous(i)));
+            let beside = behind || ((sub.closed || i > 0) && curved(sub.previous_index(i)));
             let [lambda, mu] = self.nodes[i].handles.map(|handle| beside && handle < 1.0);
             (known.curved, known.free) = (behind, [behind, lambda, mu]);
         }
@@ -247,70 +263,76 @@ impl CurvatureJoints {
 
     /// Solves for the control points again, so that the curve passes the points. Returns false if
     /// the equations are singular.
-    fn polish(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) -> bool {
+    fn solve_control_points_again(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) -> bool {
         for (i, node) in self.nodes.iter().enumerate() {
             (solution.t[i], solution.beta[i], solution.handles[i]) = (node.t, node.beta, node.handles);
         }
-        let regular = equations::solve(sub, solution);
+        let regular = control_equations::solve_control_points(sub, solution);
         self.nodes.iter_mut().zip(&solution.controls).for_each(|(node, &control)| node.control = control);
         regular
     }
 
     /// Returns true if the curve passes its points.
-    fn passes(&self, sub: &Subcurve<'_>, solution: &Solution) -> bool {
-        sub.sections().all(|i| {
-            let corners = [solution.joint(sub, sub.previous(i)), solution.controls[i], solution.joint(sub, i)];
-            let shares = equations::weights(solution.t[i], solution.handles[i]);
+    fn passes_all_points(&self, sub: &Subcurve<'_>, solution: &CompositeSolution) -> bool {
+        sub.section_indices().all(|i| {
+            let corners =
+                [solution.joint_point(sub, sub.previous_index(i)), solution.controls[i], solution.joint_point(sub, i)];
+            let shares = control_equations::cubic_section_weights(solution.t[i], solution.handles[i]);
             let at: DVec3 = corners.iter().zip(shares).map(|(&corner, share)| (corner - sub.points[i]) * share).sum();
-            at.length() <= MAX_MISS * sub.size
+            at.length() <= MAX_POINT_MISS_DISTANCE * sub.size
         })
     }
 
     /// Iterates until all equations hold.
-    fn iterate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
+    fn iterate_until_converged(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut CompositeSolution,
+        out: &mut SubcurveOutput<'_>,
+    ) -> Result<()> {
         let mut in_round = 0;
-        while !self.measure(sub, out.job)? {
+        while !self.evaluate_equations(sub, out.job)? {
             if out.report.iterations >= sub.options.max_sweeps {
                 break;
             }
-            if in_round == ITERATIONS_PER_ROUND {
+            if in_round == MAX_ITERATIONS_PER_ROUND {
                 in_round = 0;
-                self.give_up(sub, solution, out);
+                self.give_up_worst_equations(sub, solution, out);
             }
             in_round += 1;
             out.report.iterations += 1;
-            let moved = self.newton.step(sub, &self.known, &mut self.nodes, out.job)?;
-            out.report.end_cycle(moved / sub.size)?;
+            let moved = self.newton.take_damped_step(sub, &self.known, &mut self.nodes, out.job)?;
+            out.report.record_cycle(moved / sub.size)?;
         }
         Ok(())
     }
 
     /// Evaluates all equations. Returns true if they hold.
-    fn measure(&mut self, sub: &Subcurve<'_>, job: &Job<'_>) -> Result<bool> {
-        self.find_normals(sub);
-        if self.flatten_inflections(sub) {
-            self.find_unknowns(sub);
+    fn evaluate_equations(&mut self, sub: &Subcurve<'_>, job: &Job<'_>) -> Result<bool> {
+        self.find_turn_normals(sub);
+        if self.set_inflections_to_zero_curvature(sub) {
+            self.choose_unknowns(sub);
         }
         let (mut all, n) = (true, self.nodes.len());
         for i in 0..n {
-            job.step_every(POINTS_PER_REPORT, i, n, STAGE)?;
-            self.values[i] = evaluate(sub, &self.known, &self.nodes, i);
-            all &= self.residuals(sub, i).iter().all(|&rest| rest <= 1.0);
+            job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
+            self.values[i] = evaluate_equations(sub, &self.known, &self.nodes, i);
+            all &= self.residuals_in_tolerances(sub, i).iter().all(|&rest| rest <= 1.0);
         }
         Ok(all)
     }
 
     /// Returns the residuals of the equations of point `i`, in tolerances: the point, the lock and
     /// the curvature.
-    fn residuals(&self, sub: &Subcurve<'_>, i: usize) -> [f64; 3] {
+    fn residuals_in_tolerances(&self, sub: &Subcurve<'_>, i: usize) -> [f64; 3] {
         let (values, known) = (&self.values[i], &self.known[i]);
         let rounding = 64.0 * f64::EPSILON * sub.size / known.spacing;
         let tolerance = sub.options.tolerance.max(rounding);
         let miss = DVec3::new(values[0], values[1], values[2]).length();
         let mut gap = 0.0;
         if known.curved {
-            let next = sub.next(i);
-            let areas = area_error(sub, &self.nodes, i) + area_error(sub, &self.nodes, next);
+            let next = sub.next_index(i);
+            let areas = triangle_area_error(sub, &self.nodes, i) + triangle_area_error(sub, &self.nodes, next);
             let handles = 1.0 / (1.0 - self.nodes[i].handles[0]) + 1.0 / (1.0 - self.nodes[next].handles[1]);
             gap = values[4].abs() / sub.options.tolerance.max(32.0 * (areas + f64::EPSILON * handles));
         }
@@ -320,47 +342,52 @@ impl CurvatureJoints {
     }
 
     /// Gives up the worst equations of each neighbourhood in trouble.
-    fn give_up(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) {
+    fn give_up_worst_equations(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut CompositeSolution,
+        out: &mut SubcurveOutput<'_>,
+    ) {
         let n = self.nodes.len();
         for i in 0..n {
-            let worst = |k: usize| self.residuals(sub, k).into_iter().fold(0.0, f64::max);
+            let worst = |k: usize| self.residuals_in_tolerances(sub, k).into_iter().fold(0.0, f64::max);
             let own = worst(i);
-            let mut near = (1..=TROUBLE_REACH.min(n - 1)).flat_map(|d| [(i + d) % n, (i + n - d) % n]);
+            let mut near = (1..=GIVEN_UP_NEIGHBOURS_PER_SIDE.min(n - 1)).flat_map(|d| [(i + d) % n, (i + n - d) % n]);
             self.in_trouble[i] = own > 1.0 && near.all(|k| worst(k) <= own);
         }
         for i in 0..n {
             if !self.in_trouble[i] {
                 continue;
             }
-            let [_, lock, gap] = self.residuals(sub, i);
+            let [_, lock, gap] = self.residuals_in_tolerances(sub, i);
             if self.known[i].lock_equation != LockEquation::GivenParameter && lock >= gap {
                 self.known[i].lock_equation = LockEquation::GivenParameter;
                 self.nodes[i].t = solution.data_t[i];
-                out.results[i].flag(PointStatus::FellBack);
+                out.results[i].flag_status(PointStatus::FellBack);
                 continue;
             }
-            for joint in [sub.previous(i), i] {
+            for joint in [sub.previous_index(i), i] {
                 if self.known[joint].curved && !self.flat[joint] && (joint == i || !self.known[i].curved) {
-                    self.flatten(sub, joint);
+                    self.set_curvature_to_zero(sub, joint);
                     self.given_up[joint] = true;
                 }
             }
         }
-        self.find_unknowns(sub);
+        self.choose_unknowns(sub);
     }
 
     /// Sets the statuses of the points next to joints that differ from the requested ones.
-    fn set_statuses(&self, sub: &Subcurve<'_>, out: &mut Output<'_>) {
+    fn set_point_statuses(&self, sub: &Subcurve<'_>, out: &mut SubcurveOutput<'_>) {
         for i in 0..self.nodes.len() {
-            let next = sub.next(i);
-            let [_, lock, gap] = self.residuals(sub, i);
-            if lock > MAX_REST || gap > MAX_REST {
+            let next = sub.next_index(i);
+            let [_, lock, gap] = self.residuals_in_tolerances(sub, i);
+            if lock > MAX_RESIDUAL_IN_TOLERANCES || gap > MAX_RESIDUAL_IN_TOLERANCES {
                 out.report.status = FitStatus::NotConverged;
-                out.results[i].flag(PointStatus::NotConverged);
+                out.results[i].flag_status(PointStatus::NotConverged);
             }
             let bent =
                 self.known[i].curved && self.known[i].normal.cross(self.known[next].normal).length() > MAX_PLANE_SINE;
-            let status = if gap > MAX_REST {
+            let status = if gap > MAX_RESIDUAL_IN_TOLERANCES {
                 PointStatus::NotConverged
             } else if self.given_up[i] {
                 PointStatus::JointFellBack
@@ -369,14 +396,14 @@ impl CurvatureJoints {
             } else {
                 continue;
             };
-            [i, next].iter().for_each(|&k| out.results[k].flag(status));
+            [i, next].iter().for_each(|&k| out.results[k].flag_status(status));
         }
     }
 }
 
 /// Returns the relative rounding error of the doubled triangle area E_i = |e_(i-1) x e_i| that the
 /// rounding of the control points causes.
-fn area_error(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
-    let [before, after] = legs(sub, nodes, i);
+fn triangle_area_error(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
+    let [before, after] = legs_at_control_point(sub, nodes, i);
     f64::EPSILON * sub.size * (before.length() + after.length()) / before.cross(after).length()
 }

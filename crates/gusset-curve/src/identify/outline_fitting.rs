@@ -1,0 +1,379 @@
+//! The identification of outlines. Each outline is normalised near the origin, cut into subcurves,
+//! solved, measured and transformed back.
+//!
+//! Outlines are independent. Threads take batches of them, and the results are joined in the order
+//! of the outlines. They are therefore the same for any number of threads.
+
+use super::composite::{self, CompositeWorkspace};
+use super::curve_builder::CurveBuilder;
+use super::fit::Fit;
+use super::identify_options::{JointParameter, Mode, Options};
+use super::outline_nodes::OutlineNodes;
+use super::outlines::{Constraint, Outlines};
+use super::report::{FitStatus, PointStatus, Report, ReportInProgress};
+use super::single::{self, Collocation};
+use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
+use super::{blended_curve, cubic_spline, residuals};
+use crate::curve::Place;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::par;
+use gusset_base::threads::lock;
+use std::ops::Range;
+use std::sync::Mutex;
+
+/// Points in a batch.
+const POINTS_PER_BATCH: usize = 1 << 12;
+
+const BATCHES_PER_REPORT: usize = 32;
+
+/// Fits curves through the points of outlines.
+///
+/// Each outline is moved near the origin and scaled to a size near 1, and repeated neighbours merge
+/// into one point. The outline is cut into subcurves at corners and tangents, and each subcurve is
+/// solved. Every point lies on the curve, or its status says why not.
+///
+/// Composite, blended and cubic curves take linear time and memory. Memory beyond the result is
+/// allocated once for each thread.
+///
+/// # Errors
+/// Variants of [`Error`](gusset_base::Error): `BadOffsets`, `OptionOutOfRange`, `NotFinite`,
+/// `TooLarge`, `BadConstraint` (a constraint names a point that does not exist, or is out of
+/// order), `OutOfMemory`, `Cancelled`.
+///
+/// Source: Nadopta; the composite and blended readings of the set of sections are ours.
+pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {
+    options.check_ranges()?;
+    let options = &options.with_chain_mode_replaced();
+    let batches = divide_into_batches(outlines, outlines.check_offsets_and_constraints()?)?;
+    let threads = par::resolve_thread_count(batches.len(), job.threads());
+    let mut whole = OutlineWorker::new(outlines, options);
+    if let (Some(first), Some(last)) = (batches.first(), batches.last()) {
+        whole.reserve_results(first.start..last.end)?;
+    }
+    if threads == 1 {
+        for (k, batch) in batches.iter().enumerate() {
+            let part = job.share(k, batches.len());
+            part.step(0.0, PROGRESS_STAGE)?;
+            whole.identify_batch(batch.clone(), &part)?;
+        }
+    } else {
+        // Rounds reuse the workers' memory, and the host can cancel between rounds.
+        let idle = Mutex::new(Vec::new());
+        let work = |batch: Range<usize>, job: &Job<'_>| -> Result<OutlineWorker<'_>> {
+            let free = lock(&idle).pop();
+            let mut worker = free.unwrap_or_else(|| OutlineWorker::new(outlines, options));
+            worker.identify_batch(batch, job)?;
+            Ok(worker)
+        };
+        for (k, round) in batches.chunks(BATCHES_PER_REPORT).enumerate() {
+            let part = |batch: usize| batch.min(batches.len()) as f64 / batches.len() as f64;
+            let part = job.part(part(k * BATCHES_PER_REPORT), part((k + 1) * BATCHES_PER_REPORT));
+            for mut worker in par::map_jobs(&part, PROGRESS_STAGE, round.iter().cloned(), work)? {
+                whole.done.append_fit(&mut worker.done)?;
+                lock(&idle).push(worker);
+            }
+        }
+    }
+    job.step(1.0, PROGRESS_STAGE)?;
+    Ok(whole.done)
+}
+
+const PROGRESS_STAGE: &str = "identifying outlines";
+/// Outlines of at least this many points report progress between the passes over them.
+const POINTS_PER_REPORT: usize = 1 << 17;
+
+/// Divides the outlines into batches of about [`POINTS_PER_BATCH`] points.
+fn divide_into_batches(outlines: &Outlines<'_>, count: usize) -> Result<Vec<Range<usize>>> {
+    let mut batches: Vec<Range<usize>> = Vec::new();
+    let mut points = 0;
+    for k in 0..count {
+        let more = outlines.point_range(k).len();
+        match batches.last_mut() {
+            Some(batch) if points + more <= POINTS_PER_BATCH && batch.len() < POINTS_PER_BATCH => batch.end = k + 1,
+            _ => {
+                alloc::push(&mut batches, k..k + 1)?;
+                points = 0;
+            }
+        }
+        points += more;
+    }
+    Ok(batches)
+}
+
+/// One thread's worker, with the memory that it reuses for each outline.
+struct OutlineWorker<'a> {
+    outlines: &'a Outlines<'a>,
+    options: &'a Options,
+    /// The constraints of the remaining outlines.
+    constraints: &'a [Constraint],
+    nodes: OutlineNodes,
+    composite: CompositeWorkspace,
+    single: Collocation,
+    builder: CurveBuilder,
+    done: Fit,
+}
+
+impl<'a> OutlineWorker<'a> {
+    fn new(outlines: &'a Outlines<'a>, options: &'a Options) -> Self {
+        OutlineWorker {
+            outlines,
+            options,
+            constraints: &[],
+            nodes: OutlineNodes::default(),
+            composite: CompositeWorkspace::default(),
+            single: Collocation::default(),
+            builder: CurveBuilder::default(),
+            done: Fit::new(outlines.closed),
+        }
+    }
+
+    /// Makes room for the results of some outlines.
+    fn reserve_results(&mut self, batch: Range<usize>) -> Result<()> {
+        let points = self.outlines.point_range(batch.start).start..self.outlines.point_range(batch.end - 1).end;
+        let expected = points.len() + 2 * batch.len();
+        let per_segment = match self.options.mode {
+            Mode::Composite | Mode::Chain if self.options.joint == JointParameter::G2 => 3,
+            Mode::Composite | Mode::Chain => 2,
+            Mode::BlendC1 | Mode::CubicC2 => 3,
+            Mode::BlendC2 => 5,
+            Mode::Single => 1,
+        };
+        let done = &mut self.done;
+        alloc::reserve(&mut done.points, per_segment * expected)?;
+        alloc::reserve(&mut done.ends, expected)?;
+        alloc::reserve(&mut done.starts, batch.len())?;
+        done.reserve_points(points.len())?;
+        alloc::reserve(&mut done.cycle_ends, batch.len())?;
+        alloc::reserve(&mut done.reports, batch.len())
+    }
+
+    fn identify_batch(&mut self, batch: Range<usize>, job: &Job<'_>) -> Result<()> {
+        let first = self.outlines.point_range(batch.start).start;
+        let from = self.outlines.constraints.partition_point(|constraint| (constraint.point as usize) < first);
+        self.constraints = &self.outlines.constraints[from..];
+        batch.into_iter().try_for_each(|k| self.identify_outline(k, job))
+    }
+
+    fn identify_outline(&mut self, k: usize, job: &Job<'_>) -> Result<()> {
+        let span = self.outlines.point_range(k);
+        let own = self.constraints.partition_point(|constraint| (constraint.point as usize) < span.end);
+        let (own, rest) = self.constraints.split_at(own);
+        self.constraints = rest;
+        // Long outlines report progress between the passes over their points.
+        let long = |fraction| if span.len() < POINTS_PER_REPORT { Ok(()) } else { job.step(fraction, PROGRESS_STAGE) };
+        self.nodes.read_and_cut(self.outlines, &span, own, self.options)?;
+        long(0.0)?;
+        let (base, first_status) = (self.done.points.len(), self.done.statuses.len());
+        let placement = self.nodes.placement;
+        let size = placement.size * placement.unit;
+        let report = Report { size, ..Report::default() };
+        let mut report = ReportInProgress { report, history: self.options.history.then(Vec::new) };
+        let quadratic = self.options.mode == Mode::Composite && self.options.joint != JointParameter::G2;
+        if self.nodes.cuts.is_empty() && quadratic {
+            self.identify_closed_without_cuts(&span, base, &mut report, job)?;
+        } else {
+            self.solve_subcurves(&mut report, job)?;
+            long(1.0)?;
+            residuals::measure_residuals(&self.nodes, &self.builder, &mut report);
+            if self.options.mode == Mode::Composite && !quadratic && !self.builder.is_empty() {
+                residuals::measure_curvature_gaps(&mut self.nodes, &self.builder, &mut report);
+            }
+            long(1.0)?;
+            self.append_curve_and_places(&span, base)?;
+        }
+        long(1.0)?;
+        self.withdraw_overflowing_curve(&span, base, first_status, &mut report)?;
+        self.append_report(first_status, report)
+    }
+
+    /// Finds the curve, near the origin, subcurve by subcurve.
+    fn solve_subcurves(&mut self, report: &mut ReportInProgress, job: &Job<'_>) -> Result<()> {
+        self.builder.clear();
+        let n = self.nodes.points.len();
+        if n < 2 || (self.outlines.closed && n < 3) {
+            return self.solve_one_or_two_nodes(report);
+        }
+        if self.nodes.cuts.is_empty() {
+            let (sub, results) = self.nodes.as_subcurve(self.options);
+            let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
+            return append_subcurve_curve(&sub, &mut self.composite, &mut self.single, &mut out);
+        }
+        for k in 0..self.nodes.cuts.len() - 1 {
+            if k > 0 && self.nodes.cuts[k].tangent.is_none() {
+                self.builder.mark_corner()?;
+            }
+            let (sub, results) = self.nodes.subcurve_after_cut(k, self.options);
+            let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
+            append_subcurve_curve(&sub, &mut self.composite, &mut self.single, &mut out)?;
+        }
+        if self.nodes.closed && self.nodes.cuts[0].tangent.is_none() {
+            self.builder.mark_corner()?;
+        }
+        // The first node is repeated at the end: the status of either counts.
+        let results = &mut self.nodes.results;
+        let (first, last) = (results[0].status, results[results.len() - 1].status);
+        if self.nodes.closed && first == PointStatus::Ok {
+            results[0].status = last;
+        }
+        Ok(())
+    }
+
+    /// Treats an outline of one or two nodes as a point, or as a line there and back.
+    fn solve_one_or_two_nodes(&mut self, report: &mut Report) -> Result<()> {
+        report.status = FitStatus::TooFewPoints;
+        let OutlineNodes { points, results, .. } = &mut self.nodes;
+        results.iter_mut().for_each(|result| result.status = PointStatus::Missed);
+        if let Some(&point) = points.first() {
+            self.builder.begin_at_point(point)?;
+        }
+        if let &[p, q] = points.as_slice() {
+            self.builder.push_segment(&[q])?;
+            self.builder.push_segment(&[p])?;
+            results[0] = PointResult::default();
+            results[1] = PointResult { place: Place { segment: 0, t: 1.0 }, ..PointResult::default() };
+        }
+        Ok(())
+    }
+
+    /// Finds the composite curve of a closed outline without cuts, and writes it at the outline's
+    /// position.
+    fn identify_closed_without_cuts(
+        &mut self,
+        span: &Range<usize>,
+        base: usize,
+        report: &mut ReportInProgress,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let placement = self.nodes.placement;
+        let (sub, results) = self.nodes.as_subcurve(self.options);
+        let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
+        composite::solve_composite_curve(&sub, &mut self.composite, &mut out)?;
+        if span.len() >= POINTS_PER_REPORT {
+            job.step(1.0, PROGRESS_STAGE)?;
+        }
+        let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
+        alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
+        let place = |p: DVec3| p * placement.unit + placement.origin;
+        composite::write_closed_curve(&sub, solution, place, &mut done.points[base..], report);
+        alloc::reserve(&mut done.ends, n + 1)?;
+        done.ends.extend((0..=n as u32).map(|k| 2 * k));
+        alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
+        done.reserve_points(span.len())?;
+        if n == span.len() {
+            done.segments.extend(0..n as u32);
+            done.parameters.extend_from_slice(&solution.t[..n]);
+            done.statuses.extend(self.nodes.results.iter().map(|result| result.status));
+        } else {
+            let mut taken = 0;
+            for (i, &node) in self.nodes.point_nodes.iter().enumerate() {
+                // Nodes ascend. A smaller node repeats its neighbour, or at the end the first
+                // point.
+                let repeats = i > 0 && node < taken;
+                taken = taken.max(node + 1);
+                let status = self.nodes.results[node as usize].status;
+                done.segments.push(node);
+                done.parameters.push(solution.t[node as usize]);
+                done.statuses.push(if repeats { PointStatus::Merged } else { status });
+            }
+        }
+        Ok(())
+    }
+
+    /// Appends the curve at the outline's position, and the places of its points.
+    fn append_curve_and_places(&mut self, span: &Range<usize>, base: usize) -> Result<()> {
+        let (done, builder, nodes, placement) = (&mut self.done, &self.builder, &self.nodes, self.nodes.placement);
+        alloc::reserve(&mut done.points, builder.points.len())?;
+        done.points.extend(builder.points.iter().map(|&p| p * placement.unit + placement.origin));
+        alloc::append(&mut done.ends, &builder.ends)?;
+        alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
+        done.reserve_points(span.len())?;
+        let (mut before, closing) = (u32::MAX, nodes.point_nodes.first().copied().unwrap_or(0));
+        for (i, &node) in span.clone().zip(&nodes.point_nodes) {
+            let PointResult { place, mut status } = nodes.results[node as usize];
+            let repeats = node == before || (node == closing && i > span.start && self.outlines.closed);
+            if repeats && status != PointStatus::Missed {
+                status = PointStatus::Merged;
+            }
+            if !repeats && (place.t == 0.0 || place.t == 1.0) && !builder.is_empty() {
+                // Joints at points keep their bits.
+                let end = builder.ends[place.segment as usize + usize::from(place.t == 1.0)] as usize;
+                let p = self.outlines.points.get(i);
+                done.points[base + end] = p;
+                if self.outlines.closed && end == 0 {
+                    let last = done.points.len() - 1;
+                    done.points[last] = p;
+                }
+            }
+            before = node;
+            done.segments.push(place.segment);
+            done.parameters.push(place.t);
+            done.statuses.push(status);
+        }
+        Ok(())
+    }
+
+    /// Withdraws a curve whose control points overflow although its points do not. This can happen
+    /// at any size, because control points may be far out where points are close together.
+    fn withdraw_overflowing_curve(
+        &mut self,
+        span: &Range<usize>,
+        base: usize,
+        first: usize,
+        report: &mut Report,
+    ) -> Result<()> {
+        let done = &mut self.done;
+        if done.points[base..].iter().all(|p| p.is_finite()) {
+            return Ok(());
+        }
+        done.points.truncate(base);
+        alloc::push(&mut done.points, self.outlines.points.get(span.start))?;
+        let ends = done.starts[done.starts.len() - 2][1];
+        done.ends.truncate(ends);
+        alloc::push(&mut done.ends, 0)?;
+        let last = done.starts.len() - 1;
+        done.starts[last] = [done.points.len(), done.ends.len()];
+        done.segments[first..].fill(0);
+        done.parameters[first..].fill(0.0);
+        done.statuses[first..].fill(PointStatus::Missed);
+        (report.status, report.max_residual, report.max_joint_sine) = (FitStatus::Diverged, 0.0, 0.0);
+        Ok(())
+    }
+
+    /// Counts the statuses from `first` on.
+    fn append_report(&mut self, first: usize, mut report: ReportInProgress) -> Result<()> {
+        let done = &mut self.done;
+        let mut partial = false;
+        for status in &done.statuses[first..] {
+            report.not_ok += u32::from(*status != PointStatus::Ok);
+            partial |= !matches!(status, PointStatus::Ok | PointStatus::Merged | PointStatus::ClampedParameter);
+        }
+        if partial && report.status == FitStatus::Ok {
+            report.status = FitStatus::Partial;
+        }
+        alloc::append(&mut done.cycles, report.history.as_deref().unwrap_or_default())?;
+        alloc::push(&mut done.cycle_ends, done.cycles.len())?;
+        alloc::push(&mut done.reports, report.report)
+    }
+}
+
+/// Appends the curve of a subcurve's points.
+fn append_subcurve_curve(
+    sub: &Subcurve<'_>,
+    composite: &mut CompositeWorkspace,
+    single: &mut Collocation,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<()> {
+    // Iterations are counted for each part; the report has the maximum.
+    let before = std::mem::take(&mut out.report.iterations);
+    match sub.options.mode {
+        Mode::BlendC1 | Mode::BlendC2 => blended_curve::append_blended_curve(sub, composite.solution(), out),
+        Mode::CubicC2 => cubic_spline::append_cubic_spline(sub, composite.solution(), out),
+        Mode::Single => single::append_single_curve(sub, single, composite, out),
+        Mode::Composite | Mode::Chain => composite::append_composite_curve(sub, composite, out),
+    }?;
+    out.report.iterations = out.report.iterations.max(before);
+    Ok(())
+}

@@ -1,0 +1,162 @@
+//! Open polylines joined at their ends.
+
+use crate::document::Curves;
+use crate::error::ReadError;
+use crate::mesh::Positions;
+use std::collections::HashMap;
+
+/// Largest distance of ends that meet, relative to the diagonal of all ends.
+const RELATIVE_DISTANCE: f64 = 1e-7;
+/// Width of cells in distances of ends that meet: an end is near the border of a cell only at times.
+const CELL_WIDTH: f64 = 8.0;
+
+type Point = [f64; 3];
+
+/// Joins open polylines where exactly two ends meet. The result has the order of the first polyline of each chain.
+pub(super) fn join_outlines(curves: &Curves) -> Result<Curves, ReadError> {
+    let Positions::F64(points) = &curves.positions else { return Ok(curves.clone()) };
+    let open: Vec<usize> = (0..curves.closed.len()).filter(|&curve| !curves.closed[curve]).collect();
+    let range = |curve: usize| curves.offsets[curve] as usize..curves.offsets[curve + 1] as usize;
+    let ends: Vec<[Point; 2]> =
+        open.iter().map(|&curve| [points[range(curve).start], points[range(curve).end - 1]]).collect();
+    let partners = pair_ends(&ends)?;
+    let chains = chain_curves(&partners);
+    let mut joined = Curves::default();
+    let mut all: Vec<Point> = Vec::new();
+    all.try_reserve_exact(points.len())?;
+    let mut chain_at: HashMap<usize, usize> = HashMap::new();
+    chain_at.try_reserve(chains.len())?;
+    chain_at.extend(
+        chains
+            .iter()
+            .enumerate()
+            .map(|(chain, parts)| (open[parts.links.iter().map(|link| link.curve).min().unwrap_or(0)], chain)),
+    );
+    for curve in 0..curves.closed.len() {
+        if curves.closed[curve] {
+            all.extend_from_slice(&points[range(curve)]);
+            joined.closed.push(true);
+        } else if let Some(&chain) = chain_at.get(&curve) {
+            let start = all.len();
+            for link in &chains[chain].links {
+                let part = &points[range(open[link.curve])];
+                let skipped = usize::from(all.len() > start);
+                if link.is_backwards {
+                    all.extend(part.iter().rev().skip(skipped));
+                } else {
+                    all.extend(part.iter().skip(skipped));
+                }
+            }
+            let mut is_closed = chains[chain].is_closed;
+            if is_closed {
+                is_closed = all.len() - start > 3;
+                all.truncate(all.len() - usize::from(is_closed));
+            }
+            joined.closed.push(is_closed);
+        } else {
+            continue;
+        }
+        joined.offsets.push(all.len() as u32);
+    }
+    joined.positions = Positions::F64(all);
+    Ok(joined)
+}
+
+/// For each end of each curve, numbered `2 * curve + side`, the end that it meets.
+fn pair_ends(ends: &[[Point; 2]]) -> Result<Vec<Option<u32>>, ReadError> {
+    let flat = ends.as_flattened();
+    let is_finite = |point: &&Point| point.iter().all(|part| part.is_finite());
+    let extent = |axis: usize| {
+        let low = flat.iter().filter(is_finite).fold(f64::INFINITY, |least, point| least.min(point[axis]));
+        let high = flat.iter().filter(is_finite).fold(f64::NEG_INFINITY, |most, point| most.max(point[axis]));
+        (high - low).max(0.0)
+    };
+    let diagonal = (0..3).map(|axis| extent(axis).powi(2)).sum::<f64>().sqrt();
+    let distance = (RELATIVE_DISTANCE * diagonal).max(f64::MIN_POSITIVE);
+    let mut nodes: Vec<(Point, [u32; 2], u8)> = Vec::new();
+    let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
+    cells.try_reserve(flat.len())?;
+    let cell = |point: Point, shift: [f64; 3]| {
+        [0, 1, 2].map(|axis| ((point[axis] + shift[axis] * distance) / (CELL_WIDTH * distance)).floor() as i64)
+    };
+    for (end, &point) in flat.iter().enumerate().filter(|(_, point)| is_finite(point)) {
+        let (low, high) = (cell(point, [-1.0; 3]), cell(point, [1.0; 3]));
+        let mut found = None;
+        for x in low[0]..=high[0] {
+            for y in low[1]..=high[1] {
+                for z in low[2]..=high[2] {
+                    let near = cells.get(&[x, y, z]).into_iter().flatten();
+                    found = found.or(near.copied().find(|&node| {
+                        let other = nodes[node as usize].0;
+                        (0..3).all(|axis| (other[axis] - point[axis]).abs() <= distance)
+                    }));
+                }
+            }
+        }
+        if let Some(node) = found {
+            let (_, listed, count) = &mut nodes[node as usize];
+            if let Some(place) = listed.get_mut(usize::from(*count)) {
+                *place = end as u32;
+            }
+            *count = count.saturating_add(1);
+        } else {
+            cells.entry(cell(point, [0.0; 3])).or_default().push(nodes.len() as u32);
+            nodes.try_reserve(1)?;
+            nodes.push((point, [end as u32, 0], 1));
+        }
+    }
+    let mut partners = vec![None; flat.len()];
+    for (_, [a, b], count) in nodes {
+        if count == 2 {
+            partners[a as usize] = Some(b);
+            partners[b as usize] = Some(a);
+        }
+    }
+    Ok(partners)
+}
+
+struct Link {
+    curve: usize,
+    is_backwards: bool,
+}
+
+struct Chain {
+    links: Vec<Link>,
+    is_closed: bool,
+}
+
+/// Follows partners from curve to curve.
+fn chain_curves(partners: &[Option<u32>]) -> Vec<Chain> {
+    let count = partners.len() / 2;
+    let mut is_used = vec![false; count];
+    let mut chains = Vec::new();
+    for first in 0..count {
+        if is_used[first] {
+            continue;
+        }
+        // Go back to the beginning of the chain, or around it. Curve `first` keeps its direction.
+        let mut entry = 2 * first;
+        while let Some(partner) = partners[entry] {
+            if partner as usize / 2 == first {
+                break;
+            }
+            entry = partner as usize ^ 1;
+        }
+        let is_closed = partners[entry].is_some();
+        let entry = if is_closed { 2 * first } else { entry };
+        chains.push(Chain { links: follow_chain(partners, entry, &mut is_used), is_closed });
+    }
+    chains
+}
+
+/// Lists the curves from the one that begins at `entry`.
+fn follow_chain(partners: &[Option<u32>], entry: usize, is_used: &mut [bool]) -> Vec<Link> {
+    let mut links = Vec::new();
+    let mut next = Some(entry);
+    while let Some(start) = next.filter(|start| !is_used[start / 2]) {
+        is_used[start / 2] = true;
+        links.push(Link { curve: start / 2, is_backwards: start % 2 == 1 });
+        next = partners[start ^ 1].map(|partner| partner as usize);
+    }
+    links
+}

@@ -1,0 +1,163 @@
+//! The search for the closest net of plane cells: steps with decreasing penalties, then steps of
+//! least length that restore the constraints.
+
+use super::constraints::PlanarityConstraints;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+
+/// The penalties, and the maximum number of steps with each. With smaller penalties, steps along
+/// the curved valley of the sum become too short.
+const DECREASING_PENALTIES: [f64; 3] = [1e-1, 1e-2, 1e-3];
+const STEPS_PER_PENALTY: u32 = 4;
+/// Keeps the matrix positive definite if constraints depend on each other.
+const MATRIX_REGULARISATION: f64 = 1e-13;
+/// The maximum number of halvings of a step.
+const MAX_STEP_HALVINGS: u32 = 6;
+/// Steps end when one is below this fraction of the largest displacement.
+const MIN_RELATIVE_STEP: f64 = 1e-3;
+/// Improvements end when the sum of squares decreases by less than this fraction.
+const MIN_RELATIVE_IMPROVEMENT: f64 = 1e-3;
+
+pub(super) struct PlanarSearch<'a> {
+    constraints: &'a PlanarityConstraints,
+    /// The given positions.
+    start: &'a [DVec3],
+    /// The target deviation.
+    tolerance: f64,
+    /// The maximum number of steps.
+    max: u32,
+    /// The number of steps so far.
+    pub(super) done: u32,
+    job: Job<'a>,
+}
+
+impl<'a> PlanarSearch<'a> {
+    pub(super) fn new(
+        constraints: &'a PlanarityConstraints,
+        start: &'a [DVec3],
+        tolerance: f64,
+        max_steps: u32,
+        job: &Job<'a>,
+    ) -> Self {
+        PlanarSearch { constraints, start, tolerance, max: max_steps, done: 0, job: *job }
+    }
+
+    /// Runs the search and returns the positions found.
+    pub(super) fn run(&mut self) -> Result<Vec<DVec3>> {
+        let mut positions = alloc::copied(self.start)?;
+        self.approach_constraints(&mut positions)?;
+        self.restore_constraints(&mut positions)?;
+        self.reduce_displacement(&mut positions)?;
+        Ok(positions)
+    }
+
+    /// Returns the job of the next step. The number of steps is unknown, so each takes a share of
+    /// the remaining progress.
+    fn next_step_job(&mut self) -> Job<'a> {
+        let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
+        self.done += 1;
+        self.job.part(at(self.done - 1), at(self.done))
+    }
+
+    /// Minimises the penalised sum |x - x0|^2 + |g|^2 / penalty, for decreasing penalties.
+    fn approach_constraints(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
+        let (constraints, start) = (self.constraints, self.start);
+        for penalty in DECREASING_PENALTIES {
+            for _ in 0..STEPS_PER_PENALTY.min(self.max - self.done) {
+                let rows = constraints.linearise(positions)?;
+                let towards = constraints.penalised_step(&rows, [start, positions], penalty, &self.next_step_job())?;
+                let sum = |at: &[DVec3]| {
+                    self.squared_distance_from_start(at) + constraints.sum_of_squares(&rows, at) / penalty
+                };
+                let before = sum(positions);
+                let Some(next) = self.halve_until_better(positions, towards, |at| sum(at) < before) else {
+                    break;
+                };
+                let is_small =
+                    self.max_displacement(&next, positions) <= MIN_RELATIVE_STEP * self.max_displacement(&next, start);
+                *positions = next;
+                if is_small {
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Moves closer to the given positions along the constraints. Each step goes to x0 - J^T y, the
+    /// closest point of the linearised constraints, and is followed by steps that restore the
+    /// constraints.
+    fn reduce_displacement(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
+        let constraints = self.constraints;
+        let (mut part, mut distance) = (1.0, self.squared_distance_from_start(positions));
+        while part > 0.01 && self.done < self.max && constraints.max_deviation(positions).0 <= self.tolerance {
+            let rows = constraints.linearise(positions)?;
+            let mut next = constraints.penalised_step(
+                &rows,
+                [self.start, positions],
+                MATRIX_REGULARISATION,
+                &self.next_step_job(),
+            )?;
+            constraints.constrained_vertices().for_each(|v| next[v] = positions[v].lerp(next[v], part));
+            self.restore_constraints(&mut next)?;
+            let is_plane = constraints.max_deviation(&next).0 <= self.tolerance;
+            if !(is_plane && self.squared_distance_from_start(&next) < distance) {
+                part /= 4.0;
+                continue;
+            }
+            let before = std::mem::replace(&mut distance, self.squared_distance_from_start(&next));
+            *positions = next;
+            if distance > (1.0 - MIN_RELATIVE_IMPROVEMENT * part) * before {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// |x - x0|^2.
+    fn squared_distance_from_start(&self, at: &[DVec3]) -> f64 {
+        self.constraints.constrained_vertices().map(|v| at[v].distance_squared(self.start[v])).sum()
+    }
+
+    /// Newton steps of least length that restore the constraints, while they improve.
+    fn restore_constraints(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
+        let constraints = self.constraints;
+        let (mut deviation, _) = constraints.max_deviation(positions);
+        while self.done < self.max && deviation > self.tolerance {
+            let rows = constraints.linearise(positions)?;
+            let towards =
+                constraints.penalised_step(&rows, [&*positions; 2], MATRIX_REGULARISATION, &self.next_step_job())?;
+            let Some(next) =
+                self.halve_until_better(positions, towards, |at| constraints.max_deviation(at).0 < deviation)
+            else {
+                return Ok(());
+            };
+            *positions = next;
+            deviation = constraints.max_deviation(positions).0;
+        }
+        Ok(())
+    }
+
+    /// Tries the whole step, a half, a quarter and so on until it improves.
+    fn halve_until_better(
+        &self,
+        from: &[DVec3],
+        mut to: Vec<DVec3>,
+        is_better: impl Fn(&[DVec3]) -> bool,
+    ) -> Option<Vec<DVec3>> {
+        for _ in 0..=MAX_STEP_HALVINGS {
+            if is_better(&to) {
+                return Some(to);
+            }
+            self.constraints.constrained_vertices().for_each(|v| to[v] = to[v].midpoint(from[v]));
+        }
+        None
+    }
+
+    /// Returns the largest distance between corresponding vertices.
+    fn max_displacement(&self, a: &[DVec3], b: &[DVec3]) -> f64 {
+        self.constraints.constrained_vertices().map(|v| a[v].distance(b[v])).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,95 @@
+//! The pieces that are aligned with each other, and the pairs that are near.
+
+use super::pose::Pose;
+use super::rim_sample_pairs::find_rim_sample_pairs;
+use super::sample_pairs::{PosedPiece, STAGE, SamplePairReport, find_sample_pairs};
+use super::sampled_piece::SampledPiece;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::par;
+
+/// Smallest number of pairs that couples two pieces.
+pub(super) const MIN_COUPLING_PAIRS: usize = 10;
+
+/// The pieces that are aligned with each other.
+pub(super) struct AlignmentScene<'a> {
+    pub(super) members: Vec<SampledPiece<'a>>,
+    /// The largest distance of a pair of points.
+    pub(super) reach: f64,
+}
+
+/// A search for the samples of one piece on another, up to a distance.
+#[derive(Clone, Copy)]
+pub(super) struct PieceSearch {
+    pub(super) pieces: [usize; 2],
+    pub(super) gate: f64,
+}
+
+impl<'a> AlignmentScene<'a> {
+    /// Returns a scene of two of the pieces.
+    pub(super) fn scene_of_two(&self, i: usize, k: usize) -> Result<AlignmentScene<'a>> {
+        Ok(AlignmentScene { members: alloc::collect([i, k].map(|k| self.members[k]).into_iter())?, reach: self.reach })
+    }
+
+    /// Returns the spacing of the coarser of two pieces.
+    pub(super) fn coarser_spacing(&self, pieces: [usize; 2]) -> f64 {
+        let [a, b] = pieces.map(|k| {
+            let member = &self.members[k];
+            member.rim.map_or(member.scan.spacing, |(rim, _)| rim.step)
+        });
+        a.max(b)
+    }
+
+    /// Returns the searches between pieces that are near enough, in both directions.
+    pub(super) fn list_searches_of_near_pieces(&self, poses: &[Pose]) -> Result<Vec<PieceSearch>> {
+        let bounds = |k: usize| &self.members[k].scan.bounds;
+        let is_there = |k: usize| !self.members[k].scan.used.is_empty();
+        let is_near = |[i, k]: [usize; 2]| {
+            let [p, q] = [i, k].map(|k| poses[k].point(bounds(k).centre()));
+            p.distance(q) <= (bounds(i).diagonal() + bounds(k).diagonal()) / 2.0 + self.reach
+        };
+        let count = self.members.len();
+        let all = (0..count).flat_map(|i| (0..count).map(move |k| [i, k]));
+        let near = all.filter(|&[i, k]| i != k && is_there(i) && is_there(k) && is_near([i, k]));
+        alloc::gather(near.map(|pieces| PieceSearch { pieces, gate: self.reach }))
+    }
+
+    /// Runs the searches, each with every `sample_stride`-th sample. Points within
+    /// `max_on_surface_spacings` spacings are on a surface.
+    pub(super) fn run_searches(
+        &self,
+        poses: &[Pose],
+        looks: &[PieceSearch],
+        sample_stride: usize,
+        max_on_surface_spacings: f64,
+        job: &Job<'_>,
+    ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
+        let reports = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
+            let [a, b] = look_at.pieces.map(|k| PosedPiece { member: &self.members[k], pose: poses[k] });
+            let reach = max_on_surface_spacings * self.coarser_spacing(look_at.pieces);
+            let samples = a.member.samples;
+            match (a.member.rim, b.member.rim) {
+                (Some((rim, _)), Some(other)) => find_rim_sample_pairs(&a, rim, &b, other, look_at.gate, reach, job),
+                _ => find_sample_pairs(&a, samples.iter().step_by(sample_stride), &b, look_at.gate, reach, job),
+            }
+        })?;
+        alloc::collect(looks.iter().zip(reports).map(|(look, report)| (look.pieces, report)))
+    }
+
+    /// Searches between all near pieces, within this number of spacings.
+    pub(super) fn search_near_pieces_within(
+        &self,
+        poses: &[Pose],
+        max_spacings: f64,
+        max_on_surface_spacings: f64,
+        job: &Job<'_>,
+    ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
+        let mut looks = self.list_searches_of_near_pieces(poses)?;
+        // The gate does not exceed the reach.
+        looks
+            .iter_mut()
+            .for_each(|look| look.gate = (max_spacings * self.coarser_spacing(look.pieces)).min(self.reach));
+        self.run_searches(poses, &looks, 1, max_on_surface_spacings, job)
+    }
+}

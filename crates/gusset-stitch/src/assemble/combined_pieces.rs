@@ -1,0 +1,154 @@
+//! The combined pieces: welded, oriented, and finally filled and turned outwards.
+
+use super::assemble_request::{Assembly, Options};
+use super::origin_history::History;
+use crate::boundary::{self, boundary_loops};
+use crate::fill::{self, Selection, fill_holes};
+use crate::repair::orient::{self, Outward, turn_outwards};
+use crate::repair::sew::{Sew, sew};
+use crate::repair::weld::weld;
+use crate::stitch::{IndexMap, Intersections};
+use crate::trim::{Remains, Trimmed};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_mesh::{Defect, MeshView, NONE, concat};
+
+/// The combined pieces, welded and oriented.
+pub(super) struct CombinedPieces {
+    pub(super) assembly: Assembly,
+    /// For each vertex of the mesh, the first piece that it comes from.
+    pub(super) piece: Vec<u32>,
+    /// The vertices that sewing merged from several, ascending.
+    pub(super) seam: Vec<u32>,
+    /// Pairs of overlapping pieces, which agree in orientation.
+    pub(super) alike: Vec<[u32; 2]>,
+}
+
+impl CombinedPieces {
+    /// Combines the pieces. `trimmed` has the remaining parts of the pieces if they were trimmed.
+    pub(super) fn new(
+        pieces: &[MeshView<'_>],
+        trimmed: Option<&Trimmed>,
+        options: &Options<'_>,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let start = &job.part(0.0, 0.0);
+        let Remains { mut mesh, places, mut vertex_map, mut face_map, faces, corners } = match trimmed {
+            Some(trimmed) => Remains::new(pieces, trimmed, start)?,
+            None => place_pieces_side_by_side(pieces, start)?,
+        };
+        let trimmed_faces = face_map.iter().filter(|&&f| f == NONE).count() as u32;
+        let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
+        let mut seam = Vec::new();
+        let mut history = History::new(pieces)?;
+        if let Some(how) = &options.weld {
+            let (view, part) = (mesh.view(&job.part(0.0, 0.1))?, job.part(0.1, 0.5));
+            let sewn = match options.edge_to_edge {
+                true => Sew::from_weld(weld(&view, how, &part)?)?,
+                false => sew(&view, how, &part)?,
+            };
+            (welded_vertices, sewn_edges, splits) = (sewn.welded_vertices, sewn.sewn_edges, sewn.splits);
+            let through = |before: &mut [u32], after: &[u32]| {
+                before.iter_mut().filter(|v| **v != NONE).for_each(|v| *v = after[*v as usize]);
+            };
+            through(&mut vertex_map, &sewn.vertex_map);
+            through(&mut face_map, &sewn.face_map);
+            (mesh, seam) = (sewn.mesh, sewn.seam_vertices);
+            (history.corner_origins, history.face_origin) = (sewn.corner_origins, Some(sewn.face_origin));
+            history.add_parents(sewn.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0])))?;
+        }
+        if trimmed.is_some() {
+            history.compose_with_trimming(faces, corners);
+        }
+        let mut turned = alloc::filled(false, mesh.face_count())?;
+        let mut one_sided = Vec::new();
+        if !options.keep_orientation && mesh.face_count() > 0 {
+            let how = orient::Options::default();
+            let oriented = orient::orient(&mesh.view(&job.part(0.5, 0.6))?, &how, &job.part(0.6, 1.0))?;
+            (mesh, turned) = (oriented.mesh, oriented.turned);
+            one_sided = alloc::collect(oriented.one_sided.iter().map(|component| component.face))?;
+        }
+        let mut piece = alloc::filled(NONE, mesh.positions.len())?;
+        let mut maps = alloc::with_capacity(pieces.len())?;
+        for (k, (view, place)) in pieces.iter().zip(&places).enumerate() {
+            let vertices = &vertex_map[place.first_vertex as usize..][..view.positions().len()];
+            let faces = &face_map[place.first_face as usize..][..view.faces().len()];
+            for &v in vertices.iter().filter(|&&v| v != NONE) {
+                piece[v as usize] = piece[v as usize].min(k as u32);
+            }
+            maps.push(IndexMap { vertices: alloc::copied(vertices)?, faces: alloc::copied(faces)? });
+        }
+        let done = Assembly {
+            mesh,
+            maps,
+            turned,
+            trimmed_faces,
+            welded_vertices,
+            sewn_edges,
+            splits,
+            one_sided,
+            zero_volume: Vec::new(),
+            joints: Vec::new(),
+            left: Vec::new(),
+            holes: Vec::new(),
+            hole_rims: Vec::new(),
+            history,
+            loops_left: 0,
+            near_loops_left: 0,
+            non_manifold_edges: 0,
+        };
+        let alike = trimmed.map_or(Ok(Vec::new()), |trimmed| alloc::copied(&trimmed.pairs))?;
+        Ok(CombinedPieces { assembly: done, piece, seam, alike })
+    }
+
+    /// Fills and turns, as the options request. Also returns the pairs of faces that patches
+    /// intersect.
+    pub(super) fn fill_and_turn(self, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
+        let mut assembly = self.assembly;
+        let mut cuts = Vec::new();
+        if assembly.mesh.face_count() == 0 {
+            return Ok((assembly, cuts));
+        }
+        if let Some(how) = &options.fill {
+            // The report of an assembly does not list intersections of patches.
+            let intersections = match how.intersections {
+                Intersections::Report => Intersections::Ignore,
+                other => other,
+            };
+            let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, ..*how };
+            let filled =
+                fill_holes(&assembly.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
+            (assembly.mesh, assembly.holes, assembly.hole_rims) = (filled.mesh, filled.holes, filled.rims);
+            cuts = filled.intersections.unwrap_or_default();
+            assembly.history.add_parents(filled.parents.into_iter().zip(filled.weights))?;
+        }
+        if options.outward == Outward::Closed && !options.keep_orientation {
+            let outwards = turn_outwards(&mut assembly.mesh, &job.part(0.4, 0.6))?;
+            assembly.zero_volume = outwards.zero_volume;
+            if !assembly.zero_volume.is_empty() {
+                job.note("a closed component encloses no volume, as one piece given twice does");
+            }
+            for f in outwards.turned {
+                // The faces of strips and patches follow the faces of the pieces.
+                if let Some(turned) = assembly.turned.get_mut(f as usize) {
+                    *turned ^= true;
+                }
+            }
+        }
+        let view = assembly.mesh.view(&job.part(0.6, 0.7))?;
+        let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.7, 1.0))?;
+        assembly.loops_left = boundary.len() as u32;
+        let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
+        assembly.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
+        Ok((assembly, cuts))
+    }
+}
+
+/// Places the pieces side by side. All faces and corners remain, so their origins are empty.
+fn place_pieces_side_by_side(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Remains> {
+    let (mesh, places) = concat::concatenate(pieces, job)?;
+    let vertex_map = alloc::collect(0..mesh.positions.len() as u32)?;
+    let face_map = alloc::collect(0..mesh.face_count() as u32)?;
+    Ok(Remains { mesh, places, vertex_map, face_map, faces: Vec::new(), corners: Vec::new() })
+}

@@ -1,0 +1,56 @@
+//! Duplicate faces: faces with the same cycle of vertices, in either direction.
+//!
+//! Each cycle is rotated to start at its smallest vertex and to run towards the smaller neighbour.
+//! Equal cycles are then adjacent after sorting. O(F log F) comparisons of cycles.
+
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_base::sort::sort;
+use gusset_mesh::MeshView;
+
+/// Returns the faces with the same cycle of vertices as a face with a smaller index, from any
+/// corner and in either direction; ascending. Skips the faces in `degenerate`, which repeat a
+/// vertex. O(F log F) comparisons, most of which end at the first vertex.
+pub(super) fn find_duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
+    job.step(0.0, "checking faces")?;
+    // Sort the faces by their cycles, and equal ones by index.
+    let mut order = alloc::collect((0..mesh.faces().len()).map(|f| f as u32))?;
+    order.retain(|f| degenerate.binary_search(f).is_err());
+    let mut starts = alloc::with_capacity(mesh.faces().len())?;
+    starts.extend((0..mesh.faces().len()).map(|f| CycleStart::find_smallest(mesh, f)));
+    let compare = |&f: &u32, &g: &u32| {
+        let (f, g) = (f as usize, g as usize);
+        starts[f].vertex_cycle(mesh, f).cmp(starts[g].vertex_cycle(mesh, g))
+    };
+    sort(&mut order, |f, g| compare(f, g).then(f.cmp(g)), &job.part(0.2, 0.9), "checking faces")?;
+    let repeats = order.windows(2).filter(|pair| compare(&pair[0], &pair[1]).is_eq());
+    let mut duplicates = alloc::gather(repeats.map(|pair| pair[1]))?;
+    duplicates.sort_unstable();
+    Ok(duplicates)
+}
+
+/// The corner and the direction in which a face's cycle is lexicographically smallest.
+#[derive(Clone, Copy)]
+struct CycleStart {
+    corner: u32,
+    backwards: bool,
+}
+
+impl CycleStart {
+    fn find_smallest(mesh: &MeshView<'_>, f: usize) -> CycleStart {
+        let smallest = mesh.face(f).enumerate().min_by_key(|&(_, v)| v);
+        let corner = smallest.map_or(0, |(i, _)| i as u32);
+        let [forwards, backwards] = [false, true].map(|backwards| CycleStart { corner, backwards });
+        if backwards.vertex_cycle(mesh, f).lt(forwards.vertex_cycle(mesh, f)) { backwards } else { forwards }
+    }
+
+    fn vertex_cycle<'m>(&self, mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = u32> + 'm {
+        let range = mesh.faces().range(f);
+        let (n, corner, backwards) = (range.len(), self.corner as usize, self.backwards);
+        (0..n).map(move |i| {
+            let at = if backwards { (corner + n - i) % n } else { (corner + i) % n };
+            mesh.faces().corner((range.start + at) as u32)
+        })
+    }
+}

@@ -1,0 +1,203 @@
+//! Selects the loops to fill, and gives the reason for each loop that is left.
+
+use super::fill_request::{HoleStatus, Keep, Limits, Measures, Options, Selection};
+use crate::boundary::{Boundary, Loop, LoopFlags};
+use crate::stitch::{FreeEdges, check_loop_indices};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::{Aabb, scale::distance, triangle::double_area};
+use gusset_mesh::{MeshView, vertex_components};
+use std::collections::HashSet;
+
+/// A loop, and whether it is to be filled.
+pub(super) struct CandidateLoop {
+    /// With the surface on the left if the loop is to be filled.
+    pub(super) vertices: Vec<u32>,
+    pub(super) status: HoleStatus,
+    pub(super) measures: Measures,
+}
+
+/// Returns the loops of a selection.
+pub(super) fn choose_loops(
+    mesh: &MeshView<'_>,
+    boundary: &Boundary,
+    selection: Selection<'_>,
+    options: &Options,
+) -> Result<Vec<CandidateLoop>> {
+    match selection {
+        Selection::All => candidates_of_all_loops(mesh, boundary, options),
+        Selection::Loops(loops) => candidates_of_given_loops(mesh, boundary, loops.iter().copied(), &options.limits),
+        Selection::Groups(loops) => {
+            candidates_of_given_loops(mesh, boundary, loops.iter().map(|&(vertices, _)| vertices), &options.limits)
+        }
+    }
+}
+
+fn candidates_of_all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Result<Vec<CandidateLoop>> {
+    let kept = which_loops_are_kept_open(mesh, boundary, options.keep)?;
+    let mut candidates = alloc::with_capacity(boundary.len())?;
+    for (found, kept) in boundary.iter().zip(kept) {
+        let measures = loop_measures(mesh, found.vertices);
+        let status = match status_of_flags(found.flags) {
+            HoleStatus::Filled if kept => HoleStatus::Kept,
+            HoleStatus::Filled => status_of_size(found.vertices, &measures, &options.limits),
+            status => status,
+        };
+        candidates.push(CandidateLoop { vertices: alloc::copied(found.vertices)?, status, measures });
+    }
+    Ok(candidates)
+}
+
+/// Tells for each loop whether [`Keep`] leaves it open.
+fn which_loops_are_kept_open(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Vec<bool>> {
+    let mut kept = alloc::filled(false, boundary.len())?;
+    let usable = |found: &Loop<'_>| status_of_flags(found.flags) == HoleStatus::Filled;
+    match keep {
+        Keep::None => {}
+        Keep::Longest => {
+            let usable = boundary.iter().enumerate().filter(|(_, found)| usable(found));
+            // The first of equally long loops.
+            let longest = usable.max_by(|(i, a), (j, b)| a.length.total_cmp(&b.length).then(j.cmp(i)));
+            longest.into_iter().for_each(|(i, _)| kept[i] = true);
+        }
+        Keep::OuterBorders => {
+            let sheets = MeshComponents::new(mesh)?;
+            for (kept, found) in kept.iter_mut().zip(boundary.iter()).filter(|(_, found)| usable(found)) {
+                *kept = sheets.is_outer_border(mesh, found.vertices);
+            }
+        }
+    }
+    Ok(kept)
+}
+
+/// The components of a mesh.
+struct MeshComponents {
+    /// Component number of each vertex.
+    component: Vec<u32>,
+    /// Area and area vector of each component.
+    areas: Vec<(f64, DVec3)>,
+}
+
+impl MeshComponents {
+    /// O(H) for H half-edges; extra memory: 44 bytes per vertex.
+    fn new(mesh: &MeshView<'_>) -> Result<MeshComponents> {
+        let mut sets = vertex_components(mesh)?;
+        let component = alloc::collect((0..mesh.positions().len() as u32).map(|v| sets.find(v)))?;
+        let mut areas = alloc::filled((0.0, DVec3::ZERO), component.len())?;
+        for f in 0..mesh.faces().len() {
+            let corners = || mesh.face(f).map(|v| mesh.positions().get(v));
+            let (Some(first), Some(vertex)) = (corners().next(), mesh.face(f).next()) else {
+                continue;
+            };
+            let (whole, vector) = &mut areas[component[vertex as usize] as usize];
+            for (p, q) in corners().skip(1).zip(corners().skip(2)) {
+                *whole += double_area(first, p, q) / 2.0;
+                *vector += (p - first).cross(q - first) / 2.0;
+            }
+        }
+        Ok(MeshComponents { component, areas })
+    }
+
+    /// Returns true if the loop runs around the outside of its sheet; see [`Keep::OuterBorders`].
+    fn is_outer_border(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> bool {
+        let (area, own) = self.areas[self.component[vertices[0] as usize] as usize];
+        let origin = mesh.positions().get(vertices[0]);
+        let at = |v: &u32| mesh.positions().get(*v) - origin;
+        let sides = vertices.iter().zip(vertices.iter().cycle().skip(1));
+        let vector: DVec3 = sides.map(|(u, v)| at(u).cross(at(v)) / 2.0).sum();
+        vector.dot(own) > 0.0 && vector.length() >= 0.5 * area
+    }
+}
+
+fn status_of_flags(flags: LoopFlags) -> HoleStatus {
+    if flags.any(LoopFlags::OPEN) {
+        HoleStatus::Open
+    } else if flags.any(LoopFlags::NON_MANIFOLD) {
+        HoleStatus::NonManifold
+    } else if flags.any(LoopFlags::NOT_ORIENTED) {
+        HoleStatus::NotOriented
+    } else {
+        HoleStatus::Filled
+    }
+}
+
+/// Returns the given loops, which may run in either direction.
+fn candidates_of_given_loops<'a>(
+    mesh: &MeshView<'_>,
+    boundary: &Boundary,
+    loops: impl ExactSizeIterator<Item = &'a [u32]>,
+    limits: &Limits,
+) -> Result<Vec<CandidateLoop>> {
+    let edges = FreeEdges::from_boundary(boundary)?;
+    let mut used = HashSet::new();
+    let mut candidates = alloc::with_capacity(loops.len())?;
+    for (number, given) in (0..).zip(loops) {
+        check_loop_indices(mesh, number, given)?;
+        let mut vertices = alloc::copied(given)?;
+        let mut status = status_of_given_loop(&edges, &vertices)?;
+        let measures = loop_measures(mesh, &vertices);
+        if status == HoleStatus::Filled {
+            if edges.face_along(vertices[0], vertices[1]).is_none() {
+                vertices.reverse();
+            }
+            let steps = || vertices.iter().zip(vertices.iter().cycle().skip(1)).map(|(&u, &v)| (u, v));
+            status = if steps().any(|edge| used.contains(&edge)) {
+                HoleStatus::NotFree
+            } else {
+                status_of_size(&vertices, &measures, limits)
+            };
+            if status == HoleStatus::Filled {
+                alloc::insert_all(&mut used, steps())?;
+            }
+        }
+        candidates.push(CandidateLoop { vertices, status, measures });
+    }
+    Ok(candidates)
+}
+
+fn status_of_given_loop(edges: &FreeEdges, vertices: &[u32]) -> Result<HoleStatus> {
+    let mut sorted = alloc::copied(vertices)?;
+    sorted.sort_unstable();
+    if vertices.len() < 3 || sorted.windows(2).any(|pair| pair[0] == pair[1]) {
+        return Ok(HoleStatus::NotSimple);
+    }
+    let steps = vertices.iter().zip(vertices.iter().cycle().skip(1));
+    let (mut along, mut against) = (0, 0);
+    for (&u, &v) in steps {
+        match (edges.face_along(u, v), edges.face_along(v, u)) {
+            (Some(_), _) => along += 1,
+            (None, Some(_)) => against += 1,
+            (None, None) => return Ok(HoleStatus::NotFree),
+        }
+    }
+    Ok(if along > 0 && against > 0 { HoleStatus::NotOriented } else { HoleStatus::Filled })
+}
+
+fn status_of_size(vertices: &[u32], measures: &Measures, limits: &Limits) -> HoleStatus {
+    let exceeds = |limit: Option<f64>, measure: f64| limit.is_some_and(|limit| measure > limit);
+    if limits.edges.is_some_and(|limit| vertices.len() > limit as usize)
+        || exceeds(limits.length, measures.length)
+        || exceeds(limits.diameter, measures.diameter)
+        || exceeds(limits.area, measures.area)
+    {
+        HoleStatus::TooLarge
+    } else {
+        HoleStatus::Filled
+    }
+}
+
+fn loop_measures(mesh: &MeshView<'_>, vertices: &[u32]) -> Measures {
+    let n = vertices.len();
+    if n == 0 {
+        return Measures::default();
+    }
+    let point = |i: usize| mesh.positions().get(vertices[i % n]);
+    let whole = Aabb::from_points((0..n).map(point));
+    let centre = (0..n).map(|i| point(i) / n as f64).sum::<DVec3>();
+    Measures {
+        length: (0..n).map(|i| distance(point(i), point(i + 1))).sum(),
+        diameter: distance(whole.low, whole.high),
+        area: (0..n).map(|i| double_area(centre, point(i), point(i + 1)) / 2.0).sum(),
+    }
+}

@@ -1,0 +1,154 @@
+//! A strip and the old faces around it, for fairing and for intersection tests.
+
+use super::strip::Strip;
+use crate::intersect::{TriangleSoup, intersecting_pairs};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::{Aabb, bit_set::BitSet};
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::{Mesh, Scalar};
+
+const STAGE: &str = "looking for intersections";
+
+/// Triangles, and the face of each.
+#[derive(Default)]
+pub(super) struct FaceTriangles {
+    pub(super) corners: Vec<[u32; 3]>,
+    pub(super) faces: Vec<u32>,
+}
+
+/// The strip and its surroundings, numbered as in the result: old vertices and faces, then new
+/// ones.
+pub(super) struct StripNeighbourhood<'a> {
+    pub(super) whole: &'a Mesh,
+    unit: f64,
+    /// The number of old vertices.
+    pub(super) base: u32,
+    /// The corners of the strip's faces.
+    strip: Vec<u32>,
+    offsets: &'a [u32],
+    /// The set of the rims' vertices.
+    pub(super) rim: BitSet,
+    /// The vertices at the ends of an open strip, in ascending order; they stay on their meridians.
+    pub(super) ends: Vec<u32>,
+    /// The positions of the new vertices.
+    pub(super) points: Vec<DVec3>,
+}
+
+impl<'a> StripNeighbourhood<'a> {
+    pub(super) fn new(whole: &'a Mesh, strip: &'a Strip, unit: f64, points: Vec<DVec3>) -> Result<Self> {
+        let base = whole.positions.len() as u32;
+        let (a, b) = (&strip.a.vertices, &strip.b.vertices);
+        let (n, rims) = (a.len(), a.len() + b.len());
+        let name = |&k: &u32| match k as usize {
+            k if k < n => a[k],
+            k if k < rims => b[k - n],
+            k => base + (k - rims) as u32,
+        };
+        let mut rim = BitSet::new(whole.positions.len())?;
+        a.iter().chain(b).for_each(|&v| rim.insert(v));
+        let mut ends = Vec::new();
+        if !strip.a.closed {
+            let columns = strip.meridians.len();
+            let rows = strip.grid.matrix.chunks(columns);
+            ends = alloc::gather(rows.flat_map(|row| [row[0], row[columns - 1]]).map(|k| name(&k)))?;
+            ends.sort_unstable();
+        }
+        let corners = alloc::collect(strip.faces.corners.iter().map(name))?;
+        Ok(StripNeighbourhood { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
+    }
+
+    /// Rounds the new vertices to the scalar type of the result.
+    pub(super) fn round_new_vertices(&mut self) {
+        if self.whole.positions.view().scalar() == Scalar::F32 {
+            let unit = self.unit;
+            self.points.iter_mut().for_each(|p| *p = (*p * unit).as_vec3().as_dvec3() / unit);
+        }
+    }
+
+    pub(super) fn position(&self, v: u32) -> DVec3 {
+        match v.checked_sub(self.base) {
+            Some(k) => self.points[k as usize],
+            None => self.whole.positions.get(v) / self.unit,
+        }
+    }
+
+    /// Adds the triangles of a face: a quad is split by its shorter diagonal, any other polygon as
+    /// a fan from its first corner.
+    pub(super) fn append_face_triangles(&self, face: &[u32], number: u32, into: &mut FaceTriangles) -> Result<()> {
+        let squared = |p: usize, q: usize| self.position(face[p]).distance_squared(self.position(face[q]));
+        let first = usize::from(face.len() == 4 && squared(0, 2) > squared(1, 3));
+        let corner = |k: usize| face[(first + k) % face.len()];
+        for k in 1..face.len() - 1 {
+            alloc::push(&mut into.corners, [corner(0), corner(k), corner(k + 1)])?;
+            alloc::push(&mut into.faces, number)?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn strip_triangles(&self) -> Result<FaceTriangles> {
+        let mut triangles = FaceTriangles::default();
+        for (face, number) in self.offsets.windows(2).zip(self.whole.face_count() as u32..) {
+            self.append_face_triangles(&self.strip[face[0] as usize..face[1] as usize], number, &mut triangles)?;
+        }
+        Ok(triangles)
+    }
+
+    /// Returns the old faces that `wanted` selects, as triangles.
+    pub(super) fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool, job: &Job<'_>) -> Result<FaceTriangles> {
+        let mut triangles = FaceTriangles::default();
+        for (face, number) in self.whole.faces().zip(0..) {
+            job.step_within(number as usize, STAGE)?;
+            if wanted(face) {
+                self.append_face_triangles(face, number, &mut triangles)?;
+            }
+        }
+        Ok(triangles)
+    }
+
+    /// Returns the old triangles whose boxes overlap the box of the strip, faired and `straight`.
+    pub(super) fn old_triangles_nearby(&self, straight: &[DVec3], job: &Job<'_>) -> Result<FaceTriangles> {
+        let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.position(v));
+        let new = self.points.iter().chain(straight).copied();
+        let Aabb { low, high } = Aabb::from_points(rims.chain(new));
+        // Enlarge the box in mesh coordinates: scaling by the unit, a power of two, may round tiny
+        // coordinates to 0.
+        let around = Aabb { low: low * self.unit, high: high * self.unit }.inflated(f64::MIN_POSITIVE * self.unit);
+        self.old_triangles(
+            |face| Aabb::from_points(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around),
+            job,
+        )
+    }
+
+    /// Returns the pairs of intersecting triangles, and the strip's triangles that they index.
+    pub(super) fn find_intersections(&self, old: &FaceTriangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
+        let strip = self.strip_triangles()?;
+        let soup = TriangleSoup { at: |v| self.position(v), new: &strip.corners, old: &old.corners };
+        Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
+    }
+
+    /// Converts pairs of triangles to pairs of faces. The strip's face comes first, or the larger
+    /// one if both belong to the strip. Each pair occurs once.
+    pub(super) fn pairs_of_faces(&self, old: &FaceTriangles, found: &IntersectingTriangles) -> Result<Vec<[u32; 2]>> {
+        let face = |k: u32| match (k as usize).checked_sub(found.strip.faces.len()) {
+            Some(k) => old.faces[k],
+            None => found.strip.faces[k as usize],
+        };
+        let mut faces = alloc::collect(found.pairs.iter().map(|&[p, q]| {
+            let (f, g) = (face(p), face(q));
+            [f.max(g), f.min(g)]
+        }))?;
+        // The two triangles of a quad may fold onto each other.
+        sort_distinct(&mut faces);
+        Ok(faces)
+    }
+}
+
+pub(super) struct IntersectingTriangles {
+    /// Numbers below the count of the strip's triangles belong to the strip, the others to the old
+    /// triangles.
+    pub(super) pairs: Vec<[u32; 2]>,
+    pub(super) strip: FaceTriangles,
+}

@@ -1,0 +1,81 @@
+//! A prepared piece: triangles for nearest-point searches, and confidences.
+
+use super::trim_request::Options;
+use crate::align::CentredPiece;
+use crate::boundary::{self, boundary_loops};
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::kd_tree::KdTree;
+use gusset_base::job::Job;
+use gusset_base::par;
+use gusset_mesh::MeshView;
+
+const STAGE: &str = "looking at the pieces";
+const VERTICES_PER_TASK: usize = 1 << 10;
+/// Loops with fewer vertices are small holes, which do not reduce the confidence.
+const MIN_BORDER_VERTICES: usize = 32;
+/// Smallest factor of the confidence, for surfaces seen at a grazing angle.
+const MIN_GRAZING_FACTOR: f64 = 0.1;
+
+/// A prepared piece.
+pub(super) struct TrimPiece {
+    pub(super) scan: CentredPiece,
+    /// The faces as triangles; polygons are fans from their first corners.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The face of each triangle.
+    pub(super) faces: Vec<u32>,
+    /// The confidence of each vertex, in mean edges.
+    pub(super) confidence: Vec<f64>,
+}
+
+impl TrimPiece {
+    /// Prepares a piece. O(V log V).
+    pub(super) fn new(
+        mesh: &MeshView<'_>,
+        k: usize,
+        unit: f64,
+        origin: DVec3,
+        options: &Options<'_>,
+        job: &Job<'_>,
+    ) -> Result<TrimPiece> {
+        let scan = CentredPiece::new(mesh, unit, Some(origin), &job.part(0.0, 0.5))?;
+        let count = mesh.faces().half_edge_count().saturating_sub(2 * mesh.faces().len());
+        let (mut triangles, mut faces) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
+        for f in 0..mesh.faces().len() {
+            job.part(0.5, 0.5).step_within(f, STAGE)?;
+            let mut corners = mesh.face(f);
+            let first = corners.next().unwrap_or(0);
+            let pairs = corners.clone().zip(corners.skip(1));
+            for (u, v) in pairs {
+                triangles.push([first, u, v]);
+                faces.push(f as u32);
+            }
+        }
+        let borders = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.5, 0.6))?;
+        let mut rim = Vec::new();
+        for border in borders.iter().filter(|border| border.vertices.len() >= MIN_BORDER_VERTICES) {
+            alloc::extend(&mut rim, border.vertices.iter().map(|&v| scan.points[v as usize]))?;
+        }
+        // Put all points in one group: of coincident points, only one is visited.
+        let tree = KdTree::with_groups(&rim, &alloc::filled(0, rim.len())?, &job.part(0.6, 0.6), STAGE)?;
+        let viewpoint = options.viewpoints.get(k).map(|viewpoint| *viewpoint / unit - origin);
+        let of = |v: usize| {
+            let (p, n) = (scan.points[v], scan.normals[v]);
+            // On a closed piece, all places are equally far from a border.
+            let distance = tree.nearest(p, f64::INFINITY, |_| true).map_or(scan.bounds.diagonal(), |(s, _)| s.sqrt());
+            let sight =
+                viewpoint.map_or(1.0, |viewpoint| (viewpoint - p).normalize_or_zero().dot(n).max(MIN_GRAZING_FACTOR));
+            if scan.spacing > 0.0 { sight * distance / scan.spacing } else { 0.0 }
+        };
+        let parts = par::map_cancellable(
+            &job.part(0.6, 1.0),
+            STAGE,
+            par::ranges(scan.points.len(), VERTICES_PER_TASK),
+            |range| alloc::collect(range.map(of)),
+        )?;
+        let mut confidence = alloc::with_capacity(scan.points.len())?;
+        alloc::append_all(&mut confidence, parts)?;
+        Ok(TrimPiece { scan, triangles, faces, confidence })
+    }
+}

@@ -1,0 +1,498 @@
+//! The commands: what each does, its filter, an example, and its arguments.
+
+use crate::plugin::{Filter, OutputKind, Param, ParamKind, Plugin};
+use crate::report::kind_name;
+use crate::values::{print_value, slug};
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, ArgAction, Command, ValueHint, value_parser};
+use gusset_io::Format;
+use std::ffi::OsString;
+
+/// A command that runs one filter.
+pub(crate) struct FilterCommand {
+    pub(crate) name: &'static str,
+    alias: Option<&'static str>,
+    /// Ids of the filter; the plugin's first one counts.
+    filters: &'static [&'static str],
+    about: &'static str,
+    example: &'static str,
+    /// Parameters that `--smooth` sets, if the command has it.
+    pub(crate) smooth: &'static [&'static str],
+}
+
+impl FilterCommand {
+    pub(crate) fn filter(&self, plugin: Plugin) -> Option<Filter> {
+        self.filters.iter().find_map(|id| plugin.find(id))
+    }
+}
+
+/// All commands that run one filter, in the order of the help.
+pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
+    FilterCommand {
+        name: "join",
+        alias: Some("assemble"),
+        filters: &["join", "assemble"],
+        about: "Joins any number of open meshes where their borders coincide or face each other",
+        example: "gusset join left.ply middle.ply right.ply -o whole.ply",
+        smooth: &["finish=blend"],
+    },
+    FilterCommand {
+        name: "stitch",
+        alias: None,
+        filters: &["stitch"],
+        about: "Joins two open meshes, or two rims of one mesh, by a strip of new faces",
+        example: "gusset stitch left.obj right.obj -o joined.obj",
+        smooth: &["finish=blend"],
+    },
+    FilterCommand {
+        name: "fill",
+        alias: None,
+        filters: &["fill", "fill_holes"],
+        about: "Closes the holes of a mesh",
+        example: "gusset fill scan.obj --keep the-longest -o filled.obj",
+        smooth: &["inside=refined-and-fair"],
+    },
+    FilterCommand {
+        name: "weld",
+        alias: None,
+        filters: &["weld"],
+        about: "Merges coincident borders",
+        example: "gusset weld part.stl -o welded.ply",
+        smooth: &[],
+    },
+    FilterCommand {
+        name: "sew",
+        alias: None,
+        filters: &["sew"],
+        about: "Merges coincident borders whose vertices differ, and splits edges where needed",
+        example: "gusset sew tiles.obj -o sheet.obj",
+        smooth: &[],
+    },
+    FilterCommand {
+        name: "orient",
+        alias: None,
+        filters: &["orient"],
+        about: "Reverses faces until neighbours agree",
+        example: "gusset orient part.obj --outward outwards -o oriented.obj",
+        smooth: &[],
+    },
+    FilterCommand {
+        name: "align",
+        alias: None,
+        filters: &["align"],
+        about: "Moves overlapping pieces to where they fit",
+        example: "gusset align scan1.ply scan2.ply -o aligned.ply",
+        smooth: &[],
+    },
+    FilterCommand {
+        name: "trim",
+        alias: None,
+        filters: &["trim"],
+        about: "Removes one piece where two overlap",
+        example: "gusset trim scan1.ply scan2.ply -o trimmed.ply",
+        smooth: &[],
+    },
+    FilterCommand {
+        name: "section",
+        alias: None,
+        filters: &["section", "smooth_sections"],
+        about: "Cuts a smooth surface by planes",
+        example: "gusset section hull.obj --number 20 -o sections.obj",
+        smooth: &[],
+    },
+    FilterCommand {
+        name: "loft",
+        alias: None,
+        filters: &["loft"],
+        about: "Makes a smooth surface through sections",
+        example: "gusset loft sections.obj -o surface.obj",
+        smooth: &[],
+    },
+    FilterCommand {
+        name: "flatten",
+        alias: None,
+        filters: &["flatten", "develop"],
+        about: "Unrolls a surface into the plane",
+        example: "gusset flatten sail.obj -o pattern.obj",
+        smooth: &[],
+    },
+    FilterCommand {
+        name: "check",
+        alias: None,
+        filters: &["check"],
+        about: "Reports the defects of meshes, and counts their pieces, edges and handles",
+        example: "gusset check part.stl --strict",
+        smooth: &[],
+    },
+];
+
+pub(crate) const SUMMARY: &str = "Joins, fills, mends and checks meshes in files.";
+
+const EXPLANATION: &str = "\
+Meshes are OBJ, PLY, STL, OFF, glTF, GLB or 3MF files, or .conf lists of scans. Curves are OBJ, SVG, DXF, XYZ or CSV files.
+Colours, normals, texture coordinates and materials are kept. Losses are named on standard error.";
+
+/// Builds the command line. `in_full` adds the full explanation of each parameter, for the manual.
+pub(crate) fn command_line(plugin: Option<Plugin>, version: String, in_full: bool) -> Command {
+    let builder = Builder { plugin, in_full };
+    let mut statuses = String::from("Exit status:\n");
+    for (status, meaning) in crate::failure::Exit::MEANINGS {
+        statuses += &format!("  {status}  {meaning}\n");
+    }
+    Command::new("gusset")
+        .about(SUMMARY)
+        .long_about(SUMMARY)
+        .version(version)
+        .after_help(format!("{EXPLANATION}\n\n{statuses}\n'gusset COMMAND --help' shows the options of a command."))
+        .subcommand_required(true)
+        .arg_required_else_help(false)
+        .disable_help_subcommand(true)
+        .max_term_width(MAX_WIDTH)
+        .arg(
+            Arg::new("plugin")
+                .long("plugin")
+                .value_name("LIBRARY")
+                .value_hint(ValueHint::FilePath)
+                .value_parser(value_parser!(OsString))
+                .global(true)
+                .hide_short_help(false)
+                .help("Runs the filters of another plugin"),
+        )
+        .subcommands(FILTER_COMMANDS.iter().map(|command| builder.filter_command(command)))
+        .subcommands([builder.convert(), builder.info(), builder.filters(), builder.run(), generate()])
+}
+
+/// Widest line of the help.
+const MAX_WIDTH: usize = 100;
+
+/// Example first, so that it is read first.
+const TEMPLATE: &str = "{before-help}{about}\n\n{usage-heading} {usage}\n\n{all-args}{after-help}";
+
+struct Builder {
+    plugin: Option<Plugin>,
+    in_full: bool,
+}
+
+impl Builder {
+    fn subcommand(&self, name: &'static str, about: &'static str, example: &'static str) -> Command {
+        Command::new(name).about(about).before_help(format!("Example: {example}")).help_template(TEMPLATE)
+    }
+
+    fn filter_command(&self, command: &'static FilterCommand) -> Command {
+        let filter = self.plugin.and_then(|plugin| command.filter(plugin));
+        let mut made = self
+            .subcommand(command.name, command.about, command.example)
+            .arg(inputs("Files to read; - is standard input", 1));
+        made = made.visible_aliases(command.alias);
+        let writes = filter.is_none_or(|filter| filter.output_kinds().iter().any(|&kind| kind != OutputKind::Text));
+        if writes {
+            made = made.args(output_options(false));
+        }
+        if !command.smooth.is_empty() {
+            made =
+                made.arg(flag("smooth").help("Continues the surfaces beside the new faces").help_heading(PARAMETERS));
+        }
+        if command.name == "check" {
+            made = made.arg(flag("strict").help("Exits with 7 if the mesh has defects"));
+        }
+        let taken: Vec<String> = made.get_arguments().map(|arg| arg.get_id().to_string()).collect();
+        for param in filter.map(Filter::params).unwrap_or_default() {
+            if !taken.contains(&slug(param.id())) {
+                made = made.arg(self.parameter(param));
+            }
+        }
+        made.args(run_options()).args(read_options())
+    }
+
+    /// An option for a parameter, with its label as help, or its whole explanation in the manual.
+    fn parameter(&self, param: Param) -> Arg {
+        let choices: Vec<String> = param.choices().iter().map(|(label, _)| slug(label)).collect();
+        let mut help = if self.in_full { param.help().to_owned() } else { param.label().to_owned() };
+        help = help.trim_end_matches('.').to_owned();
+        let default = print_value(param, param.default_values());
+        if param.kind() == ParamKind::Choice {
+            let words: Vec<String> =
+                choices.iter().map(|word| format!("{word}{}", if *word == default { "*" } else { "" })).collect();
+            help += &format!(": {}", words.join(", "));
+        } else if param.kind() != ParamKind::Bool || param.default_values()[0] != 0.0 {
+            help += &format!(" [{default}]");
+        }
+        let made = Arg::new(slug(param.id()))
+            .long(slug(param.id()))
+            .help(help)
+            .help_heading(PARAMETERS)
+            .allow_hyphen_values(true);
+        match param.kind() {
+            ParamKind::Bool => made
+                .num_args(0..=1)
+                .require_equals(true)
+                .default_missing_value("true")
+                .value_parser(["true", "false"])
+                .hide_possible_values(true),
+            ParamKind::Choice => made
+                .value_name("CHOICE")
+                .value_parser(PossibleValuesParser::new(choices))
+                .hide_possible_values(true)
+                .ignore_case(true)
+                .allow_hyphen_values(false),
+            ParamKind::Integer => made.value_name("N"),
+            ParamKind::Length => made.value_name("LENGTH"),
+            ParamKind::Angle => made.value_name("DEGREES"),
+            ParamKind::Point | ParamKind::Direction => made.value_name("X,Y,Z"),
+            ParamKind::Plane => made.value_name("A,B,C,D"),
+            ParamKind::Real | ParamKind::Unknown => made.value_name("NUMBER"),
+        }
+    }
+
+    fn convert(&self) -> Command {
+        self.subcommand("convert", "Writes meshes in another format", "gusset convert part.stl -o part.glb")
+            .arg(inputs("Files to read; - is standard input", 1))
+            .args(output_options(false))
+            .args(read_options())
+            .arg(json())
+            .arg(jobs())
+    }
+
+    fn info(&self) -> Command {
+        self.subcommand("info", "Measures meshes: box, area, volume, centre, likely unit", "gusset info part.stl")
+            .arg(inputs("Files to read; - is standard input", 1))
+            .args(read_options())
+            .arg(json())
+            .arg(jobs())
+    }
+
+    fn filters(&self) -> Command {
+        self.subcommand("filters", "Lists all filters, or describes one and its parameters", "gusset filters fill")
+            .arg(self.filter_argument("Filter to describe"))
+            .arg(inputs("Files to suggest values for", 0))
+            .arg(flag("ids").help("Lists the ids of the filters alone"))
+            .arg(json())
+            .args(read_options())
+    }
+
+    /// The name of a filter. Completions offer the ids; the plugin decides, and suggests.
+    fn filter_argument(&self, help: &'static str) -> Arg {
+        let made = Arg::new("filter").help(help);
+        let Some(plugin) = self.plugin.filter(|_| self.in_full) else { return made };
+        let ids = plugin.filters().into_iter().map(Filter::id);
+        made.value_parser(PossibleValuesParser::new(ids)).hide_possible_values(true)
+    }
+
+    fn run(&self) -> Command {
+        let filter = self.filter_argument("Filter, as 'gusset filters' names it").required(true);
+        self.subcommand("run", "Runs any filter", "gusset run curve_resample outline.svg -p number=200 -o points.csv")
+            .arg(filter)
+            .arg(inputs("Files to read; - is standard input", 0))
+            .arg(
+                Arg::new("param")
+                    .short('p')
+                    .long("param")
+                    .value_name("NAME=VALUE")
+                    .action(ArgAction::Append)
+                    .help("Sets a parameter; a choice by its word or number, a vector as x,y,z, an angle in degrees"),
+            )
+            .args(output_options(true))
+            .args(run_options())
+            .args(read_options())
+    }
+}
+
+const PARAMETERS: &str = "Parameters (* and [] are defaults)";
+const FILES: &str = "Files";
+
+fn flag(name: &'static str) -> Arg {
+    Arg::new(name).long(name).action(ArgAction::SetTrue)
+}
+
+fn inputs(help: &'static str, least: usize) -> Arg {
+    Arg::new("input")
+        .value_name("FILE")
+        .help(help)
+        .num_args(least..)
+        .required(least > 0)
+        .value_hint(ValueHint::FilePath)
+        .value_parser(value_parser!(OsString))
+}
+
+fn output_options(repeats: bool) -> [Arg; 8] {
+    let help = if repeats {
+        "File of the first mesh or curves; once more for the next"
+    } else {
+        "File to write; - is standard output"
+    };
+    let action = if repeats { ArgAction::Append } else { ArgAction::Set };
+    let file = |name: &'static str| {
+        Arg::new(name).long(name).value_parser(value_parser!(OsString)).value_hint(ValueHint::FilePath)
+    };
+    [
+        file("output").short('o').value_name("FILE").action(action).help(help),
+        file("out-dir").value_name("FOLDER").help("Folder for the results of several files").help_heading(FILES),
+        file("html")
+            .value_name("FILE")
+            .help("Writes a page that shows the result in 3-D, for any browser")
+            .help_heading(FILES),
+        flag("dry-run").short('n').help("Prints the report and writes no file"),
+        flag("text").help("Writes PLY and STL files as text").help_heading(FILES),
+        flag("lossy").help("Permits rounding that moves points by over 0.001 mean edges").help_heading(FILES),
+        format_option("to").help("Format of standard output or of --out-dir"),
+        jobs(),
+    ]
+}
+
+fn format_option(name: &'static str) -> Arg {
+    let words = Format::ALL.iter().map(|(format, _)| format.extension());
+    Arg::new(name)
+        .long(name)
+        .value_name("FORMAT")
+        .value_parser(PossibleValuesParser::new(words))
+        .hide_possible_values(true)
+        .help_heading(FILES)
+}
+
+fn read_options() -> [Arg; 2] {
+    [
+        format_option("from").help("Format of standard input"),
+        flag("follow-outside").help("Opens files that inputs name outside of their folder").help_heading(FILES),
+    ]
+}
+
+fn jobs() -> Arg {
+    Arg::new("jobs")
+        .long("jobs")
+        .value_name("N")
+        .value_parser(value_parser!(u16).range(1..))
+        .help("Files worked on at a time")
+        .help_heading(FILES)
+}
+
+fn json() -> Arg {
+    flag("json").help("Prints the report, or a refusal, as JSON")
+}
+
+fn run_options() -> [Arg; 4] {
+    [
+        json(),
+        Arg::new("threads")
+            .long("threads")
+            .value_name("N")
+            .value_parser(value_parser!(u32))
+            .help("Threads [default: all of the machine]"),
+        flag("progress").help("Shows progress without a terminal, too"),
+        Arg::new("cancel-after")
+            .long("cancel-after")
+            .value_name("SECONDS")
+            .value_parser(parse_seconds)
+            .help("Cancels after this time"),
+    ]
+}
+
+fn parse_seconds(text: &str) -> Result<std::time::Duration, String> {
+    let seconds: f64 = text.parse().map_err(|_| "not a number of seconds".to_owned())?;
+    std::time::Duration::try_from_secs_f64(seconds).map_err(|_| "not a number of seconds from 0".to_owned())
+}
+
+fn generate() -> Command {
+    Command::new("generate")
+        .about("Prints the manual or the completions of a shell")
+        .hide(true)
+        .arg(Arg::new("what").required(true).value_parser(["man", "bash", "zsh", "fish", "powershell"]))
+}
+
+/// Lists filters in columns: id, inputs, outputs, category and name.
+pub(crate) fn list_filters(filters: &[Filter]) -> String {
+    let rows: Vec<[String; 4]> = filters
+        .iter()
+        .map(|filter| {
+            [
+                filter.id().into(),
+                input_words(*filter),
+                output_words(*filter),
+                format!("{}: {}", filter.category(), filter.name()),
+            ]
+        })
+        .collect();
+    let widths: Vec<usize> = (0..3).map(|column| rows.iter().map(|row| row[column].len()).max().unwrap_or(0)).collect();
+    rows.iter()
+        .map(|[id, inputs, outputs, name]| {
+            format!("{id:0$}  {inputs:1$}  -> {outputs:2$}  {name}\n", widths[0], widths[1], widths[2])
+        })
+        .collect()
+}
+
+fn input_words(filter: Filter) -> String {
+    const MAX_SHOWN: usize = 4;
+    let told = filter.min_inputs().max(filter.input_kinds().len());
+    let shown = filter.max_inputs().filter(|&most| most <= MAX_SHOWN).unwrap_or(told);
+    let words: Vec<String> = (0..shown)
+        .map(|place| {
+            let word = filter.input_kind(place).word();
+            if place < filter.min_inputs() { word.to_owned() } else { format!("[{word}]") }
+        })
+        .collect();
+    let more = if filter.max_inputs().is_none_or(|most| most > shown) { "..." } else { "" };
+    if words.is_empty() { "-".into() } else { words.join(", ") + more }
+}
+
+fn output_words(filter: Filter) -> String {
+    filter.output_kinds().iter().map(|kind| kind.word()).collect::<Vec<_>>().join(", ")
+}
+
+/// Describes a filter and its parameters. `suggested` holds the values that suit given inputs.
+pub(crate) fn describe_filter(filter: Filter, suggested: Option<&[f64]>) -> String {
+    let mut text = format!("{}: {}\n", filter.id(), filter.name());
+    wrap(&mut text, "  ", filter.help());
+    let replaces = if filter.replaces_input() { "; the first replaces the first input" } else { "" };
+    text += &format!(
+        "\n  category   {}\n  script     {}\n  inputs     {}\n  outputs    {}{replaces}\n",
+        filter.category(),
+        filter.script_name(),
+        input_words(filter),
+        output_words(filter)
+    );
+    wrap(&mut text, "  reference  ", filter.reference());
+    for param in filter.params() {
+        text += &format!(
+            "\n  -p {}={}\n      {}: {}",
+            param.id(),
+            print_value(param, param.default_values()),
+            param.label(),
+            kind_name(param.kind())
+        );
+        if !matches!(param.kind(), ParamKind::Bool | ParamKind::Choice) {
+            let [min, max] = param.range().map(|bound| print_value(param, &vec![bound; param.values().len()]));
+            let first = |text: String| text.split(',').next().unwrap_or_default().to_owned();
+            text += &format!(", from {} to {}", first(min), first(max));
+        }
+        text.push('\n');
+        if let Some(suggested) = suggested {
+            text += &format!("      for these inputs: {}\n", print_value(param, &suggested[param.values()]));
+        }
+        wrap(&mut text, "      ", param.help());
+        for (label, help) in param.choices() {
+            wrap(&mut text, &format!("        {}  ", slug(label)), help);
+        }
+    }
+    text
+}
+
+/// Appends text in lines of at most [`MAX_WIDTH`] characters after a heading.
+fn wrap(text: &mut String, heading: &str, words: &str) {
+    let indent = " ".repeat(heading.len());
+    let mut line = heading.to_owned();
+    let mut is_empty = true;
+    for word in words.split_whitespace() {
+        if !is_empty && line.len() + 1 + word.len() > MAX_WIDTH {
+            *text += &line;
+            text.push('\n');
+            line.clone_from(&indent);
+            is_empty = true;
+        }
+        if !is_empty {
+            line.push(' ');
+        }
+        line += word;
+        is_empty = false;
+    }
+    *text += line.trim_end();
+    text.push('\n');
+}

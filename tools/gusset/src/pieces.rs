@@ -1,0 +1,81 @@
+//! Inputs as they come from files: a mesh with the materials that it refers to.
+
+use crate::failure::{Exit, Failure};
+use gusset_io::{
+    Document, Image, Material, Mesh, NO_MATERIAL, ReadError, ReadErrorKind, Values, WriteError, WriteErrorKind,
+};
+
+/// A mesh from a file.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Piece {
+    /// Path of the file, for messages.
+    pub(crate) path: String,
+    pub(crate) mesh: Mesh,
+    pub(crate) materials: Vec<Material>,
+    pub(crate) images: Vec<Image>,
+    /// Deviations from the format that the reader accepted, and content that it left out.
+    pub(crate) notes: Vec<String>,
+    /// Metres for each unit of length, if the file says so.
+    pub(crate) metres_per_unit: Option<f64>,
+}
+
+/// Largest number of points and corners of repeated meshes in a scene.
+const MAX_SCENE_ELEMENTS: u64 = 1 << 30;
+
+impl Piece {
+    /// Joins a document's meshes into one piece.
+    pub(crate) fn from_document(document: Document, path: &str) -> Result<Self, Failure> {
+        let Document { mut meshes, materials, images, metres_per_unit, notes, .. } =
+            document.into_joined(MAX_SCENE_ELEMENTS).map_err(|error| read_failure(path, &error))?;
+        let mesh = meshes.pop().unwrap_or_default();
+        let notes = notes.into_iter().map(|note| note.text).collect();
+        Ok(Self { path: path.to_owned(), mesh, materials, images, notes, metres_per_unit })
+    }
+
+    /// Makes a document for a writer.
+    pub(crate) fn into_document(self) -> Document {
+        Document {
+            materials: self.materials,
+            images: self.images,
+            metres_per_unit: self.metres_per_unit,
+            ..Document::from_mesh(self.mesh)
+        }
+    }
+}
+
+/// Makes a failure of a reader's error.
+pub(crate) fn read_failure(path: &str, error: &ReadError) -> Failure {
+    let exit = if error.kind == ReadErrorKind::OutOfMemory { Exit::Memory } else { Exit::File };
+    let separator = if matches!(error.place, gusset_io::Place::Line(_)) { ":" } else { ": " };
+    Failure::new(exit, format!("{path}{separator}{error}"))
+}
+
+/// Makes a failure of a writer's error.
+pub(crate) fn write_failure(path: &str, error: &WriteError) -> Failure {
+    let exit = if error.kind == WriteErrorKind::OutOfMemory { Exit::Memory } else { Exit::File };
+    let remedy = if error.kind == WriteErrorKind::Lossy { "; --lossy permits it" } else { "" };
+    Failure::new(exit, format!("{path}: {error}{remedy}"))
+}
+
+/// Names what a mesh carries besides positions and faces.
+pub(crate) fn attribute_names(mesh: &Mesh) -> Vec<String> {
+    fn named<const N: usize>(values: &Values<N>, what: &str) -> Option<String> {
+        match values {
+            Values::Absent => None,
+            Values::Vertices(_) => Some(format!("{what} of vertices")),
+            Values::Corners(_) => Some(format!("{what} of corners")),
+        }
+    }
+    let mut names = Vec::new();
+    names.extend((!mesh.vertex_colours.is_empty()).then(|| "colours of vertices".to_owned()));
+    names.extend((!mesh.face_colours.is_empty()).then(|| "colours of faces".to_owned()));
+    names.extend(named(&mesh.normals, "normals"));
+    names.extend(named(&mesh.texcoords, "texture coordinates"));
+    let has_materials = mesh.face_materials.iter().any(|&material| material != NO_MATERIAL);
+    names.extend(has_materials.then(|| "materials".to_owned()));
+    for property in &mesh.properties {
+        let elements = if property.domain == gusset_io::Domain::Faces { "faces" } else { "vertices" };
+        names.push(format!("{} of {elements}", property.name));
+    }
+    names
+}

@@ -1,0 +1,284 @@
+//! A run of a filter from files to files.
+
+use crate::carry::carry;
+use crate::failure::{Exit, Failure, Refusal, counted};
+use crate::html;
+use crate::pieces::{Piece, attribute_names};
+use crate::plugin::{Domain, Filter, Geometry, Inputs, OutputKind, Outputs, RunError};
+use crate::reading::{FileName, Reading};
+use crate::report::{describe_curves, describe_geometry, describe_mesh, describe_values, number};
+use crate::steering::Steering;
+use crate::values::parse_values;
+use crate::writing::{Writing, print};
+use gusset_io::{Content, Document, Positions};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// The inputs, outputs and choices of a command.
+#[derive(Clone)]
+pub(crate) struct RunRequest {
+    pub(crate) command: String,
+    pub(crate) inputs: Vec<FileName>,
+    /// Parameters, each `name=value`.
+    pub(crate) params: Vec<String>,
+    pub(crate) outputs: Vec<FileName>,
+    pub(crate) is_dry: bool,
+    pub(crate) json: bool,
+    pub(crate) reading: Reading,
+    pub(crate) writing: Writing,
+    pub(crate) threads: u32,
+    pub(crate) progress: bool,
+    pub(crate) cancel_after: Option<Duration>,
+    /// Page that shows the result.
+    pub(crate) html: Option<PathBuf>,
+}
+
+/// Runs a filter, prints its texts unless JSON is asked for, and writes its results. Returns the report.
+pub(crate) fn run(filter: Filter, request: &RunRequest) -> Result<Value, Failure> {
+    check_count(filter, request.inputs.len())?;
+    let files = assign_outputs(filter, request)?;
+    // Wrong words are refused before files are read.
+    parse_values(filter, filter.default_values(), &request.params)?;
+    let loaded = Loaded::read(filter, request)?;
+    // If the filter refuses these inputs, the run says why.
+    let (suggested, _) = filter.suggest(&loaded.inputs);
+    let values = parse_values(filter, suggested, &request.params)?;
+    let geometry = loaded.inputs.geometry();
+    let mut report = json!({
+        "command": request.command,
+        "filter": filter.id(),
+        "inputs": request.inputs.iter().zip(geometry).map(|(file, one)| describe_geometry(&file.shown(), one)).collect::<Vec<_>>(),
+        "parameters": describe_values(filter, &values),
+        "outputs": [],
+    });
+    let origins = filter.plugin().carries_attributes() && (loaded.carries_attributes() || request.html.is_some());
+    let steering = Steering::new(request.progress, request.cancel_after);
+    let outputs = filter.run(&loaded.inputs, &values, request.threads, origins, &steering);
+    let late = steering.time_since_deadline();
+    steering.finish();
+    let outputs = outputs.map_err(|error| failure(error, filter, request, late))?;
+    write_outputs(&outputs, &files, &loaded, request, &mut report)?;
+    if let Some(path) = &request.html {
+        write_page(path, &outputs, &loaded, request, &report)?;
+    }
+    Ok(report)
+}
+
+/// Inputs that were read.
+struct Loaded {
+    inputs: Inputs,
+}
+
+impl Loaded {
+    fn read(filter: Filter, request: &RunRequest) -> Result<Self, Failure> {
+        let read = |(place, file): (usize, &FileName)| {
+            Ok(if filter.input_kind(place) == OutputKind::Curves {
+                Geometry::Curves(request.reading.curves(file)?)
+            } else {
+                Geometry::Mesh(request.reading.mesh(file)?)
+            })
+        };
+        let geometry = request.inputs.iter().enumerate().map(read).collect::<Result<_, Failure>>()?;
+        Ok(Self { inputs: Inputs::new(geometry) })
+    }
+
+    fn meshes(&self) -> Vec<&Piece> {
+        fn piece(geometry: &Geometry) -> Option<&Piece> {
+            if let Geometry::Mesh(piece) = geometry { Some(piece) } else { None }
+        }
+        self.inputs.geometry().iter().filter_map(piece).collect()
+    }
+
+    fn carries_attributes(&self) -> bool {
+        self.meshes().iter().any(|piece| !attribute_names(&piece.mesh).is_empty())
+    }
+
+    /// Returns whether all meshes have single precision.
+    fn are_single(&self) -> bool {
+        self.meshes().iter().all(|piece| matches!(piece.mesh.positions, Positions::F32(_)))
+    }
+}
+
+/// Refuses a wrong number of inputs.
+pub(crate) fn check_count(filter: Filter, count: usize) -> Result<(), Failure> {
+    let [least, most] = [Some(filter.min_inputs()), filter.max_inputs()];
+    if count >= filter.min_inputs() && most.is_none_or(|most| count <= most) {
+        return Ok(());
+    }
+    let range = match (least, most) {
+        (Some(least), None) => format!("{least} or more inputs"),
+        (Some(least), Some(most)) if least < most => format!("{least} to {most} inputs"),
+        (_, most) => counted(most.unwrap_or(0), "input"),
+    };
+    Err(Failure::usage(format!("{} takes {range}, not {count}", filter.id())))
+}
+
+/// Assigns the named files to outputs that are not texts, and refuses formats that cannot hold them.
+fn assign_outputs(filter: Filter, request: &RunRequest) -> Result<Vec<Option<FileName>>, Failure> {
+    let kinds = filter.output_kinds();
+    let mut rest = request.outputs.iter();
+    let mut files = Vec::new();
+    for &kind in &kinds {
+        let file = if kind == OutputKind::Text { None } else { rest.next() };
+        if let Some(file) = file {
+            request.writing.check(file, if kind == OutputKind::Mesh { Content::Meshes } else { Content::Curves })?;
+        }
+        files.push(file.cloned());
+    }
+    let used = files.iter().flatten().count();
+    if used < request.outputs.len() {
+        return Err(Failure::usage(format!(
+            "{} writes {}, and {} are named",
+            filter.id(),
+            counted(used, "file"),
+            request.outputs.len()
+        )));
+    }
+    let makes_mesh = kinds.contains(&OutputKind::Mesh);
+    if request.outputs.is_empty() && !request.is_dry && (makes_mesh || !kinds.contains(&OutputKind::Text)) {
+        let what = if makes_mesh { "a mesh" } else { "curves" };
+        return Err(Failure::usage(format!(
+            "{} makes {what}: name the file with -o, or print the report alone with --dry-run",
+            request.command
+        )));
+    }
+    Ok(files)
+}
+
+fn failure(error: RunError, filter: Filter, request: &RunRequest, late: Option<Duration>) -> Failure {
+    match error {
+        RunError::Cancelled => {
+            let late = late.map(|time| format!(", {} ms after the request", time.as_millis())).unwrap_or_default();
+            Failure::new(Exit::Cancelled, format!("cancelled{late}"))
+        }
+        RunError::OutOfMemory(message) => Failure::new(Exit::Memory, format!("{}: {message}", filter.id())),
+        RunError::Internal(message) => Failure::new(Exit::Plugin, format!("{}: {message}", filter.id())),
+        RunError::Refused { message, status, parameter, input, element } => {
+            let mut text = format!("{}: {message} (status {status}", filter.id());
+            if let Some(parameter) = parameter {
+                text += &format!(", parameter {parameter}");
+            }
+            if let Some(file) = input.and_then(|input| request.inputs.get(input as usize)) {
+                text += &format!(", input {}: {}", input.unwrap_or(0) + 1, file.shown());
+            }
+            if let Some((element, index)) = element {
+                text += &format!(", {element} {index}");
+            }
+            let refusal = Refusal { status: Some(status), parameter: parameter.map(str::to_owned), input, element };
+            Failure { exit: Exit::Refused, message: text + ")", refusal }
+        }
+    }
+}
+
+fn write_outputs(
+    outputs: &Outputs,
+    files: &[Option<FileName>],
+    loaded: &Loaded,
+    request: &RunRequest,
+    report: &mut Value,
+) -> Result<(), Failure> {
+    for (index, file) in files.iter().enumerate() {
+        let output = index as u32;
+        match (outputs.kind(output), file) {
+            (OutputKind::Text, _) => add_text(outputs, output, request, report)?,
+            (OutputKind::Mesh, Some(file)) if !request.is_dry => {
+                let made = write_mesh(outputs, output, file, loaded, request)?;
+                push(report, "outputs", made);
+            }
+            (OutputKind::Curves, Some(file)) if !request.is_dry => {
+                let curves = outputs
+                    .curves(output)
+                    .ok_or_else(|| Failure::new(Exit::Plugin, format!("output {output} is not curves")))?;
+                let mut made = describe_curves(&file.shown(), &curves);
+                let lost = request.writing.write(file, &Document { curves, ..Document::default() }, Vec::new())?;
+                made["lost"] = json!(lost);
+                push(report, "outputs", made);
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+fn push(report: &mut Value, list: &str, item: Value) {
+    if let Some(items) = report[list].as_array_mut() {
+        items.push(item);
+    } else {
+        report[list] = json!([item]);
+    }
+}
+
+/// Adds the lines of a text, and the numbers in it; prints the text unless JSON is asked for.
+fn add_text(outputs: &Outputs, output: u32, request: &RunRequest, report: &mut Value) -> Result<(), Failure> {
+    let text = outputs.text(output);
+    for line in text.lines() {
+        push(report, "report", json!(line));
+    }
+    for (name, value) in outputs.values(output) {
+        report["values"][name] = number(value);
+    }
+    let is_piped = request.outputs.iter().any(|file| matches!(file, FileName::Standard));
+    if request.json {
+        Ok(())
+    } else if is_piped {
+        eprint!("{text}");
+        Ok(())
+    } else {
+        print(text)
+    }
+}
+
+fn write_mesh(
+    outputs: &Outputs,
+    output: u32,
+    file: &FileName,
+    loaded: &Loaded,
+    request: &RunRequest,
+) -> Result<Value, Failure> {
+    let mesh =
+        outputs.mesh(output).ok_or_else(|| Failure::new(Exit::Plugin, format!("output {output} is not a mesh")))?;
+    let metres_per_unit = loaded.meshes().first().and_then(|piece| piece.metres_per_unit);
+    let mut piece = Piece { path: file.shown(), mesh, metres_per_unit, ..Piece::default() };
+    let origins = outputs.origins(output);
+    let lost = carry(&loaded.meshes(), origins.as_ref(), &mut piece)?;
+    if loaded.are_single() {
+        piece.mesh.positions = narrowed(std::mem::take(&mut piece.mesh.positions));
+    }
+    let mut made = describe_mesh(&file.shown(), &piece.mesh);
+    made["lost"] = json!(request.writing.write(file, &piece.into_document(), lost)?);
+    Ok(made)
+}
+
+/// Writes the page that shows the first output mesh beside the inputs.
+fn write_page(
+    path: &Path,
+    outputs: &Outputs,
+    loaded: &Loaded,
+    request: &RunRequest,
+    report: &Value,
+) -> Result<(), Failure> {
+    let index = (0..outputs.count()).find(|&index| outputs.kind(index) == OutputKind::Mesh);
+    let mesh = index.and_then(|index| outputs.mesh(index));
+    let (Some(index), Some(mesh)) = (index, mesh) else {
+        return Err(Failure::usage(format!("{} makes no mesh for --html to show", request.command)));
+    };
+    let sources = outputs.origins(index).and_then(|origins| origins.sources(Domain::Faces));
+    let input =
+        |face: usize| sources.as_ref().map_or(Some(0), |sources| sources.single(face).map(|(input, _)| input as u32));
+    let inputs = (0..mesh.face_count()).map(input).collect();
+    let names: Vec<String> = request.inputs.iter().map(FileName::shown).collect();
+    let lines: Vec<&str> = report["report"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    let title = format!("{}: {}", request.command, names.join(", "));
+    html::write_page(path, &title, &lines.join("; "), &loaded.meshes(), &html::Body { mesh: &mesh, inputs })
+}
+
+/// Returns points in single precision if that keeps all of them.
+fn narrowed(positions: Positions) -> Positions {
+    let Positions::F64(points) = &positions else { return positions };
+    let is_single = |x: f64| f64::from(x as f32) == x || x.is_nan();
+    if points.iter().flatten().all(|&x| is_single(x)) {
+        return Positions::F32(points.iter().map(|point| point.map(|x| x as f32)).collect());
+    }
+    positions
+}
