@@ -380,8 +380,8 @@ export interface OrientParams extends RunOptions {
   outward?: "majority" | "outwards" | number;
 }
 
-/** Parameters of `fill_holes`; what is not given is what suits the inputs. */
-export interface FillHolesParams extends RunOptions {
+/** Parameters of `fill`; what is not given is what suits the inputs. */
+export interface FillParams extends RunOptions {
   /**
    * Inside the holes. The interior of the patches.
    */
@@ -438,8 +438,8 @@ export interface FillHolesParams extends RunOptions {
   outward?: boolean;
 }
 
-/** Parameters of `assemble`; what is not given is what suits the inputs. */
-export interface AssembleParams extends RunOptions {
+/** Parameters of `join`; what is not given is what suits the inputs. */
+export interface JoinParams extends RunOptions {
   /**
    * Coincident borders. The treatment of coincident borders.
    */
@@ -1319,14 +1319,14 @@ export interface Filters {
    * surrounding mesh and faired. All vertices keep their positions, and all faces stay. Source: P. Liepa, Filling holes in meshes (2003);
    * G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron (1995)
    */
-  readonly fill_holes: Filter<[MeshLike], [Mesh, Report], FillHolesParams>;
+  readonly fill: Filter<[MeshLike], [Mesh, Report], FillParams>;
   /**
    * Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are made consistent,
    * and loops that face each other across a gap are stitched. Holes are filled on request, and closed results are turned outwards. Loops
    * that face no other loop stay as they are. Source: S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single
    * gap
    */
-  readonly assemble: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], AssembleParams>;
+  readonly join: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], JoinParams>;
   /**
    * Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a
    * quadratic section, whose control point lies on the bisector, the median or the normal at the point. Source: T. Nadopta, Theoretical

@@ -46,8 +46,8 @@ class Commands(unittest.TestCase):
         self.assertEqual(meshes.counts(self.at("filled.stl")), (24, 44))
         self.expect(DONE, "fill", "low.obj", "--keep", "the-longest", "-o", "one.obj", says="filled 1 of 2 boundary loops by 10 faces")
 
-    def test_assemble(self):
-        self.expect(DONE, "assemble", "low.obj", "high.obj", "--holes", "fill", "-o", "whole.glb",
+    def test_join(self):
+        self.expect(DONE, "join", "low.obj", "high.obj", "--holes", "fill", "-o", "whole.glb",
                     says="2 holes filled, 0 boundary loops left")
 
     def test_weld_and_check_agree(self):

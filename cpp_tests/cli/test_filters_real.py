@@ -114,13 +114,13 @@ class Real(unittest.TestCase):
         self.assertEqual(sorted(len(line) - 1 for line in lines)[1:], [25, 25, 36, 115])
         self.assertEqual(sum(len(line) - 1 for line in lines), 205)
 
-        self.run_on("fill_holes", self.data / "meshes/lion.off", "-o", "filled.obj")
+        self.run_on("fill", self.data / "meshes/lion.off", "-o", "filled.obj")
         vertices, faces, _ = read_obj(self.host.folder / "filled.obj")
         self.assertEqual((rims(faces), len(vertices)), (0, 7529))
         self.assertGreater(len(faces), 14859)
 
         pieces = [self.data / f"pairs/combustor/{name}.stl" for name in ("walls", "inlet", "outlet")]
-        self.run_on("assemble", *pieces, "-o", "combustor.obj")
+        self.run_on("join", *pieces, "-o", "combustor.obj")
         _, faces, _ = read_obj(self.host.folder / "combustor.obj")
         self.assertEqual((len(faces), rims(faces)), (3456, 0))
 

@@ -47,7 +47,7 @@ def orient(
     """Reverses the fewest faces of each component that make neighbours consistently oriented. One-sided components, such as a Moebius strip, stay as they are."""
 
 
-def fill_holes(
+def fill(
     input_0: MeshLike, /, *, inside: Union[int, Literal['rim_only', 'refined', 'refined_and_fair']] = ..., weight: Union[int,
     Literal['best_continuation', 'area_and_bend', 'largest_bend', 'area']] = ..., max_edges: int = ..., max_length: float = ...,
     keep: Union[int, Literal['none', 'the_longest', 'borders']] = ..., together: Union[int, Literal['each_by_itself',
@@ -58,7 +58,7 @@ def fill_holes(
     """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay."""
 
 
-def assemble(
+def join(
     input_0: MeshLike, *inputs: MeshLike, weld: Union[int, Literal['sew', 'keep', 'edge_to_edge']] = ..., tolerance: float = ...,
     max_gap: float = ..., extent: Union[int, Literal['loops_and_parts_of_them', 'whole_loops']] = ..., meridians: Union[int,
     Literal['continuation', 'least_area', 'by_index', 'by_arc_length', 'greedy', 'shortest_meridians', 'least_bend', 'quads']] =

@@ -45,8 +45,8 @@ fn stitch_closes_a_sphere_by_loops_found_and_by_loops_given() {
 }
 
 #[test]
-fn fill_holes_closes_what_it_may() {
-    let filter = Filter::find("fill_holes").unwrap();
+fn fill_closes_what_it_may() {
+    let filter = Filter::find("fill").unwrap();
     let soups = caps();
     let both = soups[0].and(&soups[1]);
     // Refined and fair; then the second rim is too long, or is the longest.
@@ -61,7 +61,7 @@ fn fill_holes_closes_what_it_may() {
         assert_eq!(open == 0, filled == 2, "{values:?}");
     }
     let inputs = [Input::Mesh(both.view())];
-    let planned = values("fill_holes", &inputs, &[("plan_only", &[1.0])]);
+    let planned = values("fill", &inputs, &[("plan_only", &[1.0])]);
     let outputs = filter.run(&inputs, &planned, &Job::default()).unwrap();
     let said = text(&outputs[1]);
     assert!(
@@ -76,7 +76,7 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
     let turned: Vec<Soup> = caps().iter().map(Soup::turned).collect();
     let faces: usize = turned.iter().map(|soup| soup.faces().count()).sum();
     for (id, soups, later, default) in
-        [("stitch", &turned[..], 0, 0.0), ("fill_holes", &turned[..1], 0, 0.0), ("assemble", &turned[..], 2, 1.0)]
+        [("stitch", &turned[..], 0, 0.0), ("fill", &turned[..1], 0, 0.0), ("join", &turned[..], 2, 1.0)]
     {
         let params = Filter::find(id).unwrap().params;
         let place = params.iter().position(|param| param.id == "outward").unwrap();
@@ -91,10 +91,10 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
             let volume = common::volume(|v| points[v as usize], joined.iter().copied());
             assert!(if set { volume > 1.0 } else { volume < -1.0 }, "{id} {set}: {volume}");
             let count = match id {
-                "assemble" => value(&outputs[1], "turned_faces") as usize,
+                "join" => value(&outputs[1], "turned_faces") as usize,
                 _ => value(&outputs[1], "turned_outwards") as usize,
             };
-            let all = if id == "assemble" { faces } else { joined.len() };
+            let all = if id == "join" { faces } else { joined.len() };
             assert_eq!(count, if set { all } else { 0 }, "{id} {set}");
             assert_eq!(text(&outputs[1]).contains(" reversed"), set, "{}", text(&outputs[1]));
         }
@@ -179,7 +179,7 @@ fn borders_that_do_not_match_are_sewn_and_assembled() {
     assert_eq!((mesh.positions.len(), mesh.face_count()), (6, 3));
     let pieces = [upper, lower];
     for (weld, edges, loops) in [(0.0, 2.0, 1.0), (1.0, 0.0, 2.0), (2.0, 0.0, 2.0)] {
-        let done = run_on("assemble", &pieces, &[weld, -1.0, 0.0]).unwrap();
+        let done = run_on("join", &pieces, &[weld, -1.0, 0.0]).unwrap();
         assert_eq!((value(&done[1], "sewn_edges"), value(&done[1], "boundary_loops")), (edges, loops), "{weld}");
     }
 }

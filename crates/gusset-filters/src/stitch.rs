@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::facing_arcs::{FACING_ARC, FACING_TOLERANCE};
-use super::fill_holes::{OUTWARD, intersections_line, turned_outwards_line};
+use super::fill::{OUTWARD, intersections_line, turned_outwards_line};
 use super::filter::{Filter, FilterBody};
 use super::report::{BOUNDARY_LOOP, FACE, Report, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};

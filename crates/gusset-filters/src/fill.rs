@@ -54,7 +54,7 @@ use gusset_stitch::repair::orient::Outward;
 use gusset_stitch::stitch::Intersections;
 
 pub(super) const FILTER: Filter = Filter {
-    id: "fill_holes",
+    id: "fill",
     name: "Fill holes",
     category: "Boundary",
     help: "Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the \

@@ -1,6 +1,6 @@
 use super::align::explain_untrusted_pose;
 use super::data::{Input, Output};
-use super::fill_holes::OUTWARD;
+use super::fill::OUTWARD;
 use super::filter::{Filter, FilterBody};
 use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
@@ -20,8 +20,8 @@ use gusset_stitch::stitch::{self, Fairing, Finish, Meridians, Rows};
 use gusset_stitch::trim;
 
 pub(super) const FILTER: Filter = Filter {
-    id: "assemble",
-    name: "Assemble pieces",
+    id: "join",
+    name: "Join pieces",
     category: "Stitching",
     help: "Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are \
            made consistent, and loops that face each other across a gap are stitched. Holes are filled on request, and closed \
