@@ -15,7 +15,7 @@ export const structs = {
   gusset_filter: {"size":80,"fields":{"struct_size":[0,"Uint32"],"id":[4,"Uint32"],"name":[8,"Uint32"],"script_name":[12,"Uint32"],"category":[16,"Uint32"],"help":[20,"Uint32"],"reference":[24,"Uint32"],"input_kinds":[28,"Uint32"],"output_kinds":[32,"Uint32"],"input_kind_count":[36,"Uint32"],"min_inputs":[40,"Uint32"],"max_inputs":[44,"Uint32"],"output_count":[48,"Uint32"],"flags":[52,"Uint32"],"param_count":[56,"Uint32"],"value_count":[60,"Uint32"],"reserved":[64,"Uint32"],"param":[68,"Uint32"],"suggest":[72,"Uint32"],"run":[76,"Uint32"]}},
   gusset_failure: {"size":40,"fields":{"struct_size":[0,"Uint32"],"message":[4,"Uint32"],"status":[8,"Int32"],"param":[12,"Uint32"],"input":[16,"Uint32"],"element":[20,"Uint32"],"index":[24,"BigUint64"],"value":[32,"Float64"]}},
   gusset_plugin: {"size":76,"fields":{"struct_size":[0,"Uint32"],"abi":[4,"Uint32"],"filter_count":[8,"Uint32"],"id":[12,"Uint32"],"name":[16,"Uint32"],"version":[20,"Uint32"],"vendor":[24,"Uint32"],"description":[28,"Uint32"],"license":[32,"Uint32"],"filter":[36,"Uint32"],"find":[40,"Uint32"],"output_count":[44,"Uint32"],"output_kind":[48,"Uint32"],"output_mesh":[52,"Uint32"],"output_curves":[56,"Uint32"],"output_text":[60,"Uint32"],"output_failure":[64,"Uint32"],"output_free":[68,"Uint32"],"extension":[72,"Uint32"]}},
-  gusset_plugin_values: {"size":16,"fields":{"struct_size":[0,"Uint32"],"count":[4,"Uint32"],"name":[8,"Uint32"],"value":[12,"Uint32"]}},
+  gusset_plugin_values: {"size":20,"fields":{"struct_size":[0,"Uint32"],"count":[4,"Uint32"],"name":[8,"Uint32"],"value":[12,"Uint32"],"kind":[16,"Uint32"]}},
 };
 
 /** Without GUSSET_. */
@@ -52,6 +52,13 @@ export const constants = {
   PARAM_POINT: 7,
   PARAM_DIRECTION: 8,
   PARAM_PLANE: 9,
+  VALUE_COUNT: 1,
+  VALUE_FLAG: 2,
+  VALUE_NUMBER: 3,
+  VALUE_LENGTH: 4,
+  VALUE_AREA: 5,
+  VALUE_VOLUME: 6,
+  VALUE_ANGLE: 7,
   FILTER_REPLACES: 1,
   FILTER_ORIGINS: 2,
   PLUGIN_NONE: 4294967295,

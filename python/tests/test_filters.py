@@ -86,7 +86,10 @@ def test_words_and_places_are_the_same():
 
 def test_reports_have_numbers():
     said = filters.check(trimesh.creation.box())
-    assert said.values["vertices"] == 8 and said.values["closed"] == 1
+    assert said.values["vertices"] == 8 and type(said.values["vertices"]) is int
+    assert said.values["closed"] is True
+    measured = filters.fill(shapes.tube())[1].values
+    assert type(measured["smallest_angle"]) is type(measured["area"]) is float and 0 < measured["smallest_angle"] < 1.1
 
 
 def test_inputs_of_two_precisions():

@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, count_with_noun};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, Value, count_with_noun};
 use super::signatures::{ONE_MESH, TO_TEXT};
 use super::typed_param::{LISTED_COUNT_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -91,21 +91,20 @@ fn check_summary(found: &Check) -> String {
     )
 }
 
-fn report_values(found: &Check) -> Vec<(&'static str, f64)> {
-    let flag = |is: bool| f64::from(u8::from(is));
+fn report_values(found: &Check) -> Vec<(&'static str, Value)> {
     let mut values = vec![
-        ("vertices", f64::from(found.vertices)),
-        ("edges", f64::from(found.edges)),
-        ("faces", f64::from(found.faces)),
-        ("pieces", f64::from(found.components)),
-        ("boundary_walks", f64::from(found.boundary_walks)),
-        ("closed", flag(found.closed)),
-        ("manifold", flag(found.manifold)),
-        ("oriented", flag(found.oriented)),
-        ("orientable", flag(found.orientable)),
-        ("euler_characteristic", found.euler as f64),
+        ("vertices", Value::count(found.vertices)),
+        ("edges", Value::count(found.edges)),
+        ("faces", Value::count(found.faces)),
+        ("pieces", Value::count(found.components)),
+        ("boundary_walks", Value::count(found.boundary_walks)),
+        ("closed", Value::flag(found.closed)),
+        ("manifold", Value::flag(found.manifold)),
+        ("oriented", Value::flag(found.oriented)),
+        ("orientable", Value::flag(found.orientable)),
+        ("euler_characteristic", Value::count(found.euler)),
     ];
-    values.extend(found.genus.map(|genus| ("genus", f64::from(genus))));
-    values.extend(defect_kinds(found).map(|(_, name, elements)| (name, elements.len() as f64)));
+    values.extend(found.genus.map(|genus| ("genus", Value::count(genus))));
+    values.extend(defect_kinds(found).map(|(_, name, elements)| (name, Value::count(elements.len()))));
     values
 }
