@@ -134,6 +134,22 @@ fn check_names_what_is_wrong() {
 }
 
 #[test]
+fn check_finds_intersections_on_request() {
+    let mut soup = sheet(3, 2);
+    soup.points.extend([[0.25, 0.5, -1.0], [1.75, 0.5, -1.0], [1.75, 0.5, 1.0], [0.25, 0.5, 1.0]]);
+    soup.face(&[12, 13, 14, 15]);
+    let Output::Text(plain) = &run_on("check", std::slice::from_ref(&soup), &[]).unwrap()[0] else { panic!() };
+    assert!(plain.values().iter().all(|(name, _)| *name != "intersections"));
+    for (listed, list) in [(20.0, "0-6 1-6\n"), (1.0, "0-6 ...\n")] {
+        let found = &run_on("check", std::slice::from_ref(&soup), &[listed, 1.0]).unwrap()[0];
+        assert_eq!(value(found, "intersections"), 2.0);
+        assert!(text(found).ends_with(&format!("\n2 pairs of faces intersect: {list}")), "{}", text(found));
+    }
+    let clean = &run_on("check", &[sheet(3, 2)], &[20.0, 1.0]).unwrap()[0];
+    assert!(value(clean, "intersections") == 0.0 && text(clean).ends_with("\nno faces intersect\n"));
+}
+
+#[test]
 fn welding_and_checking_agree_in_their_words_and_numbers() {
     // Two quads beside each other, with vertices of their own; and one that lies on the border of both.
     let mut soup = Soup::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]], &[&[0, 1, 2, 3]]);
