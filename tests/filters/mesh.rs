@@ -150,6 +150,24 @@ fn check_finds_intersections_on_request() {
 }
 
 #[test]
+fn join_keeps_outlines_open_on_request() {
+    // A sheet with a hole, and a part beside it.
+    let whole = sheet(5, 5);
+    let part = |wanted: fn(usize) -> bool| {
+        let mut soup = Soup { points: whole.points.clone(), offsets: vec![0], ..Soup::default() };
+        whole.faces().enumerate().filter(|(f, _)| wanted(*f)).for_each(|(_, face)| soup.face(face));
+        soup
+    };
+    let pieces = [part(|f| f % 5 < 3 && f != 11), part(|f| f % 5 >= 3)];
+    for (keep, filled, loops) in [(0.0, 2.0, 0.0), (1.0, 1.0, 1.0), (2.0, 1.0, 1.0)] {
+        let inputs = inputs(&pieces);
+        let values = values("join", &inputs, &[("holes", &[1.0]), ("keep", &[keep])]);
+        let done = Filter::find("join").unwrap().run(&inputs, &values, &Job::default()).unwrap();
+        assert_eq!((value(&done[1], "filled_holes"), value(&done[1], "boundary_loops")), (filled, loops), "{keep}");
+    }
+}
+
+#[test]
 fn welding_and_checking_agree_in_their_words_and_numbers() {
     // Two quads beside each other, with vertices of their own; and one that lies on the border of both.
     let mut soup = Soup::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]], &[&[0, 1, 2, 3]]);
