@@ -187,6 +187,20 @@ typedef struct gusset_plugin_attributes {
 #define GUSSET_PARAM_DIRECTION 8
 /// Plane a x + b y + c z = d: a, b, c (not all 0), d.
 #define GUSSET_PARAM_PLANE 9
+/// Number of a report: whole.
+#define GUSSET_VALUE_COUNT 1
+/// Number of a report: 0 or 1.
+#define GUSSET_VALUE_FLAG 2
+/// Number of a report: without unit, or in a unit of its own.
+#define GUSSET_VALUE_NUMBER 3
+/// Number of a report: length in the unit of the positions.
+#define GUSSET_VALUE_LENGTH 4
+/// Number of a report: area in the square of that unit.
+#define GUSSET_VALUE_AREA 5
+/// Number of a report: volume in the cube of that unit.
+#define GUSSET_VALUE_VOLUME 6
+/// Number of a report: angle in radians.
+#define GUSSET_VALUE_ANGLE 7
 /// The first output replaces the first input, else outputs are new.
 #define GUSSET_FILTER_REPLACES 1
 /// The first output, a mesh, has elements of the inputs; extension("attributes/1") transfers attributes.
@@ -430,6 +444,9 @@ typedef struct gusset_plugin_values {
     const char *(*name)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
     /// Returns number which, or NaN; flags are 0 or 1.
     double (*value)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
+    /// Returns GUSSET_VALUE_... of number which, or 0. Later versions may add kinds. Plugins whose struct_size ends
+    /// before it lack it.
+    uint32_t (*kind)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
 } gusset_plugin_values;
 
 /// Type of gusset_plugin_entry, for dlsym.

@@ -51,7 +51,7 @@ def main():
         sys.exit(f"{folder}: there are no .ply files")
     before = out.with_suffix(".aligned.ply")
     run(program, "run", "align", *inputs, "-o", before, "--json")
-    report = run(program, "assemble", "--align", "--overlaps", "trim", "--holes", "fill", *inputs, "-o", out, "--json")
+    report = run(program, "join", "--align", "--overlaps", "trim", "--holes", "fill", *inputs, "-o", out, "--json")
     values = report["values"]
     for line in report["report"]:
         if "may lie wrong" in line:

@@ -46,10 +46,10 @@ export class Curves {
   curve(index: number): Float32Array | Float64Array;
 }
 
-/** Lines of text, with the numbers in it by their names. */
+/** Lines of text, with the numbers in it by their names. Flags are booleans; angles are in radians. */
 export class Report {
   readonly text: string;
-  readonly values: Readonly<Record<string, number>>;
+  readonly values: Readonly<Record<string, number | boolean>>;
   toString(): string;
 }
 
@@ -560,8 +560,8 @@ export interface OrientParams extends RunOptions {
   outward?: "majority" | "outwards" | number;
 }
 
-/** Parameters of `fill_holes`; what is not given is what suits the inputs. */
-export interface FillHolesParams extends RunOptions {
+/** Parameters of `fill`; what is not given is what suits the inputs. */
+export interface FillParams extends RunOptions {
   /**
    * Inside the holes. The interior of the patches.
    */
@@ -618,8 +618,8 @@ export interface FillHolesParams extends RunOptions {
   outward?: boolean;
 }
 
-/** Parameters of `assemble`; what is not given is what suits the inputs. */
-export interface AssembleParams extends RunOptions {
+/** Parameters of `join`; what is not given is what suits the inputs. */
+export interface JoinParams extends RunOptions {
   /**
    * Coincident borders. The treatment of coincident borders.
    */
@@ -671,6 +671,10 @@ export interface AssembleParams extends RunOptions {
    * Align first. First moves overlapping pieces to where they fit, as the filter align does from where they lie.
    */
   align?: boolean;
+  /**
+   * Keep open. The remaining loops that are not holes, if holes are filled.
+   */
+  keep?: "none" | "the_longest" | "borders" | number;
 }
 
 /** Parameters of `outline`; what is not given is what suits the inputs. */
@@ -868,6 +872,10 @@ export interface CheckParams extends RunOptions {
    * Elements listed. The largest number of elements listed for each kind of defect. From 0 to 1000000.
    */
   listed?: number;
+  /**
+   * Intersections. Also finds the pairs of faces that intersect or touch each other elsewhere than in common vertices and edges.
+   */
+  intersections?: boolean;
 }
 
 /** Parameters of `facing_arcs`; what is not given is what suits the inputs. */
@@ -1499,14 +1507,14 @@ export interface Filters {
    * surrounding mesh and faired. All vertices keep their positions, and all faces stay. Source: P. Liepa, Filling holes in meshes (2003);
    * G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron (1995)
    */
-  readonly fill_holes: Filter<[MeshLike], [Mesh, Report], FillHolesParams>;
+  readonly fill: Filter<[MeshLike], [Mesh, Report], FillParams>;
   /**
    * Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are made consistent,
    * and loops that face each other across a gap are stitched. Holes are filled on request, and closed results are turned outwards. Loops
    * that face no other loop stay as they are. Source: S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single
    * gap
    */
-  readonly assemble: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], AssembleParams>;
+  readonly join: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], JoinParams>;
   /**
    * Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a
    * quadratic section, whose control point lies on the bisector, the median or the normal at the point. Source: T. Nadopta, Theoretical
@@ -1549,7 +1557,8 @@ export interface Filters {
   /**
    * Reports every defect of a mesh with the numbers of the elements: boundary edges, edges of three or more faces, non-manifold vertices,
    * inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the number of components, the Euler
-   * characteristic and the genus. Source: Counts on half-edges; genus by Euler's formula
+   * characteristic and the genus. On request it reports faces that intersect each other. Source: Counts on half-edges; genus by Euler's
+   * formula; J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates (1997), for intersections
    */
   readonly check: Filter<[MeshLike], Report, CheckParams>;
   /**

@@ -108,7 +108,8 @@ export class Outputs {
     const extension = library.withRoom((room) => library.call(library.table.extension, room.array(new TextEncoder().encode("values/1\0"))));
     const values = library.struct("gusset_plugin_values", extension), read = {};
     for (let n = 0; n < library.call(values.count, handle, k); n++) {
-      read[library.text(library.call(values.name, handle, k, n))] = library.call(values.value, handle, k, n);
+      const value = library.call(values.value, handle, k, n), isFlag = library.call(values.kind, handle, k, n) === constants.VALUE_FLAG;
+      read[library.text(library.call(values.name, handle, k, n))] = isFlag ? value !== 0 : value;
     }
     return new Report(library.text(library.call(library.table.output_text, handle, k)), read);
   }

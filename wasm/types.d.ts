@@ -46,10 +46,10 @@ export class Curves {
   curve(index: number): Float32Array | Float64Array;
 }
 
-/** Lines of text, with the numbers in it by their names. */
+/** Lines of text, with the numbers in it by their names. Flags are booleans; angles are in radians. */
 export class Report {
   readonly text: string;
-  readonly values: Readonly<Record<string, number>>;
+  readonly values: Readonly<Record<string, number | boolean>>;
   toString(): string;
 }
 

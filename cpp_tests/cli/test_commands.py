@@ -46,8 +46,8 @@ class Commands(unittest.TestCase):
         self.assertEqual(meshes.counts(self.at("filled.stl")), (24, 44))
         self.expect(DONE, "fill", "low.obj", "--keep", "the-longest", "-o", "one.obj", says="filled 1 of 2 boundary loops by 10 faces")
 
-    def test_assemble(self):
-        self.expect(DONE, "assemble", "low.obj", "high.obj", "--holes", "fill", "-o", "whole.glb",
+    def test_join(self):
+        self.expect(DONE, "join", "low.obj", "high.obj", "--holes", "fill", "-o", "whole.glb",
                     says="2 holes filled, 0 boundary loops left")
 
     def test_weld_and_check_agree(self):
@@ -104,7 +104,11 @@ class Commands(unittest.TestCase):
         self.assertTrue(found["report"][0].startswith("joined loops of 12 and 9 vertices"))
         check = told(DONE, "check", "low.obj")
         self.assertEqual({name: check["values"][name] for name in ("vertices", "pieces", "closed", "genus", "boundary_edges")},
-                         {"vertices": 24, "pieces": 1, "closed": 0, "genus": 0, "boundary_edges": 24})
+                         {"vertices": 24, "pieces": 1, "closed": False, "genus": 0, "boundary_edges": 24})
+        self.assertIs(check["values"]["closed"], False)
+        self.assertIs(check["values"]["oriented"], True)
+        filled = told(DONE, "fill", "low.obj", "--dry-run")
+        self.assertIn(f"smallest angle {filled['values']['smallest_angle']:.2f} degrees", filled["report"][1])
         self.assertEqual(check["outputs"], [])
         wrong = told(REFUSED, "weld", "low.obj", "--tolerance", "-2", "-n")
         self.assertEqual((wrong["command"], wrong["error"]["exit"], wrong["error"]["parameter"]), ("weld", 4, "tolerance"))

@@ -125,7 +125,7 @@ class Filters(unittest.TestCase):
         endless = [(0, 0, 0), (1, 0, 0), (0, math.nan, 0)]
         write_obj(self.at("lost.obj"), endless, [[0, 1, 2]])
         self.expect(REFUSED, "run", "weld", "lost.obj", says="input 1: lost.obj, vertex 2)")
-        self.expect(REFUSED, "run", "assemble", "grid.obj", "lost.obj", says="input 2: lost.obj, vertex 2)")
+        self.expect(REFUSED, "run", "join", "grid.obj", "lost.obj", says="input 2: lost.obj, vertex 2)")
         # The library names the piece that lacks a rim, but not the piece whose face is outside of every grid.
         self.expect(DONE, "run", "net_shape", "-o", "closed.obj")
         self.expect(REFUSED, "run", "stitch", "grid.obj", "closed.obj", says="input 2: closed.obj)")

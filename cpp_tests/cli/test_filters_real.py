@@ -114,15 +114,20 @@ class Real(unittest.TestCase):
         self.assertEqual(sorted(len(line) - 1 for line in lines)[1:], [25, 25, 36, 115])
         self.assertEqual(sum(len(line) - 1 for line in lines), 205)
 
-        self.run_on("fill_holes", self.data / "meshes/lion.off", "-o", "filled.obj")
+        self.run_on("fill", self.data / "meshes/lion.off", "-o", "filled.obj")
         vertices, faces, _ = read_obj(self.host.folder / "filled.obj")
         self.assertEqual((rims(faces), len(vertices)), (0, 7529))
         self.assertGreater(len(faces), 14859)
 
         pieces = [self.data / f"pairs/combustor/{name}.stl" for name in ("walls", "inlet", "outlet")]
-        self.run_on("assemble", *pieces, "-o", "combustor.obj")
+        self.run_on("join", *pieces, "-o", "combustor.obj")
         _, faces, _ = read_obj(self.host.folder / "combustor.obj")
         self.assertEqual((len(faces), rims(faces)), (3456, 0))
+
+        tiles = [self.data / f"cases/gap_tile_{name}.obj" for name in ("00", "01", "10", "11")]
+        text = self.run_on("join", *tiles, "-p", "holes=fill", "-p", "keep=borders", "-o", "sheet.obj")
+        self.assertIn("1 boundary loop left", text)
+        self.assertEqual(rims(read_obj(self.host.folder / "sheet.obj")[1]), 60)
 
         halves = [self.data / f"pairs/bunny_cut/{name}.off" for name in ("head", "body")]
         before = sum(map(self.rim, halves))

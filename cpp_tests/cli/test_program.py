@@ -51,6 +51,18 @@ class Program(unittest.TestCase):
         self.expect(DONE, "check", "cube.obj", "--strict")
         self.expect(DEFECTS, "check", "cube.obj", "tube.obj", "--strict")
 
+    def test_strict_check_of_intersections(self):
+        # Two cubes of which each is closed.
+        both = CUBE + [(x + 1, y + 1, z + 1) for x, y, z in CUBE]
+        write_obj(self.at("cubes.obj"), both, CUBE_FACES + [[v + 8 for v in face] for face in CUBE_FACES])
+        self.expect(DONE, "check", "cubes.obj", "--strict")
+        self.expect(DONE, "check", "cube.obj", "--intersections", "--strict", says="no faces intersect\n")
+        self.expect(DONE, "check", "cubes.obj", "--intersections", says="pairs of faces intersect: ")
+        found = self.expect(DEFECTS, "check", "cubes.obj", "--intersections", "--strict", "--json", "--listed", "2")
+        report = json.loads(found.stdout)
+        self.assertGreater(report["values"]["intersections"], 2)
+        self.assertRegex(report["report"][-1], r"^\d+ pairs of faces intersect: \d+-\d+ \d+-\d+ \.\.\.$")
+
     def test_info(self):
         found = json.loads(self.expect(DONE, "info", "cube.obj", "--json").stdout)
         self.assertEqual(found["box"], {"min": [0, 0, 0], "max": [2, 3, 5], "size": [2, 3, 5]})

@@ -234,7 +234,7 @@ TEST_CASE("two tubes are stitched where their matrices put them") {
 }
 
 TEST_CASE("what need not be there need not be there") {
-    Cooked session("assemble");
+    Cooked session("join");
     session.connect(MAIN, tube(8, 0, 1));
     session.connect("Input3", tube(8, 1, 2));
     REQUIRE_MESSAGE(session.cook() == OK, session.error());

@@ -56,7 +56,7 @@ static void check_readers(void) {
     CHECK(plugin->output_failure(NULL, &failure) == IS_NULL);
     plugin->output_free(NULL);
     const gusset_plugin_values *values = plugin->extension("values/1");
-    CHECK(values->count(NULL, 0) == 0 && values->name(NULL, 0, 0) == NULL);
+    CHECK(values->count(NULL, 0) == 0 && values->name(NULL, 0, 0) == NULL && values->kind(NULL, 0, 0) == 0);
     CHECK(values->value(NULL, 0, 0) != values->value(NULL, 0, 0));
 
     shapes made;

@@ -59,12 +59,18 @@ static void check_values(const gusset_filter *filter, const gusset_outputs *outp
         const char *name = values->name(outputs, index, v);
         CHECK_OF(filter->id,
                  name != NULL && name[0] != '\0' && name[strspn(name, "abcdefghijklmnopqrstuvwxyz_")] == '\0');
-        CHECK_OF(filter->id, isfinite(values->value(outputs, index, v)));
+        const double value = values->value(outputs, index, v);
+        const uint32_t kind = values->kind(outputs, index, v);
+        CHECK_OF(filter->id, isfinite(value) && kind >= GUSSET_VALUE_COUNT && kind <= GUSSET_VALUE_ANGLE);
+        CHECK_OF(filter->id, kind != GUSSET_VALUE_COUNT || value == floor(value));
+        CHECK_OF(filter->id, kind != GUSSET_VALUE_FLAG || value == 0 || value == 1);
+        CHECK_OF(filter->id, kind != GUSSET_VALUE_ANGLE || (value >= 0 && value < 3.15));
         for (uint32_t before = 0; before < v && name != NULL; ++before) {
             CHECK_OF(filter->id, strcmp(name, values->name(outputs, index, before)) != 0);
         }
     }
     CHECK_OF(filter->id, values->name(outputs, index, count) == NULL && isnan(values->value(outputs, index, count)));
+    CHECK_OF(filter->id, values->kind(outputs, index, count) == 0);
 }
 
 /* Outputs have the declared kinds, and each reader refuses outputs of other kinds. */

@@ -227,7 +227,7 @@ def textures():
     scene.compute_color_by_function_per_face(r="x0 * 100 + 128", g="y0 * 100 + 128", b="z0 * 100 + 128")
     before = scene.current_mesh()
     count, colours = before.face_number(), before.face_color_matrix()
-    scene.apply_filter("gusset_fill_holes")
+    scene.apply_filter("gusset_fill")
     mesh = scene.current_mesh()
     expect("filled: new faces", mesh.face_number() > count, True)
     wanted = mesh.vertex_matrix()[mesh.face_matrix()].reshape(-1, 3)[:, :2].astype(np.float32)

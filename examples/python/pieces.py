@@ -64,8 +64,8 @@ hills = pv.ParametricRandomHills(random_seed=4, u_res=60, v_res=60).triangulate(
 middles, top = hills.cell_centers().points, hills.points[hills.points[:, 2].argmax()]
 torn = hills.extract_cells(np.flatnonzero(np.linalg.norm(middles - top, axis=1) > 3)).extract_surface(algorithm="dataset_surface")
 plain = torn.gusset.fill(keep="borders")
-fair, report = torn.gusset.fill_holes(keep="borders", inside="refined_and_fair")
-print(report.splitlines()[0])
+fair = torn.gusset.fill(keep="borders", refine="rim_density", fairing="thin_plate")
+print(gm.filters.fill(torn, keep="borders", plan_only=True)[1].splitlines()[0])
 #! [filters]
 for filled in (plain, fair):
     filled.cell_data["new"] = np.arange(filled.n_cells) >= torn.n_cells

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -65,7 +65,7 @@ class Curves:
 
 
 class Report(str):
-    """Lines of text; ``values`` has the numbers in it by their names."""
+    """Lines of text; ``values`` has the numbers in it by their names: flags are bool, counts are int, angles are in radians."""
 
     values: dict[str, float]
 
@@ -107,7 +107,11 @@ class Outputs:
     def _report(self, k: int) -> Report:
         said = Report(text(self._table.output_text(self._handle, k)))
         values = ffi.cast("struct gusset_plugin_values *", self._table.extension(b"values/1"))
-        said.values = {text(values.name(self._handle, k, n)): float(values.value(self._handle, k, n)) for n in range(values.count(self._handle, k))}
+        types: dict[int, Callable[[float], float]] = {lib.GUSSET_VALUE_FLAG: bool, lib.GUSSET_VALUE_COUNT: int}
+        said.values = {}
+        for n in range(values.count(self._handle, k)):
+            kind = types.get(values.kind(self._handle, k, n), float)
+            said.values[text(values.name(self._handle, k, n))] = kind(values.value(self._handle, k, n))
         return said
 
     @property

@@ -42,7 +42,7 @@ def test_progress_rises_and_may_cancel():
     with pytest.raises(Enough):
         gm.fill(big(100), progress=stop)
     with pytest.raises(Enough):
-        gm.filters.fill_holes(big(100), progress=stop)
+        gm.filters.fill(big(100), progress=stop)
     # The context is usable again, and nothing is remembered.
     assert gm.fill(big(100)).mesh.face_count == made.mesh.face_count
 
@@ -76,7 +76,7 @@ assert gm.weld((np.eye(3), [[0, 1, 2]])).mesh.vertex_count == 3
 """
 
 
-@pytest.mark.parametrize("job", ["gm.join(pieces, fill=True)", "gm.filters.assemble(*pieces)"])
+@pytest.mark.parametrize("job", ["gm.join(pieces, fill=True)", "gm.filters.join(*pieces)"])
 @pytest.mark.parametrize("after", [0.2, 1.0])
 def test_ctrl_c_stops_a_long_call(job, after):
     said = subprocess.run([sys.executable, "-c", INTERRUPTED.format(tests=TESTS, after=after, job=job)], capture_output=True, text=True)

@@ -26,8 +26,8 @@ ACROSS = gm.Curves([[[0.0, y, 0], [0.4, y, 0.1], [0.7, y, 0.2], [1.0, y, 0.3]] f
 ASIDE = gm.Curves([RINGS[0], RINGS[0] + [3, 0, 0]], closed=True)
 CROSSING = gm.Curves([[[-2.0, 0.1, 0], [-1, 0.2, 0], [2, 0.1, 0]], [[0.3, -2.0, 0], [0.2, -1, 0], [0.1, 2, 0]]])
 INPUTS = {
-    "stitch": (shapes.cap(), shapes.cap(-1)), "assemble": (shapes.cap(), shapes.cap(-1)), "align": (shapes.cap(), shapes.cap()),
-    "trim": (shapes.cap(), shapes.cap()), "fill_holes": (shapes.tube(),), "develop": (shapes.tube(),),
+    "stitch": (shapes.cap(), shapes.cap(-1)), "join": (shapes.cap(), shapes.cap(-1)), "align": (shapes.cap(), shapes.cap()),
+    "trim": (shapes.cap(), shapes.cap()), "fill": (shapes.tube(),), "develop": (shapes.tube(),),
     "smooth_intersect": (SHEET, STEEP), "net_join": (SHEET, BESIDE), "net_analyse": (SHEET, BESIDE), "smooth_distance": (SHEET, BESIDE),
     "net_settle": (SHEET, BESIDE), "morph": (SHEET, BESIDE), "lattice": (SHEET, BOX, (BOX[0] * [1, 1, 2], BOX[1])),
     "facing_arcs": (ASIDE,), "strip": (PAIR,), "curve_meet": (CROSSING,), "curve_nearest": (RINGS, LINES), "loft": (RINGS,),
@@ -79,22 +79,25 @@ def test_each_filter_tells_of_itself(name):
 
 
 def test_words_and_places_are_the_same():
-    plain = filters.fill_holes(shapes.tube(), inside="refined_and_fair")[0]
-    assert plain.points.tobytes() == filters.fill_holes(shapes.tube(), inside=2)[0].points.tobytes()
+    plain = filters.fill(shapes.tube(), inside="refined_and_fair")[0]
+    assert plain.points.tobytes() == filters.fill(shapes.tube(), inside=2)[0].points.tobytes()
     assert plain.vertex_count > shapes.tube()[0].shape[0]
 
 
 def test_reports_have_numbers():
     said = filters.check(trimesh.creation.box())
-    assert said.values["vertices"] == 8 and said.values["closed"] == 1
+    assert said.values["vertices"] == 8 and type(said.values["vertices"]) is int
+    assert said.values["closed"] is True
+    measured = filters.fill(shapes.tube())[1].values
+    assert type(measured["smallest_angle"]) is type(measured["area"]) is float and 0 < measured["smallest_angle"] < 1.1
 
 
 def test_inputs_of_two_precisions():
     # Coordinates that both hold.
     faces = shapes.quads(3, 3)
     left, right = (shapes.grid(3, 3).reshape(-1, 3) + [x, 0, 0] for x in (0.0, 1.25))
-    both = gm.filters.assemble((left, faces), (right, faces))[0]
-    mixed = gm.filters.assemble((left.astype(np.float32), faces), (right, faces))[0]
+    both = gm.filters.join((left, faces), (right, faces))[0]
+    mixed = gm.filters.join((left.astype(np.float32), faces), (right, faces))[0]
     assert mixed.points.dtype == np.float64 and np.array_equal(mixed.points, both.points)
 
 

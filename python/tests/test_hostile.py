@@ -73,7 +73,7 @@ sys.path.insert(0, {tests!r})
 import gusset_mesh as gm
 from test_calls import big
 mesh = big(400)
-for job in (lambda: gm.fill(mesh, refine="rim_density"), lambda: gm.filters.fill_holes(mesh, inside="refined")):
+for job in (lambda: gm.fill(mesh, refine="rim_density"), lambda: gm.filters.fill(mesh, inside="refined")):
     threading.Thread(target=job, daemon=True).start()
 time.sleep(0.4)
 """
@@ -82,7 +82,7 @@ time.sleep(0.4)
 
 
 def test_filters_travel_and_results_say_that_they_do_not():
-    assert pickle.loads(pickle.dumps(gm.filters.fill_holes)) is gm.filters.fill_holes
+    assert pickle.loads(pickle.dumps(gm.filters.fill)) is gm.filters.fill
     for one in (gm.weld(TUBE), gm.weld(TUBE).report):
         with pytest.raises(TypeError, match="stays in its process"):
             copy.deepcopy(one)

@@ -77,7 +77,7 @@ pub fn text(output: &Output) -> &str {
 pub fn value(output: &Output, name: &str) -> f64 {
     let Output::Text(report) = output else { panic!("no text: {output:?}") };
     let found = report.values().iter().find(|(known, _)| *known == name);
-    found.unwrap_or_else(|| panic!("{name} is not in: {report:?}")).1
+    found.unwrap_or_else(|| panic!("{name} is not in: {report:?}")).1.number
 }
 
 /// The number behind a word of a report.

@@ -45,8 +45,8 @@ fn stitch_closes_a_sphere_by_loops_found_and_by_loops_given() {
 }
 
 #[test]
-fn fill_holes_closes_what_it_may() {
-    let filter = Filter::find("fill_holes").unwrap();
+fn fill_closes_what_it_may() {
+    let filter = Filter::find("fill").unwrap();
     let soups = caps();
     let both = soups[0].and(&soups[1]);
     // Refined and fair; then the second rim is too long, or is the longest.
@@ -61,7 +61,7 @@ fn fill_holes_closes_what_it_may() {
         assert_eq!(open == 0, filled == 2, "{values:?}");
     }
     let inputs = [Input::Mesh(both.view())];
-    let planned = values("fill_holes", &inputs, &[("plan_only", &[1.0])]);
+    let planned = values("fill", &inputs, &[("plan_only", &[1.0])]);
     let outputs = filter.run(&inputs, &planned, &Job::default()).unwrap();
     let said = text(&outputs[1]);
     assert!(
@@ -76,7 +76,7 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
     let turned: Vec<Soup> = caps().iter().map(Soup::turned).collect();
     let faces: usize = turned.iter().map(|soup| soup.faces().count()).sum();
     for (id, soups, later, default) in
-        [("stitch", &turned[..], 0, 0.0), ("fill_holes", &turned[..1], 0, 0.0), ("assemble", &turned[..], 2, 1.0)]
+        [("stitch", &turned[..], 0, 0.0), ("fill", &turned[..1], 0, 0.0), ("join", &turned[..], 2, 1.0)]
     {
         let params = Filter::find(id).unwrap().params;
         let place = params.iter().position(|param| param.id == "outward").unwrap();
@@ -91,10 +91,10 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
             let volume = common::volume(|v| points[v as usize], joined.iter().copied());
             assert!(if set { volume > 1.0 } else { volume < -1.0 }, "{id} {set}: {volume}");
             let count = match id {
-                "assemble" => value(&outputs[1], "turned_faces") as usize,
+                "join" => value(&outputs[1], "turned_faces") as usize,
                 _ => value(&outputs[1], "turned_outwards") as usize,
             };
-            let all = if id == "assemble" { faces } else { joined.len() };
+            let all = if id == "join" { faces } else { joined.len() };
             assert_eq!(count, if set { all } else { 0 }, "{id} {set}");
             assert_eq!(text(&outputs[1]).contains(" reversed"), set, "{}", text(&outputs[1]));
         }
@@ -131,6 +131,40 @@ fn check_names_what_is_wrong() {
         &[&[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 3, 0, 5]],
     );
     assert!(text(&run_on("check", &[strip], &[]).unwrap()[0]).contains("one-sided"));
+}
+
+#[test]
+fn check_finds_intersections_on_request() {
+    let mut soup = sheet(3, 2);
+    soup.points.extend([[0.25, 0.5, -1.0], [1.75, 0.5, -1.0], [1.75, 0.5, 1.0], [0.25, 0.5, 1.0]]);
+    soup.face(&[12, 13, 14, 15]);
+    let Output::Text(plain) = &run_on("check", std::slice::from_ref(&soup), &[]).unwrap()[0] else { panic!() };
+    assert!(plain.values().iter().all(|(name, _)| *name != "intersections"));
+    for (listed, list) in [(20.0, "0-6 1-6\n"), (1.0, "0-6 ...\n")] {
+        let found = &run_on("check", std::slice::from_ref(&soup), &[listed, 1.0]).unwrap()[0];
+        assert_eq!(value(found, "intersections"), 2.0);
+        assert!(text(found).ends_with(&format!("\n2 pairs of faces intersect: {list}")), "{}", text(found));
+    }
+    let clean = &run_on("check", &[sheet(3, 2)], &[20.0, 1.0]).unwrap()[0];
+    assert!(value(clean, "intersections") == 0.0 && text(clean).ends_with("\nno faces intersect\n"));
+}
+
+#[test]
+fn join_keeps_outlines_open_on_request() {
+    // A sheet with a hole, and a part beside it.
+    let whole = sheet(5, 5);
+    let part = |wanted: fn(usize) -> bool| {
+        let mut soup = Soup { points: whole.points.clone(), offsets: vec![0], ..Soup::default() };
+        whole.faces().enumerate().filter(|(f, _)| wanted(*f)).for_each(|(_, face)| soup.face(face));
+        soup
+    };
+    let pieces = [part(|f| f % 5 < 3 && f != 11), part(|f| f % 5 >= 3)];
+    for (keep, filled, loops) in [(0.0, 2.0, 0.0), (1.0, 1.0, 1.0), (2.0, 1.0, 1.0)] {
+        let inputs = inputs(&pieces);
+        let values = values("join", &inputs, &[("holes", &[1.0]), ("keep", &[keep])]);
+        let done = Filter::find("join").unwrap().run(&inputs, &values, &Job::default()).unwrap();
+        assert_eq!((value(&done[1], "filled_holes"), value(&done[1], "boundary_loops")), (filled, loops), "{keep}");
+    }
 }
 
 #[test]
@@ -179,7 +213,7 @@ fn borders_that_do_not_match_are_sewn_and_assembled() {
     assert_eq!((mesh.positions.len(), mesh.face_count()), (6, 3));
     let pieces = [upper, lower];
     for (weld, edges, loops) in [(0.0, 2.0, 1.0), (1.0, 0.0, 2.0), (2.0, 0.0, 2.0)] {
-        let done = run_on("assemble", &pieces, &[weld, -1.0, 0.0]).unwrap();
+        let done = run_on("join", &pieces, &[weld, -1.0, 0.0]).unwrap();
         assert_eq!((value(&done[1], "sewn_edges"), value(&done[1], "boundary_loops")), (edges, loops), "{weld}");
     }
 }

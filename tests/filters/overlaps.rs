@@ -120,7 +120,7 @@ fn pieces_that_were_moved_apart_become_one() {
     let mut moved = second;
     moved.points.iter_mut().for_each(|p| *p = (rotation * DVec3::from(*p) + shift).to_array());
     let set: &[(&str, &[f64])] = &[("align", &[1.0]), ("overlaps", &[1.0]), ("holes", &[1.0])];
-    let outputs = traced("assemble", &[first.clone(), moved], set);
+    let outputs = traced("join", &[first.clone(), moved], set);
     let (at, faces) = mesh(&outputs[0]);
     assert_eq!(euler(faces.iter().copied()), 2);
     assert_eq!(["trusted_pieces", "boundary_loops"].map(|name| value(&outputs[1], name)), [2.0, 0.0]);
@@ -181,7 +181,7 @@ fn one_piece_of_each_overlap_is_kept() {
 #[test]
 fn overlapping_pieces_are_assembled_to_a_closed_mesh() {
     let given = halves();
-    let outputs = traced("assemble", &given, &[("overlaps", &[1.0]), ("holes", &[1.0])]);
+    let outputs = traced("join", &given, &[("overlaps", &[1.0]), ("holes", &[1.0])]);
     let (at, faces) = mesh(&outputs[0]);
     assert!(edge_counts(faces.iter().copied()).values().all(|&n| n == (1, 1)), "{}", text(&outputs[1]));
     assert_eq!(euler(faces.iter().copied()), 2, "{}", text(&outputs[1]));
@@ -199,7 +199,7 @@ fn overlapping_pieces_are_assembled_to_a_closed_mesh() {
     let old = (0..at.len()).filter_map(|v| if let [source] = table.row(v).0 { Some((v, *source)) } else { None });
     assert!(old.clone().count() > both.points.len() / 2);
     assert!(old.into_iter().all(|(v, source)| at[v] == both.points[source as usize]));
-    let kept = run_on("assemble", &given, &[]).unwrap();
+    let kept = run_on("join", &given, &[]).unwrap();
     assert_eq!(value(&kept[1], "trimmed_faces"), 0.0);
     assert!(!text(&kept[1]).contains("trimmed"));
 }

@@ -1,8 +1,9 @@
 //! The check, against surfaces whose properties are known and against brute force.
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet};
+use glam::DVec3;
 use gusset::Job;
-use gusset::check::{Check, check};
+use gusset::check::{Check, check, find_intersecting_faces};
 use gusset::mesh::{Faces, MeshView, Positions};
 use proptest::prelude::*;
 use std::collections::{HashMap, HashSet};
@@ -175,5 +176,65 @@ fn degenerate_faces_have_no_edges_and_close_nothing() {
     for (faces, edges, closed) in [(&faces[..], 6, true), (&faces[..4], 6, false)] {
         let c = checked(&Soup::flat(4, faces));
         assert_eq!((c.edges, c.degenerate_faces.as_slice(), c.closed), (edges, &[0][..], closed));
+    }
+}
+
+fn intersections(soup: &Soup) -> Vec<[u32; 2]> {
+    find_intersecting_faces(&soup.view(), &Job::default()).unwrap()
+}
+
+#[test]
+fn intersecting_faces_of_any_size() {
+    // A sheet; an upright quad through the cells 0 and 1; a quad above that touches the cell 5 with a corner.
+    let clean = sheet(3, 2);
+    assert_eq!(intersections(&clean), [[0; 2]; 0]);
+    let mut soup = clean;
+    soup.points.extend([[0.25, 0.5, -1.0], [1.75, 0.5, -1.0], [1.75, 0.5, 1.0], [0.25, 0.5, 1.0]]);
+    soup.face(&[12, 13, 14, 15]);
+    soup.points.extend([[2.5, 1.25, 0.0], [3.0, 1.25, 1.0], [3.0, 1.75, 2.0], [2.5, 1.75, 1.0]]);
+    soup.face(&[16, 17, 18, 19]);
+    // A face with a repeated vertex, and an unused vertex.
+    soup.face(&[12, 12, 14]);
+    soup.points.push([f64::NAN; 3]);
+    for size in [1.0, 1e-200, 1e200] {
+        let scaled = Soup { points: soup.points.iter().map(|p| p.map(|x| x * size)).collect(), ..soup.clone() };
+        assert_eq!(intersections(&scaled), [[0, 6], [1, 6], [5, 7]], "{size}");
+    }
+    // The same face twice.
+    let mut twice = sheet(1, 1);
+    twice.face(&[1, 3, 2, 0]);
+    assert_eq!(intersections(&twice), [[0, 1]]);
+}
+
+proptest! {
+    #[test]
+    fn intersecting_faces_agree_with_brute_force(
+        given in proptest::collection::vec(proptest::array::uniform9(0.0..1.0f64), 2..24),
+    ) {
+        let triangles: Vec<[DVec3; 3]> =
+            given.iter().map(|x| [0, 3, 6].map(|k| DVec3::new(x[k], x[k + 1], x[k + 2]))).collect();
+        let mut soup = Soup { offsets: vec![0], ..Soup::default() };
+        for triangle in &triangles {
+            let first = soup.points.len() as u32;
+            soup.points.extend(triangle.map(|p| p.to_array()));
+            soup.face(&[first, first + 1, first + 2]);
+        }
+        // In general position two triangles meet if an edge of one passes through the other.
+        let volume = |p: DVec3, q: DVec3, r: DVec3, s: DVec3| (q - p).cross(r - p).dot(s - p);
+        let passes = |[a, b, c]: [DVec3; 3], p: DVec3, q: DVec3| {
+            let turns = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)].map(|v| v > 0.0);
+            (volume(a, b, c, p) > 0.0) != (volume(a, b, c, q) > 0.0) && turns[0] == turns[1] && turns[1] == turns[2]
+        };
+        let one_way = |t: [DVec3; 3], u: [DVec3; 3]| (0..3).any(|k| passes(t, u[k], u[(k + 1) % 3]));
+        let mut wanted = Vec::new();
+        for (g, &u) in triangles.iter().enumerate() {
+            for (f, &t) in triangles[..g].iter().enumerate() {
+                if one_way(t, u) || one_way(u, t) {
+                    wanted.push([f as u32, g as u32]);
+                }
+            }
+        }
+        wanted.sort_unstable();
+        prop_assert_eq!(intersections(&soup), wanted);
     }
 }

@@ -15,7 +15,7 @@ const LINES = new Curves([0, 0.4, 0.7, 1].map((x) => [[x, 0, 0.3 * x], [x, 0.5, 
 const ACROSS = new Curves([0, 0.5, 1].map((y) => [[0, y, 0], [0.4, y, 0.1], [0.7, y, 0.2], [1, y, 0.3]]));
 const CROSSING = new Curves([[[-2, 0.1, 0], [-1, 0.2, 0], [2, 0.1, 0]], [[0.3, -2, 0], [0.2, -1, 0], [0.1, 2, 0]]]);
 const INPUTS = {
-  stitch: [cap(), cap(-1)], assemble: [cap(), cap(-1)], align: [cap(), cap()], trim: [cap(), cap()], fill_holes: [tube()], develop: [tube()],
+  stitch: [cap(), cap(-1)], join: [cap(), cap(-1)], align: [cap(), cap()], trim: [cap(), cap()], fill: [tube()], develop: [tube()],
   smooth_intersect: [SHEET, STEEP], net_join: [SHEET, BESIDE], net_analyse: [SHEET, BESIDE], smooth_distance: [SHEET, BESIDE],
   net_settle: [SHEET, BESIDE], morph: [SHEET, BESIDE], lattice: [SHEET, box(1), box(2)],
   facing_arcs: [ASIDE], strip: [PAIR], curve_meet: [CROSSING], curve_nearest: [RINGS, LINES], loft: [RINGS], smooth_net: [ACROSS, LINES],
@@ -42,12 +42,12 @@ const MORE = [
   ["stitch", [cap(1, 9, 40), cap(-1, 7, 31)], { meridians: "shortest_meridians" }],
   ["stitch", [cap(1, 9, 40), cap(-1, 7, 31)], { meridians: "least_bend" }],
   ["stitch", [tube()], { rows: "given_number", row_count: 3, cells: "quads" }],
-  ["assemble", [cap(1, 9, 40), tube(6, 33), cap(-1, 7, 31)], { max_gap: 2 }],
-  ["assemble", [cap(1, 12, 40, { ripple: 0.1 }), cap(1, 10, 37, { ripple: 0.1, end: 1.8 })], { align: true, overlaps: "trim" }],
-  ["fill_holes", [cap(1, 8, 30, { ripple: 0.2 })]],
-  ["fill_holes", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined" }],
-  ["fill_holes", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined_and_fair" }],
-  ["fill_holes", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined_and_fair", continuity: "curvature" }],
+  ["join", [cap(1, 9, 40), tube(6, 33), cap(-1, 7, 31)], { max_gap: 2 }],
+  ["join", [cap(1, 12, 40, { ripple: 0.1 }), cap(1, 10, 37, { ripple: 0.1, end: 1.8 })], { align: true, overlaps: "trim" }],
+  ["fill", [cap(1, 8, 30, { ripple: 0.2 })]],
+  ["fill", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined" }],
+  ["fill", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined_and_fair" }],
+  ["fill", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined_and_fair", continuity: "curvature" }],
   ["weld", [sheet(40, 50)], { vertices: "all_vertices", tolerance: 0.03 }],
   ["align", [cap(1, 12, 40, { ripple: 0.1 }), cap(1, 10, 37, { ripple: 0.1, end: 1.8 })]],
   // The rotation of pieces must not depend on functions of the system.

@@ -80,6 +80,7 @@ static void write_output(const gusset_plugin *plugin, const gusset_outputs *outp
             double value = values->value(outputs, index, k);
             put_text(values->name(outputs, index, k));
             put(&value, sizeof value);
+            put_number(values->kind(outputs, index, k));
         }
     } else if (kind == GUSSET_KIND_MESH) {
         gusset_plugin_mesh mesh = {.struct_size = sizeof mesh};

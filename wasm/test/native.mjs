@@ -79,7 +79,10 @@ function output(from) {
   const kind = from.number();
   if (kind === constants.KIND_TEXT) {
     const text = from.text();
-    return new Report(text, Object.fromEntries(Array.from({ length: from.number() }, () => [from.text(), from.double()])));
+    return new Report(text, Object.fromEntries(Array.from({ length: from.number() }, () => {
+      const [name, value, kind] = [from.text(), from.double(), from.number()];
+      return [name, kind === constants.VALUE_FLAG ? value !== 0 : value];
+    })));
   }
   const points = from.array(realsOf(from.number()), 3 * from.number()), count = from.number(), offsets = from.array(Uint32Array, count + 1);
   return kind === constants.KIND_MESH ? Mesh.of(points, offsets, from.array(Uint32Array, from.number())) : Curves.of(points, offsets, from.array(Uint8Array, count));

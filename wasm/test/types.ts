@@ -13,7 +13,7 @@ filters.stitch(mesh, mesh, { meridians: "least_area" });
 filters.stitch(mesh);
 filters.stitch(mesh, { meridians: "least_area" });
 filters.smooth_net([[[0, 0, 0], [1, 0, 0]]], { tolerance: 0.5 });
-filters.assemble(mesh, mesh, mesh, { max_gap: 1 });
+filters.join(mesh, mesh, mesh, { max_gap: 1 });
 const bent: Mesh = filters.deform(mesh, { field: "twist", axis: 1 });
 const [loops]: [Curves, Report] = filters.outline(new Curves([mesh.positions], { closed: true }));
 const made: Mesh = filters.net_shape({ rows: 9 })[0];

@@ -1,6 +1,8 @@
 use super::data::{Curves, Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, EDGE, Report, count_with_noun, format_short, push_line, push_unlisted_count};
+use super::report::{
+    BOUNDARY_LOOP, EDGE, Report, Value, count_with_noun, format_short, push_line, push_unlisted_count,
+};
 use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -60,10 +62,10 @@ fn report(boundary: &Boundary) -> Report {
     }
     let length = boundary.iter().map(|found| found.length).sum();
     let values = [
-        ("boundary_loops", boundary.len() as f64),
-        ("boundary_edges", boundary.edge_count() as f64),
-        ("length", length),
-        ("defects", boundary.defects().len() as f64),
+        ("boundary_loops", Value::count(boundary.len())),
+        ("boundary_edges", Value::count(boundary.edge_count())),
+        ("length", Value::length(length)),
+        ("defects", Value::count(boundary.defects().len())),
     ];
     Report::new(text, &values)
 }

@@ -1,11 +1,12 @@
 use super::data::{Input, Output};
+use super::fill::intersections_line;
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, count_with_noun};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, Value, count_with_noun};
 use super::signatures::{ONE_MESH, TO_TEXT};
 use super::typed_param::{LISTED_COUNT_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_stitch::check::{Check, check};
+use gusset_stitch::check::{Check, check, find_intersecting_faces};
 
 pub(super) const FILTER: Filter = Filter {
     id: "check",
@@ -13,19 +14,24 @@ pub(super) const FILTER: Filter = Filter {
     category: "Repair",
     help: "Reports every defect of a mesh with the numbers of the elements: boundary edges, edges of three or more faces, \
            non-manifold vertices, inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the \
-           number of components, the Euler characteristic and the genus.",
-    reference: "Counts on half-edges; genus by Euler's formula",
+           number of components, the Euler characteristic and the genus. On request it reports faces that intersect each other.",
+    reference: "Counts on half-edges; genus by Euler's formula; J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast \
+                robust geometric predicates (1997), for intersections",
     ..Filter::new(ONE_MESH, TO_TEXT, &FilterBody(run))
 };
 
 params! {
     listed: u32 =
         Param::int("Elements listed", "The largest number of elements listed for each kind of defect.", LISTED_COUNT_RANGE, &[20.0]);
+    intersections: bool = Param::flag(
+        "Intersections",
+        "Also finds the pairs of faces that intersect or touch each other elsewhere than in common vertices and edges.",
+    );
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
-    let found = check(mesh, job)?;
+    let found = check(mesh, &job.part(0.0, if values.intersections { 0.5 } else { 1.0 }))?;
     let mut text = check_summary(&found);
     let max = values.listed as usize;
     let faces = mesh.faces();
@@ -41,7 +47,24 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         elements.iter().take(max).for_each(|&element| text += &format!(" {}", name(kind, element)));
         text += if elements.len() > max { " ...\n" } else { "\n" };
     }
-    Ok(vec![Output::Text(Report::new(text, &report_values(&found)))])
+    let mut numbers = report_values(&found);
+    if values.intersections {
+        let pairs = find_intersecting_faces(mesh, &job.part(0.5, 1.0))?;
+        text += &intersecting_pairs_line(&pairs, max);
+        numbers.push(("intersections", Value::count(pairs.len())));
+    }
+    Ok(vec![Output::Text(Report::new(text, &numbers))])
+}
+
+/// The line on faces that intersect each other, with the first `max` pairs.
+fn intersecting_pairs_line(pairs: &[[u32; 2]], max: usize) -> String {
+    let line = intersections_line(Some(pairs));
+    if pairs.is_empty() {
+        return line;
+    }
+    let mut line = format!("{}:", line.trim_end());
+    pairs.iter().take(max).for_each(|[f, g]| line += &format!(" {f}-{g}"));
+    line + if pairs.len() > max { " ...\n" } else { "\n" }
 }
 
 /// The kinds of defects that are edges, the first ones.
@@ -91,21 +114,20 @@ fn check_summary(found: &Check) -> String {
     )
 }
 
-fn report_values(found: &Check) -> Vec<(&'static str, f64)> {
-    let flag = |is: bool| f64::from(u8::from(is));
+fn report_values(found: &Check) -> Vec<(&'static str, Value)> {
     let mut values = vec![
-        ("vertices", f64::from(found.vertices)),
-        ("edges", f64::from(found.edges)),
-        ("faces", f64::from(found.faces)),
-        ("pieces", f64::from(found.components)),
-        ("boundary_walks", f64::from(found.boundary_walks)),
-        ("closed", flag(found.closed)),
-        ("manifold", flag(found.manifold)),
-        ("oriented", flag(found.oriented)),
-        ("orientable", flag(found.orientable)),
-        ("euler_characteristic", found.euler as f64),
+        ("vertices", Value::count(found.vertices)),
+        ("edges", Value::count(found.edges)),
+        ("faces", Value::count(found.faces)),
+        ("pieces", Value::count(found.components)),
+        ("boundary_walks", Value::count(found.boundary_walks)),
+        ("closed", Value::flag(found.closed)),
+        ("manifold", Value::flag(found.manifold)),
+        ("oriented", Value::flag(found.oriented)),
+        ("orientable", Value::flag(found.orientable)),
+        ("euler_characteristic", Value::count(found.euler)),
     ];
-    values.extend(found.genus.map(|genus| ("genus", f64::from(genus))));
-    values.extend(defect_kinds(found).map(|(_, name, elements)| (name, elements.len() as f64)));
+    values.extend(found.genus.map(|genus| ("genus", Value::count(genus))));
+    values.extend(defect_kinds(found).map(|(_, name, elements)| (name, Value::count(elements.len()))));
     values
 }

@@ -1,7 +1,9 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{CURVE, Report, count_with_noun, format_short, format_short_point, push_line, push_unlisted_count};
+use super::report::{
+    CURVE, Report, Value, count_with_noun, format_short, format_short_point, push_line, push_unlisted_count,
+};
 use super::signatures::{CURVES_ONLY, TO_TEXT};
 use super::typed_param::{ParamValues, params};
 use gusset_base::error::Result;
@@ -40,7 +42,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     }
     push_unlisted_count(&mut text, curves.len(), MAX_LISTED_CURVES);
     push_line!(text, "{}, length {}", count_with_noun(curves.len(), CURVE), format_short(total));
-    let values = [("curves", curves.len() as f64), ("length", total)];
+    let values = [("curves", Value::count(curves.len())), ("length", Value::length(total))];
     Ok(vec![Output::Text(Report::new(text, &values))])
 }
 

@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::moving::CATEGORY;
-use super::report::{FACE, Report, count_with_noun, push_line};
+use super::report::{FACE, Report, Value, count_with_noun, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_attributes::Origins;
@@ -53,8 +53,8 @@ fn report(done: &Developed) -> Report {
     let all = |of: fn(&gusset_stitch::develop::Chart) -> f64| done.charts.iter().map(of).sum::<f64>();
     let (area, flat) = (all(|chart| chart.area), all(|chart| chart.flat_area));
     let exact = done.charts.iter().filter(|chart| chart.finish == Finish::Exact).count();
-    let folds = all(|chart| f64::from(chart.folds));
-    let overlaps = all(|chart| f64::from(chart.overlaps));
+    let folds: u64 = done.charts.iter().map(|chart| u64::from(chart.folds)).sum();
+    let overlaps: u64 = done.charts.iter().map(|chart| u64::from(chart.overlaps)).sum();
     let energy = all(|chart| chart.energy * chart.area) / area;
     let stretch = done.stretches.iter().fold([1.0f64; 2], |all, s| [all[0].max(s[0]), all[1].min(s[1])]);
     let mut text = format!(
@@ -71,21 +71,21 @@ fn report(done: &Developed) -> Report {
         stretch[0],
         flat / area
     );
-    if folds + overlaps > 0.0 {
+    if folds + overlaps > 0 {
         push_line!(text, "{folds} triangles are inverted, {overlaps} pairs of edges overlap");
     }
     let values = [
-        ("charts", done.charts.len() as f64),
-        ("exact_charts", exact as f64),
-        ("cut_edges", done.cut_edges.len() as f64),
-        ("darts", f64::from(done.darts)),
-        ("energy", energy),
-        ("max_stretch", stretch[0]),
-        ("min_stretch", stretch[1]),
-        ("area", area),
-        ("flat_area", flat),
-        ("turned_triangles", folds),
-        ("overlaps", overlaps),
+        ("charts", Value::count(done.charts.len())),
+        ("exact_charts", Value::count(exact)),
+        ("cut_edges", Value::count(done.cut_edges.len())),
+        ("darts", Value::count(done.darts)),
+        ("energy", Value::number(energy)),
+        ("max_stretch", Value::number(stretch[0])),
+        ("min_stretch", Value::number(stretch[1])),
+        ("area", Value::area(area)),
+        ("flat_area", Value::area(flat)),
+        ("turned_triangles", Value::count(folds)),
+        ("overlaps", Value::count(overlaps)),
     ];
     Report::new(text, &values)
 }

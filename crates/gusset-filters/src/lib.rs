@@ -14,7 +14,6 @@ pub mod param;
 mod typed_param;
 
 mod align;
-mod assemble;
 mod boundary_loops;
 mod check;
 mod curve;
@@ -29,8 +28,9 @@ mod develop;
 mod displace;
 mod extent;
 mod facing_arcs;
-mod fill_holes;
+mod fill;
 pub mod filter;
+mod join;
 mod lattice;
 mod loft;
 mod morph;
@@ -75,8 +75,8 @@ pub static FILTERS: &[Filter] = &[
     stitch::FILTER,
     weld::FILTER,
     orient::FILTER,
-    fill_holes::FILTER,
-    assemble::FILTER,
+    fill::FILTER,
+    join::FILTER,
     outline::FILTER,
     net_shape::FILTER,
     deform::FILTER,

@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{FACE, PIECE, Report, count_with_noun, push_line, push_unlisted_count};
+use super::report::{FACE, PIECE, Report, Value, count_with_noun, push_line, push_unlisted_count};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -48,9 +48,9 @@ fn report(done: &Oriented) -> Report {
     }
     push_unlisted_count(&mut text, done.one_sided.len(), MAX_LISTED_PIECES);
     let values = [
-        ("turned_faces", f64::from(done.turned_faces)),
-        ("pieces", f64::from(done.components)),
-        ("one_sided_pieces", done.one_sided.len() as f64),
+        ("turned_faces", Value::count(done.turned_faces)),
+        ("pieces", Value::count(done.components)),
+        ("one_sided_pieces", Value::count(done.one_sided.len())),
     ];
     Report::new(text, &values)
 }

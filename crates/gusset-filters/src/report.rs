@@ -5,21 +5,81 @@ use glam::DVec3;
 use std::fmt::{self, Display};
 use std::ops::Deref;
 
+/// The kind of a number in a report.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ValueKind {
+    /// A whole number.
+    Count,
+    /// 0 or 1.
+    Flag,
+    /// A number without unit, or in a unit of its own, such as an energy.
+    Number,
+    /// A length in the unit of the positions.
+    Length,
+    /// An area in the square of that unit.
+    Area,
+    /// A volume in the cube of that unit.
+    Volume,
+    /// An angle in radians.
+    Angle,
+}
+
+/// A number in a report.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Value {
+    /// Its kind.
+    pub kind: ValueKind,
+    /// The number; flags are 0 or 1.
+    pub number: f64,
+}
+
+impl Value {
+    pub(super) fn count(count: impl TryInto<i64>) -> Self {
+        // No mesh has more than 2^63 of anything.
+        Value { kind: ValueKind::Count, number: count.try_into().unwrap_or(i64::MAX) as f64 }
+    }
+
+    pub(super) fn flag(is: bool) -> Self {
+        Value { kind: ValueKind::Flag, number: f64::from(u8::from(is)) }
+    }
+
+    pub(super) const fn number(number: f64) -> Self {
+        Value { kind: ValueKind::Number, number }
+    }
+
+    pub(super) const fn length(length: f64) -> Self {
+        Value { kind: ValueKind::Length, number: length }
+    }
+
+    pub(super) const fn area(area: f64) -> Self {
+        Value { kind: ValueKind::Area, number: area }
+    }
+
+    pub(super) const fn volume(volume: f64) -> Self {
+        Value { kind: ValueKind::Volume, number: volume }
+    }
+
+    /// An angle in radians.
+    pub(super) const fn angle(angle: f64) -> Self {
+        Value { kind: ValueKind::Angle, number: angle }
+    }
+}
+
 /// A report; it is read as its text.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Report {
     text: String,
-    values: Vec<(&'static str, f64)>,
+    values: Vec<(&'static str, Value)>,
 }
 
 impl Report {
     /// Lines and the numbers in them. Names are lower case, words joined by underscores.
-    pub(super) fn new(text: String, values: &[(&'static str, f64)]) -> Self {
+    pub(super) fn new(text: String, values: &[(&'static str, Value)]) -> Self {
         Report { text, values: values.to_vec() }
     }
 
     /// The numbers under their names, in the order of the lines.
-    pub fn values(&self) -> &[(&'static str, f64)] {
+    pub fn values(&self) -> &[(&'static str, Value)] {
         &self.values
     }
 }
@@ -134,10 +194,10 @@ pub(super) fn distance_report(of_what: Noun, distances: impl Iterator<Item = f64
         format_short(root)
     );
     let values = [
-        ("count", count as f64),
-        ("largest_distance", largest),
-        ("mean_distance", mean),
-        ("root_mean_square_distance", root),
+        ("count", Value::count(count)),
+        ("largest_distance", Value::length(largest)),
+        ("mean_distance", Value::length(mean)),
+        ("root_mean_square_distance", Value::length(root)),
     ];
     Report::new(text, &values)
 }

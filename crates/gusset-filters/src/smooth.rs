@@ -2,7 +2,7 @@
 
 use super::curve;
 use super::data::Curves;
-use super::report::{CURVE, FACE, POINT, Report, VERTEX, count_with_noun};
+use super::report::{CURVE, FACE, POINT, Report, VERTEX, Value, count_with_noun};
 use super::typed_param::{Param, TypedParam};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -85,7 +85,11 @@ pub(super) fn mesh_surface(
         count_with_noun(faces, FACE),
         made.deviation
     );
-    let values = [("vertices", vertices as f64), ("faces", faces as f64), ("deviation", made.deviation)];
+    let values = [
+        ("vertices", Value::count(vertices)),
+        ("faces", Value::count(faces)),
+        ("deviation", Value::length(made.deviation)),
+    ];
     Ok((made.mesh, Report::new(text, &values)))
 }
 

@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
 use super::facing_arcs::{FACING_ARC, FACING_TOLERANCE};
-use super::fill_holes::{OUTWARD, intersections_line, turned_outwards_line};
+use super::fill::{OUTWARD, intersections_line, turned_outwards_line};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, FACE, Report, count_with_noun, format_short};
+use super::report::{BOUNDARY_LOOP, FACE, Report, Value, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -173,21 +173,21 @@ fn report(done: &Stitch) -> Report {
         min_angle.to_degrees()
     );
     let mut values = vec![
-        ("rim_vertices_a", a as f64),
-        ("rim_vertices_b", b as f64),
-        ("strip_faces", done.strip_faces.len() as f64),
-        ("rows", f64::from(done.rows)),
-        ("turned", f64::from(u8::from(done.turned))),
-        ("area", area),
-        ("longest_edge", max_edge),
-        ("smallest_angle", min_angle),
-        ("largest_aspect_ratio", max_aspect),
-        ("turned_outwards", done.turned_outwards.len() as f64),
-        ("boundary_loops", f64::from(loops_left)),
-        ("blended", f64::from(u8::from(done.finish == Finish::Blend))),
+        ("rim_vertices_a", Value::count(a)),
+        ("rim_vertices_b", Value::count(b)),
+        ("strip_faces", Value::count(done.strip_faces.len())),
+        ("rows", Value::count(done.rows)),
+        ("turned", Value::flag(done.turned)),
+        ("area", Value::area(area)),
+        ("longest_edge", Value::length(max_edge)),
+        ("smallest_angle", Value::angle(min_angle)),
+        ("largest_aspect_ratio", Value::number(max_aspect)),
+        ("turned_outwards", Value::count(done.turned_outwards.len())),
+        ("boundary_loops", Value::count(loops_left)),
+        ("blended", Value::flag(done.finish == Finish::Blend)),
     ];
     if let Some(pairs) = &done.intersections {
-        values.push(("intersections", pairs.len() as f64));
+        values.push(("intersections", Value::count(pairs.len())));
     }
     Report::new(text, &values)
 }

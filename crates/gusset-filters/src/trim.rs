@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{FACE, Report, VERTEX, count_with_noun, push_line};
+use super::report::{FACE, Report, VERTEX, Value, count_with_noun, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -71,10 +71,10 @@ fn report(pieces: &[MeshView<'_>], trimmed: &Trimmed) -> Report {
         push_line!(text, "{} dropped that intersected other pieces", count_with_noun(trimmed.crossings, FACE));
     }
     let values = [
-        ("kept_faces", kept as f64),
-        ("trimmed_faces", (all - kept) as f64),
-        ("covered_vertices", trimmed.covered.iter().map(|&count| f64::from(count)).sum()),
-        ("crossing_faces", f64::from(trimmed.crossings)),
+        ("kept_faces", Value::count(kept)),
+        ("trimmed_faces", Value::count(all - kept)),
+        ("covered_vertices", Value::count(trimmed.covered.iter().map(|&count| u64::from(count)).sum::<u64>())),
+        ("crossing_faces", Value::count(trimmed.crossings)),
     ];
     Report::new(text, &values)
 }

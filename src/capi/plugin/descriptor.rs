@@ -47,6 +47,21 @@ pub const GUSSET_PARAM_DIRECTION: u32 = 8;
 /// Plane a x + b y + c z = d: a, b, c (not all 0), d.
 pub const GUSSET_PARAM_PLANE: u32 = 9;
 
+/// Number of a report: whole.
+pub const GUSSET_VALUE_COUNT: u32 = 1;
+/// Number of a report: 0 or 1.
+pub const GUSSET_VALUE_FLAG: u32 = 2;
+/// Number of a report: without unit, or in a unit of its own.
+pub const GUSSET_VALUE_NUMBER: u32 = 3;
+/// Number of a report: length in the unit of the positions.
+pub const GUSSET_VALUE_LENGTH: u32 = 4;
+/// Number of a report: area in the square of that unit.
+pub const GUSSET_VALUE_AREA: u32 = 5;
+/// Number of a report: volume in the cube of that unit.
+pub const GUSSET_VALUE_VOLUME: u32 = 6;
+/// Number of a report: angle in radians.
+pub const GUSSET_VALUE_ANGLE: u32 = 7;
+
 /// The first output replaces the first input, else outputs are new.
 pub const GUSSET_FILTER_REPLACES: u32 = 1;
 
@@ -342,6 +357,9 @@ pub struct gusset_plugin_values {
     pub name: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, which: u32) -> *const c_char,
     /// Returns number which, or NaN; flags are 0 or 1.
     pub value: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, which: u32) -> f64,
+    /// Returns GUSSET_VALUE_... of number which, or 0. Later versions may add kinds. Plugins whose
+    /// struct_size ends before it lack it.
+    pub kind: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, which: u32) -> u32,
 }
 
 /// Type of gusset_plugin_entry, for dlsym.

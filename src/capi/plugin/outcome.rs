@@ -5,6 +5,7 @@ use crate::capi::handle::handle;
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Result;
 use crate::filters::data::{Curves, Output};
+use crate::filters::report::Value;
 use crate::mesh::Mesh;
 use gusset_base::alloc;
 use std::ffi::CString;
@@ -22,7 +23,7 @@ handle! { gusset_outputs }
 pub(super) enum HeldOutput {
     Mesh(Mesh, Option<Box<Origins>>),
     Curves(Curves),
-    Text(CString, Vec<(CString, f64)>),
+    Text(CString, Vec<(CString, Value)>),
 }
 
 impl gusset_outputs {
@@ -49,7 +50,7 @@ impl HeldOutput {
                 HeldOutput::Curves(curves)
             }
             Output::Text(report) => {
-                let named = |&(name, value): &(&str, f64)| Ok((to_c_string(name)?, value));
+                let named = |&(name, value): &(&str, Value)| Ok((to_c_string(name)?, value));
                 HeldOutput::Text(to_c_string(&report)?, alloc::try_collect(report.values().iter().map(named))?)
             }
         })

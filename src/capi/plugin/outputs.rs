@@ -2,7 +2,8 @@
 
 use super::descriptor::{
     GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_KIND_TEXT, GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_F64, GUSSET_PLUGIN_NONE,
-    gusset_failure, gusset_plugin_curves, gusset_plugin_mesh,
+    GUSSET_VALUE_ANGLE, GUSSET_VALUE_AREA, GUSSET_VALUE_COUNT, GUSSET_VALUE_FLAG, GUSSET_VALUE_LENGTH,
+    GUSSET_VALUE_NUMBER, GUSSET_VALUE_VOLUME, gusset_failure, gusset_plugin_curves, gusset_plugin_mesh,
 };
 use super::outcome::{HeldOutput, RunFault, gusset_outputs};
 use crate::capi::context::lend;
@@ -10,6 +11,7 @@ use crate::capi::handle;
 use crate::capi::input::lend_list;
 use crate::capi::mesh::{self, gusset_mesh_view};
 use crate::capi::status::Failure;
+use crate::filters::report::{Value, ValueKind};
 use std::ffi::{CStr, CString, c_char};
 use std::ptr;
 
@@ -82,7 +84,7 @@ pub(super) unsafe extern "C" fn output_text(outputs: *const gusset_outputs, inde
 }
 
 /// Returns the values of output `index`; empty unless it is a text.
-fn values_of_text<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, f64)] {
+fn values_of_text<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, Value)] {
     match held_output_of_handle(outputs, index) {
         Ok(HeldOutput::Text(_, values)) => values,
         _ => &[],
@@ -102,7 +104,19 @@ pub(super) unsafe extern "C" fn output_value_name(
 }
 
 pub(super) unsafe extern "C" fn output_value(outputs: *const gusset_outputs, index: u32, which: u32) -> f64 {
-    values_of_text(outputs, index).get(which as usize).map_or(f64::NAN, |&(_, value)| value)
+    values_of_text(outputs, index).get(which as usize).map_or(f64::NAN, |&(_, value)| value.number)
+}
+
+pub(super) unsafe extern "C" fn output_value_kind(outputs: *const gusset_outputs, index: u32, which: u32) -> u32 {
+    values_of_text(outputs, index).get(which as usize).map_or(0, |(_, value)| match value.kind {
+        ValueKind::Count => GUSSET_VALUE_COUNT,
+        ValueKind::Flag => GUSSET_VALUE_FLAG,
+        ValueKind::Number => GUSSET_VALUE_NUMBER,
+        ValueKind::Length => GUSSET_VALUE_LENGTH,
+        ValueKind::Area => GUSSET_VALUE_AREA,
+        ValueKind::Volume => GUSSET_VALUE_VOLUME,
+        ValueKind::Angle => GUSSET_VALUE_ANGLE,
+    })
 }
 
 pub(super) unsafe extern "C" fn output_failure(outputs: *const gusset_outputs, failure: *mut gusset_failure) -> i32 {

@@ -171,6 +171,7 @@ static VALUE_FUNCTIONS: gusset_plugin_values = gusset_plugin_values {
     count: outputs::output_value_count,
     name: outputs::output_value_name,
     value: outputs::output_value,
+    kind: outputs::output_value_kind,
 };
 
 unsafe extern "C" fn find_extension(name: *const c_char) -> *const c_void {

@@ -11,7 +11,6 @@ use std::ffi::OsString;
 /// A command that runs one filter.
 pub(crate) struct FilterCommand {
     pub(crate) name: &'static str,
-    alias: Option<&'static str>,
     /// Ids of the filter; the plugin's first one counts.
     filters: &'static [&'static str],
     about: &'static str,
@@ -30,15 +29,13 @@ impl FilterCommand {
 pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     FilterCommand {
         name: "join",
-        alias: Some("assemble"),
-        filters: &["join", "assemble"],
+        filters: &["join"],
         about: "Joins any number of open meshes where their borders coincide or face each other",
         example: "gusset join left.ply middle.ply right.ply -o whole.ply",
         smooth: &["finish=blend"],
     },
     FilterCommand {
         name: "stitch",
-        alias: None,
         filters: &["stitch"],
         about: "Joins two open meshes, or two rims of one mesh, by a strip of new faces",
         example: "gusset stitch left.obj right.obj -o joined.obj",
@@ -46,15 +43,13 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     },
     FilterCommand {
         name: "fill",
-        alias: None,
-        filters: &["fill", "fill_holes"],
+        filters: &["fill"],
         about: "Closes the holes of a mesh",
         example: "gusset fill scan.obj --keep the-longest -o filled.obj",
         smooth: &["inside=refined-and-fair"],
     },
     FilterCommand {
         name: "weld",
-        alias: None,
         filters: &["weld"],
         about: "Merges coincident borders",
         example: "gusset weld part.stl -o welded.ply",
@@ -62,7 +57,6 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     },
     FilterCommand {
         name: "sew",
-        alias: None,
         filters: &["sew"],
         about: "Merges coincident borders whose vertices differ, and splits edges where needed",
         example: "gusset sew tiles.obj -o sheet.obj",
@@ -70,7 +64,6 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     },
     FilterCommand {
         name: "orient",
-        alias: None,
         filters: &["orient"],
         about: "Reverses faces until neighbours agree",
         example: "gusset orient part.obj --outward outwards -o oriented.obj",
@@ -78,7 +71,6 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     },
     FilterCommand {
         name: "align",
-        alias: None,
         filters: &["align"],
         about: "Moves overlapping pieces to where they fit",
         example: "gusset align scan1.ply scan2.ply -o aligned.ply",
@@ -86,7 +78,6 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     },
     FilterCommand {
         name: "trim",
-        alias: None,
         filters: &["trim"],
         about: "Removes one piece where two overlap",
         example: "gusset trim scan1.ply scan2.ply -o trimmed.ply",
@@ -94,7 +85,6 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     },
     FilterCommand {
         name: "section",
-        alias: None,
         filters: &["section", "smooth_sections"],
         about: "Cuts a smooth surface by planes",
         example: "gusset section hull.obj --number 20 -o sections.obj",
@@ -102,7 +92,6 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     },
     FilterCommand {
         name: "loft",
-        alias: None,
         filters: &["loft"],
         about: "Makes a smooth surface through sections",
         example: "gusset loft sections.obj -o surface.obj",
@@ -110,7 +99,6 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     },
     FilterCommand {
         name: "flatten",
-        alias: None,
         filters: &["flatten", "develop"],
         about: "Unrolls a surface into the plane",
         example: "gusset flatten sail.obj -o pattern.obj",
@@ -118,7 +106,6 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     },
     FilterCommand {
         name: "check",
-        alias: None,
         filters: &["check"],
         about: "Reports the defects of meshes, and counts their pieces, edges and handles",
         example: "gusset check part.stl --strict",
@@ -183,7 +170,6 @@ impl Builder {
         let mut made = self
             .subcommand(command.name, command.about, command.example)
             .arg(inputs("Files to read; - is standard input", 1));
-        made = made.visible_aliases(command.alias);
         let writes = filter.is_none_or(|filter| filter.output_kinds().iter().any(|&kind| kind != OutputKind::Text));
         if writes {
             made = made.args(output_options(false));

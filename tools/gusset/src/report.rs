@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::pieces::attribute_names;
-use crate::plugin::{Filter, Geometry, Param, ParamKind};
+use crate::plugin::{Filter, Geometry, NamedValue, Param, ParamKind, ValueKind};
 use crate::values::{degrees, slug};
 use gusset_io::{Curves, Mesh};
 use serde_json::{Map, Value, json};
@@ -78,6 +78,15 @@ fn describe_value(param: Param, values: &[f64]) -> Value {
         }
         _ if values.len() == 1 => component(values[0]),
         _ => values.iter().copied().map(component).collect(),
+    }
+}
+
+/// Returns a number of a report: a flag as true or false, an angle in degrees.
+pub(crate) fn describe_named_value(value: &NamedValue<'_>) -> Value {
+    match value.kind {
+        ValueKind::Flag => json!(value.number != 0.0),
+        ValueKind::Angle => number(degrees(value.number)),
+        ValueKind::Number => number(value.number),
     }
 }
 

@@ -6,7 +6,7 @@ use crate::html;
 use crate::pieces::{Piece, attribute_names};
 use crate::plugin::{Domain, Filter, Geometry, Inputs, OutputKind, Outputs, RunError};
 use crate::reading::{FileName, Reading};
-use crate::report::{describe_curves, describe_geometry, describe_mesh, describe_values, number};
+use crate::report::{describe_curves, describe_geometry, describe_mesh, describe_named_value, describe_values};
 use crate::steering::Steering;
 use crate::values::parse_values;
 use crate::writing::{Writing, print};
@@ -215,8 +215,8 @@ fn add_text(outputs: &Outputs, output: u32, request: &RunRequest, report: &mut V
     for line in text.lines() {
         push(report, "report", json!(line));
     }
-    for (name, value) in outputs.values(output) {
-        report["values"][name] = number(value);
+    for value in outputs.values(output) {
+        report["values"][value.name] = describe_named_value(&value);
     }
     let is_piped = request.outputs.iter().any(|file| matches!(file, FileName::Standard));
     if request.json {

@@ -6,6 +6,7 @@ use crate::failure::{Exit, Failure};
 use gusset::capi::plugin::channels::gusset_plugin_attributes;
 use gusset::capi::plugin::descriptor::{GUSSET_PLUGIN_ABI, gusset_plugin, gusset_plugin_values};
 use std::ffi::{CStr, CString, OsStr, OsString};
+use std::mem::offset_of;
 use std::path::PathBuf;
 
 /// A plugin. It stays loaded until the program ends.
@@ -101,10 +102,11 @@ impl Plugin {
         self.tables
     }
 
+    /// Returns the functions for numbers of texts. If `struct_size` ends before `kind`, the plugin lacks this function.
     pub(super) fn values(self) -> Option<&'static gusset_plugin_values> {
         // SAFETY: the extension of this name has this type, and lives as long as the plugin.
         let found = unsafe { self.extension(c"values/1").cast::<gusset_plugin_values>().as_ref() };
-        found.filter(|values| values.struct_size >= size_of::<gusset_plugin_values>())
+        found.filter(|values| values.struct_size >= offset_of!(gusset_plugin_values, kind))
     }
 
     pub(super) fn attributes(self) -> Option<&'static gusset_plugin_attributes> {

@@ -13,7 +13,7 @@ pub(crate) use filter::{Filter, OutputKind, Param, ParamKind};
 pub(crate) use host::Watcher;
 pub(crate) use inputs::{Geometry, Inputs};
 pub(crate) use library::Plugin;
-pub(crate) use outputs::{Channel, Domain, Origins, Outputs, Rule, RunError};
+pub(crate) use outputs::{Channel, Domain, NamedValue, Origins, Outputs, Rule, RunError, ValueKind};
 
 use std::ffi::{CStr, c_char};
 

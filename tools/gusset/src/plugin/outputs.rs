@@ -23,6 +23,22 @@ impl Drop for Outputs {
     }
 }
 
+/// A number of a report.
+pub(crate) struct NamedValue<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) number: f64,
+    pub(crate) kind: ValueKind,
+}
+
+/// How a number of a report is written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ValueKind {
+    Flag,
+    /// In radians.
+    Angle,
+    Number,
+}
+
 /// Why a run has no results.
 pub(crate) enum RunError {
     Cancelled,
@@ -139,14 +155,21 @@ impl Outputs {
         unsafe { table_text((self.plugin.tables().output_text)(self.raw, index)) }
     }
 
-    /// Returns the named numbers of an output text.
-    pub(crate) fn values(&self, index: u32) -> Vec<(&str, f64)> {
+    /// Returns the numbers of an output text.
+    pub(crate) fn values(&self, index: u32) -> Vec<NamedValue<'_>> {
         let Some(values) = self.plugin.values() else { return Vec::new() };
-        // SAFETY: outputs of a run, and indices below the count.
+        let tells_kind = values.struct_size >= size_of::<gusset_plugin_values>();
+        // SAFETY: outputs of a run, indices below the count, and no function beyond the struct's size.
         unsafe {
             (0..(values.count)(self.raw, index))
-                .map(|which| {
-                    (table_text((values.name)(self.raw, index, which)), (values.value)(self.raw, index, which))
+                .map(|which| NamedValue {
+                    name: table_text((values.name)(self.raw, index, which)),
+                    number: (values.value)(self.raw, index, which),
+                    kind: match if tells_kind { (values.kind)(self.raw, index, which) } else { 0 } {
+                        GUSSET_VALUE_FLAG => ValueKind::Flag,
+                        GUSSET_VALUE_ANGLE => ValueKind::Angle,
+                        _ => ValueKind::Number,
+                    },
                 })
                 .collect()
         }

@@ -1,8 +1,8 @@
 use super::align::explain_untrusted_pose;
 use super::data::{Input, Output};
-use super::fill_holes::OUTWARD;
+use super::fill::{KEEP, OUTWARD};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, count_with_noun, format_short, push_line};
+use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, Value, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::stitch::{FAIRING, FINISH, MERIDIANS};
 use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
@@ -20,8 +20,8 @@ use gusset_stitch::stitch::{self, Fairing, Finish, Meridians, Rows};
 use gusset_stitch::trim;
 
 pub(super) const FILTER: Filter = Filter {
-    id: "assemble",
-    name: "Assemble pieces",
+    id: "join",
+    name: "Join pieces",
     category: "Stitching",
     help: "Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are \
            made consistent, and loops that face each other across a gap are stitched. Holes are filled on request, and closed \
@@ -53,6 +53,7 @@ params! {
         "Align first",
         "First moves overlapping pieces to where they fit, as the filter align does from where they lie.",
     );
+    keep: fill::Keep = KEEP.with_help("The remaining loops that are not holes, if holes are filled.");
 }
 
 choices! {
@@ -114,6 +115,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         fill: values.holes.map(|(refinement, fairing)| fill::Options {
             refinement,
             fairing,
+            keep: values.keep,
             ..fill::Options::default()
         }),
         ..Options::default()
@@ -199,19 +201,19 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
     }
     let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined)).count();
     let mut values = vec![
-        ("sewn_edges", f64::from(done.sewn_edges)),
-        ("joins", joined as f64),
-        ("refused_joins", (done.joints.len() - joined) as f64),
-        ("filled_holes", filled as f64),
-        ("boundary_loops", f64::from(done.loops_left)),
-        ("near_loops_left", f64::from(done.near_loops_left)),
-        ("turned_faces", turned as f64),
-        ("zero_volume_components", done.zero_volume.len() as f64),
-        ("trimmed_faces", f64::from(done.trimmed_faces)),
-        ("blends", done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count() as f64),
+        ("sewn_edges", Value::count(done.sewn_edges)),
+        ("joins", Value::count(joined)),
+        ("refused_joins", Value::count(done.joints.len() - joined)),
+        ("filled_holes", Value::count(filled)),
+        ("boundary_loops", Value::count(done.loops_left)),
+        ("near_loops_left", Value::count(done.near_loops_left)),
+        ("turned_faces", Value::count(turned)),
+        ("zero_volume_components", Value::count(done.zero_volume.len())),
+        ("trimmed_faces", Value::count(done.trimmed_faces)),
+        ("blends", Value::count(done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count())),
     ];
     if aligned.is_some() {
-        values.push(("trusted_pieces", f64::from(trusted)));
+        values.push(("trusted_pieces", Value::count(trusted)));
     }
     Report::new(text, &values)
 }

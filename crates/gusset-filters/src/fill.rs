@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, FACE, Report, count_with_noun, format_short};
+use super::report::{BOUNDARY_LOOP, FACE, Report, Value, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_RANGE, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -26,7 +26,7 @@ params! {
     ).none_unless_positive();
     max_length: Option<f64> =
         Param::length("Greatest length", "Longer loops stay open; 0 sets no limit.", NON_NEGATIVE_RANGE, &[0.0]).none_unless_positive();
-    keep: Keep = Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
+    keep: Keep = KEEP;
     together: Together = Param::choice("Patches", "The loops that share a patch.", Together::CHOICES);
     max_diameter: Option<f64> = Param::length(
         "Greatest diameter",
@@ -54,7 +54,7 @@ use gusset_stitch::repair::orient::Outward;
 use gusset_stitch::stitch::Intersections;
 
 pub(super) const FILTER: Filter = Filter {
-    id: "fill_holes",
+    id: "fill",
     name: "Fill holes",
     category: "Boundary",
     help: "Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the \
@@ -65,6 +65,9 @@ pub(super) const FILTER: Filter = Filter {
     has_origins: true,
     ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
+
+/// The loops that stay open.
+pub(super) const KEEP: TypedParam<Keep> = Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
 
 /// Turns closed components of a result outwards.
 pub(super) const OUTWARD: TypedParam<bool> = Param::flag(
@@ -151,18 +154,18 @@ fn report(old: &MeshView<'_>, done: &Filled, plan_only: bool) -> Report {
         count_with_noun(done.quality.loops_left, BOUNDARY_LOOP)
     );
     let mut values = vec![
-        ("filled_loops", count as f64),
-        ("patches", patches as f64),
-        ("boundary_loops_before", done.holes.len() as f64),
-        ("new_faces", faces as f64),
-        ("new_vertices", vertices as f64),
-        ("area", area),
-        ("smallest_angle", done.quality.min_angle),
-        ("turned_outwards", done.turned_outwards.len() as f64),
-        ("boundary_loops", f64::from(done.quality.loops_left)),
+        ("filled_loops", Value::count(count)),
+        ("patches", Value::count(patches)),
+        ("boundary_loops_before", Value::count(done.holes.len())),
+        ("new_faces", Value::count(faces)),
+        ("new_vertices", Value::count(vertices)),
+        ("area", Value::area(area)),
+        ("smallest_angle", Value::angle(done.quality.min_angle)),
+        ("turned_outwards", Value::count(done.turned_outwards.len())),
+        ("boundary_loops", Value::count(done.quality.loops_left)),
     ];
     if let Some(pairs) = &done.intersections {
-        values.push(("intersections", pairs.len() as f64));
+        values.push(("intersections", Value::count(pairs.len())));
     }
     Report::new(text, &values)
 }
