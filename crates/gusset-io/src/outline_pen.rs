@@ -130,7 +130,9 @@ impl OutlinePen {
     /// Ends an outline. It is closed if `is_closed`, or if its ends are equal. An outline of one point is dropped.
     pub(crate) fn end(&mut self, is_closed: bool) -> Result<(), ReadError> {
         let drawn = &self.points[self.start..];
-        let is_repeated = drawn.len() > 3 && drawn.first() == drawn.last();
+        let bits = |point: &Vector| point.map(f64::to_bits);
+        let is_repeated =
+            drawn.len() > 3 && (drawn.first() == drawn.last() || drawn.first().map(bits) == drawn.last().map(bits));
         if is_repeated {
             self.points.pop();
         }
