@@ -35,7 +35,7 @@ docs_packages  := doxygen
 # A browser without a window: takes the pictures of the demo, and reads pages in tests.
 browser_packages := chromium chromium-driver python3-selenium
 test_packages  := $(host_packages) $(docs_packages) $(browser_packages) assimp-utils python3-pil fish groff-base zsh doctest-dev libeigen3-dev valgrind clang abigail-tools python3-venv
-bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libcgal-demo libeigen3-dev libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
+bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libcgal-demo libeigen3-dev libassimp5 libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
 cargo_c_packages := $(build_packages) libssl-dev
 deb_packages   := debhelper dpkg-dev lintian $(build_packages)
 demo_packages  := $(host_packages) libcgal-demo
@@ -252,8 +252,8 @@ pictures: stage
 figures: stage
 	@scripts/figures.sh '$(stage)' $(figures_packages)
 
-bench: stage
-	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' $(bench_packages)
+bench: stage files
+	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' '$(files)' $(bench_packages)
 
 # Strips debug data of both. The static library also loses the Rust compiler's bitcode, half of its size, which C
 # linkers ignore and nm misreads beside clang.

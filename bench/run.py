@@ -6,6 +6,7 @@ import sys
 import time
 from pathlib import Path
 
+import files
 import fills
 import hosts
 import surface
@@ -53,6 +54,7 @@ def in_cpp(report, tools, folder, only, slow):
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("--prefix", type=Path, required=True, help="where gusset is installed")
+    options.add_argument("--files", type=Path, required=True, help="libgusset_files.so")
     options.add_argument("--tools", type=Path, required=True, help="where the programs in C++ are")
     options.add_argument("--out", type=Path, required=True, help="the report")
     options.add_argument("--docs", type=Path, help="also write the page and the plot into this folder, and the table into README.md")
@@ -74,6 +76,8 @@ def main():
         truth.run(library, report, options.tools, folder, options.only, options.docs)
     if fills.wanted(options.only):
         fills.run(library, report, options.tools, folder, options.only)
+    if files.wanted(options.only):
+        files.run(options.files, report, folder, options.only)
     if scans.wanted(options.only):
         scans.run(library, report, options.tools, folder, options.only)
     if hosts.wanted(options.only):
