@@ -491,6 +491,10 @@ export interface JoinParams extends RunOptions {
    * Align first. First moves overlapping pieces to where they fit, as the filter align does from where they lie.
    */
   align?: boolean;
+  /**
+   * Keep open. The remaining loops that are not holes, if holes are filled.
+   */
+  keep?: "none" | "the_longest" | "borders" | number;
 }
 
 /** Parameters of `outline`; what is not given is what suits the inputs. */
@@ -688,6 +692,10 @@ export interface CheckParams extends RunOptions {
    * Elements listed. The largest number of elements listed for each kind of defect. From 0 to 1000000.
    */
   listed?: number;
+  /**
+   * Intersections. Also finds the pairs of faces that intersect or touch each other elsewhere than in common vertices and edges.
+   */
+  intersections?: boolean;
 }
 
 /** Parameters of `facing_arcs`; what is not given is what suits the inputs. */
@@ -1369,7 +1377,8 @@ export interface Filters {
   /**
    * Reports every defect of a mesh with the numbers of the elements: boundary edges, edges of three or more faces, non-manifold vertices,
    * inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the number of components, the Euler
-   * characteristic and the genus. Source: Counts on half-edges; genus by Euler's formula
+   * characteristic and the genus. On request it reports faces that intersect each other. Source: Counts on half-edges; genus by Euler's
+   * formula; J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates (1997), for intersections
    */
   readonly check: Filter<[MeshLike], Report, CheckParams>;
   /**

@@ -124,6 +124,11 @@ class Real(unittest.TestCase):
         _, faces, _ = read_obj(self.host.folder / "combustor.obj")
         self.assertEqual((len(faces), rims(faces)), (3456, 0))
 
+        tiles = [self.data / f"cases/gap_tile_{name}.obj" for name in ("00", "01", "10", "11")]
+        text = self.run_on("join", *tiles, "-p", "holes=fill", "-p", "keep=borders", "-o", "sheet.obj")
+        self.assertIn("1 boundary loop left", text)
+        self.assertEqual(rims(read_obj(self.host.folder / "sheet.obj")[1]), 60)
+
         halves = [self.data / f"pairs/bunny_cut/{name}.off" for name in ("head", "body")]
         before = sum(map(self.rim, halves))
         self.run_on("stitch", *halves, "-o", "bunny.obj")

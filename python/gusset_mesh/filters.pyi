@@ -64,8 +64,8 @@ def join(
     Literal['continuation', 'least_area', 'by_index', 'by_arc_length', 'greedy', 'shortest_meridians', 'least_bend', 'quads']] =
     ..., rows: Union[int, Literal['none', 'by_mean_edge']] = ..., fairing: Union[int, Literal['straight', 'fair']] = ..., finish:
     Union[int, Literal['strip', 'blend']] = ..., holes: Union[int, Literal['leave', 'fill', 'fill_refined_and_fair']] = ...,
-    outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., threads: int = ..., progress:
-    Optional[Progress] = ...,
+    outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., keep: Union[int, Literal['none',
+    'the_longest', 'borders']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are made consistent, and loops that face each other across a gap are stitched. Holes are filled on request, and closed results are turned outwards. Loops that face no other loop stay as they are."""
 
@@ -127,9 +127,9 @@ def smooth_distance(
 
 
 def check(
-    input_0: MeshLike, /, *, listed: int = ..., threads: int = ..., progress: Optional[Progress] = ...,
+    input_0: MeshLike, /, *, listed: int = ..., intersections: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> Report:
-    """Reports every defect of a mesh with the numbers of the elements: boundary edges, edges of three or more faces, non-manifold vertices, inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the number of components, the Euler characteristic and the genus."""
+    """Reports every defect of a mesh with the numbers of the elements: boundary edges, edges of three or more faces, non-manifold vertices, inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the number of components, the Euler characteristic and the genus. On request it reports faces that intersect each other."""
 
 
 def facing_arcs(

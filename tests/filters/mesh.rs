@@ -76,7 +76,7 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
     let turned: Vec<Soup> = caps().iter().map(Soup::turned).collect();
     let faces: usize = turned.iter().map(|soup| soup.faces().count()).sum();
     for (id, soups, later, default) in
-        [("stitch", &turned[..], 0, 0.0), ("fill", &turned[..1], 0, 0.0), ("join", &turned[..], 2, 1.0)]
+        [("stitch", &turned[..], 0, 0.0), ("fill", &turned[..1], 0, 0.0), ("join", &turned[..], 3, 1.0)]
     {
         let params = Filter::find(id).unwrap().params;
         let place = params.iter().position(|param| param.id == "outward").unwrap();
@@ -147,6 +147,24 @@ fn check_finds_intersections_on_request() {
     }
     let clean = &run_on("check", &[sheet(3, 2)], &[20.0, 1.0]).unwrap()[0];
     assert!(value(clean, "intersections") == 0.0 && text(clean).ends_with("\nno faces intersect\n"));
+}
+
+#[test]
+fn join_keeps_outlines_open_on_request() {
+    // A sheet with a hole, and a part beside it.
+    let whole = sheet(5, 5);
+    let part = |wanted: fn(usize) -> bool| {
+        let mut soup = Soup { points: whole.points.clone(), offsets: vec![0], ..Soup::default() };
+        whole.faces().enumerate().filter(|(f, _)| wanted(*f)).for_each(|(_, face)| soup.face(face));
+        soup
+    };
+    let pieces = [part(|f| f % 5 < 3 && f != 11), part(|f| f % 5 >= 3)];
+    for (keep, filled, loops) in [(0.0, 2.0, 0.0), (1.0, 1.0, 1.0), (2.0, 1.0, 1.0)] {
+        let inputs = inputs(&pieces);
+        let values = values("join", &inputs, &[("holes", &[1.0]), ("keep", &[keep])]);
+        let done = Filter::find("join").unwrap().run(&inputs, &values, &Job::default()).unwrap();
+        assert_eq!((value(&done[1], "filled_holes"), value(&done[1], "boundary_loops")), (filled, loops), "{keep}");
+    }
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! The check, against surfaces whose properties are known and against brute force.
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet};
-use gusset::Job;
 use glam::DVec3;
+use gusset::Job;
 use gusset::check::{Check, check, find_intersecting_faces};
 use gusset::mesh::{Faces, MeshView, Positions};
 use proptest::prelude::*;

@@ -26,7 +26,7 @@ params! {
     ).none_unless_positive();
     max_length: Option<f64> =
         Param::length("Greatest length", "Longer loops stay open; 0 sets no limit.", NON_NEGATIVE_RANGE, &[0.0]).none_unless_positive();
-    keep: Keep = Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
+    keep: Keep = KEEP;
     together: Together = Param::choice("Patches", "The loops that share a patch.", Together::CHOICES);
     max_diameter: Option<f64> = Param::length(
         "Greatest diameter",
@@ -65,6 +65,9 @@ pub(super) const FILTER: Filter = Filter {
     has_origins: true,
     ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
+
+/// The loops that stay open.
+pub(super) const KEEP: TypedParam<Keep> = Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
 
 /// Turns closed components of a result outwards.
 pub(super) const OUTWARD: TypedParam<bool> = Param::flag(
