@@ -236,7 +236,6 @@ impl Builder {
             .args(output_options(false))
             .args(read_options())
             .arg(json())
-            .arg(jobs())
     }
 
     fn info(&self) -> Command {
