@@ -1,10 +1,9 @@
 /* Files of meshes, curves and points. Generated from crates/gusset-files/src/table; do not edit.
  *
- * gusset_files_entry leads to functions that read and write files in memory, as a document: one JSON text and one
- * array of bytes. docs/guides/files.md describes the text. The library is for hosts in Python and WebAssembly.
+ * Functions read and write files in memory, as documents: JSON text and an array of bytes (docs/guides/files.md).
  *
- * The host sets struct_size to sizeof the struct. Texts are UTF-8. Parts and messages live until free. int32_t results
- * are GUSSET_FILES_DONE or another status. C99 or later, C++11 or later. */
+ * Hosts set struct_size to sizeof the struct. Texts are UTF-8; parts and messages live until free; int32_t results are
+ * statuses. C99 or later, C++11 or later. */
 
 #ifndef GUSSET_FILES_H
 #define GUSSET_FILES_H
@@ -39,7 +38,7 @@ GUSSET_FILES_API GUSSET_FILES_MUST_USE const struct gusset_files *gusset_files_e
 #define GUSSET_FILES_DONE 0
 /// An argument is NULL, or a text is not UTF-8.
 #define GUSSET_FILES_BAD_ARGUMENT 1
-/// The file or document breaks a rule, or the format is unknown or cannot hold the document.
+/// The file or document breaks a rule, or the format is unknown or too narrow.
 #define GUSSET_FILES_BAD_FILE 2
 /// Memory ran out.
 #define GUSSET_FILES_OUT_OF_MEMORY 3
@@ -50,37 +49,35 @@ GUSSET_FILES_API GUSSET_FILES_MUST_USE const struct gusset_files *gusset_files_e
 #define GUSSET_FILES_JOINED 1
 /// Flag of write: PLY and STL files as text.
 #define GUSSET_FILES_TEXT 1
-/// Flag of write: permits rounding that moves points by more than 0.001 mean edges.
+/// Flag of write: permits moves of over 0.001 mean edges by rounding.
 #define GUSSET_FILES_LOSSY 2
 
-/// Files that a file refers to: material libraries, buffers, images, scans.
+/// Files that a file names: material libraries, buffers, images, scans.
 typedef struct gusset_files_folder {
     size_t struct_size;
     /// First argument of load.
     void *user;
-    /// Gets the bytes of a file beside the one that is read or written. They live until the next call or the end of the
-    /// function. Nonzero: the file does not exist, or may not be read.
+    /// Gets the bytes of a file beside it, until the next call or the function's end. Nonzero: it does not exist, or
+    /// may not be read.
     int32_t (*load)(void *user, const char *name, const uint8_t **bytes, size_t *size);
 } gusset_files_folder;
 
 struct gusset_file;
 
-/// Functions that read and write files in memory. Any thread may call them.
+/// Table of functions, for any thread.
 typedef struct gusset_files {
     size_t struct_size;
-    /// Reads a file of size bytes. name: its name, whose extension is the format. folder: NULL if it refers to no other
-    /// file. flags: GUSSET_FILES_JOINED or 0. *result receives the parts, or the reason of a failure: part 0 is a
-    /// document as JSON text, part 1 the arrays that the text describes. Memory is at most 32 times the size of all
-    /// files; O(size).
+    /// Reads a file of size bytes. name: its extension is the format. folder: may be NULL. flags: GUSSET_FILES_JOINED
+    /// or 0. Part 0 is the document's JSON text, part 1 the arrays in it; after a failure, *result has the message.
+    /// O(size) time; memory at most 32 times all files.
     int32_t (*read)(const char *name,
                     const uint8_t *bytes,
                     size_t size,
                     const struct gusset_files_folder *folder,
                     uint32_t flags,
                     struct gusset_file **result);
-    /// Writes a file of a document in this form, whose arrays have size bytes. flags: GUSSET_FILES_TEXT,
-    /// GUSSET_FILES_LOSSY or 0. *result receives the parts, or the reason of a failure: part 0 is a JSON list of the
-    /// losses, part 1 the file, further parts are files beside it, with their names.
+    /// Writes a document, whose arrays have size bytes. flags: GUSSET_FILES_TEXT, GUSSET_FILES_LOSSY or 0. Part 0 is a
+    /// JSON list of losses, part 1 the file, further parts are files beside it.
     int32_t (*write)(const char *name,
                      const char *document,
                      const uint8_t *arrays,

@@ -8,7 +8,7 @@ use gusset_io::{
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-/// What the target of a format expects.
+/// Expectations of the target of a format.
 #[derive(Clone, Copy)]
 pub(crate) struct Expected {
     pub(crate) format: Format,

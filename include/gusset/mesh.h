@@ -107,7 +107,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_quality(const struct 
 
 struct gusset_origins;
 
-/// Finds the sources of a result's vertices, corners and faces in the operation's meshes, pieces, net or sheet:
+/// Finds the sources of a result's vertices, corners and faces in the operation's meshes, pieces, net or sheet.
 /// - A strip has two polylines; its corners and faces lack sources.
 /// - A corner that gusset_sew added on an edge has the corners of its face at both ends.
 /// - Corners and faces of a development are the surface's; each vertex has one source.

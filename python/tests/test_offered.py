@@ -1,8 +1,14 @@
 """Every function of C is offered in Python, or is listed here with the reason why not."""
 
 import ast
+import json
 import pathlib
 import re
+
+import file_bytes
+import pytest
+
+from gusset_mesh import files
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "python/gusset_mesh"
@@ -78,3 +84,22 @@ def test_every_function_of_files_is_called():
     assert [name for name in functions if f"_table().{name}" not in source] == []
     flags = re.findall(r"/// Flag of \w+: .*\n#define (\w+)", header)
     assert len(flags) == 3 and all(f"lib.{name}" in source for name in flags)
+
+
+def test_the_page_of_documents_shows_what_read_gives(tmp_path, monkeypatch):
+    if not file_bytes.has_files():
+        pytest.skip("the library was built without files: `make files`")
+    page = (ROOT / "docs/guides/files.md").read_text("utf-8")
+    shown = json.loads(page[page.index("```text\n{\n") + 8:].partition("```")[0])
+    given = []
+
+    def unpacked(description, memory):
+        given.append((json.loads(description.tobytes()), memory.size))
+        return files.Document()
+    monkeypatch.setattr(files, "unpacked", unpacked)
+    files.save(tmp_path / "a.ply", ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
+    files.read(tmp_path / "a.ply")
+    assert given == [(shown, 168)]
+    # Each member is described in a table or a sentence.
+    members = {name for one in (shown, shown["meshes"][0], shown["points"], shown["curves"]) for name in one}
+    assert all(f"`{name}`" in page or f'"{name}"' in page.partition("## Example")[0] for name in members)

@@ -20,13 +20,17 @@ surface = gm.Surface(gm.Sheet(np.zeros((4, 4, 3))))
 paths: gm.SurfacePaths = surface.section([0, 0, 0], [0, 0, 1], spacing="chord", chord=0.1)
 net: Optional[gm.Net] = gm.Net(np.zeros((2, 2, 3)), sides=["rows_closed", "pole_top"])
 report = gm.filters.all_filters["check"](mesh)
-document: gm.Document = gm.read("a.ply", scene=True)
-assert_type(document.meshes[0].mesh, gm.Mesh)
-assert_type(document.meshes[0].vertex_colours, Optional[NDArray[Any]])
-assert_type(document.points, Optional[gm.files.Points])
-losses: list[str] = gm.save("b.ply", gm.FileMesh(document.mesh, normals=points, normals_at="corners"), text=True)
-losses += gm.save("c.glb", gm.join([document, gm.read("d.ply")]), lossy=True) + gm.save("e.obj", gm.Curves(points))
-gm.FileMesh(mesh, normals_at="faces")  # type: ignore[arg-type]
+
+
+def documents() -> None:
+    """Files have their types."""
+    document: gm.Document = gm.read("a.ply", scene=True)
+    assert_type(document.meshes[0].mesh, gm.Mesh)
+    assert_type(document.meshes[0].vertex_colours, Optional[NDArray[Any]])
+    assert_type(document.points, Optional[gm.files.Points])
+    losses: list[str] = gm.save("b.ply", gm.FileMesh(document.mesh, normals=points, normals_at="corners"), text=True)
+    losses += gm.save("c.glb", gm.join([document, gm.read("d.ply")]), lossy=True) + gm.save("e.obj", gm.Curves(points))
+    gm.FileMesh(mesh, normals_at="faces")  # type: ignore[arg-type]
 
 
 def reports() -> None:

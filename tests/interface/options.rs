@@ -100,10 +100,10 @@ fn copied(from: &Path, to: &Path) {
 /// A copy of what the interface is read from, with fields at the end of `gusset_fill_options`.
 fn scratch(name: &str, fields: &str) -> PathBuf {
     let folder = env::temp_dir().join(format!("gusset-{name}-{}", std::process::id()));
-    for part in ["src/capi", "include"] {
+    for part in ["src/capi", "crates/gusset-files/src/table", "include"] {
         copied(&Path::new(ROOT).join(part), &folder.join(part));
     }
-    for file in ["cbindgen.toml", "cbindgen_plugin.toml"] {
+    for file in ["cbindgen.toml", "cbindgen_files.toml", "cbindgen_plugin.toml"] {
         fs::copy(Path::new(ROOT).join(file), folder.join(file)).unwrap();
     }
     let path = folder.join("src/capi/mesh/fill.rs");

@@ -66,7 +66,7 @@ pub(crate) fn clip_ears(points: &[[f64; 2]], triangles: &mut Vec<[u32; 3]>) {
     triangles.push(clipper.triangle(corner).map(|place| place as u32));
 }
 
-/// Corners that remain, as a ring, and those of them that are not convex.
+/// Remaining corners as a ring, and the reflex corners among them.
 struct EarClipper<'a> {
     points: &'a [[f64; 2]],
     previous: Vec<u32>,

@@ -1,15 +1,15 @@
 //! Files by their paths: regular files only, nothing outside of a file's folder, and complete or unchanged.
 
 use crate::document::Document;
-use crate::error::{Loss, ReadError, ReadErrorKind, WriteError, WriteErrorKind, write_reason};
+use crate::error::{Loss, ReadError, WriteError, WriteErrorKind, write_reason};
 use crate::folder::{Folder, folder_path};
 use crate::format::{Format, read, write};
 use crate::options::{ReadOptions, WriteOptions};
 use crate::pending_file::PendingFile;
+use crate::regular_file::load;
 use crate::resources::Target;
 use std::ffi::OsStr;
-use std::fs::File;
-use std::io::{BufWriter, Read, Write};
+use std::io::{BufWriter, Write};
 use std::path::Path;
 
 /// Reads a file, in the format of its extension.
@@ -106,28 +106,4 @@ fn unknown_extension(path: &Path) -> String {
         _ => return format!("the extension .{extension} is unknown; use {known}"),
     };
     format!("files with the extension .{extension} are not supported; {remedy}")
-}
-
-/// Loads a regular file. Pipes, devices and folders are refused without being opened for reading.
-pub(crate) fn load(path: &Path) -> Result<Vec<u8>, ReadError> {
-    let unreadable = |why: String| ReadError::new(ReadErrorKind::Unreadable, why);
-    let status = std::fs::metadata(path).map_err(|error| unreadable(reason(&error)))?;
-    if !status.is_file() {
-        return Err(unreadable("this is not a regular file".into()));
-    }
-    let mut file = File::open(path).map_err(|error| unreadable(reason(&error)))?;
-    let size = file.metadata().map_err(|error| unreadable(reason(&error)))?.len();
-    let mut bytes = Vec::new();
-    let size = usize::try_from(size).map_err(|_| ReadError::out_of_memory())?;
-    bytes.try_reserve_exact(size)?;
-    Read::take(&mut file, size as u64).read_to_end(&mut bytes).map_err(|error| unreadable(reason(&error)))?;
-    Ok(bytes)
-}
-
-fn reason(error: &std::io::Error) -> String {
-    match error.kind() {
-        std::io::ErrorKind::NotFound => "the file does not exist".into(),
-        std::io::ErrorKind::PermissionDenied => "permission denied".into(),
-        _ => error.to_string(),
-    }
 }

@@ -126,6 +126,16 @@ mod unix {
     }
 
     #[test]
+    fn hard_links_stay_one_file() {
+        let folder = tempfile::tempdir().expect("a folder is made");
+        let [path, other] = ["a.obj", "b.obj"].map(|name| folder.path().join(name));
+        write(&path, 1.5);
+        fs::hard_link(&path, &other).expect("a link is made");
+        write(&path, 2.0);
+        assert_eq!((size(&path), size(&other)), (2.0, 2.0));
+    }
+
+    #[test]
     fn pipes_get_the_bytes_at_once() {
         let folder = tempfile::tempdir().expect("a folder is made");
         let path = folder.path().join("pipe.obj");

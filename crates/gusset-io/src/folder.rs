@@ -2,8 +2,8 @@
 
 use crate::document::Document;
 use crate::error::{Note, Place, ReadError, ReadErrorKind, printable};
-use crate::files::load;
 use crate::material::ImageData;
+use crate::regular_file::load;
 use crate::resources::Resources;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;

@@ -9,7 +9,7 @@ pub(crate) const MAX_SEARCH_CORNERS: usize = 40;
 /// Triangles are flat up to this area, relative to the square of the polygon's extent.
 const MAX_FLAT_AREA: f64 = 1e-12;
 
-/// What is wrong with a split, the worst first.
+/// Faults of a split, the worst first.
 #[derive(Clone, Copy, Default, PartialEq, PartialOrd)]
 struct Cost {
     turned_area: f64,

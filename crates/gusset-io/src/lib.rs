@@ -35,6 +35,8 @@ mod outline_pen;
 mod parallel_fill;
 mod polygons;
 mod precision;
+#[cfg(not(target_family = "wasm"))]
+mod regular_file;
 mod resources;
 mod scene;
 mod text;

@@ -59,7 +59,7 @@ pub(crate) fn merge_vertices(mesh: &Mesh) -> Merged<'_> {
     merged
 }
 
-/// Returns the values of the kept vertices; none if there are no values.
+/// Returns the values of the kept vertices; none if `values` is empty.
 fn selected<T: Copy>(values: &[T], kept: &[u32]) -> Vec<T> {
     if values.is_empty() { Vec::new() } else { kept.iter().map(|&vertex| values[vertex as usize]).collect() }
 }

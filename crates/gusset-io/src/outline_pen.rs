@@ -17,6 +17,8 @@ const TOLERANCE_GROWTH: f64 = 16.0;
 const MAX_COARSER_READINGS: usize = 12;
 /// Points that any file may have, however small it is.
 const MIN_POINT_LIMIT: usize = 1 << 18;
+/// Fewest bytes of a file for each point: a file of lines alone never reaches the limit.
+const MIN_POINT_BYTES: usize = 2;
 /// Fewest and most segments of a full turn.
 const TURN_SEGMENTS: [f64; 2] = [8.0, 65_536.0];
 /// Most segments of a Bezier curve.
@@ -76,7 +78,7 @@ impl OutlinePen {
             offsets: vec![0],
             closed: Vec::new(),
             start: 0,
-            point_limit: file_bytes.clamp(MIN_POINT_LIMIT, u32::MAX as usize - 1),
+            point_limit: (file_bytes / MIN_POINT_BYTES).clamp(MIN_POINT_LIMIT, u32::MAX as usize - 1),
             is_full: false,
             has_curved_parts: false,
         }
@@ -95,11 +97,6 @@ impl OutlinePen {
     /// Returns whether the limit of points is reached, so that reading on is of no use.
     pub(crate) fn is_full(&self) -> bool {
         self.is_full
-    }
-
-    /// Returns the number of points of all outlines.
-    pub(crate) fn point_count(&self) -> usize {
-        self.points.len()
     }
 
     /// Begins an outline. The one before stays open.

@@ -14,7 +14,7 @@ pub(crate) enum PendingFile {
     /// A file in the folder of the target, which takes the target's name.
     Renamed { file: NamedTempFile, path: PathBuf, is_new: bool },
     /// A file elsewhere, whose bytes the existing target gets: in a folder where no file can be made, or if the target belongs to
-    /// another user.
+    /// another user or has several names.
     Copied { file: File, target: File },
     /// A pipe or device, which gets the bytes at once.
     Direct(File),
@@ -43,7 +43,8 @@ impl PendingFile {
 
     fn create_over(path: PathBuf, status: &Metadata) -> io::Result<Self> {
         let target = OpenOptions::new().write(true).open(&path)?;
-        if let Ok(file) = file_beside(&path)
+        if !has_other_names(status)
+            && let Ok(file) = file_beside(&path)
             && take_owner_and_permissions(file.as_file(), status).is_ok()
         {
             return Ok(Self::Renamed { file, path, is_new: false });
@@ -118,6 +119,17 @@ fn take_owner_and_permissions(file: &File, status: &Metadata) -> io::Result<()> 
         fchown(file, Some(status.uid()), Some(status.gid()))?;
     }
     file.set_permissions(status.permissions())
+}
+
+/// Returns whether hard links give the file other names, which a new file would not have.
+#[cfg(unix)]
+fn has_other_names(status: &Metadata) -> bool {
+    std::os::unix::fs::MetadataExt::nlink(status) > 1
+}
+
+#[cfg(not(unix))]
+fn has_other_names(_: &Metadata) -> bool {
+    false
 }
 
 #[cfg(not(unix))]

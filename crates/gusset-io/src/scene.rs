@@ -52,7 +52,7 @@ pub(crate) fn list_lost_content(document: &Document, mesh: &Mesh, files: &str, h
     lost.into_iter().map(|name| Loss(format!("{name}, which {files} files do not hold"))).collect()
 }
 
-/// Returns whether the points are those of the curves, as readers of tables give them: a closed curve repeats its first point.
+/// Returns whether the points equal the points of the curves, as readers of tables give them: a closed curve repeats its first point.
 pub(crate) fn are_points_of_curves(document: &Document) -> bool {
     let repeated = document.curves.closed.iter().filter(|&&closed| closed).count();
     document.curves.positions.len() + repeated == document.points.positions.len()

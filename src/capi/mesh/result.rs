@@ -187,7 +187,8 @@ pub unsafe extern "C" fn gusset_result_get_quality(
 }
 
 /// Finds the sources of a result's vertices, corners and faces in the operation's meshes, pieces,
-/// net or sheet:
+/// net or sheet.
+///
 /// - A strip has two polylines; its corners and faces lack sources.
 /// - A corner that gusset_sew added on an edge has the corners of its face at both ends.
 /// - Corners and faces of a development are the surface's; each vertex has one source.

@@ -97,7 +97,7 @@ c_enum! {
 }
 
 impl gusset_net_primitive {
-    fn to_primitive<'a>(&self, profile: &'a [[f64; 2]]) -> Result<Primitive<'a>, Failure> {
+    fn read_primitive<'a>(&self, profile: &'a [[f64; 2]]) -> Result<Primitive<'a>, Failure> {
         let gusset_net_primitive { radius, minor_radius, height, size, sides, .. } = *self;
         Ok(match self.shape {
             GUSSET_NET_PLANE => Primitive::Plane { size: [size[0], size[1]] },
@@ -140,7 +140,7 @@ pub unsafe extern "C" fn gusset_net_primitive_create(
         let given = input::read(primitive, false, "primitive")?;
         let point_count = if given.shape == GUSSET_NET_LATHE { given.profile_count } else { 0 };
         let profile: Vec<[f64; 2]> = input::copy_input_items(given.profile.cast(), point_count, "profile")?;
-        let (primitive, scalar) = (given.to_primitive(&profile)?, choice(given.scalar)?);
+        let (primitive, scalar) = (given.read_primitive(&profile)?, choice(given.scalar)?);
         let request = Request { primitive, rows: given.rows, columns: given.columns, scalar };
         Ok(gusset_net::new(request.net(job)?))
     })

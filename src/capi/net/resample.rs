@@ -79,7 +79,7 @@ pub unsafe extern "C" fn gusset_net_decimate_create(
         Ok((gusset_net::new(found.net), (deviation, found.deviation)))
     };
     create_and_tell(context, decimated, "decimated", decimated_net, |(to, deviation)| {
-        input::set_optional_output(to, deviation)
+        input::set_optional_output(to, deviation);
     })
 }
 

@@ -62,7 +62,7 @@ pub(crate) fn affine_from_numbers(values: &[f64]) -> Result<Affine, Failure> {
 c_enum! { axis: Axis { GUSSET_AXIS_X => X, GUSSET_AXIS_Y => Y, GUSSET_AXIS_Z => Z } }
 
 impl gusset_operation {
-    fn to_affine(&self) -> Result<Affine, Failure> {
+    fn read_affine(&self) -> Result<Affine, Failure> {
         let v = &self.values;
         if self.kind != GUSSET_OPERATION_COMPRESS && self.axis != 0 {
             return Err(Failure::unknown_value("axis", self.axis.into()));
@@ -92,7 +92,7 @@ fn compose_operations(operations: *const gusset_operation, count: usize) -> Resu
     let operations = input::input_items(operations, count, "operations")?;
     operations.enumerate().try_fold(Affine::IDENTITY, |chain, (k, operation)| {
         let then = |next: Affine| Ok(chain.then(&next)?);
-        operation.to_affine().and_then(then).map_err(|failure: Failure| failure.with_item(k))
+        operation.read_affine().and_then(then).map_err(|failure: Failure| failure.with_item(k))
     })
 }
 

@@ -297,7 +297,7 @@ fn suggested_values(filter: Filter, options: &ArgMatches) -> Result<Option<Vec<f
         Ok(if filter.input_kind(place) == OutputKind::Curves {
             Geometry::Curves(reading.curves(file)?)
         } else {
-            Geometry::Mesh(reading.mesh(file)?)
+            Geometry::Mesh(Box::new(reading.mesh(file)?))
         })
     };
     let geometry: Vec<Geometry> = files.iter().enumerate().map(read).collect::<Result<_, Failure>>()?;

@@ -76,7 +76,7 @@ impl Loaded {
             Ok(if filter.input_kind(place) == OutputKind::Curves {
                 Geometry::Curves(request.reading.curves(file)?)
             } else {
-                Geometry::Mesh(request.reading.mesh(file)?)
+                Geometry::Mesh(Box::new(request.reading.mesh(file)?))
             })
         };
         let geometry = request.inputs.iter().enumerate().map(read).collect::<Result<_, Failure>>()?;

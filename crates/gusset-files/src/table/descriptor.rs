@@ -10,7 +10,7 @@ pub const GUSSET_FILES_ABI: u32 = 1;
 pub const GUSSET_FILES_DONE: i32 = 0;
 /// An argument is NULL, or a text is not UTF-8.
 pub const GUSSET_FILES_BAD_ARGUMENT: i32 = 1;
-/// The file or document breaks a rule, or the format is unknown or cannot hold the document.
+/// The file or document breaks a rule, or the format is unknown or too narrow.
 pub const GUSSET_FILES_BAD_FILE: i32 = 2;
 /// Memory ran out.
 pub const GUSSET_FILES_OUT_OF_MEMORY: i32 = 3;
@@ -21,10 +21,10 @@ pub const GUSSET_FILES_INTERNAL: i32 = 4;
 pub const GUSSET_FILES_JOINED: u32 = 1;
 /// Flag of write: PLY and STL files as text.
 pub const GUSSET_FILES_TEXT: u32 = 1;
-/// Flag of write: permits rounding that moves points by more than 0.001 mean edges.
+/// Flag of write: permits moves of over 0.001 mean edges by rounding.
 pub const GUSSET_FILES_LOSSY: u32 = 2;
 
-/// Files that a file refers to: material libraries, buffers, images, scans.
+/// Files that a file names: material libraries, buffers, images, scans.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_files_folder {
@@ -32,22 +32,21 @@ pub struct gusset_files_folder {
     pub struct_size: usize,
     /// First argument of load.
     pub user: *mut c_void,
-    /// Gets the bytes of a file beside the one that is read or written. They live until the next
-    /// call or the end of the function. Nonzero: the file does not exist, or may not be read.
+    /// Gets the bytes of a file beside it, until the next call or the function's end. Nonzero: it
+    /// does not exist, or may not be read.
     pub load: Option<
         unsafe extern "C" fn(user: *mut c_void, name: *const c_char, bytes: *mut *const u8, size: *mut usize) -> i32,
     >,
 }
 
-/// Functions that read and write files in memory. Any thread may call them.
+/// Table of functions, for any thread.
 #[repr(C)]
 pub struct gusset_files {
     /// sizeof(gusset_files).
     pub struct_size: usize,
-    /// Reads a file of size bytes. name: its name, whose extension is the format. folder: NULL if
-    /// it refers to no other file. flags: GUSSET_FILES_JOINED or 0. *result receives the parts, or
-    /// the reason of a failure: part 0 is a document as JSON text, part 1 the arrays that the text
-    /// describes. Memory is at most 32 times the size of all files; O(size).
+    /// Reads a file of size bytes. name: its extension is the format. folder: may be NULL. flags:
+    /// GUSSET_FILES_JOINED or 0. Part 0 is the document's JSON text, part 1 the arrays in it; after
+    /// a failure, *result has the message. O(size) time; memory at most 32 times all files.
     pub read: unsafe extern "C" fn(
         name: *const c_char,
         bytes: *const u8,
@@ -56,10 +55,8 @@ pub struct gusset_files {
         flags: u32,
         result: *mut *mut gusset_file,
     ) -> i32,
-    /// Writes a file of a document in this form, whose arrays have size bytes. flags:
-    /// GUSSET_FILES_TEXT, GUSSET_FILES_LOSSY or 0. *result receives the parts, or the reason of a
-    /// failure: part 0 is a JSON list of the losses, part 1 the file, further parts are files
-    /// beside it, with their names.
+    /// Writes a document, whose arrays have size bytes. flags: GUSSET_FILES_TEXT, GUSSET_FILES_LOSSY
+    /// or 0. Part 0 is a JSON list of losses, part 1 the file, further parts are files beside it.
     pub write: unsafe extern "C" fn(
         name: *const c_char,
         document: *const c_char,

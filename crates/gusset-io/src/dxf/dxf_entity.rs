@@ -40,7 +40,7 @@ impl<'a> Entity<'a> {
         self.text(code).and_then(integer).unwrap_or(0)
     }
 
-    /// Returns the point whose x has a code. The codes of y and z are greater by 10 and 20. What is missing is 0.
+    /// Returns the point whose x has a code. The codes of y and z are greater by 10 and 20. Missing numbers are 0.
     pub(super) fn point(&self, code: i32) -> Vector {
         [code, code + 10, code + 20].map(|code| self.number(code).unwrap_or(0.0))
     }

@@ -82,8 +82,10 @@ fn numbers_of_code(entity: &Entity<'_>, code: i32) -> Result<Vec<f64>, ReadError
 impl Spline {
     /// Returns `None` if the numbers do not make a spline.
     fn new(entity: &Entity<'_>, points: &[Vector], frame: &Frame) -> Result<Option<Self>, ReadError> {
-        let degree = usize::try_from(entity.integer(71)).unwrap_or(0);
         let knots = numbers_of_code(entity, 40)?;
+        // Some programs leave the degree out.
+        let fitting = knots.len().saturating_sub(points.len() + 1);
+        let degree = if entity.text(71).is_some() { usize::try_from(entity.integer(71)).unwrap_or(0) } else { fitting };
         let weights = numbers_of_code(entity, 41)?;
         let is_valid = (1..=MAX_DEGREE).contains(&degree)
             && points.len() > degree

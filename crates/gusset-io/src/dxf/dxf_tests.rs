@@ -84,6 +84,8 @@ fn curves_keep_their_area() {
              0 LINE 10 0 20 2 11 0 21 0 0 LINE 10 0 20 0 11 2 21 0",
             PI,
         ),
+        // Without its degree.
+        ("0 SPLINE 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 3 20 4 10 6 20 0 0 LINE 10 6 20 0 11 0 21 0", -8.0),
         // Fit points alone.
         ("0 SPLINE 70 1 71 3 11 0 21 0 11 3 21 0 11 3 21 4", 6.0),
         // The normal points down: x is mirrored.
@@ -145,7 +147,8 @@ fn faces_become_a_mesh() {
     assert_eq!((mesh.positions.len(), mesh.face_count()), (4, 4));
     assert!(is_closed(mesh) && (area_and_volume(mesh).1 - 1000.0).abs() < 1e-9);
     assert_eq!(notes(&document), ["1 face with fewer than 3 corners left out"]);
-    let polyface = "0 POLYLINE 66 1 70 64 0 VERTEX 10 0 20 0 70 192 0 VERTEX 10 1 20 0 70 192 0 VERTEX 10 1 20 2 70 192 0 VERTEX 10 0 20 2 70 192 \
+    let polyface = "0 POLYLINE 66 1 70 64 0 VERTEX 10 0 20 0 70 192 0 VERTEX 10 1 20 0 70 192 0 VERTEX 10 1 20 2 70 192 \
+                    0 VERTEX 10 0 20 2 70 192 \
                     0 VERTEX 70 128 71 1 72 2 73 -3 74 4 0 VERTEX 70 128 71 1 72 2 73 9 0 SEQEND 0 POINT 10 1 20 2 30 3";
     let document = drawing(polyface);
     assert_eq!(document.meshes[0].corners, [0, 1, 2, 3]);

@@ -13,13 +13,16 @@ const CELL_WIDTH: f64 = 8.0;
 type Point = [f64; 3];
 
 /// Joins open polylines where exactly two ends meet. The result has the order of the first polyline of each chain.
-pub(super) fn join_outlines(curves: &Curves) -> Result<Curves, ReadError> {
-    let Positions::F64(points) = &curves.positions else { return Ok(curves.clone()) };
+pub(super) fn join_outlines(curves: Curves) -> Result<Curves, ReadError> {
+    let Positions::F64(points) = &curves.positions else { return Ok(curves) };
     let open: Vec<usize> = (0..curves.closed.len()).filter(|&curve| !curves.closed[curve]).collect();
     let range = |curve: usize| curves.offsets[curve] as usize..curves.offsets[curve + 1] as usize;
     let ends: Vec<[Point; 2]> =
         open.iter().map(|&curve| [points[range(curve).start], points[range(curve).end - 1]]).collect();
     let partners = pair_ends(&ends)?;
+    if partners.iter().all(Option::is_none) {
+        return Ok(curves);
+    }
     let chains = chain_curves(&partners);
     let mut joined = Curves::default();
     let mut all: Vec<Point> = Vec::new();
@@ -73,9 +76,8 @@ fn pair_ends(ends: &[[Point; 2]]) -> Result<Vec<Option<u32>>, ReadError> {
     };
     let diagonal = (0..3).map(|axis| extent(axis).powi(2)).sum::<f64>().sqrt();
     let distance = (RELATIVE_DISTANCE * diagonal).max(f64::MIN_POSITIVE);
-    let mut nodes: Vec<(Point, [u32; 2], u8)> = Vec::new();
-    let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
-    cells.try_reserve(flat.len())?;
+    let mut nodes: Vec<Node> = Vec::new();
+    let mut newest_in_cell: HashMap<[i64; 3], u32> = HashMap::new();
     let cell = |point: Point, shift: [f64; 3]| {
         [0, 1, 2].map(|axis| ((point[axis] + shift[axis] * distance) / (CELL_WIDTH * distance)).floor() as i64)
     };
@@ -85,34 +87,42 @@ fn pair_ends(ends: &[[Point; 2]]) -> Result<Vec<Option<u32>>, ReadError> {
         for x in low[0]..=high[0] {
             for y in low[1]..=high[1] {
                 for z in low[2]..=high[2] {
-                    let near = cells.get(&[x, y, z]).into_iter().flatten();
-                    found = found.or(near.copied().find(|&node| {
-                        let other = nodes[node as usize].0;
-                        (0..3).all(|axis| (other[axis] - point[axis]).abs() <= distance)
-                    }));
+                    let newest = newest_in_cell.get(&[x, y, z]).copied();
+                    let is_near = |node: &Node| (0..3).all(|axis| (node.point[axis] - point[axis]).abs() <= distance);
+                    let mut listed = std::iter::successors(newest, |&node| nodes[node as usize].next_in_cell);
+                    found = found.or_else(|| listed.find(|&node| is_near(&nodes[node as usize])));
                 }
             }
         }
         if let Some(node) = found {
-            let (_, listed, count) = &mut nodes[node as usize];
-            if let Some(place) = listed.get_mut(usize::from(*count)) {
+            let node = &mut nodes[node as usize];
+            if let Some(place) = node.ends.get_mut(usize::from(node.end_count)) {
                 *place = end as u32;
             }
-            *count = count.saturating_add(1);
+            node.end_count = node.end_count.saturating_add(1);
         } else {
-            cells.entry(cell(point, [0.0; 3])).or_default().push(nodes.len() as u32);
             nodes.try_reserve(1)?;
-            nodes.push((point, [end as u32, 0], 1));
+            newest_in_cell.try_reserve(1)?;
+            let next_in_cell = newest_in_cell.insert(cell(point, [0.0; 3]), nodes.len() as u32);
+            nodes.push(Node { point, ends: [end as u32, 0], end_count: 1, next_in_cell });
         }
     }
     let mut partners = vec![None; flat.len()];
-    for (_, [a, b], count) in nodes {
-        if count == 2 {
-            partners[a as usize] = Some(b);
-            partners[b as usize] = Some(a);
-        }
+    for Node { ends: [a, b], .. } in nodes.iter().filter(|node| node.end_count == 2) {
+        partners[*a as usize] = Some(*b);
+        partners[*b as usize] = Some(*a);
     }
     Ok(partners)
+}
+
+/// A place where ends meet.
+struct Node {
+    point: Point,
+    /// The first two ends.
+    ends: [u32; 2],
+    end_count: u8,
+    /// Another node of the same cell.
+    next_in_cell: Option<u32>,
 }
 
 struct Link {

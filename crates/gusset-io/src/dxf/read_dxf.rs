@@ -50,10 +50,10 @@ pub(crate) fn read_dxf(bytes: &[u8], options: &ReadOptions) -> Result<Document, 
     let points = PointCloud { positions: Positions::F64(findings.points), ..PointCloud::default() };
     let document =
         findings.faces.into_mesh(options.merge_repeated)?.map_or_else(Document::default, Document::from_mesh);
-    Ok(Document { curves: join_outlines(&curves)?, points, metres_per_unit, notes, ..document })
+    Ok(Document { curves: join_outlines(curves)?, points, metres_per_unit, notes, ..document })
 }
 
-/// What the file holds beside outlines.
+/// Content of the file beside outlines.
 struct Findings {
     has_section: bool,
     metres_per_unit: Option<f64>,

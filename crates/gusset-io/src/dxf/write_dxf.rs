@@ -22,7 +22,8 @@ pub(crate) fn write_dxf(
     _: &WriteOptions,
 ) -> Result<Vec<Loss>, WriteError> {
     let has_curves = !document.curves.closed.is_empty();
-    let has_points = !document.points.positions.is_empty() && !(has_curves && are_points_of_curves(document));
+    let has_other_points = !has_curves || !are_points_of_curves(document);
+    let has_points = has_other_points && !document.points.positions.is_empty();
     let has_meshes = document.meshes.iter().any(|mesh| !mesh.positions.is_empty());
     if has_meshes && !has_curves && !has_points {
         let message = "DXF files are written from curves and points, and there are none";

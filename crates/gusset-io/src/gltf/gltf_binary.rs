@@ -3,7 +3,7 @@
 use super::json_text::push_numbers;
 use std::collections::TryReserveError;
 
-/// What a view is for.
+/// Purpose of a view.
 #[derive(Clone, Copy)]
 pub(super) enum Target {
     Vertices,

@@ -58,15 +58,8 @@ pub(super) fn append_faces(
     if mode != Mode::Triangles {
         return append_strip(mesh, mode, &indices);
     }
-    let (triangles, rest) = indices.as_chunks::<3>();
-    if !rest.is_empty() {
-        let count = rest.len();
-        let text = format!(
-            "{count} {} after the last triangle and are ignored",
-            if count == 1 { "index follows" } else { "indices follow" }
-        );
-        notes.push(Note::new(Place::Whole, text.replace("and are", if count == 1 { "and is" } else { "and are" })));
-    }
+    note_rest(indices.len() % 3, notes);
+    let (triangles, _) = indices.as_chunks::<3>();
     let is_grouped = primitive.get("extensions").and_then(|all| all.get(POLYGON_EXTENSION)).is_some();
     let polygons = primitive.get("extras").and_then(|extras| extras.get(POLYGON_EXTRAS));
     if !is_grouped && polygons.is_none() {
@@ -101,6 +94,16 @@ pub(super) fn append_faces(
         }
     }
     append_fans(mesh, &triangles[place..], is_grouped)
+}
+
+/// Notes indices after the last triangle.
+fn note_rest(count: usize, notes: &mut Vec<Note>) {
+    let text = match count {
+        0 => return,
+        1 => "1 index follows after the last triangle and is ignored",
+        _ => "2 indices follow after the last triangle and are ignored",
+    };
+    notes.push(Note::new(Place::Whole, text));
 }
 
 fn append_face(mesh: &mut Mesh, vertices: &[u32]) -> Result<(), ReadError> {

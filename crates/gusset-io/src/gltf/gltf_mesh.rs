@@ -6,7 +6,7 @@ use super::gltf_colour::{ColourConverter, srgb_from_linear};
 use super::gltf_faces_read::{Mode, append_faces, checked_indices};
 use super::gltf_notes::Unread;
 use super::gltf_strands::{LoosePoint, Strands};
-use super::gltf_unite::{merge_equal_positions, unite_vertices};
+use super::gltf_unite::{are_origins_right, merge_equal_positions, unite_vertices};
 use super::json_tape::Value;
 use crate::budget::Budget;
 use crate::error::{Note, ReadError, ReadErrorKind};
@@ -261,7 +261,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         mesh.normals = padded(self.normals, count, [f64::NAN; 3]).map_or(Values::Absent, Values::Vertices);
         mesh.texcoords = padded(self.texcoords, count, [f64::NAN; 2]).map_or(Values::Absent, Values::Vertices);
         mesh.vertex_colours = padded(mesh.vertex_colours, count, [1.0; 4]).unwrap_or_default();
-        if self.has_origins {
+        if self.has_origins && are_origins_right(&mesh.positions, &self.origins) {
             unite_vertices(&mut mesh, &self.origins, budget)?;
         } else if self.merges {
             merge_equal_positions(&mut mesh, budget, notes)?;

@@ -25,7 +25,7 @@ pub(super) struct WrittenMesh {
     pub(super) has_polygons: bool,
 }
 
-/// What the file does not hold, over all meshes.
+/// Content of all meshes that the file does not hold.
 #[derive(Default)]
 pub(super) struct MeshLosses {
     are_positions_rounded: bool,
@@ -222,7 +222,7 @@ fn write_vertices(
     Ok(text)
 }
 
-/// Returns the faces of each material, in the order of its first face. Those without a material come last.
+/// Returns the faces of each material, in the order of its first face. Faces without a material come last.
 fn faces_by_material(mesh: &Mesh) -> Result<Vec<(u32, Vec<u32>)>, TryReserveError> {
     let count = mesh.face_count() as u32;
     let is_shown = |face: &u32| mesh.face_range(*face as usize).len() >= 3;

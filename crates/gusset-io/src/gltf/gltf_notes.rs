@@ -1,4 +1,4 @@
-//! What a file has beyond meshes, counted for the notes.
+//! Content of a file beyond meshes, counted for the notes.
 
 use super::json_tape::Value;
 use crate::error::{Note, Place};

@@ -120,7 +120,7 @@ fn reads_sparse_accessors() {
 }
 
 /// Returns the mesh of 6 points of a strip of 4 triangles, read in a mode.
-fn of_mode(mode: u32, indices: &[u16], more: &str) -> Document {
+fn document_from_mode(mode: u32, indices: &[u16], more: &str) -> Document {
     let mut points = Vec::new();
     for k in 0..6_u8 {
         points.extend([f32::from(k / 2), f32::from(k % 2), 0.0]);
@@ -150,30 +150,30 @@ fn reads_strips_fans_lines_and_points() {
             .sum::<f64>()
     };
     // The strip turns its triangles alike: from below, with area 2. A repeated index makes no face.
-    let strip = of_mode(5, &[0, 1, 2, 3, 4, 5, 5, 5], "");
+    let strip = document_from_mode(5, &[0, 1, 2, 3, 4, 5, 5, 5], "");
     assert_eq!(strip.meshes[0].face_count(), 4);
     assert_eq!(normal_sum(&strip.meshes[0]), -2.0);
-    let fan = of_mode(6, &[0, 2, 4, 5, 3, 1], "");
+    let fan = document_from_mode(6, &[0, 2, 4, 5, 3, 1], "");
     assert_eq!((fan.meshes[0].face_count(), normal_sum(&fan.meshes[0])), (4, 2.0));
-    let lines = of_mode(1, &[0, 1, 1, 3, 3, 0, 4, 5, 2], "");
+    let lines = document_from_mode(1, &[0, 1, 1, 3, 3, 0, 4, 5, 2], "");
     assert!(lines.meshes.is_empty() && lines.placements.is_empty());
     assert_eq!((&lines.curves.offsets[..], &lines.curves.closed[..]), (&[0, 3, 5][..], &[true, false][..]));
     assert_eq!(lines.curves.positions.get(2), [1.0, 1.0, 5.0]);
-    let looped = of_mode(2, &[0, 2, 3], "");
+    let looped = document_from_mode(2, &[0, 2, 3], "");
     assert_eq!(looped.curves.closed, [true]);
-    let open = of_mode(3, &[0, 2, 3], "");
+    let open = document_from_mode(3, &[0, 2, 3], "");
     assert_eq!((&open.curves.closed[..], open.curves.positions.len()), (&[false][..], 3));
-    let points = of_mode(0, &[5, 1], "");
+    let points = document_from_mode(0, &[5, 1], "");
     assert_eq!(points.points.positions, Positions::F64(vec![[2.0, 1.0, 5.0], [0.0, 1.0, 5.0]]));
 }
 
 #[test]
 fn joins_triangles_that_were_polygons() {
     let more = r#","extensions":{"FB_ngon_encoding":{}}"#;
-    let quads = of_mode(4, &[0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3], more);
+    let quads = document_from_mode(4, &[0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3], more);
     assert_eq!(quads.meshes[0].face_offsets, [0, 4, 8]);
     assert_eq!(quads.meshes[0].corners, [0, 2, 3, 1, 2, 4, 5, 3]);
-    let plain = of_mode(4, &[0, 2, 3, 0, 3, 1, 2, 4, 5, 2], "");
+    let plain = document_from_mode(4, &[0, 2, 3, 0, 3, 1, 2, 4, 5, 2], "");
     assert_eq!(plain.meshes[0].face_count(), 3);
     assert_eq!(plain.notes[0].text, "1 index follows after the last triangle and is ignored");
 }

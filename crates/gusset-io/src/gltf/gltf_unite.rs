@@ -5,6 +5,15 @@ use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError, WriteError
 use crate::mesh::{Mesh, Positions, Values};
 use crate::vertex_merging::{Coordinate, VertexMerger};
 
+/// Returns whether all vertices are where their origins are. Other programs may reorder vertices, and keep the numbers of the old order.
+pub(super) fn are_origins_right(positions: &Positions, origins: &[u32]) -> bool {
+    let is_equal = |a: f64, b: f64| a == b || (a.is_nan() && b.is_nan());
+    origins.iter().enumerate().all(|(vertex, &origin)| {
+        let (own, first) = (positions.get(vertex), positions.get(origin as usize));
+        vertex == origin as usize || (0..3).all(|axis| is_equal(own[axis], first[axis]))
+    })
+}
+
 /// Joins vertices with their origins, which `origins` lists for each vertex. Attributes that differ go to corners.
 pub(super) fn unite_vertices(mesh: &mut Mesh, origins: &[u32], budget: &mut Budget) -> Result<(), ReadError> {
     if origins.iter().enumerate().all(|(vertex, &origin)| vertex == origin as usize) {

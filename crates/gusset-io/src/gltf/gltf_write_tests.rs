@@ -103,6 +103,28 @@ fn keeps_different_vertices_at_one_place() {
 }
 
 #[test]
+fn ignores_numbers_of_vertices_that_another_program_has_moved() {
+    let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0_f32]];
+    let merge = vec![0, 1, 2, 0, 1, 5];
+    let mesh = Mesh {
+        positions: Positions::F32(points),
+        face_offsets: vec![0, 3, 6],
+        corners: (0..6).collect(),
+        merge,
+        ..Mesh::default()
+    };
+    let (mut bytes, _) = written(&Document::from_mesh(mesh), true, &NoResources);
+    let start = bytes.windows(4).position(|window| window == b"BIN\0").expect("binary") + 4;
+    // Vertices 2 and 3 change places.
+    let (a, b) = (start + 24, start + 36);
+    for byte in 0..12 {
+        bytes.swap(a + byte, b + byte);
+    }
+    let made = &read(&bytes).expect("valid").meshes[0];
+    assert_eq!((made.positions.len(), &made.merge[..]), (6, &[0, 1, 0, 3, 1, 5][..]));
+}
+
+#[test]
 fn puts_a_far_origin_into_the_node() {
     // 4.5 million metres away with steps of 0.125: 24 bits reach 0.5 there.
     let shift = [4_512_345.0, 312_000.0, 100.0];

@@ -35,7 +35,7 @@ pub(super) struct JsonError {
     pub(super) message: &'static str,
 }
 
-/// What the parser expects next.
+/// Expectation of the parser.
 #[derive(Clone, Copy, PartialEq)]
 enum Expected {
     /// A key or the end of the object.

@@ -36,7 +36,7 @@ pub(super) fn push_numbers(out: &mut String, values: &[f64]) {
     out.push(']');
 }
 
-/// What becomes of a member of an object.
+/// Treatment of a member of an object.
 pub(super) enum Edit {
     Keep,
     Drop,

@@ -7,7 +7,7 @@ use super::json_tape::Value;
 use super::meshopt_filters::{Filter, apply_filter};
 use crate::error::ReadError;
 
-/// What a compressed view holds.
+/// Content of a compressed view.
 #[derive(Clone, Copy, PartialEq)]
 enum Mode {
     Attributes,

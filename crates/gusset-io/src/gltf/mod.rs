@@ -8,13 +8,17 @@
 //! double precision. Vertices at equal positions of a mesh get a common representative, because glTF splits vertices at seams. It
 //! notes skins, animations, cameras, morph targets and further attributes, which it leaves out.
 //!
-//! Beyond the specification, the reader accepts: a byte order mark, commas before closing brackets, text after the JSON object, wrong
-//! lengths in the header, accessors that exceed their view but not the buffer, any type of number for any attribute, quaternions of
-//! any length, a scene that lists a node twice or lists nodes below others, and files without scenes or without a version. A node with
-//! two parents is an error, since a chain of such nodes can double a scene many times.
+//! Beyond the specification, the reader accepts:
+//! - a byte order mark, commas before closing brackets, and text after the JSON object;
+//! - wrong lengths in the header, and accessors that exceed their view but not the buffer;
+//! - any type of number for any attribute, and quaternions of any length;
+//! - scenes that list a node twice or list nodes below others;
+//! - files without scenes or without a version.
 //!
-//! The writer embeds images and the buffer, so that the file needs no others. It splits vertices only where corners differ, and tells
-//! from which vertex in the attribute `_VERTEX`, so that the reader joins them again. Polygons are fans by `FB_ngon_encoding`; those
+//! A node with two parents is an error, since a chain of such nodes can double a scene many times.
+//!
+//! The writer embeds images and the buffer, so that the file needs no others. It splits vertices only where corners differ. The
+//! attribute `_VERTEX` tells from which vertex each one was split, and the reader joins them again. Polygons are fans by `FB_ngon_encoding`; those
 //! that no fan covers are listed in `extras`. If single precision would move points that are far from the origin, the node's
 //! translation holds the distance.
 //!

@@ -18,7 +18,7 @@ use crate::resources::Resources;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// Required extensions that change nothing which is read, besides those of materials and textures.
+/// Required extensions that change nothing which is read, besides extensions of materials and textures.
 const HARMLESS_EXTENSIONS: [&str; 8] = [
     POLYGON_EXTENSION,
     "KHR_mesh_quantization",

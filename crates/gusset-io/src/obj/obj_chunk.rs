@@ -83,7 +83,7 @@ impl Tally {
     }
 }
 
-/// What the reader leaves out or changes.
+/// Content that the reader leaves out or changes.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Omission {
     SmallFaces,
@@ -147,13 +147,13 @@ pub(super) struct Lists {
 #[derive(Debug, Default)]
 pub(super) struct Chunk<'a> {
     pub(super) positions: Vec<[f64; 3]>,
-    /// Of the first vertices; those behind them are white.
+    /// Colours of the first vertices; later vertices are white.
     pub(super) colours: Vec<[f32; 4]>,
     pub(super) normals: Vec<[f64; 3]>,
     pub(super) texcoords: Vec<[f64; 2]>,
     /// End of each face's corners.
     pub(super) face_ends: Vec<u32>,
-    /// Encoded indices of corners; those of normals and texture coordinates may end early.
+    /// Encoded indices of corners; lists of normals and texture coordinates may end early.
     pub(super) corners: Vec<u32>,
     pub(super) corner_normals: Vec<u32>,
     pub(super) corner_texcoords: Vec<u32>,
@@ -193,8 +193,8 @@ fn encoded(index: i64, count: usize) -> u32 {
     }
 }
 
-/// Returns the index that an encoded one means, or `None` if there is no such element. `start` counts the elements before the chunk,
-/// `count` those of the file.
+/// Decodes an index. Returns `None` if the element does not exist. `start` counts the elements before the chunk, and `count` the elements
+/// of the file.
 #[inline]
 pub(super) fn decoded(index: u32, start: usize, count: usize) -> Option<u32> {
     let meant = if index < RELATIVE {
@@ -397,7 +397,7 @@ fn push_at(values: &mut Vec<u32>, place: usize, value: u32) -> Result<(), TryRes
     push(values, value)
 }
 
-/// Reads up to `N` numbers. Those that are missing are 0, and further ones are ignored.
+/// Reads up to `N` numbers. Missing numbers are 0, and further ones are ignored.
 #[inline]
 fn attribute<const N: usize>(cursor: &mut Cursor<'_>, element: Element, index: usize) -> Result<[f64; N], Flaw> {
     let mut value = [0.0; N];

@@ -2,7 +2,7 @@
 
 use crate::text;
 
-/// What a statement says.
+/// Kind of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Keyword {
     Vertex,

@@ -48,7 +48,7 @@ fn objects_that_share_vertices_are_one_mesh() {
     for text in [
         format!("o a\n{TRIANGLE}o b\nf 1 3 2\n"),
         format!("o a\n{TRIANGLE}o b\n{TRIANGLE}f 1 4 5\n"),
-        format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no a\nf 1 2 3\no b\nf 1 2 4\n"),
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no a\nf 1 2 3\no b\nf 1 2 4\n".to_owned(),
         // The loose vertex would be lost.
         format!("o a\n{TRIANGLE}o loose\nv 5 5 5\no b\n{TRIANGLE}"),
         // A face of the first object names a later vertex.

@@ -1,4 +1,4 @@
-//! What the reader of OBJ files accepts, and what it says.
+//! Files that the reader of OBJ accepts, and its notes.
 
 use super::obj_assembly::read_content_in_chunks;
 use super::read_obj;

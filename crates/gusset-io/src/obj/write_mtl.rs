@@ -76,7 +76,7 @@ pub(super) fn one_line(name: &str) -> String {
     name.replace(char::is_control, "_").trim().to_string()
 }
 
-/// Writes the library of the materials and the images that are in no file. Returns its name; `None` if there are no materials.
+/// Writes the library of the materials, and the images without a file. Returns its name; `None` without materials.
 pub(super) fn write_library(
     document: &Document,
     materials: &UsedMaterials,
@@ -194,7 +194,7 @@ fn image_extension(bytes: &[u8], media_type: &str) -> &'static str {
     }
 }
 
-/// Returns whether a glTF material says more than what MTL files get: names of JSON members other than those of base colours.
+/// Returns whether a glTF material says more than what MTL files get: names of JSON members except base colours.
 fn has_more_than_colour(material: &Material) -> bool {
     const KEPT: [&str; 10] = [
         "name",

@@ -1,4 +1,4 @@
-//! What OBJ files say of documents, and what reads back.
+//! Written OBJ files, and the documents that they give back.
 
 use super::mtl_tests::Files;
 use super::obj_tests::{is_closed, read, volume};

@@ -1,6 +1,6 @@
 //! The word with which OFF files begin.
 
-/// What the letters before `OFF` tell.
+/// Meaning of the letters before `OFF`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct OffHeader {
     pub(super) has_texcoords: bool,

@@ -134,14 +134,14 @@ fn errors_name_line_and_element() {
 fn binary_file() -> Vec<u8> {
     let mut bytes = b"COFF BINARY\n".to_vec();
     let mut add = |value: u32| bytes.extend(value.to_be_bytes());
-    [4, 4, 0].map(&mut add);
+    [4, 4, 0].into_iter().for_each(&mut add);
     for point in [[0.0_f32; 3], [30.0, 0.0, 0.0], [0.0, 20.0, 0.0], [0.0, 0.0, 10.0]] {
-        point.map(|part| add(part.to_bits()));
-        [1.0_f32, 0.5, 0.0, 1.0].map(|part| add(part.to_bits()));
+        point.into_iter().for_each(|part| add(part.to_bits()));
+        [1.0_f32, 0.5, 0.0, 1.0].into_iter().for_each(|part| add(part.to_bits()));
     }
     for face in [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]] {
         add(3);
-        face.map(&mut add);
+        face.into_iter().for_each(&mut add);
         add(0);
     }
     bytes

@@ -29,7 +29,7 @@ pub(crate) fn read_off(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadEr
     Ok(document_from_mesh(reader.mesh, reader.notes))
 }
 
-/// Makes a document of a mesh, or of points if there are no faces.
+/// Makes a document of a mesh, or of points without faces.
 pub(super) fn document_from_mesh(mesh: Mesh, notes: Vec<Note>) -> Document {
     if mesh.face_count() > 0 || mesh.positions.is_empty() {
         return Document { notes, ..Document::from_mesh(mesh) };

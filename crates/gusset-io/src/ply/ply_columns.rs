@@ -60,7 +60,7 @@ pub(super) struct FaceColumns {
 }
 
 impl FaceColumns {
-    /// Returns `None` if no list can be that of the vertices.
+    /// Returns `None` if no list can name vertices.
     pub(super) fn find(element: &Element<'_>) -> Option<Self> {
         let vertices = index_list(element)?;
         let texcoord = element.find(&["texcoord"], true);

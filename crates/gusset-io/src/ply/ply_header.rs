@@ -154,6 +154,9 @@ pub(super) struct Header<'a> {
     pub(super) notes: Vec<Note>,
 }
 
+/// Most notes about one part of a file.
+pub(super) const MAX_NOTES: usize = 16;
+
 /// Lines that end with a line feed, or with a carriage return if the first line does.
 struct Lines<'a> {
     bytes: &'a [u8],
@@ -219,12 +222,12 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<Header<'_>, ReadError> {
                 element.columns.try_reserve(1)?;
                 element.columns.push(column);
             }
-            _ => {
-                return Err(lines.error(format!(
-                    "{} is not a word of PLY headers: use format, element, property, comment or obj_info",
-                    quoted(words[0])
-                )));
+            // Some programs write remarks without a word before them.
+            _ if header.notes.len() < MAX_NOTES => {
+                let text = format!("{} is not a word of PLY headers; the line is ignored", quoted(words[0]));
+                header.notes.push(Note::new(Place::Line(lines.line), text));
             }
+            _ => {}
         }
     }
     header.encoding = encoding.ok_or_else(|| lines.error("the header lacks the line \"format\""))?;

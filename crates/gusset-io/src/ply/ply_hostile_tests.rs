@@ -25,10 +25,7 @@ fn invalid_files_are_explained() {
             "3: \"long\" is not a type: use uchar, int, float, double or another",
         ),
         ("ply\nelement vertex 1\nproperty list int x\n", "3: a property needs a type and a name: \"property float x\""),
-        (
-            "ply\nfarmat ascii 1.0\n",
-            "2: \"farmat\" is not a word of PLY headers: use format, element, property, comment or obj_info",
-        ),
+        ("ply\nfarmat ascii 1.0\n", "2: the file ends before \"end_header\""),
         (&body("element vertex 1\nproperty float x\n", "1"), "the vertices lack the properties x, y and z"),
         (&body(&format!("{xyz}element face 1\nproperty int a\n"), "0 0 0 1"), "the faces lack the list vertex_indices"),
         (&body(&xyz, "0 0\nzero"), "9: vertex 0: \"zero\" is not a number"),
@@ -140,4 +137,17 @@ proptest! {
             prop_assert_eq!(faces(&back), faces(&document));
         }
     }
+}
+
+/// VCGLIB writes a list that the header calls four numbers, and some programs leave out the word before a remark.
+#[test]
+fn surplus_words_and_bare_remarks_are_ignored() {
+    let text = "ply\nformat ascii 1.0\nCreated by hand\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+                element face 2\nproperty list uchar int vertex_indices\nproperty uchar red\nend_header\n\
+                0 0 0\n1 0 0\n0 1 0\n3 0 1 2 9 1 1 1 1\n3 0 2 1 9 1 1 1 1\n";
+    let document = read(text);
+    assert_eq!(document.meshes[0].corners, [0, 1, 2, 0, 2, 1]);
+    let notes: Vec<_> = document.notes.iter().map(|note| (note.place, note.text.as_str())).collect();
+    assert_eq!(notes[0], (Place::Line(3), "\"Created\" is not a word of PLY headers; the line is ignored"));
+    assert!(notes.iter().any(|(place, text)| *place == Place::Line(15) && text.starts_with("2 rows have more words")));
 }

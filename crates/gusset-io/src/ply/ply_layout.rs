@@ -1,4 +1,4 @@
-//! What a written PLY file holds, and in which types.
+//! Content and types of a written PLY file.
 
 use crate::document::{Document, PointCloud};
 use crate::error::printable;

@@ -243,10 +243,13 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
     }
 }
 
-/// Rows of words. Ends of lines mean nothing.
+/// Rows of words. If the file has a line for each row, surplus words of a line are ignored. Otherwise ends of lines mean nothing.
 pub(super) struct TextRows<'a> {
     scanner: Scanner<'a>,
     size: usize,
+    has_line_for_each_row: bool,
+    /// Number of rows with surplus words, and the first of their lines.
+    surplus: (u64, u64),
     /// Numbers of the current row.
     numbers: Vec<f64>,
     /// Start and length of each column in `numbers`.
@@ -256,7 +259,27 @@ pub(super) struct TextRows<'a> {
 impl<'a> TextRows<'a> {
     pub(super) fn new(bytes: &'a [u8], header: &Header<'_>) -> Self {
         let scanner = Scanner::new_at(bytes, header.size, header.line, None);
-        Self { scanner, size: bytes.len(), numbers: Vec::new(), cells: Vec::new() }
+        let rows: u64 = header.elements.iter().map(|element| element.count).fold(0, u64::saturating_add);
+        let lines = bytes[header.size..].iter().filter(|&&byte| byte == b'\n').count() as u64 + 1;
+        Self {
+            scanner,
+            size: bytes.len(),
+            has_line_for_each_row: lines >= rows,
+            surplus: (0, 0),
+            numbers: Vec::new(),
+            cells: Vec::new(),
+        }
+    }
+
+    /// Skips words that follow a row in its line.
+    fn skip_surplus(&mut self) {
+        if self.has_line_for_each_row && self.scanner.word_in_line().is_some() {
+            self.scanner.rest_of_line();
+            if self.surplus.0 == 0 {
+                self.surplus.1 = self.scanner.line();
+            }
+            self.surplus.0 += 1;
+        }
     }
 
     /// Reads a number. Rounds to single precision once only.
@@ -307,6 +330,7 @@ impl Rows for TextRows<'_> {
                 self.numbers.push(value);
             }
         }
+        self.skip_surplus();
         Ok(())
     }
 
@@ -327,6 +351,13 @@ impl Rows for TextRows<'_> {
     }
 
     fn note_rest(&mut self) -> Option<Note> {
+        if self.surplus.0 > 0 {
+            let text = format!(
+                "{} rows have more words than their element has properties; the words are ignored",
+                self.surplus.0
+            );
+            return Some(Note::new(Place::Line(self.surplus.1), text));
+        }
         self.scanner.word()?;
         Some(Note::new(Place::Line(self.scanner.line()), "this line and the rest follow the last row and are ignored"))
     }

@@ -65,7 +65,7 @@ fn distance(mesh: &Mesh, a: u32, b: u32) -> f32 {
 /// Bits that each pass of the selection decides: their place and number.
 const PASSES: [[u32; 2]; 3] = [[21, 11], [10, 11], [0, 10]];
 
-/// Returns the median of the lengths of all triangles' edges, except those of length 0. Selects it by the upper bits of the lengths
+/// Returns the median of all positive lengths of triangles' edges. Selects it by the upper bits of the lengths
 /// first, so that no list of lengths is needed.
 fn median_edge(mesh: &Mesh, grid: &[u32], columns: usize) -> Option<f32> {
     let mut found = 0;
@@ -85,7 +85,7 @@ fn median_edge(mesh: &Mesh, grid: &[u32], columns: usize) -> Option<f32> {
     Some(f32::from_bits(found))
 }
 
-/// Calls `visit` with the lengths of all triangles' edges, except those of length 0.
+/// Calls `visit` with all positive lengths of triangles' edges.
 fn visit_edges(mesh: &Mesh, grid: &[u32], columns: usize, mut visit: impl FnMut(f32)) {
     let mut rows = grid.chunks_exact(columns);
     let Some(mut above) = rows.next() else { return };

@@ -2,7 +2,7 @@
 
 use super::ply_columns::{FaceColumns, VertexColumns, index_list, other_lists, share_properties};
 use super::ply_faces::FaceParts;
-use super::ply_header::{Column, Element, Encoding, Header, read_header};
+use super::ply_header::{Column, Element, Encoding, Header, MAX_NOTES, read_header};
 use super::ply_rows::{BinaryRows, Rows, TextRows, believed_count};
 use super::ply_vertices::{VertexParts, read_vertices};
 use super::range_grid::{UNSEEN, add_range_faces};
@@ -23,7 +23,7 @@ pub(crate) fn read_ply(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadEr
     content.into_document(&header)
 }
 
-/// What the reader makes of an element.
+/// Role of an element.
 enum Role {
     Vertices(Box<VertexColumns>),
     Faces(Box<FaceColumns>),
@@ -143,7 +143,6 @@ impl Content {
     }
 
     fn note_left_over(&mut self, header: &Header<'_>, roles: &[Role]) {
-        const MAX_NOTES: usize = 16;
         for (element, role) in header.elements.iter().zip(roles).filter(|(element, _)| element.count > 0) {
             let lists = match role {
                 Role::Vertices(_) => other_lists(element, &[]),

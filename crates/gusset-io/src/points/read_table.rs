@@ -106,11 +106,8 @@ impl<'a> TableReader<'a> {
             if let Some(columns) = TableColumns::from_names(&names).filter(|_| has_names) {
                 let mut places = columns.coordinates.iter().flatten();
                 let has_number = places.clone().any(|&column| fields.get(column).is_some_and(|field| is_number(field)));
-                return (has_number && places.all(|&column| is_row(column))).then(|| TableLayout {
-                    style,
-                    columns,
-                    count,
-                });
+                let is_numbered = has_number && places.all(|&column| is_row(column));
+                return is_numbered.then_some(TableLayout { style, columns, count });
             }
             let is_row = count >= 2 && is_number(fields[0]) && is_number(fields[1]) && (2..count).all(is_row);
             is_row.then(|| TableLayout { style, columns: TableColumns::from_count(count), count })
@@ -129,7 +126,7 @@ impl<'a> TableReader<'a> {
             match self.fields.get(column) {
                 None if layout.style.separator == b' ' => {
                     let numbers = counted(self.fields.len(), "number", "numbers");
-                    return Err(self.error(format!("{numbers}; the first row has {}", layout.count)));
+                    return Err(self.error(&format!("{numbers}; the first row has {}", layout.count)));
                 }
                 None | Some([]) => {
                     self.incomplete_rows += 1;
@@ -137,7 +134,7 @@ impl<'a> TableReader<'a> {
                 }
                 Some(field) => {
                     point[axis] = layout.style.number(field).ok_or_else(|| {
-                        self.error(format!("column {}: {} is not a number", column + 1, quoted(field)))
+                        self.error(&format!("column {}: {} is not a number", column + 1, quoted(field)))
                     })?;
                 }
             }
@@ -155,7 +152,7 @@ impl<'a> TableReader<'a> {
         line == self.header || (self.is_break && !self.points.is_empty() && !self.fields.iter().any(is_number))
     }
 
-    fn error(&self, message: String) -> ReadError {
+    fn error(&self, message: &str) -> ReadError {
         ReadError::malformed(Place::Line(self.line), format!("point {}: {message}", self.points.len()))
     }
 

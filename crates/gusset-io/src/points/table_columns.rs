@@ -1,4 +1,4 @@
-//! What the columns of a table hold.
+//! Meaning of the columns of a table.
 
 /// Most columns that separate polylines.
 const MAX_GROUP_COLUMNS: usize = 7;

@@ -115,7 +115,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Makes names of files relative to the list's folder, and numbers images behind those of earlier scans.
+/// Makes names of files relative to the list's folder, and numbers images after the images of earlier scans.
 fn rename_files(scan: &mut Document, folder: &str, image_start: u32) {
     for image in &mut scan.images {
         if let ImageData::File(name) = &mut image.data
@@ -166,7 +166,7 @@ fn append_if_complete<T>(
     Ok(())
 }
 
-/// Appends positions. Those of a pose that changes nothing keep their bits.
+/// Appends positions. Positions under the identity keep their bits.
 fn append_positions(all: &mut Positions, added: Positions, pose: &Pose) -> Result<(), ReadError> {
     let is_moved = *pose != Placement::IDENTITY;
     if all.is_empty() && !is_moved {

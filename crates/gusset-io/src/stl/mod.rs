@@ -3,7 +3,7 @@
 //! The source is the "StereoLithography Interface Specification" of 3D Systems (1989). Binary files have a header of 80 bytes, a count,
 //! and 50 bytes for each facet in little-endian order. Text files have words. Both repeat positions for each facet, so the reader merges
 //! vertices at equal positions, unless [`ReadOptions::merge_repeated`](crate::ReadOptions::merge_repeated) is off. Positions of binary
-//! files are of single precision, and those of text files are read in double precision. Normals follow from the corners and are ignored.
+//! files have single precision, and text files are read in double precision. Normals follow from the corners and are ignored.
 //!
 //! The reader also accepts:
 //! - Binary files whose header begins with `solid`: the size, or what follows the first line, decides.

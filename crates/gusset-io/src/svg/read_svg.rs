@@ -85,7 +85,7 @@ fn attribute_values(element: &BytesStart<'_>) -> Vec<(String, String)> {
     values
 }
 
-/// What the file tells beside outlines.
+/// Content of the file beside outlines.
 #[derive(Default)]
 struct Findings {
     has_root: bool,

@@ -170,7 +170,8 @@ fn drawings_come_back_as_they_were() {
 proptest! {
     #[test]
     fn mutations_never_panic(changes in mutations()) {
-        let mut bytes = b"<svg width='9mm' viewBox='0 0 9 9'><g transform='rotate(3 1 2)'><path id='a' d='M0 0c1 2 3 4 5 6A1 2 3 01 4 5q1 2 3 4z'/>\
+        let mut bytes = b"<svg width='9mm' viewBox='0 0 9 9'><g transform='rotate(3 1 2)'>\
+            <path id='a' d='M0 0c1 2 3 4 5 6A1 2 3 01 4 5q1 2 3 4z'/>\
             <rect width='5' height='4' rx='1'/><use href='#a' x='1'/><circle r='3'/><polygon points='1,2 3,4 5,6'/></g></svg>".to_vec();
         mutate(&mut bytes, &changes);
         if let Ok(document) = read_svg(&bytes, &ReadOptions::default()) {

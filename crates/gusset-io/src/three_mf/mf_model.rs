@@ -1,4 +1,4 @@
-//! What a model part holds: objects, groups of properties, and items to build.
+//! Content of a model part: objects, groups of properties, and items to build.
 
 use crate::mesh::Mesh;
 use std::collections::BTreeMap;

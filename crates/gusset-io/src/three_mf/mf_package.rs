@@ -97,7 +97,7 @@ fn not_a_package(bytes: &[u8]) -> ReadError {
     ReadError::malformed(Place::Whole, message)
 }
 
-/// What a reader of a part may still read.
+/// Bytes that a reader of a part may still read.
 #[derive(Clone)]
 struct Limits {
     left: Rc<Cell<u64>>,

@@ -139,7 +139,7 @@ fn product(outer: &Matrix, inner: &Matrix) -> Matrix {
     })
 }
 
-/// Items of a file that builds nothing: its objects that are no components.
+/// Items of a file that builds nothing: its objects that no component names.
 fn free_objects(model: &Model) -> Vec<Component> {
     let used: BTreeSet<ResourceId> =
         model.objects.values().flat_map(|object| &object.components).map(|component| component.object).collect();

@@ -87,7 +87,7 @@ fn check_positions(document: &Document) -> Result<(), WriteError> {
     Ok(())
 }
 
-/// What the file does not hold.
+/// Content that the file does not hold.
 #[derive(Default)]
 struct Losses {
     polygons: usize,
@@ -140,7 +140,7 @@ fn unit_name(metres: Option<f64>) -> Option<&'static str> {
     UNITS.iter().find(|(_, own)| (own - metres).abs() <= 1e-9 * own).map(|(name, _)| *name)
 }
 
-/// What the triangles of a mesh refer to.
+/// Properties of a mesh's triangles.
 enum Properties {
     None,
     /// A material for each triangle.

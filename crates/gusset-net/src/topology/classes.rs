@@ -50,7 +50,7 @@ impl NodeClasses {
         let mut sets = DisjointSets::from_parents(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
         match &topology.links {
             ContractedLinks::Sides(sides) => {
-                sides.contracted_links(shape).for_each(|link| unite_ends(&mut sets, shape.ends(link)))
+                sides.contracted_links(shape).for_each(|link| unite_ends(&mut sets, shape.ends(link)));
             }
             ContractedLinks::Matrix(matrix) => unite_link_ends(&mut sets, shape, matrix, &job.part(0.3, 0.7), stage)?,
         }

@@ -168,10 +168,10 @@ pub(super) fn find_side_minima<const N: usize>(patch: &Patch<N>, query: DVec3, m
     let turned = patch.transposed();
     for (side, at) in [(0, 0.0), (N - 1, 1.0)] {
         find_minima_along_curve(&patch.points[side], query, |t| {
-            add_if_minimum(patch, query, DVec2::new(at, t), &mut add)
+            add_if_minimum(patch, query, DVec2::new(at, t), &mut add);
         });
         find_minima_along_curve(&turned.points[side], query, |t| {
-            add_if_minimum(patch, query, DVec2::new(t, at), &mut add)
+            add_if_minimum(patch, query, DVec2::new(t, at), &mut add);
         });
     }
 }

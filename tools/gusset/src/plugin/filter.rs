@@ -4,7 +4,7 @@ use super::host::{Callbacks, Watcher};
 use super::inputs::Inputs;
 use super::library::Plugin;
 use super::outputs::{Outputs, RunError};
-use super::table_text;
+use super::static_text;
 use gusset::capi::plugin::descriptor::*;
 use std::ptr;
 
@@ -60,28 +60,27 @@ impl Filter {
     }
 
     pub(crate) fn id(self) -> &'static str {
-        // SAFETY: a text of the tables; so are the next ones.
-        unsafe { table_text(self.raw.id) }
+        static_text(self.raw.id)
     }
 
     pub(crate) fn name(self) -> &'static str {
-        unsafe { table_text(self.raw.name) }
+        static_text(self.raw.name)
     }
 
     pub(crate) fn script_name(self) -> &'static str {
-        unsafe { table_text(self.raw.script_name) }
+        static_text(self.raw.script_name)
     }
 
     pub(crate) fn category(self) -> &'static str {
-        unsafe { table_text(self.raw.category) }
+        static_text(self.raw.category)
     }
 
     pub(crate) fn help(self) -> &'static str {
-        unsafe { table_text(self.raw.help) }
+        static_text(self.raw.help)
     }
 
     pub(crate) fn reference(self) -> &'static str {
-        unsafe { table_text(self.raw.reference) }
+        static_text(self.raw.reference)
     }
 
     pub(crate) fn min_inputs(self) -> usize {
@@ -213,16 +212,15 @@ pub(crate) enum ParamKind {
 
 impl Param {
     pub(crate) fn id(self) -> &'static str {
-        // SAFETY: a text of the tables; so are the next ones.
-        unsafe { table_text(self.raw.id) }
+        static_text(self.raw.id)
     }
 
     pub(crate) fn label(self) -> &'static str {
-        unsafe { table_text(self.raw.label) }
+        static_text(self.raw.label)
     }
 
     pub(crate) fn help(self) -> &'static str {
-        unsafe { table_text(self.raw.help) }
+        static_text(self.raw.help)
     }
 
     pub(crate) fn kind(self) -> ParamKind {
@@ -264,7 +262,7 @@ impl Param {
         // SAFETY: the table has this many choices, with texts that live as long as the plugin.
         unsafe {
             let choices = std::slice::from_raw_parts(self.raw.choices, self.raw.choice_count as usize);
-            choices.iter().map(|choice| (table_text(choice.label), table_text(choice.help))).collect()
+            choices.iter().map(|choice| (static_text(choice.label), static_text(choice.help))).collect()
         }
     }
 }

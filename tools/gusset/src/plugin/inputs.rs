@@ -9,7 +9,7 @@ use std::ptr;
 /// A mesh or curves.
 #[derive(Clone, Debug)]
 pub(crate) enum Geometry {
-    Mesh(Piece),
+    Mesh(Box<Piece>),
     Curves(Curves),
 }
 

@@ -17,7 +17,13 @@ pub(crate) use outputs::{Channel, Domain, Origins, Outputs, Rule, RunError};
 
 use std::ffi::{CStr, c_char};
 
-/// Returns a text of the plugin's tables.
+/// Returns a text of the plugin's tables, which live as long as the plugin.
+fn static_text(text: *const c_char) -> &'static str {
+    // SAFETY: the plugin promises C strings.
+    unsafe { table_text(text) }
+}
+
+/// Returns a text of the plugin.
 ///
 /// # Safety
 /// `text` is NULL or a C string that lives as long as the plugin.

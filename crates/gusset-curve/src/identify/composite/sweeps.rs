@@ -78,7 +78,7 @@ pub(super) fn solve_by_sweeps(
     for i in sub.section_indices() {
         match lock {
             _ if solution.fell_back[i] || solution.missed_guide[i] => {
-                out.results[i].flag_status(PointStatus::NoCrossing)
+                out.results[i].flag_status(PointStatus::NoCrossing);
             }
             Lock::SelfConsistent if !(low < solution.t[i] && solution.t[i] < high) => {
                 out.results[i].flag_status(PointStatus::ClampedParameter);

@@ -71,7 +71,7 @@ pub(super) fn divide_along_creases(
         match (join, limit) {
             (&CreaseJoin::Pair(pair), _) => bridges.join_two_ends(pair, taken, limit)?,
             (CreaseJoin::Star { centre, arms }, Some(limit)) if limit > 0 => {
-                bridges.join_ends_at_point(*centre, arms, limit)?
+                bridges.join_ends_at_point(*centre, arms, limit)?;
             }
             (CreaseJoin::Star { .. }, _) => {}
         }

@@ -80,7 +80,7 @@ pub(super) fn search_coarse_to_fine(
             }
             // Forbidden meridians close the band: the path lies farther out.
             None if !rims.forbidden.is_empty() && width < 4 * n.max(m) => {
-                band = LatticeBand::around_path(&path, n, m, width)?
+                band = LatticeBand::around_path(&path, n, m, width)?;
             }
             None => return Ok(None),
         }

@@ -190,7 +190,7 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
         let rows = if i.is_multiple_of(2) { [odd, even] } else { [even, odd] };
         match self.cost {
             PathCost::StepCosts(metric) => {
-                metric.compute_step_costs(self.rims.a, &self.line, i, columns, &mut self.steps[0])
+                metric.compute_step_costs(self.rims.a, &self.line, i, columns, &mut self.steps[0]);
             }
             PathCost::Bends(bends) => bends.compute_row_costs(i, columns, rows, &mut self.steps),
         }
