@@ -44,21 +44,21 @@ class OutlineOptions(TypedDict, total=False):
     joint: choices.JointParameter
     #: Method of solution.
     solver: choices.OutlineSolver
-    #: For open outlines and parts between corners. A constraint on the end tangent takes precedence.
+    #: For open outlines and parts between corners; constraints take precedence.
     ends: choices.OutlineEnds
     #: 0 to 1.
     alpha: float
-    #: Composite parameters are clamped to this and 1 minus this: 0.001 to 1/2; 0: 1/6.
+    #: Composite parameters are clamped to this and 1 - this: 0.001 to 1/2; 0: 1/6.
     parameter_limit: float
-    #: Largest distance of neighbours that are merged, below 1; 0: 1e-12. 1e-300 merges equal points only.
+    #: Largest distance of merged neighbours, below 1; 0: 1e-12. 1e-300 merges equal points only.
     repeat_tolerance: float
-    #: Points where the polygon turns by more are corners. At least 0; 0, or pi and more: none.
+    #: Points where the polygon turns by more are corners; at least 0; 0, or pi and more: none.
     corner_angle: float
     #: Iterations end when no move exceeds it; below 1; 0: 1e-12.
     tolerance: float
-    #: Maximum sweeps or iterations between two corners; 0: 200.
+    #: Most sweeps or iterations between corners; 0: 200.
     max_sweeps: int
-    #: Maximum steps at a point in a sweep; 0: 20,000.
+    #: Most steps at a point in a sweep; 0: 20,000.
     max_steps: int
 
 
@@ -67,7 +67,7 @@ class OffsetOptions(TypedDict, total=False):
 
     #: Wanted deviation, above 0.
     tolerance: float
-    #: No segment is halved at this number of segments; 0: 65536.
+    #: Halving stops at this many segments; 0: 65536.
     max_segments: int
     #: Degree of segments, 2 or 3; 0: 3.
     degree: int
@@ -80,9 +80,8 @@ class StitchOptions(TypedDict, total=False):
     meridians: choices.Meridians
     #: Treatment of opposite orientations.
     orientation: choices.Orientation
-    #: Shift of the first meridian along rim B, in vertices, from the closest pair that no edge joins. Counted in the
-    #: direction of rim A, modulo the length of rim B. If not 0, no other start is tried. Must be 0 if arcs are joined
-    #: (OUT_OF_RANGE).
+    #: Shift of the first meridian along rim B from the closest pair that no edge joins. Counted in vertices in the
+    #: direction of rim A, modulo rim B. If not 0, no other start is tried. 0 for arcs (OUT_OF_RANGE).
     twist: int
     #: Part of the loops to join.
     extent: choices.StitchExtent
@@ -96,11 +95,10 @@ class StitchOptions(TypedDict, total=False):
     cells: choices.StripCells
     #: Source of the tolerance.
     tolerance_mode: choices.ToleranceMode
-    #: Facing vertices are farther than this from the plane of their loop. In the unit of the positions; finite, at
-    #: least 0.
+    #: Facing vertices are farther than this from the plane of their loop; finite, at least 0.
     tolerance: float
-    #: First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and
-    #: may pass its end.
+    #: First index on loop A as given, and number of vertices, 1 to the loop's length. The arc may pass the loop's
+    #: end.
     arc_a: Sequence[int]
     #: As arc_a, for loop B.
     arc_b: Sequence[int]
@@ -108,13 +106,13 @@ class StitchOptions(TypedDict, total=False):
     search: choices.StripSearch
     #: First meridian of a closed strip.
     start: choices.StripStart
-    #: Positions of interior rows; ignored without rows, with a log message if set.
+    #: Positions of interior rows; ignored without rows.
     fairing: choices.Fairing
-    #: The treatment of faces that intersect each other.
+    #: Treatment of intersecting faces.
     intersections: choices.Intersections
     #: Centre of a loop.
     centres: choices.Centres
-    #: The side that closed components of a result face.
+    #: Side that closed components face.
     outward: choices.Outward
     #: Surface between the rims.
     finish: choices.Finish
@@ -127,37 +125,36 @@ class FillOptions(TypedDict, total=False):
     weight: choices.FillWeight
     #: New vertices of patches.
     refine: choices.FillRefinement
-    #: Fairing of new vertices. Without new vertices it is ignored, and the log says so.
+    #: Fairing; ignored without new vertices.
     fairing: choices.Fairing
-    #: Loops that stay open. Read only if all loops are selected.
+    #: Loops that stay open, if all loops are selected.
     keep: choices.FillKeep
-    #: Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO avoids them, REPORT
-    #: reports them, IGNORE does not look for them.
+    #: Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE ignores them.
     intersections: choices.Intersections
-    #: If 1, fills and turns over nothing. The report says which loops would be filled, by which weight and finish. It
-    #: does not predict failed triangulations or shared patches.
+    #: 1: changes nothing, but reports which loops would be filled, by which weight and finish. Failed triangulations
+    #: and shared patches are not predicted.
     plan_only: bool
-    #: Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most twofold. 0:
-    #: 50,000, or 4 for each rim vertex if more, and as many again for sharp angles there.
+    #: Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most twofold. 0: 50,000, or
+    #: 4 a rim vertex if more; twice that for sharp angles.
     max_new_vertices: int
     #: Most edges of a loop to fill. 0: no limit.
     max_edges: int
     #: Largest length of a loop to fill, at least 0. 0: no limit.
     max_length: float
-    #: Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
+    #: Largest diagonal of the loop's axis-aligned box, likewise.
     max_diameter: float
-    #: Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
+    #: Largest area, as in gusset_hole, likewise.
     max_area: float
-    #: Orientation of closed components of the result, patches included.
+    #: For closed components of the result, patches included.
     outward: choices.Outward
-    #: Choice of loops that share a patch. Read only without groups.
+    #: Loops that share a patch, if groups is NULL.
     together: choices.FillTogether
-    #: Group number of each given loop, loop_count in all. Loops with equal numbers share a patch of genus 0, without
-    #: loops left open for their own reasons. NULL: see together.
+    #: Group of each given loop, loop_count in all. Loops of a group share a patch of genus 0, without loops left open
+    #: for their own reasons. NULL: see together.
     groups: ArrayLike
     #: Smoothness between faired patches and the old surface.
     continuity: choices.FillContinuity
-    #: If 1, creases of the old surface end at the rim.
+    #: 1: creases of the old surface end at the rim.
     ignore_creases: bool
 
 
@@ -172,7 +169,7 @@ class StripOptions(TypedDict, total=False):
     start: choices.StripStart
     #: 1 if the polylines are closed.
     closed: bool
-    #: Number of interior rows; the mean edge is of both polylines.
+    #: Number of interior rows; mean edges are of both polylines.
     rows: choices.RowRule
     #: Interior rows.
     row_count: int
@@ -185,13 +182,12 @@ class WeldOptions(TypedDict, total=False):
 
     #: Vertices that are welded.
     vertices: choices.WeldVertices
-    #: Distance at which vertices coincide. - GUSSET_TOLERANCE_GIVEN: at most tolerance. - GUSSET_TOLERANCE_EXACT: 0;
-    #: -0 equals 0. - GUSSET_TOLERANCE_AUTO: at most 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for
-    #: 64-bit ones, or, if more, twice the last decimal place that positions show. At each vertex it is at most a
-    #: quarter of the shortest edge, so that no edge collapses. - Last decimal place: let D be the largest power of
-    #: ten up to the longest side of the box of the vertices. The place is the largest of 1e-5 D, 1e-6 D, ... of which
-    #: a third of the coordinates of the largest order of magnitude, or of the differences between consecutive
-    #: vertices, are multiples. Multiples of 1e-4 D are left out; at least eight other numbers are needed.
+    #: Distance at which vertices coincide. - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0. - GUSSET_TOLERANCE_AUTO: at most
+    #: 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate, or, if more, twice the last decimal place that
+    #: positions show. At each vertex at most a quarter of the shortest edge. - Last decimal place: let D be the
+    #: largest power of ten up to the longest side of the vertices' box. The place is the largest of 1e-5 D, 1e-6 D,
+    #: ... that divides a third of certain numbers: coordinates of the largest order of magnitude, or differences
+    #: between consecutive vertices. Multiples of 1e-4 D are left out; at least eight other numbers are needed.
     tolerance_mode: choices.ToleranceMode
     #: Largest distance of coincident vertices, finite, at least 0.
     tolerance: float
@@ -204,7 +200,7 @@ class WeldOptions(TypedDict, total=False):
 class OrientOptions(TypedDict, total=False):
     """Fields of ``gusset_orient_options``; what is not given is as by default."""
 
-    #: Orientation of closed components.
+    #: For closed components.
     outward: choices.Outward
 
 
@@ -213,12 +209,12 @@ class AlignmentOptions(TypedDict, total=False):
 
     #: Initial poses.
     start: choices.AlignmentStart
-    #: Points of each piece to match; 0: 2,000.
+    #: Points of a piece to match; 0: 2,000.
     samples: int
     #: Rigid motions of the pieces, or NULL.
     poses: ArrayLike
-    #: Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
-    #: piece's box diagonal. Pieces may start about this far from their final poses.
+    #: Largest distance of matched points, and about how far a piece may move; finite, at least 0. 0: a tenth of the
+    #: largest piece's box diagonal.
     max_distance: float
     #: Rounds in each of two stages, at most; 0: 100.
     max_rounds: int
@@ -227,22 +223,21 @@ class AlignmentOptions(TypedDict, total=False):
 class TrimOptions(TypedDict, total=False):
     """Fields of ``gusset_trim_options``; what is not given is as by default."""
 
-    #: Largest distance of surfaces that count as one, in the unit of the positions, finite, at least 0. 0: 4 mean
-    #: edges of the coarser piece.
+    #: Largest distance of surfaces that count as one, finite, at least 0. 0: 4 mean edges of the coarser piece.
     max_distance: float
-    #: Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
+    #: Largest angle between their normals, at least 0, below pi / 2; 0: 60 degrees.
     max_angle: float
-    #: x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
+    #: A point for each piece, or NULL. Parts seen at flat angles weigh less.
     viewpoints: ArrayLike
-    #: Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
-    #: show. Holes below that limit are not made.
+    #: Islands of fewer faces are removed; 0: 30. The limit is 20 times that for islands that other pieces also show.
+    #: Holes below that limit are not made.
     min_faces: int
 
 
 class BoundaryOptions(TypedDict, total=False):
     """Fields of ``gusset_boundary_options``; what is not given is as by default."""
 
-    #: Treatment of edges with three or more faces.
+    #: Treatment of non-manifold edges.
     non_manifold: choices.NonManifold
     #: Part of the mesh that is checked.
     survey: choices.Survey
@@ -253,17 +248,17 @@ class DevelopOptions(TypedDict, total=False):
 
     #: Distortion that a development minimises.
     distortion: choices.Distortion
-    #: Largest number of darts: cuts from the border of a chart to where it is curved.
+    #: Most darts: cuts from a chart's border to where it is curved.
     max_darts: int
-    #: Vertices of the paths to cut along, path after path. Consecutive vertices are connected by the shortest path
-    #: along edges. A path of one vertex cuts nothing.
+    #: Vertices of the paths to cut along, path after path, connected by the shortest paths along edges. A path of one
+    #: vertex cuts nothing.
     cuts: ArrayLike
     #: Start of each path in cuts, and the end of the last. Empty: one path.
     cut_offsets: ArrayLike
-    #: Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
+    #: Darts stop once no length changes by a larger factor; above 1, finite. 0: no limit.
     max_stretch: float
-    #: Largest number of steps of a descent. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
-    #: several descents. 0: 200.
+    #: Most steps of a descent; 0: 200. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
+    #: several descents.
     max_iterations: int
 
 
@@ -274,8 +269,7 @@ class FacingOptions(TypedDict, total=False):
     run: choices.FacingRun
     #: Source of the tolerance.
     tolerance_mode: choices.ToleranceMode
-    #: Facing vertices are farther than this from the plane of their loop. In the unit of the points; finite, at least
-    #: 0.
+    #: As in gusset_stitch_options.
     tolerance: float
     #: Centre of a loop.
     centres: choices.Centres
@@ -284,32 +278,32 @@ class FacingOptions(TypedDict, total=False):
 class GlueOptions(TypedDict, total=False):
     """Fields of ``gusset_glue_options``; what is not given is as by default."""
 
-    #: For detect: largest distance of coincident nodes, at least 0 and finite.
+    #: For detect: largest distance of coincident nodes; at least 0, finite.
     tolerance: float
-    #: Gluings to add, at any alignment.
+    #: Gluings to add.
     gluings: ArrayLike
-    #: Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
+    #: Links to contract; see contracted of gusset_net_analysis_view.
     links: ArrayLike
-    #: 1: replaces the gluing by the one that coordinates imply. It glues coincident neighbours, and coincident runs
-    #: of two or more side nodes in either direction. The orientation stays.
+    #: 1: replaces the gluing by the one that coordinates imply: of coincident neighbours, and of coincident runs of
+    #: two or more side nodes in either direction. The orientation stays.
     detect: bool
-    #: 1: canonical form. Every link whose ends are one point is contracted, and redundant seams are dropped. Nets
-    #: that glue equal neighbours then have equal matrices. detect implies it.
+    #: 1: canonical form. Links with ends in one point are contracted, and redundant seams dropped. Nets that glue
+    #: equal neighbours then have equal matrices. detect implies it.
     saturate: bool
-    #: 1: moves all nodes of a point to its first node, bit for bit.
+    #: 1: moves the nodes of a point to its first node, bit for bit.
     snap: bool
 
 
 class NetPrimitive(TypedDict, total=False):
     """Fields of ``gusset_net_primitive``; what is not given is as by default."""
 
-    #: Standard shape, the measures that it reads, the least rows x columns.
+    #: Standard shape, its measures, the least rows x columns.
     shape: choices.NetShape
     #: Type of coordinates.
     scalar: choices.Scalar
-    #: Rows of nodes; 0: 33. Boxes and lathes ignore it.
+    #: 0: 33. Boxes and lathes ignore it.
     rows: int
-    #: Columns of nodes; 0: 65. Boxes ignore it.
+    #: 0: 65. Boxes ignore it.
     columns: int
     #: Above 0.
     radius: float
@@ -319,8 +313,8 @@ class NetPrimitive(TypedDict, total=False):
     height: float
     #: Sizes along x, y and z, above 0.
     size: Sequence[float]
-    #: Distance from the axis, at least 0, and height of each point, upwards, at any alignment. Points on the axis are
-    #: poles. A closed profile makes a ring.
+    #: Distance from the axis, at least 0, and height of each point, upwards. Points on the axis are poles. A closed
+    #: profile makes a ring.
     profile: ArrayLike
     #: Lateral faces of a prism or pyramid, at least 3.
     sides: int
@@ -335,7 +329,7 @@ class NetMeshOptions(TypedDict, total=False):
 
     #: Faces of a net's mesh.
     faces: choices.NetFaces
-    #: 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex.
+    #: 1: one vertex for each node; 0: glued nodes are one vertex.
     no_weld: bool
     #: 1: keeps finite vertices without faces and wires.
     keep_unused: bool
@@ -343,15 +337,15 @@ class NetMeshOptions(TypedDict, total=False):
     fill_corners: bool
     #: 1: computes texture coordinates.
     texture: bool
-    #: Omits faces with edges longer than this multiple of the median edge; 0: no limit. For range images, 4 removes
-    #: faces across depth jumps.
+    #: Omits faces with edges longer than this multiple of the median edge; 0: no limit. 4 removes depth jumps from
+    #: range images.
     max_edge_ratio: float
 
 
 class NetGridOptions(TypedDict, total=False):
     """Fields of ``gusset_net_grid_options``; what is not given is as by default."""
 
-    #: Faces by which the given mesh represents each cell of the grid.
+    #: Faces of a cell of the given grid.
     cells: choices.GridCells
     #: 1: only the component of face must be a grid; 0: the whole mesh.
     has_face: bool
@@ -364,18 +358,18 @@ class NetCopyOptions(TypedDict, total=False):
 
     #: First row of the part.
     row_first: int
-    #: Rows of the part, at least 2; 0: all from row_first on.
+    #: Rows of the part, at least 2; 0: the rest.
     row_count: int
     #: First column of the part.
     column_first: int
-    #: Columns of the part, at least 2; 0: all from column_first on.
+    #: Columns of the part, at least 2; 0: the rest.
     column_count: int
-    #: Rows after replication, at least the present number; 0: no replication. Links between copies are contracted.
+    #: Rows after replication, at least the present number; 0: none. Links between copies are contracted.
     rows: int
     #: Columns after replication, likewise.
     columns: int
-    #: 1: removes rows and columns that repeat the previous one. All links between both are contracted; coordinates
-    #: and links along them are equal. Two rows, two columns and the ends of bridges stay.
+    #: 1: removes rows and columns that repeat the previous one: equal coordinates and links, contracted links between
+    #: both. Two rows, two columns and the ends of bridges stay.
     compact: bool
     #: For rows.
     row_replication: choices.Replication
@@ -385,9 +379,9 @@ class NetCopyOptions(TypedDict, total=False):
     row_index: int
     #: Column to replicate.
     column_index: int
-    #: Symmetry that is applied.
+    #: Symmetry.
     turn: choices.NetTurn
-    #: Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become missing.
+    #: Type of coordinates; 0: unchanged. Conversion to float rounds; overflowing nodes become missing.
     scalar: choices.Scalar
 
 
@@ -400,26 +394,26 @@ class ConcatenateOptions(TypedDict, total=False):
     direction: choices.Direction
     #: Treatment of the cells of a bridge.
     mode: choices.BridgeMode
-    #: Enlargement of nets with fewer nodes along the side.
+    #: For nets with fewer nodes along the side.
     equalise: choices.Replication
     #: Row or column to replicate.
     equalise_index: int
-    #: Rotation of each net except the first along its closed side, in nodes.
+    #: Rotation in nodes of each later net along its closed side.
     twist: int
-    #: 1: flips nets along the side if their orientation differs from the first; 0: refuses them.
+    #: 1: flips nets along the side if oriented unlike the first; 0: refuses them.
     turn: bool
-    #: Inner rows or columns of each new bridge, evenly on straight lines; 0 for GUSSET_BRIDGE_WELD.
+    #: Inner rows or columns of each new bridge, evenly on lines; 0 for GUSSET_BRIDGE_WELD.
     rows: int
 
 
 class NetAnalysisOptions(TypedDict, total=False):
     """Fields of ``gusset_net_analysis_options``; what is not given is as by default."""
 
-    #: Fields, as for gusset_net_deform.
+    #: As for gusset_net_deform.
     fields: ArrayLike
-    #: Time, as for gusset_net_deform.
+    #: As for gusset_net_deform.
     time: float
-    #: Lengths up to this count as 0; at least 0 and finite.
+    #: Lengths up to this count as 0; at least 0, finite.
     tolerance: float
 
 
@@ -429,9 +423,9 @@ class PlanariseOptions(TypedDict, total=False):
     #: Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0: 1e-10, or 4e-7 for
     #: float.
     tolerance: float
-    #: One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL: all may move.
+    #: For each node, 1: it stays with all nodes glued to it. NULL: all may move.
     fixed: ArrayLike
-    #: Largest number of steps; 0: 100.
+    #: Most steps; 0: 100.
     max_iterations: int
     #: 1: boundary vertices of the surface stay.
     keep_boundary: bool
@@ -440,13 +434,13 @@ class PlanariseOptions(TypedDict, total=False):
 class SettleOptions(TypedDict, total=False):
     """Fields of ``gusset_settle_options``; what is not given is as by default."""
 
-    #: Largest displacement of the last step, relative to the diagonal of the bounding box; 0: 1e-12.
+    #: Largest displacement in the last step, relative to the bounding box's diagonal; 0: 1e-12.
     tolerance: float
     #: Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
     rest_ratio: float
-    #: One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
+    #: For each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
     free: ArrayLike
-    #: Largest number of steps; 0: 1000.
+    #: Most steps; 0: 1000.
     max_iterations: int
 
 
@@ -460,24 +454,24 @@ class WingedOptions(TypedDict, total=False):
 class StreamOptions(TypedDict, total=False):
     """Fields of ``gusset_stream_options``; what is not given is as by default."""
 
-    #: Rows of each independently coded block. 0: about 2^17 nodes a block, or one block for RAW.
+    #: Rows of each independently coded block; 0: about 2^17 nodes, or all for RAW.
     rows_per_block: int
     #: Storage of coordinates in a stream.
     mode: choices.StreamMode
     #: QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     bits: int
-    #: QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else 0.
+    #: QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
     per_axis: bool
 
 
 class SurfaceOptions(TypedDict, total=False):
     """Fields of ``gusset_surface_options``; what is not given is as by default."""
 
-    #: Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the diagonal of the
-    #: surface's bounding box.
+    #: Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the surface's box
+    #: diagonal.
     tolerance: float
-    #: 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle, about 0.7 bytes a
-    #: node; 0: the first such query builds them.
+    #: 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle; 0: the first such
+    #: query builds them.
     cones: bool
 
 
@@ -486,14 +480,14 @@ class NearestOptions(TypedDict, total=False):
 
     #: Largest distance of a point, at least 0; 0 or INFINITY: no limit.
     limit: float
-    #: For minima: maximum number, the nearest first; 0: all.
+    #: Minima: most, nearest first; 0: all.
     max_count: int
 
 
 class ContourOptions(TypedDict, total=False):
     """Fields of ``gusset_contour_options``; what is not given is as by default."""
 
-    #: A length above 0, finite. Values below the surface's tolerance act as the tolerance.
+    #: A length above 0, finite; at least the surface's tolerance applies.
     chord: float
     #: Curve points between crossings with cell sides.
     spacing: choices.SpacingRule
@@ -504,12 +498,11 @@ class ContourOptions(TypedDict, total=False):
 class IntersectionOptions(TypedDict, total=False):
     """Fields of ``gusset_intersection_options``; what is not given is as by default."""
 
-    #: Largest distance of the curve from its chords, above 0 and finite. Estimated: rare chords exceed it by about 15
-    #: %. At least the smallest of `tolerance` and the surfaces' tolerances applies.
+    #: Largest distance of the curve from its chords, above 0, finite; rare chords exceed it by about 15 %. At least
+    #: the smallest of `tolerance` and the surfaces' tolerances applies.
     chord: float
-    #: Two surfaces touch where their gap or overlap stays within this length. Finite; 0: the smaller tolerance of the
-    #: surfaces. Self-intersections use at most the surface's tolerance. Branches shorter than it and the surfaces'
-    #: tolerances may be lost.
+    #: Two surfaces touch where their gap or overlap stays within this length, finite; 0: the surfaces' smaller
+    #: tolerance. Self-intersections use at most the surface's. Branches shorter than all three may be lost.
     tolerance: float
     #: Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
     spacing: choices.SpacingRule
@@ -520,9 +513,9 @@ class SheetMeshOptions(TypedDict, total=False):
 
     #: Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
     tolerance: float
-    #: Minimum parts of each cell in u; 0: 1.
+    #: Least parts of a cell in u; 0: 1.
     min_u: int
-    #: Minimum parts of each cell in v; 0: 1.
+    #: Least parts of a cell in v; 0: 1.
     min_v: int
     #: 1: triangles only; 0: quads, with triangles at poles.
     triangles: bool
@@ -533,8 +526,7 @@ class FrameOptions(TypedDict, total=False):
 
     #: Correspondence of points between sections.
     correspondence: choices.CorrespondenceRule
-    #: Number of columns. With ARC_LENGTH and ANGLE, nodes in each section. With LANDMARKS, parts between two
-    #: consecutive landmarks.
+    #: ARC_LENGTH, ANGLE: nodes in each section. LANDMARKS: parts between two landmarks.
     columns: int
     #: 1: the first section follows the last.
     ring: bool
@@ -546,20 +538,20 @@ class FrameOptions(TypedDict, total=False):
     smooth_corners: bool
     #: ANGLE: a point of the axis.
     axis_point: Sequence[float]
-    #: ANGLE: direction of the axis; seen against it angles grow counter-clockwise.
+    #: ANGLE: direction of the axis; seen against it, angles grow counter-clockwise.
     axis_direction: Sequence[float]
     #: ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
     reference: Sequence[float]
-    #: ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis
-    #: follows circles through three consecutive points; the reference does not rotate about it. NULL: straight.
+    #: ANGLE: a point of a bent axis for each section, in place of axis_point and axis_direction. The axis follows
+    #: circles through three points each; the reference does not rotate about it. NULL: straight.
     axis_points: ArrayLike
-    #: LANDMARKS: for each section the same number of indices into its own points, in order.
+    #: LANDMARKS: for each section the same number of indices of its points, in order.
     landmarks: ArrayLike
-    #: Options of the curves across; NULL: defaults.
+    #: Options of the curves across.
     across: OutlineOptions
-    #: Options of the curves along; NULL: defaults.
+    #: Options of the curves along.
     along: OutlineOptions
-    #: GIVEN: indices of missing points over all sections, in any order. Their coordinates are not read. Each is
+    #: GIVEN: indices of missing points over all sections, in any order; their coordinates are not read. Each is
     #: interpolated by a Catmull-Rom curve through up to two nodes before and after it in the column, with centripetal
     #: parameters from adjacent columns.
     missing: ArrayLike
@@ -570,7 +562,7 @@ class JoinOptions(TypedDict, total=False):
 
     #: Treatment of coincident borders.
     weld: choices.Welding
-    #: GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against the ones that
+    #: GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against those that
     #: they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
     orientation: Literal['fix', 'keep']
     #: Widest gap to close.
@@ -581,27 +573,26 @@ class JoinOptions(TypedDict, total=False):
     within_components: bool
     #: 1 fills the remaining holes.
     fill: bool
-    #: Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none.
+    #: Widest gap to close, finite, at least 0; 0 closes none.
     max_gap: float
-    #: Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit twice (see
-    #: gusset_joint). No loop is in two pairs.
+    #: Pairs of whole loops to join at any distance, or NULL. A pair is two loops, or a slit twice (see gusset_joint).
+    #: No loop is in two pairs.
     pairs: ArrayLike
-    #: Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
+    #: Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding exclude nothing.
     excluded: ArrayLike
-    #: Options of welding; NULL for the defaults.
+    #: Options of welding.
     weld_options: WeldOptions
-    #: Options of strips; NULL for the defaults. Only meridians, search, start, rows, row_count, cells, fairing,
-    #: intersections and finish are used; all must be valid.
+    #: Options of strips: only meridians, search, start, rows, row_count, cells, fairing, intersections and finish are
+    #: used; all must be valid.
     strip_options: StitchOptions
-    #: Options of filling; NULL for the defaults. groups, outward and plan_only are ignored, but outward and plan_only
-    #: must be valid. GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
+    #: Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    #: GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
     fill_options: FillOptions
-    #: Side that closed components face, by default outwards, walls of cavities included. Other components mostly keep
-    #: the orientation of the first piece.
+    #: Closed components face outwards by default. Others mostly keep the first piece's orientation.
     outward: choices.Outward
     #: Treatment of overlapping pieces.
     overlaps: choices.Overlaps
-    #: Options of trimming; NULL for the defaults.
+    #: Options of trimming.
     trim_options: TrimOptions
 
 

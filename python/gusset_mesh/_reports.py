@@ -55,19 +55,17 @@ class CurveView(Record):
 
     @property
     def controls(self) -> NDArray[np.float64]:
-        """x, y, z of control points; z is 0 for a plane curve."""
+        """Control points; z is 0 for a plane curve."""
         return self._array('controls', self._struct.control_count, 3)
 
     @property
     def ends(self) -> NDArray[np.uint32]:
-        """0, then the index of each segment's last control point: segment k has the control points ends[k] to ends[k
-        + 1].
-        """
+        """Segment k has the control points ends[k] to ends[k + 1]."""
         return self._array('ends')
 
     @property
     def closed(self) -> bool:
-        """1: the curve is closed."""
+        """1 if closed."""
         return bool(self._struct.closed)
 
 
@@ -88,7 +86,7 @@ class OutlineView(Record):
 
     @property
     def controls(self) -> NDArray[np.float64]:
-        """x, y, z of each control point; z = 0 for plane outlines."""
+        """Control points; z = 0 for plane outlines."""
         return self._array('controls', self._struct.control_count, 3)
 
     @property
@@ -103,7 +101,7 @@ class OutlineView(Record):
 
     @property
     def segments(self) -> NDArray[np.uint32]:
-        """Segment of each point, in its curve."""
+        """Segment of each point."""
         return self._array('segments')
 
     @property
@@ -131,7 +129,7 @@ class OutlineReport(Record):
 
     @property
     def iterations(self) -> int:
-        """Largest number of sweeps or iterations between corners, at most max_sweeps; 0 if none are needed."""
+        """Most sweeps or iterations between corners, at most max_sweeps."""
         return self._struct.iterations
 
     @property
@@ -156,8 +154,8 @@ class OutlineReport(Record):
 
     @property
     def max_curvature_gap(self) -> float:
-        """GUSSET_JOINT_PARAMETER_G2: largest difference of curvatures at a joint, relative to the larger, or to 1 /
-        size if both are less. Else 0.
+        """GUSSET_JOINT_PARAMETER_G2: largest difference of curvatures at a joint, relative to the larger, at least to
+        1 / size. Else 0.
         """
         return self._struct.max_curvature_gap
 
@@ -168,7 +166,7 @@ class OutlineReport(Record):
 
     @property
     def not_ok_count(self) -> int:
-        """Points with a status other than GUSSET_POINT_OK."""
+        """Points that are not GUSSET_POINT_OK."""
         return self._struct.not_ok_count
 
 
@@ -224,7 +222,7 @@ class CurveMeasures(Record):
 
     @property
     def defined(self) -> frozenset[choices.CurveMeasureFlags]:
-        """Measures that are present; all other fields are 0."""
+        """Present measures; all else is 0."""
         return flags(self._struct.defined, 'gusset_curve_measure_flags')
 
     @property
@@ -234,12 +232,12 @@ class CurveMeasures(Record):
 
     @property
     def low(self) -> NDArray[np.float64]:
-        """Least x, y, z of the bounding box."""
+        """Low corner of the bounding box."""
         return self._array('low')
 
     @property
     def high(self) -> NDArray[np.float64]:
-        """Greatest x, y, z of the bounding box."""
+        """High corner."""
         return self._array('high')
 
     @property
@@ -249,7 +247,7 @@ class CurveMeasures(Record):
 
     @property
     def area_vector(self) -> NDArray[np.float64]:
-        """Half the integral of r x dr. In the plane z = 0 it is (0, 0, signed area), negative for clockwise curves."""
+        """Half the integral of r x dr; in the plane z = 0, (0, 0, signed area), negative if clockwise."""
         return self._array('area_vector')
 
     @property
@@ -259,12 +257,12 @@ class CurveMeasures(Record):
 
     @property
     def centroid(self) -> NDArray[np.float64]:
-        """Centroid of the enclosed region; the curve's start if the area is 0."""
+        """Centroid of the region; the start if the area is 0."""
         return self._array('centroid')
 
     @property
     def second(self) -> NDArray[np.float64]:
-        """Integrals of x x, x y and y y about the centroid, with the area's sign."""
+        """Integrals of x x, x y and y y about it, with the area's sign."""
         return self._array('second')
 
 
@@ -277,34 +275,34 @@ class PlacesView(Record):
 
     @property
     def places(self) -> PlaceArray:
-        """The places, ordered along the first curve."""
+        """Places, ordered along the first curve."""
         return PlaceArray(self._array('places', self._struct.count))
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """x, y, z at each place."""
+        """Points at the places."""
         return self._array('points', self._struct.count, 3)
 
     @property
     def others(self) -> PlaceArray:
-        """Intersections: places on the second curve, or later places on the same curve. Else NULL."""
+        """Intersections: places on the second curve, or later ones on the same curve. Else NULL."""
         return PlaceArray(self._array('others', self._struct.count))
 
     @property
     def overlaps(self) -> PlaceArray:
-        """Common parts, four places each: start and end on the first curve, the same on the second. For tangent
-        angles: start and end, twice.
+        """Common parts, four places each: start and end on the first curve, then on the second. For tangent angles:
+        start and end, twice.
         """
         return PlaceArray(self._array('overlaps', self._struct.overlap_count, 4))
 
     @property
     def inside(self) -> NDArray[np.uint32]:
-        """Segments that lie entirely in the plane or line."""
+        """Segments in the plane or line."""
         return self._array('inside')
 
     @property
     def undecided(self) -> bool:
-        """1: a pair of segments was not resolved, because they agree within rounding over a long part."""
+        """1: segments that agree within rounding over a long part were not resolved."""
         return bool(self._struct.undecided)
 
 
@@ -316,7 +314,7 @@ class OffsetReport(Record):
 
     @property
     def deviation(self) -> float:
-        """Largest distance from the true offset, sampled at 16 places in each segment."""
+        """Largest distance from the true offset at 16 places a segment."""
         return self._struct.deviation
 
     @property
@@ -331,12 +329,12 @@ class OffsetReport(Record):
 
     @property
     def tight(self) -> bool:
-        """1: a radius of curvature is at most the distance; the offset has cusps or runs backwards there."""
+        """1: a radius of curvature is at most the distance: there are cusps, or the offset runs backwards."""
         return bool(self._struct.tight)
 
 
 class CurveFormView(Record):
-    """Lent parts of an exported curve; parts of other formats are empty."""
+    """Lent parts of an exported curve; other formats' are empty."""
 
     __slots__ = ()
     _NAME = 'gusset_curve_form_view'
@@ -354,12 +352,12 @@ class CurveFormView(Record):
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """x, y, z of contour points or control points of a spline."""
+        """Contour points, or control points of a spline."""
         return self._array('points', self._struct.point_count, 3)
 
     @property
     def on_curve(self) -> NDArray[np.bool_]:
-        """Contour: 1 for a point on the curve, 0 for a point off it."""
+        """Contour: 1 for a point on the curve."""
         return self._array('on_curve', self._struct.point_count) != 0
 
     @property
@@ -382,22 +380,22 @@ class FrameView(Record):
 
     @property
     def rows(self) -> int:
-        """Number of sections."""
+        """Sections."""
         return self._struct.rows
 
     @property
     def columns(self) -> int:
-        """Number of nodes in a section."""
+        """Nodes in a section."""
         return self._struct.columns
 
     @property
     def nodes(self) -> NDArray[np.float64]:
-        """x, y, z of each node."""
+        """Nodes."""
         return self._array('nodes', self._struct.rows, self._struct.columns, 3)
 
     @property
     def across(self) -> NDArray[np.float64]:
-        """Unit tangent of the curve across at each node, x, y, z; 0 if undefined."""
+        """Unit tangent of the curve across at each node; 0 if undefined."""
         return self._array('across', self._struct.rows, self._struct.columns, 3)
 
     @property
@@ -422,12 +420,12 @@ class FrameView(Record):
 
     @property
     def max_twist(self) -> float:
-        """Largest rotation of a closed section's nodes relative to the previous section; 0 for open sections."""
+        """Largest rotation of a closed section's nodes from the previous section; 0 for open ones."""
         return self._struct.max_twist
 
     @property
     def max_gap(self) -> float:
-        """Largest distance between the two curves at a node, relative to the nodes' box."""
+        """Largest distance between two curves at a node, relative to the nodes' box."""
         return self._struct.max_gap
 
     @property
@@ -442,7 +440,7 @@ class FrameView(Record):
 
 
 class QualityReport(Record):
-    """Quality of the new faces of a stitch or a filling, and of the whole result."""
+    """Quality of new faces and the result."""
 
     __slots__ = ()
     _NAME = 'gusset_quality_report'
@@ -450,7 +448,7 @@ class QualityReport(Record):
 
     @property
     def min_angle(self) -> float:
-        """Smallest angle of new triangles, in radians; 0 if one is degenerate."""
+        """Smallest angle of new triangles; 0 if one is degenerate."""
         return self._struct.min_angle
 
     @property
@@ -462,12 +460,12 @@ class QualityReport(Record):
 
     @property
     def max_edge(self) -> float:
-        """Longest edge of new faces, in the unit of the positions."""
+        """Longest edge of new faces."""
         return self._struct.max_edge
 
     @property
     def area(self) -> float:
-        """Area of new faces, in the square of that unit."""
+        """Area of new faces."""
         return self._struct.area
 
     @property
@@ -482,38 +480,36 @@ class QualityReport(Record):
 
     @property
     def non_manifold_edges(self) -> int:
-        """Edges of the result with three or more faces."""
+        """Non-manifold edges of the result."""
         return self._struct.non_manifold_edges
 
     @property
     def orientation_conflicts(self) -> int:
-        """Edges of the result whose two faces disagree in orientation."""
+        """Edges whose two faces disagree in orientation."""
         return self._struct.orientation_conflicts
 
 
 class PieceMap(Record):
-    """Indices of a piece in the result."""
+    """Indices of a piece's elements in the result, UINT32_MAX if removed."""
 
     __slots__ = ()
     _NAME = 'gusset_piece_map'
 
     @property
     def vertices(self) -> NDArray[np.uint32]:
-        """Index in the result of each vertex, or UINT32_MAX if removed; several may share one."""
+        """Index of each vertex; several may share one."""
         return self._array('vertices')
 
     @property
     def faces(self) -> NDArray[np.uint32]:
-        """Index in the result of each face, or UINT32_MAX if removed. A split triangle has the index of its first
-        part; the others follow.
-        """
+        """Index of each face; for a split triangle, of its first part, which the others follow."""
         return self._array('faces')
 
 
 class Joint(Record):
-    """Two loops, or runs of loops, that face each other across a gap. If borders coincide along a part only, sewing
-    leaves a slit: a loop along the rest of both borders. A slit may be joined with itself. Then both sides are on it,
-    one with both ends; whole is 0, and the strip lacks interior rows.
+    """Two loops, or runs of loops, that face each other. Indices are in the result. If borders coincide in part,
+    sewing leaves a slit: a loop along the rest of both. In a slit joined with itself, both sides are on it, one with
+    both ends; whole is 0, and the strip lacks interior rows.
     """
 
     __slots__ = ()
@@ -521,8 +517,8 @@ class Joint(Record):
 
     @property
     def side(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Vertices of each side in the result, in order, before components are turned outwards. If joined, the sides
-        run together from the first meridian on.
+        """Vertices of each side in order, before components are turned outwards. If joined, both run from the first
+        meridian on.
         """
         return self._array('side', part=0), self._array('side', part=1)
 
@@ -533,32 +529,32 @@ class Joint(Record):
 
     @property
     def vertex_first(self) -> int:
-        """First new vertex in the result."""
+        """First new vertex."""
         return self._struct.vertex_first
 
     @property
     def vertex_count(self) -> int:
-        """New vertices."""
+        """Number of new vertices."""
         return self._struct.vertex_count
 
     @property
     def face_first(self) -> int:
-        """First face of the strip in the result."""
+        """First face of the strip."""
         return self._struct.face_first
 
     @property
     def face_count(self) -> int:
-        """Faces of the strip."""
+        """Number of faces."""
         return self._struct.face_count
 
     @property
     def intersections(self) -> NDArray[np.uint32]:
-        """Pairs of intersecting faces, two indices each, as in gusset_stitch_report."""
+        """Pairs of intersecting faces, as in gusset_stitch_report."""
         return self._array('intersections', -1, 2)
 
     @property
     def intersections_known(self) -> bool:
-        """1 if intersections were searched for."""
+        """1 if searched for."""
         return bool(self._struct.intersections_known)
 
     @property
@@ -573,12 +569,12 @@ class Joint(Record):
 
     @property
     def finish(self) -> choices.Finish:
-        """Surface that was made; a strip may replace a blend."""
+        """Surface made; a strip may replace a blend."""
         return word(self._struct.finish, 'gusset_finish')
 
 
 class LeftLoop(Record):
-    """Boundary loop of the sewn pieces without a strip, even if filled later; see holes."""
+    """Boundary loop of the sewn pieces without a strip, even if filled later."""
 
     __slots__ = ()
     _NAME = 'gusset_left_loop'
@@ -591,7 +587,7 @@ class LeftLoop(Record):
     @property
     def gap(self) -> float:
         """Mean distance to the loop nearest to most vertices, on another component if any. Infinite without one, or
-        if this loop cannot carry a strip. For a slit that is too wide, the mean distance of its sides.
+        if this loop cannot carry a strip. For a slit too wide: mean distance of its sides.
         """
         return self._struct.gap
 
@@ -625,7 +621,7 @@ class JoinReport(Record):
 
     @property
     def left(self) -> list[LeftLoop]:
-        """Loops without a strip, even if filled later, by smallest vertex."""
+        """Loops without a strip, by smallest vertex."""
         return self._list(LeftLoop, 'left', self._struct.left_count)
 
     @property
@@ -635,13 +631,13 @@ class JoinReport(Record):
 
     @property
     def hole_rims(self) -> NDArray[np.uint32]:
-        """Vertices of the rims of holes, in the order before components are turned outwards."""
+        """Rim vertices of holes, in the order before components are turned outwards."""
         return self._array('hole_rims')
 
     @property
     def turned(self) -> NDArray[np.uint32]:
-        """Faces of pieces, by index in the result, that are reversed against their pieces. New faces are never
-        listed; they agree with the faces beside them.
+        """Old faces reversed against their pieces, by index in the result. New faces agree with the faces beside
+        them.
         """
         return self._array('turned')
 
@@ -674,7 +670,7 @@ class JoinReport(Record):
 
     @property
     def non_manifold_edges(self) -> int:
-        """Edges of the result with three or more faces."""
+        """Non-manifold edges of the result."""
         return self._struct.non_manifold_edges
 
     @property
@@ -694,7 +690,7 @@ class JoinReport(Record):
 
 
 class StitchReport(Record):
-    """Parts of a stitch. Index 0 is the first mesh, 1 the second."""
+    """Parts of a stitch, by index in the result. Entry 0 is of the first mesh, 1 of the second."""
 
     __slots__ = ()
     _NAME = 'gusset_stitch_report'
@@ -702,19 +698,18 @@ class StitchReport(Record):
 
     @property
     def vertex_map(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Index in the result of each old vertex; empty for a missing second mesh."""
+        """Index of each old vertex; empty for a missing second mesh."""
         return self._array('vertex_map', part=0), self._array('vertex_map', part=1)
 
     @property
     def face_map(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Index in the result of each old face."""
+        """Index of each old face."""
         return self._array('face_map', part=0), self._array('face_map', part=1)
 
     @property
     def rim(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Vertices of each rim in the result, side by side from the first meridian on. Rim 0 has its surface on the
-        left, rim 1 on the right, before components are turned outwards. The mesh of the strip begins with rim 0, then
-        rim 1.
+        """Vertices of each rim, side by side from the first meridian on. The surface is left of rim 0 and right of
+        rim 1, before components are turned outwards. The strip's mesh begins with rim 0, then rim 1.
         """
         return self._array('rim', part=0), self._array('rim', part=1)
 
@@ -728,32 +723,29 @@ class StitchReport(Record):
 
     @property
     def matrix(self) -> NDArray[np.uint32]:
-        """The matrix P: vertices of the result, row by row from rim 0 to rim 1. One column for each meridian."""
+        """The matrix P: vertices row by row from rim 0 to rim 1, a column for each meridian."""
         return self._array('matrix', self._struct.row_count + 2, -1)
 
     @property
     def parents(self) -> NDArray[np.uint32]:
-        """Three rim vertices for each new vertex; new vertices are the last of the result. In a row: the ends of the
-        meridian, the one on rim 1 twice. In a blend: the corners of the strip triangle that holds the unfaired
-        vertex.
+        """Three rim vertices for each new vertex; new vertices come last. In a row: the ends of the meridian, the one
+        on rim 1 twice. In a blend: the corners of the strip triangle that holds the unfaired vertex.
         """
         return self._array('parents', -1, 3)
 
     @property
     def weights(self) -> NDArray[np.float64]:
-        """Weights of the parents, at least 0 with sum 1 for each new vertex. In row k of r: 1 - k / (r + 1), k / (r +
-        1), 0.
-        """
+        """Weights of the parents, at least 0, sum 1. In row k of r: 1 - k / (r + 1), k / (r + 1), 0."""
         return self._array('weights', len(self.parents), 3)
 
     @property
     def strip_face_first(self) -> int:
-        """First face of the strip, which comes last in the result."""
+        """First face of the strip, which comes last."""
         return self._struct.strip_face_first
 
     @property
     def strip_face_count(self) -> int:
-        """Faces of the strip: N + M triangles for whole rims without interior rows, except for a blend."""
+        """Faces of the strip: N + M triangles for whole rims without rows, except in a blend."""
         return self._struct.strip_face_count
 
     @property
@@ -768,36 +760,35 @@ class StitchReport(Record):
 
     @property
     def turned(self) -> bool:
-        """1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first corners."""
+        """1 if the component of rim 1 was reversed to agree with rim 0; faces keep their first corners."""
         return bool(self._struct.turned)
 
     @property
     def intersections_known(self) -> bool:
-        """1 if intersections were searched for."""
+        """1 if searched for."""
         return bool(self._struct.intersections_known)
 
     @property
     def intersections(self) -> NDArray[np.uint32]:
-        """Pairs of intersecting faces of the result, two indices each: first a strip face, the larger one if both
-        are. Shared or coincident vertices and edges do not count; any other contact does. The test is exact. Quads
-        are split by their shorter diagonals, other polygons into fans from their first corners. A self-intersecting
-        polygon is paired with itself.
+        """Pairs of intersecting faces: first a strip face, the larger one if both are. Any contact counts, by an
+        exact test, except at shared or coincident vertices and edges. Quads are split by their shorter diagonals,
+        other polygons into fans from their first corners. A self-intersecting polygon is paired with itself.
         """
         return self._array('intersections', -1, 2)
 
     @property
     def back_off_count(self) -> int:
-        """Times that the fairing of rows, or of the kept blend, was moved back."""
+        """Times that fairing of rows, or of the kept blend, was moved back."""
         return self._struct.back_off_count
 
     @property
     def finish(self) -> choices.Finish:
-        """Surface that was made; a strip may replace a blend."""
+        """Surface made; a strip may replace a blend."""
         return word(self._struct.finish, 'gusset_finish')
 
     @property
     def turned_outwards(self) -> NDArray[np.uint32]:
-        """Faces of the result that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner."""
+        """Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner."""
         return self._array('turned_outwards')
 
 
@@ -809,8 +800,8 @@ class Hole(Record):
 
     @property
     def rim_first(self) -> int:
-        """First vertex of the loop in rims, with the surface on the left before closed components were turned
-        outwards. A given loop that is not simple, free or oriented is as given.
+        """First vertex of the loop in rims, surface on the left before components are turned outwards; as given if
+        not simple, free or oriented.
         """
         return self._struct.rim_first
 
@@ -821,7 +812,7 @@ class Hole(Record):
 
     @property
     def face_first(self) -> int:
-        """First face of the patch in the result. Loops that share a patch have the same faces and vertices."""
+        """First face of the patch in the result; the same for loops that share a patch."""
         return self._struct.face_first
 
     @property
@@ -831,7 +822,7 @@ class Hole(Record):
 
     @property
     def vertex_first(self) -> int:
-        """First new vertex of the patch in the result."""
+        """First new vertex of the patch."""
         return self._struct.vertex_first
 
     @property
@@ -851,8 +842,8 @@ class Hole(Record):
 
     @property
     def area(self) -> float:
-        """Area of the triangles from the edges of the loop to the mean of its vertices: the area of a planar convex
-        hole, more for others.
+        """Area of the triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole,
+        else more.
         """
         return self._struct.area
 
@@ -863,18 +854,18 @@ class Hole(Record):
 
     @property
     def weight(self) -> choices.FillWeight:
-        """Weight of the triangulation: as requested, or one with fewer intersections."""
+        """As requested, or one with fewer intersections."""
         return word(self._struct.weight, 'gusset_fill_weight')
 
     @property
     def finish(self) -> choices.PatchFinish:
-        """Finish of the patch: as requested, or simpler with fewer intersections."""
+        """As requested, or simpler with fewer intersections."""
         return word(self._struct.finish, 'gusset_patch_finish')
 
     @property
     def patch(self) -> int:
-        """Number of the patch, from 0, in the order of faces; equal for loops that share it. UINT32_MAX: no patch,
-        always with plan_only.
+        """Patch number, in the order of faces; equal for loops that share it. UINT32_MAX: none, always with
+        plan_only.
         """
         return self._struct.patch
 
@@ -887,8 +878,8 @@ class HoleArray(RecordArray[Hole]):
 
     @property
     def rim_first(self) -> NDArray[np.uintp]:
-        """First vertex of the loop in rims, with the surface on the left before closed components were turned
-        outwards. A given loop that is not simple, free or oriented is as given.
+        """First vertex of the loop in rims, surface on the left before components are turned outwards; as given if
+        not simple, free or oriented.
         """
         return self.array['rim_first']
 
@@ -899,7 +890,7 @@ class HoleArray(RecordArray[Hole]):
 
     @property
     def face_first(self) -> NDArray[np.uintp]:
-        """First face of the patch in the result. Loops that share a patch have the same faces and vertices."""
+        """First face of the patch in the result; the same for loops that share a patch."""
         return self.array['face_first']
 
     @property
@@ -909,7 +900,7 @@ class HoleArray(RecordArray[Hole]):
 
     @property
     def vertex_first(self) -> NDArray[np.uintp]:
-        """First new vertex of the patch in the result."""
+        """First new vertex of the patch."""
         return self.array['vertex_first']
 
     @property
@@ -929,8 +920,8 @@ class HoleArray(RecordArray[Hole]):
 
     @property
     def area(self) -> NDArray[np.float64]:
-        """Area of the triangles from the edges of the loop to the mean of its vertices: the area of a planar convex
-        hole, more for others.
+        """Area of the triangles from the loop's edges to the mean of its vertices: exact for a planar convex hole,
+        else more.
         """
         return self.array['area']
 
@@ -941,18 +932,18 @@ class HoleArray(RecordArray[Hole]):
 
     @property
     def weight(self) -> NDArray[np.str_]:
-        """Weight of the triangulation: as requested, or one with fewer intersections."""
+        """As requested, or one with fewer intersections."""
         return words(self.array['weight'], 'gusset_fill_weight')
 
     @property
     def finish(self) -> NDArray[np.str_]:
-        """Finish of the patch: as requested, or simpler with fewer intersections."""
+        """As requested, or simpler with fewer intersections."""
         return words(self.array['finish'], 'gusset_patch_finish')
 
     @property
     def patch(self) -> NDArray[np.uint32]:
-        """Number of the patch, from 0, in the order of faces; equal for loops that share it. UINT32_MAX: no patch,
-        always with plan_only.
+        """Patch number, in the order of faces; equal for loops that share it. UINT32_MAX: none, always with
+        plan_only.
         """
         return self.array['patch']
 
@@ -966,7 +957,7 @@ class FillReport(Record):
 
     @property
     def holes(self) -> HoleArray:
-        """Each given loop, or all loops as gusset_boundary_get_loop numbers them."""
+        """Given loops, or all as gusset_boundary_get_loop numbers them."""
         return HoleArray(self._array('holes', self._struct.hole_count))
 
     @property
@@ -976,33 +967,29 @@ class FillReport(Record):
 
     @property
     def parents(self) -> NDArray[np.uint32]:
-        """Three rim vertices for each new vertex, in the order of the new vertices."""
+        """Three rim vertices for each new vertex."""
         return self._array('parents', -1, 3)
 
     @property
     def weights(self) -> NDArray[np.float64]:
-        """Weights of the parents, at least 0, with sum 1 for each new vertex. They give its nearest point on the
-        plain triangulation of the rims: the vertex itself if its patch is flat, or is not faired and not creased.
+        """Weights of the parents, at least 0, sum 1. They give the nearest point on the plain triangulation of the
+        rims: the vertex itself in a flat patch, or without fairing and creases.
         """
         return self._array('weights', len(self.parents), 3)
 
     @property
     def intersections(self) -> NDArray[np.uint32]:
-        """Pairs of intersecting faces, two indices each, ascending, the larger index first: a new face. Every contact
-        counts, decided exactly, except at shared or coincident vertices and edges.
-        """
+        """Pairs of intersecting faces, ascending, as in gusset_stitch_report: first the larger index, a new face."""
         return self._array('intersections', -1, 2)
 
     @property
     def turned_outwards(self) -> NDArray[np.uint32]:
-        """Faces that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first corner; the others are
-        reversed.
-        """
+        """Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner."""
         return self._array('turned_outwards')
 
     @property
     def intersections_known(self) -> bool:
-        """1 if intersections were looked for, otherwise 0."""
+        """1 if searched for."""
         return bool(self._struct.intersections_known)
 
 
@@ -1020,19 +1007,19 @@ class StripReport(Record):
 
     @property
     def meridians(self) -> NDArray[np.uint32]:
-        """Pairs (i, j) of indices from start on; count is twice their number. Closed polylines of N and M points:
-        from (0, 0) to (N, M), where index N is 0 again. Open ones: to (N - 1, M - 1).
+        """Pairs (i, j) of indices from start on, as in gusset_stitch_report: to (N, M) if closed, else to (N - 1, M -
+        1).
         """
         return self._array('meridians', -1, 2)
 
     @property
     def matrix(self) -> NDArray[np.uint32]:
-        """The matrix P: vertices of the mesh, row by row from A to B, a column for each meridian."""
+        """The matrix P: vertices row by row from A to B, a column for each meridian."""
         return self._array('matrix', self._struct.row_count + 2, -1)
 
     @property
     def parents(self) -> NDArray[np.uint32]:
-        """Ends on A and B of the meridian of each new vertex; new vertices come last."""
+        """Ends on A and B of each new vertex's meridian; new vertices come last."""
         return self._array('parents', -1, 2)
 
     @property
@@ -1055,39 +1042,37 @@ class WeldReport(Record):
 
     @property
     def vertex_map(self) -> NDArray[np.uint32]:
-        """Index of each old vertex in the result; UINT32_MAX if removed as unused."""
+        """Index of each vertex in the result; UINT32_MAX if removed as unused."""
         return self._array('vertex_map')
 
     @property
     def face_map(self) -> NDArray[np.uint32]:
-        """Index of each old face in the result; UINT32_MAX if dropped."""
+        """Index of each face in the result; UINT32_MAX if dropped."""
         return self._array('face_map')
 
     @property
     def left_edges(self) -> NDArray[np.uint32]:
-        """Half-edges of boundary edges that coincide with another edge and were not sewn to it. Three or more
-        coincide, or sewing would collapse a face or put three or more faces at an edge.
-        """
+        """Half-edges of boundary edges that coincide with another edge but are not sewn."""
         return self._array('left_edges')
 
     @property
     def left_vertices(self) -> NDArray[np.uint32]:
-        """Vertices that coincide with another and were not merged with it."""
+        """Vertices that coincide with another but are not merged."""
         return self._array('left_vertices')
 
     @property
     def welded_vertices(self) -> int:
-        """Number of vertices merged into a smaller one."""
+        """Vertices merged into a smaller one."""
         return self._struct.welded_vertices
 
     @property
     def sewn_edges(self) -> int:
-        """Number of edges with two faces made from two boundary edges."""
+        """Edges made from two boundary edges."""
         return self._struct.sewn_edges
 
     @property
     def dropped_faces(self) -> int:
-        """Number of dropped faces."""
+        """Dropped faces."""
         return self._struct.dropped_faces
 
     @property
@@ -1105,12 +1090,12 @@ class SewReport(Record):
 
     @property
     def vertex_map(self) -> NDArray[np.uint32]:
-        """Index of each old vertex in the result; UINT32_MAX if removed as unused."""
+        """Index of each old vertex in the result, as in gusset_weld_report."""
         return self._array('vertex_map')
 
     @property
     def face_map(self) -> NDArray[np.uint32]:
-        """Index in the result of the first part of each old face; UINT32_MAX if dropped."""
+        """Index of each old face's first part in the result; UINT32_MAX if dropped."""
         return self._array('face_map')
 
     @property
@@ -1120,32 +1105,32 @@ class SewReport(Record):
 
     @property
     def left_vertices(self) -> NDArray[np.uint32]:
-        """Old vertices that coincide with another, or lie inside a boundary edge, and were not sewn to it."""
+        """Old vertices that coincide with another, or lie inside a boundary edge, but are not sewn."""
         return self._array('left_vertices')
 
     @property
     def welded_vertices(self) -> int:
-        """Number of vertices merged into a smaller one."""
+        """Vertices merged into a smaller one."""
         return self._struct.welded_vertices
 
     @property
     def sewn_edges(self) -> int:
-        """Number of edges with two faces made from boundary edges or parts of them."""
+        """Edges made from boundary edges or their parts."""
         return self._struct.sewn_edges
 
     @property
     def splits(self) -> int:
-        """Number of points at which boundary edges were split."""
+        """Points at which boundary edges were split."""
         return self._struct.splits
 
     @property
     def split_faces(self) -> int:
-        """Number of old faces that were cut or gained corners."""
+        """Old faces that were cut or gained corners."""
         return self._struct.split_faces
 
     @property
     def dropped_faces(self) -> int:
-        """Number of dropped old faces."""
+        """Dropped old faces."""
         return self._struct.dropped_faces
 
     @property
@@ -1163,7 +1148,7 @@ class OrientReport(Record):
 
     @property
     def turned(self) -> NDArray[np.bool_]:
-        """For each face, 1 if it was turned over, otherwise 0."""
+        """For each face, 1 if it was turned over."""
         return self._array('turned', self._struct.face_count) != 0
 
     @property
@@ -1173,22 +1158,22 @@ class OrientReport(Record):
 
     @property
     def one_sided_half_edges(self) -> NDArray[np.uint32]:
-        """For each non-orientable component, a half-edge at which its faces cannot agree."""
+        """For each of them, a half-edge at which its faces cannot agree."""
         return self._array('one_sided_half_edges')
 
     @property
     def turned_faces(self) -> int:
-        """Number of faces turned over."""
+        """Faces turned over."""
         return self._struct.turned_faces
 
     @property
     def component_count(self) -> int:
-        """Number of components: faces connected across edges with two faces. A degenerate face is a component."""
+        """Components: faces connected across edges with two faces. A degenerate face is a component."""
         return self._struct.component_count
 
     @property
     def inverted_components(self) -> int:
-        """Number of closed components that face outwards only because of GUSSET_OUTWARD_CLOSED."""
+        """Closed components that face outwards only by GUSSET_OUTWARD_CLOSED."""
         return self._struct.inverted_components
 
 
@@ -1205,8 +1190,8 @@ class AlignedPiece(Record):
 
     @property
     def hold(self) -> float:
-        """How firmly overlaps hold the piece, 0 to 1; 1 for the first piece. The RMS change of matched distances
-        under the unit motion that changes them least. Turns are in radii of the piece.
+        """How firmly overlaps hold the piece, 0 to 1; 1 for the first. RMS change of matched distances under the unit
+        motion that changes them least, turns in radii of the piece.
         """
         return self._struct.hold
 
@@ -1229,8 +1214,8 @@ class AlignedPieceArray(RecordArray[AlignedPiece]):
 
     @property
     def hold(self) -> NDArray[np.float64]:
-        """How firmly overlaps hold the piece, 0 to 1; 1 for the first piece. The RMS change of matched distances
-        under the unit motion that changes them least. Turns are in radii of the piece.
+        """How firmly overlaps hold the piece, 0 to 1; 1 for the first. RMS change of matched distances under the unit
+        motion that changes them least, turns in radii of the piece.
         """
         return self.array['hold']
 
@@ -1253,12 +1238,12 @@ class Overlap(Record):
 
     @property
     def shares(self) -> NDArray[np.float64]:
-        """Fraction of points of each piece that lie on the other, within a mean edge; 0 to 1."""
+        """Fraction of each piece's points on the other, within a mean edge; 0 to 1."""
         return self._array('shares')
 
     @property
     def mean(self) -> float:
-        """Mean distance of the points on the other surface from it, in the unit of the positions."""
+        """Mean distance of these points from the other surface."""
         return self._struct.mean
 
     @property
@@ -1268,7 +1253,7 @@ class Overlap(Record):
 
     @property
     def fit(self) -> float:
-        """Fraction of points within 8 mean edges of the other piece that lie on it, 0 to 1."""
+        """Fraction on the other piece of the points within 8 mean edges of it, 0 to 1."""
         return self._struct.fit
 
     @property
@@ -1278,7 +1263,7 @@ class Overlap(Record):
 
     @property
     def trusted(self) -> bool:
-        """1 if count is at least 30 and fit at least 2/3, else 0."""
+        """1 if count is at least 30 and fit at least 2/3."""
         return bool(self._struct.trusted)
 
 
@@ -1295,12 +1280,12 @@ class OverlapArray(RecordArray[Overlap]):
 
     @property
     def shares(self) -> NDArray[np.float64]:
-        """Fraction of points of each piece that lie on the other, within a mean edge; 0 to 1."""
+        """Fraction of each piece's points on the other, within a mean edge; 0 to 1."""
         return self.array['shares']
 
     @property
     def mean(self) -> NDArray[np.float64]:
-        """Mean distance of the points on the other surface from it, in the unit of the positions."""
+        """Mean distance of these points from the other surface."""
         return self.array['mean']
 
     @property
@@ -1310,7 +1295,7 @@ class OverlapArray(RecordArray[Overlap]):
 
     @property
     def fit(self) -> NDArray[np.float64]:
-        """Fraction of points within 8 mean edges of the other piece that lie on it, 0 to 1."""
+        """Fraction on the other piece of the points within 8 mean edges of it, 0 to 1."""
         return self.array['fit']
 
     @property
@@ -1320,7 +1305,7 @@ class OverlapArray(RecordArray[Overlap]):
 
     @property
     def trusted(self) -> NDArray[np.bool_]:
-        """1 if count is at least 30 and fit at least 2/3, else 0."""
+        """1 if count is at least 30 and fit at least 2/3."""
         return self.array['trusted'] != 0
 
 
@@ -1348,7 +1333,7 @@ class AlignmentView(Record):
 
     @property
     def converged(self) -> bool:
-        """1 if the pieces stopped moving, 0 if the rounds ran out."""
+        """1 if the pieces stopped moving before the rounds ran out."""
         return bool(self._struct.converged)
 
 
@@ -1383,14 +1368,12 @@ class TrimView(Record):
 
     @property
     def crossings(self) -> int:
-        """Faces removed at last, with their neighbours, as they intersect an earlier piece."""
+        """Faces removed at last, with their neighbours, for intersecting an earlier piece."""
         return self._struct.crossings
 
 
 class LoopView(Record):
-    """Boundary loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last edge of a loop to
-    vertices[0].
-    """
+    """Boundary loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], cyclically in a loop."""
 
     __slots__ = ()
     _NAME = 'gusset_loop_view'
@@ -1403,7 +1386,7 @@ class LoopView(Record):
 
     @property
     def half_edges(self) -> NDArray[np.uint32]:
-        """Half-edge (position in face_corners) of each edge."""
+        """Half-edge of each edge."""
         return self._array('half_edges')
 
     @property
@@ -1428,7 +1411,7 @@ class LoopView(Record):
 
     @property
     def walk(self) -> int:
-        """Number of the walk that the loop was cut from."""
+        """Walk that the loop was cut from."""
         return self._struct.walk
 
 
@@ -1450,12 +1433,12 @@ class Defect(Record):
 
     @property
     def other(self) -> int:
-        """Second element, if kind has one; otherwise UINT32_MAX."""
+        """Second element, or UINT32_MAX."""
         return self._struct.other
 
     @property
     def count(self) -> int:
-        """Number of half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; otherwise 0."""
+        """Half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; else 0."""
         return self._struct.count
 
 
@@ -1477,12 +1460,12 @@ class DefectArray(RecordArray[Defect]):
 
     @property
     def other(self) -> NDArray[np.uint32]:
-        """Second element, if kind has one; otherwise UINT32_MAX."""
+        """Second element, or UINT32_MAX."""
         return self.array['other']
 
     @property
     def count(self) -> NDArray[np.uint32]:
-        """Number of half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; otherwise 0."""
+        """Half-edges for GUSSET_DEFECT_NON_MANIFOLD_EDGE; else 0."""
         return self.array['count']
 
 
@@ -1495,17 +1478,17 @@ class BoundaryView(Record):
 
     @property
     def loop_count(self) -> int:
-        """Number of loops and open chains; 0 if the mesh is closed."""
+        """Loops and open chains; 0 if the mesh is closed."""
         return self._struct.loop_count
 
     @property
     def walk_count(self) -> int:
-        """Number of walks that loops were cut from. Loops that touch share a walk if it passes from one to the other."""
+        """Walks that loops were cut from. Loops that touch share a walk if it passes from one to the other."""
         return self._struct.walk_count
 
     @property
     def defects(self) -> DefectArray:
-        """Degenerate faces, orientation conflicts and non-manifold edges of the mesh, and bow-ties on its boundary."""
+        """Degenerate faces, orientation conflicts, non-manifold edges, and bow-ties on the boundary."""
         return DefectArray(self._array('defects', self._struct.defect_count))
 
 
@@ -1518,12 +1501,12 @@ class CheckView(Record):
 
     @property
     def vertex_count(self) -> int:
-        """Vertices, including unused ones."""
+        """Vertices, also unused ones."""
         return self._struct.vertex_count
 
     @property
     def edge_count(self) -> int:
-        """Distinct edges: pairs of different vertices, consecutive in a face."""
+        """Distinct edges, between different vertices."""
         return self._struct.edge_count
 
     @property
@@ -1538,7 +1521,7 @@ class CheckView(Record):
 
     @property
     def boundary_walk_count(self) -> int:
-        """Walks along the boundary, as walk_count of gusset_boundary_view."""
+        """As walk_count of gusset_boundary_view."""
         return self._struct.boundary_walk_count
 
     @property
@@ -1548,24 +1531,22 @@ class CheckView(Record):
 
     @property
     def euler(self) -> int:
-        """Used vertices - edges + all faces: the Euler characteristic if no face is degenerate."""
+        """Used vertices - edges + faces: the Euler characteristic without degenerate faces."""
         return self._struct.euler
 
     @property
     def genus(self) -> int:
-        """Handles of all components together. -1 if the mesh is not manifold or not orientable, or has a degenerate
-        face.
-        """
+        """Handles of all components together; -1 if not manifold or orientable, or with a degenerate face."""
         return self._struct.genus
 
     @property
     def boundary_edges(self) -> NDArray[np.uint32]:
-        """Half-edges of edges with exactly one face."""
+        """Half-edges of boundary edges."""
         return self._array('boundary_edges')
 
     @property
     def non_manifold_edges(self) -> NDArray[np.uint32]:
-        """First half-edge of each edge with three or more faces."""
+        """First half-edge of each non-manifold edge."""
         return self._array('non_manifold_edges')
 
     @property
@@ -1575,9 +1556,7 @@ class CheckView(Record):
 
     @property
     def bow_ties(self) -> NDArray[np.uint32]:
-        """Vertices whose faces form more than one fan. Fans end at non-manifold edges, whose ends are usually
-        included.
-        """
+        """Vertices whose faces form more than one fan; usually also ends of non-manifold edges."""
         return self._array('bow_ties')
 
     @property
@@ -1587,7 +1566,7 @@ class CheckView(Record):
 
     @property
     def duplicate_faces(self) -> NDArray[np.uint32]:
-        """Faces with the same cycle of vertices, in either direction, as an earlier face; none degenerate."""
+        """Faces with the cycle of vertices of an earlier face, in either direction; none degenerate."""
         return self._array('duplicate_faces')
 
     @property
@@ -1614,7 +1593,7 @@ class Chart(Record):
 
     @property
     def first_vertex(self) -> int:
-        """First vertex of the chart in the result. Its vertices are consecutive."""
+        """First vertex in the result; the chart's vertices are consecutive."""
         return self._struct.first_vertex
 
     @property
@@ -1639,20 +1618,20 @@ class Chart(Record):
 
     @property
     def overlaps(self) -> int:
-        """Pairs of border edges that meet in the plane, except neighbours. With GUSSET_CHART_EXACT, only crossings by
-        more than 1e-8 of the root of the area count. 0 unless finish is GUSSET_CHART_EXACT or GUSSET_CHART_FOLDED.
+        """Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT: crossings by more than
+        1e-8 of the root of the area. GUSSET_CHART_FOLDED: all. Else 0.
         """
         return self._struct.overlaps
 
     @property
     def folds(self) -> int:
-        """Triangles that are turned over. 0 unless finish is GUSSET_CHART_FOLDED."""
+        """Triangles turned over; 0 unless finish is GUSSET_CHART_FOLDED."""
         return self._struct.folds
 
     @property
     def energy(self) -> float:
-        """Symmetric Dirichlet energy: the mean over the area of s^2 + 1 / s^2, summed over both singular values s of
-        the map to the plane. The least is 4, for an isometry.
+        """Symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 for both singular values s
+        of the map. An isometry has the least, 4.
         """
         return self._struct.energy
 
@@ -1685,7 +1664,7 @@ class ChartArray(RecordArray[Chart]):
 
     @property
     def first_vertex(self) -> NDArray[np.uint32]:
-        """First vertex of the chart in the result. Its vertices are consecutive."""
+        """First vertex in the result; the chart's vertices are consecutive."""
         return self.array['first_vertex']
 
     @property
@@ -1710,20 +1689,20 @@ class ChartArray(RecordArray[Chart]):
 
     @property
     def overlaps(self) -> NDArray[np.uint32]:
-        """Pairs of border edges that meet in the plane, except neighbours. With GUSSET_CHART_EXACT, only crossings by
-        more than 1e-8 of the root of the area count. 0 unless finish is GUSSET_CHART_EXACT or GUSSET_CHART_FOLDED.
+        """Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT: crossings by more than
+        1e-8 of the root of the area. GUSSET_CHART_FOLDED: all. Else 0.
         """
         return self.array['overlaps']
 
     @property
     def folds(self) -> NDArray[np.uint32]:
-        """Triangles that are turned over. 0 unless finish is GUSSET_CHART_FOLDED."""
+        """Triangles turned over; 0 unless finish is GUSSET_CHART_FOLDED."""
         return self.array['folds']
 
     @property
     def energy(self) -> NDArray[np.float64]:
-        """Symmetric Dirichlet energy: the mean over the area of s^2 + 1 / s^2, summed over both singular values s of
-        the map to the plane. The least is 4, for an isometry.
+        """Symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 for both singular values s
+        of the map. An isometry has the least, 4.
         """
         return self.array['energy']
 
@@ -1757,12 +1736,12 @@ class DevelopReport(Record):
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """x, y of each vertex in the plane, always in double precision."""
+        """x, y of each vertex in the plane."""
         return self._array('points', len(self.vertex_map), 2)
 
     @property
     def vertex_map(self) -> NDArray[np.uint32]:
-        """Vertex of the surface for each vertex. Vertices on cuts repeat."""
+        """Vertex of the surface for each vertex; repeats on cuts."""
         return self._array('vertex_map')
 
     @property
@@ -1772,7 +1751,7 @@ class DevelopReport(Record):
 
     @property
     def stretches(self) -> NDArray[np.float64]:
-        """Largest and smallest factor by which lengths grow, two numbers for each face."""
+        """Largest and smallest factor by which lengths grow, for each face."""
         return self._array('stretches', len(self.face_charts), 2)
 
     @property
@@ -1782,7 +1761,7 @@ class DevelopReport(Record):
 
     @property
     def cut_edges(self) -> NDArray[np.uint32]:
-        """Cut edges of the surface, two vertices each: first given, then opening, then dart cuts."""
+        """Cut edges of the surface, two vertices each: given, opening, then dart cuts."""
         return self._array('cut_edges', -1, 2)
 
     @property
@@ -1792,7 +1771,7 @@ class DevelopReport(Record):
 
     @property
     def darts(self) -> int:
-        """Number of darts."""
+        """Darts."""
         return self._struct.darts
 
 
@@ -1815,19 +1794,17 @@ class FacingView(Record):
 
     @property
     def distances(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Distance of each vertex from the plane of its loop, positive towards the other loop."""
+        """Signed distance of each vertex from its plane, positive towards the other loop."""
         return self._array('distances', self._struct.counts[0], part=0), self._array('distances', self._struct.counts[1], part=1)
 
     @property
     def runs(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """First index and number of vertices of each run of facing vertices, alternating. A run may pass the end of
-        the loop.
-        """
+        """First index and length of each run of facing vertices, alternating; a run may pass the loop's end."""
         return self._array('runs', -1, 2, part=0), self._array('runs', -1, 2, part=1)
 
     @property
     def taken(self) -> NDArray[np.uint32]:
-        """First index and number of vertices of the chosen run, as arc_a and arc_b of gusset_stitch_options."""
+        """The chosen run, as arc_a and arc_b of gusset_stitch_options."""
         return self._array('taken')
 
 
@@ -1840,9 +1817,7 @@ class OriginsView(Record):
 
     @property
     def offsets(self) -> NDArray[np.uint32]:
-        """Element k has the entries offsets[k] to offsets[k + 1] - 1 of sources and weights, or none. One entry more
-        than elements.
-        """
+        """Element k has the sources and weights offsets[k] to offsets[k + 1] - 1, if any."""
         return self._array('offsets')
 
     @property
@@ -1852,21 +1827,19 @@ class OriginsView(Record):
 
     @property
     def weights(self) -> NDArray[np.float64]:
-        """Weight of each source, above 0, with sum 1 for each element."""
+        """Weight of each source, above 0, sum 1."""
         return self._array('weights', len(self.sources))
 
     @property
     def starts(self) -> NDArray[np.uint32]:
-        """Input i has the sources starts[i] to starts[i + 1] - 1. One entry more than inputs. Inputs are the meshes,
-        pieces or polylines in order, or the single mesh, net or sheet.
+        """Input i has the sources starts[i] to starts[i + 1] - 1. Inputs are the meshes, pieces, polylines, net or
+        sheet in order.
         """
         return self._array('starts')
 
 
 class Seam(Record):
-    """Seam: glues node k of run A to node k of run B. Node k of A is (row_a + k * row_step_a, column_a + k *
-    column_step_a).
-    """
+    """Seam: glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k of run B."""
 
     __slots__ = ()
     _NAME = 'gusset_seam'
@@ -1913,14 +1886,12 @@ class Seam(Record):
 
     @property
     def count(self) -> int:
-        """Number of nodes, at least 1; 1 if all steps are 0."""
+        """Nodes, at least 1; 1 if all steps are 0."""
         return self._struct.count
 
 
 class SeamArray(RecordArray[Seam]):
-    """Seam: glues node k of run A to node k of run B. Node k of A is (row_a + k * row_step_a, column_a + k *
-    column_step_a).
-    """
+    """Seam: glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k of run B."""
 
     __slots__ = ()
     RECORD = Seam
@@ -1967,7 +1938,7 @@ class SeamArray(RecordArray[Seam]):
 
     @property
     def count(self) -> NDArray[np.uint32]:
-        """Number of nodes, at least 1; 1 if all steps are 0."""
+        """Nodes, at least 1; 1 if all steps are 0."""
         return self.array['count']
 
 
@@ -1995,12 +1966,12 @@ class NetGluingReport(Record):
 
     @property
     def sides(self) -> frozenset[choices.Sides]:
-        """Sides, if they describe all links; else UINT32_MAX, and the matrix does."""
+        """Sides, if they describe all links; else UINT32_MAX."""
         return flags(self._struct.sides, 'gusset_sides')
 
     @property
     def reversed(self) -> bool:
-        """1: faces have the opposite orientation."""
+        """1: opposite orientation of faces."""
         return bool(self._struct.reversed)
 
 
@@ -2023,7 +1994,7 @@ class NetGroupsView(Record):
 
 
 class GluingOccurrence(Record):
-    """Local gluing of a net: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4."""
+    """Local gluing: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4."""
 
     __slots__ = ()
     _NAME = 'gusset_gluing_occurrence'
@@ -2040,39 +2011,39 @@ class GluingOccurrence(Record):
 
     @property
     def kind(self) -> choices.GluingType:
-        """Local gluing (Deryagin, Fig. 4)."""
+        """Local gluing of Deryagin's figure 4."""
         return word(self._struct.kind, 'gusset_gluing_type')
 
     @property
     def a(self) -> int:
-        """At a node: number of nodes glued to it. At a cell: number of glued links, at most 3; 1 for a diagonal."""
+        """At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal."""
         return self._struct.a
 
     @property
     def b(self) -> int:
-        """At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: number of other links
-        between them, 0 or 1. For a diagonal: 2. Else UINT32_MAX.
+        """At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: other links between them,
+        0 or 1. For a diagonal: 2. Else UINT32_MAX.
         """
         return self._struct.b
 
     @property
     def node_order(self) -> int:
-        """Number of nodes united."""
+        """United nodes."""
         return self._struct.node_order
 
     @property
     def link_order(self) -> int:
-        """Number of links united; 1 if none."""
+        """United links; 1 if none."""
         return self._struct.link_order
 
     @property
     def class_size(self) -> int:
-        """Number of nodes of the point; exceeds node_order where gluings meet, as at a pole."""
+        """Nodes of the point; exceeds node_order where gluings meet."""
         return self._struct.class_size
 
 
 class GluingOccurrenceArray(RecordArray[GluingOccurrence]):
-    """Local gluing of a net: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4."""
+    """Local gluing: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4."""
 
     __slots__ = ()
     RECORD = GluingOccurrence
@@ -2089,34 +2060,34 @@ class GluingOccurrenceArray(RecordArray[GluingOccurrence]):
 
     @property
     def kind(self) -> NDArray[np.str_]:
-        """Local gluing (Deryagin, Fig. 4)."""
+        """Local gluing of Deryagin's figure 4."""
         return words(self.array['kind'], 'gusset_gluing_type')
 
     @property
     def a(self) -> NDArray[np.uint32]:
-        """At a node: number of nodes glued to it. At a cell: number of glued links, at most 3; 1 for a diagonal."""
+        """At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal."""
         return self.array['a']
 
     @property
     def b(self) -> NDArray[np.uint32]:
-        """At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: number of other links
-        between them, 0 or 1. For a diagonal: 2. Else UINT32_MAX.
+        """At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: other links between them,
+        0 or 1. For a diagonal: 2. Else UINT32_MAX.
         """
         return self.array['b']
 
     @property
     def node_order(self) -> NDArray[np.uint32]:
-        """Number of nodes united."""
+        """United nodes."""
         return self.array['node_order']
 
     @property
     def link_order(self) -> NDArray[np.uint32]:
-        """Number of links united; 1 if none."""
+        """United links; 1 if none."""
         return self.array['link_order']
 
     @property
     def class_size(self) -> NDArray[np.uint32]:
-        """Number of nodes of the point; exceeds node_order where gluings meet, as at a pole."""
+        """Nodes of the point; exceeds node_order where gluings meet."""
         return self.array['class_size']
 
 
@@ -2133,8 +2104,8 @@ class NetMeasureReport(Record):
 
     @property
     def volume(self) -> float:
-        """Volume enclosed by a closed two-sided net, positive if normals point outwards. For an open net: volume of
-        the cone to the first node.
+        """Enclosed volume of a closed two-sided net, positive if normals point outwards; else volume of the cone to
+        the first node.
         """
         return self._struct.volume
 
@@ -2155,7 +2126,7 @@ class NetMeasureReport(Record):
 
     @property
     def bilinear_area(self) -> float:
-        """Area of the cells' bilinear patches, up to rounding; exceeds area if cells are not planar. All layers of a
+        """Area of the cells' bilinear patches, up to rounding; exceeds area unless cells are planar. All layers of a
         folded patch count.
         """
         return self._struct.bilinear_area
@@ -2167,24 +2138,24 @@ class NetMeasureReport(Record):
 
     @property
     def body_volume(self) -> float:
-        """Volume of the body that a closed net encloses; negative if normals point inwards."""
+        """Volume of the body in a closed net; negative if normals point inwards."""
         return self._struct.body_volume
 
     @property
     def centroid(self) -> NDArray[np.float64]:
-        """Centre of mass of the body; NaN if its volume is 0."""
+        """Centroid of the body; NaN if its volume is 0."""
         return self._array('centroid')
 
     @property
     def inertia(self) -> NDArray[np.float64]:
-        """Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2 and so on; else
-        of -x y and so on.
+        """Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2 etc.; else of -x
+        y etc.
         """
         return self._array('inertia', 3, 3)
 
 
 class NetPlanarityReport(Record):
-    """Planarity of the cells of a net."""
+    """Planarity of cells."""
 
     __slots__ = ()
     _NAME = 'gusset_net_planarity_report'
@@ -2206,7 +2177,7 @@ class NetPlanarityReport(Record):
 
     @property
     def above(self) -> int:
-        """Number of cells above the tolerance."""
+        """Cells above the tolerance."""
         return self._struct.above
 
 
@@ -2234,17 +2205,17 @@ class NetMeshReport(Record):
 
     @property
     def wires(self) -> NDArray[np.uint32]:
-        """Edges without faces, two vertices each, from cells whose opposite sides are glued."""
+        """Edges without faces, two vertices each: cells whose opposite sides are glued."""
         return self._array('wires', -1, 2)
 
     @property
     def texture_corners(self) -> NDArray[np.uint32]:
-        """For each corner of the mesh, the index of its pair in texture_coordinates; empty unless requested."""
+        """For each corner, its pair in texture_coordinates; empty unless requested."""
         return self._array('texture_corners')
 
     @property
     def texture_coordinates(self) -> NDArray[np.float64]:
-        """Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side."""
+        """Pairs (column, row), 0 to 1. A vertex on a seam has a pair on each side."""
         return self._array('texture_coordinates', self._struct.texture_count, 2)
 
 
@@ -2267,8 +2238,8 @@ class NetGridView(Record):
 
 
 class BridgeProperties(Record):
-    """Physical properties of a bridge, for gusset_net_settle. The caller chooses the unit of force. Lines run across
-    the bridge along links.
+    """Physical properties of a bridge, for gusset_net_settle, in any unit of force. Lines run across the bridge along
+    links.
     """
 
     __slots__ = ()
@@ -2276,7 +2247,7 @@ class BridgeProperties(Record):
 
     @property
     def tension(self) -> float:
-        """Force in each line of a thread or ribbon, force per length in a tube's film; at least 0."""
+        """Force in each line of a thread or ribbon, or per length in a tube's film; at least 0."""
         return self._struct.tension
 
     @property
@@ -2291,13 +2262,13 @@ class BridgeProperties(Record):
 
     @property
     def user(self) -> int:
-        """Number for the caller's use."""
+        """For the caller's use."""
         return self._struct.user
 
 
 class BridgePropertiesArray(RecordArray[BridgeProperties]):
-    """Physical properties of a bridge, for gusset_net_settle. The caller chooses the unit of force. Lines run across
-    the bridge along links.
+    """Physical properties of a bridge, for gusset_net_settle, in any unit of force. Lines run across the bridge along
+    links.
     """
 
     __slots__ = ()
@@ -2305,7 +2276,7 @@ class BridgePropertiesArray(RecordArray[BridgeProperties]):
 
     @property
     def tension(self) -> NDArray[np.float64]:
-        """Force in each line of a thread or ribbon, force per length in a tube's film; at least 0."""
+        """Force in each line of a thread or ribbon, or per length in a tube's film; at least 0."""
         return self.array['tension']
 
     @property
@@ -2320,7 +2291,7 @@ class BridgePropertiesArray(RecordArray[BridgeProperties]):
 
     @property
     def user(self) -> NDArray[np.uint64]:
-        """Number for the caller's use."""
+        """For the caller's use."""
         return self.array['user']
 
 
@@ -2333,7 +2304,7 @@ class Bridge(Record):
 
     @property
     def properties(self) -> BridgeProperties:
-        """Properties that the caller gave."""
+        """Properties given."""
         return BridgeProperties(self._struct.properties, self._owner)
 
     @property
@@ -2373,7 +2344,7 @@ class Bridge(Record):
 
 
 class NetAnalysisView(Record):
-    """Effects of a deformation. See gusset_net for indices."""
+    """Effects of a deformation."""
 
     __slots__ = ()
     _NAME = 'gusset_net_analysis_view'
@@ -2381,26 +2352,24 @@ class NetAnalysisView(Record):
 
     @property
     def links(self) -> NDArray[np.float64]:
-        """Ratio of new to old length of each link; NaN if the old length is 0 or an end is missing."""
+        """New / old length of each link; NaN if the old length is 0 or an end is missing."""
         return self._array('links', self._struct.link_count)
 
     @property
     def cells(self) -> NDArray[np.float64]:
-        """Ratio of new to old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for folds
-        or, with fields, negative determinants.
+        """New / old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for folds or, with
+        fields, negative determinants.
         """
         return self._array('cells', self._struct.cell_count)
 
     @property
     def determinants(self) -> NDArray[np.float64]:
-        """Jacobian determinant of the fields at the centre of each cell; NULL if nets are compared."""
+        """The fields' Jacobian determinant at each cell's centre; NULL if nets are compared."""
         return self._array('determinants', self._struct.cell_count)
 
     @property
     def contracted(self) -> NDArray[np.uint32]:
-        """Links that the deformation contracted to a point although the net does not glue their ends. To glue them,
-        pass them as links of gusset_glue_options.
-        """
+        """Newly contracted links, whose ends the net does not glue; to glue them, use links of gusset_glue_options."""
         return self._array('contracted', self._struct.contracted_count)
 
     @property
@@ -2420,12 +2389,12 @@ class NetAnalysisView(Record):
 
     @property
     def soft(self) -> bool:
-        """1: nothing is newly glued, torn or folded (a soft deformation); 0: hard."""
+        """1: a soft deformation, nothing newly glued, torn or folded; 0: hard."""
         return bool(self._struct.soft)
 
 
 class NetComplexView(Record):
-    """Counts and defects of a complex. Vertices are given by their smallest nodes, edges as pairs; lists are sorted."""
+    """Counts and defects of a complex, in sorted lists. A vertex is its smallest node, an edge a pair."""
 
     __slots__ = ()
     _NAME = 'gusset_net_complex_view'
@@ -2433,22 +2402,22 @@ class NetComplexView(Record):
 
     @property
     def vertex_count(self) -> int:
-        """Vertices."""
+        """Number of vertices."""
         return self._struct.vertex_count
 
     @property
     def edge_count(self) -> int:
-        """Edges; links with equal ends are one edge."""
+        """Edges; links with equal ends are one."""
         return self._struct.edge_count
 
     @property
     def quad_count(self) -> int:
-        """Quads."""
+        """Number of quads."""
         return self._struct.quad_count
 
     @property
     def triangle_count(self) -> int:
-        """Triangles."""
+        """Number of triangles."""
         return self._struct.triangle_count
 
     @property
@@ -2468,17 +2437,17 @@ class NetComplexView(Record):
 
     @property
     def boundary_edge_count(self) -> int:
-        """Edges of one face."""
+        """Number of boundary edges."""
         return self._struct.boundary_edge_count
 
     @property
     def component_count(self) -> int:
-        """Connected components."""
+        """Number of connected components."""
         return self._struct.component_count
 
     @property
     def euler(self) -> int:
-        """Euler characteristic, vertices - edges + faces."""
+        """Vertices - edges + faces."""
         return self._struct.euler
 
     @property
@@ -2503,7 +2472,7 @@ class NetComplexView(Record):
 
     @property
     def boundary_open(self) -> NDArray[np.bool_]:
-        """For each chain: 0 for a loop, 1 if it ends at edges of three or more faces."""
+        """For each chain: 1 if it ends at branches, 0 for a loop."""
         return self._array('boundary_open') != 0
 
     @property
@@ -2513,17 +2482,17 @@ class NetComplexView(Record):
 
     @property
     def branches(self) -> NDArray[np.uint32]:
-        """Edges of three or more faces."""
+        """Non-manifold edges."""
         return self._array('branches', -1, 2)
 
     @property
     def pinches(self) -> NDArray[np.uint32]:
-        """Vertices whose faces form several fans that meet only there."""
+        """Vertices whose faces form several fans."""
         return self._array('pinches')
 
     @property
     def conflicts(self) -> NDArray[np.uint32]:
-        """Edges that two faces traverse in the same direction."""
+        """Edges that two faces traverse in one direction."""
         return self._array('conflicts', -1, 2)
 
 
@@ -2540,7 +2509,7 @@ class PlanariseReport(Record):
 
     @property
     def tolerance(self) -> float:
-        """Absolute tolerance: relative tolerance times size."""
+        """Tolerance times size."""
         return self._struct.tolerance
 
     @property
@@ -2570,17 +2539,17 @@ class PlanariseReport(Record):
 
     @property
     def iterations(self) -> int:
-        """Number of steps; 0 if all cells were planar, and no bit changed."""
+        """Steps; 0 if all cells were planar and no bit changed."""
         return self._struct.iterations
 
     @property
     def converged(self) -> bool:
-        """1: deviation_after is within the tolerance; 0: approximate result."""
+        """1: deviation_after is within the tolerance."""
         return bool(self._struct.converged)
 
 
 class SettleReport(Record):
-    """Result of gusset_net_settle. Energies are forces times lengths, in the caller's units."""
+    """Result of gusset_net_settle. Energies are forces times lengths."""
 
     __slots__ = ()
     _NAME = 'gusset_settle_report'
@@ -2617,7 +2586,7 @@ class SettleReport(Record):
 
     @property
     def iterations(self) -> int:
-        """Number of steps."""
+        """Steps."""
         return self._struct.iterations
 
     @property
@@ -2627,7 +2596,7 @@ class SettleReport(Record):
 
     @property
     def idle(self) -> int:
-        """Counted bridges without forces: hidden, welded, or with properties 0. Their nodes stay."""
+        """Counted bridges without forces, whose nodes stay: hidden, welded, or with properties 0."""
         return self._struct.idle
 
     @property
@@ -2637,9 +2606,7 @@ class SettleReport(Record):
 
     @property
     def converged(self) -> bool:
-        """1: no film collapsed, and the last step met the tolerance or was too small to lower the energy. 0:
-        approximate result.
-        """
+        """1: no film collapsed, and the last step met the tolerance or was too small to lower the energy."""
         return bool(self._struct.converged)
 
 
@@ -2848,9 +2815,7 @@ class WingedView(Record):
 
     @property
     def loop_vertices(self) -> NDArray[np.uint32]:
-        """Vertices of all boundary loops, loop after loop, surface on the left. Exactly one of L and R of a boundary
-        edge is NULL.
-        """
+        """Vertices of all boundary loops, surface on the left. Exactly one of L and R of a boundary edge is NULL."""
         return self._array('loop_vertices')
 
     @property
@@ -2873,12 +2838,12 @@ class WingedFacesView(Record):
 
     @property
     def face_offsets(self) -> NDArray[np.uint32]:
-        """faces + 1 offsets, as in gusset_mesh_view."""
+        """As in gusset_mesh_view."""
         return self._array('face_offsets')
 
     @property
     def face_corners(self) -> NDArray[np.uint32]:
-        """Vertices of the faces in order, as in gusset_mesh_view."""
+        """As in gusset_mesh_view."""
         return self._array('face_corners')
 
     @property
@@ -2896,7 +2861,7 @@ class SceneEntryReport(Record):
 
     @property
     def transform(self) -> Transform:
-        """Map into the space of its groups."""
+        """Map into its groups' space."""
         return Transform(self._struct.transform, self._owner)
 
     @property
@@ -2916,7 +2881,7 @@ class SceneEntryReport(Record):
 
 
 class SceneReport(Record):
-    """Size of a scene. A top-level entry is outside all groups."""
+    """Size of a scene. Top-level entries are outside all groups."""
 
     __slots__ = ()
     _NAME = 'gusset_scene_report'
@@ -2924,12 +2889,12 @@ class SceneReport(Record):
 
     @property
     def instances(self) -> int:
-        """Instances, each a path from a top-level entry; at most UINT64_MAX."""
+        """Instances: paths from top-level entries; at most UINT64_MAX."""
         return self._struct.instances
 
     @property
     def net_instances(self) -> int:
-        """Instances that are nets."""
+        """Instances of nets."""
         return self._struct.net_instances
 
     @property
@@ -2944,19 +2909,19 @@ class SceneReport(Record):
 
     @property
     def levels(self) -> int:
-        """Length of the longest path, in entries; 0 for an empty scene."""
+        """Entries of the longest path; 0 for an empty scene."""
         return self._struct.levels
 
 
 class SceneInstance(Record):
-    """Instance: one path from a top-level entry to an entry."""
+    """Instance: a path from top level to an entry."""
 
     __slots__ = ()
     _NAME = 'gusset_scene_instance'
 
     @property
     def world(self) -> Transform:
-        """Map into the space of the scene."""
+        """Map into the scene's space."""
         return Transform(self._struct.world, self._owner)
 
     @property
@@ -2966,7 +2931,7 @@ class SceneInstance(Record):
 
     @property
     def parent(self) -> int:
-        """Instance of the enclosing group; UINT32_MAX at top level."""
+        """Instance of the enclosing group, or UINT32_MAX."""
         return self._struct.parent
 
     @property
@@ -2976,14 +2941,14 @@ class SceneInstance(Record):
 
 
 class SceneInstanceArray(RecordArray[SceneInstance]):
-    """Instance: one path from a top-level entry to an entry."""
+    """Instance: a path from top level to an entry."""
 
     __slots__ = ()
     RECORD = SceneInstance
 
     @property
     def world(self) -> TransformArray:
-        """Map into the space of the scene."""
+        """Map into the scene's space."""
         return TransformArray(self.array['world'])
 
     @property
@@ -2993,7 +2958,7 @@ class SceneInstanceArray(RecordArray[SceneInstance]):
 
     @property
     def parent(self) -> NDArray[np.uint32]:
-        """Instance of the enclosing group; UINT32_MAX at top level."""
+        """Instance of the enclosing group, or UINT32_MAX."""
         return self.array['parent']
 
     @property
@@ -3010,17 +2975,17 @@ class StreamReport(Record):
 
     @property
     def rows(self) -> int:
-        """Rows of nodes."""
+        """Node rows."""
         return self._struct.rows
 
     @property
     def columns(self) -> int:
-        """Columns of nodes."""
+        """Node columns."""
         return self._struct.columns
 
     @property
     def rows_per_block(self) -> int:
-        """Rows of each block; the last may have fewer."""
+        """Rows of a block; the last may have fewer."""
         return self._struct.rows_per_block
 
     @property
@@ -3030,12 +2995,12 @@ class StreamReport(Record):
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """QUANTISED: coordinates of level 0; level k is at origin + k * step. Else 0."""
+        """QUANTISED: level 0; level k is at origin + k * step. Else 0."""
         return self._array('origin')
 
     @property
     def step(self) -> NDArray[np.float64]:
-        """QUANTISED: distance of levels. Coordinates are off by at most step / 2 and half a unit in the last place.
+        """QUANTISED: distance of levels; coordinates are off by at most step / 2 and half a unit in the last place.
         Else 0.
         """
         return self._array('step')
@@ -3057,14 +3022,14 @@ class StreamReport(Record):
 
 
 class SurfaceSheet(Record):
-    """Size and numbering of a surface's sheet."""
+    """Size and numbering of a sheet."""
 
     __slots__ = ()
     _NAME = 'gusset_surface_sheet'
 
     @property
     def rows(self) -> int:
-        """Rows of cells: u runs from 0 to rows. Corners have one row more."""
+        """Rows of cells: u runs from 0 to rows."""
         return self._struct.rows
 
     @property
@@ -3074,15 +3039,15 @@ class SurfaceSheet(Record):
 
     @property
     def first_cell(self) -> int:
-        """Number of cell (0, 0) among the cells of all sheets. Cell (i, j) has the number first_cell + i * columns +
-        j, which is its bit in masks of gusset_surface_cells_view.
+        """Number of cell (0, 0) among all sheets' cells. Cell (i, j) has the number first_cell + i * columns + j: its
+        bit in masks of gusset_surface_cells_view.
         """
         return self._struct.first_cell
 
     @property
     def first_node(self) -> int:
-        """Number of corner (0, 0) among the corners of all sheets, (rows + 1) x (columns + 1) each: offset of its
-        values for GUSSET_CONTOUR_VALUES.
+        """Number of corner (0, 0) among all sheets' corners, (rows + 1) x (columns + 1) each: offset of its values
+        for GUSSET_CONTOUR_VALUES.
         """
         return self._struct.first_node
 
@@ -3098,14 +3063,14 @@ class SurfaceSheet(Record):
 
 
 class SurfaceSheetArray(RecordArray[SurfaceSheet]):
-    """Size and numbering of a surface's sheet."""
+    """Size and numbering of a sheet."""
 
     __slots__ = ()
     RECORD = SurfaceSheet
 
     @property
     def rows(self) -> NDArray[np.uintp]:
-        """Rows of cells: u runs from 0 to rows. Corners have one row more."""
+        """Rows of cells: u runs from 0 to rows."""
         return self.array['rows']
 
     @property
@@ -3115,15 +3080,15 @@ class SurfaceSheetArray(RecordArray[SurfaceSheet]):
 
     @property
     def first_cell(self) -> NDArray[np.uint64]:
-        """Number of cell (0, 0) among the cells of all sheets. Cell (i, j) has the number first_cell + i * columns +
-        j, which is its bit in masks of gusset_surface_cells_view.
+        """Number of cell (0, 0) among all sheets' cells. Cell (i, j) has the number first_cell + i * columns + j: its
+        bit in masks of gusset_surface_cells_view.
         """
         return self.array['first_cell']
 
     @property
     def first_node(self) -> NDArray[np.uint64]:
-        """Number of corner (0, 0) among the corners of all sheets, (rows + 1) x (columns + 1) each: offset of its
-        values for GUSSET_CONTOUR_VALUES.
+        """Number of corner (0, 0) among all sheets' corners, (rows + 1) x (columns + 1) each: offset of its values
+        for GUSSET_CONTOUR_VALUES.
         """
         return self.array['first_node']
 
@@ -3151,7 +3116,7 @@ class SurfacePlace(Record):
 
     @property
     def row(self) -> int:
-        """Row of the cell, between node rows row and row + 1."""
+        """Row of the cell."""
         return self._struct.row
 
     @property
@@ -3183,7 +3148,7 @@ class SurfacePlaceArray(RecordArray[SurfacePlace]):
 
     @property
     def row(self) -> NDArray[np.uint32]:
-        """Row of the cell, between node rows row and row + 1."""
+        """Row of the cell."""
         return self.array['row']
 
     @property
@@ -3203,7 +3168,7 @@ class SurfacePlaceArray(RecordArray[SurfacePlace]):
 
 
 class SurfaceContact(Record):
-    """A point where two surfaces touch within the tolerance, with parallel normals."""
+    """A point where surfaces touch within the tolerance, with parallel normals."""
 
     __slots__ = ()
     _NAME = 'gusset_surface_contact'
@@ -3225,8 +3190,8 @@ class SurfaceContact(Record):
 
     @property
     def radius(self) -> float:
-        """Near the contact, points within the tolerance of the other surface lie within this distance, except on
-        crossing branches.
+        """Near the contact, points within the tolerance of the other surface lie this near, except on crossing
+        branches.
         """
         return self._struct.radius
 
@@ -3237,7 +3202,7 @@ class SurfaceContact(Record):
 
 
 class SurfaceContactArray(RecordArray[SurfaceContact]):
-    """A point where two surfaces touch within the tolerance, with parallel normals."""
+    """A point where surfaces touch within the tolerance, with parallel normals."""
 
     __slots__ = ()
     RECORD = SurfaceContact
@@ -3259,8 +3224,8 @@ class SurfaceContactArray(RecordArray[SurfaceContact]):
 
     @property
     def radius(self) -> NDArray[np.float64]:
-        """Near the contact, points within the tolerance of the other surface lie within this distance, except on
-        crossing branches.
+        """Near the contact, points within the tolerance of the other surface lie this near, except on crossing
+        branches.
         """
         return self.array['radius']
 
@@ -3279,12 +3244,12 @@ class SurfacePathsView(Record):
 
     @property
     def ends(self) -> NDArray[np.uint32]:
-        """path_count + 1 offsets: curve k has the points ends[k] to ends[k + 1] - 1."""
+        """Curve k has the points ends[k] to ends[k + 1] - 1."""
         return self._array('ends')
 
     @property
     def closed(self) -> NDArray[np.bool_]:
-        """By curve: 1 if closed. The first point is not repeated; append it for gusset_curve_through_create."""
+        """By curve: 1 if closed. Append the first point for gusset_curve_through_create."""
         return self._array('closed', self._struct.path_count) != 0
 
     @property
@@ -3294,12 +3259,12 @@ class SurfacePathsView(Record):
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """x, y, z of each point, on the surface."""
+        """The points, on the surface."""
         return self._array('points', self._struct.point_count, 3)
 
     @property
     def normals(self) -> NDArray[np.float64]:
-        """Unit normals, x, y, z at each point; 0 where undefined."""
+        """Unit normal at each point; 0 where undefined."""
         return self._array('normals', self._struct.point_count, 3)
 
     @property
@@ -3309,7 +3274,7 @@ class SurfacePathsView(Record):
 
     @property
     def others(self) -> SurfacePlaceArray:
-        """For intersections: places on the second surface; else NULL."""
+        """Intersections: places on the second surface; else NULL."""
         return SurfacePlaceArray(self._array('others', self._struct.point_count))
 
     @property
@@ -3319,7 +3284,7 @@ class SurfacePathsView(Record):
 
     @property
     def contacts(self) -> SurfaceContactArray:
-        """For intersections: points where the surfaces touch."""
+        """Intersections: points where the surfaces touch."""
         return SurfaceContactArray(self._array('contacts', self._struct.contact_count))
 
 
@@ -3411,17 +3376,17 @@ class SurfacePointsView(Record):
 
     @property
     def bound(self) -> float:
-        """Distance below which no minimum is missing."""
+        """No minimum below this distance is missing."""
         return self._struct.bound
 
     @property
     def complete(self) -> bool:
-        """1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the surface."""
+        """0 if the search stopped at `bound`."""
         return bool(self._struct.complete)
 
 
 class SurfacePoint(Record):
-    """Point, derivatives, normal and curvatures at a place. Derivatives refer to the parameters in the cell."""
+    """Point, derivatives by the cell's parameters, normal and curvatures at a place."""
 
     __slots__ = ()
     _NAME = 'gusset_surface_point'
@@ -3463,19 +3428,17 @@ class SurfacePoint(Record):
 
     @property
     def spread(self) -> float:
-        """For GUSSET_NORMAL_LIMIT: largest angle to the limits along other lines. Small at a smooth pole, large at a
-        cone's tip.
-        """
+        """For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines."""
         return self._struct.spread
 
     @property
     def principal(self) -> NDArray[np.float64]:
-        """Principal curvatures, the greater first; positive where the surface bends towards the normal."""
+        """Principal curvatures, the greater first; positive if bent towards the normal."""
         return self._array('principal')
 
     @property
     def directions(self) -> NDArray[np.float64]:
-        """Principal directions: two unit tangents, x, y, z each."""
+        """Principal directions: two unit tangents."""
         return self._array('directions', 2, 3)
 
     @property
@@ -3495,12 +3458,12 @@ class SurfacePoint(Record):
 
     @property
     def is_curved(self) -> bool:
-        """1: curvatures are given; 0: the surface is not regular, and they are 0."""
+        """0: not regular; curvatures are 0."""
         return bool(self._struct.is_curved)
 
 
 class SurfacePointArray(RecordArray[SurfacePoint]):
-    """Point, derivatives, normal and curvatures at a place. Derivatives refer to the parameters in the cell."""
+    """Point, derivatives by the cell's parameters, normal and curvatures at a place."""
 
     __slots__ = ()
     RECORD = SurfacePoint
@@ -3542,19 +3505,17 @@ class SurfacePointArray(RecordArray[SurfacePoint]):
 
     @property
     def spread(self) -> NDArray[np.float64]:
-        """For GUSSET_NORMAL_LIMIT: largest angle to the limits along other lines. Small at a smooth pole, large at a
-        cone's tip.
-        """
+        """For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines."""
         return self.array['spread']
 
     @property
     def principal(self) -> NDArray[np.float64]:
-        """Principal curvatures, the greater first; positive where the surface bends towards the normal."""
+        """Principal curvatures, the greater first; positive if bent towards the normal."""
         return self.array['principal']
 
     @property
     def directions(self) -> NDArray[np.float64]:
-        """Principal directions: two unit tangents, x, y, z each."""
+        """Principal directions: two unit tangents."""
         return self.array['directions'].reshape(*self.array.shape, 2, 3)
 
     @property
@@ -3574,7 +3535,7 @@ class SurfacePointArray(RecordArray[SurfacePoint]):
 
     @property
     def is_curved(self) -> NDArray[np.bool_]:
-        """1: curvatures are given; 0: the surface is not regular, and they are 0."""
+        """0: not regular; curvatures are 0."""
         return self.array['is_curved'] != 0
 
 
@@ -3586,12 +3547,12 @@ class SurfaceHit(Record):
 
     @property
     def t(self) -> float:
-        """Parameter on the line; for a curve, segment number + parameter on the segment."""
+        """Parameter on the line; for a curve, segment + parameter in it."""
         return self._struct.t
 
     @property
     def span(self) -> NDArray[np.float64]:
-        """Parameters between which line and surface agree within the tolerance; at a crossing, t twice."""
+        """Parameters between which both agree within the tolerance; at a crossing, t twice."""
         return self._array('span')
 
     @property
@@ -3601,12 +3562,12 @@ class SurfaceHit(Record):
 
     @property
     def point(self) -> NDArray[np.float64]:
-        """x, y, z on the surface."""
+        """Point on the surface."""
         return self._array('point')
 
     @property
     def normal(self) -> NDArray[np.float64]:
-        """x, y, z of the unit normal; at a pole its limit; 0 if undefined."""
+        """Unit normal; at a pole its limit; 0 if undefined."""
         return self._array('normal')
 
     @property
@@ -3623,12 +3584,12 @@ class SurfaceHitArray(RecordArray[SurfaceHit]):
 
     @property
     def t(self) -> NDArray[np.float64]:
-        """Parameter on the line; for a curve, segment number + parameter on the segment."""
+        """Parameter on the line; for a curve, segment + parameter in it."""
         return self.array['t']
 
     @property
     def span(self) -> NDArray[np.float64]:
-        """Parameters between which line and surface agree within the tolerance; at a crossing, t twice."""
+        """Parameters between which both agree within the tolerance; at a crossing, t twice."""
         return self.array['span']
 
     @property
@@ -3638,12 +3599,12 @@ class SurfaceHitArray(RecordArray[SurfaceHit]):
 
     @property
     def point(self) -> NDArray[np.float64]:
-        """x, y, z on the surface."""
+        """Point on the surface."""
         return self.array['point']
 
     @property
     def normal(self) -> NDArray[np.float64]:
-        """x, y, z of the unit normal; at a pole its limit; 0 if undefined."""
+        """Unit normal; at a pole its limit; 0 if undefined."""
         return self.array['normal']
 
     @property
@@ -3661,12 +3622,12 @@ class SurfaceHitsView(Record):
 
     @property
     def query_count(self) -> int:
-        """Number of queries: the lines, then the curve if given."""
+        """Queries: the lines, then the curve if given."""
         return self._struct.query_count
 
     @property
     def ends(self) -> NDArray[np.uint64]:
-        """query_count + 1 offsets: query k has the hits ends[k] to ends[k + 1] - 1."""
+        """Query k has the hits ends[k] to ends[k + 1] - 1."""
         return self._array('ends', self._struct.query_count + 1)
 
     @property
@@ -3676,7 +3637,7 @@ class SurfaceHitsView(Record):
 
     @property
     def on_curve(self) -> PlaceArray:
-        """For each hit of the curve three places on it: hit, start and end of span. Else NULL."""
+        """For each hit of the curve, places of hit, start and end of span. Else NULL."""
         return PlaceArray(self._array('on_curve', self._struct.on_curve_count // 3, 3))
 
     @property
@@ -3686,7 +3647,7 @@ class SurfaceHitsView(Record):
 
 
 class NearestAngleReport(Record):
-    """The normal whose angle is nearest to a given angle."""
+    """The normal nearest to a given angle."""
 
     __slots__ = ()
     _NAME = 'gusset_nearest_angle_report'
@@ -3698,7 +3659,7 @@ class NearestAngleReport(Record):
 
     @property
     def point(self) -> NDArray[np.float64]:
-        """x, y, z of the place."""
+        """Point at the place."""
         return self._array('point')
 
     @property
@@ -3713,7 +3674,7 @@ class NearestAngleReport(Record):
 
     @property
     def deviation(self) -> float:
-        """Difference from the given angle. Infinite, and all else 0, if the surface lacks normals."""
+        """Difference from the given angle; infinite, and all else 0, if the surface lacks normals."""
         return self._struct.deviation
 
     @property
@@ -3723,19 +3684,19 @@ class NearestAngleReport(Record):
 
 
 class DistanceReport(Record):
-    """The nearest points of a surface and a target."""
+    """Nearest points of a surface and a target."""
 
     __slots__ = ()
     _NAME = 'gusset_distance_report'
 
     @property
     def place(self) -> SurfacePlace:
-        """Place of the surface's nearest point."""
+        """Place of the surface's point."""
         return SurfacePlace(self._struct.place, self._owner)
 
     @property
     def point(self) -> NDArray[np.float64]:
-        """x, y, z of the surface's nearest point."""
+        """The surface's point."""
         return self._array('point')
 
     @property
@@ -3745,12 +3706,12 @@ class DistanceReport(Record):
 
     @property
     def other_point(self) -> NDArray[np.float64]:
-        """x, y, z of the target's nearest point."""
+        """The target's point."""
         return self._array('other_point')
 
     @property
     def distance(self) -> float:
-        """Distance of the points."""
+        """Their distance."""
         return self._struct.distance
 
     @property
@@ -3760,19 +3721,17 @@ class DistanceReport(Record):
 
     @property
     def other_place(self) -> SurfacePlace:
-        """For a surface: place of its nearest point; else 0."""
+        """SURFACE: place of its point; else 0."""
         return SurfacePlace(self._struct.other_place, self._owner)
 
     @property
     def curve_place(self) -> Place:
-        """For a curve: place of its nearest point; else 0."""
+        """CURVE: place of its point; else 0."""
         return Place(self._struct.curve_place, self._owner)
 
     @property
     def parameter(self) -> float:
-        """For a line: parameter of its nearest point. For a plane: signed distance, negative on the side opposite to
-        its normal. Else 0.
-        """
+        """LINE: parameter of its point. PLANE: signed distance, negative opposite to its normal. Else 0."""
         return self._struct.parameter
 
     @property
@@ -3795,7 +3754,7 @@ class SurfaceReport(Record):
 
     @property
     def node_count(self) -> int:
-        """Corners of cells; for sheets from nodes, the nodes."""
+        """Corners of cells; nodes of sheets from nodes."""
         return self._struct.node_count
 
     @property
@@ -3805,22 +3764,22 @@ class SurfaceReport(Record):
 
     @property
     def tolerance(self) -> float:
-        """Guaranteed accuracy of distances and positions in answers, as a length."""
+        """Guaranteed accuracy, as in gusset_surface_options."""
         return self._struct.tolerance
 
     @property
     def low(self) -> NDArray[np.float64]:
-        """Least x, y, z of a box round the surface and its control nets."""
+        """Low corner of a box round surface and control nets."""
         return self._array('low')
 
     @property
     def high(self) -> NDArray[np.float64]:
-        """Greatest x, y, z of the box."""
+        """High corner."""
         return self._array('high')
 
     @property
     def cone_bytes(self) -> int:
-        """Bytes of the cones of normals; 0 if not built (see gusset_surface_options)."""
+        """Bytes of the cones of normals; 0 if not built."""
         return self._struct.cone_bytes
 
     @property
@@ -3848,12 +3807,12 @@ class SheetReport(Record):
 
     @property
     def degree(self) -> int:
-        """Degree of the stored patches in both directions: 3 or 7."""
+        """Degree of patches in both directions: 3 or 7."""
         return self._struct.degree
 
     @property
     def is_grid(self) -> bool:
-        """1: the sheet stores nodes; 0: it stores patches."""
+        """1: stores nodes; 0: patches."""
         return bool(self._struct.is_grid)
 
     @property
@@ -3868,7 +3827,7 @@ class SheetReport(Record):
 
     @property
     def pole_u0(self) -> bool:
-        """1: the side u = 0 is one point, a pole."""
+        """1: the side u = 0 is a pole, one point."""
         return bool(self._struct.pole_u0)
 
     @property
@@ -3893,17 +3852,17 @@ class SheetReport(Record):
 
     @property
     def knots_u(self) -> NDArray[np.float64]:
-        """For a spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL."""
+        """Spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL."""
         return self._array('knots_u', self._struct.rows + 1)
 
     @property
     def knots_v(self) -> NDArray[np.float64]:
-        """For a spline: its columns + 1 parameters at v = 0, 1, ...; else NULL."""
+        """Spline: its columns + 1 parameters at v = 0, 1, ...; else NULL."""
         return self._array('knots_v', self._struct.columns + 1)
 
 
 class SheetMeasures(Record):
-    """Measures of a whole sheet (see gusset_cell_arrays); 0 if not requested."""
+    """Measures of a sheet (see gusset_cell_arrays); 0 if not requested."""
 
     __slots__ = ()
     _NAME = 'gusset_sheet_measures'
@@ -3920,12 +3879,12 @@ class SheetMeasures(Record):
 
     @property
     def curvature_bound(self) -> float:
-        """Bound of the absolute principal curvatures; infinite if the surface is not regular, as at poles."""
+        """Bound of absolute principal curvatures; infinite if not regular, as at poles."""
         return self._struct.curvature_bound
 
     @property
     def crease(self) -> float:
-        """Largest angle between normals across sides of cells; 0, or rounding, on a smooth surface."""
+        """Largest angle between normals across cell sides; 0, or rounding, if smooth."""
         return self._struct.crease
 
 
@@ -3943,7 +3902,7 @@ class SheetMeshReport(Record):
 
     @property
     def normals(self) -> NDArray[np.float64]:
-        """Unit normal of each vertex: x, y, z; 0 if undefined."""
+        """Unit normal of each vertex; 0 if undefined."""
         return self._array('normals', self._struct.vertex_count, 3)
 
     @property
@@ -3965,12 +3924,12 @@ class SurfaceCell(Record):
 
     @property
     def row(self) -> int:
-        """Row of the cell."""
+        """Its row."""
         return self._struct.row
 
     @property
     def column(self) -> int:
-        """Column of the cell."""
+        """Its column."""
         return self._struct.column
 
 
@@ -3987,17 +3946,17 @@ class SurfaceCellArray(RecordArray[SurfaceCell]):
 
     @property
     def row(self) -> NDArray[np.uint32]:
-        """Row of the cell."""
+        """Its row."""
         return self.array['row']
 
     @property
     def column(self) -> NDArray[np.uint32]:
-        """Column of the cell."""
+        """Its column."""
         return self.array['column']
 
 
 class SurfaceCellsView(Record):
-    """Lent cells. For a region `others` is NULL; for pairs, the fields below it are NULL or 0."""
+    """Lent cells. Region: `others` is NULL; pairs: the fields below it are NULL or 0."""
 
     __slots__ = ()
     _NAME = 'gusset_surface_cells_view'
@@ -4005,9 +3964,7 @@ class SurfaceCellsView(Record):
 
     @property
     def cells(self) -> SurfaceCellArray:
-        """Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both sheets, then row,
-        column.
-        """
+        """Cells by sheet, row, column. Pairs: cells of the first surface by both sheets, row, column."""
         return SurfaceCellArray(self._array('cells', self._struct.cell_count))
 
     @property
@@ -4022,8 +3979,8 @@ class SurfaceCellsView(Record):
 
     @property
     def mask(self) -> NDArray[np.uint64]:
-        """One bit for each cell of all sheets, 1 in the region. Cell (i, j) of sheet k with c columns has bit b =
-        first[k] + i * c + j: mask[b / 64] >> (b % 64) & 1.
+        """A bit for each cell, 1 in the region. Cell (i, j) of sheet k with c columns has bit b = first[k] + i * c +
+        j: mask[b / 64] >> (b % 64) & 1.
         """
         return self._array('mask', self._struct.word_count)
 
@@ -4039,7 +3996,7 @@ class SurfaceCellsView(Record):
 
 
 class Transform(Record):
-    """Affine map: four numbers for each of x, y, z, the last one the translation."""
+    """Affine map of points."""
 
     __slots__ = ()
     _NAME = 'gusset_transform'
@@ -4051,7 +4008,7 @@ class Transform(Record):
 
 
 class TransformArray(RecordArray[Transform]):
-    """Affine map: four numbers for each of x, y, z, the last one the translation."""
+    """Affine map of points."""
 
     __slots__ = ()
     RECORD = Transform

@@ -48,10 +48,10 @@ CorrespondenceRule = Literal['given', 'arc_length', 'angle', 'landmarks']
 #: Direction in which nodes move.
 OffsetDirection = Literal['normal', 'in_section']
 
-#: The type of coordinates.
+#: Type of coordinates.
 Scalar = Literal['f32', 'f64']
 
-#: The type of indices.
+#: Type of indices.
 Index = Literal['u32', 'u64']
 
 #: Treatment of coincident borders.
@@ -79,10 +79,10 @@ StripSearch = Literal['auto', 'exact']
 #: First meridian of a closed strip.
 StripStart = Literal['auto', 'closest', 'given']
 
-#: The positions of new vertices.
+#: Positions of new vertices.
 Fairing = Literal['none', 'thin_plate']
 
-#: The treatment of faces that intersect each other.
+#: Treatment of intersecting faces.
 Intersections = Literal['auto', 'ignore', 'report']
 
 #: Treatment of opposite orientations.
@@ -109,7 +109,7 @@ Finish = Literal['strip', 'blend']
 #: Source of the tolerance.
 ToleranceMode = Literal['auto', 'given', 'exact']
 
-#: The side that closed components of a result face.
+#: Side that closed components face.
 Outward = Literal['auto', 'keep', 'closed']
 
 #: Loops that are not holes.
@@ -150,7 +150,7 @@ AlignmentStart = Literal['as_given', 'principal_axes', 'rims']
 AlignedReason = Literal['trusted', 'no_overlap', 'poor_fit', 'undetermined', 'faces_other_way', 'other_size',
     'trusted_by_none']
 
-#: Treatment of edges with three or more faces.
+#: Treatment of non-manifold edges.
 NonManifold = Literal['cut', 'stop']
 
 #: Part of the mesh that is checked.
@@ -196,7 +196,7 @@ Sides = Literal['rows_closed', 'columns_closed', 'pole_top', 'pole_bottom', 'pol
 #: Kind of a gluing.
 GluingKind = Literal['link', 'star', 'cell', 'diagonal', 'seam', 'type']
 
-#: Local gluing (Deryagin, Fig.
+#: Local gluing of Deryagin's figure 4.
 GluingType = Literal['none', 'horizontal', 'vertical', 'east_south', 'south_west', 'west_north', 'north_east',
     'east_west', 'north_south', 'but_north', 'but_east', 'but_south', 'but_west', 'all', 'top_bottom', 'right_left',
     'point', 'falling', 'rising']
@@ -204,7 +204,7 @@ GluingType = Literal['none', 'horizontal', 'vertical', 'east_south', 'south_west
 #: Element that has a local gluing.
 GluingPlace = Literal['node', 'cell']
 
-#: Standard shape, the measures that it reads, the least rows x columns.
+#: Standard shape, its measures, the least rows x columns.
 NetShape = Literal['plane', 'sphere', 'one_pole_sphere', 'tube', 'cylinder', 'prism', 'cone', 'pyramid', 'lathe',
     'torus', 'box', 'moebius', 'klein', 'projective_plane', 'pillow']
 
@@ -230,13 +230,13 @@ NetMeasures = Literal['extent', 'bilinear', 'body']
 #: Faces of a net's mesh.
 NetFaces = Literal['quads', 'triangles_shorter', 'triangles_fixed']
 
-#: Faces by which the given mesh represents each cell of the grid.
+#: Faces of a cell of the given grid.
 GridCells = Literal['quads', 'triangles']
 
 #: Direction within a net.
 Direction = Literal['right', 'down']
 
-#: Rows or columns replicated to enlarge a net.
+#: Replicated rows or columns.
 Replication = Literal['uniform', 'first', 'last', 'at', 'at_poles', 'refuse']
 
 #: Symmetry of the rectangle of nodes.
@@ -279,7 +279,7 @@ SceneEntryKind = Literal['net', 'group']
 #: Change of visibility.
 Visibility = Literal['keep', 'show', 'hide']
 
-#: Kind of element that the index of a report counts.
+#: Element that a report's index counts.
 Element = Literal['none', 'vertex', 'face', 'half_edge', 'offset', 'loop_place', 'count', 'point', 'constraint',
     'place', 'section', 'node', 'link', 'cell', 'seam', 'bridge', 'entry', 'byte', 'item', 'side_place', 'knot',
     'row', 'edge']
