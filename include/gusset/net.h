@@ -212,7 +212,7 @@ typedef struct gusset_gluing {
     struct gusset_seam seam;
 } gusset_gluing;
 
-/// Local gluing of Deryagin's figure 4.
+/// Local gluing of Deryagin's figure 4. His type n(...) counts contracted links of a node, c(...) of a cell.
 typedef uint32_t gusset_gluing_type;
 /// Nothing is glued.
 #define GUSSET_TYPE_NONE 4294967295
@@ -246,7 +246,7 @@ typedef uint32_t gusset_gluing_type;
 #define GUSSET_TYPE_TOP_BOTTOM 13
 /// c(2,1): right and left of a cell.
 #define GUSSET_TYPE_RIGHT_LEFT 14
-/// c(3): the whole cell is one point.
+/// c(3): three links of a cell, and so the fourth: all its corners become one point.
 #define GUSSET_TYPE_POINT 15
 /// c(1,2): first and third corner of a cell.
 #define GUSSET_TYPE_FALLING 16

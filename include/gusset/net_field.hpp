@@ -76,7 +76,8 @@ static_assert(sizeof(Operation) == sizeof(gusset_operation), "an operation is wh
 struct FieldKey {
     /// The time.
     double time;
-    /// The part of the field that is applied at this time.
+    /// The factor of the field's strength at this time: 0 changes nothing, 1 applies the field in
+    /// full. Any finite number.
     double strength;
 };
 

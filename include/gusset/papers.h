@@ -102,8 +102,8 @@ typedef struct gusset_reference_task {
     double within;
     /// ANGLE: 0 to pi.
     double angle;
-    /// ANGLE: a bound of the sheet's principal curvatures (see gusset_sheet_measure); 0: cones of normals, which are
-    /// tighter.
+    /// ANGLE: an upper bound of the sheet's absolute principal curvatures, as from gusset_sheet_measure. 0: uses cones
+    /// of normals instead, which give tighter bounds.
     double curvature;
     /// ANGLE. 1: a normal and its opposite are equal.
     uint32_t unsigned_normals;
@@ -119,7 +119,7 @@ typedef struct gusset_reference_task {
     const struct gusset_surface *surface;
 } gusset_reference_task;
 
-/// Result and work of a search.
+/// Result and work of Leus's search for the cells that may satisfy a task.
 typedef struct gusset_reference_report {
     size_t struct_size;
     /// Cells that remain.
@@ -194,7 +194,7 @@ typedef uint32_t gusset_winged_flags;
 #define GUSSET_WINGED_NON_MANIFOLD 1
 /// A record of one face of an edge that two faces traverse in one direction.
 #define GUSSET_WINGED_NOT_ORIENTED 2
-/// M = N, or a face of the edge has fewer than three proper edges.
+/// The ends are equal (M = N), or a face has fewer than three edges with different ends.
 #define GUSSET_WINGED_DEGENERATE 4
 
 /// Winged-edge tables of a mesh.

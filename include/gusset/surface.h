@@ -202,7 +202,7 @@ typedef struct gusset_tangents {
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or twist), SIDES_DIFFER
 ///     (closed, but the ends differ; with the largest gap)
 /// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
-/// @source Leus.
+/// @source V. Leus (see the README).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_create(const struct gusset_context *context,
     const struct gusset_nodes *nodes, const struct gusset_tangents *tangents, uint32_t borrow,
     struct gusset_sheet **sheet);
@@ -1055,7 +1055,7 @@ typedef uint32_t gusset_sheet_direction;
 /// @param closed 0 or 1.
 /// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
-/// @source Leus.
+/// @source V. Leus (see the README).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_through_create(const struct gusset_context *context,
     const double *nodes, size_t count, uint32_t closed, gusset_scheme scheme, struct gusset_curve **curve);
 

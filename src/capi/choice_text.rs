@@ -396,7 +396,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (12, c"n(4): all four links of a node."),
         (13, c"c(2,1): top and bottom of a cell."),
         (14, c"c(2,1): right and left of a cell."),
-        (15, c"c(3): the whole cell is one point."),
+        (15, c"c(3): three links of a cell, and so the fourth: all its corners become one point."),
         (16, c"c(1,2): first and third corner of a cell."),
         (17, c"c(1,2): second and fourth corner of a cell."),
     ]),
@@ -549,7 +549,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_winged_flags", &[
         (1, c"A record of one face of a non-manifold edge."),
         (2, c"A record of one face of an edge that two faces traverse in one direction."),
-        (4, c"M = N, or a face of the edge has fewer than three proper edges."),
+        (4, c"The ends are equal (M = N), or a face has fewer than three edges with different ends."),
     ]),
     ("gusset_scene_entry_kind", &[
         (0, c"Net."),

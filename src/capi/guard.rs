@@ -12,8 +12,9 @@ type PanicHook = dyn Fn(&PanicHookInfo<'_>) + Send + Sync;
 /// The number of calls in progress, over all threads. A panic in these threads, or in threads that
 /// they start, must stay silent.
 static CALLS_IN_PROGRESS: AtomicUsize = AtomicUsize::new(0);
-/// The hook for panics outside calls. The shared library has its own copy of the standard library,
-/// where such panics do not occur. A Rust program that links this crate can have them.
+/// The panic hook that was installed before this library's. It is called for panics outside calls,
+/// as a Rust program that links this crate can have. The shared library has its own copy of the
+/// standard library, where such panics do not occur.
 static HOOK_OUTSIDE_CALLS: OnceLock<Box<PanicHook>> = OnceLock::new();
 
 /// Installs a hook that is silent during calls, and returns the previous hook. Neither box

@@ -270,7 +270,7 @@ fn check_unknown_fields(tail: &[u8], reserved: u32, name: &'static str) -> Resul
 
 /// Reads options within other options, which `checked` converts; NULL means the defaults. A failure
 /// names the field by its path.
-pub(crate) fn read_nested<T: VersionedStruct, U>(
+pub(crate) fn read_nested_or_default<T: VersionedStruct, U>(
     pointer: *const T,
     name: &'static str,
     checked: impl FnOnce(T) -> Result<U, Failure>,

@@ -3,7 +3,7 @@
 use crate::reference::{empty, samples, sheets};
 use crate::shapes::Random;
 use glam::DVec3;
-use gusset::surface::reference::{CellMask, Diameters, Lattice, chain, euler_characteristic, integer_diameter};
+use gusset::surface::reference::{CellGridShape, CellMask, Diameters, chain, euler_characteristic, integer_diameter};
 use gusset::{Element, Error, Job};
 
 /// The shortest chains between all pairs of cells, by relaxation.
@@ -43,7 +43,7 @@ fn chains_and_integer_diameters() {
         ([1, 9], [false; 2]),
         ([4, 3], [false, true]),
     ] {
-        let lattice = Lattice { cells, closed };
+        let lattice = CellGridShape { cells, closed };
         // (6), and its half in closed directions.
         let whole = CellMask::full(lattice).unwrap();
         let expected = [0, 1].map(|k| if closed[k] { cells[k] / 2 + 1 } else { cells[k] });
@@ -65,7 +65,7 @@ fn chains_and_integer_diameters() {
             assert!(found.iter().all(|&cell| region.get(cell)) && truth.is_none_or(|truth| found.len() <= truth));
         }
     }
-    let region = empty(Lattice { cells: [2, 2], closed: [false; 2] });
+    let region = empty(CellGridShape { cells: [2, 2], closed: [false; 2] });
     assert_eq!(integer_diameter(&region, &job), Ok(Some(0)));
     assert_eq!(chain(&region, [0, 0], [1, 1], &job), Err(Error::NoSuch { element: Element::Cell, index: 0 }));
     assert!(chain(&region, [0, 2], [1, 1], &job).is_err());
@@ -73,7 +73,7 @@ fn chains_and_integer_diameters() {
 
 #[test]
 fn regions_without_holes() {
-    let lattice = Lattice { cells: [6, 7], closed: [false; 2] };
+    let lattice = CellGridShape { cells: [6, 7], closed: [false; 2] };
     let euler_characteristic = |region: &CellMask| euler_characteristic(region, &Job::default()).unwrap();
     let whole = CellMask::full(lattice).unwrap();
     assert_eq!(euler_characteristic(&whole), 1);
@@ -88,7 +88,7 @@ fn regions_without_holes() {
     [[0, 0], [1, 1]].into_iter().for_each(|cell| corner.set(cell, true));
     assert_eq!(euler_characteristic(&corner), 1);
     for (closed, expected) in [([true, false], 0), ([true, true], 0)] {
-        let ring = CellMask::full(Lattice { closed, ..lattice }).unwrap();
+        let ring = CellMask::full(CellGridShape { closed, ..lattice }).unwrap();
         assert_eq!(euler_characteristic(&ring), expected);
     }
 }

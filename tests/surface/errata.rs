@@ -7,8 +7,8 @@ use crate::shapes::{Random, torus};
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::reference::{
-    AngleTarget, Diameters, Goal, Lattice, Object, SearchOptions, SearchOutcome, angle_incidence, curvature_bound,
-    incidence, normal_variation_by_curvature,
+    AngleTarget, CellGridShape, Diameters, Goal, Object, SearchOptions, SearchOutcome, angle_incidence,
+    curvature_bound, incidence, normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -28,7 +28,7 @@ fn bumpy(n: usize) -> Sheet<'static> {
     sheet([n, n], [true, true], |i, j| torus(i as f64 / n as f64, j as f64 / n as f64, 0.15))
 }
 
-fn all_cells(lattice: Lattice) -> impl Iterator<Item = [usize; 2]> {
+fn all_cells(lattice: CellGridShape) -> impl Iterator<Item = [usize; 2]> {
     (0..lattice.len()).map(move |k| lattice.cell(k))
 }
 
@@ -50,7 +50,7 @@ fn e1_nodes_on_rims_are_corners_outside() {
     assert!((d - 1.0_f64.hypot(0.01)).abs() < 1e-12, "{d}");
     let object = Object::Plane { point: DVec3::new(0.5, 0.0, 0.0), normal: DVec3::X };
     let target = object.target().unwrap();
-    let lattice = Lattice::new(&strip);
+    let lattice = CellGridShape::new(&strip);
     let left = literal(lattice, d, |[i, j]| target.distance(strip.corner(i, j)), false);
     assert!((0..3).all(|j| !left.has_cell([3, j])), "the literal rule keeps what it is known to lose");
     let found = within(&strip, &diameters, object, 0.0);
@@ -64,7 +64,7 @@ fn e1_random_planes() {
     let bumpy = bumpy(100);
     let diameters = Diameters::new(&bumpy, &Job::default()).unwrap();
     let d = diameters.euclidean.greatest();
-    let lattice = Lattice::new(&bumpy);
+    let lattice = CellGridShape::new(&bumpy);
     let mut random = Random(1);
     let (mut planes, mut lost, mut crossing) = (0, 0, 0);
     for _ in 0..200 {
@@ -96,7 +96,7 @@ fn e2_blocks_must_not_touch() {
     assert!((diameters.euclidean.greatest() - 1.0).abs() < 1e-12);
     let object = Object::Point(DVec3::new(3.0, 0.0, 0.0));
     let target = object.target().unwrap();
-    let left = literal(Lattice::new(&line), 1.0, |[i, j]| target.distance(line.corner(i, j)), false);
+    let left = literal(CellGridShape::new(&line), 1.0, |[i, j]| target.distance(line.corner(i, j)), false);
     // The node is at the point, and zeroed by the first one.
     assert!(!left.has_node([3, 0]) && target.distance(line.corner(3, 0)) == 0.0);
     let found = within(&line, &diameters, object, 0.0);
@@ -111,7 +111,7 @@ fn e2_blocks_must_not_touch() {
 fn e3_the_rule_does_not_find_the_nearest() {
     let bumpy = bumpy(100);
     let diameters = Diameters::new(&bumpy, &Job::default()).unwrap();
-    let lattice = Lattice::new(&bumpy);
+    let lattice = CellGridShape::new(&bumpy);
     let [rows, columns] = lattice.lines();
     let mut random = Random(3);
     let mut lost = 0;
@@ -139,7 +139,7 @@ fn e4_angles() {
     let diameters = Diameters::new(&ring, &job).unwrap();
     let curvature = curvature_bound(&ring, &job).unwrap();
     let variation = normal_variation_by_curvature(&ring, &diameters, curvature, &job).unwrap();
-    let lattice = Lattice::new(&ring);
+    let lattice = CellGridShape::new(&ring);
     let mut random = Random(4);
     let mut lost = 0;
     for _ in 0..10 {
@@ -177,7 +177,7 @@ fn e5_lines_that_must_not_be_dropped() {
     let object = Object::Point(DVec3::new(0.2, 4.0, 0.0));
     let target = object.target().unwrap();
     let distance = |[i, j]: [usize; 2]| target.distance(wide.corner(i, j));
-    let lattice = Lattice::new(&wide);
+    let lattice = CellGridShape::new(&wide);
     // From the first node: r = 4.004, d = sqrt 2, J = 2, 2 J = 4: within the dimension. A lower d,
     // as for cells without width, exceeds it.
     let left = literal(lattice, 1.0, distance, true);
@@ -194,7 +194,7 @@ fn e5_lines_that_must_not_be_dropped() {
     let diameters = Diameters::new(&strip, &Job::default()).unwrap();
     let d = diameters.euclidean.greatest();
     let mut random = Random(5);
-    let (mut lost, mut dropped, lattice) = (0, 0, Lattice::new(&strip));
+    let (mut lost, mut dropped, lattice) = (0, 0, CellGridShape::new(&strip));
     for _ in 0..100 {
         let point = DVec3::new(20.0 * random.next(), 0.0, 0.0);
         let object = Object::Plane { point, normal: DVec3::X };
@@ -243,7 +243,7 @@ fn e6_half_the_perimeter_is_no_bound() {
     // With half the perimeter for d, the cell is excluded, and its top is lost.
     let object = Object::Point(top);
     let target = object.target().unwrap();
-    let lattice = Lattice::new(&bump);
+    let lattice = CellGridShape::new(&bump);
     let left = literal(lattice, half_perimeter, |[i, j]| target.distance(bump.corner(i, j)), false);
     assert!(!left.has_cell([0, 0]));
     assert!(within(&bump, &diameters, object, 0.0).mask.get([0, 0]));
@@ -287,7 +287,7 @@ fn e8_euclidean_suffices() {
     let folded =
         sheet([40, 40], [false; 2], |i, j| DVec3::new(i as f64, j as f64, 1.5 * if i % 4 == 0 { 1.0 } else { 0.0 }));
     let diameters = Diameters::new(&folded, &job).unwrap();
-    let lattice = Lattice::new(&folded);
+    let lattice = CellGridShape::new(&folded);
     assert!(diameters.euclidean.values().iter().zip(diameters.intrinsic.values()).all(|(chord, way)| chord <= way));
     assert!(diameters.euclidean.greatest() < 0.95 * diameters.intrinsic.greatest());
     let long_way = Diameters { euclidean: diameters.intrinsic.clone(), intrinsic: diameters.intrinsic.clone() };

@@ -7,7 +7,7 @@
 //! than d (E3). Lines dropped in the middle leave two surfaces that count as one (E5). Use
 //! `reference::search`, or the index of `Surface`.
 
-use gusset::surface::reference::Lattice;
+use gusset::surface::reference::CellGridShape;
 
 /// The nodes that the literal rule leaves, of an open surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -34,7 +34,7 @@ impl LiteralMask {
 /// 2 J exceeds a dimension, the lines within the ball are left out altogether, as the rest is a
 /// surface too, only smaller". Lines of a closed direction are treated as in an open one.
 pub(crate) fn literal(
-    lattice: Lattice,
+    lattice: CellGridShape,
     d: f64,
     mut measure: impl FnMut([usize; 2]) -> f64,
     drop_lines: bool,

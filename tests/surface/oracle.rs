@@ -7,7 +7,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::line_intersection::{HitSelection, Line};
-use gusset::surface::reference::{CellMask, Diameters, Lattice, Object};
+use gusset::surface::reference::{CellGridShape, CellMask, Diameters, Object};
 use gusset::surface::{Grid, Patches, Place, Scheme, Sheet, Surface};
 use std::path::{Path, PathBuf};
 
@@ -28,8 +28,8 @@ impl Case {
         Case { name, sheet, diameters, surface, tolerance }
     }
 
-    fn lattice(&self) -> Lattice {
-        Lattice::new(&self.sheet)
+    fn lattice(&self) -> CellGridShape {
+        CellGridShape::new(&self.sheet)
     }
 
     fn centre(&self) -> (DVec3, f64) {

@@ -6,7 +6,7 @@ use crate::shapes::{Random, SHAPES, curvatures, grid, rough};
 use glam::DVec3;
 use gusset::surface::line_intersection::Line;
 use gusset::surface::reference::{
-    AngleTarget, CellMask, Diameters, Goal, Lattice, Object, SearchOptions, Sizes, Sum, angle_incidence,
+    AngleTarget, CellGridShape, CellMask, Diameters, Goal, Object, SearchOptions, Sizes, Sum, angle_incidence,
     curvature_bound, incidence, normal_by_sections, normal_variation_by_cones, normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, MAX_DEGREE, Nodes, Patches, Scheme, Sheet};
@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 /// A mask with all bits 0.
-pub(crate) fn empty(lattice: Lattice) -> CellMask {
+pub(crate) fn empty(lattice: CellGridShape) -> CellMask {
     CellMask::from_words(lattice, &vec![0; lattice.len().div_ceil(64)]).unwrap()
 }
 
@@ -65,7 +65,7 @@ impl IntoSheet for Patches<8> {
     }
 }
 
-pub(crate) fn cells(lattice: Lattice) -> impl Iterator<Item = [usize; 2]> {
+pub(crate) fn cells(lattice: CellGridShape) -> impl Iterator<Item = [usize; 2]> {
     (0..lattice.len()).map(move |k| lattice.cell(k))
 }
 
@@ -152,7 +152,7 @@ fn normal_at(sheet: &Sheet<'_>, [i, j]: [usize; 2]) -> DVec3 {
 }
 
 /// The cells of a block as the paper has it.
-fn block(lattice: Lattice, node: [usize; 2], steps: usize) -> Vec<[usize; 2]> {
+fn block(lattice: CellGridShape, node: [usize; 2], steps: usize) -> Vec<[usize; 2]> {
     let line = |k: usize| {
         let count = lattice.cells[k] as i64;
         let near = (0..count).filter(move |&c| {
@@ -181,7 +181,7 @@ fn nothing_within_reach_is_lost() {
     let mut spared = [0, 0];
     for (s, sheet) in sheets().into_iter().enumerate() {
         let diameters = Diameters::new(&sheet, &Job::default()).unwrap();
-        let lattice = Lattice::new(&sheet);
+        let lattice = CellGridShape::new(&sheet);
         let [rows, columns] = lattice.lines();
         let samples: Vec<_> = cells(lattice).map(|cell| samples(&sheet, cell)).collect();
         let mut random = Random(s as u64);
@@ -222,7 +222,7 @@ fn nothing_within_reach_is_lost() {
 fn the_nearest_is_kept() {
     for (s, sheet) in sheets().into_iter().enumerate() {
         let diameters = Diameters::new(&sheet, &Job::default()).unwrap();
-        let lattice = Lattice::new(&sheet);
+        let lattice = CellGridShape::new(&sheet);
         let [rows, columns] = lattice.lines();
         let nodes = || (0..rows).flat_map(|i| (0..columns).map(move |j| [i, j]));
         let samples: Vec<_> = cells(lattice).map(|cell| samples(&sheet, cell)).collect();
@@ -249,7 +249,7 @@ fn the_nearest_is_kept() {
 fn normals_at_an_angle_are_kept() {
     for shape in &SHAPES[..3] {
         let sheet = Sheet::Grid(grid(shape));
-        let (lattice, job) = (Lattice::new(&sheet), Job::default());
+        let (lattice, job) = (CellGridShape::new(&sheet), Job::default());
         let diameters = Diameters::new(&sheet, &job).unwrap();
         let curvature = curvature_bound(&sheet, &job).unwrap();
         assert!(curvature.is_finite(), "{}", shape.name);
@@ -290,7 +290,7 @@ fn curvatures_are_bounded() {
         let shape = crate::shapes::Shape { name: "", cells: [n, 2 * n], closed: [true, true], point: SHAPES[0].point };
         let sheet = Sheet::Grid(grid(&shape));
         let bound = curvature_bound(&sheet, &Job::default()).unwrap();
-        for cell in cells(Lattice::new(&sheet)).step_by(7) {
+        for cell in cells(CellGridShape::new(&sheet)).step_by(7) {
             let jet = sheet.jet(cell[0], cell[1], 0.3, 0.8);
             let (mean, gauss) = curvatures(&jet).unwrap();
             assert!(mean.abs() + (mean * mean - gauss).max(0.0).sqrt() <= bound);
@@ -371,7 +371,7 @@ fn what_is_refused() {
         let target = AngleTarget { direction, angle, unsigned: false };
         assert!(angle_incidence(&sheet, &variation, target, &SearchOptions::new(Goal::Least), &job).is_err());
     }
-    assert!(CellMask::from_words(Lattice::new(&sheet), &[0]).is_err());
+    assert!(CellMask::from_words(CellGridShape::new(&sheet), &[0]).is_err());
     // Cancelled at once.
     struct Stop;
     impl Progress for Stop {
@@ -400,7 +400,7 @@ fn bounds_hold_at_any_size_and_place() {
         let object = Object::Plane { point: DVec3::splat(offset), normal: DVec3::new(1.0, 2.0, 3.0) };
         let options = SearchOptions::new(Goal::Within(0.0));
         let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
-        let crossing = cells(Lattice::new(&sheet)).filter(|&cell| {
+        let crossing = cells(CellGridShape::new(&sheet)).filter(|&cell| {
             let Object::Plane { point, normal } = object else { unreachable!() };
             let signs: Vec<_> = samples(&sheet, cell).iter().map(|(p, _)| (*p - point).dot(normal) > 0.0).collect();
             signs.iter().any(|&sign| sign != signs[0])

@@ -50,7 +50,7 @@ impl<'a> Job<'a> {
     }
 
     /// Returns the requested number of threads; 0 means automatic.
-    pub fn threads(&self) -> usize {
+    pub fn requested_threads(&self) -> usize {
         self.threads
     }
 

@@ -47,7 +47,7 @@ pub fn map_cancellable<T: Send, R: Send>(
 ) -> Result<Vec<R>> {
     let count = items.len().max(1) as f64;
     job.step(0.0, stage)?;
-    run_ordered(job.threads(), items, work, |i| job.step(i as f64 / count, stage))
+    run_ordered(job.requested_threads(), items, work, |i| job.step(i as f64 / count, stage))
 }
 
 /// [`map_cancellable`] for items that may be large: `work` also receives a job. On the calling
@@ -64,7 +64,7 @@ pub fn map_jobs<T: Send, R: Send>(
     work: impl Fn(T, &Job<'_>) -> Result<R> + Sync,
 ) -> Result<Vec<R>> {
     let count = items.len();
-    let helpers = resolve_thread_count(count, job.threads()).saturating_sub(1);
+    let helpers = resolve_thread_count(count, job.requested_threads()).saturating_sub(1);
     let queue = Mutex::new(items.enumerate());
     // Allocates all results before the first item, so that nothing fails after the last.
     let (results, mut all) = (empty_result_slots(count)?, alloc::with_capacity(count)?);
@@ -208,7 +208,7 @@ pub fn run_both<R, S: Send>(
     first: impl FnOnce(&Job<'_>) -> Result<R>,
     second: impl FnOnce(&Job<'_>) -> Result<S> + Send,
 ) -> Result<(R, S)> {
-    if resolve_thread_count(2, job.threads()) < 2 {
+    if resolve_thread_count(2, job.requested_threads()) < 2 {
         return Ok((first(&job.part(0.0, 0.5))?, second(&job.part(0.5, 1.0))?));
     }
     let stopped = AtomicBool::new(false);

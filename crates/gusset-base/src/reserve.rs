@@ -197,7 +197,8 @@ mod arenas {
         }
     }
 
-    /// Frees a block of the reserve and its recorded origin.
+    /// Frees a block of the reserve. If a system's block was moved there when it grew, frees that
+    /// old block too.
     ///
     /// # Safety
     /// The requirements of [`GlobalAlloc::dealloc`].

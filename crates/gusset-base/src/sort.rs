@@ -14,8 +14,8 @@ const MAX_UNREPORTED_ELEMENTS: usize = 1 << 19;
 const PIVOT_SAMPLES: usize = 63;
 const MAX_PIVOT_DIVISIONS: usize = 16;
 
-/// Sorts in place, unstably. `compare` must be a total order without ties for the result to be
-/// deterministic.
+/// Sorts in place, unstably, on the calling thread. `compare` must be a total order without ties
+/// for the result to be deterministic.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled); the order of the elements is then unspecified.

@@ -34,7 +34,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let mesh = inputs[0].mesh()?;
     let options = Options { non_manifold: values.non_manifold, ..Options::default() };
     let boundary = boundary_loops(mesh, &options, job)?;
-    let mut curves = Curves::empty();
+    let mut curves = Curves::without_curves();
     for found in boundary.iter() {
         curves.add_curve(found.vertices.iter().map(|&v| mesh.positions().get(v)), !found.flags.any(LoopFlags::OPEN))?;
     }

@@ -41,7 +41,7 @@ struct CurveMeetings {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.3))?;
-    let mut found = CurveMeetings { places: Curves::empty(), text: String::new(), overlaps: 0, undecided: 0 };
+    let mut found = CurveMeetings { places: Curves::without_curves(), text: String::new(), overlaps: 0, undecided: 0 };
     let box_of = |curve: &Curve| match curve.view() {
         view if view.points().is_empty() => Ok(None),
         view => view.bounding_box(&job.part(0.3, 0.3)).map(Some),

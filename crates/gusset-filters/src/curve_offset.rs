@@ -38,7 +38,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let curves = flat.fit_curves_in_plane(given, values.between, &job.part(0.0, 0.3))?;
     let tolerance = curve::absolute_chord_error(given, values.chord_error);
     let options = OffsetOptions { degree: 3, tolerance: 0.5 * tolerance, max_segments: MAX_OFFSET_SEGMENTS };
-    let (mut drawn, mut text) = (Curves::empty(), String::new());
+    let (mut drawn, mut text) = (Curves::without_curves(), String::new());
     for (c, curve) in curves.iter().enumerate() {
         let part = job.part(0.3, 1.0).share(c, curves.len());
         part.step(0.0, "offset")?;

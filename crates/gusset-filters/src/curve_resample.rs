@@ -48,7 +48,7 @@ choices! {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
     let curves = curve::fit_curves(given, values.between, &job.part(0.0, 0.5))?;
-    let mut drawn = Curves::empty();
+    let mut drawn = Curves::without_curves();
     let spacing = (values.spacing)(values, given);
     for (c, curve) in curves.iter().enumerate() {
         let part = job.part(0.5, 1.0).share(c, curves.len());

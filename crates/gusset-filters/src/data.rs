@@ -123,7 +123,7 @@ pub(super) type Polyline<'a> = (&'a [[f64; 3]], bool);
 
 impl Curves {
     /// No curves yet.
-    pub(super) fn empty() -> Self {
+    pub(super) fn without_curves() -> Self {
         Curves { offsets: vec![0], ..Curves::default() }
     }
 

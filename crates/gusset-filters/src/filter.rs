@@ -47,7 +47,8 @@ pub(super) struct FilterBody<P>(pub(super) FilterFunction<P>);
 
 /// A body without the type of its parameters.
 pub(super) trait RunFilter: Sync {
-    /// Runs the body with the components of all values, which are in range.
+    /// Runs the body. `components` holds the numbers of all parameter values one after the other,
+    /// in range. If `traced`, outputs get origins.
     fn run(&self, inputs: &[Input<'_>], components: &[f64], traced: bool, job: &Job<'_>) -> Result<Vec<Output>>;
 }
 

@@ -37,7 +37,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let grid = net_of_grid(before, None, &job.part(0.0, 0.4))?;
     let moved = net_with_positions(&grid, before, after, &job.part(0.4, 0.5))?;
     let found = analyse(&grid.net, &moved, values.tolerance, &job.part(0.5, 1.0))?;
-    let mut edges = Curves::empty();
+    let mut edges = Curves::without_curves();
     let shape = grid.net.shape();
     for link in found.contracted.iter().map(|contracted| contracted.link).chain(found.torn.iter().copied()) {
         let ends = shape.ends(link).map(|node| before.positions().get(grid.vertex_of_node[node as usize]));

@@ -49,7 +49,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         corner_angle: values.corner_angle,
         ..Options::default()
     };
-    let (mut drawn, mut text) = (Curves::empty(), String::new());
+    let (mut drawn, mut text) = (Curves::without_curves(), String::new());
     let curves = given.polylines()?;
     for (c, &(points, closed)) in curves.iter().enumerate() {
         let part = job.share(c, curves.len());

@@ -32,7 +32,7 @@ params! {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let curves = curve::fit_curves(inputs[1].curves()?, values.between, &job.part(0.0, 0.2))?;
     let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.2, 0.6))?;
-    let (mut points, mut text) = (Curves::empty(), String::new());
+    let (mut points, mut text) = (Curves::without_curves(), String::new());
     let job = job.part(0.6, 1.0);
     for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.view().is_empty()) {
         let part = job.share(c, curves.len());

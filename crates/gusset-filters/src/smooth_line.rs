@@ -46,7 +46,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let (is_ray, selection) = values.which;
     let line = if is_ray { Line::ray } else { Line::new }(values.point, values.direction);
     let hits = surface.line(&line, selection)?;
-    let (mut points, mut text) = (Curves::empty(), format!("{}\n", count_with_noun(hits.len(), HIT)));
+    let (mut points, mut text) = (Curves::without_curves(), format!("{}\n", count_with_noun(hits.len(), HIT)));
     for hit in &hits {
         points.add_curve([hit.point].into_iter(), false)?;
         let touches = if hit.tangent { ", touches" } else { "" };

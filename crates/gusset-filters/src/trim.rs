@@ -8,7 +8,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
-use gusset_stitch::trim::{Options, Remains, Trimmed, trim};
+use gusset_stitch::trim::{KeptFacesOfPieces, Options, Remains, trim};
 use std::f64::consts::FRAC_PI_3;
 
 pub(super) const FILTER: Filter = Filter {
@@ -58,7 +58,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     Ok(vec![Output::Mesh(left.mesh, origins), Output::Text(report)])
 }
 
-fn report(pieces: &[MeshView<'_>], trimmed: &Trimmed) -> Report {
+fn report(pieces: &[MeshView<'_>], trimmed: &KeptFacesOfPieces) -> Report {
     let kept: usize = trimmed.kept.iter().map(Vec::len).sum();
     let all: usize = pieces.iter().map(|piece| piece.faces().len()).sum();
     let mut text = format!("{kept} of {} kept\n", count_with_noun(all, FACE));

@@ -63,7 +63,7 @@ impl Topology {
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
         let faces = mesh.faces();
-        let mut parts = divide_faces_among_threads(mesh, job.threads())?;
+        let mut parts = divide_faces_among_threads(mesh, job.requested_threads())?;
         run_on_each_thread(&mut parts, &job.part(0.0, 0.3), |part, range| {
             faces.visit(range, &mut HalfEdgeCounter { faces, part })
         })?;

@@ -43,7 +43,7 @@ impl Topology {
     /// Returns the half-edges of free edges and of edges with three or more faces, in ascending
     /// order.
     pub fn border_half_edges(&self, job: &Job<'_>) -> Result<Vec<u32>> {
-        let found = par::map(job.threads(), par::ranges(self.mate.len(), HALF_EDGES_PER_TASK), |range| {
+        let found = par::map(job.requested_threads(), par::ranges(self.mate.len(), HALF_EDGES_PER_TASK), |range| {
             let half_edges = (range.start as u32..).zip(&self.mate[range]);
             alloc::gather(half_edges.filter(|&(_, &mate)| mate >= NON_MANIFOLD_EDGE_MARK).map(|(h, _)| h))
         })?;

@@ -42,7 +42,7 @@ impl<'a> PackedIndices<'a> {
                 Some(_) => Ok(()),
             })
         };
-        par::map(job.threads(), par::ranges(self.len() - 1, ELEMENTS_PER_TASK), check)?.into_iter().collect()
+        par::map(job.requested_threads(), par::ranges(self.len() - 1, ELEMENTS_PER_TASK), check)?.into_iter().collect()
     }
 }
 
@@ -71,7 +71,8 @@ pub struct Faces<'a> {
     split: Option<CornersBeforeMerging<'a>>,
 }
 
-/// The corners before merging, and the merge map.
+/// The corners of faces before vertices were merged, and the vertex that each vertex is merged
+/// into.
 #[derive(Debug, Clone, Copy)]
 struct CornersBeforeMerging<'a> {
     /// For each vertex the vertex that it is merged into.
@@ -339,14 +340,16 @@ impl<'a> MeshView<'a> {
             let length = len.div_ceil(count);
             len.min(i * length)..len.min((i + 1) * length)
         };
-        let checked = par::map(job.threads(), 0..count, |i| {
+        let checked = par::map(job.requested_threads(), 0..count, |i| {
             (mesh.check_corners(part(corners, i)), positions.are_finite(part(vertices, i)))
         })?;
         checked.iter().try_for_each(|&(corners, _)| corners)?;
         if !checked.iter().all(|&(_, finite)| finite) {
             // Rare: check whether a face uses such a vertex.
             let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
-            let firsts = par::map(job.threads(), par::ranges(corners, ELEMENTS_PER_TASK), |mut range| range.find(bad))?;
+            let firsts = par::map(job.requested_threads(), par::ranges(corners, ELEMENTS_PER_TASK), |mut range| {
+                range.find(bad)
+            })?;
             if let Some(&h) = firsts.iter().flatten().next() {
                 let vertex = faces.corner(h as u32);
                 Error::check_finite(Element::Vertex, vertex.into(), positions.get(vertex))?;

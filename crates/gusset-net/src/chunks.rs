@@ -29,7 +29,7 @@ struct LineLayout {
 
 impl LineLayout {
     /// Treats rows without gaps as one long line, which can be divided anywhere.
-    fn new<T: Real>(planes: &XyzMatrices<'_, T>) -> Self {
+    fn from_matrices<T: Real>(planes: &XyzMatrices<'_, T>) -> Self {
         let (stride, columns) = (planes.stride(), planes.shape().columns());
         if stride == columns {
             LineLayout { length: NODES_PER_BLOCK, stride: NODES_PER_BLOCK, lines: 1 }
@@ -68,7 +68,7 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
     max: usize,
     work: impl Fn(usize, [&mut [T]; 3]) -> Result<()> + Sync,
 ) -> Result<()> {
-    let layout = LineLayout::new(planes);
+    let layout = LineLayout::from_matrices(planes);
     let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(layout.lines * layout.stride)));
     let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
         layout.for_each_chunk(matrices, block * layout.lines, max, &work)
@@ -82,7 +82,7 @@ pub(crate) fn for_each_chunk_in_order<T: Real>(
     planes: &mut XyzMatrices<'_, T>,
     work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
 ) -> Result<()> {
-    LineLayout::new(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * MAX_NODES_PER_CHUNK, work)
+    LineLayout::from_matrices(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * MAX_NODES_PER_CHUNK, work)
 }
 
 /// Returns the results of `work` for each row of `width` values, in order, computed in parallel;

@@ -204,7 +204,8 @@ fn write_unglued_normals<T: Real>(
     })
 }
 
-/// Writes the normals of row i.
+/// Writes the normals of row i, except at glued nodes. Returns the number of nodes without a
+/// normal.
 fn write_normals_of_row<T: Real>(corners: &CornerNormalSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u64 {
     let shape = corners.planes.shape();
     let (h, w) = (shape.rows(), shape.columns());

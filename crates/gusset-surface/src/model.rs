@@ -110,7 +110,7 @@ impl<'a> Surface<'a> {
 
     /// The unit normal at a place whose derivatives are known.
     #[inline]
-    pub(crate) fn normal_from_jet(&self, place: Place, jet: &Jet) -> DVec3 {
+    pub(crate) fn normal_with_known_jet(&self, place: Place, jet: &Jet) -> DVec3 {
         jet.unit_normal_if_regular(self.max_derivative_rounding()).unwrap_or_else(|| self.normal(place))
     }
 

@@ -174,8 +174,8 @@ impl gusset_frame_options {
             GUSSET_CORRESPONDENCE_LANDMARKS => Correspondence::Landmarks { points: landmarks, parts: columns },
             other => return Err(Failure::unknown_value("correspondence", other.into())),
         };
-        let across = input::read_nested(self.across, "across", gusset_outline_options::checked)?;
-        let along = input::read_nested(self.along, "along", gusset_outline_options::checked)?;
+        let across = input::read_nested_or_default(self.across, "across", gusset_outline_options::checked)?;
+        let along = input::read_nested_or_default(self.along, "along", gusset_outline_options::checked)?;
         Ok(FrameOptions { correspondence, across, along, ring, given_starts, smooth_corners, missing })
     }
 }

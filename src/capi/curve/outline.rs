@@ -176,7 +176,7 @@ impl GivenOutlines<'_> {
         };
         let size = size_of::<gusset_constraint>();
         let bytes = input::input_bytes(given.constraints.cast(), given.constraint_count, size, "constraints")?;
-        let constraints = alloc::try_collect(bytes.chunks_exact(size).map(read_constraint))?;
+        let constraints = alloc::try_collect(bytes.chunks_exact(size).map(constraint_from_struct_bytes))?;
         Ok(GivenOutlines { points, offsets, constraints, closed })
     }
 
@@ -186,7 +186,7 @@ impl GivenOutlines<'_> {
     }
 }
 
-fn read_constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
+fn constraint_from_struct_bytes(bytes: &[u8]) -> Result<Constraint, Failure> {
     let [point, kind]: [u32; 2] = bytemuck::pod_read_unaligned(&bytes[..8]);
     let kind = match kind {
         GUSSET_CONSTRAINT_TANGENT => {

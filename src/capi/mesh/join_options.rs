@@ -140,7 +140,7 @@ impl gusset_join_options {
     ) -> Result<Options<'a>, Failure> {
         let weld = match self.weld {
             GUSSET_WELDING_SEW | GUSSET_WELDING_EDGE_TO_EDGE => {
-                Some(input::read_nested(self.weld_options, "weld_options", gusset_weld_options::checked)?)
+                Some(input::read_nested_or_default(self.weld_options, "weld_options", gusset_weld_options::checked)?)
             }
             GUSSET_WELDING_NONE => None,
             other => return Err(Failure::unknown_value("weld", other.into())),
@@ -160,7 +160,7 @@ impl gusset_join_options {
             GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(viewpoints)),
             other => return Err(Failure::unknown_value("overlaps", other.into())),
         };
-        let fill = input::read_nested(self.fill_options, "fill_options", gusset_fill_options::checked)?;
+        let fill = input::read_nested_or_default(self.fill_options, "fill_options", gusset_fill_options::checked)?;
         Ok(Options {
             overlaps,
             weld,
@@ -172,7 +172,7 @@ impl gusset_join_options {
             within_components: flag(self.within_components, "within_components")?,
             pairs,
             excluded,
-            strip: input::read_nested(self.strip_options, "strip_options", gusset_stitch_options::checked)?,
+            strip: input::read_nested_or_default(self.strip_options, "strip_options", gusset_stitch_options::checked)?,
             fill: flag(self.fill, "fill")?.then_some(fill),
         })
     }

@@ -9,7 +9,7 @@ use crate::capi::handle::{self, handle};
 use crate::capi::input;
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
-use crate::trim::{Options, Trimmed, trim};
+use crate::trim::{KeptFacesOfPieces, Options, trim};
 use glam::DVec3;
 use gusset_base::alloc;
 
@@ -65,7 +65,7 @@ pub struct gusset_trim_view {
 
 /// Result of trimming.
 pub struct gusset_trim {
-    done: Trimmed,
+    done: KeptFacesOfPieces,
     pieces: Vec<gusset_trimmed_piece>,
 }
 

@@ -47,7 +47,8 @@ pub struct gusset_gluing {
 
 const _: () = assert!(size_of::<gusset_gluing>() == 56);
 
-/// Local gluing of Deryagin's figure 4.
+/// Local gluing of Deryagin's figure 4. His type n(...) counts contracted links of a node, c(...)
+/// of a cell.
 pub type gusset_gluing_type = u32;
 /// Nothing is glued.
 pub const GUSSET_TYPE_NONE: gusset_gluing_type = 0xffff_ffff;
@@ -81,7 +82,7 @@ pub const GUSSET_TYPE_ALL: gusset_gluing_type = 12;
 pub const GUSSET_TYPE_TOP_BOTTOM: gusset_gluing_type = 13;
 /// c(2,1): right and left of a cell.
 pub const GUSSET_TYPE_RIGHT_LEFT: gusset_gluing_type = 14;
-/// c(3): the whole cell is one point.
+/// c(3): three links of a cell, and so the fourth: all its corners become one point.
 pub const GUSSET_TYPE_POINT: gusset_gluing_type = 15;
 /// c(1,2): first and third corner of a cell.
 pub const GUSSET_TYPE_FALLING: gusset_gluing_type = 16;

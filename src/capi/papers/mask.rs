@@ -1,6 +1,6 @@
 //! Regions of cells: Chains, diameters, cells and nodes of masks.
 //!
-//! @source Leus.
+//! @source V. Leus (see the README).
 
 use crate::attributes::Domain;
 use crate::capi::context::{answer_struct, guard_change, gusset_context};
@@ -11,7 +11,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::{gusset_sheet, sheet_of_handle};
 use crate::job::Job;
 use crate::surface::Sheet;
-use crate::surface::reference::{CellMask, Diameters, Lattice, chain, euler_characteristic, integer_diameter};
+use crate::surface::reference::{CellGridShape, CellMask, Diameters, chain, euler_characteristic, integer_diameter};
 
 /// Measures of a region of cells.
 #[repr(C)]
@@ -34,7 +34,7 @@ versioned! { gusset_mask_report: 40 }
 
 /// Reads the caller's region; NULL means all cells.
 fn read_region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask, Failure> {
-    let lattice = Lattice::new(sheet);
+    let lattice = CellGridShape::new(sheet);
     if words.is_null() && count == 0 {
         return Ok(CellMask::full(lattice)?);
     }

@@ -1,6 +1,6 @@
 //! The search of the paper: Leus's search by the logical scale, with corrections.
 //!
-//! @source Leus.
+//! @source V. Leus (see the README).
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::curve::{gusset_curve, view_of_curve};
@@ -60,8 +60,8 @@ pub struct gusset_reference_task {
     pub within: f64,
     /// ANGLE: 0 to pi.
     pub angle: f64,
-    /// ANGLE: a bound of the sheet's principal curvatures (see gusset_sheet_measure); 0: cones of
-    /// normals, which are tighter.
+    /// ANGLE: an upper bound of the sheet's absolute principal curvatures, as from
+    /// gusset_sheet_measure. 0: uses cones of normals instead, which give tighter bounds.
     pub curvature: f64,
     /// ANGLE. 1: a normal and its opposite are equal.
     pub unsigned_normals: u32,
@@ -79,7 +79,7 @@ pub struct gusset_reference_task {
     pub surface: *const gusset_surface,
 }
 
-/// Result and work of a search.
+/// Result and work of Leus's search for the cells that may satisfy a task.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_reference_report {

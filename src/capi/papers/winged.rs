@@ -27,7 +27,7 @@ pub type gusset_winged_flags = u32;
 pub const GUSSET_WINGED_NON_MANIFOLD: gusset_winged_flags = 1;
 /// A record of one face of an edge that two faces traverse in one direction.
 pub const GUSSET_WINGED_NOT_ORIENTED: gusset_winged_flags = 2;
-/// M = N, or a face of the edge has fewer than three proper edges.
+/// The ends are equal (M = N), or a face has fewer than three edges with different ends.
 pub const GUSSET_WINGED_DEGENERATE: gusset_winged_flags = 4;
 
 const _: () = assert!(

@@ -6,7 +6,7 @@ use super::channels::{
 };
 use super::descriptor::{GUSSET_PLUGIN_DONE, gusset_failure, gusset_host};
 use super::inputs;
-use super::outcome::{HeldOutput, RunFault, gusset_outputs};
+use super::outcome::{OutputForHost, RunFault, gusset_outputs};
 use super::outputs::{failure_report, held_output_of_handle};
 use crate::attributes::Origins;
 use crate::capi::context::lend;
@@ -26,9 +26,9 @@ pub(super) static ATTRIBUTE_FUNCTIONS: gusset_plugin_attributes = gusset_plugin_
 };
 
 /// Returns the origins of output `index`.
-fn origins_of_output(held: &HeldOutput, index: u32) -> Result<&Origins, Failure> {
+fn origins_of_output(held: &OutputForHost, index: u32) -> Result<&Origins, Failure> {
     match held {
-        HeldOutput::Mesh(_, Some(origins)) => Ok(origins),
+        OutputForHost::Mesh(_, Some(origins)) => Ok(origins),
         _ => Err(Failure::no_such_element("output with origins", index as usize)),
     }
 }

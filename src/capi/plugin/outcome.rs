@@ -12,7 +12,7 @@ use std::ffi::CString;
 
 /// Outputs of a run, or the reason of its failure.
 pub struct gusset_outputs {
-    pub(super) outputs: Vec<HeldOutput>,
+    pub(super) outputs: Vec<OutputForHost>,
     pub(super) message: CString,
     pub(super) fault: Option<RunFault>,
 }
@@ -20,7 +20,7 @@ pub struct gusset_outputs {
 handle! { gusset_outputs }
 
 /// An output in the form that hosts read.
-pub(super) enum HeldOutput {
+pub(super) enum OutputForHost {
     Mesh(Mesh, Option<Box<Origins>>),
     Curves(Curves),
     Text(CString, Vec<(CString, Value)>),
@@ -28,7 +28,7 @@ pub(super) enum HeldOutput {
 
 impl gusset_outputs {
     pub(super) fn from_outputs(outputs: Vec<Output>) -> Result<Self> {
-        let outputs = alloc::try_collect(outputs.into_iter().map(HeldOutput::from_output))?;
+        let outputs = alloc::try_collect(outputs.into_iter().map(OutputForHost::from_output))?;
         Ok(gusset_outputs { outputs, message: CString::default(), fault: None })
     }
 
@@ -38,20 +38,20 @@ impl gusset_outputs {
     }
 }
 
-impl HeldOutput {
+impl OutputForHost {
     fn from_output(output: Output) -> Result<Self> {
         Ok(match output {
-            Output::Mesh(mesh, origins) => HeldOutput::Mesh(mesh, origins),
+            Output::Mesh(mesh, origins) => OutputForHost::Mesh(mesh, origins),
             Output::Curves(mut curves) => {
                 // A host may read the first offset even without curves.
                 if curves.offsets.is_empty() {
                     curves.offsets = alloc::filled(0, 1)?;
                 }
-                HeldOutput::Curves(curves)
+                OutputForHost::Curves(curves)
             }
             Output::Text(report) => {
                 let named = |&(name, value): &(&str, Value)| Ok((to_c_string(name)?, value));
-                HeldOutput::Text(to_c_string(&report)?, alloc::try_collect(report.values().iter().map(named))?)
+                OutputForHost::Text(to_c_string(&report)?, alloc::try_collect(report.values().iter().map(named))?)
             }
         })
     }

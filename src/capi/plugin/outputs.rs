@@ -5,7 +5,7 @@ use super::descriptor::{
     GUSSET_VALUE_ANGLE, GUSSET_VALUE_AREA, GUSSET_VALUE_COUNT, GUSSET_VALUE_FLAG, GUSSET_VALUE_LENGTH,
     GUSSET_VALUE_NUMBER, GUSSET_VALUE_VOLUME, gusset_failure, gusset_plugin_curves, gusset_plugin_mesh,
 };
-use super::outcome::{HeldOutput, RunFault, gusset_outputs};
+use super::outcome::{OutputForHost, RunFault, gusset_outputs};
 use crate::capi::context::lend;
 use crate::capi::handle;
 use crate::capi::input::lend_list;
@@ -17,13 +17,16 @@ use std::ptr;
 
 impl gusset_outputs {
     /// Output `index`, if it exists.
-    pub(super) fn held_output(&self, index: u32) -> Result<&HeldOutput, Failure> {
+    pub(super) fn held_output(&self, index: u32) -> Result<&OutputForHost, Failure> {
         self.outputs.get(index as usize).ok_or_else(|| Failure::no_such_element("output", index as usize))
     }
 }
 
 /// Output `index`, if it exists.
-pub(super) fn held_output_of_handle<'a>(outputs: *const gusset_outputs, index: u32) -> Result<&'a HeldOutput, Failure> {
+pub(super) fn held_output_of_handle<'a>(
+    outputs: *const gusset_outputs,
+    index: u32,
+) -> Result<&'a OutputForHost, Failure> {
     handle::get_object(outputs, "outputs").and_then(|outputs: &gusset_outputs| outputs.held_output(index))
 }
 
@@ -33,9 +36,9 @@ pub(super) unsafe extern "C" fn output_count(outputs: *const gusset_outputs) -> 
 
 pub(super) unsafe extern "C" fn output_kind(outputs: *const gusset_outputs, index: u32) -> u32 {
     held_output_of_handle(outputs, index).map_or(0, |held| match held {
-        HeldOutput::Mesh(..) => GUSSET_KIND_MESH,
-        HeldOutput::Curves(_) => GUSSET_KIND_CURVES,
-        HeldOutput::Text(..) => GUSSET_KIND_TEXT,
+        OutputForHost::Mesh(..) => GUSSET_KIND_MESH,
+        OutputForHost::Curves(_) => GUSSET_KIND_CURVES,
+        OutputForHost::Text(..) => GUSSET_KIND_TEXT,
     })
 }
 
@@ -47,7 +50,7 @@ pub(super) unsafe extern "C" fn output_mesh(
     // The layouts agree, as `inputs` asserts.
     let mesh = mesh.cast::<gusset_mesh_view>();
     let status = lend!(outputs, mesh, |outputs| match outputs.held_output(index)? {
-        HeldOutput::Mesh(mesh, _) => mesh::lend_mesh(mesh),
+        OutputForHost::Mesh(mesh, _) => mesh::lend_mesh(mesh),
         _ => return Err(Failure::no_such_element("mesh", index as usize)),
     });
     status as i32
@@ -59,7 +62,7 @@ pub(super) unsafe extern "C" fn output_curves(
     curves: *mut gusset_plugin_curves,
 ) -> i32 {
     let status = lend!(outputs, curves, |outputs| match outputs.held_output(index)? {
-        HeldOutput::Curves(curves) => gusset_plugin_curves {
+        OutputForHost::Curves(curves) => gusset_plugin_curves {
             struct_size: 0,
             points: lend_list(&curves.points).cast(),
             point_stride: size_of::<[f64; 3]>(),
@@ -78,7 +81,7 @@ pub(super) unsafe extern "C" fn output_curves(
 
 pub(super) unsafe extern "C" fn output_text(outputs: *const gusset_outputs, index: u32) -> *const c_char {
     match held_output_of_handle(outputs, index) {
-        Ok(HeldOutput::Text(text, _)) => text.as_ptr(),
+        Ok(OutputForHost::Text(text, _)) => text.as_ptr(),
         _ => ptr::null(),
     }
 }
@@ -86,7 +89,7 @@ pub(super) unsafe extern "C" fn output_text(outputs: *const gusset_outputs, inde
 /// Returns the values of output `index`; empty unless it is a text.
 fn values_of_text<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, Value)] {
     match held_output_of_handle(outputs, index) {
-        Ok(HeldOutput::Text(_, values)) => values,
+        Ok(OutputForHost::Text(_, values)) => values,
         _ => &[],
     }
 }

@@ -24,7 +24,7 @@ pub const GUSSET_ALONG_COLUMNS: gusset_sheet_direction = 1;
 /// @param closed 0 or 1.
 /// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
-/// @source Leus.
+/// @source V. Leus (see the README).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_through_create(

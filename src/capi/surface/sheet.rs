@@ -199,7 +199,7 @@ fn sheet_with_tangents(
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or
 ///     twist), SIDES_DIFFER (closed, but the ends differ; with the largest gap)
 /// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
-/// @source Leus.
+/// @source V. Leus (see the README).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_create(

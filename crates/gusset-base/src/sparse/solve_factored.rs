@@ -74,30 +74,30 @@ impl CholeskyFactor {
         }
     }
 
-    /// Solves L y = b for the columns of a supernode, whose entries begin at `used`.
-    fn solve_forward(&self, s: usize, mut used: usize, local: &mut [RightSides]) {
-        for (b, columns) in self.columns_of_blocks(s).enumerate() {
-            for (k, lanes) in self.entries[used..used + columns].iter().enumerate() {
-                let value = right_side_at(local, k);
-                for (side, value) in local[b].iter_mut().zip(value.to_array()) {
+    /// Solves L y = b for the columns of a supernode, whose entries begin at `first_entry`.
+    fn solve_forward(&self, supernode: usize, mut first_entry: usize, right_sides: &mut [RightSides]) {
+        for (b, columns) in self.columns_of_blocks(supernode).enumerate() {
+            for (k, lanes) in self.entries[first_entry..first_entry + columns].iter().enumerate() {
+                let value = right_side_at(right_sides, k);
+                for (side, value) in right_sides[b].iter_mut().zip(value.to_array()) {
                     for i in 0..ROWS_PER_BLOCK {
                         side[i] -= lanes[i] * value;
                     }
                 }
             }
-            used += columns;
+            first_entry += columns;
         }
     }
 
-    /// Solves L^T x = y for the columns of a supernode, whose entries end at `used`. Blocks and
-    /// columns run backwards, so that a row is known before it is used.
-    fn solve_backward(&self, s: usize, mut used: usize, local: &mut [RightSides]) {
-        for (b, columns) in self.columns_of_blocks(s).enumerate().rev() {
-            used -= columns;
-            for (k, lanes) in self.entries[used..used + columns].iter().enumerate().rev() {
-                let sums = local[b].map(|side| sum_pairwise(std::array::from_fn(|i| lanes[i] * side[i])));
-                let value = right_side_at(local, k) - DVec3::from_array(sums);
-                set_right_side(local, k, value);
+    /// Solves L^T x = y for the columns of a supernode, whose entries end at `entries_end`. Blocks
+    /// and columns run backwards, so that a row is known before it is used.
+    fn solve_backward(&self, supernode: usize, mut entries_end: usize, right_sides: &mut [RightSides]) {
+        for (b, columns) in self.columns_of_blocks(supernode).enumerate().rev() {
+            entries_end -= columns;
+            for (k, lanes) in self.entries[entries_end..entries_end + columns].iter().enumerate().rev() {
+                let sums = right_sides[b].map(|side| sum_pairwise(std::array::from_fn(|i| lanes[i] * side[i])));
+                let value = right_side_at(right_sides, k) - DVec3::from_array(sums);
+                set_right_side(right_sides, k, value);
             }
         }
     }

@@ -122,12 +122,12 @@ impl<'a> CurveView<'a> {
         self.ends.windows(2).map(move |pair| &points[pair[0] as usize..=pair[1] as usize])
     }
 
-    /// Checks that a place lies on the curve; `index` is its index, for the error.
-    pub(super) fn check_place(&self, index: usize, place: Place) -> Result<()> {
+    /// Checks that a place lies on the curve; `place_index` is its index, for the error.
+    pub(super) fn check_place(&self, place_index: usize, place: Place) -> Result<()> {
         if (place.segment as usize) < self.len() && (0.0..=1.0).contains(&place.t) {
             return Ok(());
         }
-        Err(Error::NoSuchPlace { index: index as u32, segment: place.segment, t: place.t })
+        Err(Error::NoSuchPlace { index: place_index as u32, segment: place.segment, t: place.t })
     }
 
     /// Returns the end of the last segment.

@@ -48,7 +48,7 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
     options.check_ranges()?;
     let options = &options.with_chain_mode_replaced();
     let batches = divide_into_batches(outlines, outlines.check_offsets_and_constraints()?)?;
-    let threads = par::resolve_thread_count(batches.len(), job.threads());
+    let threads = par::resolve_thread_count(batches.len(), job.requested_threads());
     let mut whole = OutlineWorker::new(outlines, options);
     if let (Some(first), Some(last)) = (batches.first(), batches.last()) {
         whole.reserve_results(first.start..last.end)?;

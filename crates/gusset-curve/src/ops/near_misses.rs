@@ -75,7 +75,7 @@ const MAX_UNDECIDED_SEGMENT_PAIRS: u32 = 32;
 const MAX_PART_PAIRS_FOR_SIMPLE_MINIMA: usize = 300;
 
 /// Pairs of segments between two progress reports; each pair takes up to 20 ms.
-const PAIRS_PER_REPORT: usize = 4;
+const SEGMENT_PAIRS_PER_REPORT: usize = 4;
 
 /// Descents between two progress reports.
 const DESCENTS_PER_REPORT: usize = 256;
@@ -147,7 +147,7 @@ impl CurveView<'_> {
             let i = i as usize;
             tree.overlapping(&Aabb::from_points(sides[0].segment(i)), within, |leaf| {
                 pairs += 1;
-                if pairs.is_multiple_of(PAIRS_PER_REPORT) {
+                if pairs.is_multiple_of(SEGMENT_PAIRS_PER_REPORT) {
                     searching.step(k as f64 / numbers[0].len() as f64, PROGRESS_STAGE)?;
                 }
                 search.search_segment_pair([i, numbers[1][leaf] as usize])

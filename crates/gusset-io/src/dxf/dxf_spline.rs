@@ -9,7 +9,7 @@ const MAX_DEGREE: usize = 15;
 /// Most segments between two knots.
 const MAX_SEGMENTS: f64 = 1024.0;
 /// Segments between two knots of a rational spline, as a multiple of those without weights.
-const RATIONAL_FACTOR: f64 = 2.0;
+const RATIONAL_SEGMENT_FACTOR: f64 = 2.0;
 
 struct Spline {
     degree: usize,
@@ -148,7 +148,8 @@ impl Spline {
             .map(|bend| bend.iter().map(|part| part * part).sum::<f64>().sqrt())
             .fold(0.0, f64::max);
         let length = self.knots[span + 1] - self.knots[span];
-        let count = length * (bend / (8.0 * tolerance)).sqrt() * if self.is_rational { RATIONAL_FACTOR } else { 1.0 };
+        let count =
+            length * (bend / (8.0 * tolerance)).sqrt() * if self.is_rational { RATIONAL_SEGMENT_FACTOR } else { 1.0 };
         // Without a tolerance, only the extent matters.
         let least = if tolerance.is_finite() { 1.0 } else { degree as f64 };
         if count.is_nan() { 1 } else { count.ceil().clamp(least, MAX_SEGMENTS) as usize }

@@ -7,7 +7,7 @@ use std::collections::TryReserveError;
 /// The entry of a corner without a normal or texture coordinate.
 pub(super) const ABSENT: u32 = u32::MAX;
 
-/// The entry of the index 0, which names nothing.
+/// The entry of the index 0, which names nothing because indices of OBJ start at 1.
 const ZERO_INDEX: u32 = RELATIVE - 1;
 
 /// Marks indices relative to the chunk's start, which follow as a distance from `-RELATIVE_BIAS`.

@@ -16,22 +16,22 @@ use serde_json::Value;
 pub fn unpack(description: &str, arrays: &[u8]) -> Result<Document, ReadError> {
     let root: Value =
         serde_json::from_str(description).map_err(|error| wrong(&format!("the description is not JSON: {error}")))?;
-    let source = Source { arrays };
+    let packed = PackedArrays { arrays };
     let mut document = Document {
-        meshes: list(&root["meshes"], "meshes")?.iter().map(|mesh| source.mesh(mesh)).collect::<Result<_, _>>()?,
-        curves: source.curves(&root["curves"])?,
-        points: source.points(&root["points"])?,
+        meshes: list(&root["meshes"], "meshes")?.iter().map(|mesh| packed.mesh(mesh)).collect::<Result<_, _>>()?,
+        curves: packed.curves(&root["curves"])?,
+        points: packed.points(&root["points"])?,
         materials: list(&root["materials"], "materials")?.iter().map(material).collect::<Result<_, _>>()?,
-        images: list(&root["images"], "images")?.iter().map(|image| source.image(image)).collect::<Result<_, _>>()?,
+        images: list(&root["images"], "images")?.iter().map(|image| packed.image(image)).collect::<Result<_, _>>()?,
         metres_per_unit: root["metres_per_unit"].as_f64().filter(|metres| *metres > 0.0 && metres.is_finite()),
         ..Document::default()
     };
-    document.placements = source.placements(&root, document.meshes.len())?;
+    document.placements = packed.placements(&root, document.meshes.len())?;
     document.check()?;
     Ok(document)
 }
 
-struct Source<'a> {
+struct PackedArrays<'a> {
     arrays: &'a [u8],
 }
 
@@ -57,7 +57,7 @@ fn index(value: &Value, name: &str) -> Result<u32, ReadError> {
     value.as_u64().and_then(|index| u32::try_from(index).ok()).ok_or_else(|| wrong(&format!("{name} is not an index")))
 }
 
-impl Source<'_> {
+impl PackedArrays<'_> {
     /// Returns the elements of an array, each of `WIDTH` numbers; none if it is absent.
     fn array<T: AnyBitPattern, const WIDTH: usize>(
         &self,

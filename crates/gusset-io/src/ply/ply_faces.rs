@@ -66,7 +66,7 @@ impl FaceParts {
                 continue;
             }
             make_room(&mut mesh.corners, degree)?;
-            rows.append_indices(columns.vertices, self.vertex_count, &mut mesh.corners)
+            rows.append_list_as_indices(columns.vertices, self.vertex_count, &mut mesh.corners)
                 .map_err(|corner| missing_vertex(rows, element, row, columns.vertices, corner, self.vertex_count))?;
             mesh.face_offsets.push(end_of_face(&mesh.corners)?);
             if let (Some(texcoords), Some(column)) = (&mut self.texcoords, columns.texcoord) {

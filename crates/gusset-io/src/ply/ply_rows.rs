@@ -33,7 +33,7 @@ pub(super) trait Rows {
     fn item(&self, column: usize, place: usize) -> f64;
 
     /// Appends the list in a column as indices below `count`. Returns the place of the first other number as the error.
-    fn append_indices(&self, column: usize, count: u32, indices: &mut Vec<u32>) -> Result<(), usize> {
+    fn append_list_as_indices(&self, column: usize, count: u32, indices: &mut Vec<u32>) -> Result<(), usize> {
         append_whole_numbers((0..self.length(column)).map(|place| self.item(column, place)), count, indices)
     }
 
@@ -208,7 +208,7 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
     }
 
     #[inline]
-    fn append_indices(&self, column: usize, count: u32, indices: &mut Vec<u32>) -> Result<(), usize> {
+    fn append_list_as_indices(&self, column: usize, count: u32, indices: &mut Vec<u32>) -> Result<(), usize> {
         let cell = self.cells[column];
         let from = self.start + cell.start;
         let list = self.bytes.get(from..from + cell.length * cell.number.size()).unwrap_or_default();

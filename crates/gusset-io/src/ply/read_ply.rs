@@ -23,7 +23,7 @@ pub(crate) fn read_ply(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadEr
     content.into_document(&header)
 }
 
-/// Role of an element.
+/// The role of an element of a PLY file: vertices, faces, triangle strips, a range image or none.
 enum Role {
     Vertices(Box<VertexColumns>),
     Faces(Box<FaceColumns>),

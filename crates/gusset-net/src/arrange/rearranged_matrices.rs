@@ -36,7 +36,7 @@ pub(crate) fn build_matrices<T: Real>(
         blocks.extend(matrix.chunks_mut(height * columns).enumerate().map(|(k, block)| (axis, k * height, block)));
     }
     job.step(0.0, "nodes")?;
-    par::map(job.threads(), blocks.into_iter(), |(axis, first, block)| {
+    par::map(job.requested_threads(), blocks.into_iter(), |(axis, first, block)| {
         write_rows(axis, first..first + block.len() / columns, block);
     })?;
     job.step(1.0, "nodes")?;

@@ -36,7 +36,7 @@ pub struct RecognisedNet {
 pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Result<RecognisedNet> {
     let pairing = Pairing::new(mesh, &job.part(0.0, 0.6))?;
     let walker = QuadWalker { mesh, pairing: &pairing };
-    let grid = QuadGrid::find_from_seed(&walker, seed, &job.part(0.6, 0.8))?;
+    let grid = QuadGrid::find_from_face(&walker, seed, &job.part(0.6, 0.8))?;
     job.step(0.8, STAGE)?;
     if seed.is_none() {
         let mut visited = alloc::filled(false, mesh.faces().len())?;
@@ -154,8 +154,8 @@ struct QuadGrid {
 }
 
 impl QuadGrid {
-    fn find_from_seed(walker: &QuadWalker<'_>, seed: Option<u32>, job: &Job<'_>) -> Result<QuadGrid> {
-        let head = QuadGrid::first_cell(walker, seed)?;
+    fn find_from_face(walker: &QuadWalker<'_>, start_face: Option<u32>, job: &Job<'_>) -> Result<QuadGrid> {
+        let head = QuadGrid::first_cell(walker, start_face)?;
         let mut grid = QuadGrid { cells: Vec::new(), columns: 0, rows_closed: false, shift: None, poles: [None, None] };
         let count = walker.mesh.faces().len();
         grid.add_row(walker, head)?;
@@ -183,8 +183,8 @@ impl QuadGrid {
     }
 
     /// Returns the first cell of the first row of quads.
-    fn first_cell(walker: &QuadWalker<'_>, seed: Option<u32>) -> Result<u32> {
-        let face = seed.unwrap_or(0);
+    fn first_cell(walker: &QuadWalker<'_>, start_face: Option<u32>) -> Result<u32> {
+        let face = start_face.unwrap_or(0);
         let faces = walker.mesh.faces();
         if face as usize >= faces.len() {
             return Err(Error::NoGrid { face });

@@ -263,7 +263,8 @@ struct FaceBuilder<'a, T> {
 }
 
 impl<T: Real> FaceBuilder<'_, T> {
-    /// Adds a cell, given its corners in order.
+    /// Adds the face of a cell, given its corners in order around it. Glued or missing corners
+    /// reduce the quad to a triangle, edges or nothing.
     fn add_cell(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let finite = corners.map(|node| self.places.finite[node as usize]);
         if finite != [true; 4] {

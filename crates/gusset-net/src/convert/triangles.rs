@@ -306,7 +306,8 @@ impl<'a> EdgeLabels<'a> {
         Ok(())
     }
 
-    /// Applies the rule of a triangle: one diagonal, or none at a pole.
+    /// Applies the rule of a triangle: exactly one of its sides is the diagonal of a quad. At a
+    /// pole, none is.
     fn apply_face_rule(&mut self, face: u32) -> Result<()> {
         let sides = 3 * face..3 * face + 3;
         let count = |labels: &Self, label| sides.clone().filter(|&h| labels.of[h as usize] == label).count();

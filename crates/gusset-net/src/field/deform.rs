@@ -32,10 +32,10 @@ pub fn deform(net: &mut Net<'_>, steps: &[DeformationStep<'_>], job: &Job<'_>) -
     job.step(0.0, "deform")?;
     each!(net.coordinates_mut(), planes => {
         if steps.iter().any(|step| step.strength != 0.0 && !step.field.is_total()) {
-            chunks::for_each_chunk_mut(planes, job.threads(), MAX_NODES_PER_CHUNK, |first, rows| check_images_finite(steps, first, &rows))?;
+            chunks::for_each_chunk_mut(planes, job.requested_threads(), MAX_NODES_PER_CHUNK, |first, rows| check_images_finite(steps, first, &rows))?;
             job.step(0.5, "deform")?;
         }
-        apply_steps(planes, steps, job.threads())
+        apply_steps(planes, steps, job.requested_threads())
     })
 }
 

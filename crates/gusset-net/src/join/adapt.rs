@@ -73,7 +73,7 @@ pub(super) fn restore_net(
     let Some(adaptation) = adaptation.filter(|adaptation| adaptation.joined == net.shape()) else { return Ok(net) };
     let axis = direction.transposed();
     // A net that was mirrored since has the same gluing in the opposite orientation.
-    let adapted = adaptation.adapted_topology(direction)?;
+    let adapted = adaptation.topology_as_joined(direction)?;
     let unedited = net.topology().clone().with_reversed(adapted.is_reversed()) == adapted;
     let mut bridges = alloc::collect(net.bridges().iter().cloned())?;
     let mut net = net;
@@ -100,7 +100,7 @@ pub(super) fn restore_net(
 
 impl NetAdaptation {
     /// Returns the topology that the net was joined with.
-    fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
+    fn topology_as_joined(&self, direction: Direction) -> Result<Topology> {
         self.topology.map_rows_or_columns(direction.transposed(), |topology| {
             let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
             let along = direction.extents_along_and_across(self.joined).1;

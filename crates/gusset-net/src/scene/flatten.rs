@@ -74,7 +74,7 @@ fn transform_nets<T: Real>(
     let columns = planes.shape().columns();
     let height = lines_per_block(columns);
     let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(height * columns)));
-    let threads = if blocks.len() < 4 { 1 } else { job.threads() };
+    let threads = if blocks.len() < 4 { 1 } else { job.requested_threads() };
     par::map(threads, blocks.enumerate(), |(block, [x, y, z])| {
         let rows = x.chunks_mut(columns).zip(y.chunks_mut(columns)).zip(z.chunks_mut(columns));
         for (i, ((x, y), z)) in (block * height..).zip(rows) {

@@ -81,9 +81,9 @@ pub(super) fn descend_to_equilibrium(
     Ok(descent)
 }
 
-/// Returns true if the gain of a step is within a number of roundings of the total energy and of
-/// each bridge's own energy. Next to a much stiffer bridge, another bridge's whole energy may be
-/// rounding.
+/// Returns true if the gain of a step is at most `roundings` rounding errors of the total energy.
+/// Each bridge's gain must also be that small against its own energy. A much stiffer bridge could
+/// hide it in the total.
 fn is_gain_within_rounding(
     composite: &CompositeModel,
     step: &[DVec3],

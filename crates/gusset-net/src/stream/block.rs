@@ -54,7 +54,7 @@ impl DuplicateNodes {
     pub(super) fn are_bit_identical<T: CoordinateBits>(&self, planes: &XyzMatrices<'_, T>) -> bool {
         let levels = |node: u32| {
             let (i, j) = self.shape.place(node);
-            planes.row(i).map(|row| row[j].to_level())
+            planes.row(i).map(|row| row[j].to_ordered_bits())
         };
         self.pairs.iter().all(|&[node, first]| levels(node) == levels(first))
     }

@@ -16,7 +16,8 @@ use gusset_base::error::{Error, Result};
 pub(super) trait EntropyCoder {
     /// Codes a symbol by an adaptive model, and updates the model.
     fn code_symbol<const N: usize>(&mut self, model: &mut SymbolModel<N>, symbol: usize) -> usize;
-    /// Codes the `count` low bits of a number, at most 64.
+    /// Encodes the `count` low bits of `value`, or decodes and returns as many bits. `count` is at
+    /// most 64.
     fn code_bits(&mut self, value: u64, count: u32) -> u64;
 }
 

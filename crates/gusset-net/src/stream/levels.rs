@@ -11,9 +11,9 @@ pub(super) trait CoordinateBits: Real {
     const SIZE: usize = size_of::<Self>();
     /// Returns the number as an integer that sorts numerically, from -infinity to infinity, with -0
     /// before 0 and NaN beyond both.
-    fn to_level(self) -> i64;
-    /// Returns the number of a level, if it is in range.
-    fn from_level(level: i64) -> Option<Self>;
+    fn to_ordered_bits(self) -> i64;
+    /// Returns the number with the given ordered bits, if they are in range.
+    fn from_ordered_bits(level: i64) -> Option<Self>;
     /// Little-endian bytes.
     fn write_bytes(self, to: &mut [u8]);
     /// From little-endian bytes, exactly [`CoordinateBits::SIZE`] of them.
@@ -28,13 +28,13 @@ macro_rules! bits {
             const MISSING: Self = $scalar::NAN;
 
             #[inline(always)]
-            fn to_level(self) -> i64 {
+            fn to_ordered_bits(self) -> i64 {
                 let bits = self.to_bits() as $whole;
                 (bits ^ ((bits >> ($whole::BITS - 1)) & $whole::MAX)).into()
             }
 
             #[inline(always)]
-            fn from_level(level: i64) -> Option<Self> {
+            fn from_ordered_bits(level: i64) -> Option<Self> {
                 let level = $whole::try_from(level).ok()?;
                 Some($scalar::from_bits((level ^ ((level >> ($whole::BITS - 1)) & $whole::MAX)) as _))
             }
@@ -85,22 +85,22 @@ pub(super) struct LosslessLevels<T> {
 impl<T: CoordinateBits> LevelMap<T> for LosslessLevels<T> {
     #[inline(always)]
     fn level_of(&self, _: usize, number: T) -> i64 {
-        number.to_level()
+        number.to_ordered_bits()
     }
 
     #[inline(always)]
     fn number_at(&self, _: usize, level: i64) -> Option<T> {
-        T::from_level(level)
+        T::from_ordered_bits(level)
     }
 
     #[inline(always)]
     fn predictor_value(&self, level: i64) -> f64 {
-        T::from_level(level).map_or(0.0, Into::into)
+        T::from_ordered_bits(level).map_or(0.0, Into::into)
     }
 
     #[inline(always)]
     fn nearest_level(&self, _: usize, value: f64) -> i64 {
-        T::from_f64(value).to_level()
+        T::from_f64(value).to_ordered_bits()
     }
 
     fn value_spacing(&self, value: f64) -> f64 {
@@ -109,8 +109,8 @@ impl<T: CoordinateBits> LevelMap<T> for LosslessLevels<T> {
 
     #[inline(always)]
     fn is_missing(&self, node: [T; 3]) -> bool {
-        let levels = self.missing.map(T::to_level);
-        node.map(T::to_level) == levels && !node.iter().all(|&number| number.into().is_finite())
+        let levels = self.missing.map(T::to_ordered_bits);
+        node.map(T::to_ordered_bits) == levels && !node.iter().all(|&number| number.into().is_finite())
     }
 
     #[inline(always)]

@@ -80,7 +80,7 @@ impl StreamPrelude {
             StreamMode::Raw => raw_block::decode_raw_block(info, block, from, to),
             StreamMode::Lossless => {
                 let bad = from.error_here("the numbers of missing nodes are out of range");
-                let number = |bits: u64| T::from_level(bits as i64);
+                let number = |bits: u64| T::from_ordered_bits(bits as i64);
                 let [Some(x), Some(y), Some(z)] = info.missing.map(number) else { return Err(bad) };
                 block::decode_block(info, duplicates, &LosslessLevels { missing: [x, y, z] }, block, from, to)
             }
@@ -153,12 +153,12 @@ fn decode_blocks<T: CoordinateBits>(
     job: &Job<'_>,
 ) -> Result<()> {
     let info = &prelude.info;
-    let at_once = 2 * par::resolve_thread_count(info.block_count(), job.threads());
+    let at_once = 2 * par::resolve_thread_count(info.block_count(), job.requested_threads());
     let (block, mut start) = (info.rows_per_block * info.shape.columns(), 0);
     for matrices in zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(at_once * block))) {
         job.step(start as f64 / info.block_count() as f64, "decoding")?;
         let parts = zip3(matrices.map(|matrix| matrix.chunks_mut(block))).enumerate();
-        let done = par::map(job.threads(), parts, |(k, part)| {
+        let done = par::map(job.requested_threads(), parts, |(k, part)| {
             let BlockTableEntry { offset, size, .. } = prelude.entries[start + k];
             prelude.decode_block(start + k, &bytes[offset as usize..(offset + size) as usize], part)
         })?;

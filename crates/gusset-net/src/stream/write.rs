@@ -86,7 +86,7 @@ fn encode_coordinates<T: CoordinateBits>(
             let none = DuplicateNodes::without_duplicates(shape);
             let duplicates = if info.folded { &all } else { &none };
             let levels = LosslessLevels { missing: coordinates_of_first_missing(planes) };
-            info.missing = levels.missing.map(|number| number.to_level() as u64);
+            info.missing = levels.missing.map(|number| number.to_ordered_bits() as u64);
             compress_blocks(&mut info, planes, duplicates, levels, &rest)?
         }
     };

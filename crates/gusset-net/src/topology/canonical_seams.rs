@@ -105,8 +105,8 @@ impl SeamRunSearch<'_> {
         })
     }
 
-    /// Returns the number of consecutive pairs beyond `end` that are identified, but not by links
-    /// alone.
+    /// Counts the consecutive pairs of nodes beyond `end` that are glued, but would not be glued by
+    /// contracted links alone.
     fn count_glued_pairs_after(&self, pair: [u32; 2], steps: [GridStep; 2], end: i64, sense: i64) -> i64 {
         let is_glued = |&[a, b]: &[u32; 2]| {
             let ([p, q], [r, s]) = ([a, b].map(|n| self.table[n as usize]), [a, b].map(|n| self.pieces[n as usize]));

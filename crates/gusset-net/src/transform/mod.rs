@@ -31,8 +31,8 @@ use gusset_base::simd::{self, Kernel};
 pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()> {
     job.step(0.0, "transform")?;
     each!(net.coordinates_mut(), planes => {
-        check_overflow(planes, affine, job.threads())?;
-        apply_affine(planes, affine, job.threads())?;
+        check_overflow(planes, affine, job.requested_threads())?;
+        apply_affine(planes, affine, job.requested_threads())?;
     });
     if affine.is_mirroring() {
         let reversed = net.topology().is_reversed();

@@ -12,7 +12,7 @@ use crate::stitch::loop_pairing::mean_gap;
 use crate::stitch::stitch_rim::shared_vertex;
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, Finish, Rows};
-use crate::trim::{Trimmed, trim};
+use crate::trim::{KeptFacesOfPieces, trim};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -118,7 +118,7 @@ enum IntersectingStripTreatment {
 /// to the patches.
 fn join_trimmed_pieces(
     pieces: &[MeshView<'_>],
-    trimmed: &Trimmed,
+    trimmed: &KeptFacesOfPieces,
     options: &Options<'_>,
     wide: MaxGap,
     refuses: bool,

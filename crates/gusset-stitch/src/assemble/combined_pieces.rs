@@ -8,7 +8,7 @@ use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
 use crate::stitch::{IndexMap, Intersections};
-use crate::trim::{Remains, Trimmed};
+use crate::trim::{KeptFacesOfPieces, Remains};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -29,7 +29,7 @@ impl CombinedPieces {
     /// Combines the pieces. `trimmed` has the remaining parts of the pieces if they were trimmed.
     pub(super) fn new(
         pieces: &[MeshView<'_>],
-        trimmed: Option<&Trimmed>,
+        trimmed: Option<&KeptFacesOfPieces>,
         options: &Options<'_>,
         job: &Job<'_>,
     ) -> Result<Self> {

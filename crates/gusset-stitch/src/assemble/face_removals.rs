@@ -1,7 +1,7 @@
 //! Removal of faces from trimmed pieces after a trial joint.
 
 use super::assemble_request::Assembly;
-use crate::trim::Trimmed;
+use crate::trim::KeptFacesOfPieces;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bit_set::BitSet;
@@ -172,7 +172,7 @@ impl FaceRemovals {
     pub(super) fn remove_faces_from(
         &self,
         pieces: &[MeshView<'_>],
-        trimmed: &mut Trimmed,
+        trimmed: &mut KeptFacesOfPieces,
         done: &Assembly,
         parts: bool,
     ) -> bool {

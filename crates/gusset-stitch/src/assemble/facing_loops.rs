@@ -189,8 +189,8 @@ impl FacingSearch<'_> {
     }
 }
 
-/// Removes end vertices that share their nearest vertex with their neighbour but are farther from
-/// it: they look back at a corner.
+/// Removes vertices that lie round a corner from the ends of an arc. A vertex there has the same
+/// nearest vertex as the next vertex inwards, but is farther from it.
 fn trim_arc_ends(arc: Arc, nearest_vertices: &[NearestLoopVertex]) -> Arc {
     let look = |i: usize| &nearest_vertices[(arc.first + i) % nearest_vertices.len()];
     let (mut first, mut last) = (0, arc.count.saturating_sub(1));

@@ -137,7 +137,7 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
                 refine_by_insertion(&mut mesh, rim, &mut sizing, taken, &part.part(0.0, 0.3))?;
                 mesh.move_vertices_within_surface(rim, taken, VERTEX_MOVE_ROUNDS[0], &part.part(0.3, 0.4))?;
                 if let Some(passes) = ring.follows {
-                    sizing.curvature = ring.curvature_of_solved_patch(&mesh, passes, &part.part(0.4, 0.4))?;
+                    sizing.curvature = ring.smoothed_curvature_of_patch(&mesh, passes, &part.part(0.4, 0.4))?;
                 }
             }
             ring.fair_patch(&mut mesh, &sizing, way.unfolds, &part.part(0.4, 1.0))?;

@@ -155,7 +155,12 @@ impl OldRing {
     }
 
     /// Returns the curvature of a solved patch, including its rims; see [`mean_curvature`].
-    pub(super) fn curvature_of_solved_patch(&self, mesh: &PatchMesh, passes: u32, job: &Job<'_>) -> Result<Vec<DVec3>> {
+    pub(super) fn smoothed_curvature_of_patch(
+        &self,
+        mesh: &PatchMesh,
+        passes: u32,
+        job: &Job<'_>,
+    ) -> Result<Vec<DVec3>> {
         let (rim, old) = (self.centred.len(), self.points.len());
         let (points, triangles) = self.merged_with_patch(mesh)?;
         let all = mean_curvature(&points, &triangles, &|v| v >= old || v < rim && self.centred[v], passes, job)?;

@@ -64,8 +64,10 @@ const HALF_EDGES_PER_REPORT: usize = 1 << 15;
 pub(super) fn find_regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<DirectedHalfEdge>>>> {
     job.step(0.0, "looking for the boundary")?;
     // Determined once, because the query takes time.
-    let threads =
-        par::resolve_thread_count(mesh.faces().len().div_ceil(FACES_PER_TASK).min(MAX_SUMMING_THREADS), job.threads());
+    let threads = par::resolve_thread_count(
+        mesh.faces().len().div_ceil(FACES_PER_TASK).min(MAX_SUMMING_THREADS),
+        job.requested_threads(),
+    );
     let sums = BorderSums::sum_over_mesh(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
     let parts = par::map(threads, par::ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
@@ -82,7 +84,7 @@ pub(super) fn find_regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<O
     };
     job.step(0.2, STAGE)?;
     match next_border_edges(&border)? {
-        Some(next) if sums.sums_match_border(&border, &next) => {
+        Some(next) if sums.are_explained_by_border(&border, &next) => {
             closed_walks(mesh, &border, next, &job.part(0.4, 1.0)).map(Some)
         }
         _ => Ok(None),
@@ -167,7 +169,7 @@ impl BorderSums {
     }
 
     /// Returns true if both sums match the border, in which edge `next[i]` follows edge i.
-    fn sums_match_border(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
+    fn are_explained_by_border(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
         let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| {
             self.of_vertex[v as usize] == vertex_hash(border[i].1).wrapping_sub(vertex_hash(u))
         };

@@ -84,7 +84,7 @@ pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.3))?;
     let mut report =
         Check { vertices: mesh.positions().len() as u32, faces: mesh.faces().len() as u32, ..Check::default() };
-    report.count_defects(&topology)?;
+    report.list_defects(&topology)?;
     report.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
     report.bow_ties = find_bow_tie_vertices(mesh, &topology, &job.part(0.7, 0.8))?;
     report.list_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
@@ -110,7 +110,7 @@ pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
 }
 
 impl Check {
-    fn count_defects(&mut self, topology: &Topology) -> Result<()> {
+    fn list_defects(&mut self, topology: &Topology) -> Result<()> {
         for defect in topology.defects() {
             match *defect {
                 Defect::DegenerateFace { face, .. } => alloc::push(&mut self.degenerate_faces, face)?,

@@ -119,7 +119,8 @@ impl DiscOpening<'_> {
         self.split.faces.get(self.chart).iter().flat_map(move |&f| faces.range(f as usize)).map(|h| h as u32)
     }
 
-    /// Returns the vertices of each loop of the chart's border.
+    /// Returns the vertices of each connected part of the chart's border, ascending, not in the
+    /// order along the loop.
     fn border_loops(&self, surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
         let vertices = self.split.vertices[self.chart].clone();
         let (first, count) = (vertices.start, vertices.len());

@@ -118,7 +118,7 @@ struct MergedVertexSets<'m> {
     label: Vec<u32>,
     /// For each vertex, the next vertex of its set in a cyclic list.
     next: Vec<u32>,
-    /// For each label, the number of corners of its set.
+    /// For each label, the number of face corners at all vertices of its set.
     degree: Vec<u32>,
 }
 
@@ -162,7 +162,8 @@ impl MergedVertexSets<'_> {
         self.mesh.face(self.corners.face_of_corner(h)).map(|v| self.label[v as usize])
     }
 
-    /// Returns true if sewing the seam does no harm.
+    /// Returns true if sewing the seam makes no edge non-manifold. Unless `collapse` is set, sewing
+    /// must not merge two corners of a face either.
     fn can_sew_without_harm(&self, seam: &Seam) -> bool {
         seam.0.iter().filter(|&[a, b]| a != b).all(|&[a, b]| {
             let [small, large] = if self.degree[a as usize] <= self.degree[b as usize] { [a, b] } else { [b, a] };

@@ -114,7 +114,7 @@ fn coordinate_round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> 
     };
     let by_type = ROUND_OFF_ULPS * 2.0 * unit_round_off * size;
     let extent = whole.size().max_element();
-    let Some(steps) = DecimalSteps::new(extent, unit_round_off) else { return Ok(by_type) };
+    let Some(steps) = CoordinateDecimals::new(extent, unit_round_off) else { return Ok(by_type) };
     let mut decades = DecadeCounts::new(size);
     for (i, &v) in members.iter().enumerate() {
         job.step_every(ELEMENTS_PER_REPORT, i, 2 * members.len(), STAGE)?;
@@ -133,11 +133,11 @@ fn coordinate_round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> 
         }
     }
     let shown = [coordinates, differences].iter().filter_map(DigitHistogram::visible_step).min();
-    Ok(shown.map_or(by_type, |step| by_type.max(2.0 * steps.step_length(step))))
+    Ok(shown.map_or(by_type, |step| by_type.max(2.0 * steps.decimal_step_length(step))))
 }
 
-/// Decimal steps in descending order.
-struct DecimalSteps {
+/// The powers of ten to which coordinates may have been rounded, in descending order.
+struct CoordinateDecimals {
     /// The exponent of the first step.
     first: i32,
     /// The relative error of a coordinate, due to conversions and a change of unit.
@@ -155,14 +155,14 @@ enum ShownDigits {
     AllDigits,
 }
 
-impl DecimalSteps {
+impl CoordinateDecimals {
     /// Returns `None` if powers of ten of this size are not exact.
     fn new(extent: f64, unit_round_off: f64) -> Option<Self> {
         let first = decade_exponent(extent)? - DECIMAL_PLACES_TO_FIRST_STEP;
-        ((first + 1).abs() <= MAX_EXACT_POWER).then_some(DecimalSteps { first, error: 2.0 * unit_round_off })
+        ((first + 1).abs() <= MAX_EXACT_POWER).then_some(CoordinateDecimals { first, error: 2.0 * unit_round_off })
     }
 
-    fn step_length(&self, step: usize) -> f64 {
+    fn decimal_step_length(&self, step: usize) -> f64 {
         let exponent = self.first - step as i32;
         if exponent < 0 { 1.0 / 10f64.powi(-exponent) } else { 10f64.powi(exponent) }
     }

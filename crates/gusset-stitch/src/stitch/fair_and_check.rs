@@ -34,7 +34,7 @@ const MAX_BACK_OFF_ROUNDS: u32 = 12;
 const MIN_FAIRING_SHARE: f64 = 0.1;
 
 /// The fairing is reduced within this number of edges from an intersection.
-const BACK_OFF_RINGS: u32 = 4;
+const REDUCED_FAIRING_RINGS: u32 = 4;
 
 pub(crate) struct CheckedStrip {
     /// See [`Stitch::intersections`](super::Stitch::intersections).
@@ -272,7 +272,7 @@ impl StripNeighbourhood<'_> {
     /// Reduces the plate's share at the new vertices of intersecting faces, and a little nearby.
     /// Returns false if no share is left at these vertices.
     fn reduce_fairing_shares(&self, found: &IntersectingTriangles, share: &mut [f64]) -> Result<bool> {
-        let mut distance = alloc::filled(BACK_OFF_RINGS, share.len())?;
+        let mut distance = alloc::filled(REDUCED_FAIRING_RINGS, share.len())?;
         let index = |v: u32| v.checked_sub(self.base).map(|k| k as usize);
         let intersecting = found.pairs.as_flattened().iter().filter_map(|&k| found.strip.corners.get(k as usize));
         for k in intersecting.flatten().filter_map(|&v| index(v)) {
@@ -281,17 +281,21 @@ impl StripNeighbourhood<'_> {
         if !distance.iter().zip(&*share).any(|(&d, &s)| d == 0 && s > 0.0) {
             return Ok(false);
         }
-        for _ in 1..BACK_OFF_RINGS {
+        for _ in 1..REDUCED_FAIRING_RINGS {
             for triangle in &found.strip.corners {
-                let least =
-                    triangle.iter().filter_map(|&v| index(v)).map(|k| distance[k]).min().unwrap_or(BACK_OFF_RINGS);
+                let least = triangle
+                    .iter()
+                    .filter_map(|&v| index(v))
+                    .map(|k| distance[k])
+                    .min()
+                    .unwrap_or(REDUCED_FAIRING_RINGS);
                 for k in triangle.iter().filter_map(|&v| index(v)) {
                     distance[k] = distance[k].min(least + 1);
                 }
             }
         }
         for (s, d) in share.iter_mut().zip(distance) {
-            *s *= 1.0 - 0.5 * f64::from(BACK_OFF_RINGS - d) / f64::from(BACK_OFF_RINGS);
+            *s *= 1.0 - 0.5 * f64::from(REDUCED_FAIRING_RINGS - d) / f64::from(REDUCED_FAIRING_RINGS);
             if *s < MIN_FAIRING_SHARE {
                 *s = 0.0;
             }

@@ -156,7 +156,7 @@ fn choose_best_first_meridian(
     other_a.rotate_to_start_at((i2 + a.vertices.len() - i) % a.vertices.len());
     other_b.rotate_to_start_at((j2 + count - j) % count);
     let linear = matches!(options.meridians, Meridians::Index | Meridians::ArcLength | Meridians::Greedy);
-    let threads = if linear || a.vertices.len() * count < MIN_NODES_PER_THREAD { 1 } else { job.threads() };
+    let threads = if linear || a.vertices.len() * count < MIN_NODES_PER_THREAD { 1 } else { job.requested_threads() };
     let (first, other) = par::run_both(
         &job.with_threads(threads),
         meridian::STAGE,

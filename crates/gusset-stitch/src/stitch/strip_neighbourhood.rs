@@ -129,8 +129,8 @@ impl<'a> StripNeighbourhood<'a> {
         Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
     }
 
-    /// Converts pairs of triangles to pairs of faces. The strip's face comes first, or the larger
-    /// one if both belong to the strip. Each pair occurs once.
+    /// Converts pairs of triangles to distinct pairs of faces. The face with the larger index comes
+    /// first; faces of the strip have larger indices than old ones.
     pub(super) fn pairs_of_faces(&self, old: &FaceTriangles, found: &IntersectingTriangles) -> Result<Vec<[u32; 2]>> {
         let face = |k: u32| match (k as usize).checked_sub(found.strip.faces.len()) {
             Some(k) => old.faces[k],

@@ -1,6 +1,6 @@
 //! The kept faces of all pieces as one mesh, and their origins.
 
-use super::trim_request::Trimmed;
+use super::trim_request::KeptFacesOfPieces;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bit_set::BitSet;
@@ -37,7 +37,7 @@ impl Remains {
     /// [`Error::TooLarge`](gusset_base::Error::TooLarge),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn new(pieces: &[MeshView<'_>], trimmed: &Trimmed, job: &Job<'_>) -> Result<Remains> {
+    pub fn new(pieces: &[MeshView<'_>], trimmed: &KeptFacesOfPieces, job: &Job<'_>) -> Result<Remains> {
         let job = &job.part(0.0, 0.0);
         let (whole, places) = concatenate(pieces, job)?;
         let count = trimmed.kept.iter().map(Vec::len).sum();

@@ -36,7 +36,7 @@ mod trim_request;
 mod trim_run;
 
 pub use kept_meshes::Remains;
-pub use trim_request::{Options, Trimmed};
+pub use trim_request::{KeptFacesOfPieces, Options};
 pub use trim_run::trim;
 
 /// The progress message.

@@ -38,7 +38,7 @@ impl Options<'_> {
 
 /// The kept faces of the pieces.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Trimmed {
+pub struct KeptFacesOfPieces {
     /// For each piece, the kept faces, ascending.
     pub kept: Vec<Vec<u32>>,
     /// For each piece, the number of vertices that lie on another piece.

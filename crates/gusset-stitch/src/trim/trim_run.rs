@@ -4,7 +4,7 @@ use super::STAGE;
 use super::crossing_faces::{add_touching_faces, find_crossing_faces};
 use super::kept_faces::{KeptFaceRims, KeptFaces};
 use super::trim_piece::TrimPiece;
-use super::trim_request::{Options, Trimmed};
+use super::trim_request::{KeptFacesOfPieces, Options};
 use super::vertex_covers::{SameSurfaceCriterion, VertexCovers};
 use crate::align::common_length_unit;
 use gusset_base::alloc;
@@ -44,7 +44,7 @@ const MAX_TRIMMING_ROUNDS: usize = 12;
 /// * [`Error::InputsDiffer`] for fewer viewpoints than pieces.
 /// * [`Error::NotFinite`] for a viewpoint that is not finite.
 /// * [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Trimmed> {
+pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<KeptFacesOfPieces> {
     if pieces.is_empty() {
         return Err(Error::EmptyMesh { what: "pieces" });
     }
@@ -127,7 +127,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     let kept = |region: &KeptFaces<'_, '_>| {
         alloc::gather((0..).zip(&region.keeps).filter(|(_, keeps)| **keeps).map(|(f, _)| f))
     };
-    Ok(Trimmed {
+    Ok(KeptFacesOfPieces {
         kept: alloc::try_collect(regions.iter().map(kept))?,
         covered: alloc::collect(covers.iter().map(VertexCovers::covered_vertex_count))?,
         pairs,

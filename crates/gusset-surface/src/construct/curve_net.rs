@@ -150,11 +150,11 @@ impl<const N: usize> GordonSurface<N> {
                 snap_to_joint(&columns[l], met.places[1], slack),
             ])
         }))?;
-        GordonSurface::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
+        GordonSurface::from_crossing_curves(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
     }
 
     /// `places` holds, row by row, the places on the row and the column where they meet.
-    pub(super) fn new(
+    pub(super) fn from_crossing_curves(
         mut rows: Vec<NetCurve<N>>,
         mut columns: Vec<NetCurve<N>>,
         closed: [bool; 2],

@@ -112,5 +112,5 @@ fn gordon_surface<const N: usize>(
         let (k, l) = (n / columns, n % columns);
         [at(&row_curves[k], across.place(n)), at(&column_curves[l], along.place(l * rows + k))]
     }))?;
-    GordonSurface::new(row_curves, column_curves, closed, &places, job)
+    GordonSurface::from_crossing_curves(row_curves, column_curves, closed, &places, job)
 }

@@ -127,16 +127,16 @@ impl<const N: usize> NetCurve<N> {
     /// place to the first. The pieces of a curve that is a single point are equal.
     pub(super) fn cut_at_places(&self, places: &[CurvePlace]) -> Result<Vec<CurvePiece<N>>> {
         let count = if self.closed { places.len() } else { places.len() - 1 };
-        alloc::try_collect((0..count).map(|k| self.piece_between(places[k], places[(k + 1) % places.len()])))
+        alloc::try_collect((0..count).map(|k| self.extract_piece_between(places[k], places[(k + 1) % places.len()])))
     }
 
     /// The whole curve as one piece.
     pub(super) fn whole_piece(&self) -> Result<CurvePiece<N>> {
         let last = self.segments.len() - 1;
-        self.piece_between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
+        self.extract_piece_between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
     }
 
-    fn piece_between(&self, from: CurvePlace, to: CurvePlace) -> Result<CurvePiece<N>> {
+    fn extract_piece_between(&self, from: CurvePlace, to: CurvePlace) -> Result<CurvePiece<N>> {
         let mut piece = CurvePiece { segments: Vec::new(), ends: Vec::new(), length: 0.0 };
         let mut add = |segment: usize, [start, end]: [f64; 2]| -> Result<()> {
             if end <= start || self.lengths[segment] == 0.0 {

@@ -20,7 +20,7 @@ use std::collections::VecDeque;
 pub(super) struct ContourPath {
     pub(super) level: u32,
     pub(super) closed: bool,
-    /// The range of its points among the places.
+    /// The half-open range of the path's points in [`ContourPaths::places`].
     pub(super) range: [usize; 2],
 }
 

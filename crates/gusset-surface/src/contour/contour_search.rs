@@ -173,7 +173,8 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             let PreparedCell { levels, rounding_error, data } = self.source.prepare_cell(&block, cell, cache);
             let mut patch = None;
             for level in levels {
-                let field = snap_small_coefficients(self.source.level_field(&data, level), rounding_error);
+                let field =
+                    snap_small_coefficients(self.source.field_with_zeros_at_level(&data, level), rounding_error);
                 let [low, high] = field.coefficient_range();
                 // Includes rounding: if sides agree only within rounding, the neighbour may have
                 // marks on a side that this cell lacks.
@@ -310,7 +311,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
                 *own
             } else {
                 let base = self.source.prepare_cell(block, owner, cache);
-                snap_small_coefficients(self.source.level_field(&base.data, level), base.rounding_error)
+                snap_small_coefficients(self.source.field_with_zeros_at_level(&base.data, level), base.rounding_error)
             };
             let [a, b] = ends.map(|end| if end { M - 1 } else { 0 });
             corners[2 * usize::from(after[0]) + usize::from(after[1])] = counts_as_positive(field.c[a][b]);

@@ -68,7 +68,7 @@ pub(super) trait ContourSource<const M: usize>: Sync {
     }
 
     /// The field whose zero set belongs to a level.
-    fn level_field(&self, base: &Self::CellData, level: usize) -> BernsteinField<M>;
+    fn field_with_zeros_at_level(&self, base: &Self::CellData, level: usize) -> BernsteinField<M>;
 
     /// Whether an arc of the zero set of a cell's field belongs to the level, judged at three
     /// places on it. `None` if only a part of it does.
@@ -349,7 +349,7 @@ where
     }
 
     #[inline]
-    fn level_field(&self, base: &BernsteinField<4>, level: usize) -> BernsteinField<4> {
+    fn field_with_zeros_at_level(&self, base: &BernsteinField<4>, level: usize) -> BernsteinField<4> {
         subtract_level(base, self.levels[level])
     }
 
@@ -408,7 +408,7 @@ impl<C: SheetCells<N>, const N: usize> ContourSource<N> for PlaneDistanceSource<
         self.levels.len().max(1)
     }
 
-    fn level_field(&self, base: &BernsteinField<N>, level: usize) -> BernsteinField<N> {
+    fn field_with_zeros_at_level(&self, base: &BernsteinField<N>, level: usize) -> BernsteinField<N> {
         subtract_level(base, self.levels[level])
     }
 

@@ -67,7 +67,7 @@ impl<C: SheetCells<N>, const N: usize, const M: usize> ContourSource<M> for Silh
         PreparedCell { levels: 0..1, rounding_error: self.0.normal_rounding_error(&of), data: of.normal_component(2) }
     }
 
-    fn level_field(&self, base: &BernsteinField<M>, _: usize) -> BernsteinField<M> {
+    fn field_with_zeros_at_level(&self, base: &BernsteinField<M>, _: usize) -> BernsteinField<M> {
         *base
     }
 
@@ -158,7 +158,7 @@ impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSo
     }
 
     /// Increases with the cosine of the angle, where H has the sign of cos alpha.
-    fn level_field(&self, base: &SquaredNormalFields<M>, level: usize) -> BernsteinField<M> {
+    fn field_with_zeros_at_level(&self, base: &SquaredNormalFields<M>, level: usize) -> BernsteinField<M> {
         let [sin, cos] = self.classes.others[level];
         let sign = if cos < 0.0 && !self.classes.unsigned { -1.0 } else { 1.0 };
         base.along.linear_combination(sign * sin * sin, &base.across, -sign * cos * cos)
@@ -357,7 +357,7 @@ impl IsophoteSearch<'_> {
             let search = ContourSearch::<_, _, N, H> { cells, source: &SilhouetteSource(&normals), lattice, chord };
             let mut contour_arcs = search.find_arcs(crossed.len(), |k| crossed[k], &next())?;
             contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = number);
-            curves.add_sheet_arcs(k, contour_arcs, &lattice, jumps, job.threads())?;
+            curves.add_sheet_arcs(k, contour_arcs, &lattice, jumps, job.requested_threads())?;
         }
         if !classes.others.is_empty() {
             let source = IsophoteSource::<C, N, H> { normals: &normals, classes };
@@ -365,13 +365,13 @@ impl IsophoteSearch<'_> {
             let search = ContourSearch::<_, _, N, M> { cells, source: &source, lattice, chord };
             let mut contour_arcs = search.find_arcs(crossed.len(), |k| crossed[k], &next())?;
             contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
-            curves.add_sheet_arcs(k, contour_arcs, &lattice, jumps, job.threads())?;
+            curves.add_sheet_arcs(k, contour_arcs, &lattice, jumps, job.requested_threads())?;
         }
         if jumps {
             let (angles, unsigned) = (&classes.crossed, classes.unsigned);
             let unresolved = find_creases_at_angles(&normals, cones, &lattice, angles, unsigned, &next())?;
             let crease_arcs = ContourArcs { unresolved, ..ContourArcs::default() };
-            curves.add_sheet_arcs(k, crease_arcs, &lattice, true, job.threads())?;
+            curves.add_sheet_arcs(k, crease_arcs, &lattice, true, job.requested_threads())?;
         }
         for &(number, sign) in &classes.poles {
             let blocks = blocks(&[if sign > 0.0 { 0.0 } else { PI }])?;

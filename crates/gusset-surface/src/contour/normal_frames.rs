@@ -114,6 +114,6 @@ impl Surface<'_> {
             }
             sheet => sheet.jet(cell[0], cell[1], place.u, place.v),
         };
-        (jet.point, self.normal_from_jet(place, &jet))
+        (jet.point, self.normal_with_known_jet(place, &jet))
     }
 }

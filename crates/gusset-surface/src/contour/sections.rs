@@ -95,7 +95,7 @@ impl Surface<'_> {
                     ContourSearch { cells, source: &source, lattice, chord }.find_arcs(blocks.len(), block, &part)?
                 }
             };
-            contours.add_sheet_arcs(k, found, &lattice, jumps, job.threads())?;
+            contours.add_sheet_arcs(k, found, &lattice, jumps, job.requested_threads())?;
         }
         add_leus_points(contours.into_paths(self, &job.part(0.9, 1.0))?, spacing)
     }
@@ -142,7 +142,7 @@ impl Surface<'_> {
             let found = each_sheet!(sheet, cells => {
                 ContourSearch { cells, source: &source, lattice, chord }.find_arcs(count, block, &part)
             })?;
-            contours.add_sheet_arcs(k, found, &lattice, false, job.threads())?;
+            contours.add_sheet_arcs(k, found, &lattice, false, job.requested_threads())?;
         }
         add_leus_points(contours.into_paths(self, &job.part(0.9, 1.0))?, spacing)
     }

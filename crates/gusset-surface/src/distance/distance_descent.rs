@@ -107,7 +107,8 @@ impl DistanceJet {
         self.difference_tangents().map(|tangent| tangent.dot(self.difference))
     }
 
-    /// The squared length of the gradient, without components that lead out of the box.
+    /// Returns the squared length of the gradient in the parameters that exist, without components
+    /// that lead out of the box.
     fn squared_projected_gradient(&self, exist: [bool; 4]) -> f64 {
         let gradient = self.gradient();
         let free = (0..4).filter(|&k| exist[k] && !does_step_leave_box(self.at[k], gradient[k]));

@@ -69,11 +69,12 @@ impl Surface<'_> {
     ) -> Result<Vec<CurvePointInCell>> {
         let mut finds = Vec::new();
         let count = curve.len();
-        let round = SEGMENTS_PER_TASK * par::resolve_thread_count(count.div_ceil(SEGMENTS_PER_TASK), job.threads());
+        let round =
+            SEGMENTS_PER_TASK * par::resolve_thread_count(count.div_ceil(SEGMENTS_PER_TASK), job.requested_threads());
         for from in (0..count).step_by(round) {
             job.step(from as f64 / count as f64, "curve and surface")?;
             let to = count.min(from + round);
-            for part in par::map(job.threads(), par::ranges(to - from, SEGMENTS_PER_TASK), |range| {
+            for part in par::map(job.requested_threads(), par::ranges(to - from, SEGMENTS_PER_TASK), |range| {
                 let mut finder = SegmentFinder::default();
                 for k in range {
                     self.find_on_segment(from + k, curve.segment(from + k), &mut finder)?;

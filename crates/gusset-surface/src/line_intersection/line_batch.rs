@@ -95,7 +95,7 @@ fn process_in_batches<R: Send>(
         })?;
     }
     // One workspace for each thread, reused from batch to batch.
-    let threads = par::resolve_thread_count(lines.len().div_ceil(LINES_PER_TASK), job.threads());
+    let threads = par::resolve_thread_count(lines.len().div_ceil(LINES_PER_TASK), job.requested_threads());
     let mut workspaces = alloc::collect((0..threads).map(|_| LineWorkspace::default()))?;
     let round = LINES_PER_TASK * threads;
     for (k, some) in lines.chunks(round).enumerate() {

@@ -9,7 +9,7 @@ use crate::{Place, Surface};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// Largest deviation from an integer of the turns of cells all around a point.
+/// If the number of turns differs more from an integer, the cells are not all around the point.
 const MAX_TURN_COUNT_ERROR: f64 = 0.01;
 
 impl Surface<'_> {

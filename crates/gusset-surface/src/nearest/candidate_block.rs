@@ -49,13 +49,13 @@ impl<C: SheetCells<N>, const N: usize> CandidateBlock<'_, C, N> {
         let corners = BlockCorners::from_cells(self.cells, [top, left], [rows, columns], query);
         upper.lower_to(corners.min_squared_corner_distance().sqrt());
         let displacement = CentredDisplacementBox::new(self.index.displacement_box(self.row, self.column));
-        let prune_bound = upper.prune_bound();
+        let max_examined_distance = upper.max_examined_distance();
         // The half-space through the nearest answer.
         let mut bounds = [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE];
         if direction != DVec3::ZERO {
             bounds = corners.half_space_bounds(direction, displacement.extent_along(direction));
             let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, min_ignoring_nan);
-            if least > prune_bound {
+            if least > max_examined_distance {
                 return corners.corner_extent();
             }
         }
@@ -66,7 +66,7 @@ impl<C: SheetCells<N>, const N: usize> CandidateBlock<'_, C, N> {
         let mut count = 0;
         for (r, bounds) in bounds[..rows].iter().enumerate() {
             for (c, &bound) in bounds[..columns].iter().enumerate() {
-                if bound > prune_bound || squares[r][c] > prune_bound * prune_bound {
+                if bound > max_examined_distance || squares[r][c] > max_examined_distance * max_examined_distance {
                     continue;
                 }
                 let mut at = count;
@@ -80,11 +80,11 @@ impl<C: SheetCells<N>, const N: usize> CandidateBlock<'_, C, N> {
         }
         for &cell in &order[..count] {
             let (r, c) = (usize::from(cell) / CELLS_PER_BLOCK_SIDE, usize::from(cell) % CELLS_PER_BLOCK_SIDE);
-            if squares[r][c] > upper.prune_bound() * upper.prune_bound() {
+            if squares[r][c] > upper.max_examined_distance() * upper.max_examined_distance() {
                 continue;
             }
             let quad = corners.cell_corners(r, c);
-            if is_hull_beyond(&quad, upper.prune_bound() + displacement.max_length) {
+            if is_hull_beyond(&quad, upper.max_examined_distance() + displacement.max_length) {
                 continue;
             }
             let NearestOnBilinear { distance, direction, start } = nearest_on_bilinear(&quad);
@@ -92,7 +92,7 @@ impl<C: SheetCells<N>, const N: usize> CandidateBlock<'_, C, N> {
             // The hull of the corners contains the bilinear patch.
             let along = quad.map(|corner| -corner.dot(direction)).into_iter().fold(f64::INFINITY, min_ignoring_nan);
             let bound = along - displacement.extent_along(direction);
-            if bound > upper.prune_bound() {
+            if bound > upper.max_examined_distance() {
                 continue;
             }
             candidates.push(CellCandidate { bound, direction, start, cell: [(top + r) as u32, (left + c) as u32] });

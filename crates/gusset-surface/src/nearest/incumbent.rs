@@ -51,7 +51,7 @@ impl DistanceUpperBound {
 
     /// The distance beyond which nothing needs to be examined.
     #[inline(always)]
-    pub(super) fn prune_bound(&self) -> f64 {
+    pub(super) fn max_examined_distance(&self) -> f64 {
         self.distance + self.tolerance
     }
 
@@ -106,7 +106,7 @@ impl IncumbentAnswers {
                 self.ties.clear();
             }
         }
-        if answer.distance <= self.upper.prune_bound() && self.ties.len() < MAX_KEPT_ANSWERS {
+        if answer.distance <= self.upper.max_examined_distance() && self.ties.len() < MAX_KEPT_ANSWERS {
             // A pole belongs to many cells, and one answer for it suffices.
             let same = 0.1 * self.distinct_point_distance();
             if self.ties.iter().all(|other| other.point.distance(answer.point) > same) {

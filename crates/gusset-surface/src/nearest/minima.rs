@@ -111,7 +111,7 @@ impl BranchAndBound for MinimaSearch<'_> {
     }
 
     fn is_bound_wanted(&mut self, bound: f64) -> bool {
-        bound <= self.prune_bound() && self.undecided.len() <= MAX_UNDECIDED_CELLS
+        bound <= self.max_examined_distance() && self.undecided.len() <= MAX_UNDECIDED_CELLS
     }
 
     fn branch_task(&mut self, _: f64, (sheet, block): (usize, BoundedBlock)) -> Result<()> {
@@ -138,7 +138,7 @@ impl MinimaSearch<'_> {
     }
 
     /// The distance beyond which minima are not wanted.
-    fn prune_bound(&self) -> f64 {
+    fn max_examined_distance(&self) -> f64 {
         if self.most == 0 || self.found.len() < self.most {
             return self.limit;
         }

@@ -53,7 +53,7 @@ impl Surface<'_> {
             for round in order.chunks(QUERIES_PER_REPORT) {
                 job.step(answered as f64 / queries.len() as f64, "nearest points")?;
                 answered += round.len();
-                let answers = par::map(job.threads(), round.chunks(QUERIES_PER_TASK), |taken| {
+                let answers = par::map(job.requested_threads(), round.chunks(QUERIES_PER_TASK), |taken| {
                     let mut search = NearestPointSearch::default();
                     let each =
                         |&(_, k): &(u64, u32)| form(self.closest_with_workspace(part[k as usize], limit, &mut search));

@@ -139,8 +139,8 @@ impl NearestPointSearch {
 
     /// The distance beyond which nothing needs to be examined.
     #[inline(always)]
-    fn prune_bound(&self) -> f64 {
-        self.incumbent.upper.prune_bound()
+    fn max_examined_distance(&self) -> f64 {
+        self.incumbent.upper.max_examined_distance()
     }
 
     /// Records the lower bound of a part that needs no more work.
@@ -151,7 +151,7 @@ impl NearestPointSearch {
 
     /// Adds a task to the frontier. If the allocation fails, drops the task and records its bound.
     fn push_task(&mut self, bound: f64, sheet: u32, task: NearestTask) {
-        if bound <= self.prune_bound() && self.frontier.push(bound, (), (sheet, task)).is_err() {
+        if bound <= self.max_examined_distance() && self.frontier.push(bound, (), (sheet, task)).is_err() {
             self.record_lower_bound(bound);
         }
     }
@@ -165,7 +165,7 @@ impl NearestPointSearch {
         stack.clear();
         stack.push(StackedBlock { level: levels.len() as u32, ..StackedBlock::default() });
         while let Some(block) = stack.pop() {
-            if block.bound > query.squared_distance_threshold(self.prune_bound()) {
+            if block.bound > query.squared_distance_threshold(self.max_examined_distance()) {
                 continue;
             }
             let (row, column) = (block.row as usize, block.column as usize);
@@ -177,7 +177,7 @@ impl NearestPointSearch {
             if block.level == 0 {
                 let extent = self.collect_block_candidates(&CandidateBlock { cells, index, row, column });
                 // From afar, the first answers and their directions exclude most other cells.
-                let is_far = self.incumbent.direction == DVec3::ZERO && self.prune_bound() > 4.0 * extent;
+                let is_far = self.incumbent.direction == DVec3::ZERO && self.max_examined_distance() > 4.0 * extent;
                 if is_far || self.candidates.len() >= MAX_CANDIDATE_CELLS {
                     self.examine_candidates(cells, sheet);
                 }
@@ -185,7 +185,7 @@ impl NearestPointSearch {
             }
             let level = &levels[block.level as usize - 1];
             let distances = level.child_boxes(row, column).distances_squared_in_single_precision(query.single);
-            let threshold = query.squared_distance_threshold(self.prune_bound());
+            let threshold = query.squared_distance_threshold(self.max_examined_distance());
             let first = stack.len();
             for (child, &boxed) in distances.iter().enumerate() {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
@@ -227,7 +227,7 @@ impl NearestPointSearch {
         let mut candidates = std::mem::take(&mut self.candidates);
         candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then_with(|| a.cell.cmp(&b.cell)));
         for &CellCandidate { bound, direction, start, cell } in &candidates {
-            let limit = self.prune_bound();
+            let limit = self.max_examined_distance();
             if bound > limit {
                 // All following candidates are beyond the limit too.
                 break;
@@ -259,7 +259,7 @@ impl NearestPointSearch {
         let (query, tolerance) = (self.incumbent.query, self.incumbent.tolerance);
         let foot = descend_to_foot(at.patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
         let bound = patch_distance_bound(at.patch, query, &foot, 0.0, tolerance);
-        if bound > self.prune_bound() {
+        if bound > self.max_examined_distance() {
             return;
         }
         self.add_answer(at, &foot);
@@ -271,13 +271,13 @@ impl NearestPointSearch {
     }
 
     fn examine_part<const N: usize>(&mut self, at: &CellAndPatch<'_, N>, part: &PatchPart<N>) {
-        if part.bound > self.prune_bound() {
+        if part.bound > self.max_examined_distance() {
             return;
         }
         self.evaluations += 1;
         let (query, tolerance) = (self.incumbent.query, self.incumbent.tolerance);
         let local = descend_to_foot(&part.patch, query, DVec2::splat(0.5), MAX_NEWTON_STEPS_ON_PART);
-        if local.distance <= self.prune_bound().min(self.incumbent.nearest_distance()) {
+        if local.distance <= self.max_examined_distance().min(self.incumbent.nearest_distance()) {
             // Evaluated on the whole patch, because the part's control points are rounded.
             self.add_answer(at, &FootPoint::from_place(at.patch, query, part.place_in_patch(local.place)));
         }
@@ -414,7 +414,7 @@ impl BranchAndBound for NearestSurfaceSearch<'_> {
     }
 
     fn is_bound_wanted(&mut self, bound: f64) -> bool {
-        bound <= self.search.prune_bound() && !self.search.may_end_without_proof(bound)
+        bound <= self.search.max_examined_distance() && !self.search.may_end_without_proof(bound)
     }
 
     fn branch_task(&mut self, bound: f64, (sheet, task): (u32, NearestTask)) -> Result<(), Infallible> {

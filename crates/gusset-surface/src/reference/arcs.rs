@@ -8,7 +8,7 @@
 //! of the control polygon, whose cone contains all tangents, and the tangents at the nodes as the
 //! neighbours compute them.
 
-use super::cell_lattice::Lattice;
+use super::cell_grid_shape::CellGridShape;
 use super::cell_sizes::{BOUND_ROUNDING_FACTOR, Sizes};
 use super::figure::Figure;
 use super::normal_variation::AngleTarget;
@@ -53,7 +53,7 @@ impl Arcs {
         let count = (curve.len() as u64).saturating_mul(parts as u64);
         Error::check_count("arcs", count, MAX_ARCS)?;
         let count = count as usize;
-        let lattice = Lattice { cells: [1, count], closed: [true, curve.is_closed()] };
+        let lattice = CellGridShape { cells: [1, count], closed: [true, curve.is_closed()] };
         let place = |k: usize| match k {
             _ if k == count => Place { segment: curve.len() as u32 - 1, t: 1.0 },
             _ => Place { segment: (k / parts) as u32, t: (k % parts) as f64 / parts as f64 },
@@ -80,7 +80,7 @@ impl Arcs {
     }
 
     /// The lattice of the arcs: a row of cells, whose nodes are the points of the curve.
-    pub fn lattice(&self) -> Lattice {
+    pub fn lattice(&self) -> CellGridShape {
         self.lengths.lattice()
     }
 

@@ -1,6 +1,6 @@
 //! Cell regions: chains of cells, and the integer diameter (eqs. 3 to 6).
 
-use super::cell_lattice::{CyclicSpan, Lattice};
+use super::cell_grid_shape::{CellGridShape, CyclicSpan};
 use super::cell_mask::CellMask;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
@@ -118,7 +118,7 @@ pub fn euler_characteristic(region: &CellMask, job: &Job<'_>) -> Result<i64> {
 
 /// Shortest chains from one cell to all others of a region.
 struct ShortestCellChains {
-    lattice: Lattice,
+    lattice: CellGridShape,
     /// The steps to each cell.
     steps: Vec<u32>,
     /// The cells that were reached, by ascending steps.
@@ -126,7 +126,7 @@ struct ShortestCellChains {
 }
 
 impl ShortestCellChains {
-    fn new(lattice: Lattice) -> Result<Self> {
+    fn new(lattice: CellGridShape) -> Result<Self> {
         Ok(ShortestCellChains { lattice, steps: alloc::filled(UNREACHED_CELL, lattice.len())?, order: Vec::new() })
     }
 

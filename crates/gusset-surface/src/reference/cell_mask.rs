@@ -1,7 +1,7 @@
 //! Masks of cells, the paper's logical scale: one bit for each cell, 1 as long as the cell may
 //! contain the object.
 
-use super::cell_lattice::{CyclicSpan, Lattice};
+use super::cell_grid_shape::{CellGridShape, CyclicSpan};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 
@@ -9,7 +9,7 @@ use gusset_base::error::{Error, Result};
 /// k % 64 of word k / 64.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CellMask {
-    lattice: Lattice,
+    lattice: CellGridShape,
     words: Vec<u64>,
 }
 
@@ -18,7 +18,7 @@ impl CellMask {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn full(lattice: Lattice) -> Result<Self> {
+    pub fn full(lattice: CellGridShape) -> Result<Self> {
         let mut words = alloc::filled(u64::MAX, lattice.len().div_ceil(64))?;
         if let (Some(last), used @ 1..) = (words.last_mut(), lattice.len() % 64) {
             *last = (1 << used) - 1;
@@ -30,7 +30,7 @@ impl CellMask {
     ///
     /// # Errors
     /// [`Error::ArrayTooShort`], [`Error::OutOfMemory`].
-    pub fn from_words(lattice: Lattice, words: &[u64]) -> Result<Self> {
+    pub fn from_words(lattice: CellGridShape, words: &[u64]) -> Result<Self> {
         let mut mask = CellMask::full(lattice)?;
         if words.len() < mask.words.len() {
             let (needed, given) = (8 * mask.words.len() as u64, 8 * words.len() as u64);
@@ -41,7 +41,7 @@ impl CellMask {
     }
 
     /// The lattice of the cells.
-    pub fn lattice(&self) -> Lattice {
+    pub fn lattice(&self) -> CellGridShape {
         self.lattice
     }
 

@@ -1,6 +1,6 @@
 //! Bounds of cells: the largest distance between two points, or angle between two normals.
 
-use super::cell_lattice::Lattice;
+use super::cell_grid_shape::CellGridShape;
 use super::cell_mask::CellMask;
 use gusset_base::error::{Error, Result};
 
@@ -14,7 +14,7 @@ use gusset_base::error::{Error, Result};
 /// ring of cells around A.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sizes {
-    lattice: Lattice,
+    lattice: CellGridShape,
     sizes: Vec<f64>,
     greatest: f64,
 }
@@ -35,13 +35,13 @@ pub(super) const BOUND_ROUNDING_FACTOR: f64 = 1.0 + 1e-14;
 
 impl Sizes {
     /// Creates sizes from one bound for each cell, row by row. Bounds are neither NaN nor negative.
-    pub(super) fn new(lattice: Lattice, sizes: Vec<f64>) -> Self {
+    pub(super) fn new(lattice: CellGridShape, sizes: Vec<f64>) -> Self {
         let greatest = sizes.iter().copied().fold(0.0, f64::max);
         Sizes { lattice, sizes, greatest }
     }
 
     /// The lattice of the cells.
-    pub fn lattice(&self) -> Lattice {
+    pub fn lattice(&self) -> CellGridShape {
         self.lattice
     }
 

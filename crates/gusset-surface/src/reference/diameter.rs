@@ -11,7 +11,7 @@
 //! For distances in space, the Euclidean diameter suffices (erratum E8). The rotation of normals by
 //! curvature requires the intrinsic one.
 
-use super::cell_lattice::Lattice;
+use super::cell_grid_shape::CellGridShape;
 use super::cell_sizes::{BOUND_ROUNDING_FACTOR, Sizes};
 use crate::cells::{SheetCells, compute_by_cell};
 use crate::{Patch, Sheet, each_sheet};
@@ -35,7 +35,7 @@ impl Diameters {
     /// # Errors
     /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
     pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
-        let lattice = Lattice::new(sheet);
+        let lattice = CellGridShape::new(sheet);
         let both = compute_by_cell(
             lattice.cells,
             "cells",
@@ -48,7 +48,7 @@ impl Diameters {
 }
 
 /// The Euclidean and the intrinsic diameter of a cell.
-fn cell_diameters<const N: usize>(cells: &impl SheetCells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
+fn cell_diameters<const N: usize>(cells: &impl SheetCells<N>, lattice: CellGridShape, [i, j]: [usize; 2]) -> [f64; 2] {
     let patch = cells.cell_patch(i, j);
     let seen = lattice.corner_nodes([i, j]).map(|[i, j]| cells.corner_point(i, j));
     let [[a, b], [c, d]] = patch.corner_points();

@@ -43,7 +43,7 @@
 
 mod arcs;
 mod cell_chains;
-mod cell_lattice;
+mod cell_grid_shape;
 mod cell_mask;
 mod curvature;
 mod diameter;
@@ -56,7 +56,7 @@ mod cell_sizes;
 
 pub use arcs::{Arcs, MAX_ARCS};
 pub use cell_chains::{chain, euler_characteristic, integer_diameter};
-pub use cell_lattice::Lattice;
+pub use cell_grid_shape::CellGridShape;
 pub use cell_mask::CellMask;
 pub use cell_sizes::{Sizes, Sum};
 pub use curvature::curvature_bound;

@@ -8,7 +8,7 @@
 //!   curvatures of the whole surface;
 //! - or by the cell's normal cone, which is tighter and does not need K.
 
-use super::cell_lattice::Lattice;
+use super::cell_grid_shape::CellGridShape;
 use super::cell_sizes::Sizes;
 use super::diameter::Diameters;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
@@ -30,7 +30,7 @@ const MAX_ANGLE_ROUNDING_RADIANS: f64 = 1e-13;
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
-    let lattice = Lattice::new(sheet);
+    let lattice = CellGridShape::new(sheet);
     let cone = |cell: [usize; 2]| {
         let (axis, half) = each_sheet!(sheet, cells => normal_cone_of_cell(cells, cell))?;
         let reach = |node: DVec3| if node == DVec3::ZERO { PI } else { angle_between_unit_vectors(axis, node) };
@@ -59,7 +59,7 @@ pub fn normal_variation_by_curvature(
     job: &Job<'_>,
 ) -> Result<Sizes> {
     Error::require(curvature >= 0.0, "curvature", curvature)?;
-    let lattice = Lattice::new(sheet);
+    let lattice = CellGridShape::new(sheet);
     let variation = |cell: [usize; 2]| {
         let own = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[u, v]| sheet.normal(cell[0], cell[1], u, v));
         let seen = lattice.corner_nodes(cell).map(|node| normal_at_node(sheet, node));

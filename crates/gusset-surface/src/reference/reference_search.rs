@@ -4,7 +4,7 @@
 //! Invariant: the mask contains all cells that may contain the object. O(n / 64) for the mask and
 //! O(1) to O(J^2) for each evaluated node.
 
-use super::cell_lattice::{CyclicSpan, Lattice};
+use super::cell_grid_shape::{CellGridShape, CyclicSpan};
 use super::cell_mask::CellMask;
 use super::cell_sizes::{Sizes, Sum};
 use gusset_base::error::{Error, Result};
@@ -185,7 +185,7 @@ fn are_cells_of_nodes_excluded(mask: &CellMask, i: usize, j: usize) -> bool {
 
 /// The part of the surface that remains after lines were dropped, which is again a surface.
 struct RemainingCells {
-    lattice: Lattice,
+    lattice: CellGridShape,
     spans: [CyclicSpan; 2],
     /// Closed directions without dropped lines, which do not have an edge yet.
     rings: [bool; 2],

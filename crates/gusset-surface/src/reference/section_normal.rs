@@ -6,7 +6,7 @@
 //! both sections span the tangent plane. The error is of third order in the size of cells, like the
 //! derivative of a cubic through four points.
 
-use super::cell_lattice::Lattice;
+use super::cell_grid_shape::CellGridShape;
 use crate::cells::SheetCells;
 use crate::{Sheet, each_sheet};
 use glam::DVec3;
@@ -32,7 +32,7 @@ const MAX_EDGE_HALVINGS: u32 = 60;
 /// # Errors
 /// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] if a parameter is outside 0 to 1.
 pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -> Result<DVec3> {
-    Lattice::new(sheet).check_cell(cell)?;
+    CellGridShape::new(sheet).check_cell(cell)?;
     [("u", u), ("v", v)].into_iter().try_for_each(|(name, t)| Error::require((0.0..=1.0).contains(&t), name, t))?;
     let [i, j] = cell;
     let point = sheet.jet(i, j, u, v).point;
@@ -42,7 +42,7 @@ pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -
     let frame = mean.try_normalize().and_then(|b| Some((b, (along_u - along_u.dot(b) * b).try_normalize()?)));
     let Some((b, first)) = frame else { return Ok(DVec3::ZERO) };
     let second = b.cross(first);
-    let lattice = Lattice::new(sheet);
+    let lattice = CellGridShape::new(sheet);
     // The plane along `first` crosses lines of constant u, the plane along `second` lines of
     // constant v.
     let slope = |direction: usize, along: DVec3, across: DVec3| {
@@ -69,7 +69,7 @@ impl NormalPlaneSection {
     fn section_slope<const N: usize>(
         &self,
         cells: &impl SheetCells<N>,
-        lattice: Lattice,
+        lattice: CellGridShape,
         direction: usize,
         cell: [usize; 2],
     ) -> Option<f64> {
@@ -95,7 +95,7 @@ impl NormalPlaneSection {
     fn crossing_with_line<const N: usize>(
         &self,
         cells: &impl SheetCells<N>,
-        lattice: Lattice,
+        lattice: CellGridShape,
         direction: usize,
         line: usize,
         near_place: usize,
@@ -133,7 +133,7 @@ impl NormalPlaneSection {
 /// The Bézier points of a line of the surface over one cell. Direction 0 means lines of constant u.
 fn line_controls_over_cell<const N: usize>(
     cells: &impl SheetCells<N>,
-    lattice: Lattice,
+    lattice: CellGridShape,
     direction: usize,
     line: usize,
     place: usize,

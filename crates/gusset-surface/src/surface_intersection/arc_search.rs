@@ -211,7 +211,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     }
 
     /// Returns the point of `chart.line`, the tangent line of the solution curve, at the middle of
-    /// its part inside the box. If the line misses the box, returns a point near it.
+    /// its part inside the box. If the line misses the box, returns its point near the box.
     fn middle_of_line_in_box(&self) -> DVec4 {
         let SolutionChart { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_range_inside_box();

@@ -22,7 +22,7 @@ pub(super) struct Interval {
 }
 
 impl Interval {
-    pub(super) fn from_number(x: f64) -> Self {
+    pub(super) fn single_number(x: f64) -> Self {
         Interval { low: x, high: x }
     }
 
@@ -61,7 +61,7 @@ impl Mul for Interval {
     type Output = Interval;
 
     fn mul(self, other: Interval) -> Interval {
-        let first = Interval::from_number(self.low * other.low);
+        let first = Interval::single_number(self.low * other.low);
         first.extended_to(self.low * other.high).extended_to(self.high * other.low).extended_to(self.high * other.high)
     }
 }
@@ -83,7 +83,7 @@ impl HeightGraph {
     fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<HeightGraph> {
         let [[xu, yu, zu], [xv, yv, zv]] = first;
         let factor = (xu * yv - xv * yu).reciprocal()?;
-        let minus = Interval::from_number(-1.0) * factor;
+        let minus = Interval::single_number(-1.0) * factor;
         let inverse = [[yv * factor, xv * minus], [yu * minus, xu * factor]];
         let slopes = [0, 1].map(|k| zu * inverse[0][k] + zv * inverse[1][k]);
         let [uu, uv, vv] = second.map(|[x, y, z]| z - slopes[0] * x - slopes[1] * y);
@@ -96,7 +96,7 @@ impl HeightGraph {
 
     /// The graph at a point.
     pub(super) fn from_jet(jet: &Jet, frame: &DMat3) -> Option<HeightGraph> {
-        let along = |vector: DVec3| (frame.transpose() * vector).to_array().map(Interval::from_number);
+        let along = |vector: DVec3| (frame.transpose() * vector).to_array().map(Interval::single_number);
         HeightGraph::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
     }
 
@@ -141,7 +141,7 @@ impl HeightGraph {
             }
         }
         // The second derivatives of degree 1 vanish.
-        let all = |range: [Option<Interval>; 3]| range.map(|range| range.unwrap_or(Interval::from_number(0.0)));
+        let all = |range: [Option<Interval>; 3]| range.map(|range| range.unwrap_or(Interval::single_number(0.0)));
         HeightGraph::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
     }
 }
@@ -157,7 +157,7 @@ fn restrict_patch_rows<const N: usize>(points: &mut [[DVec3; N]; N], range: [f64
 /// Adds a vector to the ranges of its components.
 fn extend_ranges(ranges: &mut [Option<Interval>; 3], vector: DVec3) {
     for (range, x) in ranges.iter_mut().zip(vector.to_array()) {
-        *range = Some(range.map_or(Interval::from_number(x), |range| range.extended_to(x)));
+        *range = Some(range.map_or(Interval::single_number(x), |range| range.extended_to(x)));
     }
 }
 

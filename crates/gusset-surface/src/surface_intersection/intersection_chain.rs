@@ -24,10 +24,11 @@ const ENDS_PER_REPORT: usize = 1 << 12;
 /// For more points, a tree is faster.
 const MAX_PAIRWISE_COMPARED_POINTS: usize = 16;
 
-/// Pairs of points at most `within` apart, with their distances.
+/// Finds the pairs of points at most `within` apart, with their distances.
 ///
-/// Points are sorted along a direction, so close points are close in the order. Few other points
-/// come between, except on curves in planes perpendicular to the direction.
+/// Points are sorted along a direction that is not an axis. In a run of more than
+/// [`MAX_PAIRWISE_COMPARED_POINTS`] points with similar positions in this order, a tree finds the
+/// pairs. There, each point is compared with at most [`MAX_COMPARED_NEIGHBOURS`] neighbours.
 pub(super) fn find_near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result<Vec<(f64, u32, u32)>> {
     // Not an axis, because surfaces are often parallel to axes.
     let direction = DVec3::new(0.540_302, 0.612_372, 0.577_35);

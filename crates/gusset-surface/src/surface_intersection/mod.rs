@@ -236,12 +236,12 @@ impl SurfaceIntersection<'_> {
     /// Finds the arcs of some pairs of cells, in the order of the pairs.
     fn solve_pairs(&self, pairs: &[u32], job: &Job<'_>) -> Result<FoundArcs> {
         let mut pieces = FoundArcs::default();
-        self.solve_pairs_with_limit(pairs, MAX_BOXES_BEFORE_POSTPONING, false, &mut pieces, &job.part(0.0, 0.8))?;
+        self.solve_pairs_within_box_limit(pairs, MAX_BOXES_BEFORE_POSTPONING, false, &mut pieces, &job.part(0.0, 0.8))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
             let max_boxes =
                 (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
-            self.solve_pairs_with_limit(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
+            self.solve_pairs_within_box_limit(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
             sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
             sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         }
@@ -249,22 +249,22 @@ impl SurfaceIntersection<'_> {
     }
 
     /// Adds the arcs of some pairs.
-    fn solve_pairs_with_limit(
+    fn solve_pairs_within_box_limit(
         &self,
         pairs: &[u32],
-        max_boxes: usize,
-        last: bool,
+        max_boxes_per_pair: usize,
+        is_last_round: bool,
         pieces: &mut FoundArcs,
         job: &Job<'_>,
     ) -> Result<()> {
-        let chunk = if last { 1 } else { PAIRS_PER_CHUNK };
+        let chunk = if is_last_round { 1 } else { PAIRS_PER_CHUNK };
         // Most pairs need one or two boxes. Postponed pairs may need all that are permitted.
-        let batch = if last { BOXES_PER_REPORT.div_ceil(max_boxes) } else { BOXES_PER_REPORT / 16 };
+        let batch = if is_last_round { BOXES_PER_REPORT.div_ceil(max_boxes_per_pair) } else { BOXES_PER_REPORT / 16 };
         for (k, part) in pairs.chunks(batch).enumerate() {
             let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / pairs.len() as f64).min(1.0));
             let ranges = par::ranges(part.len(), chunk);
             let parts_found = par::map_jobs(&job.part(from, to), "intersection", ranges, |range, job| {
-                self.solve_chunk(&part[range], max_boxes, last, job)
+                self.solve_chunk(&part[range], max_boxes_per_pair, is_last_round, job)
             })?;
             parts_found.iter().try_for_each(|part| pieces.append_arcs(part))?;
         }
@@ -433,7 +433,7 @@ impl SurfaceIntersection<'_> {
                 for &place in run {
                     let jet = patch.jet(place.u, place.v);
                     paths.points.push(jet.point);
-                    paths.normals.push(self.places.surfaces[0].normal_from_jet(place, &jet));
+                    paths.normals.push(self.places.surfaces[0].normal_with_known_jet(place, &jet));
                 }
             });
         }

@@ -28,7 +28,7 @@ const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
 const MAX_SLENDER_BOX_IN_TOLERANCES: f64 = 64.0;
 /// In boxes up to this many resolutions long, the search does not report a contact if the surfaces
 /// are proved apart.
-const MAX_TINY_BOX_IN_RESOLUTIONS: f64 = 4.0;
+const MAX_CONTACT_EXCLUDING_BOX_IN_RESOLUTIONS: f64 = 4.0;
 /// Thickness of pieces below which they are not halved further, in tolerances. It is smaller than
 /// the lens between surfaces that overlap by more than the tolerance, so the complete rim of a lens
 /// is found.
@@ -278,8 +278,8 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         let extents = part.piece_extents();
         let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
         let is_slender = extents[longest] <= MAX_SLENDER_BOX_IN_TOLERANCES * tolerance && frame.is_transversal();
-        let is_tiny = extents[longest] <= MAX_TINY_BOX_IN_RESOLUTIONS * resolution;
-        if (is_tiny || is_slender)
+        let may_exclude_contact = extents[longest] <= MAX_CONTACT_EXCLUDING_BOX_IN_RESOLUTIONS * resolution;
+        if (may_exclude_contact || is_slender)
             && matches!(part.prove_empty_or_graph(&frame, rounding_error, rounding_error), BoxTest::Empty)
         {
             return Ok(BoxTest::Empty);

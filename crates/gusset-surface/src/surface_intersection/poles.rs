@@ -81,8 +81,8 @@ impl QuotientBounds {
         let axes = [x, normal.cross(x)];
         let degree = (N - 1) as f64;
         let flat = piece.points.map(|row| row.map(|p| axes.map(|axis| p.dot(axis))));
-        let mut value = flat[0][0].map(Interval::from_number);
-        let (mut by_u, mut by_v) = ([Interval::from_number(0.0); 2], [const { None }; 2]);
+        let mut value = flat[0][0].map(Interval::single_number);
+        let (mut by_u, mut by_v) = ([Interval::single_number(0.0); 2], [const { None }; 2]);
         for (a, b, k) in (0..N * N * 2).map(|n| (n / 2 / N, n / 2 % N, n % 2)) {
             value[k] = value[k].extended_to(flat[a][b][k]);
             if a + 1 < N {
@@ -92,14 +92,14 @@ impl QuotientBounds {
             if b + 1 < N {
                 let slope = degree * (flat[a][b + 1][k] - flat[a][b][k]) * PIECES_PER_CELL as f64;
                 by_v[k] =
-                    Some(by_v[k].map_or(Interval::from_number(slope), |range: Interval| range.extended_to(slope)));
+                    Some(by_v[k].map_or(Interval::single_number(slope), |range: Interval| range.extended_to(slope)));
             }
         }
         let by_v = [by_v[0]?, by_v[1]?];
         if value[0].low <= 0.0 {
             return None;
         }
-        let square = Interval::from_number(0.0).extended_to((value[1].low.abs()).max(value[1].high.abs()).powi(2));
+        let square = Interval::single_number(0.0).extended_to((value[1].low.abs()).max(value[1].high.abs()).powi(2));
         let inverse = (value[0] * value[0] + square).reciprocal()?;
         let along = |slope: [Interval; 2]| (value[0] * slope[0] + value[1] * slope[1]) * inverse;
         let across = |slope: [Interval; 2]| (value[0] * slope[1] - value[1] * slope[0]) * inverse;

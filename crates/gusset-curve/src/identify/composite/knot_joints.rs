@@ -47,12 +47,12 @@ pub(super) fn solve_by_knots(
             workspace.solution.beta[i] = here / (here + there);
         }
     }
-    solve_with_fallback(sub, workspace, out).map(|_| ())
+    solve_resetting_runaway_joints(sub, workspace, out).map(|_| ())
 }
 
 /// Finds the curve for the current joint parameters. Where it runs away, they fall back to 1/2.
 /// Returns false if only the lock by parameters has a solution.
-pub(super) fn solve_with_fallback(
+pub(super) fn solve_resetting_runaway_joints(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
     out: &mut SubcurveOutput<'_>,
@@ -113,7 +113,7 @@ mod tests {
         workspace.solution.reset_joint_parameters(9).unwrap();
         workspace.solution.beta[4] = f64::NAN;
         let mut out = SubcurveOutput { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
-        solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
+        solve_resetting_runaway_joints(&sub, &mut workspace, &mut out).unwrap();
         assert_eq!(workspace.solution.controls, halves);
         assert!(results.iter().all(|result| result.status == PointStatus::JointFellBack));
         // A runaway before the equations are solved is harmless.
@@ -122,7 +122,7 @@ mod tests {
         workspace.solution.controls[4] = DVec3::splat(1e3);
         // Its neighbours then miss their points.
         assert!((0..9).all(|i| has_run_away(&sub, &workspace.solution, i) == (3..6).contains(&i)));
-        solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
+        solve_resetting_runaway_joints(&sub, &mut workspace, &mut out).unwrap();
         assert!(results.iter().all(|result| result.status == PointStatus::Ok));
     }
 }

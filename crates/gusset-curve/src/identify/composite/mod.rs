@@ -28,7 +28,7 @@ use super::report::{PointStatus, Report};
 use super::residuals::MaxJointSine;
 use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use crate::curve::{Place, segment};
-use curvature::CurvatureJoints;
+use curvature::ContinuousCurvatureSolver;
 use glam::DVec3;
 use gusset_base::error::Result;
 use lock::LockWorkspace;
@@ -37,7 +37,7 @@ use lock::LockWorkspace;
 #[derive(Default)]
 pub(super) struct CompositeWorkspace {
     lock: LockWorkspace,
-    joints: CurvatureJoints,
+    joints: ContinuousCurvatureSolver,
 }
 
 impl CompositeWorkspace {
@@ -91,7 +91,8 @@ pub(super) fn solve_composite_curve(
     }
 }
 
-/// The parameters of the points by the method on the data's own triangles, within the limits.
+/// Finds each point's parameter on its section from the triangle of the point and its two
+/// neighbours, by the method. Clamps the parameter to the permitted range.
 fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut CompositeSolution, results: &mut [PointResult]) {
     let options = sub.options;
     let [low, high] = sub.section_parameter_range();

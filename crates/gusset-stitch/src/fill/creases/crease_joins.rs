@@ -15,7 +15,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
 
 /// Largest number of ends that are treated as creases.
-const MAX_CREASE_ENDS: usize = 24;
+const MAX_MATCHED_CREASE_ENDS: usize = 24;
 /// Largest number of ends among which stars are looked for.
 const MAX_STAR_ENDS: usize = 12;
 /// The cost of an unmatched end.
@@ -49,7 +49,7 @@ pub(super) enum CreaseJoin {
 /// O(m^6) if stars are looked for.
 pub(super) fn match_crease_ends(rim: &PatchRim, ends: &[CreaseEnd]) -> Result<Vec<CreaseJoin>> {
     let m = ends.len();
-    if !(2..=MAX_CREASE_ENDS).contains(&m) {
+    if !(2..=MAX_MATCHED_CREASE_ENDS).contains(&m) {
         return Ok(Vec::new());
     }
     let mut costs = alloc::filled(f64::INFINITY, m * m)?;

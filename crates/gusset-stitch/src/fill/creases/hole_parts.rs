@@ -10,7 +10,7 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::NONE;
 
 /// The curves of a vertex that lies on no curve.
-const NO_CURVE: [u32; 2] = [NONE; 2];
+const NO_CURVES_OF_VERTEX: [u32; 2] = [NONE; 2];
 
 /// A part of a hole.
 pub(in super::super) struct HolePart {
@@ -21,7 +21,7 @@ pub(in super::super) struct HolePart {
     /// of a curve's vertex.
     pub(in super::super) names: Vec<u32>,
     /// The curves that each vertex lies on.
-    curves: Vec<[u32; 2]>,
+    curves_of_vertices: Vec<[u32; 2]>,
     /// The number of vertices of the hole's rim.
     count: usize,
 }
@@ -30,7 +30,7 @@ impl HolePart {
     /// Returns true if two vertices of the part's rim must not get an edge: `taken` vertices of the
     /// hole's rim, or two vertices of one curve, because the part across the curve has these too.
     pub(in super::super) fn is_taken_edge(&self, u: u32, v: u32, taken: &dyn Fn(u32, u32) -> bool) -> bool {
-        let [of_u, of_v] = [u, v].map(|v| self.curves[v as usize]);
+        let [of_u, of_v] = [u, v].map(|v| self.curves_of_vertices[v as usize]);
         let on_one = of_u.iter().any(|curve| *curve != NONE && of_v.contains(curve));
         let [u, v] = [u, v].map(|v| self.names[v as usize]);
         on_one || (u.max(v) as usize) < self.count && taken(u, v)
@@ -94,7 +94,7 @@ impl PartOutlines<'_> {
                 alloc::push(&mut parts, outline)?;
             }
         }
-        if parts.is_empty() || !parts.iter().all(|outline| outline.curves.contains(&NO_CURVE)) {
+        if parts.is_empty() || !parts.iter().all(|outline| outline.curves_of_vertices.contains(&NO_CURVES_OF_VERTEX)) {
             return Ok(None);
         }
         alloc::try_collect(parts.into_iter().map(|outline| outline.build_part(points))).map(Some)
@@ -107,19 +107,19 @@ struct PartOutline<'a> {
     corners: &'a RimCorners,
     along_rim: &'a [CreaseAlongRim],
     names: Vec<u32>,
-    curves: Vec<[u32; 2]>,
+    curves_of_vertices: Vec<[u32; 2]>,
     /// The old triangles on this side of the creases.
     around: Vec<u32>,
 }
 
 impl<'a> PartOutline<'a> {
     fn new(&PartOutlines { rim, corners, along_rim, .. }: &PartOutlines<'a>) -> Self {
-        PartOutline { rim, corners, along_rim, names: Vec::new(), curves: Vec::new(), around: Vec::new() }
+        PartOutline { rim, corners, along_rim, names: Vec::new(), curves_of_vertices: Vec::new(), around: Vec::new() }
     }
 
     fn push_vertex(&mut self, name: usize, curves: [u32; 2]) -> Result<()> {
         alloc::push(&mut self.names, name as u32)?;
-        alloc::push(&mut self.curves, curves)
+        alloc::push(&mut self.curves_of_vertices, curves)
     }
 
     fn push_faces_at(&mut self, v: usize) -> Result<()> {
@@ -129,7 +129,7 @@ impl<'a> PartOutline<'a> {
     /// Appends a vertex of the hole's rim, which may lie on a crease along the rim.
     fn follow_rim(&mut self, v: usize, crease: Option<usize>) -> Result<()> {
         let Some(k) = crease else {
-            self.push_vertex(v, NO_CURVE)?;
+            self.push_vertex(v, NO_CURVES_OF_VERTEX)?;
             return self.push_faces_at(v);
         };
         // Touches are numbered downwards, because curves are numbered from 0 upwards.
@@ -200,15 +200,17 @@ impl<'a> PartOutline<'a> {
         let mut across = alloc::with_capacity(n)?;
         for (k, &name) in self.names.iter().enumerate() {
             let next = (k + 1) % n;
-            let is_crease = self.curves[k].iter().any(|curve| *curve != NONE && self.curves[next].contains(curve));
+            let is_crease = self.curves_of_vertices[k]
+                .iter()
+                .any(|curve| *curve != NONE && self.curves_of_vertices[next].contains(curve));
             across.push(if is_crease { DVec3::ZERO } else { rim.across[name as usize] });
             if is_crease {
                 alloc::push(&mut sides, (k as u32, next as u32))?;
             }
         }
-        let is_whole = |(&name, &curves): (&u32, &[u32; 2])| curves == NO_CURVE && rim.whole[name as usize];
-        let whole = alloc::collect(self.names.iter().zip(&self.curves).map(is_whole))?;
+        let is_whole = |(&name, &curves): (&u32, &[u32; 2])| curves == NO_CURVES_OF_VERTEX && rim.whole[name as usize];
+        let whole = alloc::collect(self.names.iter().zip(&self.curves_of_vertices).map(is_whole))?;
         let part = rim.rim_of_part(own, OldFaces { around, beyond, sides }, across, whole)?;
-        Ok(HolePart { rim: part, names: self.names, curves: self.curves, count })
+        Ok(HolePart { rim: part, names: self.names, curves_of_vertices: self.curves_of_vertices, count })
     }
 }

@@ -69,7 +69,7 @@ pub(super) struct OpenedLoopsTriangulation {
 
 impl ClosingTask<'_> {
     /// Returns true if `a` is less than `b` by the measure of these loops.
-    pub(super) fn is_cheaper(&self, a: &TriangulationCost, b: &TriangulationCost) -> bool {
+    pub(super) fn is_cheaper_by_loop_measure(&self, a: &TriangulationCost, b: &TriangulationCost) -> bool {
         CostEvaluator::for_opened_loops(&self.rims.all, self.weight, self.measure, &[]).is_cheaper(a, b)
     }
 

@@ -46,7 +46,7 @@ pub(super) fn zip_loops(
     let opened =
         OpenedLoops::from_loop(rims.loop_vertices(0))?.extended_by_loop(u as usize, rims.loop_vertices(1), v)?;
     let triangles = zip_from_bridge(task, &opened, rims.loop_vertices(1).len())?;
-    if !task.is_cheaper(&task.cost_of_closing(&opened.places_to_vertices(&triangles)?)?, &best.cost) {
+    if !task.is_cheaper_by_loop_measure(&task.cost_of_closing(&opened.places_to_vertices(&triangles)?)?, &best.cost) {
         return Ok(best);
     }
     let n = opened.len();

@@ -101,10 +101,11 @@ pub enum MeridianSearch {
 /// Lattices with more nodes are searched from coarse to fine.
 const MAX_EXACT_LATTICE_NODES: usize = 1 << 21;
 
-/// Meridians, and their cost in the chosen measure.
+/// Meridians, the lines from rim A to rim B, and their cost by the metric of the chosen rule.
 pub(crate) struct MeridianChoice {
     pub(crate) pairs: Vec<MeridianEnds>,
-    /// Comparable only for the same rims and choice.
+    /// The cost of all meridians. Costs are comparable only for the same rims and the same
+    /// [`Meridians`] rule.
     pub(crate) cost: f64,
 }
 

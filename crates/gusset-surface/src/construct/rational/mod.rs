@@ -11,7 +11,7 @@ mod piece_fit;
 use self::difference_bound::HomogeneousDifference;
 use self::piece_fit::{ExactBorderPoints, FitFactors};
 use super::spline::{PieceNet, Spline, SplineInterval, SplineOptions, SplinePiece, knots_at_cell_borders};
-use crate::patches::SplineOrigin;
+use crate::patches::SplineKnotsAndDeviation;
 use crate::{Patch, Patches};
 use glam::DVec3;
 use glam::DVec4;
@@ -160,7 +160,7 @@ pub(super) fn fit_patches(
         deviation = deviation.max(cell.bound);
         patches.push(cell.patch);
     }
-    let origin = SplineOrigin {
+    let origin = SplineKnotsAndDeviation {
         deviation: (deviation + rational.rounding) * rational.unit,
         knots: knots_at_cell_borders(&intervals)?,
     };

@@ -30,7 +30,7 @@ mod curvature_newton;
 mod curvature_system;
 
 use super::control_equations;
-use super::knot_joints::solve_with_fallback;
+use super::knot_joints::solve_resetting_runaway_joints;
 use super::lock::LockWorkspace;
 use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::guide::subcurve_plane_normal;
@@ -83,7 +83,7 @@ const MAX_PLANE_SINE: f64 = 1e-7;
 
 /// The unknowns, and the workspace of Newton's method.
 #[derive(Default)]
-pub(super) struct CurvatureJoints {
+pub(super) struct ContinuousCurvatureSolver {
     nodes: Vec<PointUnknowns>,
     known: Vec<GivenPointQuantities>,
     values: Vec<[f64; EQUATIONS_PER_POINT]>,
@@ -99,11 +99,11 @@ pub(super) struct CurvatureJoints {
 pub(super) fn solve_with_continuous_curvature(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
-    joints: &mut CurvatureJoints,
+    joints: &mut ContinuousCurvatureSolver,
     out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
     workspace.solution.reset_joint_parameters(sub.len())?;
-    let locked = solve_with_fallback(sub, workspace, out)?;
+    let locked = solve_resetting_runaway_joints(sub, workspace, out)?;
     let solution = &mut workspace.solution;
     if inner_joints(sub).is_empty() {
         return Ok(());
@@ -129,7 +129,7 @@ fn inner_joints(sub: &Subcurve<'_>) -> Range<usize> {
     }
 }
 
-impl CurvatureJoints {
+impl ContinuousCurvatureSolver {
     /// Starts from the curve with quadratic sections, which passes its points. `locked` tells
     /// whether a lock other than the lock by parameter holds.
     fn start_from_quadratics(
@@ -341,7 +341,9 @@ impl CurvatureJoints {
             .map(|rest| if rest.is_nan() { f64::INFINITY } else { rest })
     }
 
-    /// Gives up the worst equations of each neighbourhood in trouble.
+    /// Gives up the worst equation of each point whose residual exceeds the tolerance and the
+    /// residuals of its neighbours. The point keeps its given parameter, or its joints get zero
+    /// curvature.
     fn give_up_worst_equations(
         &mut self,
         sub: &Subcurve<'_>,

@@ -8,7 +8,7 @@ use gusset_base::error::{Element, Error, Result};
 /// Node (i, j) is a corner of the cells (i - 1, j - 1) to (i, j) that exist. Cells that share a
 /// node are neighbours, also across corners: chains of cells move like the king on a chessboard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Lattice {
+pub struct CellGridShape {
     /// The numbers of cells in u and in v.
     pub cells: [usize; 2],
     /// Whether the last line repeats the first one, in u and in v.
@@ -58,10 +58,10 @@ impl CyclicSpan {
     }
 }
 
-impl Lattice {
+impl CellGridShape {
     /// Returns the lattice of a sheet.
     pub fn new(sheet: &Sheet<'_>) -> Self {
-        Lattice { cells: sheet.cells(), closed: sheet.is_closed() }
+        CellGridShape { cells: sheet.cells(), closed: sheet.is_closed() }
     }
 
     /// The number of cells.
