@@ -1,9 +1,10 @@
 //! Files by their paths: regular files only, nothing outside of a file's folder, and complete or unchanged.
 
+use crate::dispatch::{read, write};
 use crate::document::Document;
 use crate::error::{Loss, ReadError, WriteError, WriteErrorKind, write_reason};
 use crate::folder::{Folder, folder_path};
-use crate::format::{Format, read, write};
+use crate::format::Format;
 use crate::options::{ReadOptions, WriteOptions};
 use crate::pending_file::PendingFile;
 use crate::regular_file::load;

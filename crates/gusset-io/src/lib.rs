@@ -14,6 +14,7 @@
 
 mod budget;
 mod colour_steps;
+mod dispatch;
 mod document;
 mod ear_clipping;
 mod error;
@@ -68,11 +69,12 @@ mod stl;
 mod svg;
 mod three_mf;
 
+pub use dispatch::{read, write};
 pub use document::{Curves, Document, Placement, PointCloud};
 pub use error::{Loss, Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind, printable};
 #[cfg(not(target_family = "wasm"))]
 pub use files::{read_file, write_file};
-pub use format::{Content, Format, read, write};
+pub use format::{Content, Format};
 pub use material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};
 pub use mesh::{Domain, Mesh, NumberKind, Positions, Property, Values};
 pub use options::{ReadOptions, WriteOptions};

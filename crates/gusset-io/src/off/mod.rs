@@ -12,6 +12,7 @@
 //!
 //! A file without faces holds points. Reading takes time linear in the file, and memory of some 60 bytes for each line.
 
+mod off_document;
 mod off_header;
 #[cfg(test)]
 mod off_tests;

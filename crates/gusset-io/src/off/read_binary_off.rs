@@ -1,8 +1,8 @@
 //! Binary OFF files: numbers of 32 bits, the most significant byte first.
 
+use super::off_document::document_from_mesh;
 use super::off_header::OffHeader;
 use super::off_values::{FaceColours, VertexRows};
-use super::read_off::document_from_mesh;
 use crate::document::Document;
 use crate::error::{Note, Place, ReadError};
 use crate::mesh::{Mesh, Positions};

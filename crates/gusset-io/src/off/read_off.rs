@@ -1,12 +1,13 @@
 //! Text OFF files.
 
+use super::off_document::document_from_mesh;
 use super::off_header::{OffHeader, parse_header};
 use super::off_values::{FaceColours, VertexRows};
 use super::read_binary_off::read_binary_off;
-use crate::document::{Document, PointCloud};
+use crate::document::Document;
 use crate::error::{Note, Place, ReadError, quoted};
 use crate::foreign_files::refuse_foreign_file;
-use crate::mesh::{Mesh, Positions, Values};
+use crate::mesh::{Mesh, Positions};
 use crate::options::ReadOptions;
 use crate::scene::counted;
 use crate::text::{Scanner, integer, number};
@@ -27,16 +28,6 @@ pub(crate) fn read_off(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadEr
     let mut reader = OffReader { scanner: Scanner::new(&text, Some(b'#')), mesh: Mesh::default(), notes: Vec::new() };
     reader.read().map_err(|error| refuse_foreign_file(bytes).unwrap_or(error))?;
     Ok(document_from_mesh(reader.mesh, reader.notes))
-}
-
-/// Makes a document of a mesh, or of points without faces.
-pub(super) fn document_from_mesh(mesh: Mesh, notes: Vec<Note>) -> Document {
-    if mesh.face_count() > 0 || mesh.positions.is_empty() {
-        return Document { notes, ..Document::from_mesh(mesh) };
-    }
-    let normals = if let Values::Vertices(normals) = mesh.normals { normals } else { Vec::new() };
-    let points = PointCloud { positions: mesh.positions, normals, colours: mesh.vertex_colours };
-    Document { points, notes, ..Document::default() }
 }
 
 struct OffReader<'a> {

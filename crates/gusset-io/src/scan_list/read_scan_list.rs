@@ -1,21 +1,22 @@
 //! Reader of lists of scans.
 
 use super::pose::{Pose, from_numbers};
-use super::scans::Scene;
+use super::scans::{ReadScan, Scene};
 use crate::document::Document;
 use crate::error::{Place, ReadError, ReadErrorKind};
 use crate::options::ReadOptions;
 use crate::resources::Resources;
 use crate::text::{Scanner, number};
 
-/// Reads all scans of a list.
+/// Reads all scans of a list by `read_scan`.
 pub(crate) fn read_scan_list(
     bytes: &[u8],
     resources: &dyn Resources,
     options: &ReadOptions,
+    read_scan: ReadScan,
 ) -> Result<Document, ReadError> {
     let mut scanner = Scanner::new(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes), Some(b'#'));
-    let mut scene = Scene::new(resources, options);
+    let mut scene = Scene::new(resources, options, read_scan);
     loop {
         let line = scanner.rest_of_line();
         if let Some(rest) = line.strip_prefix(b"bmesh").filter(|rest| rest.first().is_none_or(u8::is_ascii_whitespace))

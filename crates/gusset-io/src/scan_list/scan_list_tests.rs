@@ -34,7 +34,7 @@ impl Resources for Files {
 }
 
 fn read(list: &str, files: &Files) -> Result<Document, ReadError> {
-    let document = read_scan_list(list.as_bytes(), files, &ReadOptions::default())?;
+    let document = read_scan_list(list.as_bytes(), files, &ReadOptions::default(), crate::read)?;
     assert_valid(&document);
     Ok(document)
 }
@@ -142,7 +142,7 @@ proptest! {
         let files = Files::new(&[("one.ply", TRIANGLE), ("points.ply", POINTS)]);
         let mut list = b"bmesh one.ply 0 0 0 0 0 0 1\nbmesh points.ply 1 2 3 0.5 0 0 1\nbmesh one.ply 1 0 0 0 0 1 1\n".to_vec();
         changes.iter().for_each(|change| change.apply(&mut list));
-        if let Ok(document) = read_scan_list(&list, &files, &ReadOptions::default()) {
+        if let Ok(document) = read_scan_list(&list, &files, &ReadOptions::default(), crate::read) {
             assert_valid(&document);
         }
     }

@@ -3,13 +3,16 @@
 use super::pose::{Pose, placed_direction, placed_point, product};
 use crate::document::{Document, Placement, PointCloud};
 use crate::error::{Note, Place, ReadError, ReadErrorKind, printable};
-use crate::format::{Format, read};
+use crate::format::Format;
 use crate::material::{ImageData, NO_MATERIAL, NativeMaterial};
 use crate::mesh::Positions;
 use crate::options::ReadOptions;
 use crate::resources::Resources;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
+
+/// Reads a scan of any format.
+pub(crate) type ReadScan = fn(&[u8], Format, &dyn Resources, &ReadOptions) -> Result<Document, ReadError>;
 
 /// Document that grows with the scans.
 pub(super) struct Scene<'a> {
@@ -18,11 +21,18 @@ pub(super) struct Scene<'a> {
     loaded: BTreeMap<String, Result<(u32, Pose), Place>>,
     ledger: Ledger<'a>,
     options: &'a ReadOptions,
+    read_scan: ReadScan,
 }
 
 impl<'a> Scene<'a> {
-    pub(super) fn new(resources: &'a dyn Resources, options: &'a ReadOptions) -> Self {
-        Self { document: Document::default(), loaded: BTreeMap::new(), ledger: Ledger::new(resources), options }
+    pub(super) fn new(resources: &'a dyn Resources, options: &'a ReadOptions, read_scan: ReadScan) -> Self {
+        Self {
+            document: Document::default(),
+            loaded: BTreeMap::new(),
+            ledger: Ledger::new(resources),
+            options,
+            read_scan,
+        }
     }
 
     /// Returns whether no scan was added.
@@ -67,7 +77,7 @@ impl<'a> Scene<'a> {
         };
         let bytes = self.ledger.load(name)?;
         let beside = Beside { folder: folder(name), ledger: &self.ledger };
-        read(&bytes, format, &beside, self.options).map_err(|error| ReadError {
+        (self.read_scan)(&bytes, format, &beside, self.options).map_err(|error| ReadError {
             message: printable(&match error.place {
                 Place::Whole => format!("{name}: {}", error.message),
                 _ => format!("{name}:{error}"),

@@ -1,6 +1,6 @@
 //! Binary STL files.
 
-use super::{FACET_BYTES, FACETS_START, HEADER_BYTES, MeshAndNotes, mesh_from_parts, number_corners};
+use super::stl_parts::{FACET_BYTES, FACETS_START, HEADER_BYTES, MeshAndNotes, mesh_from_parts, number_corners};
 use crate::error::{Note, Place, ReadError, ReadErrorKind};
 use crate::mesh::{Mesh, Positions};
 use crate::options::ReadOptions;

@@ -1,7 +1,7 @@
 //! Text STL files.
 
 use super::read_binary_stl::is_long_binary_stl;
-use super::{FACETS_START, MeshAndNotes, mesh_from_parts, number_corners};
+use super::stl_parts::{FACETS_START, MeshAndNotes, mesh_from_parts, number_corners};
 use crate::error::{Note, Place, ReadError, ReadErrorKind, quoted};
 use crate::mesh::Positions;
 use crate::options::ReadOptions;

@@ -1,6 +1,6 @@
 //! STL files from meshes.
 
-use super::{FACET_BYTES, HEADER_BYTES};
+use super::stl_parts::{FACET_BYTES, HEADER_BYTES};
 use crate::document::Document;
 use crate::error::{Loss, ReadError, WriteError, WriteErrorKind};
 use crate::mesh::{Mesh, Positions};
