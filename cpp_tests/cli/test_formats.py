@@ -159,7 +159,7 @@ class Formats(unittest.TestCase):
             body = b"".join(struct.pack(order + "dfh", *point) for point in points)
             self.at("order.ply").write_bytes(head.encode() + body + struct.pack(order + "H3Ii", 3, 0, 1, 2, 5))
             _, lost = self.convert("order.ply", "order.off")
-            self.assertEqual(lost, ['the element "edge" with 1 rows is left out'])
+            self.assertEqual(lost, ['the element "edge" of 1 row is left out'])
             self.assertEqual(read_off(self.at("order.off")), (points, [[0, 1, 2]]))
 
     def test_scenes_of_gltf(self):
@@ -178,7 +178,7 @@ class Formats(unittest.TestCase):
             for a, b in zip(got, wanted):
                 self.assertAlmostEqual(a, b, delta=1e-15)
         write_glb(self.at("packed.glb"), points, faces, extensions=["KHR_draco_mesh_compression"])
-        self.expect(FILE, "convert", "packed.glb", "-o", "a.off", says="the file requires the extension KHR_draco_mesh_compression, which is not read; convert the file with gltf-transform")
+        self.expect(FILE, "convert", "packed.glb", "-o", "a.off", says="the file requires the extension KHR_draco_mesh_compression, which is not read; decompress it by gltf-transform")
         write_glb(self.at("lost.glb"), points, [(0, 1, 7)])
         self.expect(FILE, "convert", "lost.glb", "-o", "a.off",
                     says="lost.glb: mesh 0, primitive 0, face 0, corner 2: vertex 7 does not exist (the mesh has 3)")

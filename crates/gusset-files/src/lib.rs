@@ -8,6 +8,7 @@
 
 mod byte_sink;
 mod folder;
+mod functions;
 // In unit tests always, so that it is tested and linted with the rest.
 #[cfg(any(target_family = "wasm", test))]
 pub mod memory;

@@ -3,18 +3,19 @@
 pub mod descriptor;
 pub mod outcome;
 
+use crate::functions;
 use descriptor::{GUSSET_FILES_ABI, gusset_files};
 use std::ptr;
 
 static FILES: gusset_files = gusset_files {
     struct_size: size_of::<gusset_files>(),
-    read: outcome::read,
-    write: outcome::write,
-    part_count: outcome::part_count,
-    part_name: outcome::part_name,
-    part_bytes: outcome::part_bytes,
-    message: outcome::message,
-    free: outcome::free,
+    read: functions::read,
+    write: functions::write,
+    part_count: functions::part_count,
+    part_name: functions::part_name,
+    part_bytes: functions::part_bytes,
+    message: functions::message,
+    free: functions::free,
 };
 
 /// Returns the functions, or NULL if the library cannot serve host_abi, the host's GUSSET_FILES_ABI.

@@ -1,0 +1,199 @@
+//! The functions of the table.
+
+use crate::byte_sink::ByteSink;
+use crate::folder::{Folder, given_bytes};
+use crate::table::descriptor::*;
+use crate::table::outcome::gusset_file;
+use gusset_io::packed::{Packed, pack, unpack};
+use gusset_io::{
+    Document, Format, Loss, ReadError, ReadErrorKind, ReadOptions, Target, WriteError, WriteErrorKind, WriteOptions,
+};
+use std::ffi::{CStr, CString, c_char};
+use std::io::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ptr;
+
+/// A status, and the sentence for the user.
+struct Refusal {
+    status: i32,
+    message: String,
+}
+
+impl Refusal {
+    fn argument(message: impl Into<String>) -> Self {
+        Self { status: GUSSET_FILES_BAD_ARGUMENT, message: message.into() }
+    }
+}
+
+impl From<ReadError> for Refusal {
+    fn from(error: ReadError) -> Self {
+        let is_full = error.kind == ReadErrorKind::OutOfMemory;
+        Self {
+            status: if is_full { GUSSET_FILES_OUT_OF_MEMORY } else { GUSSET_FILES_BAD_FILE },
+            message: error.to_string(),
+        }
+    }
+}
+
+impl From<WriteError> for Refusal {
+    fn from(error: WriteError) -> Self {
+        let is_full = error.kind == WriteErrorKind::OutOfMemory;
+        Self {
+            status: if is_full { GUSSET_FILES_OUT_OF_MEMORY } else { GUSSET_FILES_BAD_FILE },
+            message: error.to_string(),
+        }
+    }
+}
+
+/// Names and bytes of a result.
+type Parts = Vec<(CString, Vec<u8>)>;
+
+/// Gives the host a result, or the reason of a failure.
+///
+/// # Safety
+/// `result` is NULL or valid for a write.
+unsafe fn answer(result: *mut *mut gusset_file, body: impl FnOnce() -> Result<Parts, Refusal>) -> i32 {
+    if result.is_null() {
+        return GUSSET_FILES_BAD_ARGUMENT;
+    }
+    let outcome = catch_unwind(AssertUnwindSafe(body));
+    let outcome = outcome.unwrap_or_else(|_| {
+        Err(Refusal { status: GUSSET_FILES_INTERNAL, message: "internal error: please report it".into() })
+    });
+    let (status, made) = match outcome {
+        Ok(parts) => (GUSSET_FILES_DONE, gusset_file { parts, message: CString::default() }),
+        Err(Refusal { status, message }) => (
+            status,
+            gusset_file { parts: Vec::new(), message: CString::new(message.replace('\0', " ")).unwrap_or_default() },
+        ),
+    };
+    // SAFETY: the caller's promise.
+    unsafe { result.write(Box::into_raw(Box::new(made))) };
+    status
+}
+
+/// # Safety
+/// `text` is NULL or a C string.
+unsafe fn given_text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Refusal> {
+    if text.is_null() {
+        return Err(Refusal::argument(format!("{name} is NULL")));
+    }
+    // SAFETY: the caller's promise.
+    unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| Refusal::argument(format!("{name} is not UTF-8")))
+}
+
+fn named_format(name: &str) -> Result<Format, Refusal> {
+    Format::from_name(name).ok_or_else(|| {
+        let known: Vec<String> = Format::ALL.iter().map(|(format, _)| format!(".{}", format.extension())).collect();
+        Refusal { status: GUSSET_FILES_BAD_FILE, message: format!("the format is unknown; use {}", known.join(", ")) }
+    })
+}
+
+/// Implements `read` of the descriptor.
+pub(crate) unsafe extern "C" fn read(
+    name: *const c_char,
+    bytes: *const u8,
+    size: usize,
+    folder: *const gusset_files_folder,
+    flags: u32,
+    result: *mut *mut gusset_file,
+) -> i32 {
+    // SAFETY: the host promises that its arguments are as the descriptor says.
+    unsafe {
+        answer(result, || {
+            let format = named_format(given_text(name, "name")?)?;
+            let bytes = given_bytes(bytes, size).ok_or_else(|| Refusal::argument("bytes is NULL"))?;
+            let document = gusset_io::read(bytes, format, &Folder::new(folder), &ReadOptions::default())?;
+            let document = if flags & GUSSET_FILES_JOINED != 0 { joined(document)? } else { document };
+            let Packed { description, arrays } = pack(&document)?;
+            Ok(vec![(c"document".into(), description.into_bytes()), (c"arrays".into(), arrays)])
+        })
+    }
+}
+
+fn joined(document: Document) -> Result<Document, ReadError> {
+    /// Largest number of points and corners of the copies of meshes in a scene.
+    const MAX_SCENE_ELEMENTS: u64 = 1 << 30;
+    if document.placements.is_empty() { Ok(document) } else { document.into_joined(MAX_SCENE_ELEMENTS) }
+}
+
+/// Implements `write` of the descriptor.
+pub(crate) unsafe extern "C" fn write(
+    name: *const c_char,
+    document: *const c_char,
+    arrays: *const u8,
+    size: usize,
+    folder: *const gusset_files_folder,
+    flags: u32,
+    result: *mut *mut gusset_file,
+) -> i32 {
+    // SAFETY: the host promises that its arguments are as the descriptor says.
+    unsafe {
+        answer(result, || {
+            let name = given_text(name, "name")?;
+            let arrays = given_bytes(arrays, size).ok_or_else(|| Refusal::argument("arrays is NULL"))?;
+            let document = unpack(given_text(document, "document")?, arrays)?;
+            written(name, &document, &Folder::new(folder), flags)
+        })
+    }
+}
+
+fn written(name: &str, document: &Document, folder: &Folder, flags: u32) -> Result<Parts, Refusal> {
+    let format = named_format(name)?;
+    let options = WriteOptions {
+        text: flags & GUSSET_FILES_TEXT != 0,
+        lossy: flags & GUSSET_FILES_LOSSY != 0,
+        ..WriteOptions::default()
+    };
+    let (mut main, mut beside) = (ByteSink::default(), Parts::new());
+    let mut add = |name: &str, bytes: &[u8]| {
+        let mut file = ByteSink::default();
+        file.write_all(bytes)?;
+        beside.push((CString::new(name).unwrap_or_default(), file.bytes));
+        Ok(())
+    };
+    let stem = name.rsplit('/').next().and_then(|name| name.rsplit_once('.')).map_or("mesh", |(stem, _)| stem);
+    let mut target = Target { main: &mut main, stem, beside: &mut add, resources: folder };
+    let losses = gusset_io::write(document, format, &mut target, &options)?;
+    let losses: Vec<String> = losses.into_iter().map(|Loss(what)| what).collect();
+    let losses = serde_json::json!(losses).to_string().into_bytes();
+    Ok([(c"losses".into(), losses), (c"file".into(), main.bytes)].into_iter().chain(beside).collect())
+}
+
+unsafe fn part<'a>(result: *const gusset_file, which: u32) -> Option<&'a (CString, Vec<u8>)> {
+    // SAFETY: the host promises that the result is NULL or alive.
+    unsafe { result.as_ref() }?.parts.get(which as usize)
+}
+
+pub(crate) unsafe extern "C" fn part_count(result: *const gusset_file) -> u32 {
+    // SAFETY: the host promises that the result is NULL or alive.
+    unsafe { result.as_ref() }.map_or(0, |result| result.parts.len() as u32)
+}
+
+pub(crate) unsafe extern "C" fn part_name(result: *const gusset_file, which: u32) -> *const c_char {
+    // SAFETY: as above.
+    unsafe { part(result, which) }.map_or(ptr::null(), |(name, _)| name.as_ptr())
+}
+
+pub(crate) unsafe extern "C" fn part_bytes(result: *const gusset_file, which: u32, size: *mut usize) -> *const u8 {
+    // SAFETY: as above; `size` is NULL or valid for a write.
+    unsafe {
+        let bytes = part(result, which).map_or(&[][..], |(_, bytes)| bytes);
+        if let Some(size) = size.as_mut() {
+            *size = bytes.len();
+        }
+        if bytes.is_empty() { ptr::null() } else { bytes.as_ptr() }
+    }
+}
+
+pub(crate) unsafe extern "C" fn message(result: *const gusset_file) -> *const c_char {
+    // SAFETY: as above.
+    unsafe { result.as_ref() }.map_or(ptr::null(), |result| result.message.as_ptr())
+}
+
+pub(crate) unsafe extern "C" fn free(result: *mut gusset_file) {
+    if !result.is_null() {
+        // SAFETY: the host promises that the result came from `read` or `write`, and is freed once.
+        drop(unsafe { Box::from_raw(result) });
+    }
+}
