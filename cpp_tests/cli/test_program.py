@@ -93,6 +93,11 @@ class Program(unittest.TestCase):
         (folder / "bad.obj").unlink()
         self.expect(DONE, "convert", "many", "--out-dir", "converted", "--to", "stl")
         self.assertEqual(len(list(self.at("converted").iterdir())), 5)
+        # Nothing is lost: results of one name are refused, and results that would replace inputs.
+        write_off(folder / "tube0.off", CUBE, CUBE_FACES)
+        self.expect(USAGE, "convert", "many", "--out-dir", "one", "--to", "ply", says="several inputs would become one/tube0.ply")
+        (folder / "tube0.off").unlink()
+        self.expect(USAGE, "fill", "many", "--out-dir", "many", says="many/tube0.obj would replace an input")
         self.at("empty").mkdir(exist_ok=True)
         self.expect(FILE, "check", "empty", says="the folder has no mesh files")
 
@@ -193,7 +198,7 @@ class Program(unittest.TestCase):
         write_obj(self.at("high.obj"), *tube(9, 1.5, 2))
         report = json.loads(self.expect(DONE, "stitch", "tube.obj", "high.obj", "--smooth", "-n", "--json").stdout)
         self.assertEqual(report["parameters"]["finish"], "blend")
-        self.expect(USAGE, "stitch", "tube.obj", "high.obj", "--smooth", "--finish", "strip", "-n", says="twice")
+        self.expect(USAGE, "stitch", "tube.obj", "high.obj", "--smooth", "--finish", "strip", "-n", says="--smooth sets finish=blend; leave out --smooth or --finish")
 
     def test_page(self):
         self.expect(DONE, "fill", "tube.obj", "-o", "filled.obj", "--html", "page.html")

@@ -104,17 +104,19 @@ pub(crate) unsafe extern "C" fn read(
             let format = named_format(given_text(name, "name")?)?;
             let bytes = given_bytes(bytes, size).ok_or_else(|| Refusal::argument("bytes is NULL"))?;
             let document = gusset_io::read(bytes, format, &Folder::new(folder), &ReadOptions::default())?;
-            let document = if flags & GUSSET_FILES_JOINED != 0 { joined(document)? } else { document };
+            let size = bytes.len() as u64;
+            let document = if flags & GUSSET_FILES_JOINED != 0 { joined(document, size)? } else { document };
             let Packed { description, arrays } = pack(&document)?;
             Ok(vec![(c"document".into(), description.into_bytes()), (c"arrays".into(), arrays)])
         })
     }
 }
 
-fn joined(document: Document) -> Result<Document, ReadError> {
-    /// Largest number of points and corners of the copies of meshes in a scene.
-    const MAX_SCENE_ELEMENTS: u64 = 1 << 30;
-    if document.placements.is_empty() { Ok(document) } else { document.into_joined(MAX_SCENE_ELEMENTS) }
+/// Joins all meshes of a scene. Copies of meshes are limited by the size of the file in bytes.
+fn joined(document: Document, size: u64) -> Result<Document, ReadError> {
+    /// Number of points and corners that the meshes of any scene may have in all their copies.
+    const MIN_SCENE_ELEMENTS: u64 = 1 << 22;
+    if document.placements.is_empty() { Ok(document) } else { document.into_joined(size.max(MIN_SCENE_ELEMENTS)) }
 }
 
 /// Implements `write` of the descriptor.

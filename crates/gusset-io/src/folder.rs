@@ -63,7 +63,7 @@ impl Folder {
         }
         Err(ReadError::new(
             ReadErrorKind::Unreadable,
-            format!("the file {name} is outside of the folder; allow it with follow_outside"),
+            format!("the file {name} is outside of the folder, and is not followed"),
         ))
     }
 

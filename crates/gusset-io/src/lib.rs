@@ -1,6 +1,6 @@
 //! Files of meshes, curves and points.
 //!
-//! [`read`] makes a [`Document`] from the bytes of a file, and [`write`] makes a file from a document. Both work in memory.
+//! [`read`] makes a [`Document`] from the bytes of a file, and [`write()`] makes a file from a document. Both work in memory.
 //! [`read_file`] and [`write_file`] work on paths: they open regular files only, follow no name out of the file's folder, and replace
 //! a file only once the new one is complete.
 //!

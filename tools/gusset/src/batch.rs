@@ -7,7 +7,8 @@ use crate::request::BatchOptions;
 use crate::writing::print;
 use gusset_io::Format;
 use serde_json::{Value, json};
-use std::path::Path;
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -20,7 +21,7 @@ pub(crate) fn run_all(
     files: &[FileName],
     options: &BatchOptions,
     json: bool,
-    work: impl Fn(&FileName) -> Result<FileReport, Failure> + Sync,
+    work: impl Fn(usize) -> Result<FileReport, Failure> + Sync,
 ) -> Result<Vec<Value>, Failure> {
     let next = AtomicUsize::new(0);
     let results: Vec<Mutex<Option<Result<FileReport, Failure>>>> = files.iter().map(|_| Mutex::new(None)).collect();
@@ -29,7 +30,7 @@ pub(crate) fn run_all(
             scope.spawn(|| {
                 while let Some(place) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|&place| place < files.len())
                 {
-                    let done = work(&files[place]);
+                    let done = work(place);
                     if let Ok(mut slot) = results[place].lock() {
                         *slot = Some(done);
                     }
@@ -48,7 +49,7 @@ pub(crate) fn run_all(
                 reports.push(report);
             }
             Some(Err(failure)) => {
-                eprintln!("gusset: {failure}");
+                crate::writing::tell!("gusset: {failure}");
                 reports.push(json!({ "file": file.shown(), "error": describe_failure(&failure) }));
                 first_failure.get_or_insert(failure.exit);
             }
@@ -69,8 +70,33 @@ fn with_name(name: &str, text: &str) -> String {
     text.lines().map(|line| format!("{name}: {line}\n")).collect()
 }
 
-/// Returns the file in a folder that the result of `input` is written to.
-pub(crate) fn output_in_folder(folder: &Path, input: &FileName, format: Option<Format>) -> Result<FileName, Failure> {
+/// Returns for each input the file in a folder that its result is written to. Refuses results of one name, and results that would
+/// replace inputs.
+pub(crate) fn outputs_in_folder(
+    folder: &Path,
+    inputs: &[FileName],
+    format: Option<Format>,
+) -> Result<Vec<FileName>, Failure> {
+    let absolute = |file: &FileName| if let FileName::Path(path) = file { path.canonicalize().ok() } else { None };
+    let given: HashSet<PathBuf> = inputs.iter().filter_map(absolute).collect();
+    let mut taken: HashSet<PathBuf> = HashSet::new();
+    let mut outputs = Vec::new();
+    for input in inputs {
+        let output = output_in_folder(folder, input, format)?;
+        if absolute(&output).is_some_and(|path| given.contains(&path)) {
+            return Err(Failure::usage(format!("{} would replace an input; choose another --out-dir", output.shown())));
+        }
+        if let FileName::Path(path) = &output
+            && !taken.insert(path.clone())
+        {
+            return Err(Failure::usage(format!("several inputs would become {}; rename one", output.shown())));
+        }
+        outputs.push(output);
+    }
+    Ok(outputs)
+}
+
+fn output_in_folder(folder: &Path, input: &FileName, format: Option<Format>) -> Result<FileName, Failure> {
     let FileName::Path(path) = input else {
         return Err(Failure::usage("standard input has no name for a file in --out-dir"));
     };

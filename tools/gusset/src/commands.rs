@@ -179,7 +179,7 @@ impl Builder {
                 made.arg(flag("smooth").help("Continues the surfaces beside the new faces").help_heading(PARAMETERS));
         }
         if command.name == "check" {
-            made = made.arg(flag("strict").help("Exits with 7 if the mesh has defects"));
+            made = made.arg(flag("strict").help("Exits with 7 if the mesh has defects")).arg(jobs());
         }
         let taken: Vec<String> = made.get_arguments().map(|arg| arg.get_id().to_string()).collect();
         for param in filter.map(Filter::params).unwrap_or_default() {

@@ -97,17 +97,24 @@ fn end_parsing(error: &clap::Error, no_library: Option<&Failure>) -> ExitCode {
         && let Some(failure) = no_library
     {
         // Without a library, commands lack options.
-        eprintln!("gusset: {failure}");
+        crate::writing::tell!("gusset: {failure}");
         return ExitCode::from(failure.exit as u8);
     }
-    let _ = error.print();
-    if error.use_stderr() { ExitCode::from(Exit::Usage as u8) } else { ExitCode::SUCCESS }
+    let is_told = error.print().is_ok();
+    if !error.use_stderr() {
+        return if is_told { ExitCode::SUCCESS } else { ExitCode::from(Exit::File as u8) };
+    }
+    if std::env::args_os().any(|word| word == "--json") {
+        let failure = Failure::usage(error.to_string().trim_end());
+        let _ = writing::print(&format!("{:#}\n", json!({ "error": report::describe_failure(&failure) })));
+    }
+    ExitCode::from(Exit::Usage as u8)
 }
 
 fn end_failed(name: &str, options: &ArgMatches, failure: &Failure) -> ExitCode {
     // Failures of several files have been told.
     if !failure.message.is_empty() {
-        eprintln!("gusset: {failure}");
+        crate::writing::tell!("gusset: {failure}");
         if request::has_flag(options, "json") {
             let report = json!({ "command": name, "error": report::describe_failure(failure) });
             let _ = writing::print(&format!("{report:#}\n"));
@@ -121,13 +128,9 @@ fn dispatch(name: &str, options: &ArgMatches, plugin: Result<Plugin, Failure>) -
         "convert" => convert(options).map(Done::from),
         "info" => {
             let reading = request::reading(options);
-            let work = |file: &reading::FileName| info::measure_file(file, &reading);
-            batch::run_all(
-                &request::inputs(options)?,
-                &request::batch_options(options),
-                request::has_flag(options, "json"),
-                work,
-            )?;
+            let files = request::inputs(options)?;
+            let work = |place: usize| info::measure_file(&files[place], &reading);
+            batch::run_all(&files, &request::batch_options(options), request::has_flag(options, "json"), work)?;
             Ok(Done::Well)
         }
         "filters" => show_filters(plugin?, options).map(Done::from),
@@ -163,6 +166,7 @@ fn run_filter(
     command: Option<&commands::FilterCommand>,
 ) -> Result<Done, Failure> {
     let request = request::run_request(name, options, filter, command)?;
+    refuse_mixed_output(&request.outputs, request.json)?;
     let is_strict = request::has_flag(options, "strict");
     let batch = request::batch_options(options);
     let reports = if filter.max_inputs() == Some(1) && (request.inputs.len() > 1 || batch.out_dir.is_some()) {
@@ -177,6 +181,14 @@ fn run_filter(
     Ok(if is_strict && reports.iter().any(has_defects) { Done::WithDefects } else { Done::Well })
 }
 
+/// Refuses a report and a mesh that would both go to standard output.
+fn refuse_mixed_output(outputs: &[reading::FileName], json: bool) -> Result<(), Failure> {
+    if json && outputs.iter().any(|file| matches!(file, reading::FileName::Standard)) {
+        return Err(Failure::usage("--json and -o - would both write to standard output; leave out one"));
+    }
+    Ok(())
+}
+
 fn run_each(filter: Filter, request: &run::RunRequest, batch: &request::BatchOptions) -> Result<Vec<Value>, Failure> {
     let writes = filter.output_kinds().iter().any(|&kind| kind != OutputKind::Text);
     if request.html.is_some() {
@@ -188,19 +200,27 @@ fn run_each(filter: Filter, request: &run::RunRequest, batch: &request::BatchOpt
             request.command
         )));
     }
-    if let Some(folder) = &batch.out_dir {
-        std::fs::create_dir_all(folder).map_err(|error| Failure::file(format!("{}: {error}", folder.display())))?;
-    }
-    let work = |file: &reading::FileName| {
-        let mut one = run::RunRequest { inputs: vec![file.clone()], json: true, progress: false, ..request.clone() };
-        if let Some(folder) = &batch.out_dir {
-            one.outputs = vec![batch::output_in_folder(folder, file, request.writing.to)?];
-        }
+    let outputs = outputs_in_folder(&request.inputs, batch, request.writing.to)?;
+    let work = |place: usize| {
+        let inputs = vec![request.inputs[place].clone()];
+        let outputs = outputs.get(place).cloned().into_iter().collect();
+        let one = run::RunRequest { inputs, outputs, json: true, progress: false, ..request.clone() };
         let report = run::run(filter, &one)?;
         let lines = report["report"].as_array().into_iter().flatten().filter_map(Value::as_str);
         Ok((lines.map(|line| format!("{line}\n")).collect(), report))
     };
     batch::run_all(&request.inputs, batch, request.json, work)
+}
+
+/// Makes the folder of the results, and returns the result of each input; nothing without a folder.
+fn outputs_in_folder(
+    inputs: &[reading::FileName],
+    batch: &request::BatchOptions,
+    format: Option<gusset_io::Format>,
+) -> Result<Vec<reading::FileName>, Failure> {
+    let Some(folder) = &batch.out_dir else { return Ok(Vec::new()) };
+    std::fs::create_dir_all(folder).map_err(|error| Failure::file(format!("{}: {error}", folder.display())))?;
+    batch::outputs_in_folder(folder, inputs, format)
 }
 
 /// Numbers of the report of `check` that count defects of a surface.
@@ -230,17 +250,15 @@ fn convert(options: &ArgMatches) -> Result<(), Failure> {
             "convert writes one file, named with -o, or several into the folder of --out-dir, in the format of --to",
         ));
     }
-    if let Some(folder) = &batch.out_dir {
-        std::fs::create_dir_all(folder).map_err(|error| Failure::file(format!("{}: {error}", folder.display())))?;
-    }
-    let work = |file: &reading::FileName| {
-        let output = match (&output, &batch.out_dir) {
-            (Some(output), _) => output.clone(),
-            (None, Some(folder)) => batch::output_in_folder(folder, file, writing.to)?,
-            (None, None) => return Err(Failure::usage("convert needs -o")),
-        };
-        convert_file(file, &output, &reading, &writing, request::has_flag(options, "dry-run"))
+    let outputs = match output {
+        Some(output) => {
+            refuse_mixed_output(std::slice::from_ref(&output), request::has_flag(options, "json"))?;
+            vec![output]
+        }
+        None => outputs_in_folder(&files, &batch, writing.to)?,
     };
+    let is_dry = request::has_flag(options, "dry-run");
+    let work = |place: usize| convert_file(&files[place], &outputs[place], &reading, &writing, is_dry);
     batch::run_all(&files, &batch, request::has_flag(options, "json"), work).map(|_| ())
 }
 

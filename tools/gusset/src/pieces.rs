@@ -19,14 +19,14 @@ pub(crate) struct Piece {
     pub(crate) metres_per_unit: Option<f64>,
 }
 
-/// Largest number of points and corners of repeated meshes in a scene.
-const MAX_SCENE_ELEMENTS: u64 = 1 << 30;
+/// Number of points and corners that the meshes of any scene may have in all their copies.
+const MIN_SCENE_ELEMENTS: u64 = 1 << 22;
 
 impl Piece {
-    /// Joins a document's meshes into one piece.
-    pub(crate) fn from_document(document: Document, path: &str) -> Result<Self, Failure> {
+    /// Joins a document's meshes into one piece. Copies of meshes are limited by the size of the file in bytes.
+    pub(crate) fn from_document(document: Document, path: &str, size: u64) -> Result<Self, Failure> {
         let Document { mut meshes, materials, images, metres_per_unit, notes, .. } =
-            document.into_joined(MAX_SCENE_ELEMENTS).map_err(|error| read_failure(path, &error))?;
+            document.into_joined(size.max(MIN_SCENE_ELEMENTS)).map_err(|error| read_failure(path, &error))?;
         let mesh = meshes.pop().unwrap_or_default();
         let notes = notes.into_iter().map(|note| note.text).collect();
         Ok(Self { path: path.to_owned(), mesh, materials, images, notes, metres_per_unit })

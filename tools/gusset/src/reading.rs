@@ -1,6 +1,6 @@
 //! Input files: names, folders and standard input.
 
-use crate::failure::{Exit, Failure};
+use crate::failure::{Exit, Failure, counted};
 use crate::pieces::{Piece, read_failure};
 use gusset_io::{Content, Curves, Document, Format, NoResources, ReadOptions};
 use std::ffi::OsString;
@@ -66,14 +66,16 @@ impl Reading {
     pub(crate) fn mesh(&self, file: &FileName) -> Result<Piece, Failure> {
         let shown = file.shown();
         let document = self.document(file)?;
-        let only = [(document.curves.closed.len(), "polylines"), (document.points.positions.len(), "points")];
-        let piece = Piece::from_document(document, &shown)?;
+        let only = [(document.curves.closed.len(), "polyline"), (document.points.positions.len(), "point")];
+        let size =
+            if let FileName::Path(path) = file { std::fs::metadata(path).map_or(0, |status| status.len()) } else { 0 };
+        let piece = Piece::from_document(document, &shown, size)?;
         tell_notes(&shown, &piece.notes);
         if piece.mesh.face_count() == 0 {
             let rest = only
                 .iter()
                 .find(|(count, _)| *count > 0)
-                .map(|(count, what)| format!(", only {count} {what}"))
+                .map(|(count, what)| format!(", only {}", counted(*count, what)))
                 .unwrap_or_default();
             return Err(Failure::file(format!("{shown}: it has no faces{rest}")));
         }
@@ -95,7 +97,7 @@ impl Reading {
 
 fn tell_notes(path: &str, notes: &[String]) {
     for note in notes {
-        eprintln!("gusset: {path}: note: {note}");
+        crate::writing::tell!("gusset: {path}: note: {note}");
     }
 }
 

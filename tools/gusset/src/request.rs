@@ -66,7 +66,13 @@ pub(crate) fn run_request(
     if let Some(command) = command {
         params.extend(given_params(options, filter));
         if has_flag(options, "smooth") {
-            params.extend(command.smooth.iter().map(|&set| set.to_owned()));
+            for set in command.smooth {
+                let name = set.split('=').next().unwrap_or(set);
+                if params.iter().any(|given| given.split('=').next() == Some(name)) {
+                    return Err(Failure::usage(format!("--smooth sets {set}; leave out --smooth or --{}", slug(name))));
+                }
+                params.push((*set).to_owned());
+            }
         }
     }
     Ok(RunRequest {

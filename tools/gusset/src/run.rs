@@ -222,7 +222,7 @@ fn add_text(outputs: &Outputs, output: u32, request: &RunRequest, report: &mut V
     if request.json {
         Ok(())
     } else if is_piped {
-        eprint!("{text}");
+        crate::writing::tell!("{}", text.trim_end());
         Ok(())
     } else {
         print(text)

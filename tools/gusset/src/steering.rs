@@ -78,7 +78,7 @@ impl Steering {
         let line =
             format!("[{}{}] {} % {stage}", "#".repeat(filled), ".".repeat(WIDTH - filled), (fraction * 100.0) as u32);
         if line != *last {
-            eprintln!("{line}");
+            crate::writing::tell!("{line}");
             *last = line;
         }
     }
@@ -102,7 +102,7 @@ impl Watcher for Steering {
     fn remark(&self, text: &str) {
         match &self.bar {
             Some(bar) => bar.println(text),
-            None => eprintln!("{text}"),
+            None => crate::writing::tell!("{text}"),
         }
     }
 }

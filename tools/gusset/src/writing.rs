@@ -74,7 +74,7 @@ impl Writing {
         let mut lost = lost_before;
         lost.extend(losses.into_iter().map(|Loss(what)| what));
         for what in &lost {
-            eprintln!("gusset: {shown}: lost: {what}");
+            crate::writing::tell!("gusset: {shown}: lost: {what}");
         }
         Ok(lost)
     }
@@ -91,6 +91,15 @@ impl Writing {
         Ok(losses)
     }
 }
+
+/// Writes a line to standard error. If that fails, nobody can be told.
+macro_rules! tell {
+    ($($argument:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stderr(), $($argument)*);
+    }};
+}
+pub(crate) use tell;
 
 /// Writes a report to standard output. A reader that has closed the pipe wants no more of it.
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
