@@ -1,7 +1,7 @@
 //! Fills the holes of a mesh, and says what became of each.
 
 use gusset::check::check;
-use gusset::fill::{Fairing, HoleStatus, Limits, Options, Refinement, Selection, fill_holes};
+use gusset::fill::{Fairing, HoleStatus, Limits, LoopSelection, Options, Refinement, fill_holes};
 use gusset::mesh::{Faces, MeshView, Positions};
 use gusset::{Job, Result};
 
@@ -23,7 +23,7 @@ fn main() -> Result<()> {
         limits: Limits { edges: Some(1000), ..Limits::default() },
         ..Options::default()
     };
-    let filled = fill_holes(&mesh, Selection::All, &options, &job)?;
+    let filled = fill_holes(&mesh, LoopSelection::All, &options, &job)?;
     // ! [fill]
 
     // ! [holes]

@@ -200,7 +200,7 @@ typedef uint32_t gusset_gluing_kind;
 /// The local gluing of type mask (GUSSET_TYPE_...) at node element; from GUSSET_TYPE_TOP_BOTTOM on, at cell element.
 #define GUSSET_GLUING_TYPE 5
 
-/// Nodes to glue or to unglue.
+/// Names one place to glue or to unglue: a link, a node, a cell or a seam.
 typedef struct gusset_gluing {
     gusset_gluing_kind kind;
     /// Link, node or cell; 0 for a seam.
@@ -1053,7 +1053,8 @@ typedef struct gusset_bridge {
     uint32_t end;
     gusset_bridge_kind kind;
     gusset_bridge_mode mode;
-    /// Inner rows (DOWN) or columns, before at. The first net ends at at - rows - 1.
+    /// Counts the rows (DOWN) or columns (RIGHT) between the two nets. The last of these is at - 1, and the first net
+    /// ends at at - rows - 1.
     uint32_t rows;
     uint32_t reserved;
 } gusset_bridge;

@@ -2339,7 +2339,9 @@ class Bridge(Record):
 
     @property
     def rows(self) -> int:
-        """Inner rows (DOWN) or columns, before at. The first net ends at at - rows - 1."""
+        """Counts the rows (DOWN) or columns (RIGHT) between the two nets. The last of these is at - 1, and the first
+        net ends at at - rows - 1.
+        """
         return self._struct.rows
 
 

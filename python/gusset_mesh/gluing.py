@@ -75,7 +75,9 @@ class Gluing:
 
 
 class LocalGluing(NamedTuple):
-    """Nodes to glue or to unglue. Link 2 * node is horizontal, 2 * node + 1 vertical; cell (i, j) is i * (columns - 1) + j."""
+    """Names one place to glue or to unglue: a link, a node, a cell or a seam.
+
+    Link 2 * node is horizontal, 2 * node + 1 vertical; cell (i, j) is i * (columns - 1) + j."""
 
     kind: GluingKind
     element: int = 0

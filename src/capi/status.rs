@@ -6,7 +6,7 @@
 //! `From<Error>`.
 
 use super::choice_text::TEXTS;
-use crate::error::{Element, Error, PairFault, Side};
+use crate::error::{Element, Error, LoopPairFault, Side};
 use std::borrow::Cow;
 use std::ffi::{CStr, c_char};
 
@@ -377,7 +377,7 @@ impl From<Error> for Failure {
             InputCount { given, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, given as f64),
             InputUnfit { input, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, input.into()),
             BadLoopPair { pair, piece, vertex, fault, .. } => {
-                let value = if fault == PairFault::NoPiece { piece } else { vertex };
+                let value = if fault == LoopPairFault::NoPiece { piece } else { vertex };
                 at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, pair, value.into())
             }
             BadProperty { bridge, value, .. } => at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_BRIDGE, bridge, value),

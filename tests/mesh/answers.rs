@@ -3,8 +3,8 @@
 use crate::common::{Soup, cap, sheet};
 use crate::pieces::cube;
 use gusset::assemble::{self, MaxGap, Selector, assemble};
-use gusset::error::{PairFault, Side};
-use gusset::fill::{self, Selection, fill_holes};
+use gusset::error::{LoopPairFault, Side};
+use gusset::fill::{self, LoopSelection, fill_holes};
 use gusset::mesh::{MeshView, NONE};
 use gusset::stitch::{self, Fairing, Orientation, Request, Rows, Stitch, stitch};
 use gusset::{Error, Job, Progress};
@@ -87,13 +87,13 @@ fn a_pair_that_names_nothing_is_told_why() {
     };
     let right = [at(0, 0), at(1, 0)];
     let cases = [
-        ([at(4, 0), at(1, 0)], Side::A, PairFault::NoPiece, "piece 4 does not exist"),
-        ([at(0, 0), at(u32::MAX, 0)], Side::B, PairFault::NoPiece, "piece 4294967295 does not exist"),
-        ([at(0, 0), at(1, 6)], Side::B, PairFault::NoVertex, "vertex 6 of piece 1 does not exist"),
-        ([at(0, NONE), at(1, 0)], Side::A, PairFault::VertexMissing, "it names piece 0 but none of its vertices"),
-        ([at(0, 0), at(3, 5)], Side::B, PairFault::NoLoop, "no loop that can be joined passes vertex 5 of piece 3"),
-        ([at(2, 4), at(1, 0)], Side::A, PairFault::SeveralLoops, "several loops pass vertex 4 of piece 2"),
-        ([at(0, 0), at(0, 1)], Side::B, PairFault::SameLoop, "vertex 1 of piece 0 is on the pair's other loop"),
+        ([at(4, 0), at(1, 0)], Side::A, LoopPairFault::NoPiece, "piece 4 does not exist"),
+        ([at(0, 0), at(u32::MAX, 0)], Side::B, LoopPairFault::NoPiece, "piece 4294967295 does not exist"),
+        ([at(0, 0), at(1, 6)], Side::B, LoopPairFault::NoVertex, "vertex 6 of piece 1 does not exist"),
+        ([at(0, NONE), at(1, 0)], Side::A, LoopPairFault::VertexMissing, "it names piece 0 but none of its vertices"),
+        ([at(0, 0), at(3, 5)], Side::B, LoopPairFault::NoLoop, "no loop that can be joined passes vertex 5 of piece 3"),
+        ([at(2, 4), at(1, 0)], Side::A, LoopPairFault::SeveralLoops, "several loops pass vertex 4 of piece 2"),
+        ([at(0, 0), at(0, 1)], Side::B, LoopPairFault::SameLoop, "vertex 1 of piece 0 is on the pair's other loop"),
     ];
     for (pair, side, fault, text) in cases {
         for pairs in [&[pair][..], &[[at(2, 0), at(2, 8)], pair]] {
@@ -104,7 +104,7 @@ fn a_pair_that_names_nothing_is_told_why() {
             assert_eq!(error.to_string(), format!("pair {number} of pairs: {text}"));
         }
         // An exclusion may name a whole piece, or a list that is not a loop.
-        if matches!(fault, PairFault::NoPiece | PairFault::NoVertex) {
+        if matches!(fault, LoopPairFault::NoPiece | LoopPairFault::NoVertex) {
             let error = run(&[], &[right, right, pair]);
             assert_eq!(error.to_string(), format!("pair 2 of excluded: {text}"));
         } else {
@@ -152,7 +152,7 @@ fn fairing_that_is_not_read_is_noted() {
             within(&both, &strip, &Job::new(1, &notes)).unwrap();
             assert_eq!(count(&notes), expected);
             let notes = Notes::default();
-            fill_holes(&both.view(), Selection::All, &filling, &Job::new(1, &notes)).unwrap();
+            fill_holes(&both.view(), LoopSelection::All, &filling, &Job::new(1, &notes)).unwrap();
             assert_eq!(count(&notes), expected);
             let notes = Notes::default();
             let options = assemble::Options { strip, fill: Some(filling), ..assemble::Options::default() };

@@ -5,7 +5,7 @@ use crate::common::{Soup, cap};
 use glam::DVec3;
 use gusset::Job;
 use gusset::fill::{
-    Continuity, Fairing, Filled, Finish, HoleStatus, Keep, Options, Refinement, Selection, Together, fill_holes,
+    Continuity, Fairing, Filled, Finish, HoleStatus, Keep, LoopSelection, Options, Refinement, Together, fill_holes,
 };
 use std::f64::consts::TAU;
 
@@ -96,7 +96,7 @@ fn holed(surface: &Surface, cells: u32, radius: f64) -> (Soup, f64) {
 }
 
 fn filled(soup: &Soup, options: &Options) -> Filled {
-    fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap()
+    fill_holes(&soup.view(), LoopSelection::All, options, &Job::default()).unwrap()
 }
 
 /// The largest and the mean distance of new vertices to the surface.

@@ -3,7 +3,8 @@
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet, volume};
 use gusset::fill::{
-    Continuity, Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
+    Continuity, Fairing, Filled, HoleStatus, Keep, Limits, LoopSelection, Options, Refinement, Together, Weight,
+    fill_holes,
 };
 use gusset::mesh::Mesh;
 use gusset::repair::orient::Outward;
@@ -30,7 +31,7 @@ const LIEPA: Options = Options { weight: Weight::BendThenArea, ..AREA };
 const FAIR: Options = Options { fairing: Fairing::ThinPlate, ..REFINED };
 
 fn fill(soup: &Soup, options: &Options) -> Filled {
-    fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap()
+    fill_holes(&soup.view(), LoopSelection::All, options, &Job::default()).unwrap()
 }
 
 fn faces(mesh: &Mesh) -> impl Iterator<Item = &[u32]> + Clone {
@@ -251,7 +252,7 @@ proptest! {
         if backwards {
             given.reverse();
         }
-        let filled = fill_holes(&soup.view(), Selection::Loops(&[&given, &given]), &FAIR, &Job::default()).unwrap();
+        let filled = fill_holes(&soup.view(), LoopSelection::Loops(&[&given, &given]), &FAIR, &Job::default()).unwrap();
         assert_closed(&soup, &filled);
         prop_assert_eq!(statuses(&filled), [HoleStatus::Filled, HoleStatus::NotFree]);
         let all = fill(&soup, &FAIR);
@@ -322,7 +323,7 @@ fn no_edge_is_repeated() {
     // Both diagonals of the hole are edges of a second sheet through the same vertices.
     let mut soup = Soup::new(corners, &[&[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4], &[0, 2, 5], &[1, 3, 6]]);
     soup.points.extend([[0.3, 0.3, -3.0], [5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]);
-    let filled = fill_holes(&soup.view(), Selection::Loops(&[&[0, 1, 2, 3]]), &FAIR, &Job::default()).unwrap();
+    let filled = fill_holes(&soup.view(), LoopSelection::Loops(&[&[0, 1, 2, 3]]), &FAIR, &Job::default()).unwrap();
     assert_eq!(statuses(&filled), [HoleStatus::NoTriangulation]);
     assert_eq!(filled.mesh.face_count(), 6);
     assert_eq!(filled.quality.non_manifold_edges, 0);
@@ -359,7 +360,7 @@ fn loops_that_are_left_say_why() {
     assert_eq!(limited(Limits { diameter: Some(2.5), ..Limits::default() }), [Filled, Filled]);
 
     let bad: [&[u32]; 4] = [&[0, 1], &[1, 2, 3, 2], &[0, 1, 2], &[99, 0, 1]];
-    let filled = fill_holes(&soup.view(), Selection::Loops(&bad), &Options::default(), &Job::default()).unwrap();
+    let filled = fill_holes(&soup.view(), LoopSelection::Loops(&bad), &Options::default(), &Job::default()).unwrap();
     use HoleStatus::{NotFree, NotSimple};
     assert_eq!(statuses(&filled), [NotSimple, NotSimple, NotFree, NotFree]);
     assert_eq!(filled.mesh.face_count(), soup.faces().count());
@@ -368,7 +369,7 @@ fn loops_that_are_left_say_why() {
     // A vertex that does not exist is an error, not a reason to leave a loop open.
     let missing: [&[u32]; 2] = [&[0, 1, 2], &[0, 1, 1000]];
     let refused =
-        fill_holes(&soup.view(), Selection::Loops(&missing), &Options::default(), &Job::default()).unwrap_err();
+        fill_holes(&soup.view(), LoopSelection::Loops(&missing), &Options::default(), &Job::default()).unwrap_err();
     assert_eq!(refused, Error::LoopIndexOutOfRange { number: 1, place: 2, vertex: 1000 });
 
     // Two faces that disagree; three faces at an edge.
@@ -378,7 +379,7 @@ fn loops_that_are_left_say_why() {
     assert!(statuses(&fill(&book, &Options::default())).iter().all(|&s| s == HoleStatus::NonManifold));
 
     let wrong = Options { limits: Limits { length: Some(f64::NAN), ..Limits::default() }, ..Options::default() };
-    let refused = fill_holes(&soup.view(), Selection::All, &wrong, &Job::default());
+    let refused = fill_holes(&soup.view(), LoopSelection::All, &wrong, &Job::default());
     assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "max_length", .. })));
 }
 

@@ -4,7 +4,7 @@
 use crate::common::{Soup, cap, edge_counts, faces_of, sheet, torus, volume};
 use crate::pieces::{cube, cut};
 use gusset::assemble::{self, Assembly, assemble};
-use gusset::fill::{self, Selection, fill_holes};
+use gusset::fill::{self, LoopSelection, fill_holes};
 use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{Outward, turn_outwards};
 use gusset::stitch::{self, Extent, Request, Rows, Stitch, stitch};
@@ -255,7 +255,7 @@ fn an_open_stitch_is_the_same_bit_for_bit() {
 fn a_filled_mesh_faces_outwards_if_asked_to() {
     let asked = fill::Options { outward: Outward::Closed, ..fill::Options::default() };
     let filled = |soup: &Soup, options: &fill::Options| {
-        fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap()
+        fill_holes(&soup.view(), LoopSelection::All, options, &Job::default()).unwrap()
     };
     for (soup, turned) in [(cap(12, 4, 0.2, 1.0), false), (cap(12, 4, 0.2, 1.0).turned(), true)] {
         let kept = filled(&soup, &fill::Options::default());

@@ -4,8 +4,8 @@
 use crate::common::{Soup, cap, edge_counts, faces_of, sheet, torus};
 use gusset::Job;
 use gusset::fill::{
-    Continuity, Fairing, Filled, Finish, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight,
-    fill_holes,
+    Continuity, Fairing, Filled, Finish, HoleStatus, Keep, Limits, LoopSelection, Options, Refinement, Together,
+    Weight, fill_holes,
 };
 use gusset::repair::orient::Outward;
 use gusset::stitch::Intersections;
@@ -27,7 +27,7 @@ const FAIR: Options = Options {
 };
 
 fn fill(soup: &Soup, options: &Options) -> Filled {
-    fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap()
+    fill_holes(&soup.view(), LoopSelection::All, options, &Job::default()).unwrap()
 }
 
 /// The result as triangles: polygons cut into fans from the corner that `first` says.
@@ -168,7 +168,7 @@ fn cuts_that_cannot_be_avoided_are_reported() {
     let top: Vec<u32> = (0..n).collect();
     let of = |intersections: Intersections| {
         let options = Options { intersections, ..Options::default() };
-        fill_holes(&soup.view(), Selection::Loops(&[&top]), &options, &Job::default()).unwrap()
+        fill_holes(&soup.view(), LoopSelection::Loops(&[&top]), &options, &Job::default()).unwrap()
     };
     let (avoided, reported) = (of(Intersections::Auto), of(Intersections::Report));
     let first = soup.offsets.len() as u32 - 1;

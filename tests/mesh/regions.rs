@@ -4,7 +4,7 @@
 use crate::common::{Soup, data, edge_counts, euler, faces_of, is_exhaustive, some_of};
 use glam::DVec3;
 use gusset::Job;
-use gusset::fill::{Fairing, Filled, Options, Refinement, Selection, Together, fill_holes};
+use gusset::fill::{Fairing, Filled, LoopSelection, Options, Refinement, Together, fill_holes};
 use gusset::mesh::Mesh;
 use gusset_oracles::distances::distances;
 use std::collections::{BTreeMap, HashMap};
@@ -30,7 +30,7 @@ fn closed_meshes() -> Vec<(&'static str, Soup)> {
         let Some(soup) = data::off(&format!("meshes/{name}")) else {
             continue;
         };
-        let filled = fill_holes(&soup.view(), Selection::All, &Options::default(), &Job::default()).unwrap();
+        let filled = fill_holes(&soup.view(), LoopSelection::All, &Options::default(), &Job::default()).unwrap();
         assert_eq!(filled.intersections.as_deref(), Some(&[][..]), "{name}: its own holes by default");
         let whole = soup_of(&filled.mesh);
         if edge_counts(whole.faces()).values().all(|&counts| counts == (1, 1)) && has_single_fans(&whole) {
@@ -179,7 +179,7 @@ fn triangles<'a>(point: impl Fn(u32) -> DVec3, faces: impl Iterator<Item = &'a [
 }
 
 fn fill(region: &Region, options: &Options) -> Filled {
-    fill_holes(&region.rest.view(), Selection::All, options, &Job::default()).unwrap()
+    fill_holes(&region.rest.view(), LoopSelection::All, options, &Job::default()).unwrap()
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::common::{Silent, Soup, cap, edge_counts, euler, faces_of, some_of, volume};
 use gusset::Job;
 use gusset::fill::{
-    Fairing, Filled, Finish, HoleStatus, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
+    Fairing, Filled, Finish, HoleStatus, Limits, LoopSelection, Options, Refinement, Together, Weight, fill_holes,
 };
 use gusset::mesh::NONE;
 use std::f64::consts::{PI, TAU};
@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 const WEIGHTS: [Weight; 4] = [Weight::Continuation, Weight::AreaAndBend, Weight::BendThenArea, Weight::Area];
 
 fn fill(soup: &Soup, options: &Options) -> Filled {
-    fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap()
+    fill_holes(&soup.view(), LoopSelection::All, options, &Job::default()).unwrap()
 }
 
 fn one() -> Options {
@@ -171,7 +171,7 @@ fn loops_by_height(soup: &Soup) -> Vec<Vec<u32>> {
 /// The given loops, each with a number.
 fn grouped(soup: &Soup, loops: &[Vec<u32>], numbers: &[u32], options: &Options) -> Filled {
     let groups: Vec<_> = loops.iter().map(Vec::as_slice).zip(numbers.iter().copied()).collect();
-    fill_holes(&soup.view(), Selection::Groups(&groups), options, &Job::default()).unwrap()
+    fill_holes(&soup.view(), LoopSelection::Groups(&groups), options, &Job::default()).unwrap()
 }
 
 #[test]
@@ -415,7 +415,7 @@ fn the_same_input_gives_the_same_patch() {
     for (soup, together) in some_of(2, shapes.iter().zip(ways)) {
         let of = |threads: usize| {
             let job = Job::new(threads, &Silent);
-            fill_holes(&soup.view(), Selection::All, &fair(together), &job).unwrap()
+            fill_holes(&soup.view(), LoopSelection::All, &fair(together), &job).unwrap()
         };
         let first = of(1);
         assert_eq!(first, of(1));

@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 use gusset::Job;
 use gusset::curve::{Curve, CurveView};
 use gusset::surface::line_intersection::Line;
-use gusset::surface::{Approach, Grid, Nodes, Patches, Scheme, Sheet, Surface};
+use gusset::surface::{Grid, NearestPoints, Nodes, Patches, Scheme, Sheet, Surface};
 use std::time::Instant;
 
 fn surface(sheets: Vec<Sheet<'static>>) -> Surface<'static> {
@@ -76,7 +76,7 @@ fn samples(surface: &Surface<'_>, n: usize) -> Vec<DVec3> {
 
 /// Checks any answer: its points lie on both objects at the reported distance, no sample is nearer
 /// than the bound, and no sample is nearer than the answer by more than the tolerance.
-fn check<T: std::fmt::Debug>(found: &Approach<T>, surface: &Surface<'_>, least: f64, unit: f64, what: &str) {
+fn check<T: std::fmt::Debug>(found: &NearestPoints<T>, surface: &Surface<'_>, least: f64, unit: f64, what: &str) {
     let rounding = 1e-12 * unit;
     assert_eq!(found.point, surface.jet(found.place).point, "{what}");
     assert!((found.point.distance(found.other_point) - found.distance).abs() <= rounding, "{what}: {found:?}");

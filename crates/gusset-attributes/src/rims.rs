@@ -21,7 +21,7 @@ pub(super) struct RimEdgeEnd {
     pub(super) corner: u32,
 }
 
-/// The rim edges of a result, and the bases of its new faces.
+/// Holds the rim edges of a result. Gives for each new face its base, the nearest rim edge.
 pub(super) struct RimEdges {
     /// For each rim edge, the corners of its old face at the start and the end.
     pub(super) edges: Vec<[u32; 2]>,

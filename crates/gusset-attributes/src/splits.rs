@@ -143,7 +143,7 @@ impl<'a> InputsWithSplitVertices<'a> {
             // A corner with several sources is at a new vertex between old ones.
             let &[source] = corners.row(k).0 else { continue };
             let input = starts.partition_point(|&start| start <= source) - 1;
-            let own = map(input, self.0[input].faces().corner_before_merging(source - starts[input]));
+            let own = map(input, self.0[input].faces().corner_vertex_before_merging(source - starts[input]));
             // Vertices that welding merged with others stay merged, and dropped vertices stay
             // dropped.
             if own != NONE && merge[own as usize] == *corner {

@@ -3,7 +3,7 @@
 //!
 //! `src/capi/status.rs` of the root package assigns each variant a status number for C.
 
-pub use crate::error_subject::{Element, PairFault, Side};
+pub use crate::error_subject::{Element, LoopPairFault, Side};
 use std::fmt;
 
 /// Formats a number for a message, with an exponent if it is at least 1e9 or below 1e-4.
@@ -363,7 +363,7 @@ pub enum Error {
         piece: u32,
         /// The vertex that the pair names for this loop.
         vertex: u32,
-        fault: PairFault,
+        fault: LoopPairFault,
     },
     /// An option is outside its range.
     #[error("option {option} is out of range: {}", NumberInMessage(.value))]

@@ -75,7 +75,7 @@ impl fmt::Display for Element {
 
 /// The reason why a pair of loops is unusable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum PairFault {
+pub enum LoopPairFault {
     /// The piece does not exist.
     NoPiece,
     /// The vertex does not exist in the piece.
@@ -92,16 +92,16 @@ pub enum PairFault {
     LoopTaken,
 }
 
-impl PairFault {
+impl LoopPairFault {
     pub(crate) fn describe_fault(self, piece: u32, vertex: u32) -> String {
         match self {
-            PairFault::NoPiece => format!("piece {piece} does not exist"),
-            PairFault::NoVertex => format!("vertex {vertex} of piece {piece} does not exist"),
-            PairFault::VertexMissing => format!("it names piece {piece} but none of its vertices"),
-            PairFault::NoLoop => format!("no loop that can be joined passes vertex {vertex} of piece {piece}"),
-            PairFault::SeveralLoops => format!("several loops pass vertex {vertex} of piece {piece}"),
-            PairFault::SameLoop => format!("vertex {vertex} of piece {piece} is on the pair's other loop"),
-            PairFault::LoopTaken => {
+            LoopPairFault::NoPiece => format!("piece {piece} does not exist"),
+            LoopPairFault::NoVertex => format!("vertex {vertex} of piece {piece} does not exist"),
+            LoopPairFault::VertexMissing => format!("it names piece {piece} but none of its vertices"),
+            LoopPairFault::NoLoop => format!("no loop that can be joined passes vertex {vertex} of piece {piece}"),
+            LoopPairFault::SeveralLoops => format!("several loops pass vertex {vertex} of piece {piece}"),
+            LoopPairFault::SameLoop => format!("vertex {vertex} of piece {piece} is on the pair's other loop"),
+            LoopPairFault::LoopTaken => {
                 format!("the loop through vertex {vertex} of piece {piece} is in a previous pair")
             }
         }

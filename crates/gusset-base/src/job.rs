@@ -83,7 +83,7 @@ impl<'a> Job<'a> {
     pub fn report(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Work without elements reports 0 / 0.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
-        check_not_cancelled(self.progress.step(self.from + (self.to - self.from) * fraction, stage))
+        error_if_cancelled(self.progress.step(self.from + (self.to - self.from) * fraction, stage))
     }
 
     /// Reports that the computation is complete. Call it after the last step, before modifying the
@@ -94,7 +94,7 @@ impl<'a> Job<'a> {
     /// As [`Job::step`].
     pub fn finish(&self) -> Result<()> {
         self.check_memory()?;
-        check_not_cancelled(self.progress.finish())
+        error_if_cancelled(self.progress.finish())
     }
 
     /// Returns [`Error::OutOfMemory`] if any thread has taken memory from the reserve since the job
@@ -148,8 +148,8 @@ impl<'a> Job<'a> {
     }
 }
 
-fn check_not_cancelled(given: ControlFlow<()>) -> Result<()> {
-    match given {
+fn error_if_cancelled(answer: ControlFlow<()>) -> Result<()> {
+    match answer {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Error::Cancelled),
     }

@@ -1,7 +1,7 @@
 //! The functions of the table.
 
-use crate::byte_sink::ByteSink;
 use crate::folder::{Folder, given_bytes};
+use crate::memory_file::MemoryFile;
 use crate::table::descriptor::*;
 use crate::table::outcome::gusset_file;
 use gusset_io::packed::{Packed, pack, unpack};
@@ -147,9 +147,9 @@ fn written(name: &str, document: &Document, folder: &Folder, flags: u32) -> Resu
         lossy: flags & GUSSET_FILES_LOSSY != 0,
         ..WriteOptions::default()
     };
-    let (mut main, mut beside) = (ByteSink::default(), Parts::new());
+    let (mut main, mut beside) = (MemoryFile::default(), Parts::new());
     let mut add = |name: &str, bytes: &[u8]| {
-        let mut file = ByteSink::default();
+        let mut file = MemoryFile::default();
         file.write_all(bytes)?;
         beside.push((CString::new(name).unwrap_or_default(), file.bytes));
         Ok(())

@@ -9,7 +9,8 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 use gusset_stitch::fill::{
-    Continuity, Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
+    Continuity, Fairing, Filled, HoleStatus, Keep, Limits, LoopSelection, Options, Refinement, Together, Weight,
+    fill_holes,
 };
 
 params! {
@@ -26,7 +27,7 @@ params! {
     ).none_unless_positive();
     max_length: Option<f64> =
         Param::length("Greatest length", "Longer loops stay open; 0 sets no limit.", NON_NEGATIVE_RANGE, &[0.0]).none_unless_positive();
-    keep: Keep = KEEP;
+    keep: Keep = KEEP_OPEN;
     together: Together = Param::choice("Patches", "The loops that share a patch.", Together::CHOICES);
     max_diameter: Option<f64> = Param::length(
         "Greatest diameter",
@@ -67,7 +68,8 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 /// The loops that stay open.
-pub(super) const KEEP: TypedParam<Keep> = Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
+pub(super) const KEEP_OPEN: TypedParam<Keep> =
+    Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
 
 /// Turns closed components of a result outwards.
 pub(super) const OUTWARD: TypedParam<bool> = Param::flag(
@@ -112,7 +114,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         outward: if values.outward { Outward::Closed } else { Outward::Keep },
     };
     let old = inputs[0].mesh()?;
-    let mut done = fill_holes(old, Selection::All, &options, job)?;
+    let mut done = fill_holes(old, LoopSelection::All, &options, job)?;
     done.keep_splits(&[old], &job.part(1.0, 1.0))?;
     let report = report(old, &done, options.plan_only);
     let origins = values.trace_origins(|| Origins::from_filled(&done, &job.part(1.0, 1.0)))?;

@@ -136,7 +136,7 @@ impl Filter {
         inputs.iter().enumerate().try_for_each(|(place, input)| self.check_input_kind(place, input.kind()))
     }
 
-    /// Checks the number of inputs.
+    /// Checks that the filter takes this number of inputs: `min_inputs` to `max_inputs`.
     ///
     /// # Errors
     /// [`Error::InputCount`].

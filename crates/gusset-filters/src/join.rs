@@ -1,6 +1,6 @@
 use super::align::explain_untrusted_pose;
 use super::data::{Input, Output};
-use super::fill::{KEEP, OUTWARD};
+use super::fill::{KEEP_OPEN, OUTWARD};
 use super::filter::{Filter, FilterBody};
 use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, Value, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
@@ -53,7 +53,7 @@ params! {
         "Align first",
         "First moves overlapping pieces to where they fit, as the filter align does from where they lie.",
     );
-    keep: fill::Keep = KEEP.with_help("The remaining loops that are not holes, if holes are filled.");
+    keep: fill::Keep = KEEP_OPEN.with_help("The remaining loops that are not holes, if holes are filled.");
 }
 
 choices! {

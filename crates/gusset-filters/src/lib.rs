@@ -27,7 +27,7 @@ mod deform;
 mod develop;
 mod displace;
 mod extent;
-mod facing_arcs;
+mod facing_arcs_of_loops;
 mod fill;
 pub mod filter;
 mod join;
@@ -85,7 +85,7 @@ pub static FILTERS: &[Filter] = &[
     smooth_silhouette::FILTER,
     smooth_distance::FILTER,
     check::FILTER,
-    facing_arcs::FILTER,
+    facing_arcs_of_loops::FACING_ARCS_OF_LOOPS,
     strip::FILTER,
     net_resample::FILTER,
     net_decimate::FILTER,

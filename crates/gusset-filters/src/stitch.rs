@@ -1,5 +1,5 @@
 use super::data::{Input, Output};
-use super::facing_arcs::{FACING_ARC, FACING_TOLERANCE};
+use super::facing_arcs_of_loops::{FACING_ARC, FACING_TOLERANCE};
 use super::fill::{OUTWARD, intersections_line, turned_outwards_line};
 use super::filter::{Filter, FilterBody};
 use super::report::{BOUNDARY_LOOP, FACE, Report, Value, count_with_noun, format_short};

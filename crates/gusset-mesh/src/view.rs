@@ -130,7 +130,7 @@ impl<'a> Faces<'a> {
 
     /// Returns the vertex at corner `h` before merging.
     #[inline]
-    pub fn corner_before_merging(&self, h: u32) -> u32 {
+    pub fn corner_vertex_before_merging(&self, h: u32) -> u32 {
         self.split.map_or(self.corners, |split| split.corners).get(h as usize)
     }
 

@@ -154,7 +154,8 @@ fn compare_unsigned(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job
     Ok(DeformationAnalysis { links, cells, determinants: Vec::new(), contracted, torn, folded: Vec::new() })
 }
 
-/// Writes the ratios of the links of row i; returns those newly contracted and those torn.
+/// Writes for each link of row i its new length divided by its old one. Returns two lists: the
+/// links newly contracted, and the glued links that are torn.
 fn measure_row_of_links<A: Real, B: Real>(
     (old, new): (&XyzMatrices<'_, A>, &XyzMatrices<'_, B>),
     i: usize,

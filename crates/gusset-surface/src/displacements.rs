@@ -13,11 +13,11 @@
 //! - The second term is linear in v. At the two columns of the cell, it is the difference between
 //!   cubic and chord across the rows.
 //!
-//! O(nodes), by the vector instructions of `sweep`.
+//! O(nodes), by the vector instructions of `weighted_sum_ranges`.
 
 use super::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
 use super::nodes::Nodes;
-use super::sweep::WeightedSumSweep;
+use super::weighted_sum_ranges::WeightedSumSweep;
 use super::widen_kernel::SumWeights;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -48,7 +48,7 @@ pub(super) fn compute_displacement_boxes(
     let mut along = alloc::filled(Aabb::EMPTY, boxes.len())?;
     sweep.sweep_rows(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
     sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
-        let across = ranges.bounding_box(columns.start..columns.end + 1);
+        let across = ranges.box_of_cells_or_columns(columns.start..columns.end + 1);
         boxes[k] = box_of_weighted_sums(three_quarter_box(along[k]), u.lebesgue_constant())
             .minkowski_sum(three_quarter_box(across));
     })

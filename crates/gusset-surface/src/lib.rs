@@ -16,7 +16,7 @@
 //! | intersections with lines, rays and curves | [`line_intersection`] | c |
 //! | plane sections, contours of functions | [`contour`] | d |
 //! | intersections of two surfaces; self-intersections | [`surface_intersection`] | e |
-//! | nearest points of a surface and a disjoint line, curve or surface | [`Approach`] | c, e |
+//! | nearest points of a surface and a disjoint line, curve or surface | [`NearestPoints`] | c, e |
 //! | curves on a surface | [`Paths`] | |
 //! | meshes of sheets | [`SurfaceMesh`] | |
 //! | the paper's own search, for comparison | [`mod@reference`] | |
@@ -51,13 +51,13 @@ pub mod reference;
 mod sheet;
 mod subdivision;
 pub mod surface_intersection;
-mod sweep;
 mod tangents;
+mod weighted_sum_ranges;
 mod widen_kernel;
 
 pub use axis::Scheme;
 pub use curve::curve_through;
-pub use distance::Approach;
+pub use distance::NearestPoints;
 pub use evaluate::{Curvatures, LocalGeometry};
 pub use grid::Grid;
 pub use index::NormalCone;

@@ -128,7 +128,7 @@ impl Sheet<'_> {
         Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
         Error::require(!options.least.contains(&0), "parts", 0.0)?;
         let lattice = MeshLattice::new(self, options, &job.part(0.0, 0.3))?;
-        lattice.build_mesh(options.triangles, &job.part(0.3, 1.0))
+        lattice.mesh_on_lines(options.triangles, &job.part(0.3, 1.0))
     }
 
     fn second_derivative_bounds(&self, i: usize, j: usize) -> SecondDerivativeBounds {
@@ -226,7 +226,7 @@ impl<'a> MeshLattice<'a> {
         }
     }
 
-    fn build_mesh(&self, triangles: bool, job: &Job<'_>) -> Result<SurfaceMesh> {
+    fn mesh_on_lines(&self, triangles: bool, job: &Job<'_>) -> Result<SurfaceMesh> {
         let [height, width] = [0, 1].map(|k| self.lines[k].len());
         let mut vertices = alloc::filled(u32::MAX, height * width)?;
         let (mut positions, mut places, mut normals) = (Vec::new(), Vec::new(), Vec::new());

@@ -178,7 +178,7 @@ impl Sheet<'_> {
         here
     }
 
-    /// Increases the spread by the normals at other places of a cell.
+    /// Raises the spread of `here` to its largest angle with the normals at `places` of a cell.
     fn widen_spread(&self, here: &mut Normal, [i, j]: [usize; 2], places: [[f64; 2]; 3]) {
         for [u, v] in places {
             let other = self.normal(i, j, u, v);

@@ -11,7 +11,7 @@
 use super::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
 use super::displacements::box_of_weighted_sums;
 use super::nodes::Nodes;
-use super::sweep::WeightedSumSweep;
+use super::weighted_sum_ranges::WeightedSumSweep;
 use super::widen_kernel::SumWeights;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -62,8 +62,8 @@ pub(super) fn compute_tangent_boxes(
     sweep.sweep_rows(block_rows.clone(), |k, found, own| along[k].add_box(found, own))?;
     sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
         let mut across = ControlVectorBoxes::EMPTY;
-        across.add_box(ranges.bounding_box(columns.start..columns.end + 1), true);
-        v.lines_of_cells(columns).for_each(|j| across.add_box(ranges.bounding_box(j..j + 1), false));
+        across.add_box(ranges.box_of_cells_or_columns(columns.start..columns.end + 1), true);
+        v.lines_of_cells(columns).for_each(|j| across.add_box(ranges.box_of_cells_or_columns(j..j + 1), false));
         boxes[k] = [across.box_of_sums(v), along[k].box_of_sums(u)];
     })
 }

@@ -6,7 +6,7 @@ use crate::agree::agreed;
 use crate::input::{self, Soup};
 use bytemuck::cast_slice;
 use gusset::attributes::{Channel, Domain, KeepSplits, Origins, Output, Rule, ValueType, apply};
-use gusset::fill::{self, Selection, fill_holes};
+use gusset::fill::{self, LoopSelection, fill_holes};
 use gusset::mesh::merge::merge_map;
 use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{self, Outward, orient};
@@ -70,7 +70,7 @@ fn carried(mesh: &MeshView<'_>, way: u8, choice: u8) {
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
             }
             _ => {
-                let mut done = fill_holes(mesh, Selection::All, &fill::Options::default(), &work)?;
+                let mut done = fill_holes(mesh, LoopSelection::All, &fill::Options::default(), &work)?;
                 done.keep_splits(&[mesh], &rest.part(0.0, 0.3))?;
                 let origins = Origins::from_filled(&done, &rest.part(0.3, 0.6))?;
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
@@ -90,7 +90,7 @@ fn carried(mesh: &MeshView<'_>, way: u8, choice: u8) {
         let (sources, row) = (corners.row(c).0, vertices.row(v as usize).0);
         let is_old = made.face_offsets.partition_point(|&end| end as usize <= c) <= mesh.faces().len();
         if let (&[source], true) = (sources, is_old && way % 4 != 1) {
-            let vertex = mesh.faces().corner_before_merging(source);
+            let vertex = mesh.faces().corner_vertex_before_merging(source);
             assert!(
                 row.contains(&vertex),
                 "corner {c}: of vertex {vertex}, at one of {row:?}, way {way} {}",

@@ -4,7 +4,7 @@
 use crate::input;
 use crate::input::Soup;
 use gusset::Job;
-use gusset::fill::{Continuity, Fairing, Keep, Options, Refinement, Selection, Weight, fill_holes};
+use gusset::fill::{Continuity, Fairing, Keep, LoopSelection, Options, Refinement, Weight, fill_holes};
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {
@@ -20,7 +20,7 @@ pub(crate) fn run(bytes: &[u8]) {
             keep: if borders { Keep::OuterBorders } else { Keep::None },
             ..Options::default()
         };
-        if let Ok(filled) = fill_holes(mesh, Selection::All, &options, &Job::default()) {
+        if let Ok(filled) = fill_holes(mesh, LoopSelection::All, &options, &Job::default()) {
             assert!(filled.mesh.face_count() >= mesh.faces().len());
             input::expect_valid(&filled.mesh, |_| {});
         }

@@ -73,9 +73,13 @@ pub struct gusset_outline(pub(crate) Fit);
 handle! { gusset_outline }
 
 impl gusset_outline {
-    /// Returns the curve of outline `index`.
-    pub(crate) fn curve_of_outline(&self, index: usize) -> Result<CurveView<'_>, Failure> {
-        if index < self.0.len() { Ok(self.0.curve(index)) } else { Err(Failure::no_such_element("outline", index)) }
+    /// Returns the curve of an outline.
+    pub(crate) fn curve_through_outline(&self, outline: usize) -> Result<CurveView<'_>, Failure> {
+        if outline < self.0.len() {
+            Ok(self.0.curve(outline))
+        } else {
+            Err(Failure::no_such_element("outline", outline))
+        }
     }
 }
 
@@ -294,7 +298,9 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |job| {
-        Ok(gusset_curve(handle::get_object(outline, "outline")?.curve_of_outline(index)?.to_owned_cancellable(job)?))
+        Ok(gusset_curve(
+            handle::get_object(outline, "outline")?.curve_through_outline(index)?.to_owned_cancellable(job)?,
+        ))
     })
 }
 

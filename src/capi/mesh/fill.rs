@@ -15,7 +15,7 @@ use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status::GUSSET_ERROR_NULL_ARGUMENT;
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
-use crate::fill::{Continuity, Fairing, Keep, Limits, Options, Refinement, Selection, Together, fill_holes};
+use crate::fill::{Continuity, Fairing, Keep, Limits, LoopSelection, Options, Refinement, Together, fill_holes};
 use crate::mesh::MAX_ELEMENTS;
 use crate::repair::orient::Outward;
 use gusset_base::alloc;
@@ -228,9 +228,9 @@ pub unsafe extern "C" fn gusset_fill(
             _ => Vec::new(),
         };
         let selection = match (&slices, &numbers) {
-            (None, _) => Selection::All,
-            (Some(loops), None) => Selection::Loops(loops),
-            (Some(_), Some(_)) => Selection::Groups(&groups),
+            (None, _) => LoopSelection::All,
+            (Some(loops), None) => LoopSelection::Loops(loops),
+            (Some(_), Some(_)) => LoopSelection::Groups(&groups),
         };
         let mut filled = fill_holes(&mesh, selection, &options, &job.part(0.1, 0.95))?;
         filled.keep_splits(&[&mesh], &job.part(0.95, 1.0))?;

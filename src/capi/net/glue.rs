@@ -29,7 +29,7 @@ pub const GUSSET_GLUING_SEAM: gusset_gluing_kind = 4;
 /// at cell element.
 pub const GUSSET_GLUING_TYPE: gusset_gluing_kind = 5;
 
-/// Nodes to glue or to unglue.
+/// Names one place to glue or to unglue: a link, a node, a cell or a seam.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_gluing {

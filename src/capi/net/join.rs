@@ -98,7 +98,8 @@ pub struct gusset_bridge {
     pub kind: gusset_bridge_kind,
     /// Treatment of the cells of a bridge.
     pub mode: gusset_bridge_mode,
-    /// Inner rows (DOWN) or columns, before at. The first net ends at at - rows - 1.
+    /// Counts the rows (DOWN) or columns (RIGHT) between the two nets. The last of these is at - 1,
+    /// and the first net ends at at - rows - 1.
     pub rows: u32,
     /// 0.
     pub reserved: u32,

@@ -8,7 +8,7 @@ use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::line_intersection::{gusset_line, read_lines};
 use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
-use crate::surface::Approach;
+use crate::surface::NearestPoints;
 use glam::DVec3;
 
 /// Kind of a target.
@@ -88,7 +88,7 @@ versioned! { gusset_target: 144 reserved, gusset_distance_report: 192 }
 
 impl gusset_distance_report {
     /// Omits the place on the target.
-    fn new<T>(found: &Approach<T>) -> Self {
+    fn new<T>(found: &NearestPoints<T>) -> Self {
         let flag = |on: bool, flag: u32| if on { flag } else { 0 };
         gusset_distance_report {
             struct_size: 0,

@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::assemble::{self, assemble};
 use gusset::attributes::{Domain, Origins, Rule};
-use gusset::fill::{self, Selection, fill_holes};
+use gusset::fill::{self, LoopSelection, fill_holes};
 use gusset::repair::orient::{self, orient};
 use gusset::repair::sew::sew;
 use gusset::repair::weld::{self, weld};
@@ -32,7 +32,7 @@ pub(super) fn stitched(name: &'static str, a: &Soup, b: Option<&Soup>, options: 
 }
 
 fn filled(name: &'static str, soup: &Soup, options: &fill::Options) -> Case {
-    let done = fill_holes(&soup.view(), Selection::All, options, &job()).unwrap();
+    let done = fill_holes(&soup.view(), LoopSelection::All, options, &job()).unwrap();
     let origins = Origins::from_filled(&done, &job()).unwrap();
     Case { name, pieces: vec![soup.clone()], mesh: done.mesh, origins }
 }

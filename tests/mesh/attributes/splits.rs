@@ -6,7 +6,7 @@ use gusset::Error;
 use gusset::assemble::{self, assemble};
 use gusset::attributes::{Domain, KeepSplits, Origins, Rule};
 use gusset::boundary::{self, boundary_loops};
-use gusset::fill::{self, Selection, fill_holes};
+use gusset::fill::{self, LoopSelection, fill_holes};
 use gusset::mesh::merge::merge_map;
 use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{self, orient};
@@ -155,7 +155,7 @@ fn real_meshes_are_what_they_were_before() {
         assert_same_loops(&split);
         let view = split.view();
         let plain = fill::Options { refinement: fill::Refinement::None, ..fill::Options::default() };
-        let mut made = fill_holes(&view, Selection::All, &plain, &job()).unwrap();
+        let mut made = fill_holes(&view, LoopSelection::All, &plain, &job()).unwrap();
         made.keep_splits(&[&view], &job()).unwrap();
         if made.turned_outwards.is_empty() {
             assert_kept(&split, &made.mesh, &Origins::from_filled(&made, &job()).unwrap(), None);
@@ -170,8 +170,8 @@ fn loops_and_results_are_those_of_the_mesh_before() {
         assert_same_loops(&split);
         let (view, whole) = (split.view(), split.whole.view());
         let options = fill::Options { refinement: fill::Refinement::RimDensity(500), ..fill::Options::default() };
-        let expected = fill_holes(&whole, Selection::All, &options, &job()).unwrap();
-        let mut made = fill_holes(&view, Selection::All, &options, &job()).unwrap();
+        let expected = fill_holes(&whole, LoopSelection::All, &options, &job()).unwrap();
+        let mut made = fill_holes(&view, LoopSelection::All, &options, &job()).unwrap();
         made.keep_splits(&[&view], &job()).unwrap();
         assert_kept(&split, &made.mesh, &Origins::from_filled(&made, &job()).unwrap(), Some(&expected.mesh));
 

@@ -4,7 +4,7 @@ use super::carried;
 use super::fields::{job, stitched};
 use crate::common::{Soup, cap, sheet};
 use gusset::attributes::{Domain, Origins, Rule};
-use gusset::fill::{self, Selection, fill_holes};
+use gusset::fill::{self, LoopSelection, fill_holes};
 use gusset::stitch::{Cells, Extent, Options, Rows};
 use std::f64::consts::TAU;
 
@@ -164,7 +164,7 @@ fn patches_go_on_with_the_charts_round_them() {
     let keep = fill::Keep::OuterBorders;
     for refinement in [fill::Refinement::None, fill::Refinement::RimDensity(10_000)] {
         let options = fill::Options { refinement, keep, ..fill::Options::default() };
-        let done = fill_holes(&soup.view(), Selection::All, &options, &job()).unwrap();
+        let done = fill_holes(&soup.view(), LoopSelection::All, &options, &job()).unwrap();
         let origins = Origins::from_filled(&done, &job()).unwrap();
         let exact = |found: &[f64], f: usize, map: fn([f64; 3]) -> [f64; 2]| {
             let range = done.mesh.face_offsets[f] as usize..done.mesh.face_offsets[f + 1] as usize;

@@ -3,7 +3,7 @@
 use crate::common::{Soup, edge_counts, euler, faces_of};
 use glam::{DMat3, DVec3};
 use gusset::Job;
-use gusset::fill::{Fairing, Filled, HoleStatus, Options, Refinement, Selection, fill_holes};
+use gusset::fill::{Fairing, Filled, HoleStatus, LoopSelection, Options, Refinement, fill_holes};
 use gusset_oracles::distances::{farthest, nearest_on_any, nearest_on_segment, samples};
 use std::collections::BTreeMap;
 
@@ -117,7 +117,7 @@ impl Case {
     /// The same; `None` if the removed part is not a disc.
     pub(super) fn filled_if_disc(&self, options: &Options) -> Option<(Filled, Errors)> {
         let soup = self.open();
-        let filled = fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap();
+        let filled = fill_holes(&soup.view(), LoopSelection::All, options, &Job::default()).unwrap();
         if filled.holes.len() != 1 || euler(faces_of(&filled.mesh)) != 2 {
             return None;
         }

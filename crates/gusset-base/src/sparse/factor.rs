@@ -17,7 +17,7 @@ use crate::sort::Buckets;
 /// Multiplications between two progress reports, which take a few milliseconds.
 const MULTIPLICATIONS_PER_REPORT: f64 = 16e6;
 /// The cost of moving an entry, in multiplications.
-const MULTIPLICATIONS_PER_MOVE: usize = 8;
+const MOVE_COST_IN_MULTIPLICATIONS: usize = 8;
 
 /// The factor: for each supernode its columns of L below the diagonal, in blocks of rows.
 pub struct CholeskyFactor {
@@ -101,7 +101,7 @@ impl FactorCosts {
             // All entries are set, the columns' entries are copied out, and the rest is pushed to
             // the stack and popped.
             let moved = size * size + rest * rest / 2.0;
-            costs.work += (size * size * size - rest * rest * rest) / 6.0 + MULTIPLICATIONS_PER_MOVE as f64 * moved;
+            costs.work += (size * size * size - rest * rest * rest) / 6.0 + MOVE_COST_IN_MULTIPLICATIONS as f64 * moved;
             height -= supernodes
                 .children(s)
                 .map(|child| triangle_entry_count(supernodes.rows_below(child).len()))
@@ -134,7 +134,7 @@ impl FactorProgress<'_> {
 
     #[inline]
     fn count_moves(&mut self, entries: usize) -> Result<()> {
-        self.count_multiplications(MULTIPLICATIONS_PER_MOVE * entries)
+        self.count_multiplications(MOVE_COST_IN_MULTIPLICATIONS * entries)
     }
 }
 
@@ -191,6 +191,6 @@ impl SupernodeElimination<'_> {
             factor.entries.extend(self.front.block_columns(b)[..columns].iter().enumerate().map(below_diagonal));
             work.count_moves(ROWS_PER_BLOCK * columns)?;
         }
-        self.front.append_remaining_triangle(width, &mut self.updates, |count| work.count_moves(count))
+        self.front.append_lower_triangle_from_row(width, &mut self.updates, |count| work.count_moves(count))
     }
 }

@@ -85,7 +85,7 @@ impl FrontalMatrix {
 
     /// Appends the lower triangle of the rows from `first` on, row by row, to `triangle`. Calls
     /// `spend` with the number of entries appended.
-    pub(super) fn append_remaining_triangle(
+    pub(super) fn append_lower_triangle_from_row(
         &self,
         first: usize,
         triangle: &mut Vec<f64>,

@@ -136,7 +136,7 @@ fn indices_of_outstanding_turns(turns: &[(u32, f64)], closed: bool) -> Result<Ve
 }
 
 /// Returns the constraints of the sections, with their corners added.
-pub(super) fn add_corner_constraints(sections: &Outlines<'_>, corners: &[Vec<u32>]) -> Result<Vec<Constraint>> {
+pub(super) fn point_constraints_with_corners(sections: &Outlines<'_>, corners: &[Vec<u32>]) -> Result<Vec<Constraint>> {
     let mut all = alloc::copied(sections.constraints)?;
     for (k, own) in corners.iter().enumerate() {
         let first = sections.point_range(k).start as u32;

@@ -12,7 +12,7 @@ use super::axis::axis_frames;
 use super::frame_options::{Correspondence, FrameOptions};
 use super::section_alignment::{AnchoredSection, farthest_from_mean, section_start_fractions};
 use super::section_corners::{
-    add_corner_constraints, apportion_parts, find_corners_of_sections, match_corners, nodes_with_sharp_turn,
+    apportion_parts, find_corners_of_sections, match_corners, nodes_with_sharp_turn, point_constraints_with_corners,
 };
 use crate::identify::{Fit, Options, Outlines, fit};
 use crate::ops::Lengths;
@@ -44,7 +44,7 @@ pub(super) fn compute_section_nodes(
 ) -> Result<SectionNodes> {
     let rows = sections.check_offsets_and_constraints()?;
     let corners = find_corners_of_sections(sections, rows, options)?;
-    let constraints = add_corner_constraints(sections, &corners)?;
+    let constraints = point_constraints_with_corners(sections, &corners)?;
     // The given points already include the corners.
     let across = Options { corner_angle: PI, ..options.across };
     let curves = fit(&Outlines { constraints: &constraints, ..*sections }, &across, &job.part(0.0, 0.5))?;

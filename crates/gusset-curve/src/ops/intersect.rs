@@ -107,7 +107,10 @@ impl CurveView<'_> {
         let pieces = self.simple_pieces(&frame, MAX_SEGMENT_HALVINGS)?;
         let last = pieces.len().saturating_sub(1);
         let joined = |k: usize, i: usize| {
-            (i > k).then_some(SharedJoints { after: i == k + 1, before: self.is_closed() && k == 0 && i == last })
+            (i > k).then_some(SharedJoints {
+                at_first_end: i == k + 1,
+                at_first_start: self.is_closed() && k == 0 && i == last,
+            })
         };
         let mut all = Intersections::from_pieces(&pieces, &pieces, joined, job)?;
         let period = self.period_in_segments();

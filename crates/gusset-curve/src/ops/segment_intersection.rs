@@ -57,10 +57,11 @@ const MAX_PART_PAIRS_AFTER_GIVING_UP: usize = 300;
 /// The joints between two segments, which do not count as intersections.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct SharedJoints {
-    /// The first segment ends where the second begins.
-    pub(super) after: bool,
-    /// The first segment begins where the second ends.
-    pub(super) before: bool,
+    /// Tells whether the first segment ends where the second begins.
+    pub(super) at_first_end: bool,
+    /// Tells whether the first segment begins where the second ends. Both fields may be true, or
+    /// neither.
+    pub(super) at_first_start: bool,
 }
 
 /// The intersections of two segments, as parameters.
@@ -102,8 +103,8 @@ pub(super) fn intersect_segments(
     found.given_up += u32::from(found.undecided);
     let overlaps = &found.overlaps;
     found.at.retain(|&[s, t]| {
-        let at_joint = (joined.after && s > 1.0 - MAX_SAME_PARAMETER_GAP && t < MAX_SAME_PARAMETER_GAP)
-            || (joined.before && s < MAX_SAME_PARAMETER_GAP && t > 1.0 - MAX_SAME_PARAMETER_GAP);
+        let at_joint = (joined.at_first_end && s > 1.0 - MAX_SAME_PARAMETER_GAP && t < MAX_SAME_PARAMETER_GAP)
+            || (joined.at_first_start && s < MAX_SAME_PARAMETER_GAP && t > 1.0 - MAX_SAME_PARAMETER_GAP);
         let in_overlap =
             |o: &[[f64; 2]; 2]| is_parameter_range_inside(o[0], s, s) && is_parameter_range_inside(o[1], t, t);
         !at_joint && !overlaps.iter().any(in_overlap)
@@ -134,8 +135,8 @@ impl Subdivision<[SegmentPart; 2], 2> for CrossingPairSearch<'_> {
         if are_hulls_separated(&p.controls, &q.controls) || self.found.has_overlap_covering(p, q) {
             return Ok(BoxTest::Empty);
         }
-        let SharedJoints { after, before } = self.joined;
-        let joint = (after && p.to == 1.0 && q.from == 0.0) || (before && p.from == 0.0 && q.to == 1.0);
+        let SharedJoints { at_first_end, at_first_start } = self.joined;
+        let joint = (at_first_end && p.to == 1.0 && q.from == 0.0) || (at_first_start && p.from == 0.0 && q.to == 1.0);
         let once = can_cross_only_once(&p.controls, &q.controls);
         if joint && (once || has_common_direction(&p.controls, &q.controls)) {
             return Ok(BoxTest::Empty);

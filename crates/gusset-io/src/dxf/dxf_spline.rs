@@ -7,7 +7,7 @@ use crate::text::number;
 
 const MAX_DEGREE: usize = 15;
 /// Most segments between two knots.
-const MAX_SEGMENTS: f64 = 1024.0;
+const MAX_SEGMENTS_PER_SPAN: f64 = 1024.0;
 /// Segments between two knots of a rational spline, as a multiple of those without weights.
 const RATIONAL_SEGMENT_FACTOR: f64 = 2.0;
 
@@ -152,6 +152,6 @@ impl Spline {
             length * (bend / (8.0 * tolerance)).sqrt() * if self.is_rational { RATIONAL_SEGMENT_FACTOR } else { 1.0 };
         // Without a tolerance, only the extent matters.
         let least = if tolerance.is_finite() { 1.0 } else { degree as f64 };
-        if count.is_nan() { 1 } else { count.ceil().clamp(least, MAX_SEGMENTS) as usize }
+        if count.is_nan() { 1 } else { count.ceil().clamp(least, MAX_SEGMENTS_PER_SPAN) as usize }
     }
 }

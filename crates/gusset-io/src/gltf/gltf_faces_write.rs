@@ -33,12 +33,12 @@ impl Triangles {
                 self.last_first = Some(corner(0));
                 Ok(())
             }
-            None => self.push_listed(mesh, face, corners),
+            None => self.push_and_list_polygon(mesh, face, corners),
         }
     }
 
     /// Appends a polygon that no fan covers.
-    fn push_listed(&mut self, mesh: &Mesh, face: usize, corners: &[u32]) -> Result<(), TryReserveError> {
+    fn push_and_list_polygon(&mut self, mesh: &Mesh, face: usize, corners: &[u32]) -> Result<(), TryReserveError> {
         let mut triangles = std::mem::take(&mut self.triangles);
         triangulate_face(mesh, face, &mut triangles);
         if triangles.is_empty() {

@@ -107,7 +107,7 @@ impl<'d> MaterialWriter<'d> {
             let index = |value: Value<'_>| value.whole().unwrap_or(u64::MAX);
             if is_texture(key) && value.get("index").is_some() {
                 let own = value.get("index").map_or(u64::MAX, index);
-                let texture = self.shown_texture(material, value, own, textures, binary);
+                let texture = self.texture_index_in_file(material, value, own, textures, binary);
                 match texture {
                     Ok(NO_TEXTURE) => return Edit::Drop,
                     Ok(texture) => _ = written.insert(own, texture),
@@ -136,7 +136,7 @@ impl<'d> MaterialWriter<'d> {
     }
 
     /// Returns the file's index of a texture that a material shows; `NO_TEXTURE` if the file does not get it.
-    fn shown_texture(
+    fn texture_index_in_file(
         &mut self,
         material: &Material,
         info: Value<'_>,

@@ -1,8 +1,8 @@
 //! The content of a whole file, from chunks that threads read.
 
 use super::obj_chunk::{
-    ABSENT, Chunk, Element, Flaw, Lists, MAX_CHUNK_BYTES, MAX_ELEMENTS, Names, OMISSION_COUNT, ObjectStart, Tally,
-    decoded, push_object,
+    ABSENT, Chunk, ChunkReadFailure, Element, Lists, MAX_CHUNK_BYTES, MAX_ELEMENTS, Names, OMISSION_COUNT, ObjectStart,
+    Tally, decoded, push_object,
 };
 use super::obj_cursor::{Cursor, Keyword, is_blank};
 use crate::error::{Place, ReadError, ReadErrorKind, quoted};
@@ -131,8 +131,8 @@ fn parse_chunks<'a>(ranges: &[&'a [u8]]) -> Result<Vec<Chunk<'a>>, ReadError> {
 }
 
 /// Makes an error of a flaw in the chunk that follows these.
-fn error_behind(flaw: Flaw, chunks: &[Chunk<'_>]) -> ReadError {
-    let Flaw::Malformed { line, element, index, text } = flaw else { return ReadError::out_of_memory() };
+fn error_behind(flaw: ChunkReadFailure, chunks: &[Chunk<'_>]) -> ReadError {
+    let ChunkReadFailure::Malformed { line, element, index, text } = flaw else { return ReadError::out_of_memory() };
     let count = |chunk: &Chunk<'_>| match element {
         Element::Vertex => chunk.positions.len(),
         Element::Normal => chunk.normals.len(),

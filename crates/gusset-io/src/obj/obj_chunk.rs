@@ -43,9 +43,9 @@ impl Element {
     }
 }
 
-/// Why a chunk was not read.
+/// Says why a chunk of the file was not read: memory ran out, or an element is malformed.
 #[derive(Debug)]
-pub(super) enum Flaw {
+pub(super) enum ChunkReadFailure {
     OutOfMemory,
     /// Line and element count from the chunk's start.
     Malformed {
@@ -56,7 +56,7 @@ pub(super) enum Flaw {
     },
 }
 
-impl From<TryReserveError> for Flaw {
+impl From<TryReserveError> for ChunkReadFailure {
     fn from(_: TryReserveError) -> Self {
         Self::OutOfMemory
     }
@@ -207,7 +207,7 @@ pub(super) fn decoded(index: u32, start: usize, count: usize) -> Option<u32> {
 
 impl<'a> Chunk<'a> {
     /// Reads all statements of whole lines.
-    pub(super) fn parse(bytes: &'a [u8]) -> Result<Self, Flaw> {
+    pub(super) fn parse(bytes: &'a [u8]) -> Result<Self, ChunkReadFailure> {
         let mut chunk = Self::default();
         let mut cursor = Cursor::new(bytes);
         while let Some(keyword) = cursor.keyword() {
@@ -235,7 +235,7 @@ impl<'a> Chunk<'a> {
     }
 
     #[inline]
-    fn vertex(&mut self, cursor: &mut Cursor<'a>) -> Result<(), Flaw> {
+    fn vertex(&mut self, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
         let mut position = [0.0; 3];
         for (axis, coordinate) in position.iter_mut().enumerate() {
             let Some(number) = cursor.number() else {
@@ -251,17 +251,17 @@ impl<'a> Chunk<'a> {
     }
 
     #[cold]
-    fn missing_coordinate(&self, cursor: &mut Cursor<'a>, axis: usize) -> Flaw {
+    fn missing_coordinate(&self, cursor: &mut Cursor<'a>, axis: usize) -> ChunkReadFailure {
         let index = self.positions.len();
         if cursor.is_at_end() {
             let text = format!("it has {axis} coordinate{} instead of 3", if axis == 1 { "" } else { "s" });
-            return Flaw::Malformed { line: cursor.line, element: Element::Vertex, index, text };
+            return ChunkReadFailure::Malformed { line: cursor.line, element: Element::Vertex, index, text };
         }
         not_a_number(cursor, Element::Vertex, index)
     }
 
     /// Reads a weight, or red, green, blue and perhaps opacity.
-    fn vertex_extras(&mut self, cursor: &mut Cursor<'a>) -> Result<(), Flaw> {
+    fn vertex_extras(&mut self, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
         let index = self.positions.len() - 1;
         let mut numbers = [1.0; 4];
         let mut count = 0;
@@ -287,7 +287,7 @@ impl<'a> Chunk<'a> {
     }
 
     #[inline]
-    fn face(&mut self, cursor: &mut Cursor<'a>) -> Result<(), Flaw> {
+    fn face(&mut self, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
         let start = self.corners.len();
         let line = cursor.line;
         while !cursor.is_at_end() {
@@ -326,7 +326,7 @@ impl<'a> Chunk<'a> {
 
     /// Reads a statement that is neither a vertex, nor an attribute, nor a face, and passes its end.
     #[cold]
-    fn rare_statement(&mut self, keyword: Keyword, cursor: &mut Cursor<'a>) -> Result<(), Flaw> {
+    fn rare_statement(&mut self, keyword: Keyword, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
         let line = cursor.line;
         match keyword {
             Keyword::Polyline => {
@@ -363,7 +363,12 @@ impl<'a> Chunk<'a> {
 }
 
 impl Lists {
-    fn append_statement(&mut self, cursor: &mut Cursor<'_>, element: Element, count: usize) -> Result<(), Flaw> {
+    fn append_statement(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        element: Element,
+        count: usize,
+    ) -> Result<(), ChunkReadFailure> {
         let start = self.ends.last().map_or(0, |&end| end as usize);
         while !cursor.is_at_end() {
             let Some(corner) = cursor.corner() else {
@@ -399,7 +404,11 @@ fn push_at(values: &mut Vec<u32>, place: usize, value: u32) -> Result<(), TryRes
 
 /// Reads up to `N` numbers. Missing numbers are 0, and further ones are ignored.
 #[inline]
-fn attribute<const N: usize>(cursor: &mut Cursor<'_>, element: Element, index: usize) -> Result<[f64; N], Flaw> {
+fn attribute<const N: usize>(
+    cursor: &mut Cursor<'_>,
+    element: Element,
+    index: usize,
+) -> Result<[f64; N], ChunkReadFailure> {
     let mut value = [0.0; N];
     for part in &mut value {
         match cursor.number() {
@@ -412,14 +421,14 @@ fn attribute<const N: usize>(cursor: &mut Cursor<'_>, element: Element, index: u
 }
 
 #[cold]
-fn not_a_number(cursor: &mut Cursor<'_>, element: Element, index: usize) -> Flaw {
+fn not_a_number(cursor: &mut Cursor<'_>, element: Element, index: usize) -> ChunkReadFailure {
     let line = cursor.line;
-    Flaw::Malformed { line, element, index, text: format!("{} is not a number", quoted(cursor.word())) }
+    ChunkReadFailure::Malformed { line, element, index, text: format!("{} is not a number", quoted(cursor.word())) }
 }
 
 #[cold]
-fn not_an_index(cursor: &mut Cursor<'_>, element: Element, index: usize, corner: usize) -> Flaw {
+fn not_an_index(cursor: &mut Cursor<'_>, element: Element, index: usize, corner: usize) -> ChunkReadFailure {
     let line = cursor.line;
     let text = format!("corner {corner}: {} is not an index", quoted(cursor.word()));
-    Flaw::Malformed { line, element, index, text }
+    ChunkReadFailure::Malformed { line, element, index, text }
 }

@@ -202,7 +202,7 @@ impl ObjWriter<'_, '_> {
                     if faces.is_mirrored && place > range.start { range.end - (place - range.start) } else { place };
                 let vertex = mesh.corners[corner];
                 self.text.bytes(b" ")?;
-                self.text.integer(faces.vertices.get(vertex))?;
+                self.text.integer(faces.vertices.number_in_file(vertex))?;
                 if is_textured {
                     self.text.bytes(b"/")?;
                     self.text.integer(faces.texcoords.get(corner, vertex))?;
@@ -279,7 +279,7 @@ struct VertexNumbers {
 }
 
 impl VertexNumbers {
-    fn get(&self, vertex: u32) -> u64 {
+    fn number_in_file(&self, vertex: u32) -> u64 {
         self.numbers.get(vertex as usize).copied().unwrap_or(self.start + u64::from(vertex))
     }
 }

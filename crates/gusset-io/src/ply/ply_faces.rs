@@ -60,7 +60,7 @@ impl FaceParts {
         properties.iter_mut().try_for_each(|(_, values)| make_room(values, believed))?;
         for row in 0..element.count {
             rows.advance(element, row)?;
-            let degree = rows.length(columns.vertices);
+            let degree = rows.list_length(columns.vertices);
             if degree < 3 {
                 self.dropped += 1;
                 continue;
@@ -108,7 +108,7 @@ impl FaceParts {
             rows.advance(element, row)?;
             let mut before = [0; 2];
             let mut length = 0_usize;
-            for place in 0..rows.length(list) {
+            for place in 0..rows.list_length(list) {
                 let value = rows.item(list, place);
                 if value < 0.0 {
                     length = 0;
@@ -166,7 +166,7 @@ fn append_texcoords<R: Rows>(
     texcoords: &mut Vec<[f64; 2]>,
 ) -> Result<(), ReadError> {
     make_room(texcoords, degree)?;
-    if rows.length(column) == 2 * degree {
+    if rows.list_length(column) == 2 * degree {
         texcoords.extend((0..degree).map(|corner| [0, 1].map(|axis| rows.item(column, 2 * corner + axis))));
     } else {
         texcoords.resize(texcoords.len() + degree, Values::<2>::MISSING);

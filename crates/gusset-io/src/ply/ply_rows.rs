@@ -26,15 +26,15 @@ pub(super) trait Rows {
     /// Returns the number in a column.
     fn number(&self, column: usize) -> f64;
 
-    /// Returns the length of the list in a column.
-    fn length(&self, column: usize) -> usize;
+    /// Returns the number of items of the list that the current row of the file has in a column.
+    fn list_length(&self, column: usize) -> usize;
 
     /// Returns a number of the list in a column.
     fn item(&self, column: usize, place: usize) -> f64;
 
     /// Appends the list in a column as indices below `count`. Returns the place of the first other number as the error.
     fn append_list_as_indices(&self, column: usize, count: u32, indices: &mut Vec<u32>) -> Result<(), usize> {
-        append_whole_numbers((0..self.length(column)).map(|place| self.item(column, place)), count, indices)
+        append_whole_numbers((0..self.list_length(column)).map(|place| self.item(column, place)), count, indices)
     }
 
     /// Returns the number of bytes behind the current row.
@@ -198,7 +198,7 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
         self.decoded(cell.number, self.start + cell.start)
     }
 
-    fn length(&self, column: usize) -> usize {
+    fn list_length(&self, column: usize) -> usize {
         self.cells[column].length
     }
 
@@ -338,7 +338,7 @@ impl Rows for TextRows<'_> {
         self.numbers[self.cells[column][0]]
     }
 
-    fn length(&self, column: usize) -> usize {
+    fn list_length(&self, column: usize) -> usize {
         self.cells[column][1]
     }
 

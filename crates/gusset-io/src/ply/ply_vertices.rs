@@ -8,9 +8,9 @@ use super::room::make_room;
 use crate::error::{Note, ReadError, ReadErrorKind};
 use crate::mesh::{Mesh, Positions, Values};
 
-/// Attributes that all vertex elements have.
+/// Tells which attributes all vertex elements of the file have.
 #[derive(Clone, Copy)]
-pub(super) struct VertexParts {
+pub(super) struct VertexAttributeFlags {
     /// Whether single precision holds all positions.
     pub(super) is_single: bool,
     pub(super) has_normals: bool,
@@ -23,7 +23,7 @@ pub(super) fn read_vertices<R: Rows>(
     rows: &mut R,
     element: &Element<'_>,
     columns: &VertexColumns,
-    parts: VertexParts,
+    parts: VertexAttributeFlags,
     believed: usize,
     mesh: &mut Mesh,
     notes: &mut Vec<Note>,
@@ -57,7 +57,7 @@ impl<'a> Filling<'a> {
     fn new(
         element: &Element<'_>,
         columns: &VertexColumns,
-        parts: VertexParts,
+        parts: VertexAttributeFlags,
         believed: usize,
         mesh: &'a mut Mesh,
     ) -> Result<Self, ReadError> {

@@ -4,7 +4,7 @@ use super::ply_columns::{FaceColumns, VertexColumns, index_list, other_lists, sh
 use super::ply_faces::FaceParts;
 use super::ply_header::{Column, Element, Encoding, Header, MAX_NOTES, read_header};
 use super::ply_rows::{BinaryRows, Rows, TextRows, believed_count};
-use super::ply_vertices::{VertexParts, read_vertices};
+use super::ply_vertices::{VertexAttributeFlags, read_vertices};
 use super::range_grid::{UNSEEN, add_range_faces};
 use crate::document::{Document, PointCloud};
 use crate::error::{Note, Place, ReadError, ReadErrorKind, quoted};
@@ -80,14 +80,14 @@ impl Content {
     }
 
     /// Finds the attributes that all vertex elements have, and adds their properties to the mesh.
-    fn share_vertex_columns(&mut self, header: &Header<'_>, roles: &mut [Role]) -> VertexParts {
+    fn share_vertex_columns(&mut self, header: &Header<'_>, roles: &mut [Role]) -> VertexAttributeFlags {
         let is_vertices = |role: &Role| matches!(role, Role::Vertices(_));
         let elements: Vec<_> = elements_with(header, roles, is_vertices).collect();
         let mut columns: Vec<_> = roles
             .iter_mut()
             .filter_map(|role| if let Role::Vertices(columns) = role { Some(columns) } else { None })
             .collect();
-        let parts = VertexParts {
+        let parts = VertexAttributeFlags {
             is_single: elements
                 .iter()
                 .zip(&columns)
@@ -184,7 +184,7 @@ impl Content {
         if document.meshes[0].texcoords.is_absent() {
             document.meshes[0].face_materials = Vec::new();
         } else {
-            add_textures(&mut document, header);
+            add_texture_materials(&mut document, header);
         }
         Ok(document)
     }
@@ -201,8 +201,8 @@ fn reason_of_loss(header: &Header<'_>, element: &Element<'_>) -> &'static str {
     }
 }
 
-/// Makes a material of each image.
-fn add_textures(document: &mut Document, header: &Header<'_>) {
+/// Adds an image, and a material that shows it, for each texture file that the header names.
+fn add_texture_materials(document: &mut Document, header: &Header<'_>) {
     for (image, name) in header.textures.iter().enumerate() {
         let name = String::from_utf8_lossy(name).into_owned();
         let media_type = match name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase()).as_deref() {
@@ -285,7 +285,7 @@ fn read_grid<R: Rows>(rows: &mut R, element: &Element<'_>, believed: usize, coun
     let is_list = element.columns[0].length.is_some();
     for row in 0..element.count {
         rows.advance(element, row)?;
-        if rows.length(0) == 0 {
+        if rows.list_length(0) == 0 {
             grid.push(UNSEEN);
             continue;
         }

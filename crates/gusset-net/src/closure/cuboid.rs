@@ -116,7 +116,7 @@ impl Cuboid {
                 let [x, y] = self.cap_rim_point(column);
                 [clamp_to_inset_interval(x, depth, a), clamp_to_inset_interval(y, depth, b)]
             }
-            BoxKind::Cross => self.place_in_cross_cap(depth, column),
+            BoxKind::Cross => self.cap_point_in_cross_unwrapping(depth, column),
         };
         [x, y, self.height_of_row(i)]
     }
@@ -133,10 +133,11 @@ impl Cuboid {
         }
     }
 
-    /// Returns the four blocks of a cap in cross unwrapping. The first block is the cap itself,
-    /// from its rim at y = 0. The third, opposite, contracts to the rim at y = b. The two others
-    /// contract to the sides x = a and x = 0, following the end of the first block.
-    fn place_in_cross_cap(&self, depth: u32, column: u32) -> [u32; 2] {
+    /// Returns the point of a cap at a depth and column in cross unwrapping, which has four blocks.
+    /// The first block is the cap itself, from its rim at y = 0. The third, opposite, contracts to
+    /// the rim at y = b. The two others contract to the sides x = a and x = 0, following the end of
+    /// the first block.
+    fn cap_point_in_cross_unwrapping(&self, depth: u32, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
         let [x, y] = self.cap_rim_point(column);
         match column {

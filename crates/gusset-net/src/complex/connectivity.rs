@@ -1,7 +1,7 @@
 //! Connected components by union-find, and orientability by union-find with parity. O(nodes).
 
 use super::edges::sides_of_faces;
-use super::presence::CellPresence;
+use super::presence::ExistingCells;
 use super::row_scan::{FaceSide, RowScan};
 use crate::topology::NodeClasses;
 use gusset_base::alloc;
@@ -9,7 +9,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::{DisjointSets, ParitySets};
 
 /// Returns the number of connected components; 1 if all cells exist. O(nodes).
-pub(super) fn count_components(classes: &NodeClasses, presence: &CellPresence) -> Result<u64> {
+pub(super) fn count_components(classes: &NodeClasses, presence: &ExistingCells) -> Result<u64> {
     if presence.has_all_cells() {
         return Ok(1);
     }
@@ -39,7 +39,7 @@ pub(super) fn count_components(classes: &NodeClasses, presence: &CellPresence) -
 
 /// Returns true if the faces can be oriented so that no two traverse an edge in the same direction.
 /// Edges of three or more faces do not count. O(cells).
-pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &NodeClasses, presence: &CellPresence) -> Result<bool> {
+pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &NodeClasses, presence: &ExistingCells) -> Result<bool> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let mut signs = ParitySets::new(shape.cell_count())?;

@@ -23,7 +23,7 @@ use super::Net;
 use super::topology::{NodeClasses, Topology};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use presence::CellPresence;
+use presence::ExistingCells;
 use row_scan::RowScan;
 
 impl Complex {
@@ -34,7 +34,7 @@ impl Complex {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn from_topology(topology: &Topology, job: &Job<'_>) -> Result<Self> {
-        Complex::new(topology, &CellPresence::ALL_CELLS, job)
+        Complex::new(topology, &ExistingCells::ALL_CELLS, job)
     }
 
     /// Returns the complex of the existing cells of a net; see [`Net`].
@@ -44,10 +44,10 @@ impl Complex {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn from_net(net: &Net<'_>, job: &Job<'_>) -> Result<Self> {
-        Complex::new(net.topology(), &CellPresence::from_net(net)?, job)
+        Complex::new(net.topology(), &ExistingCells::from_net(net)?, job)
     }
 
-    fn new(topology: &Topology, presence: &CellPresence, job: &Job<'_>) -> Result<Self> {
+    fn new(topology: &Topology, presence: &ExistingCells, job: &Job<'_>) -> Result<Self> {
         let classes = NodeClasses::new(topology)?;
         let mut complex = Complex::default();
         let mut scan = RowScan::new(&classes, presence, &mut complex, &job.part(0.0, 0.5))?;

@@ -7,13 +7,13 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 
 /// One byte for each cell, 1 if the cell exists; `None` if all cells exist.
-pub(super) struct CellPresence {
+pub(super) struct ExistingCells {
     cells: Option<Vec<u8>>,
 }
 
-impl CellPresence {
+impl ExistingCells {
     /// All cells.
-    pub(super) const ALL_CELLS: CellPresence = CellPresence { cells: None };
+    pub(super) const ALL_CELLS: ExistingCells = ExistingCells { cells: None };
 
     /// Returns the existing cells of a net. O(nodes).
     pub(super) fn from_net(net: &Net<'_>) -> Result<Self> {
@@ -28,7 +28,7 @@ impl CellPresence {
             }
         }
         let all = cells.iter().all(|&cell| cell == 1);
-        Ok(CellPresence { cells: (!all).then_some(cells) })
+        Ok(ExistingCells { cells: (!all).then_some(cells) })
     }
 
     /// Returns true if all cells exist.

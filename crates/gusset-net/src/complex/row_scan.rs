@@ -6,7 +6,7 @@
 //! only.
 
 use super::boundary::{Edge, FanEnds};
-use super::presence::CellPresence;
+use super::presence::ExistingCells;
 use super::quotient::Complex;
 use crate::Shape;
 use crate::topology::{NodeClasses, ReducedCell};
@@ -64,7 +64,7 @@ impl<'a> RowScan<'a> {
     /// Scans the net and counts its regular elements in `complex`.
     pub(super) fn new(
         classes: &'a NodeClasses,
-        presence: &CellPresence,
+        presence: &ExistingCells,
         complex: &mut Complex,
         job: &Job<'_>,
     ) -> Result<Self> {

@@ -178,7 +178,10 @@ impl QuadGrid {
         }
         grid.check_columns(walker, &job.part(0.5, 1.0))?;
         let last = grid.cells.len() - grid.columns;
-        grid.poles = [grid.pole_fan(walker, 0, GridHeading::Up)?, grid.pole_fan(walker, last, GridHeading::Down)?];
+        grid.poles = [
+            grid.triangles_at_pole(walker, 0, GridHeading::Up)?,
+            grid.triangles_at_pole(walker, last, GridHeading::Down)?,
+        ];
         Ok(grid)
     }
 
@@ -287,7 +290,12 @@ impl QuadGrid {
 
     /// Returns the fan beyond the row that starts at `first`. Either every cell has a triangle, and
     /// all have the same third corner, or none has one.
-    fn pole_fan(&self, walker: &QuadWalker<'_>, first: usize, heading: GridHeading) -> Result<Option<Vec<u32>>> {
+    fn triangles_at_pole(
+        &self,
+        walker: &QuadWalker<'_>,
+        first: usize,
+        heading: GridHeading,
+    ) -> Result<Option<Vec<u32>>> {
         if self.shift.is_some() {
             return Ok(None);
         }

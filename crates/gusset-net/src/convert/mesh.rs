@@ -69,7 +69,7 @@ impl Default for MeshOptions {
 /// A net as a mesh, and the maps between their elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NetMesh {
-    /// The mesh; faces are counter-clockwise as the net's are. It may have none.
+    /// Holds the mesh. Its faces run counter-clockwise as the net's do. It may have no faces.
     pub mesh: Mesh,
     /// For each node its vertex, or `u32::MAX`.
     pub vertex_of_node: Vec<u32>,

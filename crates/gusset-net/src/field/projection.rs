@@ -2,7 +2,7 @@
 //! strength t, points move by t along the line to their image.
 
 use super::space_map::{
-    Field, PartialField, PointsMut, check_parameters_finite, interpolate_to_image, map_each_point_simd,
+    Field, PartlyDefinedField, PointsMut, check_parameters_finite, interpolate_to_image, map_each_point_simd,
 };
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -14,7 +14,7 @@ use gusset_base::error::{Error, Result};
 /// [`Error::OptionOutOfRange`] if a number is not finite.
 pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
     rows.as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value))?;
-    Ok(PartialField(move |strength: f64, points: PointsMut<'_>| {
+    Ok(PartlyDefinedField(move |strength: f64, points: PointsMut<'_>| {
         let map = move |[x, y, z]: [f64; 3]| {
             let [x, y, z, w] = rows.map(|[a, b, c, d]| a * x + b * y + c * z + d);
             [x / w, y / w, z / w]
@@ -56,7 +56,7 @@ pub fn perspective_projection(eye: DVec3, point: DVec3, normal: DVec3) -> Result
     check_parameters_finite(&[("plane", depth)])?;
     check_parameters_finite(&eye.to_array().map(|value| ("eye", value)))?;
     check_parameters_finite(&normal.to_array().map(|value| ("normal", value)))?;
-    Ok(PartialField(move |strength: f64, points: PointsMut<'_>| {
+    Ok(PartlyDefinedField(move |strength: f64, points: PointsMut<'_>| {
         let map = move |point: [f64; 3]| {
             let ray = DVec3::from_array(point) - eye;
             (eye + ray * (depth / normal.dot(ray))).to_array()

@@ -28,10 +28,10 @@ impl<F: Fn(f64, PointsMut<'_>) + Sync> Field for F {
     }
 }
 
-/// A field that is not total.
-pub(super) struct PartialField<F>(pub(super) F);
+/// Marks a field that is undefined at some points, which become NaN.
+pub(super) struct PartlyDefinedField<F>(pub(super) F);
 
-impl<F: Field> Field for PartialField<F> {
+impl<F: Field> Field for PartlyDefinedField<F> {
     fn map(&self, strength: f64, points: PointsMut<'_>) {
         self.0.map(strength, points);
     }

@@ -7,7 +7,8 @@
 //! and a rigid motion, which preserves lengths.
 
 use super::space_map::{
-    Field, PartialField, PointsMut, check_parameters_finite, interpolate_to_image, map_each_point, map_each_point_simd,
+    Field, PartlyDefinedField, PointsMut, check_parameters_finite, interpolate_to_image, map_each_point,
+    map_each_point_simd,
 };
 use crate::transform::Axis;
 use glam::DVec3;
@@ -24,7 +25,7 @@ pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
     check_parameters_finite(&centre.to_array().map(|value| ("centre", value)))?;
     check_positive("radius", radius)?;
     let centre = centre.to_array();
-    Ok(PartialField(move |strength: f64, points: PointsMut<'_>| {
+    Ok(PartlyDefinedField(move |strength: f64, points: PointsMut<'_>| {
         let map = move |point: [f64; 3]| {
             let away = [0, 1, 2].map(|k| point[k] - centre[k]);
             // Scaled first, because squares could overflow or underflow.

@@ -111,7 +111,7 @@ fn add_closing_seams(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -
     }
 }
 
-/// Returns the topology with the links across a bridge contracted, or free.
+/// Returns the topology with the links across a bridge contracted if `weld`, else with them free.
 pub(super) fn with_bridge_welded(topology: &Topology, bridge: &Bridge, weld: bool) -> Result<Topology> {
     let shape = topology.shape();
     let mut matrix: LinkMatrix = topology.matrix()?;

@@ -1,7 +1,7 @@
 //! The constraints that make cells plane, and their linear equations. O(cells) each.
 
 use super::elimination_order::visit_in_elimination_order;
-use super::net_vertices::NetVertices;
+use super::scaled_vertices::ScaledVertices;
 use crate::hidden_cells::HiddenCells;
 use crate::{Net, Sides};
 use glam::DVec3;
@@ -38,7 +38,7 @@ pub(super) struct LinearisedConstraint {
 }
 
 impl PlanarityConstraints {
-    pub(super) fn new(net: &Net<'_>, surface: &NetVertices, job: &Job<'_>) -> Result<Self> {
+    pub(super) fn new(net: &Net<'_>, surface: &ScaledVertices, job: &Job<'_>) -> Result<Self> {
         let (shape, hidden) = (net.shape(), HiddenCells::new(net)?);
         let (mut corners, mut numbers) = (Vec::new(), Vec::new());
         let is_glued = net.topology().sides() != Some(Sides::SHEET) || !net.topology().seams().is_empty();

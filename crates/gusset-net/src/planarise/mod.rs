@@ -23,7 +23,7 @@
 
 mod constraints;
 pub(crate) mod elimination_order;
-pub(crate) mod net_vertices;
+pub(crate) mod scaled_vertices;
 mod planar_search;
 mod planarise_options;
 
@@ -32,9 +32,9 @@ use constraints::PlanarityConstraints;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::Scalar;
-use net_vertices::NetVertices;
 use planar_search::PlanarSearch;
 pub use planarise_options::PlanariseOptions;
+use scaled_vertices::ScaledVertices;
 
 /// The result of [`planarise`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +75,7 @@ const DEFAULT_ITERATIONS: u32 = 100;
 pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Planarised> {
     let relative = relative_tolerance(net, options)?;
     job.step(0.0, "planarise")?;
-    let surface = NetVertices::new(net, options, &job.part(0.0, 0.05))?;
+    let surface = ScaledVertices::new(net, options, &job.part(0.0, 0.05))?;
     let constraints = PlanarityConstraints::new(net, &surface, &job.part(0.05, 0.1))?;
     let (deviation_before, worst_cell) = constraints.max_deviation(&surface.positions);
     let tolerance = relative * surface.size;

@@ -6,7 +6,7 @@ use super::energy_model::EnergyModel;
 use super::motion::RigidMotion;
 use super::parts::{CompositeParts, FIRST_BODY_SLOT, NO_BODY, is_rigid, properties_with_force};
 use crate::planarise::elimination_order::visit_in_elimination_order;
-use crate::planarise::net_vertices::NetVertices;
+use crate::planarise::scaled_vertices::ScaledVertices;
 use crate::{Bridge, BridgeKind, Net};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -48,7 +48,7 @@ struct CompositeBuilder<'a> {
     reference: &'a Net<'a>,
     rest_ratio: f64,
     parts: &'a CompositeParts,
-    surface: &'a NetVertices,
+    surface: &'a ScaledVertices,
     scale: ForceScale,
     composite: CompositeModel,
 }
@@ -68,7 +68,7 @@ enum ForceScale {
 const PLAIN_STIFFNESS_RANGE: [f64; 2] = [1e-100, 1e100];
 
 impl ForceScale {
-    fn new(parts: &CompositeParts, net: &Net<'_>, unit: f64) -> ForceScale {
+    fn from_bridges(parts: &CompositeParts, net: &Net<'_>, unit: f64) -> ForceScale {
         let forces = || {
             parts
                 .bridges
@@ -127,10 +127,10 @@ fn film_unit_length(bridge: &Bridge, unit: f64) -> f64 {
 pub(super) fn build_composite<'a>(
     net: &'a Net<'a>,
     options: &SettleOptions<'a>,
-    (parts, surface, slots): (&'a CompositeParts, &'a NetVertices, Vec<u32>),
+    (parts, surface, slots): (&'a CompositeParts, &'a ScaledVertices, Vec<u32>),
     job: &Job<'_>,
 ) -> Result<CompositeModel> {
-    let scale = ForceScale::new(parts, net, surface.unit);
+    let scale = ForceScale::from_bridges(parts, net, surface.unit);
     let (translations, motions) = (Vec::new(), alloc::filled(RigidMotion::IDENTITY, parts.ranges.len())?);
     let (carried, lines, quads) = (Vec::new(), Vec::new(), Vec::new());
     let model = EnergyModel { slots, translations, carried, unknowns: 0, lines, quads };

@@ -41,7 +41,7 @@ mod settle_options;
 
 use super::Net;
 use super::planarise::PlanariseOptions;
-use super::planarise::net_vertices::NetVertices;
+use super::planarise::scaled_vertices::ScaledVertices;
 use composite::{CompositeModel, build_composite};
 use descent::descend_to_equilibrium;
 use gusset_base::alloc;
@@ -112,7 +112,7 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
     }
     job.step(0.0, "settle")?;
     let mut parts = CompositeParts::new(net, options)?;
-    let surface = NetVertices::new(net, &PlanariseOptions::default(), &job.part(0.0, 0.1))?;
+    let surface = ScaledVertices::new(net, &PlanariseOptions::default(), &job.part(0.0, 0.1))?;
     let slots = parts.unite_into_bodies(net, &surface.classes, &job.part(0.1, 0.15))?;
     let mut composite = build_composite(net, options, (&parts, &surface, slots), &job.part(0.15, 0.2))?;
     let tolerance = if tolerance == 0.0 { DEFAULT_TOLERANCE } else { tolerance } * surface.size;

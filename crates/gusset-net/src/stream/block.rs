@@ -101,7 +101,7 @@ impl<T: CoordinateBits, L: LevelMap<T>> BlockCoding<'_, T, L> {
     }
 
     /// Returns the best order of coordinates for the whole net.
-    pub(super) fn best_coordinate_order(&self) -> Result<usize> {
+    pub(super) fn best_coordinate_order_of_net(&self) -> Result<usize> {
         self.sample_rows(0..self.info.shape.rows(), ORDER_SAMPLE_NODES)?
             .best_coordinate_order(weight_fraction_bits(self.info))
     }

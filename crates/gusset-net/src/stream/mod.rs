@@ -29,6 +29,7 @@
 mod block;
 mod bytes;
 mod coder;
+mod coordinate_rows;
 mod header;
 mod levels;
 mod predictor;

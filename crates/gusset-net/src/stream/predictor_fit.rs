@@ -5,9 +5,10 @@
 //! few nodes at discontinuities then cannot spoil the fit of the others. O(sample) per round; a few
 //! rounds.
 
+use super::coordinate_rows::CoordinateRows;
 use super::levels::LevelMap;
 use super::predictor::{
-    CoordinateRows, MARGIN_NODES_BEFORE, NEIGHBOUR_COUNT, Predictor, WEIGHT_COUNT, WEIGHTS_PER_ERROR, normalised_place,
+    MARGIN_NODES_BEFORE, NEIGHBOUR_COUNT, Predictor, WEIGHT_COUNT, WEIGHTS_PER_ERROR, normalised_place,
 };
 use super::row_coder::{NodeRow, NodeState};
 use gusset_base::alloc;
@@ -63,7 +64,11 @@ impl NodeSample {
         let step = (columns * lines / count).max(1);
         let mut points = alloc::with_capacity(lines * columns.div_ceil(step))?;
         let (mut row, mut known) = (NodeRow::new(columns)?, alloc::filled(true, columns)?);
-        let mut state = [CoordinateRows::new(columns)?, CoordinateRows::new(columns)?, CoordinateRows::new(columns)?];
+        let mut state = [
+            CoordinateRows::with_columns(columns)?,
+            CoordinateRows::with_columns(columns)?,
+            CoordinateRows::with_columns(columns)?,
+        ];
         for line in 0..if rows.len() > 2 { lines } else { 0 } {
             let at = rows.start + 2 + line * (rows.len() - 2) / lines;
             let first = at - 2;

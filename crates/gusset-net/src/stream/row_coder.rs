@@ -2,10 +2,9 @@
 //! residuals. O(1) a node.
 
 use super::coder::EntropyCoder;
+use super::coordinate_rows::CoordinateRows;
 use super::levels::LevelMap;
-use super::predictor::{
-    CoordinateRows, MARGIN_NODES_BEFORE, NEIGHBOUR_COUNT, Predictor, WEIGHTS_PER_ERROR, normalised_place,
-};
+use super::predictor::{MARGIN_NODES_BEFORE, NEIGHBOUR_COUNT, Predictor, WEIGHTS_PER_ERROR, normalised_place};
 use super::residuals::ResidualCoder;
 use super::symbol_model::SymbolModel;
 use gusset_base::alloc;
@@ -166,7 +165,7 @@ impl CoordinateChannel {
             axis,
             predictor,
             residuals: ResidualCoder::new()?,
-            line: CoordinateRows::new(columns)?,
+            line: CoordinateRows::with_columns(columns)?,
             magnitudes: [magnitudes()?, magnitudes()?],
             expected: alloc::zeroed(columns)?,
             base: alloc::zeroed(columns)?,

@@ -101,7 +101,7 @@ fn compress_blocks<T: CoordinateBits, L: LevelMap<T> + Copy>(
     job: &Job<'_>,
 ) -> Result<Vec<Vec<u8>>> {
     job.step(0.0, SAMPLING_STAGE)?;
-    info.order = BlockCoding { info, planes, duplicates, levels }.best_coordinate_order()? as u8;
+    info.order = BlockCoding { info, planes, duplicates, levels }.best_coordinate_order_of_net()? as u8;
     encode_blocks_in_parallel(info, &job.part(0.1, 1.0), |info, block| {
         BlockCoding { info, planes, duplicates, levels }.encode_block(block)
     })

@@ -8,7 +8,7 @@ use super::pose::Pose;
 use super::principal_axes::align_principal_axes;
 use super::rim_features::align_matching_rims;
 use super::sampled_piece::SampledPiece;
-use super::sampled_rim::{SampledRim, common_sampling_step};
+use super::sampled_rims::{SampledRims, common_sampling_step};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::kd_tree::KdTree;
@@ -64,7 +64,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     if options.start == Start::Rims {
         let step = common_sampling_step(pieces, unit, &prepare.part(1.0, 1.0))?;
         for (piece, scan) in pieces.iter().zip(&scans) {
-            alloc::push(&mut rims, SampledRim::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
+            alloc::push(&mut rims, SampledRims::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
         }
     }
     let rim_trees =

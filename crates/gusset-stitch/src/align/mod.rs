@@ -26,7 +26,7 @@
 //! | [`align_request`](self) | options, results, reasons |
 //! | [`pose`](self) | a rotation and a translation |
 //! | [`centred_piece`](self) | a prepared piece: points, smoothed normals, borders, samples |
-//! | [`sampled_rim`](self) | a piece's rims at equal steps, with frames and signatures |
+//! | [`sampled_rims`](self) | a piece's rims at equal steps, with frames and signatures |
 //! | [`sampled_piece`](self) | a piece in an alignment, with its samples |
 //! | [`sample_pairs`](self) | pairs of samples on other pieces, and their equations |
 //! | [`rim_sample_pairs`](self) | pairs of rim samples |
@@ -53,7 +53,7 @@ mod pose;
 mod relax_poses;
 mod rim_features;
 mod sample_pairs;
-mod sampled_rim;
+mod sampled_rims;
 mod centred_piece;
 mod alignment_scene;
 

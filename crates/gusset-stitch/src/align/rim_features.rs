@@ -6,7 +6,7 @@
 
 use super::alignment_scene::AlignmentScene;
 use super::pose::Pose;
-use super::sampled_rim::{MIN_RIM_NORMAL_COSINE, RimSignature, STAGE, SampledRim};
+use super::sampled_rims::{MIN_RIM_NORMAL_COSINE, RimSignature, STAGE, SampledRims};
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -60,7 +60,7 @@ pub(super) fn align_matching_rims(scene: &AlignmentScene<'_>, job: &Job<'_>) -> 
 
 /// Returns the motion of `from` that puts most of its samples on the rims of `onto`; `None` without
 /// a match.
-fn best_rim_match(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim) -> Result<Option<RimMatch>> {
+fn best_rim_match(onto: &SampledRims, tree: &KdTree<'_>, from: &SampledRims) -> Result<Option<RimMatch>> {
     let (theirs, own) = (onto.sample_signatures(false)?, from.sample_signatures(true)?);
     let mut trials: Vec<(f64, usize, usize)> = Vec::new();
     let differ = |a: &RimSignature, b: &RimSignature| a.iter().zip(b).map(|(a, b)| a.distance_squared(*b)).sum::<f64>();
@@ -92,9 +92,9 @@ fn best_rim_match(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim) -> Re
 
 /// Returns the samples of `from` that lie on the rims of `onto`, with the samples there.
 fn find_coincident_samples(
-    onto: &SampledRim,
+    onto: &SampledRims,
     tree: &KdTree<'_>,
-    from: &SampledRim,
+    from: &SampledRims,
     pose: &Pose,
 ) -> Result<Vec<[usize; 2]>> {
     let gate = MAX_COINCIDENCE_DISTANCE_STEPS * onto.step;
@@ -110,7 +110,7 @@ fn find_coincident_samples(
 
 /// Returns the motion that minimises the squared distances of the pairs; `None` for fewer than
 /// three pairs.
-fn best_fit_motion(onto: &SampledRim, from: &SampledRim, pairs: &[[usize; 2]]) -> Option<Pose> {
+fn best_fit_motion(onto: &SampledRims, from: &SampledRims, pairs: &[[usize; 2]]) -> Option<Pose> {
     if pairs.len() < 3 {
         return None;
     }

@@ -1,7 +1,7 @@
 //! Pairs of rim samples of two pieces.
 
 use super::sample_pairs::{PosedPiece, SAMPLES_PER_REPORT, STAGE, SamplePair, SamplePairList, SamplePairReport};
-use super::sampled_rim::{MIN_RIM_NORMAL_COSINE, SampledRim};
+use super::sampled_rims::{MIN_RIM_NORMAL_COSINE, SampledRims};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;
@@ -10,9 +10,9 @@ use gusset_base::job::Job;
 /// Finds the samples of the rims of `a` along the rims of `b`, up to a distance.
 pub(super) fn find_rim_sample_pairs(
     a: &PosedPiece<'_>,
-    rim: &SampledRim,
+    rim: &SampledRims,
     b: &PosedPiece<'_>,
-    (other, tree): (&SampledRim, &KdTree<'_>),
+    (other, tree): (&SampledRims, &KdTree<'_>),
     gate: f64,
     reach: f64,
     job: &Job<'_>,

@@ -1,7 +1,7 @@
 //! A piece in an alignment, with its samples.
 
 use super::centred_piece::CentredPiece;
-use super::sampled_rim::SampledRim;
+use super::sampled_rims::SampledRims;
 use gusset_base::geom::kd_tree::KdTree;
 
 /// A piece with its search structures and samples.
@@ -12,5 +12,5 @@ pub(super) struct SampledPiece<'a> {
     /// The vertices to look for on other pieces, in spatial order.
     pub(super) samples: &'a [u32],
     /// The piece's rims, if the alignment uses rims.
-    pub(super) rim: Option<(&'a SampledRim, &'a KdTree<'a>)>,
+    pub(super) rim: Option<(&'a SampledRims, &'a KdTree<'a>)>,
 }

@@ -3,7 +3,7 @@
 use super::assemble_request::{Assembly, Options};
 use super::origin_history::History;
 use crate::boundary::{self, boundary_loops};
-use crate::fill::{self, Selection, fill_holes};
+use crate::fill::{self, LoopSelection, fill_holes};
 use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
@@ -118,7 +118,7 @@ impl CombinedPieces {
             };
             let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, ..*how };
             let filled =
-                fill_holes(&assembly.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
+                fill_holes(&assembly.mesh.view(&job.part(0.0, 0.1))?, LoopSelection::All, &how, &job.part(0.1, 0.4))?;
             (assembly.mesh, assembly.holes, assembly.hole_rims) = (filled.mesh, filled.holes, filled.rims);
             cuts = filled.intersections.unwrap_or_default();
             assembly.history.add_parents(filled.parents.into_iter().zip(filled.weights))?;

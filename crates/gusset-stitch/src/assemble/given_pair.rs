@@ -2,7 +2,7 @@
 
 use super::assemble_request::Selector;
 use crate::stitch::IndexMap;
-use gusset_base::error::{Error, PairFault, Result, Side};
+use gusset_base::error::{Error, LoopPairFault, Result, Side};
 use gusset_mesh::NONE;
 
 /// One of the pairs of an option.
@@ -14,7 +14,7 @@ pub(super) struct GivenLoopPair<'a> {
 }
 
 impl GivenLoopPair<'_> {
-    fn pair_error(&self, k: usize, fault: PairFault) -> Error {
+    fn pair_error(&self, k: usize, fault: LoopPairFault) -> Error {
         let (Selector { piece, vertex }, side) = (self.pair[k], [Side::A, Side::B][k]);
         Error::BadLoopPair { option: self.option, pair: self.number, side, piece, vertex, fault }
     }
@@ -22,9 +22,9 @@ impl GivenLoopPair<'_> {
     /// Checks that both pieces exist, and the named vertices.
     pub(super) fn check_pieces_and_vertices_exist(&self, maps: &[IndexMap]) -> Result<()> {
         for (k, selector) in self.pair.iter().enumerate() {
-            let map = maps.get(selector.piece as usize).ok_or_else(|| self.pair_error(k, PairFault::NoPiece))?;
+            let map = maps.get(selector.piece as usize).ok_or_else(|| self.pair_error(k, LoopPairFault::NoPiece))?;
             if selector.vertex != NONE && selector.vertex as usize >= map.vertices.len() {
-                return Err(self.pair_error(k, PairFault::NoVertex));
+                return Err(self.pair_error(k, LoopPairFault::NoVertex));
             }
         }
         Ok(())
@@ -41,15 +41,15 @@ impl GivenLoopPair<'_> {
         let mut rims = [0; 2];
         for (k, &selector) in self.pair.iter().enumerate() {
             let fault = match named(selector)?.as_slice() {
-                _ if selector.vertex == NONE => PairFault::VertexMissing,
-                [] => PairFault::NoLoop,
-                &[r] if taken[r] => PairFault::LoopTaken,
-                &[r] if k == 1 && rims[0] == r && !is_slit(r) => PairFault::SameLoop,
+                _ if selector.vertex == NONE => LoopPairFault::VertexMissing,
+                [] => LoopPairFault::NoLoop,
+                &[r] if taken[r] => LoopPairFault::LoopTaken,
+                &[r] if k == 1 && rims[0] == r && !is_slit(r) => LoopPairFault::SameLoop,
                 &[r] => {
                     rims[k] = r;
                     continue;
                 }
-                _ => PairFault::SeveralLoops,
+                _ => LoopPairFault::SeveralLoops,
             };
             return Err(self.pair_error(k, fault));
         }

@@ -80,7 +80,7 @@ const SAME_PIECE_GAIN_FACTOR: f64 = 0.5;
 
 /// How one loop sees another.
 #[derive(Clone, Copy)]
-struct LoopFacing {
+struct FacingMeasures {
     /// The mean distance from its vertices to the nearest point of the other loop.
     gap: f64,
     /// The mean cosine between its conormals and the directions to the other loop.
@@ -257,7 +257,7 @@ fn measure_loop_facing(
     to: &Rim,
     lengths: &[f64],
     tree: &KdTree<'_>,
-) -> Result<LoopFacing> {
+) -> Result<FacingMeasures> {
     let n = from.points.len();
     let edge = |i: usize| from.points[i].distance(from.points[(i + 1) % n]);
     let around = lengths.last().copied().unwrap_or_default();
@@ -292,8 +292,8 @@ fn measure_loop_facing(
         !winds && one_way > MIN_MEAN_DIRECTION_LENGTH && cosine.abs() < MAX_BESIDE_COSINE_RATIO * one_way * sum;
     let round = alike || winds;
     Ok(if sum > 0.0 {
-        LoopFacing { gap: gap / sum, cosine: cosine / sum, round, beside }
+        FacingMeasures { gap: gap / sum, cosine: cosine / sum, round, beside }
     } else {
-        LoopFacing { gap: 0.0, cosine: 1.0, round, beside }
+        FacingMeasures { gap: 0.0, cosine: 1.0, round, beside }
     })
 }

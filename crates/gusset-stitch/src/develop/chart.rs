@@ -2,7 +2,7 @@
 
 use super::STAGE;
 use super::cut_edges::CutSurface;
-use super::split_surface::SplitSurface;
+use super::split_surface::SurfaceSplitAtCuts;
 use crate::fill::clip_ears;
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -26,7 +26,7 @@ pub(super) struct TriangleShape {
 
 /// A triangulated chart.
 pub(super) struct ChartMesh {
-    /// The position of each vertex on the surface, in the unit.
+    /// Gives the position of each vertex on the uncut surface, divided by `unit`.
     pub(super) points: Vec<DVec3>,
     /// The corners of the triangles as vertices of the chart.
     pub(super) triangles: Vec<[u32; 3]>,
@@ -43,7 +43,7 @@ impl ChartMesh {
     /// Triangulates a chart. `unit` is the divisor of the positions. O(H log H).
     pub(super) fn new(
         surface: &CutSurface<'_, '_>,
-        split: &SplitSurface,
+        split: &SurfaceSplitAtCuts,
         chart: usize,
         unit: f64,
         job: &Job<'_>,

@@ -10,7 +10,7 @@
 use super::STAGE;
 use super::cut_edges::{CutSurface, PathSearch, SurfaceGraph};
 use super::develop_request::CutKind;
-use super::split_surface::SplitSurface;
+use super::split_surface::SurfaceSplitAtCuts;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
@@ -23,7 +23,7 @@ use gusset_mesh::NONE;
 /// for each loop and handle.
 pub(super) fn open_charts_to_discs(
     surface: &mut CutSurface<'_, '_>,
-    split: &SplitSurface,
+    split: &SurfaceSplitAtCuts,
     job: &Job<'_>,
 ) -> Result<bool> {
     let charts = split.euler.len();
@@ -42,7 +42,7 @@ pub(super) fn open_charts_to_discs(
 }
 
 struct DiscOpening<'a> {
-    split: &'a SplitSurface,
+    split: &'a SurfaceSplitAtCuts,
     graph: &'a SurfaceGraph,
     search: &'a mut PathSearch,
     chart: usize,

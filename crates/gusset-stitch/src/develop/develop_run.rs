@@ -11,7 +11,7 @@ use super::develop_request::{Chart, CutKind, Developed, Distortion, Finish, Opti
 use super::energy::Jacobian;
 use super::exact_unfolding::{EdgeLengths, unfold_triangles};
 use super::overlap::count_border_intersections;
-use super::split_surface::SplitSurface;
+use super::split_surface::SurfaceSplitAtCuts;
 use super::start_maps::{conformal_map, tutte_map};
 use glam::DVec2;
 use gusset_base::alloc;
@@ -90,9 +90,9 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     drop(points);
     let mut surface = CutSurface::new(mesh, &job.part(0.0, 0.05))?;
     surface.cut_paths(&options.cuts, &job.part(0.05, 0.05))?;
-    let mut split = SplitSurface::new(&surface, &job.part(0.05, 0.06))?;
+    let mut split = SurfaceSplitAtCuts::new(&surface, &job.part(0.05, 0.06))?;
     if open_charts_to_discs(&mut surface, &split, &job.part(0.06, 0.08))? {
-        split = SplitSurface::new(&surface, &job.part(0.08, 0.1))?;
+        split = SurfaceSplitAtCuts::new(&surface, &job.part(0.08, 0.1))?;
     }
     let count = split.vertices.len();
     let mut flats: Vec<Option<FlatChart>> = alloc::with_capacity(count)?;
@@ -113,7 +113,7 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
         let job = rest.part(0.0, 0.5);
         rest = rest.part(0.5, 1.0);
         let cut = cut_dart(&mut surface, &split, chart, tip, &job.part(0.0, 0.1))?;
-        let parts = SplitSurface::new(&surface, &job.part(0.1, 0.1))?;
+        let parts = SurfaceSplitAtCuts::new(&surface, &job.part(0.1, 0.1))?;
         let flat = flatten_chart(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
         let old = flats[chart].as_mut().filter(|old| !flat.is_better_than(old));
         if let Some(old) = old {
@@ -142,7 +142,7 @@ fn choose_chart_for_dart(flats: &[Option<FlatChart>], options: &Options<'_>) -> 
 /// Cuts from a vertex inside a chart along the shortest path to its border, and returns the path.
 fn cut_dart(
     surface: &mut CutSurface<'_, '_>,
-    split: &SplitSurface,
+    split: &SurfaceSplitAtCuts,
     chart: usize,
     tip: u32,
     job: &Job<'_>,
@@ -171,7 +171,7 @@ fn cut_dart(
 
 fn flatten_chart(
     surface: &CutSurface<'_, '_>,
-    split: &SplitSurface,
+    split: &SurfaceSplitAtCuts,
     number: usize,
     unit: f64,
     options: &Options<'_>,
@@ -336,7 +336,7 @@ fn turn_longest_along_x(border: &[[u32; 2]], x: &mut [DVec2]) {
 fn build_result(
     mesh: &MeshView<'_>,
     surface: CutSurface<'_, '_>,
-    split: SplitSurface,
+    split: SurfaceSplitAtCuts,
     flats: &[FlatChart],
     unit: f64,
     darts: u32,

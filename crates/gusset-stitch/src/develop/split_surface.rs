@@ -11,7 +11,7 @@ use gusset_mesh::NONE;
 use std::ops::Range;
 
 /// A surface with its vertices split along cuts.
-pub(super) struct SplitSurface {
+pub(super) struct SurfaceSplitAtCuts {
     /// For each corner, the vertex of the result, numbered chart by chart.
     pub(super) corners: Vec<u32>,
     /// For each vertex of the split surface, its vertex in the uncut surface.
@@ -28,14 +28,14 @@ pub(super) struct SplitSurface {
     pub(super) border: Vec<u32>,
 }
 
-impl SplitSurface {
+impl SurfaceSplitAtCuts {
     /// Returns true if a chart can be laid out: a disc with at least three border edges.
     pub(super) fn is_disc(&self, chart: usize) -> bool {
         self.euler[chart] == 1 && self.border[chart] >= 3
     }
 
     /// Splits a surface along its cuts. O(H).
-    pub(super) fn new(surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<SplitSurface> {
+    pub(super) fn new(surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<SurfaceSplitAtCuts> {
         let job = &job.part(0.0, 0.0);
         let faces = surface.mesh.faces();
         let (count, corner_count) = (faces.len(), faces.half_edge_count());
@@ -91,6 +91,6 @@ impl SplitSurface {
             border.push(free);
         }
         let corners = alloc::collect(same.iter().map(|&root| names[root as usize]))?;
-        Ok(SplitSurface { corners, vertex_map, face_charts, faces: of_charts, vertices, euler, border })
+        Ok(SurfaceSplitAtCuts { corners, vertex_map, face_charts, faces: of_charts, vertices, euler, border })
     }
 }

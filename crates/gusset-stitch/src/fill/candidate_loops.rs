@@ -1,6 +1,6 @@
 //! Selects the loops to fill, and gives the reason for each loop that is left.
 
-use super::fill_request::{HoleStatus, Keep, Limits, Measures, Options, Selection};
+use super::fill_request::{HoleStatus, Keep, Limits, LoopSelection, Measures, Options};
 use crate::boundary::{Boundary, Loop, LoopFlags};
 use crate::stitch::{FreeEdges, check_loop_indices};
 use glam::DVec3;
@@ -22,13 +22,15 @@ pub(super) struct CandidateLoop {
 pub(super) fn choose_loops(
     mesh: &MeshView<'_>,
     boundary: &Boundary,
-    selection: Selection<'_>,
+    selection: LoopSelection<'_>,
     options: &Options,
 ) -> Result<Vec<CandidateLoop>> {
     match selection {
-        Selection::All => candidates_of_all_loops(mesh, boundary, options),
-        Selection::Loops(loops) => candidates_of_given_loops(mesh, boundary, loops.iter().copied(), &options.limits),
-        Selection::Groups(loops) => {
+        LoopSelection::All => candidates_of_all_loops(mesh, boundary, options),
+        LoopSelection::Loops(loops) => {
+            candidates_of_given_loops(mesh, boundary, loops.iter().copied(), &options.limits)
+        }
+        LoopSelection::Groups(loops) => {
             candidates_of_given_loops(mesh, boundary, loops.iter().map(|&(vertices, _)| vertices), &options.limits)
         }
     }

@@ -85,7 +85,7 @@ pub struct Measures {
     pub area: f64,
 }
 
-/// Which loops are not holes. Read only with [`Selection::All`].
+/// Which loops are not holes. Read only with [`LoopSelection::All`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Keep {
     /// Fills every loop.
@@ -126,7 +126,7 @@ choices! { for Together:
 
 /// The loops to fill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Selection<'a> {
+pub enum LoopSelection<'a> {
     /// All loops of the mesh.
     #[default]
     All,

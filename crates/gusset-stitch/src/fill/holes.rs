@@ -1,7 +1,7 @@
 //! Fills the selected holes of a mesh, step by step.
 
 use super::candidate_loops::choose_loops;
-use super::fill_request::{Fairing, Filled, Options, Refinement, Selection, Together};
+use super::fill_request::{Fairing, Filled, LoopSelection, Options, Refinement, Together};
 use super::fill_result::{FinishedPatches, build_result};
 use super::group_by_cost::group_by_cost;
 use super::hole_filling::HoleFilling;
@@ -16,7 +16,7 @@ use gusset_mesh::MeshView;
 /// them.
 ///
 /// Given loops list their vertices in order, in either direction. Consecutive vertices, and the
-/// last with the first, must span an edge with exactly one face. With [`Selection::All`],
+/// last with the first, must span an edge with exactly one face. With [`LoopSelection::All`],
 /// boundaries that touch themselves are cut into simple loops. A loop that cannot be filled is not
 /// an error: its report gives the reason.
 ///
@@ -55,7 +55,12 @@ use gusset_mesh::MeshView;
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a limit that is negative or not a number; [`Error::TooLarge`],
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn fill_holes(mesh: &MeshView<'_>, selection: Selection<'_>, options: &Options, job: &Job<'_>) -> Result<Filled> {
+pub fn fill_holes(
+    mesh: &MeshView<'_>,
+    selection: LoopSelection<'_>,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Filled> {
     let limits = &options.limits;
     let named = [("max_length", limits.length), ("max_diameter", limits.diameter), ("max_area", limits.area)];
     for (option, limit) in named {
@@ -79,7 +84,7 @@ pub fn fill_holes(mesh: &MeshView<'_>, selection: Selection<'_>, options: &Optio
             .for_each(|&v| loops_through_vertex[v as usize] = loops_through_vertex[v as usize].saturating_add(1));
     }
     let mut groups = group_candidates_by_patch(&candidates, selection, options.together)?;
-    if options.together == Together::Cheapest && !matches!(selection, Selection::Groups(_)) {
+    if options.together == Together::Cheapest && !matches!(selection, LoopSelection::Groups(_)) {
         groups = group_by_cost(mesh, &loops_through_vertex, &candidates, &groups, options.weight, &job.part(0.2, 0.4))?;
     }
     let mut filling =

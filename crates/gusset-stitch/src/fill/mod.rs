@@ -50,7 +50,7 @@ mod triangulation_cost;
 
 pub(crate) use ear_clipping::clip_ears;
 pub use fill_request::{
-    Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Measures, Options, Refinement, Selection,
+    Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, LoopSelection, Measures, Options, Refinement,
     Together, Weight,
 };
 pub use holes::fill_holes;

@@ -1,7 +1,7 @@
 //! Groups the loops that the caller wants to share a patch.
 
 use super::candidate_loops::CandidateLoop;
-use super::fill_request::{HoleStatus, Selection, Together};
+use super::fill_request::{HoleStatus, LoopSelection, Together};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::sort;
@@ -10,13 +10,13 @@ use gusset_base::sort;
 /// their first candidates. Candidates that are left open belong to no group.
 pub(super) fn group_candidates_by_patch(
     candidates: &[CandidateLoop],
-    selection: Selection<'_>,
+    selection: LoopSelection<'_>,
     together: Together,
 ) -> Result<Vec<Vec<usize>>> {
     let to_fill = |&number: &usize| candidates[number].status == HoleStatus::Filled;
     let mut numbers = alloc::gather((0..candidates.len()).filter(to_fill))?;
     let group = |number: usize| match (selection, together) {
-        (Selection::Groups(loops), _) => loops[number].1 as usize,
+        (LoopSelection::Groups(loops), _) => loops[number].1 as usize,
         (_, Together::One) => 0,
         (_, Together::Apart | Together::Cheapest) => number,
     };

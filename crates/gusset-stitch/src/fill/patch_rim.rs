@@ -25,7 +25,8 @@ pub(super) struct PatchRim {
     pub(super) around: Vec<[u32; 3]>,
     /// The old faces next to these, as triangles; empty for tangent continuity.
     pub(super) beyond: Vec<[u32; 3]>,
-    /// The sides of `around`, face by face.
+    /// Lists the sides of the old faces in `around`, face by face. Each is a pair of vertices in
+    /// the face's direction.
     pub(super) sides: Vec<(u32, u32)>,
     /// The unit normal of the old face at the edge from each rim vertex to the next; 0 if it is not
     /// known.

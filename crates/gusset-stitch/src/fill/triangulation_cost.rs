@@ -45,12 +45,12 @@ impl Polygon {
         self.points.iter().zip(self.points.iter().cycle().skip(1)).map(|(p, q)| p.distance(*q)).sum()
     }
 
-    /// Returns the polygon thinned to at most `most` points.
-    pub(super) fn thinned_to_points(&self, most: usize) -> Result<Polygon> {
+    /// Returns the polygon thinned to at most `max_points` points.
+    pub(super) fn thinned_to_point_count(&self, max_points: usize) -> Result<Polygon> {
         let of = |points: &[DVec3]| alloc::copied(points);
         let (points, across, normals) = (of(&self.points)?, of(&self.across)?, of(&self.normals)?);
         let mut few = Polygon { points, across, normals, per_unit: self.per_unit };
-        while few.points.len() > most {
+        while few.points.len() > max_points {
             few = few.every_other_point()?.0;
         }
         Ok(few)

@@ -90,7 +90,7 @@ fn halve_and_collapse_once(
 fn halve_long_sides(mesh: &mut PatchMesh, sizing: &mut VertexSizes, job: &Job<'_>) -> Result<bool> {
     job.step(0.0, "refining")?;
     let longest = (0..mesh.triangles.len())
-        .filter_map(|t| longest_inner_side(mesh, sizing, t).filter(|found| found.1.is_finite()))
+        .filter_map(|t| longest_side_if_inner(mesh, sizing, t).filter(|found| found.1.is_finite()))
         .fold(0.0, |x, y| y.1.max(x));
     let mut length = MAX_SIDE_LENGTH_IN_SIZES;
     while FAR_TOO_LONG_RATIO * length < longest {
@@ -100,7 +100,7 @@ fn halve_long_sides(mesh: &mut PatchMesh, sizing: &mut VertexSizes, job: &Job<'_
         let mut t = 0;
         while t < mesh.triangles.len() {
             job.step_every(ELEMENTS_PER_REPORT, t, mesh.triangles.len(), "refining")?;
-            match longest_inner_side(mesh, sizing, t).filter(|found| found.1 > length) {
+            match longest_side_if_inner(mesh, sizing, t).filter(|found| found.1 > length) {
                 None => t += 1,
                 Some(_) if mesh.points.len() >= sizing.limit => return Ok(true),
                 Some((k, _, beyond)) => {
@@ -120,7 +120,7 @@ fn halve_long_sides(mesh: &mut PatchMesh, sizing: &mut VertexSizes, job: &Job<'_
 
 /// Returns the longest side of a triangle, its length in sizes, and the side across, if it is
 /// inside the patch. Halving a shorter side beside a long rim side would not help.
-fn longest_inner_side(mesh: &PatchMesh, sizing: &VertexSizes, t: usize) -> Option<(usize, f64, (usize, usize))> {
+fn longest_side_if_inner(mesh: &PatchMesh, sizing: &VertexSizes, t: usize) -> Option<(usize, f64, (usize, usize))> {
     let length = |k: usize| mesh.corner_points(t)[k].distance(mesh.corner_points(t)[(k + 1) % 3]);
     let k = (0..3).fold(0, |k, j| if length(j) > length(k) { j } else { k });
     let [u, v] = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);

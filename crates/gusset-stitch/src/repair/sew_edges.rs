@@ -171,17 +171,17 @@ impl MergedVertexSets<'_> {
                 (self.collapse || !self.face_has_corner_in_set(h, large))
                     && self.neighbour_sets(h).all(|far| {
                         seam.label_after_sewing(far) == a
-                            || !self.creates_non_manifold_edge(seam, a, seam.label_after_sewing(far))
+                            || !self.makes_edge_non_manifold(seam, a, seam.label_after_sewing(far))
                     })
             })
         })
     }
 
-    /// Returns true if the seam would merge several edges between vertex sets `a` and `b` into one
+    /// Returns true if the seam would merge several edges between vertex sets `end_a` and `end_b` into one
     /// edge with more than two faces. Sets are named by their labels after sewing.
-    fn creates_non_manifold_edge(&self, seam: &Seam, a: u32, b: u32) -> bool {
+    fn makes_edge_non_manifold(&self, seam: &Seam, end_a: u32, end_b: u32) -> bool {
         let weight = |name| seam.sets_with_label(name).map(|label| u64::from(self.degree[label as usize])).sum::<u64>();
-        let [from, to] = if weight(a) <= weight(b) { [a, b] } else { [b, a] };
+        let [from, to] = if weight(end_a) <= weight(end_b) { [end_a, end_b] } else { [end_b, end_a] };
         let (mut faces, mut first, mut several) = (0, None, false);
         for label in seam.sets_with_label(from) {
             for h in self.corners_of_set(label).filter(|&h| self.face_keeps_three_corners(seam, h)) {

@@ -16,7 +16,7 @@
 use super::sew_edges::{free_vertices, is_free, sew_coincident_edges};
 use super::vertex_clusters::VertexClusters;
 use super::vertex_corners::VertexCorners;
-use super::weld_tolerance::{ToleranceSource, WeldTolerance};
+use super::weld_tolerance::{ToleranceSource, WeldDistances};
 use gusset_base::alloc;
 use gusset_base::choices;
 use gusset_base::error::{Error, Result};
@@ -116,7 +116,7 @@ pub(super) fn weld_within(
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;
     let members = weldable_vertices(mesh, &topology, sewing)?;
-    let tolerance = WeldTolerance::find_for_members(mesh, &members, source, &job.part(0.2, 0.3))?;
+    let tolerance = WeldDistances::find_for_members(mesh, &members, source, &job.part(0.2, 0.3))?;
     job.step(0.3, STAGE)?;
     let corners = if sewing || options.collapse { None } else { Some(VertexCorners::new(mesh, &job.part(0.3, 0.3))?) };
     let mut clusters =
@@ -195,7 +195,7 @@ fn rebuild_mesh(mesh: &MeshView<'_>, representative: &[u32], options: &Options, 
     face_corners.iter().for_each(|&v| stays[v as usize] = true);
     if faces.is_merged() {
         // Keep the split vertices of merged faces, which are restored later.
-        let mut stay = |h| stays[representative[faces.corner_before_merging(h) as usize] as usize] = true;
+        let mut stay = |h| stays[representative[faces.corner_vertex_before_merging(h) as usize] as usize] = true;
         match options.collapse {
             true => left.iter().copied().for_each(&mut stay),
             false => (0..faces.half_edge_count() as u32).for_each(&mut stay),

@@ -69,14 +69,14 @@ pub(super) enum ToleranceSource {
 }
 
 /// The largest distance between coincident vertices.
-pub(super) struct WeldTolerance {
+pub(super) struct WeldDistances {
     /// The largest distance; 0 for equal positions.
     pub(super) length: f64,
     /// For each member, the largest distance from it; empty for equal positions.
     pub(super) reach: Vec<f64>,
 }
 
-impl WeldTolerance {
+impl WeldDistances {
     /// Finds the tolerance for `members`, which have finite positions.
     pub(super) fn find_for_members(
         mesh: &MeshView<'_>,
@@ -96,7 +96,7 @@ impl WeldTolerance {
                 alloc::collect(members.iter().map(|&v| length.min(MAX_REACH_TO_EDGE_RATIO * edges[v as usize])))?
             }
         };
-        Ok(WeldTolerance { length, reach })
+        Ok(WeldDistances { length, reach })
     }
 }
 
@@ -133,7 +133,7 @@ fn coordinate_round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> 
         }
     }
     let shown = [coordinates, differences].iter().filter_map(DigitHistogram::visible_step).min();
-    Ok(shown.map_or(by_type, |step| by_type.max(2.0 * steps.decimal_step_length(step))))
+    Ok(shown.map_or(by_type, |step| by_type.max(2.0 * steps.power_of_ten_of_step(step))))
 }
 
 /// The powers of ten to which coordinates may have been rounded, in descending order.
@@ -162,7 +162,7 @@ impl CoordinateDecimals {
         ((first + 1).abs() <= MAX_EXACT_POWER).then_some(CoordinateDecimals { first, error: 2.0 * unit_round_off })
     }
 
-    fn decimal_step_length(&self, step: usize) -> f64 {
+    fn power_of_ten_of_step(&self, step: usize) -> f64 {
         let exponent = self.first - step as i32;
         if exponent < 0 { 1.0 / 10f64.powi(-exponent) } else { 10f64.powi(exponent) }
     }

@@ -55,7 +55,7 @@ impl Remains {
                 let range = whole.face_offsets[old as usize]..whole.face_offsets[old as usize + 1];
                 for (corner, h) in range.clone().zip(piece.faces().range(f as usize)) {
                     is_used.insert(whole.face_corners[corner as usize]);
-                    is_used.insert(place.first_vertex + piece.faces().corner_before_merging(h as u32));
+                    is_used.insert(place.first_vertex + piece.faces().corner_vertex_before_merging(h as u32));
                 }
                 alloc::extend(&mut corners, range)?;
                 face_offsets.push(corners.len() as u32);

@@ -30,7 +30,7 @@ use side_pieces::{AffineView, DistanceSide, PiecePosition, SidePieces};
 
 /// The nearest points of a surface and another object. `T` is the type of places on the object.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Approach<T> {
+pub struct NearestPoints<T> {
     /// The place of the nearest point on the surface.
     pub place: Place,
     /// The point.
@@ -64,11 +64,21 @@ struct DistanceOutcome {
 }
 
 impl DistanceOutcome {
-    fn to_approach<T>(&self, surface: &Surface<'_>, other: T, other_point: DVec3) -> Approach<T> {
+    fn to_approach<T>(&self, surface: &Surface<'_>, other: T, other_point: DVec3) -> NearestPoints<T> {
         let DistanceOutcome { distance, bound, proven, meets, .. } = *self;
         let place = place_of_position(&self.a);
         let point = surface.jet(place).point;
-        Approach { place, point, normal: surface.normal(place), other, other_point, distance, bound, proven, meets }
+        NearestPoints {
+            place,
+            point,
+            normal: surface.normal(place),
+            other,
+            other_point,
+            distance,
+            bound,
+            proven,
+            meets,
+        }
     }
 }
 
@@ -96,7 +106,7 @@ impl Surface<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the line is not finite or lacks a direction, or the tolerance
     /// is negative or not finite; [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn distance_to_line(&self, line: &Line, tolerance: Option<f64>, job: &Job<'_>) -> Result<Approach<f64>> {
+    pub fn distance_to_line(&self, line: &Line, tolerance: Option<f64>, job: &Job<'_>) -> Result<NearestPoints<f64>> {
         line.check_finite_with_direction()?;
         let (along, length) = line.direction_and_length();
         let parameter = |point: DVec3| ((point - line.origin).dot(along) / length).clamp(line.from, line.to);
@@ -140,7 +150,7 @@ impl Surface<'_> {
         normal: DVec3,
         tolerance: Option<f64>,
         job: &Job<'_>,
-    ) -> Result<Approach<f64>> {
+    ) -> Result<NearestPoints<f64>> {
         check_coordinate_size(point, "point")?;
         let normal = unit_vector(normal, "normal")?;
         let across = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, normal).transpose();
@@ -163,7 +173,7 @@ impl Surface<'_> {
         curve: &CurveView<'_>,
         tolerance: Option<f64>,
         job: &Job<'_>,
-    ) -> Result<Approach<CurvePlace>> {
+    ) -> Result<NearestPoints<CurvePlace>> {
         if curve.is_empty() {
             return Err(Error::EmptyCurve);
         }
@@ -190,7 +200,7 @@ impl Surface<'_> {
         other: &Surface<'_>,
         tolerance: Option<f64>,
         job: &Job<'_>,
-    ) -> Result<Approach<Place>> {
+    ) -> Result<NearestPoints<Place>> {
         let tolerance = tolerance.unwrap_or(self.tolerance().max(other.tolerance()));
         let source = DistanceSide::Surface(other);
         let nearest = self.search_distance_in_view(

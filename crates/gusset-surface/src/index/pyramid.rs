@@ -280,8 +280,8 @@ fn oriented_box_above(below: &BoxLevel, r: usize, c: usize) -> OrientedBox {
 mod tests {
     use super::*;
 
-    /// Sides are rounded outwards by less than a unit, and no vector of the box is longer than
-    /// `max_length`.
+    /// Checks that packed boxes contain the exact boxes. No side moves outwards by more than
+    /// `max_length` / 127. `max_length` is at least the length of every displacement in the box.
     #[test]
     fn packed_boxes_contain_the_exact_boxes() {
         for k in 0..4000_u32 {

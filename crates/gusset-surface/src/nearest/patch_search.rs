@@ -14,16 +14,16 @@ use std::convert::Infallible;
 
 /// The nearest point found on a patch.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct NearestOnPatch {
+pub(super) struct NearestPlaceOnPatch {
     pub(super) place: DVec2,
     pub(super) distance: f64,
     /// A lower bound of the distance of the patch.
     pub(super) bound: f64,
 }
 
-impl NearestOnPatch {
+impl NearestPlaceOnPatch {
     fn new(foot: &FootPoint, bound: f64) -> Self {
-        NearestOnPatch { place: foot.place, distance: foot.distance, bound: bound.min(foot.distance) }
+        NearestPlaceOnPatch { place: foot.place, distance: foot.distance, bound: bound.min(foot.distance) }
     }
 }
 
@@ -42,14 +42,14 @@ pub(super) fn nearest_on_patch<const N: usize>(
     limit: f64,
     tolerance: f64,
     frontier: &mut PartFrontier<N>,
-) -> Option<NearestOnPatch> {
+) -> Option<NearestPlaceOnPatch> {
     let best = descend_to_foot(patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
     let bound = patch_distance_bound(patch, query, &best, 0.0, tolerance);
     if bound > limit {
         return None;
     }
     if bound >= best.distance - tolerance {
-        return Some(NearestOnPatch::new(&best, bound));
+        return Some(NearestPlaceOnPatch::new(&best, bound));
     }
     let proven = f64::INFINITY;
     PatchSearch { patch, query, limit, tolerance, best, proven, examined: 0, added: 0, frontier }.find_nearest()
@@ -71,12 +71,12 @@ struct PatchSearch<'a, const N: usize> {
 
 impl<const N: usize> PatchSearch<'_, N> {
     #[cold]
-    fn find_nearest(mut self) -> Option<NearestOnPatch> {
+    fn find_nearest(mut self) -> Option<NearestPlaceOnPatch> {
         self.frontier.clear();
         self.split_part(&PatchPart::whole_patch(self.patch));
         let Ok(left) = self.search_best_first();
         let bound = self.proven.min(left.unwrap_or(f64::INFINITY));
-        (bound <= self.limit).then(|| NearestOnPatch::new(&self.best, bound))
+        (bound <= self.limit).then(|| NearestPlaceOnPatch::new(&self.best, bound))
     }
 
     fn split_part(&mut self, part: &PatchPart<N>) {

@@ -156,7 +156,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// [`ArcBoxSearch::close`] as a distance in parameter k. Larger where the surfaces are nearly
     /// parallel, and rounding is larger.
     fn close_distance_in_parameter(&self, frame: &DifferenceFrame, k: usize) -> f64 {
-        let rounding = self.rounding_error * frame.parameter_sensitivity(self.chart.free, k);
+        let rounding = self.rounding_error * frame.sensitivity_to_miss(k, self.chart.free);
         (self.close / frame.columns[k].length()).max(MIN_SIDE_DISTANCE_IN_ROUNDINGS * rounding).min(1e-3)
     }
 
@@ -278,7 +278,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
                 .max_by(|&k, &n| back(k).total_cmp(&back(n)));
             let Some(earlier) = earlier else {
                 let end = ArcEnd { x, tangent: frame.parameter_tangent(), direction: frame.curve_direction() };
-                return self.is_valid_exit(inside, x, direction).then_some(end);
+                return self.is_exit_in_box_and_ahead(inside, x, direction).then_some(end);
             };
             guess = x - back(earlier) * rate;
             through = earlier;
@@ -287,7 +287,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     }
 
     /// Whether an exit is in the box, and in the right direction from the point inside.
-    fn is_valid_exit(&self, inside: DVec4, x: DVec4, direction: f64) -> bool {
+    fn is_exit_in_box_and_ahead(&self, inside: DVec4, x: DVec4, direction: f64) -> bool {
         let free = self.chart.free;
         let within = |k: usize| {
             let slack =
@@ -380,7 +380,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
         if rise <= MIN_PROVABLE_SLOPE_FRACTION * (high - low) * (last[free] - first[free]) {
             return false;
         }
-        let rounding = self.rounding_error * frame.parameter_sensitivity(free, k);
+        let rounding = self.rounding_error * frame.sensitivity_to_miss(k, free);
         let beyond = |x: &DVec4| outwards * (x[k] - side) - rounding;
         let run = |pair: &[DVec4]| {
             let [from, to] = [0, 1].map(|n| beyond(&pair[n]));

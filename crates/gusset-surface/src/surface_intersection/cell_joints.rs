@@ -43,7 +43,8 @@ pub(super) struct SheetJoints {
 /// A border that is a single point.
 #[derive(Debug, Clone, Copy)]
 struct BorderPole {
-    /// The sheet is proven injective within 2^-band of the cells around the pole.
+    /// Gives the width of a band around the pole, as 2^-band of a cell. The sheet is proven not to
+    /// meet itself there. `None` without a proof.
     band: Option<i32>,
 }
 

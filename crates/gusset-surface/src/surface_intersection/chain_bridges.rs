@@ -274,7 +274,7 @@ impl<S: IntersectedSurfaces> ChainBridges<'_, S> {
     /// branches cross, N_A x N_B points towards the crossing on one branch and away from it on the
     /// other, so that a path turns from one to the other. `is_used` tells for each ball whether it
     /// joins ends.
-    pub(super) fn join_loose_ends(
+    pub(super) fn bridge_loose_chain_ends(
         &self,
         chains: &[ArcChain],
         links: &mut ArcLinks,

@@ -145,9 +145,9 @@ pub(super) fn chain_arcs(
     bridges.drop_chains_within_contacts(&critical.points, &chains, &mut dropped)?;
     // Branches that cross are joined after each of them is complete elsewhere.
     let elsewhere = |ball: u32| critical.explanations[ball as usize] == NOT_EXPLAINED;
-    bridges.join_loose_ends(&links.build_chains(&dropped)?, &mut links, &elsewhere)?;
+    bridges.bridge_loose_chain_ends(&links.build_chains(&dropped)?, &mut links, &elsewhere)?;
     let crossings = bridges.join_crossings(&critical.points, &links.build_chains(&dropped)?, &mut links)?;
-    bridges.join_loose_ends(&links.build_chains(&dropped)?, &mut links, &|_| true)?;
+    bridges.bridge_loose_chain_ends(&links.build_chains(&dropped)?, &mut links, &|_| true)?;
     Ok(ChainedArcs {
         chains: links.build_chains(&dropped)?,
         crossings,

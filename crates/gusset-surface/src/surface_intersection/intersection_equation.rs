@@ -76,8 +76,8 @@ impl DifferenceFrame {
         DVec2::new(g * pq - f * qq, f * pq - g * pp) / (pp * qq - pq * pq)
     }
 
-    /// How much parameter k changes with A - B if parameter `fixed` is constant.
-    pub(super) fn parameter_sensitivity(&self, fixed: usize, k: usize) -> f64 {
+    /// Returns the change of parameter k per length of A - B if parameter `fixed` is constant.
+    pub(super) fn sensitivity_to_miss(&self, k: usize, fixed: usize) -> f64 {
         let rows = self.inverse_with_fixed_parameter(fixed);
         OTHER_PARAMETERS[fixed].iter().zip(rows).find(|(other, _)| **other == k).map_or(0.0, |(_, row)| row.length())
     }

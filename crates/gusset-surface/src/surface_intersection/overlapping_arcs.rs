@@ -63,7 +63,7 @@ impl OverlappingArcs<'_> {
 
     /// The distance up to which an end of another arc counts as one of this arc's ends. For short
     /// arcs, as beside poles, it is a fraction of their length.
-    fn own_end_distance(&self, arc: &IntersectionArc) -> f64 {
+    fn own_end_tolerance(&self, arc: &IntersectionArc) -> f64 {
         let length = arc.ends[0].distance(arc.ends[1]);
         self.resolution
             * (MAX_OWN_END_DISTANCE_FRACTION * length / self.resolution)
@@ -80,7 +80,7 @@ impl OverlappingArcs<'_> {
         cuts: &mut Vec<ArcCut>,
     ) -> Result<()> {
         let points = &self.pieces.points[arc.from as usize..arc.to as usize];
-        let within = self.own_end_distance(arc);
+        let within = self.own_end_tolerance(arc);
         let mut from = self.places.point_of_first_surface(arc.pair, points[0]);
         for (n, pair) in points.windows(2).enumerate() {
             let to = self.places.point_of_first_surface(arc.pair, pair[1]);
@@ -123,7 +123,7 @@ impl OverlappingArcs<'_> {
             for cut in own {
                 // The ends of several other arcs may nearly coincide.
                 let before = last.map_or(arc.ends[0], |cut: &ArcCut| cut.at.point);
-                if before.distance(cut.at.point) > self.own_end_distance(arc) {
+                if before.distance(cut.at.point) > self.own_end_tolerance(arc) {
                     self.add_part_of_arc(arc, [last, Some(cut)], &mut made)?;
                     last = Some(cut);
                 }

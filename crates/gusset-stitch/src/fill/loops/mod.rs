@@ -110,7 +110,7 @@ pub(super) fn cost_of_closing(loops: &[Polygon], triangles: &[[u32; 3]], weight:
 /// Returns false if two loops are unlikely to cost less together than apart. The prediction thins
 /// each loop to a few vertices, and allows a margin. O(n).
 pub(super) fn may_cost_less_together(loops: [&Polygon; 2], weight: Weight, job: &Job<'_>) -> Result<bool> {
-    let few = alloc::try_collect(loops.map(|polygon| polygon.thinned_to_points(TRIAL_VERTICES_PER_LOOP)))?;
+    let few = alloc::try_collect(loops.map(|polygon| polygon.thinned_to_point_count(TRIAL_VERTICES_PER_LOOP)))?;
     let side = |polygon: &Polygon| polygon.perimeter() / polygon.points.len() as f64;
     let reach = MAX_PARTNER_DISTANCE_SIDES * side(&few[0]).min(side(&few[1]));
     // Measure from the thinned loop with the shorter sides.

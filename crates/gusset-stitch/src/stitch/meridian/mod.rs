@@ -101,7 +101,8 @@ pub enum MeridianSearch {
 /// Lattices with more nodes are searched from coarse to fine.
 const MAX_EXACT_LATTICE_NODES: usize = 1 << 21;
 
-/// Meridians, the lines from rim A to rim B, and their cost by the metric of the chosen rule.
+/// Holds the chosen meridians, which are lines from rim A to rim B. Also holds their total cost by
+/// the metric of the rule.
 pub(crate) struct MeridianChoice {
     pub(crate) pairs: Vec<MeridianEnds>,
     /// The cost of all meridians. Costs are comparable only for the same rims and the same

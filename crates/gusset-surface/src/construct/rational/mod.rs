@@ -249,7 +249,7 @@ impl<'a> ScaledRationalSpline<'a> {
         let bound = HomogeneousDifference::new(&piece.points, &homogeneous, degrees).distance_bound(self.target);
         let mut parts = [1, 1];
         if bound > self.target {
-            parts = self.parts_to_cut_cell_into(self.fit.max_errors_by_direction(&piece, &homogeneous));
+            parts = self.cell_part_counts(self.fit.max_errors_by_direction(&piece, &homogeneous));
         }
         let mut patch = Patch { points: piece.points.map(|row| row.map(|point| (point + self.middle) * self.unit)) };
         exact.overwrite_exact_points(&mut patch.points);
@@ -258,7 +258,7 @@ impl<'a> ScaledRationalSpline<'a> {
 
     /// Number of parts to cut a cell with these errors in u and in v into, so that each error is at
     /// most 5/13 of the target. The bound is up to 1.3 times the sum of both errors.
-    fn parts_to_cut_cell_into(&self, errors: [f64; 2]) -> [u8; 2] {
+    fn cell_part_counts(&self, errors: [f64; 2]) -> [u8; 2] {
         let parts = errors.map(|error| match 2.6 * error / self.target {
             // Errors this large do not yet decrease with the eighth power.
             _ if error >= 1e-3 * self.radius => 2,

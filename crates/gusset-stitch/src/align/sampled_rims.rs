@@ -24,7 +24,7 @@ pub(super) const MIN_RIM_NORMAL_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 pub(super) type RimSignature = [DVec3; 2 * SIGNATURE_OFFSET_STEPS.len()];
 
 /// The rims of a piece at equal steps.
-pub(super) struct SampledRim {
+pub(super) struct SampledRims {
     pub(crate) points: Vec<DVec3>,
     pub(super) directions: Vec<DVec3>,
     pub(crate) normals: Vec<DVec3>,
@@ -45,12 +45,12 @@ pub(super) fn common_sampling_step(meshes: &[MeshView<'_>], unit: f64, job: &Job
     Ok(step)
 }
 
-impl SampledRim {
+impl SampledRims {
     /// Samples the rims of a piece. O(F), plus the samples.
-    pub(super) fn new(mesh: &MeshView<'_>, scan: &CentredPiece, step: f64, job: &Job<'_>) -> Result<SampledRim> {
+    pub(super) fn new(mesh: &MeshView<'_>, scan: &CentredPiece, step: f64, job: &Job<'_>) -> Result<SampledRims> {
         let found = boundary_loops(mesh, &boundary::Options::default(), job)?;
         let mut rim =
-            SampledRim { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
+            SampledRims { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
         for walk in found.iter().filter(|walk| !walk.flags.any(LoopFlags::OPEN)) {
             rim.add_loop_samples(walk.vertices, scan)?;
         }

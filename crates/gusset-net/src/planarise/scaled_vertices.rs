@@ -13,8 +13,9 @@ use gusset_mesh::Scalar;
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
 
-/// The vertices, indexed by the representatives of their classes; other entries are unused.
-pub(crate) struct NetVertices {
+/// Holds the scaled positions of a net's vertices, and which stay. Representatives of node classes
+/// are the indices; other entries are unused.
+pub(crate) struct ScaledVertices {
     pub(crate) classes: NodeClasses,
     /// The position of the class's first existing node, scaled and relative to the origin.
     pub(crate) positions: Vec<DVec3>,
@@ -29,7 +30,7 @@ pub(crate) struct NetVertices {
     origin: DVec3,
 }
 
-impl NetVertices {
+impl ScaledVertices {
     pub(crate) fn new(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
         let nodes = 0..net.shape().node_count() as u32;
         let classes = NodeClasses::new_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
@@ -55,7 +56,7 @@ impl NetVertices {
             unit = (coarse * common_unit([&extent])).max(f64::MIN_POSITIVE);
             (origin, size) = ((low / unit).midpoint(high / unit), (low / unit).distance(high / unit));
         }
-        let mut surface = NetVertices { classes, positions: Vec::new(), fixed, size, unit, origin };
+        let mut surface = ScaledVertices { classes, positions: Vec::new(), fixed, size, unit, origin };
         surface.positions = surface.vertex_positions(net, &job.part(0.8, 1.0))?;
         Ok(surface)
     }

@@ -9,7 +9,7 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_stitch::stitch::facing::{Centres, Options, Run, facing};
 
-pub(super) const FILTER: Filter = Filter {
+pub(super) const FACING_ARCS_OF_LOOPS: Filter = Filter {
     id: "facing_arcs",
     name: "Facing arcs of two loops",
     category: "Boundary",

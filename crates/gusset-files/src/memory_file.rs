@@ -4,11 +4,11 @@ use std::io::{Error, ErrorKind, Result, Write};
 
 /// Bytes of a file. Writing fails if memory runs out.
 #[derive(Default)]
-pub(crate) struct ByteSink {
+pub(crate) struct MemoryFile {
     pub(crate) bytes: Vec<u8>,
 }
 
-impl Write for ByteSink {
+impl Write for MemoryFile {
     fn write(&mut self, added: &[u8]) -> Result<usize> {
         // Most growth doubles the memory. Near the end of memory, only the exact size may fit.
         if self.bytes.try_reserve(added.len()).is_err() {

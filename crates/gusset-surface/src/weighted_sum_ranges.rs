@@ -41,7 +41,7 @@ impl CoordinateRanges {
 
     /// The bounding box of the ranges of consecutive cells or columns.
     #[inline]
-    pub(super) fn bounding_box(&self, places: Range<usize>) -> Aabb {
+    pub(super) fn box_of_cells_or_columns(&self, places: Range<usize>) -> Aabb {
         let mut bounds = Aabb::EMPTY;
         let parts = self.low[3 * places.start..3 * places.end].chunks_exact(3);
         for (low, high) in parts.zip(self.high[3 * places.start..3 * places.end].chunks_exact(3)) {
@@ -74,7 +74,7 @@ impl<const K: usize> WeightedSumSweep<'_, K> {
             let needed =
                 alloc::gather(needed.map(|r| (r - block_rows.start, is_side_of_cells(self.u, &rows(r), row))))?;
             for c in 0..across {
-                let bounds = ranges.bounding_box(cell_range_of_block(c, cells));
+                let bounds = ranges.box_of_cells_or_columns(cell_range_of_block(c, cells));
                 needed.iter().for_each(|&(r, own)| add(r * across + c, bounds, own));
             }
         }
