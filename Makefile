@@ -162,7 +162,7 @@ openmfx:
 
 # Readers and writers of files, for tests of the Python package. `make wheel` links them into the library of the package.
 files:
-	$(CARGO) build -p gusset-files --profile $(PROFILE) --locked $(released)
+	$(CARGO) build -p gusset-files --features reserve --profile $(PROFILE) --locked $(released)
 
 # Runs both sides at once, because each keeps only one core busy at times.
 test:
@@ -199,11 +199,11 @@ scans: cli
 wasm: stage build/interface.json
 	@CARGO='$(CARGO)' scripts/wasm.sh '$(stage)'
 
-torture: stage build/interface.json
+torture: stage files build/interface.json
 	@scripts/install-packages.sh $(test_packages)
-	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
-	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target torture plugin_memory --parallel 2
-	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 TORTURE_ALLOCATIONS=1000000 ctest --test-dir build/cpp -R '^torture/|^plugin/memory$$' --verbose --parallel 2
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_FILES='$(files)'
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target torture plugin_memory files_memory --parallel 2
+	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 TORTURE_ALLOCATIONS=1000000 ctest --test-dir build/cpp -R '^torture/|^(plugin|files)/memory$$' --verbose --parallel 2
 
 # Runs CASES of each family, or of FAMILY. A failure prints the command that repeats it.
 differential: stage build/interface.json

@@ -55,7 +55,7 @@ build() {
   echo "gusset: wasm/$file has $(stat -c %s "wasm/$file") bytes, $(gzip -9 -c "wasm/$file" | wc -c) compressed by gzip"
 }
 build gusset --features reserve
-build gusset-files
+build gusset-files --features reserve
 install -m 644 LICENSE-* wasm
 unset LD_LIBRARY_PATH
 [ "$until" = build ] && exit 0

@@ -17,11 +17,12 @@ void __libc_free(void *block);
 
 /* Blocks and bytes that are in use; requests since they are counted; the first of these that fails (0: none), and the last. */
 static atomic_llong memory_live, memory_bytes, memory_requests, memory_first, memory_last;
-/* The size of the last request that failed. */
-static atomic_size_t memory_refused;
+/* The size of the last request that failed; the least size of requests that are counted and may fail. */
+static atomic_size_t memory_refused, memory_least;
 
 /* Whether this request is one that fails. */
 static inline int memory_fails(size_t size) {
+    if (size < atomic_load(&memory_least)) return 0;
     const long long now = atomic_fetch_add(&memory_requests, 1) + 1, first = atomic_load(&memory_first);
     if (first == 0 || now < first || now > atomic_load(&memory_last)) return 0;
     atomic_store(&memory_refused, size);

@@ -109,6 +109,12 @@ fn out_of_memory<T>(count: usize) -> Error {
     Error::OutOfMemory { bytes: (count as u64).saturating_mul(size_of::<T>() as u64) }
 }
 
+/// Fails if an allocation that cannot fail was served from the memory reserve, which is small. Loops that make such allocations check
+/// this in each round, if no [`Job`] does it for them.
+pub fn check_reserve() -> Result<()> {
+    if reserve::holds_blocks() { Err(out_of_memory::<u8>(0)) } else { Ok(()) }
+}
+
 /// Appends a slice.
 pub fn append<T: Copy>(vec: &mut Vec<T>, items: &[T]) -> Result<()> {
     reserve(vec, items.len())?;

@@ -24,6 +24,15 @@ pub fn drawn_bytes() -> u64 {
     0
 }
 
+/// Returns true if a block lies in the reserve: the system has refused memory, and a call still holds what replaced it.
+#[inline]
+pub fn holds_blocks() -> bool {
+    #[cfg(feature = "reserve")]
+    return drawn_bytes() > 0 && arenas::RESERVE_ARENAS.holds_blocks();
+    #[cfg(not(feature = "reserve"))]
+    false
+}
+
 /// Returns true if the block lies in the reserve.
 #[inline]
 pub fn contains_block<T>(block: *const T) -> bool {
@@ -48,7 +57,7 @@ mod arenas {
 
     const ARENA_COUNT: usize = 32;
     /// The size of one arena in bytes, and the largest block that the reserve serves.
-    const ARENA_BYTES: usize = 1 << 16;
+    const ARENA_BYTES: usize = 1 << 17;
     const MAX_ALIGN_BYTES: usize = 64;
 
     /// The memory of the reserve, and its allocation state. A static that is all zeros takes no
@@ -84,6 +93,10 @@ mod arenas {
         pub(super) fn offset_of(&self, block: *const u8) -> Option<usize> {
             let offset = (block as usize).wrapping_sub(self.bytes.get() as usize);
             (offset < ARENA_COUNT * ARENA_BYTES).then_some(offset)
+        }
+
+        pub(super) fn holds_blocks(&self) -> bool {
+            self.states.iter().any(|state| state.load(Ordering::Relaxed) != 0)
         }
 
         /// Allocates a block from the reserve; returns null if no arena has room.
@@ -285,7 +298,7 @@ mod arenas {
                 drawn: AtomicU64::new(0),
             };
             let of = |size, align| Layout::from_size_align(size, align).unwrap();
-            let unused = || TEST_ARENAS.states.iter().all(|state| state.load(Ordering::Relaxed) == 0);
+            let unused = || !TEST_ARENAS.holds_blocks();
             let mut held = Vec::new();
             for k in 0.. {
                 let layout = of(1 + k * 7919 % 9000, 1 << (k % 7));

@@ -1,12 +1,12 @@
 //! The functions of the table.
 
 use crate::folder::{Folder, given_bytes};
-use crate::memory_file::MemoryFile;
 use crate::table::descriptor::*;
 use crate::table::outcome::gusset_file;
 use gusset_io::packed::{Packed, pack, unpack};
 use gusset_io::{
-    Document, Format, Loss, ReadError, ReadErrorKind, ReadOptions, Target, WriteError, WriteErrorKind, WriteOptions,
+    Document, Format, Loss, MemoryFile, ReadError, ReadErrorKind, ReadOptions, Target, WriteError, WriteErrorKind,
+    WriteOptions,
 };
 use std::ffi::{CStr, CString, c_char};
 use std::io::Write;
@@ -60,6 +60,10 @@ unsafe fn answer(result: *mut *mut gusset_file, body: impl FnOnce() -> Result<Pa
     let outcome = outcome.unwrap_or_else(|_| {
         Err(Refusal { status: GUSSET_FILES_INTERNAL, message: "internal error: please report it".into() })
     });
+    let outcome = outcome.and_then(|parts| {
+        gusset_base::alloc::check_reserve().map_err(|_| ReadError::out_of_memory())?;
+        Ok(parts)
+    });
     let (status, made) = match outcome {
         Ok(parts) => (GUSSET_FILES_DONE, gusset_file { parts, message: CString::default() }),
         Err(Refusal { status, message }) => (
@@ -67,8 +71,14 @@ unsafe fn answer(result: *mut *mut gusset_file, body: impl FnOnce() -> Result<Pa
             gusset_file { parts: Vec::new(), message: CString::new(message.replace('\0', " ")).unwrap_or_default() },
         ),
     };
+    let made = Box::new(made);
+    // Nothing that the host keeps may be in the reserve of memory.
+    let (made, status) = match gusset_base::alloc::check_reserve() {
+        Ok(()) => (Box::into_raw(made), status),
+        Err(_) => (ptr::null_mut(), GUSSET_FILES_OUT_OF_MEMORY),
+    };
     // SAFETY: the caller's promise.
-    unsafe { result.write(Box::into_raw(Box::new(made))) };
+    unsafe { result.write(made) };
     status
 }
 
@@ -190,7 +200,7 @@ pub(crate) unsafe extern "C" fn part_bytes(result: *const gusset_file, which: u3
 
 pub(crate) unsafe extern "C" fn message(result: *const gusset_file) -> *const c_char {
     // SAFETY: as above.
-    unsafe { result.as_ref() }.map_or(ptr::null(), |result| result.message.as_ptr())
+    unsafe { result.as_ref() }.map_or(c"out of memory".as_ptr(), |result| result.message.as_ptr())
 }
 
 pub(crate) unsafe extern "C" fn free(result: *mut gusset_file) {

@@ -6,6 +6,7 @@ use crate::format::Format;
 use crate::options::{ReadOptions, WriteOptions};
 use crate::resources::{Resources, Target};
 use crate::{dxf, gltf, obj, off, ply, points, scan_list, stl, svg, three_mf};
+use gusset_base::alloc;
 
 /// Reads a file from memory. `resources` gives the files that it refers to.
 ///
@@ -17,7 +18,7 @@ pub fn read(
     resources: &dyn Resources,
     options: &ReadOptions,
 ) -> Result<Document, ReadError> {
-    match format {
+    let document = match format {
         Format::Obj => obj::read_obj(bytes, resources, options),
         Format::Ply => ply::read_ply(bytes, options),
         Format::Stl => stl::read_stl(bytes, options),
@@ -29,7 +30,10 @@ pub fn read(
         Format::Csv => points::read_csv(bytes, options),
         Format::Svg => svg::read_svg(bytes, options),
         Format::Dxf => dxf::read_dxf(bytes, options),
-    }
+    };
+    // Small parts of the document may be in the reserve of memory, where they must not stay.
+    alloc::check_reserve()?;
+    document
 }
 
 /// Writes a file of the document's meshes, curves or points. Returns what the format could not hold.

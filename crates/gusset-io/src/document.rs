@@ -1,8 +1,9 @@
 //! The content of a file.
 
-use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError};
 use crate::material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};
 use crate::mesh::{Mesh, NumberKind, Positions, Property, Values};
+use gusset_base::alloc;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -85,14 +86,17 @@ impl Document {
         for image in &mut self.images {
             if let ImageData::File(name) = &image.data {
                 self.notes.push(Note::new(Place::Whole, format!("image left out: the file {name} was not given")));
-                image.data = ImageData::Bytes(Arc::from([]));
+                image.data = ImageData::Bytes(Arc::default());
             }
         }
     }
 
     /// Changes the names of the files that images and materials refer to. A document that moves to another folder needs this, because
     /// names are relative to the folder of its file.
-    pub fn rename_files(&mut self, rename: impl Fn(&str) -> String) {
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn rename_files(&mut self, rename: impl Fn(&str) -> String) -> Result<(), ReadError> {
         for image in &mut self.images {
             if let ImageData::File(name) = &mut image.data {
                 *name = rename(name);
@@ -101,10 +105,12 @@ impl Document {
         for material in &mut self.materials {
             if let Some(NativeMaterial::Mtl(lines)) = &mut material.native {
                 for line in lines {
-                    *line = crate::obj::with_renamed_file(line, &rename);
+                    *line = crate::obj::with_renamed_file(line, &rename)?;
                 }
             }
+            alloc::check_reserve()?;
         }
+        Ok(())
     }
 
     /// Joins all placed meshes into one, in the coordinates of the scene. Meshes that are placed by the identity keep the bits of their
@@ -131,11 +137,7 @@ impl Document {
         {
             return Ok(Cow::Borrowed(&self.meshes[placement.mesh as usize]));
         }
-        self.joined_copy(u64::MAX).map(Cow::Owned).map_err(|error| {
-            let is_full = error.kind == ReadErrorKind::OutOfMemory;
-            let kind = if is_full { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unsupported };
-            WriteError::new(kind, error.message)
-        })
+        Ok(self.joined_copy(u64::MAX).map(Cow::Owned)?)
     }
 
     fn joined_copy(&self, max_elements: u64) -> Result<Mesh, ReadError> {
@@ -165,43 +167,25 @@ fn append_placed(joined: &mut Mesh, mesh: &Mesh, transform: &[[f64; 4]; 3]) -> R
     append_positions(&mut joined.positions, &mesh.positions, is_moved.then_some(transform), vertices == 0)?;
     let is_mirrored = is_moved && determinant(transform) < 0.0;
     let vertex_start = u32::try_from(vertices).map_err(|_| ReadError::out_of_memory())?;
-    let order = corner_order(mesh, is_mirrored);
-    reserve(&mut joined.corners, mesh.corners.len())?;
+    let order = corner_order(mesh, is_mirrored)?;
+    alloc::reserve(&mut joined.corners, mesh.corners.len())?;
     joined.corners.extend(order.iter().map(|&corner| mesh.corners[corner as usize] + vertex_start));
-    reserve(&mut joined.face_offsets, mesh.face_count())?;
+    alloc::reserve(&mut joined.face_offsets, mesh.face_count())?;
     let corner_start = u32::try_from(corners).map_err(|_| ReadError::out_of_memory())?;
     joined.face_offsets.extend(mesh.face_offsets[1..].iter().map(|offset| offset + corner_start));
-    append_merge(joined, mesh, vertices);
+    append_merge(joined, mesh, vertices)?;
     let before = [vertices, corners];
     let after = [joined.positions.len(), joined.corners.len()];
     let rotated = |normal: [f64; 3]| if is_moved { transformed_normal(transform, normal) } else { normal };
-    joined.normals = appended_values(
-        std::mem::take(&mut joined.normals),
-        &mesh.normals,
-        before,
-        after,
-        &joined.corners,
-        &order,
-        rotated,
-    );
-    joined.texcoords = appended_values(
-        std::mem::take(&mut joined.texcoords),
-        &mesh.texcoords,
-        before,
-        after,
-        &joined.corners,
-        &order,
-        |value| value,
-    );
-    append_or_fill(&mut joined.vertex_colours, &mesh.vertex_colours, vertices, mesh.positions.len(), [1.0; 4]);
-    append_or_fill(&mut joined.face_colours, &mesh.face_colours, faces, mesh.face_count(), [1.0; 4]);
-    append_or_fill(&mut joined.face_materials, &mesh.face_materials, faces, mesh.face_count(), NO_MATERIAL);
-    append_properties(joined, mesh, vertices, faces);
-    Ok(())
-}
-
-fn reserve<T>(values: &mut Vec<T>, count: usize) -> Result<(), ReadError> {
-    values.try_reserve(count).map_err(|_| ReadError::out_of_memory())
+    let old = std::mem::take(&mut joined.normals);
+    joined.normals = appended_values(old, &mesh.normals, before, after, &joined.corners, &order, rotated)?;
+    let old = std::mem::take(&mut joined.texcoords);
+    joined.texcoords = appended_values(old, &mesh.texcoords, before, after, &joined.corners, &order, |value| value)?;
+    append_or_fill(&mut joined.vertex_colours, &mesh.vertex_colours, vertices, mesh.positions.len(), [1.0; 4])?;
+    append_or_fill(&mut joined.face_colours, &mesh.face_colours, faces, mesh.face_count(), [1.0; 4])?;
+    append_or_fill(&mut joined.face_materials, &mesh.face_materials, faces, mesh.face_count(), NO_MATERIAL)?;
+    append_properties(joined, mesh, vertices, faces)?;
+    Ok(alloc::check_reserve()?)
 }
 
 fn append_positions(
@@ -211,17 +195,12 @@ fn append_positions(
     is_first: bool,
 ) -> Result<(), ReadError> {
     match (&mut *joined, added, transform) {
-        (Positions::F32(all), Positions::F32(points), None) => {
-            reserve(all, points.len())?;
-            all.extend_from_slice(points);
-        }
-        (_, Positions::F32(points), None) if is_first => *joined = Positions::F32(points.clone()),
+        (Positions::F32(all), Positions::F32(points), None) => alloc::append(all, points)?,
+        (_, Positions::F32(_), None) if is_first => *joined = added.try_clone()?,
         _ => {
-            if let Positions::F32(_) = joined {
-                *joined = Positions::F64(joined.iter().collect());
-            }
-            let Positions::F64(all) = joined else { unreachable!("converted above") };
-            reserve(all, added.len())?;
+            joined.make_double()?;
+            let Positions::F64(all) = joined else { unreachable!("made double above") };
+            alloc::reserve(all, added.len())?;
             all.extend(added.iter().map(|point| transform.map_or(point, |matrix| transformed_point(matrix, point))));
         }
     }
@@ -253,8 +232,8 @@ pub(crate) fn transformed_normal(matrix: &[[f64; 4]; 3], normal: [f64; 3]) -> [f
 }
 
 /// Corners of a mesh in the order in which they are appended: each face backwards if the transform mirrors, its first corner first.
-fn corner_order(mesh: &Mesh, is_mirrored: bool) -> Vec<u32> {
-    let mut order: Vec<u32> = (0..mesh.corners.len() as u32).collect();
+fn corner_order(mesh: &Mesh, is_mirrored: bool) -> Result<Vec<u32>, ReadError> {
+    let mut order = alloc::collect(0..mesh.corners.len() as u32)?;
     if is_mirrored {
         for face in 0..mesh.face_count() {
             let range = mesh.face_range(face);
@@ -263,17 +242,19 @@ fn corner_order(mesh: &Mesh, is_mirrored: bool) -> Vec<u32> {
             }
         }
     }
-    order
+    Ok(order)
 }
 
-fn append_merge(joined: &mut Mesh, mesh: &Mesh, vertices: usize) {
+fn append_merge(joined: &mut Mesh, mesh: &Mesh, vertices: usize) -> Result<(), ReadError> {
     if joined.merge.is_empty() && mesh.merge.is_empty() {
-        return;
+        return Ok(());
     }
     if joined.merge.is_empty() {
-        joined.merge = (0..vertices as u32).collect();
+        joined.merge = alloc::collect(0..vertices as u32)?;
     }
+    alloc::reserve(&mut joined.merge, mesh.positions.len())?;
     joined.merge.extend((0..mesh.positions.len() as u32).map(|vertex| mesh.representative(vertex) + vertices as u32));
+    Ok(())
 }
 
 /// Appends values, at corners if either side has them there. `before` and `after` count vertices and corners; `order` lists the added
@@ -286,12 +267,15 @@ fn appended_values<const N: usize>(
     corners: &[u32],
     order: &[u32],
     change: impl Fn([f64; N]) -> [f64; N],
-) -> Values<N> {
+) -> Result<Values<N>, ReadError> {
     let [vertex_start, corner_start] = before;
-    match (old, added) {
+    Ok(match (old, added) {
         (Values::Absent, Values::Absent) => Values::Absent,
         (old @ (Values::Absent | Values::Vertices(_)), Values::Absent | Values::Vertices(_)) => {
-            let mut all = if let Values::Vertices(all) = old { all } else { vec![Values::<N>::MISSING; vertex_start] };
+            let mut all = if let Values::Vertices(all) = old { all } else { Vec::new() };
+            let missing = after[0] - all.len();
+            alloc::reserve(&mut all, missing)?;
+            all.resize(vertex_start, Values::<N>::MISSING);
             if let Values::Vertices(values) = added {
                 all.extend(values.iter().map(|&value| change(value)));
             }
@@ -299,30 +283,38 @@ fn appended_values<const N: usize>(
             Values::Vertices(all)
         }
         (old, added) => {
-            let mut all: Vec<[f64; N]> = match old {
+            let mut all = match old {
                 Values::Corners(all) => all,
-                old => (0..corner_start)
-                    .map(|corner| old.at_corner(corner, corners[corner]).unwrap_or(Values::<N>::MISSING))
-                    .collect(),
+                old => alloc::collect(
+                    (0..corner_start)
+                        .map(|corner| old.at_corner(corner, corners[corner]).unwrap_or(Values::<N>::MISSING)),
+                )?,
             };
+            alloc::reserve(&mut all, order.len())?;
             all.extend(order.iter().zip(&corners[corner_start..]).map(|(&corner, &vertex)| {
                 added.at_corner(corner as usize, vertex - vertex_start as u32).map_or(Values::<N>::MISSING, &change)
             }));
             Values::Corners(all)
         }
-    }
+    })
 }
 
-fn append_or_fill<T: Copy>(all: &mut Vec<T>, added: &[T], before: usize, count: usize, missing: T) {
+fn append_or_fill<T: Copy>(
+    all: &mut Vec<T>,
+    added: &[T],
+    before: usize,
+    count: usize,
+    missing: T,
+) -> Result<(), ReadError> {
     if all.is_empty() && added.is_empty() {
-        return;
+        return Ok(());
     }
-    all.resize(before, missing);
-    all.extend_from_slice(added);
-    all.resize(before + count, missing);
+    alloc::grow(all, before, missing)?;
+    alloc::append(all, added)?;
+    Ok(alloc::grow(all, before + count, missing)?)
 }
 
-fn append_properties(joined: &mut Mesh, mesh: &Mesh, vertices: usize, faces: usize) {
+fn append_properties(joined: &mut Mesh, mesh: &Mesh, vertices: usize, faces: usize) -> Result<(), ReadError> {
     let lengths = |domain| {
         if domain == crate::Domain::Vertices {
             (vertices, joined.positions.len())
@@ -333,7 +325,8 @@ fn append_properties(joined: &mut Mesh, mesh: &Mesh, vertices: usize, faces: usi
     let mut all = std::mem::take(&mut joined.properties);
     for property in &mesh.properties {
         if !all.iter().any(|old| is_one_property(old, property)) {
-            all.push(Property { values: vec![0.0; lengths(property.domain).0], ..property.clone() });
+            let values = alloc::filled(0.0, lengths(property.domain).0)?;
+            alloc::push(&mut all, Property { name: property.name.clone(), values, ..*property })?;
         }
     }
     for property in &mut all {
@@ -343,11 +336,12 @@ fn append_properties(joined: &mut Mesh, mesh: &Mesh, vertices: usize, faces: usi
                 // The only type that holds the numbers of all types.
                 property.kind = NumberKind::F64;
             }
-            property.values.extend_from_slice(&added.values);
+            alloc::append(&mut property.values, &added.values)?;
         }
-        property.values.resize(lengths(property.domain).1, 0.0);
+        alloc::grow(&mut property.values, lengths(property.domain).1, 0.0)?;
     }
     joined.properties = all;
+    Ok(())
 }
 
 fn is_one_property(a: &Property, b: &Property) -> bool {

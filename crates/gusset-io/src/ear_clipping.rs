@@ -8,6 +8,8 @@
 //! Only corners that are not convex can lie in an ear; a grid finds them. Tests are limited to a number for each corner. If they run
 //! out, the rest of the polygon is cut without tests.
 
+use crate::error::ReadError;
+use gusset_base::alloc;
 use robust::{Coord, orient2d};
 
 /// Tests of a corner against a corner or a row of cells, for each corner of the polygon, before the rest is cut without tests.
@@ -43,8 +45,9 @@ impl Rule {
 
 /// Splits an anticlockwise polygon of at least three corners into triangles, which it appends. Takes time linear in the corners, times
 /// at most [`MAX_TESTS_PER_CORNER`].
-pub(crate) fn clip_ears(points: &[[f64; 2]], triangles: &mut Vec<[u32; 3]>) {
-    let mut clipper = EarClipper::new(points);
+pub(crate) fn clip_ears(points: &[[f64; 2]], triangles: &mut Vec<[u32; 3]>) -> Result<(), ReadError> {
+    alloc::reserve(triangles, points.len())?;
+    let mut clipper = EarClipper::new(points)?;
     let mut remaining = points.len();
     let (mut corner, mut passed, mut rule) = (0, 0, Rule::Apart);
     while remaining > 3 {
@@ -64,6 +67,7 @@ pub(crate) fn clip_ears(points: &[[f64; 2]], triangles: &mut Vec<[u32; 3]>) {
         }
     }
     triangles.push(clipper.triangle(corner).map(|place| place as u32));
+    Ok(())
 }
 
 /// Remaining corners as a ring, and the reflex corners among them.
@@ -77,21 +81,21 @@ struct EarClipper<'a> {
 }
 
 impl<'a> EarClipper<'a> {
-    fn new(points: &'a [[f64; 2]]) -> Self {
+    fn new(points: &'a [[f64; 2]]) -> Result<Self, ReadError> {
         let count = points.len() as u32;
         let mut clipper = Self {
             points,
-            previous: (0..count).map(|corner| if corner == 0 { count - 1 } else { corner - 1 }).collect(),
-            next: (0..count).map(|corner| if corner + 1 == count { 0 } else { corner + 1 }).collect(),
-            is_reflex: vec![false; points.len()],
+            previous: alloc::collect((0..count).map(|corner| if corner == 0 { count - 1 } else { corner - 1 }))?,
+            next: alloc::collect((0..count).map(|corner| if corner + 1 == count { 0 } else { corner + 1 }))?,
+            is_reflex: alloc::filled(false, points.len())?,
             grid: Grid::default(),
             tests_left: MAX_TESTS_PER_CORNER * u64::from(count),
         };
         for corner in 0..points.len() {
             clipper.is_reflex[corner] = !clipper.is_convex(corner);
         }
-        clipper.grid = Grid::new(points, &clipper.is_reflex);
-        clipper
+        clipper.grid = Grid::new(points, &clipper.is_reflex)?;
+        Ok(clipper)
     }
 
     /// Returns a corner between its neighbours.
@@ -192,8 +196,8 @@ struct Grid {
 }
 
 impl Grid {
-    fn new(points: &[[f64; 2]], is_reflex: &[bool]) -> Self {
-        let listed: Vec<u32> = (0..points.len() as u32).filter(|&corner| is_reflex[corner as usize]).collect();
+    fn new(points: &[[f64; 2]], is_reflex: &[bool]) -> Result<Self, ReadError> {
+        let listed = alloc::gather((0..points.len() as u32).filter(|&corner| is_reflex[corner as usize]))?;
         let side =
             if points.len() < MIN_GRID_CORNERS { 1 } else { (listed.len() as f64).sqrt().ceil().max(1.0) as usize };
         let low = [0, 1].map(|axis| points.iter().fold(f64::INFINITY, |least, point| least.min(point[axis])));
@@ -202,21 +206,21 @@ impl Grid {
             let scale = side as f64 / (high[axis] - low[axis]);
             if scale.is_finite() && scale > 0.0 { scale } else { 0.0 }
         });
-        let mut grid = Self { low, cells_per_unit, side, starts: vec![0; side * side + 1], corners: Vec::new() };
-        let cells: Vec<usize> = listed.iter().map(|&corner| grid.cell(points[corner as usize])).collect();
+        let starts = alloc::filled(0, side * side + 1)?;
+        let mut grid = Self { low, cells_per_unit, side, starts, corners: alloc::filled(0, listed.len())? };
+        let cells = alloc::collect(listed.iter().map(|&corner| grid.cell(points[corner as usize])))?;
         for &cell in &cells {
             grid.starts[cell + 1] += 1;
         }
         for cell in 0..side * side {
             grid.starts[cell + 1] += grid.starts[cell];
         }
-        let mut ends = grid.starts.clone();
-        grid.corners = vec![0; listed.len()];
+        let mut ends = alloc::copied(&grid.starts)?;
         for (&corner, &cell) in listed.iter().zip(&cells) {
             grid.corners[ends[cell] as usize] = corner;
             ends[cell] += 1;
         }
-        grid
+        Ok(grid)
     }
 
     /// Returns a coordinate in cells.

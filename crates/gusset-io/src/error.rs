@@ -72,6 +72,13 @@ impl From<std::collections::TryReserveError> for ReadError {
     }
 }
 
+/// The error of a refused allocation, which is the only one that readers and writers take from there.
+impl From<gusset_base::Error> for ReadError {
+    fn from(_: gusset_base::Error) -> Self {
+        Self::out_of_memory()
+    }
+}
+
 /// Writes `4: message` for line 4, `byte 80: message`, or the message.
 impl fmt::Display for ReadError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -168,16 +175,32 @@ pub(crate) fn write_reason(error: &std::io::Error) -> String {
     }
 }
 
+/// The error of a step that readers and writers share.
+impl From<ReadError> for WriteError {
+    fn from(error: ReadError) -> Self {
+        let is_full = error.kind == ReadErrorKind::OutOfMemory;
+        Self::new(if is_full { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unsupported }, error.message)
+    }
+}
+
+impl From<gusset_base::Error> for WriteError {
+    fn from(_: gusset_base::Error) -> Self {
+        Self::new(WriteErrorKind::OutOfMemory, "out of memory")
+    }
+}
+
 impl From<std::collections::TryReserveError> for WriteError {
     fn from(_: std::collections::TryReserveError) -> Self {
         Self::new(WriteErrorKind::OutOfMemory, "out of memory")
     }
 }
 
+/// Longest text of a message.
+const MAX_CHARACTERS: usize = 400;
+
 /// Replaces control characters, and shortens texts of more than 400 characters.
 #[must_use]
 pub fn printable(text: &str) -> String {
-    const MAX_CHARACTERS: usize = 400;
     let mut made: String = text
         .chars()
         .take(MAX_CHARACTERS)
@@ -187,6 +210,12 @@ pub fn printable(text: &str) -> String {
         made.push_str("...");
     }
     made
+}
+
+/// Decodes UTF-8 and shortens it as [`printable`] does.
+pub(crate) fn printable_bytes(text: &[u8]) -> String {
+    const MAX_BYTES: usize = 4 * MAX_CHARACTERS + 4;
+    printable(String::from_utf8_lossy(&text[..text.len().min(MAX_BYTES)]).trim())
 }
 
 /// Characters that make a terminal show text in another order.

@@ -25,7 +25,7 @@ pub fn read_file(path: &Path, options: &ReadOptions) -> Result<Document, ReadErr
     let bytes = load(path)?;
     let folder = Folder::for_reading(path, options.follow_outside);
     let mut document = read(&bytes, format, &folder, options)?;
-    folder.make_names_absolute(&mut document);
+    folder.make_names_absolute(&mut document)?;
     Ok(document)
 }
 

@@ -68,15 +68,15 @@ impl Folder {
     }
 
     /// Makes the names of the document's files absolute. Drops images outside of the folder, unless they may be followed.
-    pub(crate) fn make_names_absolute(&self, document: &mut Document) {
+    pub(crate) fn make_names_absolute(&self, document: &mut Document) -> Result<(), ReadError> {
         for image in &mut document.images {
             let ImageData::File(name) = &image.data else { continue };
             if let Err(error) = self.path_from_name(&name.replace('\\', "/")) {
                 document.notes.push(Note::new(Place::Whole, format!("image left out: {}", error.message)));
-                image.data = ImageData::Bytes(Arc::from([]));
+                image.data = ImageData::Bytes(Arc::default());
             }
         }
-        document.rename_files(|name| self.absolute_name(name));
+        document.rename_files(|name| self.absolute_name(name))
     }
 
     fn absolute_name(&self, name: &str) -> String {

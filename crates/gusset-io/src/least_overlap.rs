@@ -4,6 +4,9 @@
 //! splits on its sides. Splits are compared by the area that is turned over, then by their flat triangles, then by the length of
 //! diagonals.
 
+use crate::error::ReadError;
+use gusset_base::alloc;
+
 /// Most corners of a polygon that is searched: the time grows with their cube.
 pub(crate) const MAX_SEARCH_CORNERS: usize = 40;
 /// Triangles are flat up to this area, relative to the square of the polygon's extent.
@@ -28,12 +31,16 @@ impl Cost {
 }
 
 /// Replaces triangles of a polygon by the split that overlaps least. `projected` are its points in the plane, anticlockwise.
-pub(crate) fn split_with_least_overlap(points: &[[f64; 3]], projected: &[[f64; 2]], triangles: &mut Vec<[u32; 3]>) {
+pub(crate) fn split_with_least_overlap(
+    points: &[[f64; 3]],
+    projected: &[[f64; 2]],
+    triangles: &mut Vec<[u32; 3]>,
+) -> Result<(), ReadError> {
     let count = points.len();
     let extent = projected.iter().flatten().fold(0.0_f64, |most, part| most.max(part.abs()));
     let max_flat = MAX_FLAT_AREA * extent * extent;
     // For each pair of corners: the cost of the best split between them, and the third corner of its triangle.
-    let mut best = vec![(Cost::default(), 0_usize); count * count];
+    let mut best = alloc::filled((Cost::default(), 0_usize), count * count)?;
     for span in 2..count {
         for start in 0..count - span {
             let end = start + span;
@@ -50,7 +57,8 @@ pub(crate) fn split_with_least_overlap(points: &[[f64; 3]], projected: &[[f64; 2
         }
     }
     triangles.clear();
-    let mut open = vec![(0, count - 1)];
+    let mut open = alloc::with_capacity(count)?;
+    open.push((0, count - 1));
     while let Some((start, end)) = open.pop() {
         if end - start >= 2 {
             let middle = best[start * count + end].1;
@@ -58,6 +66,7 @@ pub(crate) fn split_with_least_overlap(points: &[[f64; 3]], projected: &[[f64; 2
             open.extend([(start, middle), (middle, end)]);
         }
     }
+    Ok(())
 }
 
 fn triangle_cost([a, b, c]: [[f64; 2]; 3], max_flat: f64, diagonal: f64) -> Cost {

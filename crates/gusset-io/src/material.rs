@@ -11,7 +11,7 @@ pub enum ImageData {
     /// A file, relative to the folder of the document's file.
     File(String),
     /// The encoded bytes.
-    Bytes(Arc<[u8]>),
+    Bytes(Arc<Vec<u8>>),
 }
 
 /// An image that materials refer to.
@@ -33,9 +33,9 @@ pub enum NativeMaterial {
     /// A glTF material as JSON text. Texture indices in it are indices into `textures`.
     Gltf {
         /// The material object.
-        material: Arc<str>,
+        material: Arc<String>,
         /// For each texture that the material uses: the sampler object as JSON text (may be empty), and the document's image.
-        textures: Arc<[(String, Option<u32>)]>,
+        textures: Arc<Vec<(String, Option<u32>)>>,
     },
 }
 

@@ -1,6 +1,8 @@
 //! Meshes whose split vertices become one.
 
+use crate::error::ReadError;
 use crate::mesh::{Domain, Mesh, Positions, Property, Values};
+use gusset_base::alloc;
 use std::borrow::Cow;
 
 /// A mesh without split vertices.
@@ -14,54 +16,54 @@ pub(crate) struct Merged<'a> {
 
 /// Merges vertices by [`Mesh::merge`]. Normals and texture coordinates that differ at a merged vertex move to its corners. The merged
 /// vertex keeps the colour and the properties of the representative.
-pub(crate) fn merge_vertices(mesh: &Mesh) -> Merged<'_> {
+pub(crate) fn merge_vertices(mesh: &Mesh) -> Result<Merged<'_>, ReadError> {
     let vertex_count = mesh.positions.len() as u32;
     let mut merged = Merged { mesh: Cow::Borrowed(mesh), lost_colours: false, lost_properties: Vec::new() };
     if (0..vertex_count).all(|vertex| mesh.representative(vertex) == vertex) {
-        return merged;
+        return Ok(merged);
     }
-    let kept: Vec<u32> = (0..vertex_count).filter(|&vertex| mesh.representative(vertex) == vertex).collect();
-    let mut indices = vec![0; mesh.positions.len()];
+    let kept = alloc::gather((0..vertex_count).filter(|&vertex| mesh.representative(vertex) == vertex))?;
+    let mut indices = alloc::filled(0, mesh.positions.len())?;
     for (index, &vertex) in kept.iter().enumerate() {
         indices[vertex as usize] = index as u32;
     }
-    let corners: Vec<u32> = mesh.corners.iter().map(|&vertex| indices[mesh.representative(vertex) as usize]).collect();
+    let corners = alloc::collect(mesh.corners.iter().map(|&vertex| indices[mesh.representative(vertex) as usize]))?;
     merged.lost_colours = differs(mesh, &mesh.vertex_colours);
-    merged.lost_properties = mesh
-        .properties
-        .iter()
-        .filter(|property| property.domain == Domain::Vertices && differs(mesh, &property.values))
-        .map(|property| property.name.clone())
-        .collect();
+    let mut properties = alloc::with_capacity(mesh.properties.len())?;
+    for property in &mesh.properties {
+        let is_of_vertices = property.domain == Domain::Vertices;
+        if is_of_vertices && differs(mesh, &property.values) {
+            alloc::push(&mut merged.lost_properties, property.name.clone())?;
+        }
+        let values = if is_of_vertices { selected(&property.values, &kept)? } else { alloc::copied(&property.values)? };
+        properties.push(Property { name: property.name.clone(), values, ..*property });
+        alloc::check_reserve()?;
+    }
     merged.mesh = Cow::Owned(Mesh {
         name: mesh.name.clone(),
         positions: match &mesh.positions {
-            Positions::F32(points) => Positions::F32(selected(points, &kept)),
-            Positions::F64(points) => Positions::F64(selected(points, &kept)),
+            Positions::F32(points) => Positions::F32(selected(points, &kept)?),
+            Positions::F64(points) => Positions::F64(selected(points, &kept)?),
         },
-        face_offsets: mesh.face_offsets.clone(),
+        face_offsets: alloc::copied(&mesh.face_offsets)?,
         merge: Vec::new(),
-        normals: merged_values(mesh, &mesh.normals, &corners, &kept),
-        texcoords: merged_values(mesh, &mesh.texcoords, &corners, &kept),
+        normals: merged_values(mesh, &mesh.normals, &corners, &kept)?,
+        texcoords: merged_values(mesh, &mesh.texcoords, &corners, &kept)?,
         corners,
-        vertex_colours: selected(&mesh.vertex_colours, &kept),
-        face_colours: mesh.face_colours.clone(),
-        face_materials: mesh.face_materials.clone(),
-        properties: mesh
-            .properties
-            .iter()
-            .map(|property| match property.domain {
-                Domain::Vertices => Property { values: selected(&property.values, &kept), ..property.clone() },
-                Domain::Faces => property.clone(),
-            })
-            .collect(),
+        vertex_colours: selected(&mesh.vertex_colours, &kept)?,
+        face_colours: alloc::copied(&mesh.face_colours)?,
+        face_materials: alloc::copied(&mesh.face_materials)?,
+        properties,
     });
-    merged
+    Ok(merged)
 }
 
 /// Returns the values of the kept vertices; none if `values` is empty.
-fn selected<T: Copy>(values: &[T], kept: &[u32]) -> Vec<T> {
-    if values.is_empty() { Vec::new() } else { kept.iter().map(|&vertex| values[vertex as usize]).collect() }
+fn selected<T: Copy>(values: &[T], kept: &[u32]) -> Result<Vec<T>, ReadError> {
+    if values.is_empty() {
+        return Ok(Vec::new());
+    }
+    Ok(alloc::collect(kept.iter().map(|&vertex| values[vertex as usize]))?)
 }
 
 /// Returns whether a vertex has another value than its representative.
@@ -69,17 +71,22 @@ fn differs<T: PartialEq>(mesh: &Mesh, values: &[T]) -> bool {
     values.iter().zip(0..).any(|(value, vertex)| *value != values[mesh.representative(vertex) as usize])
 }
 
-fn merged_values<const N: usize>(mesh: &Mesh, values: &Values<N>, corners: &[u32], kept: &[u32]) -> Values<N> {
+fn merged_values<const N: usize>(
+    mesh: &Mesh,
+    values: &Values<N>,
+    corners: &[u32],
+    kept: &[u32],
+) -> Result<Values<N>, ReadError> {
     let at_corners = match values {
-        Values::Absent => return Values::Absent,
+        Values::Absent => return Ok(Values::Absent),
         Values::Vertices(values) => {
             let bits = |vertex: u32| values[vertex as usize].map(f64::to_bits);
             if (0..values.len() as u32).all(|vertex| bits(vertex) == bits(mesh.representative(vertex))) {
-                return Values::Vertices(selected(values, kept));
+                return Ok(Values::Vertices(selected(values, kept)?));
             }
-            mesh.corners.iter().map(|&vertex| values[vertex as usize]).collect()
+            selected(values, &mesh.corners)?
         }
-        Values::Corners(values) => values.clone(),
+        Values::Corners(values) => alloc::copied(values)?,
     };
     Values::Corners(at_corners).simplified(corners, kept.len())
 }

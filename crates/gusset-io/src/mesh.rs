@@ -1,5 +1,7 @@
 //! Polygon meshes with attributes, as files hold them: nothing is welded, reversed or left out.
 
+use crate::error::ReadError;
+use gusset_base::alloc;
 use std::borrow::Cow;
 
 /// Coordinates x, y, z of points, in the precision of the file.
@@ -42,6 +44,22 @@ impl Positions {
         }
     }
 
+    /// Copies the points.
+    pub(crate) fn try_clone(&self) -> Result<Self, ReadError> {
+        Ok(match self {
+            Self::F32(points) => Self::F32(alloc::copied(points)?),
+            Self::F64(points) => Self::F64(alloc::copied(points)?),
+        })
+    }
+
+    /// Converts the points to double precision.
+    pub(crate) fn make_double(&mut self) -> Result<(), ReadError> {
+        if let Self::F32(points) = self {
+            *self = Self::F64(alloc::collect(points.iter().map(|point| point.map(f64::from)))?);
+        }
+        Ok(())
+    }
+
     /// Iterates over the points in double precision.
     pub fn iter(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
         (0..self.len()).map(|index| self.get(index))
@@ -82,34 +100,40 @@ impl<const N: usize> Values<N> {
     }
 
     /// Moves values from corners to vertices if all corners of each vertex agree. Otherwise keeps them.
-    #[must_use]
-    pub fn simplified(self, corners: &[u32], vertex_count: usize) -> Self {
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn simplified(self, corners: &[u32], vertex_count: usize) -> Result<Self, ReadError> {
         if let Self::Corners(_) = self
-            && let Some(values) = self.at_vertices(corners, vertex_count)
+            && let Some(Cow::Owned(values)) = self.at_vertices(corners, vertex_count)?
         {
-            return Self::Vertices(values.into_owned());
+            return Ok(Self::Vertices(values));
         }
-        self
+        Ok(self)
     }
 
     /// Returns a vector for each vertex; `None` if the attribute is absent, a corner lacks it, or the corners of a vertex differ.
-    pub(crate) fn at_vertices(&self, corners: &[u32], vertex_count: usize) -> Option<Cow<'_, [[f64; N]]>> {
+    pub(crate) fn at_vertices(
+        &self,
+        corners: &[u32],
+        vertex_count: usize,
+    ) -> Result<Option<Cow<'_, [[f64; N]]>>, ReadError> {
         let at_corners = match self {
-            Self::Absent => return None,
-            Self::Vertices(values) => return Some(Cow::Borrowed(values)),
+            Self::Absent => return Ok(None),
+            Self::Vertices(values) => return Ok(Some(Cow::Borrowed(values))),
             Self::Corners(values) => values,
         };
-        let mut values = vec![Self::MISSING; vertex_count];
-        let mut seen = vec![false; vertex_count];
+        let mut values = alloc::filled(Self::MISSING, vertex_count)?;
+        let mut seen = alloc::filled(false, vertex_count)?;
         for (&vertex, value) in corners.iter().zip(at_corners) {
             let vertex = vertex as usize;
             if value[0].is_nan() || (seen[vertex] && values[vertex].map(f64::to_bits) != value.map(f64::to_bits)) {
-                return None;
+                return Ok(None);
             }
             values[vertex] = *value;
             seen[vertex] = true;
         }
-        Some(Cow::Owned(values))
+        Ok(Some(Cow::Owned(values)))
     }
 }
 

@@ -6,8 +6,10 @@
 //! small face overlap, because it is warped or crosses itself, [`least_overlap`](crate::least_overlap) looks for a better split.
 
 use crate::ear_clipping::clip_ears;
+use crate::error::ReadError;
 use crate::least_overlap::{MAX_SEARCH_CORNERS, split_with_least_overlap};
 use crate::mesh::Mesh;
+use gusset_base::alloc;
 
 /// Largest sum of areas of triangles whose signs cancel, relative to the area of the face, that counts as rounding.
 const MAX_RELATIVE_OVERLAP: f64 = 1e-9;
@@ -16,9 +18,10 @@ const MIN_SQUARED_GAIN: f64 = 1.0 - 1e-6;
 
 /// Splits a face into triangles of its own corners. Returns places of corners in the face, three for each triangle, whose orientation is
 /// the face's; nothing for faces of fewer than three corners. Takes time linear in the corners, apart from a factor that is bounded.
-pub(crate) fn triangulate_face(mesh: &Mesh, face: usize, triangles: &mut Vec<[u32; 3]>) {
+pub(crate) fn triangulate_face(mesh: &Mesh, face: usize, triangles: &mut Vec<[u32; 3]>) -> Result<(), ReadError> {
     triangles.clear();
     let vertices = mesh.face(face);
+    alloc::reserve(triangles, vertices.len())?;
     match *vertices {
         [] | [_] | [_, _] => {}
         [_, _, _] => triangles.push([0, 1, 2]),
@@ -31,19 +34,21 @@ pub(crate) fn triangulate_face(mesh: &Mesh, face: usize, triangles: &mut Vec<[u3
             });
         }
         _ => {
-            let points: Vec<[f64; 3]> = vertices.iter().map(|&vertex| mesh.positions.get(vertex as usize)).collect();
-            split_polygon(&points, triangles);
+            let points = alloc::collect(vertices.iter().map(|&vertex| mesh.positions.get(vertex as usize)))?;
+            split_polygon(&points, triangles)?;
         }
     }
+    Ok(())
 }
 
-fn split_polygon(points: &[[f64; 3]], triangles: &mut Vec<[u32; 3]>) {
+fn split_polygon(points: &[[f64; 3]], triangles: &mut Vec<[u32; 3]>) -> Result<(), ReadError> {
     let normal = newell_normal(points);
-    let projected = project_along_axis(points, normal);
-    clip_ears(&projected, triangles);
+    let projected = project_along_axis(points, normal)?;
+    clip_ears(&projected, triangles)?;
     if points.len() <= MAX_SEARCH_CORNERS && has_overlap(&projected, triangles) {
-        split_with_least_overlap(points, &project_along_normal(points, normal), triangles);
+        split_with_least_overlap(points, &project_along_normal(points, normal)?, triangles)?;
     }
+    Ok(())
 }
 
 /// Returns whether the diagonal from corner 1 to corner 3 is the better one.
@@ -72,24 +77,25 @@ fn newell_normal(points: &[[f64; 3]]) -> [f64; 3] {
 }
 
 /// Leaves out the coordinate in which the normal is longest. The coordinates that stay are exact, and the polygon runs anticlockwise.
-fn project_along_axis(points: &[[f64; 3]], normal: [f64; 3]) -> Vec<[f64; 2]> {
+fn project_along_axis(points: &[[f64; 3]], normal: [f64; 3]) -> Result<Vec<[f64; 2]>, ReadError> {
     let axis = (0..3).fold(2, |best, axis| if normal[axis].abs() > normal[best].abs() { axis } else { best });
     let (mut u, mut v) = ((axis + 1) % 3, (axis + 2) % 3);
     if normal[axis] < 0.0 {
         std::mem::swap(&mut u, &mut v);
     }
-    points.iter().map(|point| [point[u], point[v]]).collect()
+    Ok(alloc::collect(points.iter().map(|point| [point[u], point[v]]))?)
 }
 
 /// Projects onto the plane through the first corner that is normal to `normal`. The polygon runs anticlockwise.
-fn project_along_normal(points: &[[f64; 3]], normal: [f64; 3]) -> Vec<[f64; 2]> {
+fn project_along_normal(points: &[[f64; 3]], normal: [f64; 3]) -> Result<Vec<[f64; 2]>, ReadError> {
     let unit = unit_vector(normal).unwrap_or([0.0, 0.0, 1.0]);
     let least = (0..3).fold(0, |best, axis| if unit[axis].abs() < unit[best].abs() { axis } else { best });
     let mut axis = [0.0; 3];
     axis[least] = 1.0;
     let u = unit_vector(cross(axis, unit)).unwrap_or([1.0, 0.0, 0.0]);
     let v = cross(unit, u);
-    points.iter().map(|&point| difference(point, points[0])).map(|offset| [dot(offset, u), dot(offset, v)]).collect()
+    let offsets = points.iter().map(|&point| difference(point, points[0]));
+    Ok(alloc::collect(offsets.map(|offset| [dot(offset, u), dot(offset, v)]))?)
 }
 
 fn has_overlap(points: &[[f64; 2]], triangles: &[[u32; 3]]) -> bool {

@@ -248,8 +248,10 @@ const PAIRS_OF_DIGITS: [[u8; 2]; 100] = {
 const BUFFER_BYTES: usize = 1 << 16;
 
 impl<'a> TextWriter<'a> {
-    pub(crate) fn new(out: &'a mut dyn Write) -> Self {
-        Self { out, buffer: Vec::with_capacity(BUFFER_BYTES + 256) }
+    pub(crate) fn new(out: &'a mut dyn Write) -> io::Result<Self> {
+        let mut buffer = Vec::new();
+        buffer.try_reserve_exact(BUFFER_BYTES + 256).map_err(|_| io::ErrorKind::OutOfMemory)?;
+        Ok(Self { out, buffer })
     }
 
     /// Appends bytes.

@@ -29,3 +29,24 @@ fn decode_utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<Vec<u8>, ReadE
     text.extend(char::decode_utf16(units).map(|found| found.unwrap_or(char::REPLACEMENT_CHARACTER)));
     Ok(text.into_bytes())
 }
+
+/// Decodes UTF-8. Replaces bytes that are not valid.
+pub(crate) fn lossy_text(bytes: &[u8]) -> Result<Cow<'_, str>, ReadError> {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Ok(Cow::Borrowed(text)),
+        Err(_) => owned_text(bytes).map(Cow::Owned),
+    }
+}
+
+/// Decodes UTF-8 as [`lossy_text`] does, and copies it.
+pub(crate) fn owned_text(bytes: &[u8]) -> Result<String, ReadError> {
+    let mut made = String::new();
+    for part in bytes.utf8_chunks() {
+        made.try_reserve(part.valid().len() + char::REPLACEMENT_CHARACTER.len_utf8())?;
+        made.push_str(part.valid());
+        if !part.invalid().is_empty() {
+            made.push(char::REPLACEMENT_CHARACTER);
+        }
+    }
+    Ok(made)
+}

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 fn written(write: impl Fn(&mut TextWriter<'_>) -> std::io::Result<()>) -> String {
     let mut bytes = Vec::new();
-    let mut writer = TextWriter::new(&mut bytes);
+    let mut writer = TextWriter::new(&mut bytes).unwrap();
     write(&mut writer).expect("memory is written");
     writer.finish().expect("memory is written");
     String::from_utf8(bytes).expect("it is text")

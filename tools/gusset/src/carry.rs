@@ -6,6 +6,7 @@ use crate::plugin::{Channel, Domain, Origins, Rule};
 use gusset_io::{Image, ImageData, Material, Mesh, NO_MATERIAL, NativeMaterial, Property, Values};
 use std::collections::{HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::Arc;
 
 /// Brings attributes over to `result`, whose elements come from the pieces as `origins` tells. Returns what was lost.
 pub(crate) fn carry(
@@ -71,8 +72,8 @@ impl Carrier<'_, '_> {
         self.carry_materials()?;
         self.carry_properties()?;
         let mesh = &mut self.result.mesh;
-        mesh.normals = std::mem::take(&mut mesh.normals).simplified(&mesh.corners, mesh.positions.len());
-        mesh.texcoords = std::mem::take(&mut mesh.texcoords).simplified(&mesh.corners, mesh.positions.len());
+        mesh.normals = std::mem::take(&mut mesh.normals).simplified(&mesh.corners, mesh.positions.len()).ok()?;
+        mesh.texcoords = std::mem::take(&mut mesh.texcoords).simplified(&mesh.corners, mesh.positions.len()).ok()?;
         Some(self.lost)
     }
 
@@ -313,7 +314,8 @@ fn append_materials(materials: &mut Unique<Material>, images: &mut Unique<Image>
         let mut material = material.clone();
         material.image = renumbered(material.image);
         if let Some(NativeMaterial::Gltf { textures, .. }) = &mut material.native {
-            *textures = textures.iter().map(|(sampler, image)| (sampler.clone(), renumbered(*image))).collect();
+            let moved = textures.iter().map(|(sampler, image)| (sampler.clone(), renumbered(*image)));
+            *textures = Arc::new(moved.collect());
         }
         let hash = material_hash(&material);
         materials.index(material, hash)

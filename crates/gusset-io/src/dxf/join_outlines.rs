@@ -3,6 +3,7 @@
 use crate::document::Curves;
 use crate::error::ReadError;
 use crate::mesh::Positions;
+use gusset_base::alloc;
 use std::collections::HashMap;
 
 /// Largest distance of ends that meet, relative to the diagonal of all ends.
@@ -15,16 +16,17 @@ type Point = [f64; 3];
 /// Joins open polylines where exactly two ends meet. The result has the order of the first polyline of each chain.
 pub(super) fn join_outlines(curves: Curves) -> Result<Curves, ReadError> {
     let Positions::F64(points) = &curves.positions else { return Ok(curves) };
-    let open: Vec<usize> = (0..curves.closed.len()).filter(|&curve| !curves.closed[curve]).collect();
+    let open = alloc::gather((0..curves.closed.len()).filter(|&curve| !curves.closed[curve]))?;
     let range = |curve: usize| curves.offsets[curve] as usize..curves.offsets[curve + 1] as usize;
-    let ends: Vec<[Point; 2]> =
-        open.iter().map(|&curve| [points[range(curve).start], points[range(curve).end - 1]]).collect();
+    let ends = alloc::collect(open.iter().map(|&curve| [points[range(curve).start], points[range(curve).end - 1]]))?;
     let partners = pair_ends(&ends)?;
     if partners.iter().all(Option::is_none) {
         return Ok(curves);
     }
-    let chains = chain_curves(&partners);
+    let chains = chain_curves(&partners)?;
     let mut joined = Curves::default();
+    alloc::reserve(&mut joined.closed, curves.closed.len())?;
+    alloc::reserve(&mut joined.offsets, curves.closed.len())?;
     let mut all: Vec<Point> = Vec::new();
     all.try_reserve_exact(points.len())?;
     let mut chain_at: HashMap<usize, usize> = HashMap::new();
@@ -107,7 +109,7 @@ fn pair_ends(ends: &[[Point; 2]]) -> Result<Vec<Option<u32>>, ReadError> {
             nodes.push(Node { point, ends: [end as u32, 0], end_count: 1, next_in_cell });
         }
     }
-    let mut partners = vec![None; flat.len()];
+    let mut partners = alloc::filled(None, flat.len())?;
     for Node { ends: [a, b], .. } in nodes.iter().filter(|node| node.end_count == 2) {
         partners[*a as usize] = Some(*b);
         partners[*b as usize] = Some(*a);
@@ -136,9 +138,9 @@ struct Chain {
 }
 
 /// Follows partners from curve to curve.
-fn chain_curves(partners: &[Option<u32>]) -> Vec<Chain> {
+fn chain_curves(partners: &[Option<u32>]) -> Result<Vec<Chain>, ReadError> {
     let count = partners.len() / 2;
-    let mut is_used = vec![false; count];
+    let mut is_used = alloc::filled(false, count)?;
     let mut chains = Vec::new();
     for first in 0..count {
         if is_used[first] {
@@ -154,19 +156,20 @@ fn chain_curves(partners: &[Option<u32>]) -> Vec<Chain> {
         }
         let is_closed = partners[entry].is_some();
         let entry = if is_closed { 2 * first } else { entry };
-        chains.push(Chain { links: follow_chain(partners, entry, &mut is_used), is_closed });
+        let links = follow_chain(partners, entry, &mut is_used)?;
+        alloc::push(&mut chains, Chain { links, is_closed })?;
     }
-    chains
+    Ok(chains)
 }
 
 /// Lists the curves from the one that begins at `entry`.
-fn follow_chain(partners: &[Option<u32>], entry: usize, is_used: &mut [bool]) -> Vec<Link> {
+fn follow_chain(partners: &[Option<u32>], entry: usize, is_used: &mut [bool]) -> Result<Vec<Link>, ReadError> {
     let mut links = Vec::new();
     let mut next = Some(entry);
     while let Some(start) = next.filter(|start| !is_used[start / 2]) {
         is_used[start / 2] = true;
-        links.push(Link { curve: start / 2, is_backwards: start % 2 == 1 });
+        alloc::push(&mut links, Link { curve: start / 2, is_backwards: start % 2 == 1 })?;
         next = partners[start ^ 1].map(|partner| partner as usize);
     }
-    links
+    Ok(links)
 }

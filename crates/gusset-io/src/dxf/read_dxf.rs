@@ -15,6 +15,7 @@ use crate::outline_pen::{OutlinePen, Vector, read_outlines};
 use crate::scene::counted;
 use crate::text::integer;
 use crate::text_encoding::decode_text;
+use gusset_base::alloc;
 use std::collections::{BTreeMap, HashMap};
 
 const BINARY_START: &[u8] = b"AutoCAD Binary DXF";
@@ -172,7 +173,8 @@ impl<'a, 'b> DxfReader<'a, 'b> {
             {
                 let block = Block { first, entities: reader.clone(), base: entity.point(10) };
                 self.blocks.try_reserve(1)?;
-                self.blocks.insert(name.to_ascii_lowercase(), block);
+                self.blocks.insert(lower_case(name)?, block);
+                alloc::check_reserve()?;
             }
         }
         Ok(())
@@ -291,7 +293,7 @@ impl<'a, 'b> DxfReader<'a, 'b> {
     }
 
     fn insert_block(&mut self, entity: &Entity<'a>, frame: &Frame) -> Result<(), ReadError> {
-        let name = entity.text(2).unwrap_or(&[]).to_ascii_lowercase();
+        let name = lower_case(entity.text(2).unwrap_or(&[]))?;
         let is_allowed = self.inserted.len() < MAX_BLOCK_DEPTH && !self.inserted.contains(&name);
         let Some(block) = self.blocks.get(&name).filter(|_| is_allowed) else {
             self.findings.missing_blocks += 1;
@@ -320,6 +322,10 @@ impl<'a, 'b> DxfReader<'a, 'b> {
         self.inserted.pop();
         Ok(())
     }
+}
+
+fn lower_case(name: &[u8]) -> Result<Vec<u8>, ReadError> {
+    Ok(alloc::collect(name.iter().map(u8::to_ascii_lowercase))?)
 }
 
 fn too_large(place: Place) -> ReadError {

@@ -40,7 +40,7 @@ pub(crate) fn write_dxf(
     if let (Some(metres), None) = (document.metres_per_unit, unit) {
         losses.push(Loss(format!("the unit of {metres} m, for which DXF files have no name")));
     }
-    let mut out = TextWriter::new(target.main);
+    let mut out = TextWriter::new(target.main)?;
     out.text("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n")?;
     out.integer(unit.unwrap_or(0) as u64)?;
     out.text("\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n")?;

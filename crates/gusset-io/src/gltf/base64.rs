@@ -1,5 +1,9 @@
 //! Base64, as `data:` addresses hold it.
 
+use crate::error::ReadError;
+use crate::text_encoding::owned_text;
+use gusset_base::alloc;
+
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// Value of each character; 64 if it is not a digit.
@@ -16,9 +20,9 @@ const VALUES: [u8; 256] = {
 };
 
 /// Decodes digits of either alphabet, with or without padding. Skips white space. Returns `None` at any other character.
-pub(super) fn decode_base64(digits: &[u8]) -> Option<Vec<u8>> {
+pub(super) fn decode_base64(digits: &[u8]) -> Result<Option<Vec<u8>>, ReadError> {
     let mut made = Vec::new();
-    made.try_reserve_exact(digits.len() / 4 * 3 + 3).ok()?;
+    made.try_reserve_exact(digits.len() / 4 * 3 + 3)?;
     let (mut bits, mut count) = (0_u32, 0);
     for &digit in digits {
         let value = VALUES[digit as usize];
@@ -26,7 +30,7 @@ pub(super) fn decode_base64(digits: &[u8]) -> Option<Vec<u8>> {
             if digit == b'=' || digit.is_ascii_whitespace() {
                 continue;
             }
-            return None;
+            return Ok(None);
         }
         bits = (bits << 6) | u32::from(value);
         count += 6;
@@ -35,7 +39,7 @@ pub(super) fn decode_base64(digits: &[u8]) -> Option<Vec<u8>> {
             made.push((bits >> count) as u8);
         }
     }
-    Some(made)
+    Ok(Some(made))
 }
 
 /// Passes the digits of bytes to `out` in pieces.
@@ -58,9 +62,9 @@ pub(super) fn encode_base64(bytes: &[u8], mut out: impl FnMut(&[u8]) -> std::io:
 }
 
 /// Decodes `%20` and the like.
-pub(super) fn decode_percent(text: &str) -> String {
+pub(super) fn decode_percent(text: &str) -> Result<String, ReadError> {
     let bytes = text.as_bytes();
-    let mut made = Vec::with_capacity(bytes.len());
+    let mut made = alloc::with_capacity(bytes.len())?;
     let mut place = 0;
     while let Some(&byte) = bytes.get(place) {
         let escaped = (byte == b'%')
@@ -71,5 +75,5 @@ pub(super) fn decode_percent(text: &str) -> String {
         made.push(escaped.unwrap_or(byte));
         place += if escaped.is_some() { 3 } else { 1 };
     }
-    String::from_utf8_lossy(&made).into_owned()
+    String::from_utf8(made).or_else(|error| owned_text(error.as_bytes()))
 }

@@ -1,8 +1,9 @@
 //! Accessors: typed numbers in buffer views, with strides, normalisation and sparse replacements.
 
 use super::gltf_buffers::{Buffers, Bytes, element, malformed, not_whole};
-use super::json_tape::Value;
 use crate::error::{Note, Place, ReadError};
+use crate::json_tape::Value;
+use gusset_base::alloc;
 
 /// Type of an accessor's numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,9 +109,8 @@ fn width_from_type(kind: Value<'_>) -> Option<usize> {
 }
 
 impl<'a> Accessors<'a> {
-    pub(super) fn new(root: Value<'a>, buffers: Buffers<'a>) -> Self {
-        let list = root.get("accessors").map_or_else(Vec::new, |list| list.items().collect());
-        Self { buffers, list }
+    pub(super) fn new(root: Value<'a>, buffers: Buffers<'a>) -> Result<Self, ReadError> {
+        Ok(Self { buffers, list: root.list("accessors")? })
     }
 
     /// Finds an accessor and its bytes.
@@ -161,7 +161,7 @@ impl<'a> Accessors<'a> {
         let bytes = if fits(&view.bytes) {
             view.bytes
         } else if fits(&view.with_rest) {
-            notes.push(Note::new(Place::Whole, format!("{name} exceeds its buffer view, but not the buffer")));
+            alloc::push(notes, Note::new(Place::Whole, format!("{name} exceeds its buffer view, but not the buffer")))?;
             view.with_rest
         } else {
             return Err(malformed(format!(
@@ -245,7 +245,7 @@ impl Accessor<'_> {
         }
         // Numbers that are not indices become the largest one, which exceeds every count.
         let index = |number: f64| if number >= 0.0 && number.fract() == 0.0 { number as u32 } else { u32::MAX };
-        Ok(self.vectors::<1, u32>(buffers, index)?.into_iter().map(|[index]| index).collect())
+        Ok(self.vectors::<1, u32>(buffers, index)?.into_flattened())
     }
 }
 

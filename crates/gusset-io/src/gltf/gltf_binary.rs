@@ -1,6 +1,6 @@
 //! The buffer that a writer fills, and the views and accessors of it.
 
-use super::json_text::push_numbers;
+use crate::json_text::push_numbers;
 use std::collections::TryReserveError;
 
 /// Purpose of a view.
@@ -21,13 +21,14 @@ pub(super) struct JsonList {
 
 impl JsonList {
     /// Appends a value. Returns its index.
-    pub(super) fn push(&mut self, value: &str) -> u32 {
+    pub(super) fn push(&mut self, value: &str) -> Result<u32, TryReserveError> {
+        self.text.try_reserve(value.len() + 1)?;
         if self.count > 0 {
             self.text.push(',');
         }
         self.text.push_str(value);
         self.count += 1;
-        self.count - 1
+        Ok(self.count - 1)
     }
 }
 
@@ -97,7 +98,7 @@ impl Binary {
                 number.push(&mut self.bytes);
             }
         }
-        let view = self.close_view(start, target);
+        let view = self.close_view(start, target)?;
         let kind = ["SCALAR", "VEC2", "VEC3", "VEC4"][N - 1];
         let mut text =
             format!("{{\"bufferView\":{view},\"componentType\":{},\"count\":{count},\"type\":\"{kind}\"", T::CODE);
@@ -108,7 +109,7 @@ impl Binary {
             push_numbers(&mut text, &high);
         }
         text.push('}');
-        Ok(self.accessors.push(&text))
+        self.accessors.push(&text)
     }
 
     /// Appends bytes. Returns the index of their view.
@@ -116,11 +117,11 @@ impl Binary {
         let start = self.bytes.len();
         self.bytes.try_reserve(bytes.len() + 4)?;
         self.bytes.extend_from_slice(bytes);
-        Ok(self.close_view(start, Target::Other))
+        self.close_view(start, Target::Other)
     }
 
     /// Makes a view of the bytes since `start`. The next one begins at a multiple of 4 bytes.
-    fn close_view(&mut self, start: usize, target: Target) -> u32 {
+    fn close_view(&mut self, start: usize, target: Target) -> Result<u32, TryReserveError> {
         let length = self.bytes.len() - start;
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
         let target = match target {

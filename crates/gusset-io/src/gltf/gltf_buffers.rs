@@ -1,10 +1,10 @@
 //! Bytes that a glTF file's JSON refers to: the binary chunk, `data:` addresses, files beside it, and compressed views.
 
 use super::base64::{decode_base64, decode_percent};
-use super::json_tape::Value;
 use super::meshopt::{Codec, decode_view};
 use crate::budget::Budget;
 use crate::error::{Place, ReadError};
+use crate::json_tape::Value;
 use crate::resources::Resources;
 use std::collections::BTreeMap;
 use std::ops::{Deref, Range};
@@ -73,18 +73,22 @@ pub(super) struct Buffers<'a> {
 pub(super) const MESHOPT_EXTENSIONS: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 impl<'a> Buffers<'a> {
-    pub(super) fn new(root: Value<'a>, binary: Option<&'a [u8]>, resources: &'a dyn Resources, budget: Budget) -> Self {
-        let list = |name| root.get(name).map_or_else(Vec::new, |list| list.items().collect());
-        Self {
+    pub(super) fn new(
+        root: Value<'a>,
+        binary: Option<&'a [u8]>,
+        resources: &'a dyn Resources,
+        budget: Budget,
+    ) -> Result<Self, ReadError> {
+        Ok(Self {
             budget,
             resources,
             binary,
-            views: list("bufferViews"),
-            buffers: list("buffers"),
+            views: root.list("bufferViews")?,
+            buffers: root.list("buffers")?,
             loaded: BTreeMap::new(),
             files: BTreeMap::new(),
             decoded: BTreeMap::new(),
-        }
+        })
     }
 
     /// Returns the bytes of a view.
@@ -150,11 +154,11 @@ impl<'a> Buffers<'a> {
     /// Returns the bytes of a `data:` address or of a file.
     fn address(&mut self, address: &str, name: &str) -> Result<Bytes<'a>, ReadError> {
         if let Some(data) = data_address(address) {
-            let bytes = data.decode().ok_or_else(|| malformed(format!("{name} has an address of invalid base64")))?;
+            let bytes = data.decode()?.ok_or_else(|| malformed(format!("{name} has an address of invalid base64")))?;
             self.budget.take::<u8>(bytes.len() as u64)?;
             return Ok(Bytes::from_vec(bytes));
         }
-        let file = decode_percent(address);
+        let file = decode_percent(address)?;
         if let Some(bytes) = self.files.get(&file) {
             return Ok(bytes.clone());
         }
@@ -174,8 +178,12 @@ pub(super) struct DataAddress<'t> {
 }
 
 impl DataAddress<'_> {
-    pub(super) fn decode(&self) -> Option<Vec<u8>> {
-        if self.is_base64 { decode_base64(self.data.as_bytes()) } else { Some(decode_percent(self.data).into_bytes()) }
+    /// Returns the bytes; `None` if they are not valid.
+    pub(super) fn decode(&self) -> Result<Option<Vec<u8>>, ReadError> {
+        if self.is_base64 {
+            return decode_base64(self.data.as_bytes());
+        }
+        Ok(Some(decode_percent(self.data)?.into_bytes()))
     }
 }
 

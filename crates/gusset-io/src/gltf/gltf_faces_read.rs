@@ -1,9 +1,10 @@
 //! Triangles of a primitive as faces: lists, strips and fans, and polygons that were cut into them.
 
 use super::gltf_buffers::malformed;
-use super::json_tape::Value;
 use crate::error::{Note, Place, ReadError, ReadErrorKind};
+use crate::json_tape::Value;
 use crate::mesh::Mesh;
+use gusset_base::alloc;
 
 /// Triangles that follow each other and begin at the same vertex are one polygon.
 pub(super) const POLYGON_EXTENSION: &str = "FB_ngon_encoding";
@@ -58,7 +59,7 @@ pub(super) fn append_faces(
     if mode != Mode::Triangles {
         return append_strip(mesh, mode, &indices);
     }
-    note_rest(indices.len() % 3, notes);
+    note_rest(indices.len() % 3, notes)?;
     let (triangles, _) = indices.as_chunks::<3>();
     let is_grouped = primitive.get("extensions").and_then(|all| all.get(POLYGON_EXTENSION)).is_some();
     let polygons = primitive.get("extras").and_then(|extras| extras.get(POLYGON_EXTRAS));
@@ -78,17 +79,17 @@ pub(super) fn append_faces(
     mesh.corners.try_reserve(indices.len())?;
     let mut place = 0;
     for polygon in polygons.into_iter().flat_map(Value::items) {
-        match listed_polygon(polygon, triangles, place, first_vertex) {
+        match listed_polygon(polygon, triangles, place, first_vertex)? {
             Some((first, count, vertices)) => {
                 append_fans(mesh, &triangles[place..first], is_grouped)?;
                 append_face(mesh, &vertices)?;
                 place = first + count;
             }
             None => {
-                notes.push(Note::new(
-                    Place::Whole,
-                    "lists of polygons in extras do not fit the triangles and are ignored",
-                ));
+                alloc::push(
+                    notes,
+                    Note::new(Place::Whole, "lists of polygons in extras do not fit the triangles and are ignored"),
+                )?;
                 break;
             }
         }
@@ -97,13 +98,14 @@ pub(super) fn append_faces(
 }
 
 /// Notes indices after the last triangle.
-fn note_rest(count: usize, notes: &mut Vec<Note>) {
+fn note_rest(count: usize, notes: &mut Vec<Note>) -> Result<(), ReadError> {
     let text = match count {
-        0 => return,
+        0 => return Ok(()),
         1 => "1 index follows after the last triangle and is ignored",
         _ => "2 indices follow after the last triangle and are ignored",
     };
-    notes.push(Note::new(Place::Whole, text));
+    alloc::push(notes, Note::new(Place::Whole, text))?;
+    Ok(())
 }
 
 fn append_face(mesh: &mut Mesh, vertices: &[u32]) -> Result<(), ReadError> {
@@ -158,23 +160,28 @@ fn listed_polygon(
     triangles: &[[u32; 3]],
     place: usize,
     first_vertex: u32,
-) -> Option<(usize, usize, Vec<u32>)> {
+) -> Result<Option<(usize, usize, Vec<u32>)>, ReadError> {
     let mut numbers = entry.items().map(Value::whole);
     let mut next = || numbers.next().flatten().and_then(|number| usize::try_from(number).ok());
-    let (first, count) = (next()?, next()?);
-    let own = triangles.get(first..first.checked_add(count)?).filter(|_| first >= place)?;
+    let own = next().zip(next()).and_then(|(first, count)| {
+        let own = triangles.get(first..first.checked_add(count)?).filter(|_| first >= place)?;
+        Some((first, own))
+    });
+    let Some((first, own)) = own else { return Ok(None) };
     let mut vertices = Vec::new();
     for number in entry.items().skip(2) {
-        vertices.push(u32::try_from(number.whole()?).ok()?.checked_add(first_vertex)?);
+        let vertex = number.whole().and_then(|vertex| u32::try_from(vertex).ok()?.checked_add(first_vertex));
+        let Some(vertex) = vertex else { return Ok(None) };
+        alloc::push(&mut vertices, vertex)?;
     }
-    let mut sorted = vertices.clone();
+    let mut sorted = alloc::copied(&vertices)?;
     sorted.sort_unstable();
     let is_known = |vertex: &u32| sorted.binary_search(vertex).is_ok();
     let has_all = own.iter().flatten().all(is_known);
-    let mut used: Vec<u32> = own.iter().flatten().copied().collect();
+    let mut used = alloc::copied(own.as_flattened())?;
     used.sort_unstable();
     let all_used = sorted.iter().all(|vertex| used.binary_search(vertex).is_ok());
-    (vertices.len() >= 3 && has_all && all_used).then_some((first, count, vertices))
+    Ok((vertices.len() >= 3 && has_all && all_used).then_some((first, own.len(), vertices)))
 }
 
 /// Returns a primitive's vertices in the mesh. Refuses vertices that do not exist.

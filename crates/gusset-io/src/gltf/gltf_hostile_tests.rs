@@ -1,9 +1,9 @@
 //! Files that try to exhaust memory or time, and random damage.
 
 use super::gltf_test_files::*;
-use super::json_tape::Tape;
 use super::read_gltf;
 use crate::error::ReadErrorKind;
+use crate::json_tape::Tape;
 use crate::mesh::{Mesh, Values};
 use crate::options::ReadOptions;
 use crate::{Document, NO_MATERIAL};

@@ -3,12 +3,14 @@
 use super::base64::decode_percent;
 use super::gltf_buffers::{Buffers, data_address, element, malformed};
 use super::gltf_colour::srgb_from_linear;
-use super::json_tape::Value;
-use super::json_text::{Edit, push_edited};
 use crate::document::Document;
 use crate::error::{Note, Place, ReadError};
+use crate::json_tape::Value;
+use crate::json_text::{Edit, push_edited};
 use crate::material::{Image, ImageData, Material, NativeMaterial};
+use gusset_base::alloc;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Extensions of textures that name another image, for programs that can decode it.
 pub(super) const IMAGE_EXTENSIONS: [(&str, &str); 4] = [
@@ -30,16 +32,15 @@ pub(super) struct MaterialReader<'a> {
 }
 
 impl<'a> MaterialReader<'a> {
-    pub(super) fn new(root: Value<'a>) -> Self {
-        let list = |name| root.get(name).map_or_else(Vec::new, |list| list.items().collect());
-        Self {
-            materials: list("materials"),
-            textures: list("textures"),
-            images: list("images"),
-            samplers: list("samplers"),
+    pub(super) fn new(root: Value<'a>) -> Result<Self, ReadError> {
+        Ok(Self {
+            materials: root.list("materials")?,
+            textures: root.list("textures")?,
+            images: root.list("images")?,
+            samplers: root.list("samplers")?,
             known: BTreeMap::new(),
             known_images: BTreeMap::new(),
-        }
+        })
     }
 
     /// Returns the document's index of a material of the file. Adds it to the document at its first use.
@@ -55,8 +56,9 @@ impl<'a> MaterialReader<'a> {
         let json = element(&self.materials, index, "material")?;
         let made = self.read(json, index, document, buffers)?;
         let place = document.materials.len() as u32;
-        document.materials.push(made);
+        alloc::push(&mut document.materials, made)?;
         self.known.insert(index, place);
+        alloc::check_reserve()?;
         Ok(place)
     }
 
@@ -72,7 +74,7 @@ impl<'a> MaterialReader<'a> {
         // Indices in `textures` by indices in the file.
         let mut places: BTreeMap<usize, usize> = BTreeMap::new();
         let mut failure = None;
-        let mut text = String::new();
+        let mut text = text_for_copy(json)?;
         let is_whole = push_edited(&mut text, json, |parent, key, value| {
             let is_texture = parent.and_then(Value::text).is_some_and(|name| name.ends_with("Texture"));
             if !is_texture || !key.is("index") {
@@ -84,10 +86,7 @@ impl<'a> MaterialReader<'a> {
             if place == next {
                 match self.texture(index, document, buffers) {
                     Ok(texture) => textures.push(texture),
-                    Err(error) => {
-                        textures.push((String::new(), None));
-                        failure.get_or_insert(error);
-                    }
+                    Err(error) => _ = failure.get_or_insert(error),
                 }
             }
             Edit::Replace(place.to_string())
@@ -108,7 +107,7 @@ impl<'a> MaterialReader<'a> {
             name: name.map_or_else(|| format!("material_{index}"), std::borrow::Cow::into_owned),
             colour: base.colour,
             image,
-            native: is_whole.then(|| NativeMaterial::Gltf { material: text.into(), textures: textures.into() }),
+            native: is_whole.then(|| NativeMaterial::Gltf { material: Arc::new(text), textures: Arc::new(textures) }),
         })
     }
 
@@ -121,11 +120,15 @@ impl<'a> MaterialReader<'a> {
     ) -> Result<(String, Option<u32>), ReadError> {
         let Some(&texture) = self.textures.get(index) else { return Ok((String::new(), None)) };
         let mut sampler = String::new();
+        alloc::check_reserve()?;
         if let Some(place) = texture.get("sampler").and_then(Value::whole)
             && let Some(&json) = self.samplers.get(place as usize)
-            && !push_edited(&mut sampler, json, |_, _, _| Edit::Keep)
         {
-            sampler.clear();
+            sampler = text_for_copy(json)?;
+            if !push_edited(&mut sampler, json, |_, _, _| Edit::Keep) {
+                sampler.clear();
+            }
+            sampler.shrink_to_fit();
         }
         buffers.budget.take::<u8>(sampler.len() as u64)?;
         let extended = || {
@@ -148,6 +151,7 @@ impl<'a> MaterialReader<'a> {
         }
         let json = self.images.get(index).copied();
         let data = json.map(|json| image_data(json, index, buffers)).transpose()?.flatten();
+        alloc::reserve(&mut document.images, 1)?;
         let place = data.zip(json).map(|((data, told), json)| {
             let text = |key| json.get(key).and_then(Value::text).unwrap_or_default().into_owned();
             let media_type = match &data {
@@ -172,15 +176,22 @@ fn image_data<'a>(
     if let Some(view) = json.get("bufferView").and_then(Value::whole) {
         let view = buffers.view(view as usize)?;
         buffers.budget.take::<u8>(view.bytes.len() as u64)?;
-        return Ok(Some((ImageData::Bytes((&*view.bytes).into()), told)));
+        return Ok(Some((ImageData::Bytes(Arc::new(alloc::copied(&view.bytes)?)), told)));
     }
     let Some(address) = json.get("uri").and_then(Value::text) else { return Ok(None) };
     let Some(data) = data_address(&address) else {
-        return Ok(Some((ImageData::File(decode_percent(&address)), told)));
+        return Ok(Some((ImageData::File(decode_percent(&address)?), told)));
     };
-    let bytes = data.decode().ok_or_else(|| malformed(format!("image {index} has an address of invalid base64")))?;
+    let bytes = data.decode()?.ok_or_else(|| malformed(format!("image {index} has an address of invalid base64")))?;
     let told = if told.is_empty() { data.media_type.to_owned() } else { told };
-    Ok(Some((ImageData::Bytes(bytes.into()), told)))
+    Ok(Some((ImageData::Bytes(Arc::new(bytes)), told)))
+}
+
+/// Makes an empty text with room for a copy of a value. A character may take 6 bytes where it took one.
+pub(super) fn text_for_copy(value: Value<'_>) -> Result<String, ReadError> {
+    let mut text = String::new();
+    text.try_reserve_exact(6 * value.raw().len() + 32)?;
+    Ok(text)
 }
 
 /// Returns the media type of an encoded image by its first bytes.

@@ -2,15 +2,17 @@
 
 use super::gltf_binary::{Binary, JsonList};
 use super::gltf_colour::linear_from_srgb;
-use super::gltf_materials_read::{IMAGE_EXTENSIONS, media_type_from_bytes};
-use super::json_tape::{Tape, Value};
-use super::json_text::{Edit, push_edited, push_numbers, push_text};
+use super::gltf_materials_read::{IMAGE_EXTENSIONS, media_type_from_bytes, text_for_copy};
 use crate::document::Document;
-use crate::error::Loss;
+use crate::error::{Loss, ReadError, ReadErrorKind, WriteError};
+use crate::json_tape::{Tape, Value};
+use crate::json_text::{Edit, push_edited, push_numbers, push_text};
 use crate::material::{ImageData, Material, NativeMaterial};
 use crate::resources::Resources;
+use crate::text_encoding::owned_text;
+use gusset_base::alloc;
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet, TryReserveError};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Texture of a material that the file does not get.
 const NO_TEXTURE: u32 = u32::MAX;
@@ -59,7 +61,7 @@ impl<'d> MaterialWriter<'d> {
     }
 
     /// Returns the file's index of a material of the document.
-    pub(super) fn material(&mut self, index: u32, binary: &mut Binary) -> Result<u32, TryReserveError> {
+    pub(super) fn material(&mut self, index: u32, binary: &mut Binary) -> Result<u32, WriteError> {
         if let Some(&known) = self.known.get(&index) {
             return Ok(known);
         }
@@ -74,8 +76,9 @@ impl<'d> MaterialWriter<'d> {
             Some(text) => text,
             None => self.plain_material(material, binary)?,
         };
-        let made = self.materials.push(&text);
+        let made = self.materials.push(&text)?;
         self.known.insert(index, made);
+        alloc::check_reserve()?;
         Ok(made)
     }
 
@@ -86,7 +89,7 @@ impl<'d> MaterialWriter<'d> {
         text: &str,
         textures: &[(String, Option<u32>)],
         binary: &mut Binary,
-    ) -> Result<Option<String>, TryReserveError> {
+    ) -> Result<Option<String>, WriteError> {
         let Ok(tape) = Tape::parse(text.as_bytes()) else { return Ok(None) };
         let root = tape.root();
         if !root.is_object() {
@@ -95,7 +98,7 @@ impl<'d> MaterialWriter<'d> {
         // Indices in the file by indices in `textures`.
         let mut written: BTreeMap<u64, u32> = BTreeMap::new();
         let mut failure = None;
-        let mut made = String::new();
+        let mut made = text_for_copy(root)?;
         let is_whole = push_edited(&mut made, root, |parent, key, value| {
             let is_texture = |name: Value<'_>| name.text().is_some_and(|name| name.ends_with("Texture"));
             if parent.is_none() && key.is("name") {
@@ -127,7 +130,9 @@ impl<'d> MaterialWriter<'d> {
         if !is_whole {
             return Ok(None);
         }
-        let mut named = named_object(&material.name);
+        tape.check_memory()?;
+        let mut named = named_object(&material.name)?;
+        named.try_reserve(made.len())?;
         if named.len() > 1 && made.len() > 2 {
             named.push(',');
         }
@@ -143,7 +148,7 @@ impl<'d> MaterialWriter<'d> {
         index: u64,
         textures: &[(String, Option<u32>)],
         binary: &mut Binary,
-    ) -> Result<u32, TryReserveError> {
+    ) -> Result<u32, WriteError> {
         if info.get("texCoord").is_some_and(|set| set.whole() != Some(0)) {
             let name = &material.name;
             self.lose(&format!("a texture of material {name} that other texture coordinates show"));
@@ -153,14 +158,20 @@ impl<'d> MaterialWriter<'d> {
             return Ok(NO_TEXTURE);
         };
         let image = image.map(|image| self.image(image, binary)).transpose()?.flatten();
-        Ok(image.map_or(NO_TEXTURE, |image| self.texture(sampler, image)))
+        image.map_or(Ok(NO_TEXTURE), |image| self.texture(sampler, image))
     }
 
-    fn texture(&mut self, sampler: &str, image: WrittenImage) -> u32 {
+    fn texture(&mut self, sampler: &str, image: WrittenImage) -> Result<u32, WriteError> {
         let mut text = String::from("{");
         if !sampler.is_empty() {
-            let samplers = &mut self.samplers;
-            let index = *self.known_samplers.entry(sampler.to_owned()).or_insert_with(|| samplers.push(sampler));
+            let index = match self.known_samplers.get(sampler) {
+                Some(&index) => index,
+                None => {
+                    let index = self.samplers.push(sampler)?;
+                    self.known_samplers.insert(owned_text(sampler.as_bytes())?, index);
+                    index
+                }
+            };
             text.push_str(&format!("\"sampler\":{index},"));
         }
         let source = format!("\"source\":{}", image.index);
@@ -171,13 +182,17 @@ impl<'d> MaterialWriter<'d> {
             }
             None => text.push_str(&format!("{source}}}")),
         }
-        let textures = &mut self.textures;
-        *self.known_textures.entry(text).or_insert_with_key(|text| textures.push(text))
+        if let Some(&index) = self.known_textures.get(&text) {
+            return Ok(index);
+        }
+        let index = self.textures.push(&text)?;
+        self.known_textures.insert(text, index);
+        Ok(index)
     }
 
     /// Returns a material of a base colour and its image.
-    fn plain_material(&mut self, material: &Material, binary: &mut Binary) -> Result<String, TryReserveError> {
-        let mut text = named_object(&material.name);
+    fn plain_material(&mut self, material: &Material, binary: &mut Binary) -> Result<String, WriteError> {
+        let mut text = named_object(&material.name)?;
         if text.len() > 1 {
             text.push(',');
         }
@@ -187,7 +202,7 @@ impl<'d> MaterialWriter<'d> {
         push_numbers(&mut text, &[r, g, b, opacity]);
         text.push_str(",\"metallicFactor\":0");
         if let Some(image) = material.image.map(|image| self.image(image, binary)).transpose()?.flatten() {
-            let texture = self.texture("", image);
+            let texture = self.texture("", image)?;
             text.push_str(&format!(",\"baseColorTexture\":{{\"index\":{texture}}}"));
         }
         text.push('}');
@@ -204,14 +219,14 @@ impl<'d> MaterialWriter<'d> {
     }
 
     /// Returns a written image; `None` if it does not exist or programs could not show it.
-    fn image(&mut self, index: u32, binary: &mut Binary) -> Result<Option<WrittenImage>, TryReserveError> {
+    fn image(&mut self, index: u32, binary: &mut Binary) -> Result<Option<WrittenImage>, WriteError> {
         if let Some(&known) = self.known_images.get(&index) {
             return Ok(known);
         }
         let image = &self.document.images[index as usize];
         let (bytes, name): (Cow<'_, [u8]>, _) = match &image.data {
             ImageData::Bytes(bytes) => (Cow::Borrowed(bytes), "inside of the file"),
-            ImageData::File(name) => (Cow::Owned(self.resources.load(name).unwrap_or_default()), name.as_str()),
+            ImageData::File(name) => (Cow::Owned(self.loaded(name)?), name.as_str()),
         };
         let written = match media_type_from_bytes(&bytes) {
             Some(media_type) => Some(self.store(&image.name, &bytes, media_type, binary)?),
@@ -234,20 +249,28 @@ impl<'d> MaterialWriter<'d> {
         bytes: &[u8],
         media_type: &'static str,
         binary: &mut Binary,
-    ) -> Result<WrittenImage, TryReserveError> {
+    ) -> Result<WrittenImage, WriteError> {
         if let Some((_, known)) = self.stored.iter().find(|(range, _)| binary.bytes[range.clone()] == *bytes) {
             return Ok(*known);
         }
         let start = binary.bytes.len();
         let view = binary.push_bytes(bytes)?;
-        let mut text = named_object(name);
+        let mut text = named_object(name)?;
         if text.len() > 1 {
             text.push(',');
         }
         text.push_str(&format!("\"bufferView\":{view},\"mimeType\":\"{media_type}\"}}"));
-        let made = WrittenImage { index: self.images.push(&text), media_type };
-        self.stored.push((start..start + bytes.len(), made));
+        let made = WrittenImage { index: self.images.push(&text)?, media_type };
+        alloc::push(&mut self.stored, (start..start + bytes.len(), made))?;
         Ok(made)
+    }
+
+    /// Loads an image; nothing if it is not there.
+    fn loaded(&self, name: &str) -> Result<Vec<u8>, ReadError> {
+        match self.resources.load(name) {
+            Err(error) if error.kind == ReadErrorKind::OutOfMemory => Err(error),
+            loaded => Ok(loaded.unwrap_or_default()),
+        }
     }
 
     fn lose(&mut self, text: &str) {
@@ -259,13 +282,16 @@ impl<'d> MaterialWriter<'d> {
 }
 
 /// Returns the start of an object with a name, if there is one.
-pub(super) fn named_object(name: &str) -> String {
-    let mut text = String::from("{");
+pub(super) fn named_object(name: &str) -> Result<String, WriteError> {
+    // A character may take 6 bytes where it took one.
+    let mut text = String::new();
+    text.try_reserve(6 * name.len() + 64)?;
+    text.push('{');
     if !name.is_empty() {
         text.push_str("\"name\":");
         push_text(&mut text, name);
     }
-    text
+    Ok(text)
 }
 
 /// Returns whether a line of an MTL library says nothing beyond diffuse colour, opacity and image.

@@ -1,9 +1,10 @@
 //! Matrices of nodes, in double precision: three rows of four.
 
 use super::gltf_buffers::malformed;
-use super::json_tape::Value;
 use crate::document::Placement;
 use crate::error::{Note, Place, ReadError};
+use crate::json_tape::Value;
+use gusset_base::alloc;
 
 pub(super) type Matrix = [[f64; 4]; 3];
 
@@ -31,7 +32,7 @@ pub(super) fn matrix_from_node(node: Value<'_>, index: usize, notes: &mut Vec<No
             .ok_or_else(|| malformed(format!("node {index}: the matrix is not a list of 16 numbers")))?;
         if [m[3], m[7], m[11], m[15]] != [0.0, 0.0, 0.0, 1.0] {
             let text = format!("node {index}: the last row of the matrix is not 0, 0, 0, 1 and is ignored");
-            notes.push(Note::new(Place::Whole, text));
+            alloc::push(notes, Note::new(Place::Whole, text))?;
         }
         return Ok(std::array::from_fn(|row| std::array::from_fn(|column| m[4 * column + row])));
     }
@@ -47,10 +48,10 @@ pub(super) fn matrix_from_node(node: Value<'_>, index: usize, notes: &mut Vec<No
     }
     let rotation = vector(node, index, "rotation", [0.0, 0.0, 0.0, 1.0])?;
     if rotation == [0.0; 4] {
-        notes.push(Note::new(
-            Place::Whole,
-            format!("node {index}: the rotation is a quaternion of length 0 and is ignored"),
-        ));
+        alloc::push(
+            notes,
+            Note::new(Place::Whole, format!("node {index}: the rotation is a quaternion of length 0 and is ignored")),
+        )?;
     }
     Ok(matrix_from_trs(
         vector(node, index, "translation", [0.0; 3])?,

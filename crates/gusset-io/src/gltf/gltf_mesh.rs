@@ -7,11 +7,12 @@ use super::gltf_faces_read::{Mode, append_faces, checked_indices};
 use super::gltf_notes::Unread;
 use super::gltf_strands::{LoosePoint, Strands};
 use super::gltf_unite::{are_origins_right, merge_equal_positions, unite_vertices};
-use super::json_tape::Value;
 use crate::budget::Budget;
 use crate::error::{Note, ReadError, ReadErrorKind};
+use crate::json_tape::Value;
 use crate::material::NO_MATERIAL;
 use crate::mesh::{Mesh, Positions, Values};
+use gusset_base::alloc;
 use std::collections::BTreeMap;
 
 /// Vertex attribute of files of this library: two halves of the number of the vertex from which this one was split.
@@ -258,9 +259,9 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         let Self { mut mesh, accessors, notes, .. } = self;
         let budget: &mut Budget = &mut accessors.buffers.budget;
         let count = mesh.positions.len();
-        mesh.normals = padded(self.normals, count, [f64::NAN; 3]).map_or(Values::Absent, Values::Vertices);
-        mesh.texcoords = padded(self.texcoords, count, [f64::NAN; 2]).map_or(Values::Absent, Values::Vertices);
-        mesh.vertex_colours = padded(mesh.vertex_colours, count, [1.0; 4]).unwrap_or_default();
+        mesh.normals = padded(self.normals, count, [f64::NAN; 3])?.map_or(Values::Absent, Values::Vertices);
+        mesh.texcoords = padded(self.texcoords, count, [f64::NAN; 2])?.map_or(Values::Absent, Values::Vertices);
+        mesh.vertex_colours = padded(mesh.vertex_colours, count, [1.0; 4])?.unwrap_or_default();
         if self.has_origins && are_origins_right(&mesh.positions, &self.origins) {
             unite_vertices(&mut mesh, &self.origins, budget)?;
         } else if self.merges {
@@ -290,12 +291,12 @@ fn append_padded<T: Copy>(all: &mut Vec<T>, added: Vec<T>, start: usize, missing
 }
 
 /// Fills an attribute that some primitives lack; `None` if all lack it.
-fn padded<T: Copy>(mut all: Vec<T>, count: usize, missing: T) -> Option<Vec<T>> {
+fn padded<T: Copy>(mut all: Vec<T>, count: usize, missing: T) -> Result<Option<Vec<T>>, ReadError> {
     if all.is_empty() {
-        return None;
+        return Ok(None);
     }
-    all.resize(count, missing);
-    Some(all)
+    alloc::grow(&mut all, count, missing)?;
+    Ok(Some(all))
 }
 
 /// Appends positions in single precision if all numbers are exact in it.

@@ -115,14 +115,16 @@ pub(super) fn write_mesh(
     }
     let attributes = write_vertices(mesh, &split, origin, binary)?;
     let has_polygons = (0..mesh.face_count()).any(|face| mesh.face_range(face).len() > 3);
-    let mut json = named_object(&mesh.name);
+    let mut json = named_object(&mesh.name)?;
     json.push_str(if json.len() > 1 { ",\"primitives\":[" } else { "\"primitives\":[" });
     for (place, (material, faces)) in faces_by_material(mesh)?.into_iter().enumerate() {
+        let faces = write_faces(mesh, &split, &faces, has_polygons, binary)?;
+        json.try_reserve(faces.len() + attributes.len() + 64)?;
         if place > 0 {
             json.push(',');
         }
         json.push_str(&format!("{{\"attributes\":{attributes}"));
-        json.push_str(&write_faces(mesh, &split, &faces, has_polygons, binary)?);
+        json.push_str(&faces);
         if material != NO_MATERIAL {
             json.push_str(&format!(",\"material\":{}", materials.material(material, binary)?));
         }
@@ -238,6 +240,8 @@ fn faces_by_material(mesh: &Mesh) -> Result<Vec<(u32, Vec<u32>)>, TryReserveErro
     for face in (0..count).filter(is_shown) {
         let material = mesh.face_materials[face as usize];
         if last.1 == usize::MAX || last.0 != material {
+            places.try_reserve(1)?;
+            groups.try_reserve(1)?;
             let place = *places.entry(material).or_insert_with(|| {
                 groups.push((material, Vec::new()));
                 groups.len() - 1
@@ -258,7 +262,7 @@ fn write_faces(
     faces: &[u32],
     has_polygons: bool,
     binary: &mut Binary,
-) -> Result<String, TryReserveError> {
+) -> Result<String, WriteError> {
     let mut triangles = Triangles::default();
     triangles.indices.try_reserve(3 * faces.len())?;
     for &face in faces {
@@ -275,7 +279,10 @@ fn write_faces(
         text.push_str(&format!(",\"extensions\":{{\"{POLYGON_EXTENSION}\":{{}}}}"));
     }
     if !triangles.polygons.is_empty() {
-        text.push_str(&format!(",\"extras\":{{\"{POLYGON_EXTRAS}\":[{}]}}", triangles.polygons));
+        text.try_reserve(triangles.polygons.len() + 64)?;
+        text.push_str(&format!(",\"extras\":{{\"{POLYGON_EXTRAS}\":["));
+        text.push_str(&triangles.polygons);
+        text.push_str("]}");
     }
     Ok(text)
 }

@@ -1,7 +1,7 @@
 //! Content of a file beyond meshes, counted for the notes.
 
-use super::json_tape::Value;
 use crate::error::{Note, Place};
+use crate::json_tape::Value;
 use std::collections::BTreeSet;
 
 /// Content that the reader leaves out.

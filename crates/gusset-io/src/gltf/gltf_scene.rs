@@ -3,9 +3,11 @@
 use super::gltf_accessors::Accessors;
 use super::gltf_buffers::{element, malformed};
 use super::gltf_matrix::{Matrix, matrix_from_node, matrix_from_trs, product};
-use super::json_tape::Value;
 use crate::document::Placement;
 use crate::error::{Note, Place, ReadError};
+use crate::json_tape::Value;
+use crate::text_encoding::owned_text;
+use gusset_base::alloc;
 
 /// The parent of a node without one.
 const NO_PARENT: u32 = u32::MAX;
@@ -25,8 +27,7 @@ pub(super) fn shown_meshes<'a>(
     accessors: &mut Accessors<'a>,
     notes: &mut Vec<Note>,
 ) -> Result<Vec<ShownMesh>, ReadError> {
-    let list = |name: &str| root.get(name).map_or_else(Vec::new, |list| list.items().collect::<Vec<_>>());
-    let (nodes, scenes) = (list("nodes"), list("scenes"));
+    let (nodes, scenes) = (root.list("nodes")?, root.list("scenes")?);
     // Lists of values, parents and marks.
     accessors.buffers.budget.take::<[u64; 8]>(nodes.len() as u64)?;
     let parents = node_parents(&nodes, notes)?;
@@ -34,7 +35,7 @@ pub(super) fn shown_meshes<'a>(
         0 if nodes.is_empty() => return unplaced_meshes(root, accessors),
         0 => {
             notes.push(Note::new(Place::Whole, "the file lacks a scene; all nodes are shown"));
-            (0..nodes.len()).filter(|&node| parents[node] == NO_PARENT).collect()
+            alloc::gather((0..nodes.len()).filter(|&node| parents[node] == NO_PARENT))?
         }
         count => {
             if count > 1 {
@@ -71,7 +72,7 @@ fn node_index(value: Value<'_>, count: usize) -> Result<usize, ReadError> {
 
 /// Returns the parent of each node. Refuses a node that two nodes contain, and nodes that contain themselves.
 fn node_parents(nodes: &[Value<'_>], notes: &mut Vec<Note>) -> Result<Vec<u32>, ReadError> {
-    let mut parents = vec![NO_PARENT; nodes.len()];
+    let mut parents = alloc::filled(NO_PARENT, nodes.len())?;
     let mut repeated = 0;
     for (parent, node) in nodes.iter().enumerate() {
         for child in node.get("children").into_iter().flat_map(Value::items) {
@@ -94,7 +95,7 @@ fn node_parents(nodes: &[Value<'_>], notes: &mut Vec<Note>) -> Result<Vec<u32>, 
 
 fn refuse_cycles(parents: &[u32]) -> Result<(), ReadError> {
     // The walk up from a node marks it with the walk's number, and ends at any mark.
-    let mut marks = vec![NO_PARENT; parents.len()];
+    let mut marks = alloc::filled(NO_PARENT, parents.len())?;
     for start in 0..parents.len() {
         let mut node = start as u32;
         while node != NO_PARENT && marks[node as usize] == NO_PARENT {
@@ -115,12 +116,12 @@ fn scene_roots(
     parents: &[u32],
     notes: &mut Vec<Note>,
 ) -> Result<Vec<usize>, ReadError> {
-    let mut listed = vec![false; nodes.len()];
+    let mut listed = alloc::filled(false, nodes.len())?;
     let mut roots = Vec::new();
     for value in scene.get("nodes").into_iter().flat_map(Value::items) {
         let node = node_index(value, nodes.len())?;
         if !std::mem::replace(&mut listed[node], true) {
-            roots.push(node);
+            alloc::push(&mut roots, node)?;
         }
     }
     if roots.iter().all(|&node| parents[node] == NO_PARENT) {
@@ -128,8 +129,8 @@ fn scene_roots(
     }
     notes.push(Note::new(Place::Whole, "the scene lists nodes that are children of other nodes"));
     // Whether a listed node is above each node: known for marked nodes.
-    let mut is_below: Vec<Option<bool>> = vec![None; nodes.len()];
-    let mut path = Vec::new();
+    let mut is_below: Vec<Option<bool>> = alloc::filled(None, nodes.len())?;
+    let mut path = alloc::with_capacity(nodes.len())?;
     roots.retain(|&root| {
         let mut node = parents[root];
         path.clear();
@@ -163,8 +164,8 @@ fn visit<'a>(
     let mut shown = Vec::new();
     // Matrices of nodes with children. An open node refers to its parent's one.
     let mut matrices: Vec<Matrix> = vec![Placement::IDENTITY];
-    let mut open: Vec<(u32, u32)> = roots.iter().rev().map(|&root| (root as u32, 0)).collect();
-    let mut is_opened = vec![false; nodes.len()];
+    let mut open = alloc::collect(roots.iter().rev().map(|&root| (root as u32, 0)))?;
+    let mut is_opened = alloc::filled(false, nodes.len())?;
     roots.iter().for_each(|&root| is_opened[root] = true);
     while let Some((index, parent)) = open.pop() {
         let index = index as usize;
@@ -174,15 +175,16 @@ fn visit<'a>(
             let mesh = mesh.whole().ok_or_else(|| malformed(format!("node {index}: mesh is not a whole number")))?;
             show(node, mesh as usize, &transform, accessors, notes, &mut shown)?;
         }
+        alloc::check_reserve()?;
         let start = open.len();
         for child in node.get("children").into_iter().flat_map(Value::items) {
             let child = node_index(child, nodes.len())?;
             if !std::mem::replace(&mut is_opened[child], true) {
-                open.push((child as u32, matrices.len() as u32));
+                alloc::push(&mut open, (child as u32, matrices.len() as u32))?;
             }
         }
         if open.len() > start {
-            matrices.push(transform);
+            alloc::push(&mut matrices, transform)?;
             open[start..].reverse();
         }
     }
@@ -204,12 +206,15 @@ fn show<'a>(
     accessors.buffers.budget.take::<(ShownMesh, Placement)>(count)?;
     accessors.buffers.budget.take::<u8>(count.saturating_mul(2 * name.len() as u64))?;
     let is_skinned = node.get("skin").is_some();
-    let mut add = |transform| shown.push(ShownMesh { mesh, name: name.clone().into_owned(), transform, is_skinned });
+    let mut add = |transform| -> Result<(), ReadError> {
+        let name = owned_text(name.as_bytes())?;
+        alloc::check_reserve()?;
+        Ok(alloc::push(shown, ShownMesh { mesh, name, transform, is_skinned })?)
+    };
     match instances {
         None => add(*transform),
-        Some(instances) => instances.iter().for_each(|own| add(product(transform, own))),
+        Some(instances) => instances.iter().try_for_each(|own| add(product(transform, own))),
     }
-    Ok(())
 }
 
 /// Returns the transforms of the copies of a node's mesh (`EXT_mesh_gpu_instancing`); `None` if the node shows one.

@@ -1,6 +1,8 @@
 //! Vertices of a glTF file: one for each combination of position, normal and texture coordinates that corners have.
 
+use crate::error::WriteError;
 use crate::mesh::{Mesh, Values};
+use gusset_base::alloc;
 use std::borrow::Cow;
 use std::collections::{HashMap, TryReserveError};
 
@@ -29,7 +31,7 @@ fn texcoord_in_file([u, v]: [f64; 2]) -> [f32; 2] {
 }
 
 /// Splits vertices whose corners differ in the file.
-pub(super) fn split_vertices(mesh: &Mesh) -> Result<SplitVertices<'_>, TryReserveError> {
+pub(super) fn split_vertices(mesh: &Mesh) -> Result<SplitVertices<'_>, WriteError> {
     let normals = at_vertices(&mesh.normals, mesh, normal_in_file)?;
     let texcoords = at_vertices(&mesh.texcoords, mesh, texcoord_in_file)?;
     let is_whole = normals.is_some() || mesh.normals.is_absent();
@@ -38,15 +40,17 @@ pub(super) fn split_vertices(mesh: &Mesh) -> Result<SplitVertices<'_>, TryReserv
     }
     let mut split = Splitter {
         mesh,
-        normals: normals.or_else(|| missing(&mesh.normals, mesh)),
-        texcoords: texcoords.or_else(|| missing(&mesh.texcoords, mesh)),
-        origins: (0..mesh.positions.len() as u32).collect(),
-        is_taken: vec![false; mesh.positions.len()],
+        normals: if normals.is_some() { normals } else { missing(&mesh.normals, mesh)? },
+        texcoords: if texcoords.is_some() { texcoords } else { missing(&mesh.texcoords, mesh)? },
+        origins: alloc::collect(0..mesh.positions.len() as u32)?,
+        is_taken: alloc::filled(false, mesh.positions.len())?,
         known: HashMap::new(),
     };
     let mut corners = Vec::new();
     corners.try_reserve_exact(mesh.corners.len())?;
-    corners.extend((0..mesh.corners.len()).map(|corner| split.corner_vertex(corner)));
+    for corner in 0..mesh.corners.len() {
+        corners.push(split.corner_vertex(corner)?);
+    }
     let Splitter { normals, texcoords, origins, .. } = split;
     Ok(SplitVertices { corners: Cow::Owned(corners), origins: Some(origins), normals, texcoords })
 }
@@ -82,8 +86,14 @@ fn at_vertices<const N: usize, const M: usize>(
     Ok(Some(made))
 }
 
-fn missing<const N: usize, const M: usize>(values: &Values<N>, mesh: &Mesh) -> Option<Vec<[f32; M]>> {
-    (!values.is_absent()).then(|| vec![[0.0; M]; mesh.positions.len()])
+fn missing<const N: usize, const M: usize>(
+    values: &Values<N>,
+    mesh: &Mesh,
+) -> Result<Option<Vec<[f32; M]>>, WriteError> {
+    if values.is_absent() {
+        return Ok(None);
+    }
+    Ok(Some(alloc::filled([0.0; M], mesh.positions.len())?))
 }
 
 struct Splitter<'m> {
@@ -97,7 +107,7 @@ struct Splitter<'m> {
 }
 
 impl Splitter<'_> {
-    fn corner_vertex(&mut self, corner: usize) -> u32 {
+    fn corner_vertex(&mut self, corner: usize) -> Result<u32, WriteError> {
         let vertex = self.mesh.corners[corner];
         let normal = self.mesh.normals.at_corner(corner, vertex).map_or([0.0; 3], normal_in_file);
         let texcoord = texcoord_in_file(self.mesh.texcoords.at_corner(corner, vertex).unwrap_or([f64::NAN; 2]));
@@ -105,22 +115,23 @@ impl Splitter<'_> {
         let [u, v] = texcoord.map(f32::to_bits);
         let is_first = !self.is_taken[vertex as usize];
         let next = if is_first { vertex } else { self.origins.len() as u32 };
+        self.known.try_reserve(1)?;
         let made = *self.known.entry((vertex, [x, y, z, u, v])).or_insert(next);
         if made == next {
             self.is_taken[vertex as usize] = true;
             if !is_first {
-                self.origins.push(vertex);
+                alloc::push(&mut self.origins, vertex)?;
             }
             if let Some(normals) = &mut self.normals {
-                normals.resize(self.origins.len(), [0.0; 3]);
+                alloc::grow(normals, self.origins.len(), [0.0; 3])?;
                 normals[made as usize] = normal;
             }
             if let Some(texcoords) = &mut self.texcoords {
-                texcoords.resize(self.origins.len(), [0.0; 2]);
+                alloc::grow(texcoords, self.origins.len(), [0.0; 2])?;
                 texcoords[made as usize] = texcoord;
             }
         }
-        made
+        Ok(made)
     }
 }
 

@@ -6,6 +6,7 @@ use crate::budget::Budget;
 use crate::document::{Curves, Document, PointCloud, transformed_normal};
 use crate::error::{ReadError, ReadErrorKind};
 use crate::mesh::Positions;
+use gusset_base::alloc;
 
 /// Polylines and points of a mesh. Positions have double precision.
 #[derive(Default)]
@@ -37,35 +38,34 @@ impl Strands {
         budget.take::<([f64; 3], u32, bool)>(indices.len() as u64)?;
         if mode != Mode::Lines {
             let is_closed = mode == Mode::LineLoop;
-            self.append_line(indices, is_closed, positions);
-            return Ok(());
+            return self.append_line(indices, is_closed, positions);
         }
         let mut line: Vec<u32> = Vec::new();
         for segment in indices.chunks_exact(2) {
             if line.last() != Some(&segment[0]) {
-                self.append_line(&line, false, positions);
+                self.append_line(&line, false, positions)?;
                 line.clear();
-                line.push(segment[0]);
+                alloc::push(&mut line, segment[0])?;
             }
-            line.push(segment[1]);
+            alloc::push(&mut line, segment[1])?;
         }
-        self.append_line(&line, false, positions);
-        Ok(())
+        self.append_line(&line, false, positions)
     }
 
     /// Appends a polyline. One that ends at its first vertex is closed.
-    fn append_line(&mut self, line: &[u32], is_closed: bool, positions: &[[f64; 3]]) {
+    fn append_line(&mut self, line: &[u32], is_closed: bool, positions: &[[f64; 3]]) -> Result<(), ReadError> {
         let returns = line.len() > 3 && line.first() == line.last();
         let line = if returns { &line[..line.len() - 1] } else { line };
         if line.len() < 2 {
-            return;
+            return Ok(());
         }
         if self.offsets.is_empty() {
-            self.offsets.push(0);
+            alloc::push(&mut self.offsets, 0)?;
         }
+        alloc::reserve(&mut self.positions, line.len())?;
         self.positions.extend(line.iter().map(|&vertex| positions[vertex as usize]));
-        self.offsets.push(self.positions.len() as u32);
-        self.closed.push(is_closed || returns);
+        alloc::push(&mut self.offsets, self.positions.len() as u32)?;
+        Ok(alloc::push(&mut self.closed, is_closed || returns)?)
     }
 
     /// Appends these lines and points to the document, where a node shows them.
@@ -82,40 +82,41 @@ impl Strands {
     }
 }
 
-fn doubles(positions: &mut Positions) -> &mut Vec<[f64; 3]> {
-    if let Positions::F32(_) = positions {
-        *positions = Positions::F64(positions.iter().collect());
-    }
+fn doubles(positions: &mut Positions) -> Result<&mut Vec<[f64; 3]>, ReadError> {
+    positions.make_double()?;
     match positions {
-        Positions::F64(points) => points,
+        Positions::F64(points) => Ok(points),
         Positions::F32(_) => unreachable!("converted above"),
     }
 }
 
 fn place_lines(curves: &mut Curves, strands: &Strands, transform: &Matrix) -> Result<(), ReadError> {
-    let all = doubles(&mut curves.positions);
+    let all = doubles(&mut curves.positions)?;
     let start = all.len() as u64;
     if start + strands.positions.len() as u64 >= u64::from(u32::MAX) {
         return Err(ReadError::new(ReadErrorKind::TooLarge, "the lines have more than 2^32 - 2 points"));
     }
     all.try_reserve(strands.positions.len())?;
     all.extend(strands.positions.iter().map(|&point| transformed(transform, point)));
+    alloc::reserve(&mut curves.offsets, strands.closed.len())?;
+    alloc::append(&mut curves.closed, &strands.closed)?;
     curves.offsets.extend(strands.offsets.iter().skip(1).map(|&offset| start as u32 + offset));
-    curves.closed.extend_from_slice(&strands.closed);
     Ok(())
 }
 
 fn place_points(cloud: &mut PointCloud, strands: &Strands, transform: &Matrix) -> Result<(), ReadError> {
-    let all = doubles(&mut cloud.positions);
+    let all = doubles(&mut cloud.positions)?;
     let before = all.len();
     all.try_reserve(strands.points.len())?;
     all.extend(strands.points.iter().map(|point| transformed(transform, point.position)));
     if strands.has_normals || !cloud.normals.is_empty() {
-        cloud.normals.resize(before, [f64::NAN; 3]);
+        alloc::grow(&mut cloud.normals, before, [f64::NAN; 3])?;
+        alloc::reserve(&mut cloud.normals, strands.points.len())?;
         cloud.normals.extend(strands.points.iter().map(|point| transformed_normal(transform, point.normal)));
     }
     if strands.has_colours || !cloud.colours.is_empty() {
-        cloud.colours.resize(before, [1.0; 4]);
+        alloc::grow(&mut cloud.colours, before, [1.0; 4])?;
+        alloc::reserve(&mut cloud.colours, strands.points.len())?;
         let white = |colour: [f32; 4]| if colour[0].is_nan() { [1.0; 4] } else { colour };
         cloud.colours.extend(strands.points.iter().map(|point| white(point.colour)));
     }

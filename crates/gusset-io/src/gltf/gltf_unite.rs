@@ -1,9 +1,10 @@
 //! Split vertices: those that this library split are joined again, and others at equal positions get a common representative.
 
 use crate::budget::Budget;
-use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+use crate::error::{Note, Place, ReadError, WriteError};
 use crate::mesh::{Mesh, Positions, Values};
 use crate::vertex_merging::{Coordinate, VertexMerger};
+use gusset_base::alloc;
 
 /// Returns whether all vertices are where their origins are. Other programs may reorder vertices, and keep the numbers of the old order.
 pub(super) fn are_origins_right(positions: &Positions, origins: &[u32]) -> bool {
@@ -77,7 +78,7 @@ pub(super) fn merge_equal_positions(
     let count = mesh.positions.len() as u64;
     if budget.take::<[u64; 6]>(count).is_err() {
         let text = format!("a mesh of {count} vertices is not merged at equal positions, because its file is small");
-        notes.push(Note::new(Place::Whole, text));
+        alloc::push(notes, Note::new(Place::Whole, text))?;
         return Ok(());
     }
     let merge = match &mesh.positions {
@@ -94,12 +95,7 @@ pub(super) fn merge_equal_positions(
 
 /// Returns whether two points are equal.
 pub(super) fn has_equal_positions(points: &[[f32; 3]]) -> Result<bool, WriteError> {
-    let merge = representatives(points).map_err(|error| {
-        let is_memory = error.kind == ReadErrorKind::OutOfMemory;
-        let kind = if is_memory { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unsupported };
-        WriteError::new(kind, error.message)
-    })?;
-    Ok(merge.is_some())
+    Ok(representatives(points)?.is_some())
 }
 
 /// Returns the first vertex at each position; `None` if all vertices differ.

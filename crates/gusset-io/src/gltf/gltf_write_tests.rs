@@ -205,6 +205,7 @@ fn textured_document() -> Document {
     let native = NativeMaterial::Gltf {
         material: r#"{"name":"old","normalTexture":{"index":0,"scale":2},"occlusionTexture":{"index":0,"texCoord":1},
             "emissiveTexture":{"index":1},"extensions":{"KHR_materials_ior":{"ior":1.4}}}"#
+            .to_owned()
             .into(),
         textures: vec![("{\"magFilter\":9728}".into(), Some(0)), (String::new(), Some(1))].into(),
     };
@@ -221,7 +222,7 @@ fn textured_document() -> Document {
         Material { name: "new".into(), native: Some(native), ..Material::default() },
     ];
     document.images = vec![
-        image(ImageData::Bytes(PNG.into())),
+        image(ImageData::Bytes(PNG.to_vec().into())),
         image(ImageData::File("gone.png".into())),
         image(ImageData::File("red.png".into())),
     ];

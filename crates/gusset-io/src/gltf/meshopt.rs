@@ -3,9 +3,9 @@
 //! Bytes of attributes are differences to the previous element, packed by groups of 16. Triangles refer to recent edges and vertices.
 //! Both extensions specify the bytes in their appendices. All reads are checked: `None` means that the bytes are not valid.
 
-use super::json_tape::Value;
 use super::meshopt_filters::{Filter, apply_filter};
 use crate::error::ReadError;
+use crate::json_tape::Value;
 
 /// Content of a compressed view.
 #[derive(Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! Filters of compressed attributes: unit vectors, quaternions, floats with shared exponents, and colours.
 
-use super::json_tape::Value;
+use crate::json_tape::Value;
 
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Filter {

@@ -1,8 +1,8 @@
 //! Bytes that meshoptimizer 1.3 encoded, and what its decoder makes of them.
 
 use super::gltf_test_files::*;
-use super::json_tape::Tape;
 use super::meshopt::{Codec, decode_view};
+use crate::json_tape::Tape;
 
 fn bytes_from_hex(digits: &str) -> Vec<u8> {
     (0..digits.len() / 2).map(|k| u8::from_str_radix(&digits[2 * k..2 * k + 2], 16).expect("hexadecimal")).collect()

@@ -42,8 +42,6 @@ mod gltf_scene;
 mod gltf_split;
 mod gltf_strands;
 mod gltf_unite;
-mod json_tape;
-mod json_text;
 mod meshopt;
 mod meshopt_filters;
 mod read_gltf;

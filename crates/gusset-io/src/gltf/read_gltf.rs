@@ -9,12 +9,13 @@ use super::gltf_mesh::{MeshReader, draco_error};
 use super::gltf_notes::Unread;
 use super::gltf_scene::{ShownMesh, shown_meshes};
 use super::gltf_strands::Strands;
-use super::json_tape::{Tape, Value};
 use crate::budget::Budget;
 use crate::document::{Document, Placement};
 use crate::error::{Note, Place, ReadError, printable};
+use crate::json_tape::{OUT_OF_MEMORY, Tape, Value};
 use crate::options::ReadOptions;
 use crate::resources::Resources;
+use gusset_base::alloc;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
@@ -34,19 +35,30 @@ const HARMLESS_EXTENSIONS: [&str; 8] = [
 pub(crate) fn read_gltf(bytes: &[u8], resources: &dyn Resources, options: &ReadOptions) -> Result<Document, ReadError> {
     let mut document = Document::default();
     let parts = split_file(bytes, &mut document.notes)?;
-    let tape = Tape::parse(parts.json)
-        .map_err(|error| ReadError::malformed(parts.place(error.offset), format!("JSON: {}", error.message)))?;
+    let tape = Tape::parse(parts.json).map_err(|error| match error.message {
+        OUT_OF_MEMORY => ReadError::out_of_memory(),
+        message => ReadError::malformed(parts.place(error.offset), format!("JSON: {message}")),
+    })?;
     note_deviations(&tape, &parts, &mut document.notes);
     let root = tape.root();
     check_version(root, &mut document.notes)?;
     check_extensions(root)?;
     let mut budget = Budget::new(bytes.len());
     budget.take::<u8>(tape.bytes())?;
-    let buffers = Buffers::new(root, parts.binary, resources, budget);
-    let mut accessors = Accessors::new(root, buffers);
+    let read = read_scene(root, Buffers::new(root, parts.binary, resources, budget)?, options, &mut document);
+    tape.check_memory()?;
+    read.map(|()| document)
+}
+
+fn read_scene<'a>(
+    root: Value<'a>,
+    buffers: Buffers<'a>,
+    options: &ReadOptions,
+    document: &mut Document,
+) -> Result<(), ReadError> {
+    let mut accessors = Accessors::new(root, buffers)?;
     let shown = shown_meshes(root, &mut accessors, &mut document.notes)?;
-    read_shown(root, &mut accessors, shown, options, &mut document)?;
-    Ok(document)
+    read_shown(root, &mut accessors, shown, options, document)
 }
 
 fn note_deviations(tape: &Tape<'_>, parts: &Parts<'_>, notes: &mut Vec<Note>) {
@@ -115,8 +127,8 @@ fn read_shown<'a>(
     options: &ReadOptions,
     document: &mut Document,
 ) -> Result<(), ReadError> {
-    let meshes: Vec<Value<'a>> = root.get("meshes").map_or_else(Vec::new, |list| list.items().collect());
-    let mut materials = MaterialReader::new(root);
+    let meshes = root.list("meshes")?;
+    let mut materials = MaterialReader::new(root)?;
     let mut unread = Unread::default();
     let mut known: BTreeMap<usize, KnownMesh> = BTreeMap::new();
     for own in shown {
@@ -130,8 +142,10 @@ fn read_shown<'a>(
         };
         strands.place(document, &own.transform, &mut accessors.buffers.budget)?;
         if let Some(mesh) = *mesh {
-            document.placements.push(Placement { name: own.name, mesh, transform: own.transform });
+            let placement = Placement { name: own.name, mesh, transform: own.transform };
+            alloc::push(&mut document.placements, placement)?;
         }
+        alloc::check_reserve()?;
     }
     let hidden = meshes.len() - known.len();
     if hidden > 0 {
@@ -156,6 +170,7 @@ fn read_mesh<'a>(
     let (mesh, strands) = reader.read(json, own.mesh, |index, buffers| materials.material(index, document, buffers))?;
     notes.append(&mut document.notes);
     document.notes = notes;
+    alloc::reserve(&mut document.meshes, 1)?;
     let is_shown = mesh.face_count() > 0;
     let place = is_shown.then(|| {
         document.meshes.push(mesh);

@@ -6,11 +6,12 @@ use super::gltf_faces_read::POLYGON_EXTENSION;
 use super::gltf_materials_write::{MaterialWriter, named_object};
 use super::gltf_matrix::Matrix;
 use super::gltf_mesh_write::{MeshLosses, write_curves, write_mesh, write_points};
-use super::json_text::{push_numbers, push_text};
 use crate::document::{Document, Placement};
 use crate::error::{Loss, WriteError, WriteErrorKind};
+use crate::json_text::{push_numbers, push_text};
 use crate::options::WriteOptions;
 use crate::resources::Target;
+use gusset_base::alloc;
 use std::collections::BTreeMap;
 
 /// Writes JSON text with the buffer as base64.
@@ -21,7 +22,7 @@ pub(crate) fn write_gltf(
 ) -> Result<Vec<Loss>, WriteError> {
     let scene = SceneWriter::new(document, target.resources).write(options)?;
     let bytes = &scene.binary.bytes;
-    let (head, tail) = scene.json();
+    let (head, tail) = scene.json()?;
     let out = &mut *target.main;
     out.write_all(head.as_bytes())?;
     if !bytes.is_empty() {
@@ -44,10 +45,11 @@ pub(crate) fn write_glb(
 ) -> Result<Vec<Loss>, WriteError> {
     let scene = SceneWriter::new(document, target.resources).write(options)?;
     let bytes = &scene.binary.bytes;
-    let (mut json, tail) = scene.json();
+    let (mut json, tail) = scene.json()?;
     if !bytes.is_empty() {
         json.push_str(&format!(",\"buffers\":[{{\"byteLength\":{}}}]", bytes.len()));
     }
+    json.try_reserve(tail.len() + 4)?;
     json.push_str(&tail);
     while json.len() % 4 != 0 {
         json.push(' ');
@@ -107,18 +109,22 @@ impl<'d> SceneWriter<'d> {
                 None => {
                     let mesh = &self.document.meshes[placement.mesh as usize];
                     let made = write_mesh(mesh, &mut self.binary, &mut self.materials, options, &mut lost)?;
-                    let written = made.map(|made| {
-                        self.has_polygons |= made.has_polygons;
-                        (self.meshes.push(&made.json), made.origin)
-                    });
+                    let written = match made {
+                        Some(made) => {
+                            self.has_polygons |= made.has_polygons;
+                            Some((self.meshes.push(&made.json)?, made.origin))
+                        }
+                        None => None,
+                    };
                     known.insert(placement.mesh, written);
                     written
                 }
             };
             if let Some((mesh, origin)) = written {
-                let node = node_text(&placement.name, mesh, &moved_by(&placement.transform, origin));
-                self.nodes.push(&node);
+                let node = node_text(&placement.name, mesh, &moved_by(&placement.transform, origin))?;
+                self.nodes.push(&node)?;
             }
+            alloc::check_reserve()?;
         }
         let (curves, points) = (&self.document.curves, &self.document.points);
         for (name, made) in [
@@ -126,8 +132,8 @@ impl<'d> SceneWriter<'d> {
             ("points", write_points(points, &mut self.binary, &mut lost)?),
         ] {
             if let Some((mesh, origin)) = made {
-                let mesh = self.meshes.push(&mesh);
-                self.nodes.push(&node_text(name, mesh, &moved_by(&Placement::IDENTITY, origin)));
+                let mesh = self.meshes.push(&mesh)?;
+                self.nodes.push(&node_text(name, mesh, &moved_by(&Placement::IDENTITY, origin))?)?;
             }
         }
         self.losses = lost.into_losses(self.document);
@@ -136,9 +142,13 @@ impl<'d> SceneWriter<'d> {
     }
 
     /// Returns the JSON text before and after the buffer's entry.
-    fn json(&self) -> (String, String) {
-        let mut head =
-            String::from("{\"asset\":{\"version\":\"2.0\",\"generator\":\"gusset\"},\"scene\":0,\"scenes\":[{");
+    fn json(&self) -> Result<(String, String), WriteError> {
+        let lists = self.lists();
+        let mut head = String::new();
+        let length: usize = lists.iter().map(|(name, list)| name.len() + list.text.len() + 8).sum();
+        // The list of nodes, and the texts below.
+        head.try_reserve(length + 11 * self.nodes.count as usize + 200)?;
+        head.push_str("{\"asset\":{\"version\":\"2.0\",\"generator\":\"gusset\"},\"scene\":0,\"scenes\":[{");
         if self.nodes.count > 0 {
             head.push_str("\"nodes\":[");
             for node in 0..self.nodes.count {
@@ -147,16 +157,6 @@ impl<'d> SceneWriter<'d> {
             head.push(']');
         }
         head.push_str("}]");
-        let lists = [
-            ("nodes", &self.nodes),
-            ("meshes", &self.meshes),
-            ("materials", &self.materials.materials),
-            ("textures", &self.materials.textures),
-            ("images", &self.materials.images),
-            ("samplers", &self.materials.samplers),
-            ("accessors", &self.binary.accessors),
-            ("bufferViews", &self.binary.views),
-        ];
         for (name, list) in lists.into_iter().filter(|(_, list)| list.count > 0) {
             head.push_str(&format!(",\"{name}\":["));
             head.push_str(&list.text);
@@ -172,7 +172,20 @@ impl<'d> SceneWriter<'d> {
             push_text(&mut tail, extension);
         }
         tail.push_str(if extensions.is_empty() { "}" } else { "]}" });
-        (head, tail)
+        Ok((head, tail))
+    }
+
+    fn lists(&self) -> [(&'static str, &JsonList); 8] {
+        [
+            ("nodes", &self.nodes),
+            ("meshes", &self.meshes),
+            ("materials", &self.materials.materials),
+            ("textures", &self.materials.textures),
+            ("images", &self.materials.images),
+            ("samplers", &self.materials.samplers),
+            ("accessors", &self.binary.accessors),
+            ("bufferViews", &self.binary.views),
+        ]
     }
 }
 
@@ -187,8 +200,8 @@ fn moved_by(transform: &Matrix, origin: [f64; 3]) -> Matrix {
     made
 }
 
-fn node_text(name: &str, mesh: u32, m: &Matrix) -> String {
-    let mut text = named_object(name);
+fn node_text(name: &str, mesh: u32, m: &Matrix) -> Result<String, WriteError> {
+    let mut text = named_object(name)?;
     text.push_str(if text.len() > 1 { ",\"mesh\":" } else { "\"mesh\":" });
     text.push_str(&mesh.to_string());
     let translation = m.map(|row| row[3]);
@@ -202,5 +215,5 @@ fn node_text(name: &str, mesh: u32, m: &Matrix) -> String {
         push_numbers(&mut text, &translation);
     }
     text.push('}');
-    text
+    Ok(text)
 }

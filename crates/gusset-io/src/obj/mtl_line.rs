@@ -1,9 +1,17 @@
 //! File names in lines of material libraries.
 
+use crate::error::ReadError;
+use crate::text_encoding::owned_text;
 use std::ops::Range;
+
+/// Longest line that can name a file: systems limit names to 4096 bytes.
+const MAX_LINE_BYTES: usize = 1 << 14;
 
 /// Returns where the file name in a line is, behind its options: `an image.png` in `map_Kd -s 1 1 1 an image.png`.
 pub(super) fn file_range(line: &str) -> Option<Range<usize>> {
+    if line.len() > MAX_LINE_BYTES {
+        return None;
+    }
     let mut words = words(line).peekable();
     let keyword = &line[words.next()?];
     if !names_file(keyword) {
@@ -54,11 +62,11 @@ fn words(line: &str) -> impl Iterator<Item = Range<usize>> + '_ {
 }
 
 /// Returns the line with the file that it names, if any, under another name.
-pub(crate) fn with_renamed_file(line: &str, rename: impl FnOnce(&str) -> String) -> String {
-    match file_range(line) {
+pub(crate) fn with_renamed_file(line: &str, rename: impl FnOnce(&str) -> String) -> Result<String, ReadError> {
+    Ok(match file_range(line) {
         Some(range) => {
             format!("{}{}{}", &line[..range.start], rename(&line[range.clone()]), &line[range.end..])
         }
-        None => line.to_string(),
-    }
+        None => owned_text(line.as_bytes())?,
+    })
 }

@@ -46,7 +46,7 @@ fn file_names_end_lines() {
         assert_eq!(file_range(line).map(|range| &line[range]), name, "{line}");
     }
     assert_eq!(
-        with_renamed_file("map_Kd -s 1 1 1 an image.png", |name| format!("red/{name}")),
+        with_renamed_file("map_Kd -s 1 1 1 an image.png", |name| format!("red/{name}")).unwrap(),
         "map_Kd -s 1 1 1 red/an image.png"
     );
 }
@@ -117,7 +117,7 @@ fn files_are_renamed_in_images_and_lines() {
         "mtllib a.mtl\nv 0 0 0\nusemtl a\nf 1 1 1\n",
         &[("a.mtl", "newmtl a\nKd 1 0 0\nmap_Kd -clamp on an image.png\nbump b.png\n")],
     );
-    document.rename_files(|name| format!("red/{name}"));
+    document.rename_files(|name| format!("red/{name}")).unwrap();
     assert_eq!(document.images[0].data, ImageData::File("red/an image.png".into()));
     let lines = ["Kd 1 0 0", "map_Kd -clamp on red/an image.png", "bump red/b.png"].map(String::from).to_vec();
     assert_eq!(document.materials[0].native, Some(NativeMaterial::Mtl(lines)));

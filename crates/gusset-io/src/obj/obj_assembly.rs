@@ -6,6 +6,7 @@ use super::obj_chunk::{
 };
 use super::obj_cursor::{Cursor, Keyword, is_blank};
 use crate::error::{Place, ReadError, ReadErrorKind, quoted};
+use gusset_base::alloc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Size of chunks of large files, and the number of threads that read them.
@@ -87,7 +88,7 @@ fn whole_lines(bytes: &[u8], chunk_bytes: usize) -> Result<Vec<&[u8]>, ReadError
             return Err(ReadError::new(ReadErrorKind::TooLarge, "a line is longer than 256 MB"));
         }
         let (chunk, others) = rest.split_at(length);
-        chunks.push(chunk);
+        alloc::push(&mut chunks, chunk)?;
         rest = others;
     }
     Ok(chunks)
@@ -102,10 +103,10 @@ fn is_line_start(bytes: &[u8], place: usize) -> bool {
 fn parse_chunks<'a>(ranges: &[&'a [u8]]) -> Result<Vec<Chunk<'a>>, ReadError> {
     let next = AtomicUsize::new(0);
     let work = || {
-        let mut parsed = Vec::new();
+        let mut parsed = alloc::with_capacity(ranges.len())?;
         loop {
             let place = next.fetch_add(1, Ordering::Relaxed);
-            let Some(range) = ranges.get(place) else { return parsed };
+            let Some(range) = ranges.get(place) else { return Ok::<_, ReadError>(parsed) };
             parsed.push((place, Chunk::parse(range)));
         }
     };
@@ -113,14 +114,15 @@ fn parse_chunks<'a>(ranges: &[&'a [u8]]) -> Result<Vec<Chunk<'a>>, ReadError> {
     let mut parsed = std::thread::scope(|scope| {
         let others: Vec<_> =
             (1..threads).map_while(|_| std::thread::Builder::new().spawn_scoped(scope, work).ok()).collect();
-        let mut parsed = work();
+        let own = work();
+        let mut parsed = own?;
         for thread in others {
-            parsed.extend(thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+            parsed.extend(thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))?);
         }
-        parsed
-    });
+        Ok::<_, ReadError>(parsed)
+    })?;
     parsed.sort_unstable_by_key(|&(place, _)| place);
-    let mut chunks: Vec<Chunk<'a>> = Vec::with_capacity(parsed.len());
+    let mut chunks: Vec<Chunk<'a>> = alloc::with_capacity(parsed.len())?;
     for (_, chunk) in parsed {
         match chunk {
             Ok(chunk) => chunks.push(chunk),

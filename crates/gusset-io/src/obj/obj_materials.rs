@@ -4,10 +4,16 @@ use super::read_mtl::{Definition, Library, add_definitions, material_from_lines}
 use crate::error::{Note, Place, ReadError, ReadErrorKind, printable};
 use crate::material::{Image, ImageData, Material, NO_MATERIAL};
 use crate::resources::Resources;
+use crate::text_encoding::{lossy_text, owned_text};
+use gusset_base::alloc;
+use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 
 /// Largest number of material libraries that a file may name, so that reading takes linear time.
 const MAX_LIBRARIES: usize = 256;
+
+/// Longest line of library names that is read.
+const MAX_NAME_BYTES: usize = 1 << 14;
 
 /// Material of each face; empty if no face has one.
 pub(super) type FaceMaterials = Vec<u32>;
@@ -32,7 +38,7 @@ pub(super) fn read_materials(
     let libraries = load_libraries(library_lines, resources, &mut made.notes)?;
     let mut known = HashMap::new();
     for library in &libraries {
-        add_definitions(library, &mut known);
+        add_definitions(library, &mut known)?;
     }
     let mut numbers: HashMap<&[u8], u32> = HashMap::new();
     let mut images = HashMap::new();
@@ -40,7 +46,12 @@ pub(super) fn read_materials(
     let mut current = NO_MATERIAL;
     for &(face, name) in uses {
         made.faces.resize(face as usize, current);
-        current = *numbers.entry(name).or_insert_with(|| made.add(name, known.get(name), &mut images));
+        numbers.try_reserve(1)?;
+        current = match numbers.entry(name) {
+            Entry::Occupied(entry) => *entry.get(),
+            Entry::Vacant(entry) => *entry.insert(made.add(name, known.get(name), &mut images)?),
+        };
+        alloc::check_reserve()?;
     }
     made.faces.resize(face_count, current);
     if made.faces.iter().all(|&material| material == NO_MATERIAL) {
@@ -51,31 +62,37 @@ pub(super) fn read_materials(
 
 impl Materials {
     /// Adds a material. Returns its number, or `NO_MATERIAL` if the name says that there is none.
-    fn add(&mut self, name: &[u8], definition: Option<&Definition<'_>>, images: &mut HashMap<String, u32>) -> u32 {
+    fn add(
+        &mut self,
+        name: &[u8],
+        definition: Option<&Definition<'_>>,
+        images: &mut HashMap<String, u32>,
+    ) -> Result<u32, ReadError> {
         let number = self.materials.len() as u32;
         let material = match definition {
             Some(&definition) => {
-                let (mut material, file) = material_from_lines(name, definition);
-                material.image = file.map(|file| self.image(file, images));
+                let (mut material, file) = material_from_lines(name, definition)?;
+                material.image = file.map(|file| self.image(file, images)).transpose()?;
                 material
             }
-            None if means_none(name) => return NO_MATERIAL,
-            None => Material { name: String::from_utf8_lossy(name).into_owned(), ..Material::default() },
+            None if means_none(name) => return Ok(NO_MATERIAL),
+            None => Material { name: owned_text(name)?, ..Material::default() },
         };
-        self.materials.push(material);
-        number
+        alloc::push(&mut self.materials, material)?;
+        Ok(number)
     }
 
-    fn image(&mut self, file: String, known: &mut HashMap<String, u32>) -> u32 {
+    fn image(&mut self, file: String, known: &mut HashMap<String, u32>) -> Result<u32, ReadError> {
         if let Some(&number) = known.get(&file) {
-            return number;
+            return Ok(number);
         }
         let number = self.images.len() as u32;
+        known.try_reserve(1)?;
         known.insert(file.clone(), number);
         let name = file.rsplit('/').next().unwrap_or_default().to_string();
         let media_type = media_type_from_name(&name).to_string();
-        self.images.push(Image { name, media_type, data: ImageData::File(file) });
-        number
+        alloc::push(&mut self.images, Image { name, media_type, data: ImageData::File(file) })?;
+        Ok(number)
     }
 }
 
@@ -105,7 +122,11 @@ fn load_libraries(
     let mut libraries = Vec::new();
     let mut tried: HashSet<String> = HashSet::new();
     for line in lines {
-        let line = String::from_utf8_lossy(line).replace('\\', "/");
+        let line = lossy_text(line)?;
+        if line.len() > MAX_NAME_BYTES {
+            continue;
+        }
+        let line = line.replace('\\', "/");
         if tried.contains(&line) {
             continue;
         }
@@ -127,6 +148,7 @@ fn load_libraries(
             }
         }
         notes.extend(missing.into_iter().map(|(name, error)| missing_library(&name, &error)));
+        alloc::check_reserve()?;
         if tried.len() > MAX_LIBRARIES {
             notes
                 .push(Note::new(Place::Whole, format!("material libraries after the first {MAX_LIBRARIES}: not read")));

@@ -6,6 +6,8 @@ use super::obj_values::{drop_missing_values, values_from_indices, values_from_li
 use crate::document::{Document, Placement};
 use crate::error::ReadError;
 use crate::mesh::{Mesh, Positions};
+use crate::text_encoding::owned_text;
+use gusset_base::alloc;
 use std::ops::Range;
 
 /// Largest number of objects that become meshes, and the largest number if they have few corners each, so that meshes do not take much
@@ -23,13 +25,12 @@ struct Block<'a> {
 
 /// Returns the parts of a file between its `o` statements, without those that have neither vertices nor faces.
 fn blocks<'a, 'b>(content: &'b Content<'a>) -> impl Iterator<Item = Block<'a>> + use<'a, 'b> {
-    let first = ObjectStart { vertex: 0, face: 0, name: &[][..] };
     let end = [content.positions.len(), content.face_offsets.len() - 1];
-    let starts = std::iter::once(&first).copied().chain(content.objects.iter().copied()).collect::<Vec<_>>();
-    (0..starts.len()).filter_map(move |place| {
-        let start = starts[place];
+    let first = ObjectStart { vertex: 0, face: 0, name: &[][..] };
+    let starts = std::iter::once(first).chain(content.objects.iter().copied());
+    starts.zip(0..).filter_map(move |(start, place): (ObjectStart<'a>, usize)| {
         let [vertex_end, face_end] =
-            starts.get(place + 1).map_or(end, |next| [next.vertex as usize, next.face as usize]);
+            content.objects.get(place).map_or(end, |next| [next.vertex as usize, next.face as usize]);
         // Vertices at the end may have been dropped.
         let vertices = (start.vertex as usize).min(end[0])..vertex_end.min(end[0]);
         let faces = start.face as usize..face_end;
@@ -89,6 +90,7 @@ pub(super) fn document_from_faces(
         let index = document.meshes.len() as u32;
         document.placements.push(Placement { name: mesh.name.clone(), mesh: index, transform: Placement::IDENTITY });
         document.meshes.push(mesh);
+        alloc::check_reserve()?;
     }
     Ok(document)
 }
@@ -103,7 +105,7 @@ fn whole_mesh(content: Content<'_>, face_materials: Vec<u32>) -> Result<Mesh, Re
     drop(content.corner_normals);
     let texcoords = values_from_lists(content.texcoords, &content.corner_texcoords, &corners, vertex_count)?;
     Ok(Mesh {
-        name: String::from_utf8_lossy(name).into_owned(),
+        name: owned_text(name)?,
         positions: Positions::F64(content.positions),
         face_offsets: content.face_offsets,
         corners,
@@ -118,19 +120,19 @@ fn whole_mesh(content: Content<'_>, face_materials: Vec<u32>) -> Result<Mesh, Re
 fn mesh_from_block(content: &Content<'_>, face_materials: &[u32], block: &Block<'_>) -> Result<Mesh, ReadError> {
     let corner_range = corner_range(content, &block.faces);
     let (vertex_start, corner_start) = (block.vertices.start as u32, corner_range.start as u32);
-    let corners: Vec<u32> = content.corners[corner_range.clone()].iter().map(|vertex| vertex - vertex_start).collect();
+    let corners = alloc::collect(content.corners[corner_range.clone()].iter().map(|vertex| vertex - vertex_start))?;
     let offsets = &content.face_offsets[block.faces.start..=block.faces.end];
     let [normals, texcoords] = [&content.corner_normals, &content.corner_texcoords]
         .map(|indices| indices.get(corner_range.clone()).unwrap_or_default());
     Ok(Mesh {
-        name: String::from_utf8_lossy(block.name).into_owned(),
-        positions: Positions::F64(content.positions[block.vertices.clone()].to_vec()),
-        face_offsets: offsets.iter().map(|offset| offset - corner_start).collect(),
+        name: owned_text(block.name)?,
+        positions: Positions::F64(alloc::copied(&content.positions[block.vertices.clone()])?),
+        face_offsets: alloc::collect(offsets.iter().map(|offset| offset - corner_start))?,
         normals: values_from_indices(&content.normals, normals, &corners, block.vertices.len())?,
         texcoords: values_from_indices(&content.texcoords, texcoords, &corners, block.vertices.len())?,
         corners,
-        vertex_colours: content.colours.get(block.vertices.clone()).unwrap_or_default().to_vec(),
-        face_materials: face_materials.get(block.faces.clone()).unwrap_or_default().to_vec(),
+        vertex_colours: alloc::copied(content.colours.get(block.vertices.clone()).unwrap_or_default())?,
+        face_materials: alloc::copied(face_materials.get(block.faces.clone()).unwrap_or_default())?,
         ..Mesh::default()
     })
 }

@@ -11,6 +11,7 @@ use crate::mesh::Positions;
 use crate::options::ReadOptions;
 use crate::resources::Resources;
 use crate::text_encoding::decode_text;
+use gusset_base::alloc;
 
 /// Reads an OBJ file and its material libraries.
 pub(crate) fn read_obj(bytes: &[u8], resources: &dyn Resources, _: &ReadOptions) -> Result<Document, ReadError> {
@@ -47,7 +48,7 @@ pub(super) fn document_from_content(
     if is_cloud && content.points.ends.is_empty() && !content.positions.is_empty() {
         let text = "the file has neither faces nor lines nor points: its vertices are read as points";
         notes.push(Note::new(Place::Whole, text));
-        content.points.vertices = (0..content.positions.len() as u32).collect();
+        content.points.vertices = alloc::collect(0..content.positions.len() as u32)?;
     }
     let points = cloud_from_points(&mut content, is_cloud)?;
     let mut document = if face_count == 0 {

@@ -4,9 +4,13 @@ use super::mtl_line::with_renamed_file;
 use crate::document::Document;
 use crate::error::{Loss, WriteError};
 use crate::material::{ImageData, Material, NO_MATERIAL, NativeMaterial};
+use crate::memory_file::MemoryFile;
 use crate::resources::Target;
 use crate::text::TextWriter;
+use gusset_base::alloc;
+use std::borrow::Cow;
 use std::collections::HashMap;
+use std::io;
 
 /// Materials of placed faces in the order of faces, with names that differ.
 pub(super) struct UsedMaterials {
@@ -19,7 +23,7 @@ pub(super) struct UsedMaterials {
 }
 
 impl UsedMaterials {
-    pub(super) fn from_document(document: &Document) -> Self {
+    pub(super) fn from_document(document: &Document) -> Result<Self, WriteError> {
         let mut used = Self { order: Vec::new(), names: Vec::new(), none: "none".into() };
         let mut names = UniqueNames::default();
         for placement in &document.placements {
@@ -28,19 +32,20 @@ impl UsedMaterials {
                     continue;
                 }
                 if used.names.is_empty() {
-                    used.names.resize(document.materials.len(), String::new());
+                    used.names = alloc::filled(String::new(), document.materials.len())?;
                 }
                 if used.names[material as usize].is_empty() {
-                    let name = one_line(&document.materials[material as usize].name);
-                    used.names[material as usize] = names.unique(if name.is_empty() { "material" } else { &name });
-                    used.order.push(material);
+                    let name = one_line(&document.materials[material as usize].name)?;
+                    used.names[material as usize] = names.unique(if name.is_empty() { "material" } else { &name })?;
+                    alloc::push(&mut used.order, material)?;
+                    alloc::check_reserve()?;
                 }
             }
         }
         while names.taken.contains_key(&used.none) {
             used.none = format!("({})", used.none);
         }
-        used
+        Ok(used)
     }
 
     /// Returns the name of a material or of `NO_MATERIAL`.
@@ -58,7 +63,8 @@ struct UniqueNames {
 
 impl UniqueNames {
     /// Returns the name, or the name with the first free number behind it: `name_2`.
-    fn unique(&mut self, name: &str) -> String {
+    fn unique(&mut self, name: &str) -> Result<String, WriteError> {
+        self.taken.try_reserve(2)?;
         let mut number = *self.taken.entry(name.to_string()).or_insert(1);
         let mut made = name.to_string();
         while number > 1 && self.taken.contains_key(&made) {
@@ -67,13 +73,20 @@ impl UniqueNames {
         }
         self.taken.insert(name.to_string(), number.max(2));
         self.taken.entry(made.clone()).or_insert(2);
-        made
+        Ok(made)
     }
 }
 
 /// Replaces control characters, which would end a line, and drops blanks at the ends.
-pub(super) fn one_line(name: &str) -> String {
-    name.replace(char::is_control, "_").trim().to_string()
+pub(super) fn one_line(name: &str) -> io::Result<Cow<'_, str>> {
+    if !name.contains(char::is_control) {
+        return Ok(Cow::Borrowed(name.trim()));
+    }
+    let mut made = String::new();
+    // A control character has at least one byte.
+    made.try_reserve(name.len()).map_err(|_| io::ErrorKind::OutOfMemory)?;
+    made.extend(name.trim().chars().map(|c| if c.is_control() { '_' } else { c }));
+    Ok(Cow::Owned(made))
 }
 
 /// Writes the library of the materials, and the images without a file. Returns its name; `None` without materials.
@@ -86,10 +99,10 @@ pub(super) fn write_library(
     if materials.order.is_empty() {
         return Ok(None);
     }
-    let mut bytes = Vec::new();
+    let mut bytes = MemoryFile::default();
     let mut images = ImageFiles { written: HashMap::new(), names: UniqueNames::default() };
     let mut reduced = 0_usize;
-    let mut text = TextWriter::new(&mut bytes);
+    let mut text = TextWriter::new(&mut bytes)?;
     for &index in &materials.order {
         let material = &document.materials[index as usize];
         let name = materials.name(index);
@@ -98,9 +111,10 @@ pub(super) fn write_library(
         text.bytes(b"\n")?;
         if let Some(NativeMaterial::Mtl(lines)) = &material.native {
             for line in lines {
-                let line = with_renamed_file(line, |name| target.resources.written_name(name));
-                text.text(&one_line(&line))?;
+                let line = with_renamed_file(line, |name| target.resources.written_name(name))?;
+                text.text(&one_line(&line)?)?;
                 text.bytes(b"\n")?;
+                alloc::check_reserve()?;
             }
             continue;
         }
@@ -118,12 +132,12 @@ pub(super) fn write_library(
             "all of {reduced} material{plural} but base colour and image, which alone OBJ files hold"
         )));
     }
-    let library = format!("{}.mtl", one_line(target.stem));
-    target.write_beside(&library, &bytes)?;
+    let library = format!("{}.mtl", one_line(target.stem)?);
+    target.write_beside(&library, &bytes.bytes)?;
     Ok(Some(library))
 }
 
-fn write_colour(text: &mut TextWriter<'_>, material: &Material, image: Option<&str>) -> std::io::Result<()> {
+fn write_colour(text: &mut TextWriter<'_>, material: &Material, image: Option<&str>) -> io::Result<()> {
     text.text("Kd")?;
     for &part in &material.colour[..3] {
         text.bytes(b" ")?;
@@ -137,7 +151,7 @@ fn write_colour(text: &mut TextWriter<'_>, material: &Material, image: Option<&s
     }
     if let Some(image) = image {
         text.text("map_Kd ")?;
-        text.text(&one_line(image))?;
+        text.text(&one_line(image)?)?;
         text.bytes(b"\n")?;
     }
     Ok(())
@@ -169,8 +183,10 @@ impl ImageFiles {
             return Ok(Some(name.clone()));
         }
         let stem = file_name_part(&format!("{}_{material}", target.stem));
-        let name = format!("{}.{}", self.names.unique(&stem), image_extension(bytes, &image.media_type));
+        let name = format!("{}.{}", self.names.unique(&stem)?, image_extension(bytes, &image.media_type));
         target.write_beside(&name, bytes)?;
+        self.written.try_reserve(1)?;
+        alloc::check_reserve()?;
         self.written.insert(index, name.clone());
         Ok(Some(name))
     }

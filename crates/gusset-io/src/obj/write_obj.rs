@@ -9,6 +9,7 @@ use crate::mesh::{Domain, Mesh, Positions};
 use crate::options::WriteOptions;
 use crate::resources::Target;
 use crate::text::TextWriter;
+use gusset_base::alloc;
 use std::io;
 
 /// Writes an OBJ file, and a material library beside it if faces have materials. Vertices are written once, however many a mesh has at
@@ -18,7 +19,7 @@ pub(crate) fn write_obj(
     target: &mut Target<'_>,
     _: &WriteOptions,
 ) -> Result<Vec<Loss>, WriteError> {
-    let materials = UsedMaterials::from_document(document);
+    let materials = UsedMaterials::from_document(document)?;
     let mut losses = Vec::new();
     let library = match write_library(document, &materials, target, &mut losses) {
         Err(error) if error.kind == WriteErrorKind::Unsupported => {
@@ -28,7 +29,7 @@ pub(crate) fn write_obj(
         library => library?,
     };
     let mut writer = ObjWriter {
-        text: TextWriter::new(&mut *target.main),
+        text: TextWriter::new(&mut *target.main)?,
         materials: &materials,
         current_material: Some(NO_MATERIAL),
         vertices: 0,
@@ -99,7 +100,7 @@ impl ObjWriter<'_, '_> {
     fn object(&mut self, document: &Document, placement: &Placement, number: usize) -> io::Result<()> {
         let mesh = &document.meshes[placement.mesh as usize];
         let is_one_of_several = document.placements.len() > 1;
-        let name = one_line(if placement.name.is_empty() { &mesh.name } else { &placement.name });
+        let name = one_line(if placement.name.is_empty() { &mesh.name } else { &placement.name })?;
         if !name.is_empty() {
             self.line("o", &name)?;
         } else if is_one_of_several {
@@ -116,7 +117,8 @@ impl ObjWriter<'_, '_> {
         })?;
         let faces =
             Faces { mesh, vertices, texcoords, normals, is_mirrored: transform.is_some_and(|m| determinant(m) < 0.0) };
-        self.faces(&faces)
+        self.faces(&faces)?;
+        alloc::check_reserve().map_err(|_| io::ErrorKind::OutOfMemory.into())
     }
 
     /// Writes each vertex that represents itself.

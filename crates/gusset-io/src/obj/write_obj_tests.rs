@@ -175,8 +175,9 @@ fn libraries_keep_all_lines() {
 
 #[test]
 fn materials_of_other_formats_give_colour_and_image() {
-    let png: std::sync::Arc<[u8]> = b"\x89PNG\r\n\x1a\n".as_slice().into();
-    let gltf = |json: &str| Some(NativeMaterial::Gltf { material: json.into(), textures: [].into() });
+    let png = std::sync::Arc::new(b"\x89PNG\r\n\x1a\n".to_vec());
+    let gltf =
+        |json: &str| Some(NativeMaterial::Gltf { material: json.to_owned().into(), textures: Vec::new().into() });
     let material =
         |name: &str, image, native| Material { name: name.into(), colour: [1.0, 0.5, 0.0, 0.5], image, native };
     let document = Document {

@@ -4,6 +4,7 @@ use super::off_header::OffHeader;
 use crate::colour_steps::scale_colours;
 use crate::error::ReadError;
 use crate::mesh::{Mesh, Values};
+use gusset_base::alloc;
 
 /// Numbers behind the positions of vertices, row after row.
 pub(super) struct VertexRows {
@@ -15,13 +16,13 @@ pub(super) struct VertexRows {
 
 impl VertexRows {
     /// Begins with the numbers behind the position of the first vertex. Returns `None` if they are too few.
-    pub(super) fn from_first_row(header: OffHeader, row: &[f64]) -> Option<Self> {
-        let parts = if header.has_colours { row.len().checked_sub(header.plain_width())?.min(4) } else { 0 };
+    pub(super) fn from_first_row(header: OffHeader, row: &[f64]) -> Result<Option<Self>, ReadError> {
+        let parts = if header.has_colours { row.len().saturating_sub(header.plain_width()).min(4) } else { 0 };
         let width = header.plain_width() + parts;
         if (header.has_colours && parts < 3) || row.len() < width {
-            return None;
+            return Ok(None);
         }
-        Some(Self { header, numbers: row[..width].to_vec(), parts })
+        Ok(Some(Self { header, numbers: alloc::copied(&row[..width])?, parts }))
     }
 
     /// Returns the count of numbers of a row.

@@ -7,6 +7,7 @@ use crate::document::Document;
 use crate::error::{Note, Place, ReadError};
 use crate::mesh::{Mesh, Positions};
 use crate::scene::counted;
+use gusset_base::alloc;
 
 /// Bytes that remain, and where they are in the file.
 struct Words<'a> {
@@ -67,7 +68,7 @@ fn read_vertices(words: &mut Words<'_>, header: OffHeader, count: u32, mesh: &mu
     }
     let (mut points, mut rows) = (Vec::new(), None::<VertexRows>);
     points.try_reserve_exact(count as usize)?;
-    let mut row = vec![0.0; width];
+    let mut row = alloc::filled(0.0, width)?;
     for vertex in 0..count {
         let element = || format!("vertex {vertex}");
         let mut point = [0.0; 3];
@@ -83,7 +84,7 @@ fn read_vertices(words: &mut Words<'_>, header: OffHeader, count: u32, mesh: &mu
             *value = f64::from(words.real(element)?);
         }
         match &mut rows {
-            None => rows = VertexRows::from_first_row(header, &row),
+            None => rows = VertexRows::from_first_row(header, &row)?,
             Some(rows) => {
                 rows.numbers.try_reserve(width)?;
                 rows.numbers.extend_from_slice(&row);

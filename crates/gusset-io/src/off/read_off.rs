@@ -136,7 +136,7 @@ impl OffReader<'_> {
     fn read_first_row(&mut self, header: OffHeader) -> Result<VertexRows, ReadError> {
         let mut row = Vec::new();
         self.numbers_in_line(&|| "vertex 0".into(), &mut row)?;
-        let Some(rows) = VertexRows::from_first_row(header, &row) else {
+        let Some(rows) = VertexRows::from_first_row(header, &row)? else {
             let numbers = counted(row.len(), "number follows", "numbers follow");
             return Err(self
                 .scanner

@@ -1,7 +1,7 @@
 //! OFF files from meshes and points.
 
 use crate::colour_steps::{are_steps, has_transparency, nearest_step};
-use crate::document::Document;
+use crate::document::{Document, PointCloud};
 use crate::error::{Loss, WriteError};
 use crate::merging::merge_vertices;
 use crate::mesh::{Mesh, Positions, Values};
@@ -9,6 +9,7 @@ use crate::options::WriteOptions;
 use crate::resources::Target;
 use crate::scene::{Attribute, list_lost_content, scene_mesh};
 use crate::text::TextWriter;
+use gusset_base::alloc;
 
 pub(crate) fn write_off(
     document: &Document,
@@ -16,7 +17,7 @@ pub(crate) fn write_off(
     _: &WriteOptions,
 ) -> Result<Vec<Loss>, WriteError> {
     let scene = scene_mesh(document)?;
-    let merged = merge_vertices(&scene);
+    let merged = merge_vertices(&scene)?;
     let held = [Attribute::VertexColours, Attribute::FaceColours, Attribute::Normals, Attribute::Texcoords];
     let mut losses = list_lost_content(document, &scene, "OFF", &held);
     let mesh = &*merged.mesh;
@@ -35,10 +36,10 @@ pub(crate) fn write_off(
             losses.push(Loss(text.into()));
         }
     }
-    let mut out = TextWriter::new(target.main);
+    let mut out = TextWriter::new(target.main)?;
     if mesh.positions.is_empty() && !document.points.positions.is_empty() {
         losses.retain(|Loss(text)| !text.starts_with("points beside"));
-        write_mesh(&mesh_from_points(document), &mut out)?;
+        write_mesh(&mesh_from_points(&document.points)?, &mut out)?;
     } else {
         write_mesh(mesh, &mut out)?;
     }
@@ -46,10 +47,15 @@ pub(crate) fn write_off(
     Ok(losses)
 }
 
-fn mesh_from_points(document: &Document) -> Mesh {
-    let points = document.points.clone();
-    let normals = if points.normals.is_empty() { Values::Absent } else { Values::Vertices(points.normals) };
-    Mesh { positions: points.positions, normals, vertex_colours: points.colours, ..Mesh::default() }
+fn mesh_from_points(points: &PointCloud) -> Result<Mesh, WriteError> {
+    let normals =
+        if points.normals.is_empty() { Values::Absent } else { Values::Vertices(alloc::copied(&points.normals)?) };
+    Ok(Mesh {
+        positions: points.positions.try_clone()?,
+        normals,
+        vertex_colours: alloc::copied(&points.colours)?,
+        ..Mesh::default()
+    })
 }
 
 fn write_mesh(mesh: &Mesh, out: &mut TextWriter<'_>) -> std::io::Result<()> {

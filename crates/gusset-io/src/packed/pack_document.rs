@@ -3,145 +3,274 @@
 use super::Packed;
 use crate::document::{Curves, Document, PointCloud};
 use crate::error::{Note, Place, ReadError};
+use crate::json_text::{push_number, push_text};
 use crate::material::{Image, ImageData, Material, NativeMaterial};
 use crate::mesh::{Domain, Mesh, NumberKind, Positions, Property, Values};
 use bytemuck::NoUninit;
-use serde_json::{Value, json};
+use gusset_base::alloc;
 
 /// Packs a document.
 ///
 /// # Errors
 /// `OutOfMemory`.
 pub fn pack(document: &Document) -> Result<Packed, ReadError> {
-    let mut arrays = Arrays::default();
-    let meshes = document.meshes.iter().map(|mesh| arrays.mesh(mesh)).collect::<Result<Vec<_>, _>>()?;
-    let transforms: Vec<[[f64; 4]; 3]> = document.placements.iter().map(|placement| placement.transform).collect();
-    let placements: Vec<Value> =
-        document.placements.iter().map(|placement| json!({ "name": placement.name, "mesh": placement.mesh })).collect();
-    let description = json!({
-        "meshes": meshes,
-        "placements": placements,
-        "transforms": arrays.add("f64", 12, &transforms)?,
-        "curves": arrays.curves(&document.curves)?,
-        "points": arrays.points(&document.points)?,
-        "materials": document.materials.iter().map(describe_material).collect::<Vec<_>>(),
-        "images": document.images.iter().map(|image| arrays.image(image)).collect::<Result<Vec<_>, _>>()?,
-        "metres_per_unit": document.metres_per_unit,
-        "notes": document.notes.iter().map(describe_note).collect::<Vec<_>>(),
-    });
-    Ok(Packed { description: description.to_string(), arrays: arrays.bytes })
+    let mut packer = Packer::default();
+    packer.object(|packer| {
+        packer.list("meshes", &document.meshes, Packer::mesh)?;
+        packer.list("placements", &document.placements, |packer, placement| {
+            packer.object(|packer| {
+                packer.text("name", &placement.name)?;
+                packer.number("mesh", f64::from(placement.mesh))
+            })
+        })?;
+        let transforms = alloc::collect(document.placements.iter().map(|placement| placement.transform))?;
+        packer.array("transforms", "f64", 12, &transforms)?;
+        packer.key("curves")?;
+        packer.curves(&document.curves)?;
+        packer.key("points")?;
+        packer.points(&document.points)?;
+        packer.list("materials", &document.materials, Packer::material)?;
+        packer.list("images", &document.images, Packer::image)?;
+        packer.optional_number("metres_per_unit", document.metres_per_unit)?;
+        packer.list("notes", &document.notes, Packer::note)
+    })?;
+    Ok(Packed { description: packer.json, arrays: packer.arrays })
 }
 
-/// Bytes of the arrays so far.
+/// The JSON text and the arrays so far.
 #[derive(Default)]
-struct Arrays {
-    bytes: Vec<u8>,
+struct Packer {
+    json: String,
+    arrays: Vec<u8>,
 }
 
-impl Arrays {
-    /// Appends an array. Returns its description.
-    fn add<T: NoUninit>(&mut self, kind: &str, width: usize, values: &[T]) -> Result<Value, ReadError> {
+impl Packer {
+    /// Makes room for more of the text.
+    fn reserve(&mut self, bytes: usize) -> Result<(), ReadError> {
+        self.json.try_reserve(bytes)?;
+        Ok(alloc::check_reserve()?)
+    }
+
+    /// Separates a value from the one before, if there is one.
+    fn separate(&mut self) -> Result<(), ReadError> {
+        self.reserve(1)?;
+        if !self.json.is_empty() && !self.json.ends_with(['{', '[', ':']) {
+            self.json.push(',');
+        }
+        Ok(())
+    }
+
+    fn key(&mut self, name: &str) -> Result<(), ReadError> {
+        self.value_of_text(name)?;
+        self.reserve(1)?;
+        self.json.push(':');
+        Ok(())
+    }
+
+    fn value(&mut self, text: &str) -> Result<(), ReadError> {
+        self.separate()?;
+        self.reserve(text.len())?;
+        self.json.push_str(text);
+        Ok(())
+    }
+
+    fn value_of_text(&mut self, text: &str) -> Result<(), ReadError> {
+        self.separate()?;
+        // A character may take 6 bytes where it took one.
+        self.reserve(6 * text.len() + 2)?;
+        push_text(&mut self.json, text);
+        Ok(())
+    }
+
+    fn value_of_number(&mut self, number: f64) -> Result<(), ReadError> {
+        const MAX_DIGITS: usize = 32;
+        self.separate()?;
+        self.reserve(MAX_DIGITS)?;
+        push_number(&mut self.json, number);
+        Ok(())
+    }
+
+    fn value_of_optional(&mut self, number: Option<f64>) -> Result<(), ReadError> {
+        if let Some(number) = number { self.value_of_number(number) } else { self.value("null") }
+    }
+
+    fn object(&mut self, members: impl FnOnce(&mut Self) -> Result<(), ReadError>) -> Result<(), ReadError> {
+        self.value("{")?;
+        members(self)?;
+        self.reserve(1)?;
+        self.json.push('}');
+        Ok(())
+    }
+
+    fn list<T>(
+        &mut self,
+        name: &str,
+        items: &[T],
+        mut write: impl FnMut(&mut Self, &T) -> Result<(), ReadError>,
+    ) -> Result<(), ReadError> {
+        self.key(name)?;
+        self.value("[")?;
+        items.iter().try_for_each(|item| write(self, item))?;
+        self.reserve(1)?;
+        self.json.push(']');
+        Ok(())
+    }
+
+    fn text(&mut self, name: &str, text: &str) -> Result<(), ReadError> {
+        self.key(name)?;
+        self.value_of_text(text)
+    }
+
+    fn number(&mut self, name: &str, number: f64) -> Result<(), ReadError> {
+        self.key(name)?;
+        self.value_of_number(number)
+    }
+
+    fn optional_number(&mut self, name: &str, number: Option<f64>) -> Result<(), ReadError> {
+        self.key(name)?;
+        self.value_of_optional(number)
+    }
+
+    fn flag(&mut self, name: &str, flag: bool) -> Result<(), ReadError> {
+        self.key(name)?;
+        self.value(if flag { "true" } else { "false" })
+    }
+
+    /// Appends an array of `width` numbers for each element.
+    fn array<T: NoUninit>(&mut self, name: &str, kind: &str, width: usize, values: &[T]) -> Result<(), ReadError> {
         const ALIGNMENT: usize = 8;
         let bytes: &[u8] = bytemuck::cast_slice(values);
-        self.bytes.try_reserve(bytes.len() + ALIGNMENT)?;
-        self.bytes.resize(self.bytes.len().next_multiple_of(ALIGNMENT), 0);
-        let at = self.bytes.len();
-        self.bytes.extend_from_slice(bytes);
-        Ok(json!({ "at": at, "count": values.len(), "type": kind, "width": width }))
+        alloc::reserve(&mut self.arrays, bytes.len() + ALIGNMENT)?;
+        self.arrays.resize(self.arrays.len().next_multiple_of(ALIGNMENT), 0);
+        let at = self.arrays.len();
+        self.arrays.extend_from_slice(bytes);
+        self.key(name)?;
+        self.object(|packer| {
+            packer.number("at", at as f64)?;
+            packer.number("count", values.len() as f64)?;
+            packer.text("type", kind)?;
+            packer.number("width", width as f64)
+        })
     }
 
-    /// Appends an array that may be absent, as an empty one.
-    fn optional<T: NoUninit>(&mut self, kind: &str, width: usize, values: &[T]) -> Result<Value, ReadError> {
-        if values.is_empty() { Ok(Value::Null) } else { self.add(kind, width, values) }
+    /// Appends an array that is absent if it is empty.
+    fn optional<T: NoUninit>(&mut self, name: &str, kind: &str, width: usize, values: &[T]) -> Result<(), ReadError> {
+        if values.is_empty() {
+            self.key(name)?;
+            return self.value("null");
+        }
+        self.array(name, kind, width, values)
     }
 
-    fn positions(&mut self, positions: &Positions) -> Result<Value, ReadError> {
+    fn positions(&mut self, positions: &Positions) -> Result<(), ReadError> {
         match positions {
-            Positions::F32(points) => self.add("f32", 3, points),
-            Positions::F64(points) => self.add("f64", 3, points),
+            Positions::F32(points) => self.array("positions", "f32", 3, points),
+            Positions::F64(points) => self.array("positions", "f64", 3, points),
         }
     }
 
-    fn attribute<const N: usize>(&mut self, values: &Values<N>) -> Result<Value, ReadError> {
+    fn attribute<const N: usize>(&mut self, name: &str, values: &Values<N>) -> Result<(), ReadError> {
+        self.key(name)?;
         let (at_corners, values) = match values {
-            Values::Absent => return Ok(Value::Null),
+            Values::Absent => return self.value("null"),
             Values::Vertices(values) => (false, values),
             Values::Corners(values) => (true, values),
         };
-        let flat: &[f64] = values.as_flattened();
-        let mut described = self.add("f64", N, flat)?;
-        described["count"] = json!(values.len());
-        Ok(json!({ "at_corners": at_corners, "values": described }))
+        self.object(|packer| {
+            packer.flag("at_corners", at_corners)?;
+            packer.array("values", "f64", N, values)
+        })
     }
 
-    fn mesh(&mut self, mesh: &Mesh) -> Result<Value, ReadError> {
-        Ok(json!({
-            "name": mesh.name,
-            "positions": self.positions(&mesh.positions)?,
-            "face_offsets": self.add("u32", 1, &mesh.face_offsets)?,
-            "corners": self.add("u32", 1, &mesh.corners)?,
-            "merge": self.optional("u32", 1, &mesh.merge)?,
-            "normals": self.attribute(&mesh.normals)?,
-            "texcoords": self.attribute(&mesh.texcoords)?,
-            "vertex_colours": self.optional("f32", 4, &mesh.vertex_colours)?,
-            "face_colours": self.optional("f32", 4, &mesh.face_colours)?,
-            "face_materials": self.optional("u32", 1, &mesh.face_materials)?,
-            "properties": mesh.properties.iter().map(|property| self.property(property)).collect::<Result<Vec<_>, _>>()?,
-        }))
+    fn mesh(&mut self, mesh: &Mesh) -> Result<(), ReadError> {
+        self.object(|packer| {
+            packer.text("name", &mesh.name)?;
+            packer.positions(&mesh.positions)?;
+            packer.array("face_offsets", "u32", 1, &mesh.face_offsets)?;
+            packer.array("corners", "u32", 1, &mesh.corners)?;
+            packer.optional("merge", "u32", 1, &mesh.merge)?;
+            packer.attribute("normals", &mesh.normals)?;
+            packer.attribute("texcoords", &mesh.texcoords)?;
+            packer.optional("vertex_colours", "f32", 4, &mesh.vertex_colours)?;
+            packer.optional("face_colours", "f32", 4, &mesh.face_colours)?;
+            packer.optional("face_materials", "u32", 1, &mesh.face_materials)?;
+            packer.list("properties", &mesh.properties, Self::property)
+        })
     }
 
-    fn property(&mut self, property: &Property) -> Result<Value, ReadError> {
-        Ok(json!({
-            "name": property.name,
-            "kind": kind_name(property.kind),
-            "at_faces": property.domain == Domain::Faces,
-            "values": self.add("f64", 1, &property.values)?,
-        }))
+    fn property(&mut self, property: &Property) -> Result<(), ReadError> {
+        self.object(|packer| {
+            packer.text("name", &property.name)?;
+            packer.text("kind", kind_name(property.kind))?;
+            packer.flag("at_faces", property.domain == Domain::Faces)?;
+            packer.array("values", "f64", 1, &property.values)
+        })
     }
 
-    fn curves(&mut self, curves: &Curves) -> Result<Value, ReadError> {
-        let closed: Vec<u8> = curves.closed.iter().map(|&closed| u8::from(closed)).collect();
-        Ok(json!({
-            "positions": self.positions(&curves.positions)?,
-            "offsets": self.add("u32", 1, &curves.offsets)?,
-            "closed": self.add("u8", 1, &closed)?,
-        }))
+    fn curves(&mut self, curves: &Curves) -> Result<(), ReadError> {
+        let closed = alloc::collect(curves.closed.iter().map(|&closed| u8::from(closed)))?;
+        self.object(|packer| {
+            packer.positions(&curves.positions)?;
+            packer.array("offsets", "u32", 1, &curves.offsets)?;
+            packer.array("closed", "u8", 1, &closed)
+        })
     }
 
-    fn points(&mut self, points: &PointCloud) -> Result<Value, ReadError> {
-        Ok(json!({
-            "positions": self.positions(&points.positions)?,
-            "normals": self.optional("f64", 3, &points.normals)?,
-            "colours": self.optional("f32", 4, &points.colours)?,
-        }))
+    fn points(&mut self, points: &PointCloud) -> Result<(), ReadError> {
+        self.object(|packer| {
+            packer.positions(&points.positions)?;
+            packer.optional("normals", "f64", 3, &points.normals)?;
+            packer.optional("colours", "f32", 4, &points.colours)
+        })
     }
 
-    fn image(&mut self, image: &Image) -> Result<Value, ReadError> {
-        let mut described = json!({ "name": image.name, "media_type": image.media_type });
-        match &image.data {
-            ImageData::File(name) => described["file"] = json!(name),
-            ImageData::Bytes(bytes) => described["bytes"] = self.add("u8", 1, bytes)?,
-        }
-        Ok(described)
+    fn image(&mut self, image: &Image) -> Result<(), ReadError> {
+        self.object(|packer| {
+            packer.text("name", &image.name)?;
+            packer.text("media_type", &image.media_type)?;
+            match &image.data {
+                ImageData::File(name) => packer.text("file", name),
+                ImageData::Bytes(bytes) => packer.array("bytes", "u8", 1, bytes),
+            }
+        })
     }
-}
 
-fn describe_material(material: &Material) -> Value {
-    let native = match &material.native {
-        None => Value::Null,
-        Some(NativeMaterial::Mtl(lines)) => json!({ "mtl": lines }),
-        Some(NativeMaterial::Gltf { material, textures }) => {
-            json!({ "gltf": &**material, "textures": textures.iter().map(|(sampler, image)| json!([sampler, image])).collect::<Vec<_>>() })
-        }
-    };
-    json!({ "name": material.name, "colour": material.colour, "image": material.image, "native": native })
-}
+    fn material(&mut self, material: &Material) -> Result<(), ReadError> {
+        self.object(|packer| {
+            packer.text("name", &material.name)?;
+            packer.list("colour", &material.colour, |packer, &part| packer.value_of_number(f64::from(part)))?;
+            packer.optional_number("image", material.image.map(f64::from))?;
+            packer.key("native")?;
+            match &material.native {
+                None => packer.value("null"),
+                Some(NativeMaterial::Mtl(lines)) => packer
+                    .object(|packer| packer.list("mtl", lines, |packer, line: &String| packer.value_of_text(line))),
+                Some(NativeMaterial::Gltf { material, textures }) => packer.object(|packer| {
+                    packer.text("gltf", material)?;
+                    packer.list("textures", textures, Self::texture)
+                }),
+            }
+        })
+    }
 
-fn describe_note(note: &Note) -> Value {
-    match note.place {
-        Place::Whole => json!({ "text": note.text }),
-        Place::Line(line) => json!({ "text": note.text, "line": line }),
-        Place::Byte(byte) => json!({ "text": note.text, "byte": byte }),
+    fn texture(&mut self, (sampler, image): &(String, Option<u32>)) -> Result<(), ReadError> {
+        self.value("[")?;
+        self.value_of_text(sampler)?;
+        self.value_of_optional(image.map(f64::from))?;
+        self.reserve(1)?;
+        self.json.push(']');
+        Ok(())
+    }
+
+    fn note(&mut self, note: &Note) -> Result<(), ReadError> {
+        self.object(|packer| {
+            packer.text("text", &note.text)?;
+            match note.place {
+                Place::Whole => Ok(()),
+                Place::Line(line) => packer.number("line", line as f64),
+                Place::Byte(byte) => packer.number("byte", byte as f64),
+            }
+        })
     }
 }
 

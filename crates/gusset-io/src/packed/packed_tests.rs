@@ -47,7 +47,7 @@ fn rich() -> Document {
                 colour: [0.1, 0.2, 0.3, 0.4],
                 image: Some(1),
                 native: Some(NativeMaterial::Gltf {
-                    material: "{}".into(),
+                    material: String::from("{}").into(),
                     textures: vec![("{}".into(), Some(0)), (String::new(), None)].into(),
                 }),
                 ..Material::default()

@@ -3,10 +3,13 @@
 use super::pack_document::KIND_NAMES;
 use crate::document::{Curves, Document, Placement, PointCloud};
 use crate::error::{Place, ReadError};
+use crate::json_tape::{OUT_OF_MEMORY, Tape, Value};
 use crate::material::{Image, ImageData, Material, NativeMaterial};
 use crate::mesh::{Domain, Mesh, NumberKind, Positions, Property, Values};
+use crate::text_encoding::owned_text;
 use bytemuck::AnyBitPattern;
-use serde_json::Value;
+use gusset_base::alloc;
+use std::sync::Arc;
 
 /// Unpacks a document. Members that are absent or `null` are empty.
 ///
@@ -14,21 +17,13 @@ use serde_json::Value;
 /// `Malformed`, with the name of the member, if the text is not of this form, an array leaves `arrays`, or an index does not exist.
 /// `OutOfMemory`.
 pub fn unpack(description: &str, arrays: &[u8]) -> Result<Document, ReadError> {
-    let root: Value =
-        serde_json::from_str(description).map_err(|error| wrong(&format!("the description is not JSON: {error}")))?;
-    let packed = PackedArrays { arrays };
-    let mut document = Document {
-        meshes: list(&root["meshes"], "meshes")?.iter().map(|mesh| packed.mesh(mesh)).collect::<Result<_, _>>()?,
-        curves: packed.curves(&root["curves"])?,
-        points: packed.points(&root["points"])?,
-        materials: list(&root["materials"], "materials")?.iter().map(material).collect::<Result<_, _>>()?,
-        images: list(&root["images"], "images")?.iter().map(|image| packed.image(image)).collect::<Result<_, _>>()?,
-        metres_per_unit: root["metres_per_unit"].as_f64().filter(|metres| *metres > 0.0 && metres.is_finite()),
-        ..Document::default()
-    };
-    document.placements = packed.placements(&root, document.meshes.len())?;
-    document.check()?;
-    Ok(document)
+    let tape = Tape::parse(description.as_bytes()).map_err(|error| match error.message {
+        OUT_OF_MEMORY => ReadError::out_of_memory(),
+        message => wrong(&format!("the description is not JSON: {message}")),
+    })?;
+    let unpacked = PackedArrays { arrays }.document(tape.root());
+    tape.check_memory()?;
+    unpacked
 }
 
 struct PackedArrays<'a> {
@@ -39,37 +34,65 @@ fn wrong(message: &str) -> ReadError {
     ReadError::malformed(Place::Whole, message)
 }
 
-/// Returns the items of a list; none if it is absent.
-fn list<'a>(value: &'a Value, name: &str) -> Result<&'a [Value], ReadError> {
-    match value {
-        Value::Null => Ok(&[]),
-        Value::Array(items) => Ok(items),
-        _ => Err(wrong(&format!("{name} is not a list"))),
+/// Makes the items of a list; none if it is absent.
+fn list<'t, T>(
+    parent: Value<'t>,
+    name: &str,
+    mut item: impl FnMut(Value<'t>) -> Result<T, ReadError>,
+) -> Result<Vec<T>, ReadError> {
+    let Some(value) = parent.get(name) else { return Ok(Vec::new()) };
+    if !value.is_array() {
+        return Err(wrong(&format!("{name} is not a list")));
     }
+    alloc::try_collect(value.items().map(|value| {
+        alloc::check_reserve()?;
+        item(value)
+    }))
 }
 
 /// Returns a text; empty if it is absent.
-fn text(value: &Value) -> String {
-    value.as_str().unwrap_or_default().to_owned()
+fn text(value: Option<Value<'_>>) -> Result<String, ReadError> {
+    owned_text(value.and_then(Value::text).unwrap_or_default().as_bytes())
 }
 
-fn index(value: &Value, name: &str) -> Result<u32, ReadError> {
-    value.as_u64().and_then(|index| u32::try_from(index).ok()).ok_or_else(|| wrong(&format!("{name} is not an index")))
+fn index(value: Option<Value<'_>>, name: &str) -> Result<u32, ReadError> {
+    let index = value.and_then(Value::whole).and_then(|index| u32::try_from(index).ok());
+    index.ok_or_else(|| wrong(&format!("{name} is not an index")))
+}
+
+fn is_true(parent: Value<'_>, name: &str) -> bool {
+    parent.get(name).is_some_and(Value::is_true)
 }
 
 impl PackedArrays<'_> {
+    fn document(&self, root: Value<'_>) -> Result<Document, ReadError> {
+        let mut document = Document {
+            meshes: list(root, "meshes", |mesh| self.mesh(mesh))?,
+            curves: root.get("curves").map_or_else(|| Ok(Curves::default()), |curves| self.curves(curves))?,
+            points: root.get("points").map_or_else(|| Ok(PointCloud::default()), |points| self.points(points))?,
+            materials: list(root, "materials", material)?,
+            images: list(root, "images", |image| self.image(image))?,
+            metres_per_unit: root.get("metres_per_unit").and_then(Value::number),
+            ..Document::default()
+        };
+        document.metres_per_unit = document.metres_per_unit.filter(|metres| *metres > 0.0 && metres.is_finite());
+        document.placements = self.placements(root, document.meshes.len())?;
+        document.check()?;
+        Ok(document)
+    }
+
     /// Returns the elements of an array, each of `WIDTH` numbers; none if it is absent.
     fn array<T: AnyBitPattern, const WIDTH: usize>(
         &self,
-        value: &Value,
+        value: Option<Value<'_>>,
         kind: &str,
         name: &str,
     ) -> Result<Vec<[T; WIDTH]>, ReadError> {
-        if value.is_null() {
-            return Ok(Vec::new());
-        }
-        let is_right = value["type"] == kind && value["width"].as_u64() == Some(WIDTH as u64);
-        let range = value["at"].as_u64().zip(value["count"].as_u64()).and_then(|(at, count)| {
+        let Some(value) = value else { return Ok(Vec::new()) };
+        let number = |name| value.get(name).and_then(Value::whole);
+        let is_right =
+            value.get("type").is_some_and(|own| own.is(kind)) && number("width").is_some_and(|own| own == WIDTH as u64);
+        let range = number("at").zip(number("count")).and_then(|(at, count)| {
             let at = usize::try_from(at).ok()?;
             let size = usize::try_from(count).ok()?.checked_mul(WIDTH * size_of::<T>())?;
             self.arrays.get(at..at.checked_add(size)?)
@@ -77,141 +100,148 @@ impl PackedArrays<'_> {
         let Some(bytes) = range.filter(|_| is_right) else {
             return Err(wrong(&format!("{name} is not an array of {WIDTH} x {kind} within the given bytes")));
         };
-        let mut values = Vec::new();
-        values.try_reserve_exact(bytes.len() / (WIDTH * size_of::<T>()))?;
         let item = |chunk: &[u8]| {
             std::array::from_fn(|place| {
                 bytemuck::pod_read_unaligned(&chunk[place * size_of::<T>()..][..size_of::<T>()])
             })
         };
-        values.extend(bytes.chunks_exact(WIDTH * size_of::<T>()).map(item));
-        Ok(values)
+        Ok(alloc::collect(bytes.chunks_exact(WIDTH * size_of::<T>()).map(item))?)
     }
 
-    fn numbers<T: AnyBitPattern>(&self, value: &Value, kind: &str, name: &str) -> Result<Vec<T>, ReadError> {
-        Ok(self.array::<T, 1>(value, kind, name)?.into_iter().map(|[value]| value).collect())
+    fn numbers<T: AnyBitPattern>(&self, value: Option<Value<'_>>, kind: &str, name: &str) -> Result<Vec<T>, ReadError> {
+        Ok(self.array::<T, 1>(value, kind, name)?.into_flattened())
     }
 
-    fn positions(&self, value: &Value, name: &str) -> Result<Positions, ReadError> {
-        if value["type"] == "f32" {
+    /// Returns offsets, which begin with 0.
+    fn offsets(&self, parent: Value<'_>, name: &str) -> Result<Vec<u32>, ReadError> {
+        let mut offsets = self.numbers(parent.get(name), "u32", name)?;
+        if offsets.is_empty() {
+            offsets.push(0);
+        }
+        Ok(offsets)
+    }
+
+    fn positions(&self, value: Option<Value<'_>>, name: &str) -> Result<Positions, ReadError> {
+        if value.and_then(|value| value.get("type")).is_some_and(|kind| kind.is("f32")) {
             return Ok(Positions::F32(self.array(value, "f32", name)?));
         }
         Ok(Positions::F64(self.array(value, "f64", name)?))
     }
 
-    fn attribute<const N: usize>(&self, value: &Value, name: &str) -> Result<Values<N>, ReadError> {
-        if value.is_null() {
-            return Ok(Values::Absent);
-        }
-        let values = self.array(&value["values"], "f64", name)?;
-        Ok(if value["at_corners"] == true { Values::Corners(values) } else { Values::Vertices(values) })
+    fn attribute<const N: usize>(&self, mesh: Value<'_>, name: &str) -> Result<Values<N>, ReadError> {
+        let Some(value) = mesh.get(name) else { return Ok(Values::Absent) };
+        let values = self.array(value.get("values"), "f64", name)?;
+        Ok(if is_true(value, "at_corners") { Values::Corners(values) } else { Values::Vertices(values) })
     }
 
-    fn mesh(&self, value: &Value) -> Result<Mesh, ReadError> {
-        let mut face_offsets = self.numbers(&value["face_offsets"], "u32", "face_offsets")?;
-        if face_offsets.is_empty() {
-            face_offsets.push(0);
-        }
+    fn mesh(&self, value: Value<'_>) -> Result<Mesh, ReadError> {
         Ok(Mesh {
-            name: text(&value["name"]),
-            positions: self.positions(&value["positions"], "positions")?,
-            face_offsets,
-            corners: self.numbers(&value["corners"], "u32", "corners")?,
-            merge: self.numbers(&value["merge"], "u32", "merge")?,
-            normals: self.attribute(&value["normals"], "normals")?,
-            texcoords: self.attribute(&value["texcoords"], "texcoords")?,
-            vertex_colours: self.array(&value["vertex_colours"], "f32", "vertex_colours")?,
-            face_colours: self.array(&value["face_colours"], "f32", "face_colours")?,
-            face_materials: self.numbers(&value["face_materials"], "u32", "face_materials")?,
-            properties: list(&value["properties"], "properties")?
-                .iter()
-                .map(|one| self.property(one))
-                .collect::<Result<_, _>>()?,
+            name: text(value.get("name"))?,
+            positions: self.positions(value.get("positions"), "positions")?,
+            face_offsets: self.offsets(value, "face_offsets")?,
+            corners: self.numbers(value.get("corners"), "u32", "corners")?,
+            merge: self.numbers(value.get("merge"), "u32", "merge")?,
+            normals: self.attribute(value, "normals")?,
+            texcoords: self.attribute(value, "texcoords")?,
+            vertex_colours: self.array(value.get("vertex_colours"), "f32", "vertex_colours")?,
+            face_colours: self.array(value.get("face_colours"), "f32", "face_colours")?,
+            face_materials: self.numbers(value.get("face_materials"), "u32", "face_materials")?,
+            properties: list(value, "properties", |one| self.property(one))?,
         })
     }
 
-    fn property(&self, value: &Value) -> Result<Property, ReadError> {
-        let kind =
-            KIND_NAMES.iter().find(|(_, name)| value["kind"] == *name).map_or(NumberKind::F64, |(kind, _)| *kind);
-        let domain = if value["at_faces"] == true { Domain::Faces } else { Domain::Vertices };
+    fn property(&self, value: Value<'_>) -> Result<Property, ReadError> {
+        let kind = value.get("kind").and_then(|own| KIND_NAMES.iter().find(|(_, name)| own.is(name)));
+        let domain = if is_true(value, "at_faces") { Domain::Faces } else { Domain::Vertices };
         Ok(Property {
-            name: text(&value["name"]),
-            kind,
+            name: text(value.get("name"))?,
+            kind: kind.map_or(NumberKind::F64, |(kind, _)| *kind),
             domain,
-            values: self.numbers(&value["values"], "f64", "values")?,
+            values: self.numbers(value.get("values"), "f64", "values")?,
         })
     }
 
-    fn curves(&self, value: &Value) -> Result<Curves, ReadError> {
-        let mut offsets = self.numbers(&value["offsets"], "u32", "offsets")?;
-        if offsets.is_empty() {
-            offsets.push(0);
-        }
-        let closed: Vec<u8> = self.numbers(&value["closed"], "u8", "closed")?;
-        let positions = self.positions(&value["positions"], "positions of curves")?;
-        Ok(Curves { positions, offsets, closed: closed.into_iter().map(|closed| closed != 0).collect() })
+    fn curves(&self, value: Value<'_>) -> Result<Curves, ReadError> {
+        let closed: Vec<u8> = self.numbers(value.get("closed"), "u8", "closed")?;
+        Ok(Curves {
+            positions: self.positions(value.get("positions"), "positions of curves")?,
+            offsets: self.offsets(value, "offsets")?,
+            closed: alloc::collect(closed.into_iter().map(|closed| closed != 0))?,
+        })
     }
 
-    fn points(&self, value: &Value) -> Result<PointCloud, ReadError> {
+    fn points(&self, value: Value<'_>) -> Result<PointCloud, ReadError> {
         Ok(PointCloud {
-            positions: self.positions(&value["positions"], "positions of points")?,
-            normals: self.array(&value["normals"], "f64", "normals of points")?,
-            colours: self.array(&value["colours"], "f32", "colours of points")?,
+            positions: self.positions(value.get("positions"), "positions of points")?,
+            normals: self.array(value.get("normals"), "f64", "normals of points")?,
+            colours: self.array(value.get("colours"), "f32", "colours of points")?,
         })
     }
 
     /// Returns the scene; each mesh once, unmoved, if the text names none.
-    fn placements(&self, root: &Value, mesh_count: usize) -> Result<Vec<Placement>, ReadError> {
-        if root["placements"].is_null() {
-            return Ok((0..mesh_count as u32)
-                .map(|mesh| Placement { name: String::new(), mesh, transform: Placement::IDENTITY })
-                .collect());
+    fn placements(&self, root: Value<'_>, mesh_count: usize) -> Result<Vec<Placement>, ReadError> {
+        if root.get("placements").is_none() {
+            let unmoved = |mesh| Placement { name: String::new(), mesh, transform: Placement::IDENTITY };
+            return Ok(alloc::collect((0..mesh_count as u32).map(unmoved))?);
         }
-        let transforms: Vec<[f64; 12]> = self.array(&root["transforms"], "f64", "transforms")?;
-        let placements = list(&root["placements"], "placements")?;
-        if transforms.len() != placements.len() {
+        let transforms: Vec<[f64; 12]> = self.array(root.get("transforms"), "f64", "transforms")?;
+        let mut rows = transforms.iter();
+        let mut count = 0;
+        let placements = list(root, "placements", |value| {
+            count += 1;
+            let rows = rows.next().copied().unwrap_or_default();
+            let transform = std::array::from_fn(|row| std::array::from_fn(|column| rows[4 * row + column]));
+            let mesh = index(value.get("mesh"), "mesh of a placement")?;
+            Ok(Placement { name: text(value.get("name"))?, mesh, transform })
+        })?;
+        if transforms.len() != count {
             return Err(wrong("placements and transforms have different counts"));
         }
-        let placement = |(value, rows): (&Value, [f64; 12])| {
-            let transform = std::array::from_fn(|row| std::array::from_fn(|column| rows[4 * row + column]));
-            Ok(Placement { name: text(&value["name"]), mesh: index(&value["mesh"], "mesh of a placement")?, transform })
-        };
-        placements.iter().zip(transforms).map(placement).collect()
+        Ok(placements)
     }
 
-    fn image(&self, value: &Value) -> Result<Image, ReadError> {
-        let data = match value["file"].as_str() {
-            Some(name) => ImageData::File(name.to_owned()),
-            None => ImageData::Bytes(self.numbers::<u8>(&value["bytes"], "u8", "bytes of an image")?.into()),
+    fn image(&self, value: Value<'_>) -> Result<Image, ReadError> {
+        let data = match value.get("file").filter(|name| name.is_text()) {
+            Some(name) => ImageData::File(text(Some(name))?),
+            None => ImageData::Bytes(Arc::new(self.numbers(value.get("bytes"), "u8", "bytes of an image")?)),
         };
-        Ok(Image { name: text(&value["name"]), media_type: text(&value["media_type"]), data })
+        Ok(Image { name: text(value.get("name"))?, media_type: text(value.get("media_type"))?, data })
     }
 }
 
-fn optional_index(value: &Value, name: &str) -> Result<Option<u32>, ReadError> {
-    if value.is_null() { Ok(None) } else { index(value, name).map(Some) }
+fn optional_index(value: Option<Value<'_>>, name: &str) -> Result<Option<u32>, ReadError> {
+    value.map(|value| index(Some(value), name)).transpose()
 }
 
-fn material(value: &Value) -> Result<Material, ReadError> {
+fn material(value: Value<'_>) -> Result<Material, ReadError> {
     let mut colour = [1.0; 4];
-    for (part, given) in colour.iter_mut().zip(list(&value["colour"], "colour")?) {
-        *part = given.as_f64().map_or(1.0, |given| given as f32);
-    }
-    let native = &value["native"];
-    let native = if let Some(material) = native["gltf"].as_str() {
-        let texture = |one: &Value| Ok((text(&one[0]), optional_index(&one[1], "image of a texture")?));
-        let textures: Vec<_> =
-            list(&native["textures"], "textures")?.iter().map(texture).collect::<Result<_, ReadError>>()?;
-        Some(NativeMaterial::Gltf { material: material.into(), textures: textures.into() })
-    } else if native["mtl"].is_null() {
-        None
-    } else {
-        Some(NativeMaterial::Mtl(list(&native["mtl"], "mtl")?.iter().map(text).collect()))
+    let mut parts = colour.iter_mut();
+    list(value, "colour", |given| {
+        if let (Some(part), Some(given)) = (parts.next(), given.number()) {
+            *part = given as f32;
+        }
+        Ok(())
+    })?;
+    let native = match value.get("native") {
+        None => None,
+        Some(native) => native_material(native)?,
     };
-    Ok(Material {
-        name: text(&value["name"]),
-        colour,
-        image: optional_index(&value["image"], "image of a material")?,
-        native,
-    })
+    let image = optional_index(value.get("image"), "image of a material")?;
+    Ok(Material { name: text(value.get("name"))?, colour, image, native })
+}
+
+fn native_material(native: Value<'_>) -> Result<Option<NativeMaterial>, ReadError> {
+    if let Some(material) = native.get("gltf").filter(|material| material.is_text()) {
+        let textures = list(native, "textures", |one| {
+            let mut parts = one.items();
+            let (sampler, image) = (parts.next(), parts.next().filter(|image| image.raw() != b"null"));
+            Ok((text(sampler)?, optional_index(image, "image of a texture")?))
+        })?;
+        let material = Arc::new(text(Some(material))?);
+        return Ok(Some(NativeMaterial::Gltf { material, textures: Arc::new(textures) }));
+    }
+    if native.get("mtl").is_none() {
+        return Ok(None);
+    }
+    Ok(Some(NativeMaterial::Mtl(list(native, "mtl", |line| text(Some(line)))?)))
 }

@@ -1,8 +1,11 @@
 //! Which columns of a PLY file hold which attributes.
 
 use super::ply_header::Element;
+use crate::error::ReadError;
 use crate::mesh::{Domain, Property};
-use std::collections::BTreeMap;
+use crate::text_encoding::owned_text;
+use gusset_base::alloc;
+use std::collections::HashMap;
 
 /// Columns of a colour.
 #[derive(Clone, Copy)]
@@ -35,14 +38,14 @@ pub(super) struct VertexColumns {
 
 impl VertexColumns {
     /// Returns `None` if x, y or z is missing.
-    pub(super) fn find(element: &Element<'_>) -> Option<Self> {
-        let position = element.find_group(&[["x", "y", "z"]])?;
+    pub(super) fn find(element: &Element<'_>) -> Result<Option<Self>, ReadError> {
+        let Some(position) = element.find_group(&[["x", "y", "z"]]) else { return Ok(None) };
         let normal = element.find_group(&[["nx", "ny", "nz"], ["normal_x", "normal_y", "normal_z"]]);
         let texcoord = element.find_group(&[["s", "t"], ["u", "v"], ["texture_u", "texture_v"]]);
         let colour = ColourColumns::find(element);
         let used = position.into_iter().chain(normal.into_iter().flatten()).chain(texcoord.into_iter().flatten());
-        let rest = other_columns(element, used.chain(colour.iter().flat_map(ColourColumns::all)));
-        Some(Self { position, normal, texcoord, colour, rest })
+        let rest = other_columns(element, used.chain(colour.iter().flat_map(ColourColumns::all)))?;
+        Ok(Some(Self { position, normal, texcoord, colour, rest }))
     }
 }
 
@@ -61,14 +64,14 @@ pub(super) struct FaceColumns {
 
 impl FaceColumns {
     /// Returns `None` if no list can name vertices.
-    pub(super) fn find(element: &Element<'_>) -> Option<Self> {
-        let vertices = index_list(element)?;
+    pub(super) fn find(element: &Element<'_>) -> Result<Option<Self>, ReadError> {
+        let Some(vertices) = index_list(element) else { return Ok(None) };
         let texcoord = element.find(&["texcoord"], true);
         let image = element.find(&["texnumber"], false);
         let colour = ColourColumns::find(element);
         let used = [vertices].into_iter().chain(texcoord).chain(image);
-        let rest = other_columns(element, used.chain(colour.iter().flat_map(ColourColumns::all)));
-        Some(Self { vertices, texcoord, image, colour, rest })
+        let rest = other_columns(element, used.chain(colour.iter().flat_map(ColourColumns::all)))?;
+        Ok(Some(Self { vertices, texcoord, image, colour, rest }))
     }
 }
 
@@ -83,12 +86,12 @@ pub(super) fn index_list(element: &Element<'_>) -> Option<usize> {
 }
 
 /// Returns the columns of single numbers that are not in `used`.
-fn other_columns(element: &Element<'_>, used: impl Iterator<Item = usize>) -> Vec<usize> {
-    let mut is_free: Vec<bool> = element.columns.iter().map(|column| column.length.is_none()).collect();
+fn other_columns(element: &Element<'_>, used: impl Iterator<Item = usize>) -> Result<Vec<usize>, ReadError> {
+    let mut is_free = alloc::collect(element.columns.iter().map(|column| column.length.is_none()))?;
     for column in used {
         is_free[column] = false;
     }
-    (0..is_free.len()).filter(|&column| is_free[column]).collect()
+    Ok(alloc::gather((0..is_free.len()).filter(|&column| is_free[column]))?)
 }
 
 /// Returns the names of the lists of an element except `used`, as `"a" and "b"`; empty if there are none.
@@ -117,29 +120,36 @@ pub(super) fn share_properties(
     elements: &[&Element<'_>],
     columns: &mut [&mut Vec<usize>],
     domain: Domain,
-) -> (Vec<Property>, usize) {
+) -> Result<(Vec<Property>, usize), ReadError> {
     let before: usize = columns.iter().map(|columns| columns.len()).sum();
-    let Some((first, others)) = columns.split_first_mut() else { return (Vec::new(), 0) };
+    let Some((first, others)) = columns.split_first_mut() else { return Ok((Vec::new(), 0)) };
     for (element, other) in elements[1..].iter().zip(others.iter_mut()) {
-        let by_name: BTreeMap<&[u8], usize> =
-            other.iter().rev().map(|&column| (element.columns[column].name, column)).collect();
+        let by_name = columns_by_name(element, other)?;
         first.retain(|&column| by_name.contains_key(elements[0].columns[column].name));
     }
     for (element, other) in elements[1..].iter().zip(others.iter_mut()) {
-        let by_name: BTreeMap<&[u8], usize> =
-            other.iter().rev().map(|&column| (element.columns[column].name, column)).collect();
-        **other = first.iter().map(|&column| by_name[elements[0].columns[column].name]).collect();
+        let by_name = columns_by_name(element, other)?;
+        **other = alloc::collect(first.iter().map(|&column| by_name[elements[0].columns[column].name]))?;
     }
-    let properties = first.iter().enumerate().map(|(index, &column)| {
+    let properties = first.iter().enumerate().map(|(index, &column)| -> Result<Property, ReadError> {
         let kind = elements[0].columns[column].number.kind();
         let mut all = elements[1..].iter().zip(&*others).map(|(element, other)| element.columns[other[index]].number);
-        Property {
-            name: String::from_utf8_lossy(elements[0].columns[column].name).into_owned(),
+        Ok(Property {
+            name: owned_text(elements[0].columns[column].name)?,
             kind: if all.all(|number| number.kind() == kind) { kind } else { crate::NumberKind::F64 },
             domain,
             values: Vec::new(),
-        }
+        })
     });
-    let properties: Vec<Property> = properties.collect();
-    (properties, before - elements.len() * first.len())
+    let properties = alloc::try_collect(properties)?;
+    alloc::check_reserve()?;
+    Ok((properties, before - elements.len() * first.len()))
+}
+
+/// Finds columns by their names; the first of equal names.
+fn columns_by_name<'a>(element: &Element<'a>, columns: &[usize]) -> Result<HashMap<&'a [u8], usize>, ReadError> {
+    let mut by_name = HashMap::new();
+    by_name.try_reserve(columns.len())?;
+    by_name.extend(columns.iter().rev().map(|&column| (element.columns[column].name, column)));
+    Ok(by_name)
 }

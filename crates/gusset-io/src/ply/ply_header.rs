@@ -3,6 +3,7 @@
 use crate::error::{Note, Place, ReadError, quoted};
 use crate::mesh::NumberKind;
 use crate::text::integer;
+use gusset_base::alloc;
 
 /// How the rows are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,7 +135,7 @@ impl Element<'_> {
 
     /// Returns `vertex 17`.
     pub(super) fn row_name(&self, row: u64) -> String {
-        format!("{} {row}", String::from_utf8_lossy(self.name))
+        format!("{} {row}", String::from_utf8_lossy(&self.name[..self.name.len().min(40)]))
     }
 }
 
@@ -211,10 +212,10 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<Header<'_>, ReadError> {
         };
         let words = first_words(line);
         match &words[0].to_ascii_lowercase()[..] {
-            b"" | b"comment" | b"obj_info" => read_remark(&mut header, line, &words),
+            b"" | b"comment" | b"obj_info" => read_remark(&mut header, line, &words)?,
             b"end_header" => break,
             b"format" => read_format(&mut header, &lines, &mut encoding, &words)?,
-            b"element" => header.elements.push(read_element(&lines, &words)?),
+            b"element" => alloc::push(&mut header.elements, read_element(&lines, &words)?)?,
             b"property" => {
                 let column = read_column(&lines, line, &words)?;
                 let element = header.elements.last_mut();
@@ -297,17 +298,18 @@ fn read_column<'a>(lines: &Lines<'a>, line: &'a [u8], words: &[&'a [u8]; 5]) -> 
 }
 
 /// Reads comments that name images, and the size of a range image.
-fn read_remark<'a>(header: &mut Header<'a>, line: &'a [u8], words: &[&'a [u8]; 5]) {
+fn read_remark<'a>(header: &mut Header<'a>, line: &'a [u8], words: &[&'a [u8]; 5]) -> Result<(), ReadError> {
     let count = || integer(words[2]).and_then(|count| u64::try_from(count).ok()).unwrap_or(0);
     if words[0].eq_ignore_ascii_case(b"comment") {
         if words[1].eq_ignore_ascii_case(b"TextureFile") && !words[2].is_empty() {
             let start = line.len() - line.trim_ascii_start().len();
             let rest = line[start + words[0].len()..].trim_ascii_start();
-            header.textures.push(rest[words[1].len()..].trim_ascii());
+            alloc::push(&mut header.textures, rest[words[1].len()..].trim_ascii())?;
         }
     } else if words[1].eq_ignore_ascii_case(b"num_rows") {
         header.grid_rows = count();
     } else if words[1].eq_ignore_ascii_case(b"num_cols") {
         header.grid_columns = count();
     }
+    Ok(())
 }

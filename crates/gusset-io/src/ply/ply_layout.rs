@@ -1,9 +1,10 @@
 //! Content and types of a written PLY file.
 
 use crate::document::{Document, PointCloud};
-use crate::error::printable;
+use crate::error::{WriteError, printable};
 use crate::material::{ImageData, Material, NO_MATERIAL};
 use crate::mesh::{Domain, Mesh, Positions, Property, Values};
+use gusset_base::alloc;
 use std::borrow::Cow;
 
 /// Vectors and whether single precision holds all of them.
@@ -68,16 +69,16 @@ impl<'a> VertexLayout<'a> {
         }
     }
 
-    pub(super) fn from_mesh(mesh: &'a Mesh) -> Self {
+    pub(super) fn from_mesh(mesh: &'a Mesh) -> Result<Self, WriteError> {
         let count = mesh.positions.len();
-        Self {
+        Ok(Self {
             positions: &mesh.positions,
             is_single: has_single_positions(&mesh.positions),
-            normals: mesh.normals.at_vertices(&mesh.corners, count).map(Vectors::new),
+            normals: mesh.normals.at_vertices(&mesh.corners, count)?.map(Vectors::new),
             colours: Colours::new(&mesh.vertex_colours),
-            texcoords: mesh.texcoords.at_vertices(&mesh.corners, count).map(Vectors::new),
-            properties: properties_of_domain(mesh, Domain::Vertices),
-        }
+            texcoords: mesh.texcoords.at_vertices(&mesh.corners, count)?.map(Vectors::new),
+            properties: properties_of_domain(mesh, Domain::Vertices)?,
+        })
     }
 }
 
@@ -88,8 +89,8 @@ fn has_single_positions(positions: &Positions) -> bool {
     }
 }
 
-fn properties_of_domain(mesh: &Mesh, domain: Domain) -> Vec<&Property> {
-    mesh.properties.iter().filter(|property| property.domain == domain).collect()
+fn properties_of_domain(mesh: &Mesh, domain: Domain) -> Result<Vec<&Property>, WriteError> {
+    Ok(alloc::gather(mesh.properties.iter().filter(|property| property.domain == domain))?)
 }
 
 /// The faces.
@@ -105,20 +106,20 @@ pub(super) struct FaceLayout<'a> {
 }
 
 impl<'a> FaceLayout<'a> {
-    pub(super) fn new(mesh: &'a Mesh, vertices: &VertexLayout<'a>, document: &'a Document) -> Self {
+    pub(super) fn new(mesh: &'a Mesh, vertices: &VertexLayout<'a>, document: &'a Document) -> Result<Self, WriteError> {
         let widest = (0..mesh.face_count()).map(|face| mesh.face_range(face).len()).max().unwrap_or(0);
         let texcoords = match &mesh.texcoords {
             Values::Corners(values) if vertices.texcoords.is_none() => Some(Vectors::new(Cow::Borrowed(&values[..]))),
             _ => None,
         };
-        Self {
+        Ok(Self {
             mesh,
             has_short_lists: 2 * widest <= usize::from(u8::MAX),
             colours: Colours::new(&mesh.face_colours),
             texcoords,
-            properties: properties_of_domain(mesh, Domain::Faces),
-            textures: Textures::new(mesh, document),
-        }
+            properties: properties_of_domain(mesh, Domain::Faces)?,
+            textures: Textures::new(mesh, document)?,
+        })
     }
 }
 
@@ -136,13 +137,13 @@ pub(super) struct Textures<'a> {
 }
 
 impl<'a> Textures<'a> {
-    fn new(mesh: &Mesh, document: &'a Document) -> Self {
-        let mut textures = Self { numbers: vec![-1; document.materials.len()], ..Self::default() };
-        let mut is_used = vec![false; document.materials.len()];
+    fn new(mesh: &Mesh, document: &'a Document) -> Result<Self, WriteError> {
+        let mut textures = Self { numbers: alloc::filled(-1, document.materials.len())?, ..Self::default() };
+        let mut is_used = alloc::filled(false, document.materials.len())?;
         for &material in mesh.face_materials.iter().filter(|&&material| material != NO_MATERIAL) {
             is_used[material as usize] = true;
         }
-        let mut number_of_image = vec![-1; document.images.len()];
+        let mut number_of_image = alloc::filled(-1, document.images.len())?;
         for (index, material) in document.materials.iter().enumerate().filter(|&(index, _)| is_used[index]) {
             let file = image_file(material, document).filter(|_| !mesh.texcoords.is_absent());
             let Some((image, name)) = file else {
@@ -151,14 +152,14 @@ impl<'a> Textures<'a> {
             };
             if number_of_image[image] < 0 {
                 number_of_image[image] = textures.names.len() as i32;
-                textures.names.push(name);
+                alloc::push(&mut textures.names, name)?;
             }
             textures.numbers[index] = number_of_image[image];
             textures.loses_materials |= material.native.is_some() || material.colour != [1.0; 4];
         }
         textures.has_numbers =
             !textures.names.is_empty() && mesh.face_materials.iter().any(|&material| textures.number(material) != 0);
-        textures
+        Ok(textures)
     }
 
     /// Returns the index of the name of a material's image, -1 without an image.
@@ -178,8 +179,15 @@ fn image_file<'a>(material: &Material, document: &'a Document) -> Option<(usize,
     }
 }
 
+/// Longest name of a written property.
+const MAX_NAME_CHARACTERS: usize = 1000;
+
 /// Returns the name of a property without blanks and control characters.
 pub(super) fn property_name(name: &str) -> String {
-    let word: String = name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect();
+    let word: String = name
+        .chars()
+        .take(MAX_NAME_CHARACTERS)
+        .map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c })
+        .collect();
     if word.is_empty() { "property".into() } else { word }
 }

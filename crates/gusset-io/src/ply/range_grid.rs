@@ -3,6 +3,7 @@
 use super::room::make_room;
 use crate::error::ReadError;
 use crate::mesh::Mesh;
+use gusset_base::alloc;
 
 /// The entry of a place in the grid where the scanner saw nothing.
 pub(super) const UNSEEN: u32 = u32::MAX;
@@ -13,7 +14,7 @@ const MAX_EDGE_RATIO: f32 = 4.0;
 /// Joins neighbours in the grid, row by row, by triangles without long edges. Cells with three points get one triangle; cells with
 /// four points are split at the shorter diagonal.
 pub(super) fn add_range_faces(mesh: &mut Mesh, grid: &[u32], columns: usize) -> Result<(), ReadError> {
-    let Some(median) = median_edge(mesh, grid, columns) else { return Ok(()) };
+    let Some(median) = median_edge(mesh, grid, columns)? else { return Ok(()) };
     let mut rows = grid.chunks_exact(columns);
     let Some(mut above) = rows.next() else { return Ok(()) };
     for below in rows {
@@ -67,22 +68,24 @@ const PASSES: [[u32; 2]; 3] = [[21, 11], [10, 11], [0, 10]];
 
 /// Returns the median of all positive lengths of triangles' edges. Selects it by the upper bits of the lengths
 /// first, so that no list of lengths is needed.
-fn median_edge(mesh: &Mesh, grid: &[u32], columns: usize) -> Option<f32> {
+fn median_edge(mesh: &Mesh, grid: &[u32], columns: usize) -> Result<Option<f32>, ReadError> {
     let mut found = 0;
     let mut rank = None;
     for [shift, width] in PASSES {
-        let mut counts = vec![0_u64; 1 << width];
+        let mut counts = alloc::filled(0_u64, 1 << width)?;
         visit_edges(mesh, grid, columns, |edge| {
             let bits = edge.to_bits();
             if rank.is_none() || bits >> (shift + width) == found {
                 counts[(bits >> shift & ((1 << width) - 1)) as usize] += 1;
             }
         });
-        let (next, rest) = bucket(&counts, rank.unwrap_or_else(|| counts.iter().sum::<u64>() / 2))?;
+        let Some((next, rest)) = bucket(&counts, rank.unwrap_or_else(|| counts.iter().sum::<u64>() / 2)) else {
+            return Ok(None);
+        };
         found = found << width | next;
         rank = Some(rest);
     }
-    Some(f32::from_bits(found))
+    Ok(Some(f32::from_bits(found)))
 }
 
 /// Calls `visit` with all positive lengths of triangles' edges.

@@ -11,6 +11,8 @@ use crate::error::{Note, Place, ReadError, ReadErrorKind, quoted};
 use crate::material::{Image, ImageData, Material};
 use crate::mesh::{Domain, Mesh, Values};
 use crate::options::ReadOptions;
+use crate::text_encoding::owned_text;
+use gusset_base::alloc;
 
 /// Reads a mesh, or points if the file has no faces.
 pub(crate) fn read_ply(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadError> {
@@ -44,13 +46,17 @@ struct Content {
 impl Content {
     fn read<R: Rows>(header: &Header<'_>, mut rows: R) -> Result<Self, ReadError> {
         let mut content = Self { mesh: Mesh::default(), grid: Vec::new(), notes: Vec::new() };
-        let mut roles = header.elements.iter().map(|element| role(header, element)).collect::<Result<Vec<_>, _>>()?;
+        let mut roles = alloc::with_capacity(header.elements.len())?;
+        for element in &header.elements {
+            roles.push(role(header, element)?);
+            alloc::check_reserve()?;
+        }
         let count: u64 = elements_with(header, &roles, |role| matches!(role, Role::Vertices(_)))
             .map(|element| element.count)
             .fold(0, u64::saturating_add);
         let count = count.min(u64::from(u32::MAX) - 1) as u32;
-        let vertex_parts = content.share_vertex_columns(header, &mut roles);
-        let mut face_parts = content.share_face_columns(header, &mut roles, count);
+        let vertex_parts = content.share_vertex_columns(header, &mut roles)?;
+        let mut face_parts = content.share_face_columns(header, &mut roles, count)?;
         for (element, role) in header.elements.iter().zip(&roles).filter(|(element, _)| element.count > 0) {
             rows.begin(element)?;
             let believed = |list| believed_count(element, header.encoding, rows.remaining(), list);
@@ -80,13 +86,16 @@ impl Content {
     }
 
     /// Finds the attributes that all vertex elements have, and adds their properties to the mesh.
-    fn share_vertex_columns(&mut self, header: &Header<'_>, roles: &mut [Role]) -> VertexAttributeFlags {
+    fn share_vertex_columns(
+        &mut self,
+        header: &Header<'_>,
+        roles: &mut [Role],
+    ) -> Result<VertexAttributeFlags, ReadError> {
         let is_vertices = |role: &Role| matches!(role, Role::Vertices(_));
-        let elements: Vec<_> = elements_with(header, roles, is_vertices).collect();
-        let mut columns: Vec<_> = roles
-            .iter_mut()
-            .filter_map(|role| if let Role::Vertices(columns) = role { Some(columns) } else { None })
-            .collect();
+        let elements = alloc::gather(elements_with(header, roles, is_vertices))?;
+        let of_vertices =
+            roles.iter_mut().filter_map(|role| if let Role::Vertices(columns) = role { Some(columns) } else { None });
+        let mut columns = alloc::gather(of_vertices)?;
         let parts = VertexAttributeFlags {
             is_single: elements
                 .iter()
@@ -96,39 +105,43 @@ impl Content {
             has_texcoords: columns.iter().all(|found| found.texcoord.is_some()),
             has_colours: columns.iter().all(|found| found.colour.is_some()),
         };
-        let mut rest: Vec<_> = columns.iter_mut().map(|found| &mut found.rest).collect();
-        let (properties, left) = share_properties(&elements, &mut rest, Domain::Vertices);
+        let mut rest = alloc::collect(columns.iter_mut().map(|found| &mut found.rest))?;
+        let (properties, left) = share_properties(&elements, &mut rest, Domain::Vertices)?;
         self.mesh.properties = properties;
         let is_shared = |has: bool, one: &dyn Fn(&VertexColumns) -> bool| has || !columns.iter().any(|c| one(c));
         let is_complete = is_shared(parts.has_normals, &|found| found.normal.is_some())
             && is_shared(parts.has_texcoords, &|found| found.texcoord.is_some())
             && is_shared(parts.has_colours, &|found| found.colour.is_some());
         self.note_shared("vertex", elements.len(), left > 0 || !is_complete);
-        parts
+        Ok(parts)
     }
 
     /// Finds the attributes that all face elements have, and adds their properties to the mesh. Strips have none.
-    fn share_face_columns(&mut self, header: &Header<'_>, roles: &mut [Role], vertex_count: u32) -> FaceParts {
+    fn share_face_columns(
+        &mut self,
+        header: &Header<'_>,
+        roles: &mut [Role],
+        vertex_count: u32,
+    ) -> Result<FaceParts, ReadError> {
         let has_strips = roles.iter().any(|role| matches!(role, Role::Strips(_)));
         let is_faces = |role: &Role| matches!(role, Role::Faces(_));
-        let elements: Vec<_> = elements_with(header, roles, is_faces).collect();
-        let mut columns: Vec<_> = roles
-            .iter_mut()
-            .filter_map(|role| if let Role::Faces(columns) = role { Some(columns) } else { None })
-            .collect();
+        let elements = alloc::gather(elements_with(header, roles, is_faces))?;
+        let of_faces =
+            roles.iter_mut().filter_map(|role| if let Role::Faces(columns) = role { Some(columns) } else { None });
+        let mut columns = alloc::gather(of_faces)?;
         if has_strips {
             columns.iter_mut().for_each(|found| found.rest.clear());
         }
         let has_colours = !has_strips && columns.iter().all(|found| found.colour.is_some());
         let has_texcoords = !has_strips && !columns.is_empty() && columns.iter().all(|found| found.texcoord.is_some());
-        let mut rest: Vec<_> = columns.iter_mut().map(|found| &mut found.rest).collect();
-        let (properties, left) = share_properties(&elements, &mut rest, Domain::Faces);
+        let mut rest = alloc::collect(columns.iter_mut().map(|found| &mut found.rest))?;
+        let (properties, left) = share_properties(&elements, &mut rest, Domain::Faces)?;
         let start = self.mesh.properties.len();
-        self.mesh.properties.extend(properties);
+        alloc::extend(&mut self.mesh.properties, properties)?;
         let is_complete = (has_colours || !columns.iter().any(|found| found.colour.is_some()))
             && (has_texcoords || !columns.iter().any(|found| found.texcoord.is_some()));
         self.note_shared("face", elements.len(), left > 0 || !is_complete);
-        FaceParts::new(vertex_count, start, header.textures.len(), has_colours, has_texcoords)
+        Ok(FaceParts::new(vertex_count, start, header.textures.len(), has_colours, has_texcoords))
     }
 
     fn note_shared(&mut self, name: &str, count: usize, is_reduced: bool) {
@@ -176,15 +189,15 @@ impl Content {
         let mut notes = header.notes.clone();
         notes.append(&mut self.notes);
         if self.mesh.face_count() == 0 {
-            return Ok(points_document(self.mesh, notes));
+            return points_document(self.mesh, notes);
         }
         let mesh = &mut self.mesh;
-        mesh.texcoords = std::mem::take(&mut mesh.texcoords).simplified(&mesh.corners, mesh.positions.len());
+        mesh.texcoords = std::mem::take(&mut mesh.texcoords).simplified(&mesh.corners, mesh.positions.len())?;
         let mut document = Document { notes, ..Document::from_mesh(self.mesh) };
         if document.meshes[0].texcoords.is_absent() {
             document.meshes[0].face_materials = Vec::new();
         } else {
-            add_texture_materials(&mut document, header);
+            add_texture_materials(&mut document, header)?;
         }
         Ok(document)
     }
@@ -202,9 +215,11 @@ fn reason_of_loss(header: &Header<'_>, element: &Element<'_>) -> &'static str {
 }
 
 /// Adds an image, and a material that shows it, for each texture file that the header names.
-fn add_texture_materials(document: &mut Document, header: &Header<'_>) {
+fn add_texture_materials(document: &mut Document, header: &Header<'_>) -> Result<(), ReadError> {
+    document.materials.try_reserve_exact(header.textures.len())?;
+    document.images.try_reserve_exact(header.textures.len())?;
     for (image, name) in header.textures.iter().enumerate() {
-        let name = String::from_utf8_lossy(name).into_owned();
+        let name = owned_text(name)?;
         let media_type = match name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase()).as_deref() {
             Some("png") => "image/png",
             Some("jpg" | "jpeg") => "image/jpeg",
@@ -214,23 +229,25 @@ fn add_texture_materials(document: &mut Document, header: &Header<'_>) {
         let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned();
         document.materials.push(Material { name: stem.clone(), image: Some(image as u32), ..Material::default() });
         document.images.push(Image { name: stem, media_type: media_type.into(), data: ImageData::File(name) });
+        alloc::check_reserve()?;
     }
+    Ok(())
 }
 
-fn points_document(mesh: Mesh, mut notes: Vec<Note>) -> Document {
-    let names: Vec<&str> = mesh
+fn points_document(mesh: Mesh, mut notes: Vec<Note>) -> Result<Document, ReadError> {
+    let names = mesh
         .properties
         .iter()
         .filter(|property| property.domain == Domain::Vertices)
         .map(|property| &property.name[..])
-        .chain((!mesh.texcoords.is_absent()).then_some("texture coordinates"))
-        .collect();
+        .chain((!mesh.texcoords.is_absent()).then_some("texture coordinates"));
+    let names = alloc::gather(names)?;
     if !names.is_empty() && !mesh.positions.is_empty() {
         notes.push(Note::new(Place::Whole, format!("points keep only normals and colours, not {}", names.join(", "))));
     }
     let normals = if let Values::Vertices(normals) = mesh.normals { normals } else { Vec::new() };
     let points = PointCloud { positions: mesh.positions, normals, colours: mesh.vertex_colours };
-    Document { points, notes, ..Document::default() }
+    Ok(Document { points, notes, ..Document::default() })
 }
 
 fn elements_with<'a>(
@@ -248,14 +265,14 @@ fn role(header: &Header<'_>, element: &Element<'_>) -> Result<Role, ReadError> {
         return Ok(Role::Other);
     }
     if element.is_named("vertex") {
-        let columns = VertexColumns::find(element);
+        let columns = VertexColumns::find(element)?;
         return columns.map_or_else(
             || malformed("the vertices lack the properties x, y and z"),
             |found| Ok(Role::Vertices(Box::new(found))),
         );
     }
     if element.is_named("face") {
-        let columns = FaceColumns::find(element);
+        let columns = FaceColumns::find(element)?;
         return columns.map_or_else(
             || malformed("the faces lack the list vertex_indices"),
             |found| Ok(Role::Faces(Box::new(found))),

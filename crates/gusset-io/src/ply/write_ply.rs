@@ -18,12 +18,12 @@ pub(crate) fn write_ply(
     options: &WriteOptions,
 ) -> Result<Vec<Loss>, WriteError> {
     let joined = document.joined()?;
-    let merged = merge_vertices(&joined);
+    let merged = merge_vertices(&joined)?;
     let has_mesh = !merged.mesh.positions.is_empty();
     let mut losses = Losses(Vec::new());
     if has_mesh {
-        let vertices = VertexLayout::from_mesh(&merged.mesh);
-        let faces = FaceLayout::new(&merged.mesh, &vertices, document);
+        let vertices = VertexLayout::from_mesh(&merged.mesh)?;
+        let faces = FaceLayout::new(&merged.mesh, &vertices, document)?;
         let normals = "normals that differ at the corners of a vertex: PLY files hold one for each vertex";
         losses.add_if(!merged.mesh.normals.is_absent() && vertices.normals.is_none(), normals);
         losses.add_colours(&[&vertices.colours, &faces.colours]);
@@ -68,7 +68,7 @@ fn write_file(
     target: &mut Target<'_>,
     options: &WriteOptions,
 ) -> io::Result<()> {
-    let mut out = TextWriter::new(target.main);
+    let mut out = TextWriter::new(target.main)?;
     out.text("ply\nformat ")?;
     out.text(if options.text { "ascii" } else { "binary_little_endian" })?;
     out.text(" 1.0\ncomment gusset\n")?;

@@ -10,6 +10,7 @@ use crate::mesh::Positions;
 use crate::options::ReadOptions;
 use crate::scene::counted;
 use crate::text_encoding::decode_text;
+use gusset_base::alloc;
 
 /// Marks a row before which a polyline ends, beside one bit for each group column.
 const BREAK_BIT: u8 = 1 << 7;
@@ -80,38 +81,40 @@ impl<'a> TableReader<'a> {
         let end = line.iter().position(|&byte| byte == b'#').unwrap_or(line.len());
         let line = line[..end].trim_ascii_end();
         if self.layout.is_none() {
-            self.layout = self.find_layout(line);
+            self.layout = self.find_layout(line)?;
         }
         let Some(layout) = self.layout.take() else {
             self.header = line;
             return Ok(());
         };
-        layout.style.split(line, &mut self.fields);
+        layout.style.split(line, &mut self.fields)?;
         let result = self.read_row(line, &layout);
         self.layout = Some(layout);
         result
     }
 
     /// Returns the first layout in which a line is a row of numbers.
-    fn find_layout(&self, line: &'a [u8]) -> Option<TableLayout> {
+    fn find_layout(&self, line: &'a [u8]) -> Result<Option<TableLayout>, ReadError> {
         let (mut fields, mut names) = (Vec::new(), Vec::new());
-        FieldStyle::ALL.into_iter().find_map(|style| {
-            style.split(line, &mut fields);
-            style.split(self.header, &mut names);
+        for style in FieldStyle::ALL {
+            style.split(line, &mut fields)?;
+            style.split(self.header, &mut names)?;
             let is_number = |field: &[u8]| style.number(field).is_some();
             let is_row = |column: usize| fields.get(column).is_none_or(|field| field.is_empty() || is_number(field));
             let count = fields.len();
             // A sentence of words is not a list of names.
             let has_names = if style.separator == b' ' { names.len() == count } else { names.len() >= count };
-            if let Some(columns) = TableColumns::from_names(&names).filter(|_| has_names) {
+            if let Some(columns) = TableColumns::from_names(&names)?.filter(|_| has_names) {
                 let mut places = columns.coordinates.iter().flatten();
                 let has_number = places.clone().any(|&column| fields.get(column).is_some_and(|field| is_number(field)));
-                let is_numbered = has_number && places.all(|&column| is_row(column));
-                return is_numbered.then_some(TableLayout { style, columns, count });
+                if has_number && places.all(|&column| is_row(column)) {
+                    return Ok(Some(TableLayout { style, columns, count }));
+                }
+            } else if count >= 2 && is_number(fields[0]) && is_number(fields[1]) && (2..count).all(is_row) {
+                return Ok(Some(TableLayout { style, columns: TableColumns::from_count(count), count }));
             }
-            let is_row = count >= 2 && is_number(fields[0]) && is_number(fields[1]) && (2..count).all(is_row);
-            is_row.then(|| TableLayout { style, columns: TableColumns::from_count(count), count })
-        })
+        }
+        Ok(None)
     }
 
     fn read_row(&mut self, line: &'a [u8], layout: &TableLayout) -> Result<(), ReadError> {
@@ -188,7 +191,7 @@ impl<'a> TableReader<'a> {
     fn finish(mut self) -> Result<Document, ReadError> {
         if let Some(layout) = self.layout.take() {
             if layout.columns.is_guessed {
-                self.judge_guesses(&layout);
+                self.judge_guesses(&layout)?;
             }
             self.note_unread_columns(&layout);
         }
@@ -220,14 +223,14 @@ impl<'a> TableReader<'a> {
     }
 
     /// Keeps columns without names as colours or normals only if all numbers fit.
-    fn judge_guesses(&mut self, layout: &TableLayout) {
+    fn judge_guesses(&mut self, layout: &TableLayout) -> Result<(), ReadError> {
         let is_step = |part: f32| (0.0..=255.0).contains(&part) && part.fract() == 0.0;
         let are_colours = self.colours.iter().all(|colour| colour[..3].iter().all(|&part| is_step(part)))
             && self.colours.iter().flatten().any(|&part| part > 1.0);
         if !are_colours {
             if self.normals.is_empty() && layout.columns.colours == Some([3, 4, 5]) {
-                self.normals =
-                    self.colours.iter().map(|colour| [0, 1, 2].map(|part| f64::from(colour[part]))).collect();
+                let parts = |colour: &[f32; 4]| [0, 1, 2].map(|part| f64::from(colour[part]));
+                self.normals = alloc::collect(self.colours.iter().map(parts))?;
             }
             self.colours = Vec::new();
         }
@@ -238,6 +241,7 @@ impl<'a> TableReader<'a> {
         if !self.normals.iter().all(is_unit) || self.normals.iter().flatten().all(|&part| part == 0.0) {
             self.normals = Vec::new();
         }
+        Ok(())
     }
 
     /// Makes polylines of the points.

@@ -1,5 +1,8 @@
 //! Meaning of the columns of a table.
 
+use crate::error::ReadError;
+use gusset_base::alloc;
+
 /// Most columns that separate polylines.
 const MAX_GROUP_COLUMNS: usize = 7;
 
@@ -31,20 +34,20 @@ enum Role {
 
 impl TableColumns {
     /// Takes roles from the names in a header. Returns `None` if it does not name two coordinates.
-    pub(super) fn from_names(names: &[&[u8]]) -> Option<Self> {
-        let roles: Vec<Role> = names.iter().map(|name| role_of_name(name)).collect();
+    pub(super) fn from_names(names: &[&[u8]]) -> Result<Option<Self>, ReadError> {
+        let roles = alloc::collect(names.iter().map(|name| role_of_name(name)))?;
         let place = |role| roles.iter().position(|&found| found == role);
         let triple = |role: fn(usize) -> Role| Some([place(role(0))?, place(role(1))?, place(role(2))?]);
         let coordinates = [0, 1, 2].map(|axis| place(Role::Coordinate(axis)));
-        let first = coordinates.iter().flatten().min()?;
-        (coordinates.iter().flatten().count() >= 2).then(|| Self {
+        let Some(first) = coordinates.iter().flatten().min() else { return Ok(None) };
+        Ok((coordinates.iter().flatten().count() >= 2).then(|| Self {
             coordinates,
             groups: (0..*first).filter(|&column| roles[column] == Role::Other).take(MAX_GROUP_COLUMNS).collect(),
             colours: triple(Role::Colour),
             opacity: place(Role::Opacity),
             normals: triple(Role::Normal),
             is_guessed: false,
-        })
+        }))
     }
 
     /// Guesses roles of columns without names.

@@ -1,6 +1,8 @@
 //! Fields of a row, and the numbers in them.
 
+use crate::error::ReadError;
 use crate::text::number;
+use gusset_base::alloc;
 
 /// How fields are separated and written.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,16 +24,18 @@ impl FieldStyle {
     ];
 
     /// Splits a line. A separator at the end begins no field.
-    pub(super) fn split<'a>(self, line: &'a [u8], fields: &mut Vec<&'a [u8]>) {
+    pub(super) fn split<'a>(self, line: &'a [u8], fields: &mut Vec<&'a [u8]>) -> Result<(), ReadError> {
         fields.clear();
         if self.separator == b' ' {
-            fields.extend(line.split(u8::is_ascii_whitespace).filter(|field| !field.is_empty()).map(unquoted));
-            return;
+            let words = line.split(u8::is_ascii_whitespace).filter(|field| !field.is_empty());
+            return Ok(alloc::extend(fields, words.map(unquoted))?);
         }
-        fields.extend(line.split(|&byte| byte == self.separator).map(|field| unquoted(field.trim_ascii())));
+        let words = line.split(|&byte| byte == self.separator);
+        alloc::extend(fields, words.map(|field| unquoted(field.trim_ascii())))?;
         while fields.last().is_some_and(|field| field.is_empty()) {
             fields.pop();
         }
+        Ok(())
     }
 
     /// Returns the number in a field.

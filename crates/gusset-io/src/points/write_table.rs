@@ -41,7 +41,7 @@ fn write_table(document: &Document, target: &mut Target<'_>, separator: u8) -> R
         losses.push(Loss(format!("meshes, which {files} files do not hold")));
     }
     let are_points_of_curves = has_curves && are_points_of_curves(document);
-    let mut table = Table { document, separator, columns: Columns::default(), out: TextWriter::new(target.main) };
+    let mut table = Table { document, separator, columns: Columns::default(), out: TextWriter::new(target.main)? };
     if are_points_of_curves || !has_curves {
         table.columns = Columns::from_document(document, separator, &mut losses);
     } else if has_points {

@@ -7,6 +7,7 @@ use crate::error::{Place, ReadError, ReadErrorKind};
 use crate::options::ReadOptions;
 use crate::resources::Resources;
 use crate::text::{Scanner, number};
+use crate::text_encoding::owned_text;
 
 /// Reads all scans of a list by `read_scan`.
 pub(crate) fn read_scan_list(
@@ -54,5 +55,5 @@ fn name_and_pose(line: &[u8], place: Place) -> Result<(String, Pose), ReadError>
         return Err(incomplete());
     }
     let pose = from_numbers(numbers).ok_or_else(|| ReadError::malformed(place, "the quaternion has length 0"))?;
-    Ok((String::from_utf8_lossy(name).into_owned(), pose))
+    Ok((owned_text(name)?, pose))
 }

@@ -8,8 +8,11 @@ use crate::material::{ImageData, NO_MATERIAL, NativeMaterial};
 use crate::mesh::Positions;
 use crate::options::ReadOptions;
 use crate::resources::Resources;
+use crate::text_encoding::owned_text;
+use gusset_base::alloc;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// Reads a scan of any format.
 pub(crate) type ReadScan = fn(&[u8], Format, &dyn Resources, &ReadOptions) -> Result<Document, ReadError>;
@@ -46,6 +49,7 @@ impl<'a> Scene<'a> {
         match self.loaded.get(&name) {
             Some(&Ok((mesh, transform))) => {
                 let transform = product(pose, &transform);
+                alloc::check_reserve()?;
                 self.document.placements.try_reserve(1)?;
                 self.document.placements.push(Placement { name: stem(&name).into(), mesh, transform });
                 return Ok(());
@@ -99,7 +103,12 @@ impl<'a> Scene<'a> {
                 *material += material_start;
             }
         }
-        rename_files(&mut scan, folder(name), image_start);
+        rename_files(&mut scan, folder(name), image_start)?;
+        alloc::reserve(&mut document.meshes, scan.meshes.len())?;
+        alloc::reserve(&mut document.materials, scan.materials.len())?;
+        alloc::reserve(&mut document.images, scan.images.len())?;
+        alloc::reserve(&mut document.placements, scan.placements.len())?;
+        alloc::reserve(&mut document.notes, scan.notes.len())?;
         document.meshes.append(&mut scan.meshes);
         document.materials.append(&mut scan.materials);
         document.images.append(&mut scan.images);
@@ -121,12 +130,12 @@ impl<'a> Scene<'a> {
             };
             Note::new(Place::Whole, text)
         }));
-        Ok(())
+        Ok(alloc::check_reserve()?)
     }
 }
 
 /// Makes names of files relative to the list's folder, and numbers images after the images of earlier scans.
-fn rename_files(scan: &mut Document, folder: &str, image_start: u32) {
+fn rename_files(scan: &mut Document, folder: &str, image_start: u32) -> Result<(), ReadError> {
     for image in &mut scan.images {
         if let ImageData::File(name) = &mut image.data
             && !folder.is_empty()
@@ -140,12 +149,17 @@ fn rename_files(scan: &mut Document, folder: &str, image_start: u32) {
             // Its lines name files in the folder of the scan.
             Some(NativeMaterial::Mtl(_)) if !folder.is_empty() => material.native = None,
             Some(NativeMaterial::Gltf { textures, .. }) => {
-                let moved = textures.iter().map(|(sampler, image)| (sampler.clone(), image.map(|k| k + image_start)));
-                *textures = moved.collect();
+                let mut moved = alloc::with_capacity(textures.len())?;
+                for (sampler, image) in textures.iter() {
+                    moved.push((owned_text(sampler.as_bytes())?, image.map(|k| k + image_start)));
+                }
+                *textures = Arc::new(moved);
             }
             _ => {}
         }
+        alloc::check_reserve()?;
     }
+    Ok(())
 }
 
 /// Appends points. Normals and colours stay only if all points have them.
@@ -211,7 +225,9 @@ fn append_curves(document: &mut Document, added: &crate::Curves, pose: &Pose) ->
     let too_large = || ReadError::new(ReadErrorKind::TooLarge, "the scans have more than 2^32 - 1 points of curves");
     let start = u32::try_from(curves.positions.len()).map_err(|_| too_large())?;
     u32::try_from(curves.positions.len() + added.positions.len()).map_err(|_| too_large())?;
-    append_positions(&mut curves.positions, added.positions.clone(), pose)?;
+    append_positions(&mut curves.positions, added.positions.try_clone()?, pose)?;
+    alloc::reserve(&mut curves.offsets, added.closed.len())?;
+    alloc::reserve(&mut curves.closed, added.closed.len())?;
     curves.offsets.extend(added.offsets[1..].iter().map(|offset| offset + start));
     curves.closed.extend(&added.closed);
     Ok(())

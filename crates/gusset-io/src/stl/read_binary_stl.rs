@@ -7,6 +7,7 @@ use crate::options::ReadOptions;
 use crate::parallel_fill::make_vector;
 use crate::scene::counted;
 use crate::vertex_merging::VertexMerger;
+use gusset_base::alloc;
 
 /// Facets whose corners are merged at a time.
 const BATCH_FACETS: usize = 256;
@@ -104,7 +105,7 @@ fn merged_facets(facets: &[u8]) -> Result<Mesh, ReadError> {
     let mut merger = VertexMerger::new(facets.len() / 2)?;
     let mut corners = Vec::new();
     corners.try_reserve_exact(3 * facets.len())?;
-    let mut batch = Vec::with_capacity(BATCH_FACETS);
+    let mut batch = alloc::with_capacity(BATCH_FACETS)?;
     for some in facets.chunks(BATCH_FACETS) {
         batch.clear();
         batch.extend(some.iter().map(facet_corners));

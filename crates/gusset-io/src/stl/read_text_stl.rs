@@ -159,7 +159,7 @@ impl TextReader<'_> {
     }
 
     fn text_between(&self, start: usize, end: usize) -> String {
-        crate::error::printable(String::from_utf8_lossy(self.text[start..end].trim_ascii()).trim())
+        crate::error::printable_bytes(self.text[start..end].trim_ascii())
     }
 
     /// Reads a facet after its first word. Returns the number of its corners.

@@ -11,6 +11,7 @@ use crate::resources::Target;
 use crate::scene::{counted, list_lost_content, scene_mesh};
 use crate::text::TextWriter;
 use crate::vertex_merging::{Coordinate, VertexMerger};
+use gusset_base::alloc;
 
 /// Name of a solid whose mesh has none, and header of binary files.
 const DEFAULT_NAME: &str = "gusset";
@@ -72,14 +73,14 @@ fn for_each_triangle(
             write_corners([0, 1, 2])?;
             continue;
         }
-        triangulate_face(mesh, face, &mut triangles);
+        triangulate_face(mesh, face, &mut triangles)?;
         triangles.iter().try_for_each(|&places| write_corners(places))?;
     }
     Ok(())
 }
 
 fn write_binary(mesh: &Mesh, count: u32, target: &mut Target<'_>) -> Result<(), WriteError> {
-    let mut buffer = Vec::with_capacity(BUFFER_BYTES);
+    let mut buffer = alloc::with_capacity(BUFFER_BYTES)?;
     buffer.extend_from_slice(DEFAULT_NAME.as_bytes());
     buffer.resize(HEADER_BYTES, b' ');
     buffer.extend_from_slice(&count.to_le_bytes());
@@ -104,7 +105,7 @@ fn write_text(mesh: &Mesh, target: &mut Target<'_>) -> Result<(), WriteError> {
     let is_single = matches!(mesh.positions, Positions::F32(_));
     let name =
         if mesh.name.trim().is_empty() { DEFAULT_NAME.into() } else { crate::error::printable(mesh.name.trim()) };
-    let mut out = TextWriter::new(target.main);
+    let mut out = TextWriter::new(target.main)?;
     out.text("solid ")?;
     out.text(&name)?;
     for_each_triangle(mesh, |corners| {
@@ -166,8 +167,7 @@ fn list_lost_vertices(mesh: &Mesh, text: bool, losses: &mut Vec<Loss>) -> Result
             count_equal_points((0..count).filter(used).map(|vertex| points[vertex].map(|part| part as f32)))
         }
         Positions::F32(points) => count_equal_points((0..count).filter(used).map(|vertex| points[vertex])),
-    }
-    .map_err(|error| WriteError::new(WriteErrorKind::OutOfMemory, error.message))?;
+    }?;
     if equal > 0 {
         let vertices = counted(equal, "vertex", "vertices");
         losses.push(Loss(format!("the difference between {vertices} and others at the same positions")));
@@ -178,7 +178,7 @@ fn list_lost_vertices(mesh: &Mesh, text: bool, losses: &mut Vec<Loss>) -> Result
 fn count_equal_points<T: Coordinate>(points: impl Iterator<Item = [T; 3]>) -> Result<usize, ReadError> {
     const BATCH_POINTS: usize = 1 << 10;
     let mut merger = VertexMerger::new(points.size_hint().1.unwrap_or(0))?;
-    let (mut batch, mut vertices) = (Vec::with_capacity(BATCH_POINTS), Vec::new());
+    let (mut batch, mut vertices) = (alloc::with_capacity(BATCH_POINTS)?, Vec::new());
     let mut points = points.peekable();
     let mut count = 0;
     while points.peek().is_some() {

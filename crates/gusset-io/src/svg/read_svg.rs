@@ -9,9 +9,11 @@ use crate::foreign_files::refuse_foreign_file;
 use crate::options::ReadOptions;
 use crate::outline_pen::{OutlinePen, read_outlines};
 use crate::scene::counted;
-use crate::text_encoding::decode_text;
+use crate::text_encoding::{decode_text, lossy_text, owned_text};
+use gusset_base::alloc;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 /// Most elements that repeat each other.
@@ -23,7 +25,7 @@ const MIN_REPEATED_BYTES: u64 = 1 << 20;
 
 pub(crate) fn read_svg(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadError> {
     let decoded = decode_text(bytes)?;
-    let text = String::from_utf8_lossy(&decoded);
+    let text = lossy_text(&decoded)?;
     let names = if text.contains("use") { find_names(&text)? } else { HashMap::new() };
     let (findings, curves, mut notes) = read_outlines(text.len(), |pen| {
         let repeated_bytes = (text.len() as u64).saturating_mul(MAX_REPEATED_SIZES).max(MIN_REPEATED_BYTES);
@@ -55,9 +57,10 @@ fn find_names(text: &str) -> Result<HashMap<String, usize>, ReadError> {
         let place = reader.buffer_position() as usize;
         match reader.read_event() {
             Ok(Event::Start(element) | Event::Empty(element)) => {
-                if let Some(id) = attribute_values(&element).into_iter().find(|(key, _)| key == "id") {
+                if let Some((_, id)) = attribute_values(&element)?.into_iter().find(|(key, _)| *key == "id") {
                     names.try_reserve(1)?;
-                    names.entry(id.1).or_insert(place);
+                    names.entry(owned_text(id.as_bytes())?).or_insert(place);
+                    alloc::check_reserve()?;
                 }
             }
             Ok(Event::Eof) | Err(_) => return Ok(names),
@@ -75,14 +78,18 @@ fn lenient_reader(text: &str) -> Reader<&[u8]> {
     reader
 }
 
-fn attribute_values(element: &BytesStart<'_>) -> Vec<(String, String)> {
+/// Returns names and values. Entities in values beyond a length stay as they are.
+fn attribute_values<'e>(element: &'e BytesStart<'_>) -> Result<Vec<(&'e str, Cow<'e, str>)>, ReadError> {
+    const MAX_UNESCAPED_BYTES: usize = 1 << 15;
     let mut values = Vec::new();
     for attribute in element.attributes().with_checks(false).flatten() {
-        let value = quick_xml::escape::unescape(&attribute.value)
-            .map_or_else(|_| attribute.value.to_string(), std::borrow::Cow::into_owned);
-        values.push((attribute.key.local_name().as_ref().to_string(), value));
+        let has_entities = attribute.value.len() <= MAX_UNESCAPED_BYTES && attribute.value.contains('&');
+        let unescaped = has_entities.then(|| quick_xml::escape::unescape(&attribute.value).ok()).flatten();
+        let unescaped = unescaped.map(|text| text.into_owned().into());
+        alloc::push(&mut values, (attribute.key.local_name().into_inner(), unescaped.unwrap_or(attribute.value)))?;
+        alloc::check_reserve()?;
     }
-    values
+    Ok(values)
 }
 
 /// Content of the file beside outlines.
@@ -183,7 +190,7 @@ impl SvgReader<'_, '_> {
         let Some(outer) = outer else { return Ok(None) };
         let name = element.local_name();
         let name: &str = name.as_ref();
-        let attributes = Attributes::new(attribute_values(element), self.view);
+        let attributes = Attributes::new(attribute_values(element)?, self.view);
         match name {
             "defs" | "clipPath" | "mask" | "pattern" | "marker" | "metadata" => return Ok(None),
             // Drawn where it is used.
@@ -208,7 +215,7 @@ impl SvgReader<'_, '_> {
     }
 
     /// Returns the transform of an `svg` element's content. The outermost element tells the unit, and changes nothing.
-    fn enter_view(&mut self, attributes: &Attributes, transform: Transform) -> Transform {
+    fn enter_view(&mut self, attributes: &Attributes<'_>, transform: Transform) -> Transform {
         let view_box = attributes.text("viewBox").and_then(|text| {
             let mut reader = NumberReader::new(text);
             Some([reader.number()?, reader.number()?, reader.number()?, reader.number()?])
@@ -236,7 +243,12 @@ impl SvgReader<'_, '_> {
             .after(&Transform::translation(-left, -top))
     }
 
-    fn repeat_element(&mut self, attributes: &Attributes, transform: Transform, depth: usize) -> Result<(), ReadError> {
+    fn repeat_element(
+        &mut self,
+        attributes: &Attributes<'_>,
+        transform: Transform,
+        depth: usize,
+    ) -> Result<(), ReadError> {
         let name = attributes.text("href").and_then(|name| name.trim().strip_prefix('#'));
         let is_allowed = |place: &&usize| depth < MAX_USE_DEPTH && !self.repeated.contains(place);
         let Some(&place) = name.and_then(|name| self.names.get(name)).filter(is_allowed) else {
@@ -252,7 +264,7 @@ impl SvgReader<'_, '_> {
 }
 
 /// Returns the metres of a user unit if the width or the height has a unit of length.
-fn unit_of_view(attributes: &Attributes, view: [f64; 2], has_view_box: bool) -> Option<f64> {
+fn unit_of_view(attributes: &Attributes<'_>, view: [f64; 2], has_view_box: bool) -> Option<f64> {
     let sizes = ["width", "height"].map(|name| attributes.text(name).and_then(metres));
     let units =
         [0, 1].map(|axis| sizes[axis].map(|size| size / view[axis]).filter(|unit| *unit > 0.0 && unit.is_finite()));

@@ -5,21 +5,22 @@ use super::svg_path::{PathPen, draw_path};
 use super::svg_transform::Transform;
 use crate::error::ReadError;
 use crate::outline_pen::OutlinePen;
+use std::borrow::Cow;
 
 /// Attributes of an element.
-pub(super) struct Attributes {
-    values: Vec<(String, String)>,
+pub(super) struct Attributes<'e> {
+    values: Vec<(&'e str, Cow<'e, str>)>,
     /// Width and height that percentages refer to.
     view: [f64; 2],
 }
 
-impl Attributes {
-    pub(super) fn new(values: Vec<(String, String)>, view: [f64; 2]) -> Self {
+impl<'e> Attributes<'e> {
+    pub(super) fn new(values: Vec<(&'e str, Cow<'e, str>)>, view: [f64; 2]) -> Self {
         Self { values, view }
     }
 
     pub(super) fn text(&self, name: &str) -> Option<&str> {
-        self.values.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+        self.values.iter().find(|(key, _)| *key == name).map(|(_, value)| &**value)
     }
 
     /// Returns a length along x, along y or in any direction.
@@ -51,7 +52,7 @@ impl Attributes {
 /// Draws an element. Returns `None` if it is not a shape, or else whether its data hold a mistake.
 pub(super) fn draw_shape(
     name: &str,
-    attributes: &Attributes,
+    attributes: &Attributes<'_>,
     transform: &Transform,
     pen: &mut OutlinePen,
 ) -> Result<Option<bool>, ReadError> {
@@ -110,7 +111,7 @@ fn draw_points(pen: &mut OutlinePen, transform: &Transform, text: &str, is_close
     Ok(false)
 }
 
-fn draw_rectangle(pen: &mut OutlinePen, transform: &Transform, attributes: &Attributes) -> Result<(), ReadError> {
+fn draw_rectangle(pen: &mut OutlinePen, transform: &Transform, attributes: &Attributes<'_>) -> Result<(), ReadError> {
     let [x, y, width, height] = ["x", "y", "width", "height"].map(|name| attributes.length_or_zero(name));
     if !(width > 0.0 && height > 0.0) {
         return Ok(());

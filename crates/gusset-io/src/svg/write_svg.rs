@@ -21,7 +21,7 @@ pub(crate) fn write_svg(
     if curves.positions.iter().any(|point| point[2] != 0.0) {
         losses.push(Loss("z coordinates, which SVG files do not hold".into()));
     }
-    let mut out = TextWriter::new(target.main);
+    let mut out = TextWriter::new(target.main)?;
     write_head(document, &mut out)?;
     for (curve, &is_closed) in curves.closed.iter().enumerate() {
         out.text(if is_closed { "<polygon points=\"" } else { "<polyline points=\"" })?;

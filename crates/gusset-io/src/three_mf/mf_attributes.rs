@@ -10,9 +10,16 @@ pub(super) fn missing(element: &str, attribute: &str) -> ReadError {
     ReadError::malformed(Place::Whole, format!("{element} lacks the attribute {attribute}, or it is not a number"))
 }
 
-/// Returns the value of an attribute.
+/// Longest value of an attribute that is read.
+const MAX_VALUE_BYTES: usize = 1 << 15;
+
+/// Returns the value of an attribute; `None` if it is longer than 32 kB.
 pub(super) fn attribute(tag: &BytesStart<'_>, name: &str) -> Option<String> {
-    tag.attributes().with_checks(false).flatten().find(|attribute| attribute.key.into_inner() == name).map(value_text)
+    tag.attributes()
+        .with_checks(false)
+        .flatten()
+        .find(|attribute| attribute.key.into_inner() == name)
+        .and_then(value_text)
 }
 
 /// Returns the value of an attribute whose name has a prefix.
@@ -21,15 +28,18 @@ pub(super) fn local_attribute(tag: &BytesStart<'_>, name: &str) -> Option<String
         .with_checks(false)
         .flatten()
         .find(|attribute| attribute.key.local_name().into_inner() == name)
-        .map(value_text)
+        .and_then(value_text)
 }
 
 #[allow(clippy::needless_pass_by_value)]
-fn value_text(attribute: quick_xml::events::attributes::Attribute<'_>) -> String {
-    match quick_xml::escape::unescape(&attribute.value) {
+fn value_text(attribute: quick_xml::events::attributes::Attribute<'_>) -> Option<String> {
+    if attribute.value.len() > MAX_VALUE_BYTES {
+        return None;
+    }
+    Some(match quick_xml::escape::unescape(&attribute.value) {
         Ok(text) => text.into_owned(),
         Err(_) => attribute.value.into_owned(),
-    }
+    })
 }
 
 /// Returns the whole number that is the value of an attribute.

@@ -2,6 +2,8 @@
 
 use crate::error::{Place, ReadError, ReadErrorKind};
 use crate::foreign_files::refuse_foreign_file;
+use crate::text_encoding::lossy_text;
+use gusset_base::alloc;
 use rawzip::{CompressionMethod, ZipArchive, ZipArchiveEntryWayfinder, ZipSliceArchive};
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -15,7 +17,7 @@ const MAX_EXPANSION: u64 = 256;
 const MIN_EXPANDED_BYTES: u64 = if cfg!(test) { 20 << 20 } else { 64 << 20 };
 
 /// Longest tag or text in bytes, which is in memory as a whole.
-const MAX_TOKEN_BYTES: u64 = 4 << 20;
+pub(super) const MAX_TOKEN_BYTES: u64 = 4 << 20;
 
 /// An open package.
 pub(super) struct Package<'a> {
@@ -40,7 +42,8 @@ impl<'a> Package<'a> {
                 Ok(None) => break,
                 Ok(Some(entry)) => {
                     let path = entry.file_path();
-                    let name = part_key(&String::from_utf8_lossy(path.as_ref()));
+                    let name = part_key(&lossy_text(path.as_ref())?);
+                    alloc::check_reserve()?;
                     parts.entry(name).or_insert((entry.wayfinder(), entry.compression_method()));
                 }
                 Err(error) => {
@@ -122,10 +125,19 @@ impl<'p> PartReader<'p> {
     pub(super) fn read_all(mut self, max_bytes: u64) -> Result<Vec<u8>, ReadError> {
         let mut made = Vec::new();
         self.limits.token.set(u64::MAX);
-        let read = Read::by_ref(&mut self.bytes).take(max_bytes).read_to_end(&mut made);
-        match read {
-            Ok(_) => Ok(made),
-            Err(error) => Err(TokenLimit(self.limits).error(&self.name, &error.to_string())),
+        let mut bytes = Read::by_ref(&mut self.bytes).take(max_bytes);
+        loop {
+            let part = match std::io::BufRead::fill_buf(&mut bytes) {
+                Ok(part) => part,
+                Err(error) if error.kind() == std::io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(TokenLimit(self.limits).error(&self.name, &error.to_string())),
+            };
+            if part.is_empty() {
+                return Ok(made);
+            }
+            alloc::append(&mut made, part)?;
+            let count = part.len();
+            std::io::BufRead::consume(&mut bytes, count);
         }
     }
 }

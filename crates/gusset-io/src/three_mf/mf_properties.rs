@@ -6,6 +6,7 @@ use crate::document::Document;
 use crate::error::{Note, Place, ReadError};
 use crate::material::NO_MATERIAL;
 use crate::mesh::{Mesh, Values};
+use gusset_base::alloc;
 
 /// The entry of a triangle that has none.
 const NONE: u32 = u32::MAX;
@@ -94,7 +95,7 @@ pub(super) fn apply_properties(
     }
     if collected.unknown > 0 {
         let text = format!("object {}: {} triangles have properties that do not exist", object.id.1, collected.unknown);
-        document.notes.push(Note::new(Place::Whole, text));
+        alloc::push(&mut document.notes, Note::new(Place::Whole, text))?;
     }
     let Collected { budget, materials, colours, texcoords, .. } = collected;
     mesh.face_materials = materials;
@@ -103,7 +104,7 @@ pub(super) fn apply_properties(
     }
     if !colours.is_empty() && !spread_colours(mesh, &colours, budget)? {
         let text = format!("object {}: colours of corners that differ at a vertex are reduced to one", object.id.1);
-        document.notes.push(Note::new(Place::Whole, text));
+        alloc::push(&mut document.notes, Note::new(Place::Whole, text))?;
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ use crate::budget::Budget;
 use crate::document::{Document, Placement};
 use crate::error::{Note, Place, ReadError, ReadErrorKind};
 use crate::options::ReadOptions;
+use gusset_base::alloc;
 use quick_xml::Reader;
 use quick_xml::events::Event;
 use std::collections::{BTreeMap, BTreeSet};
@@ -92,6 +93,7 @@ fn object_sizes(model: &Model) -> Result<BTreeMap<ResourceId, Size>, ReadError> 
     let mut entered: BTreeSet<ResourceId> = BTreeSet::new();
     for &start in model.objects.keys() {
         let mut open = vec![start];
+        alloc::check_reserve()?;
         while let Some(&id) = open.last() {
             if sizes.contains_key(&id) {
                 open.pop();
@@ -110,7 +112,7 @@ fn object_sizes(model: &Model) -> Result<BTreeMap<ResourceId, Size>, ReadError> 
                         size.visits = size.visits.saturating_add(part.visits);
                     }
                     Some(_) => {}
-                    None if is_new => open.push(component.object),
+                    None if is_new => alloc::push(&mut open, component.object)?,
                     None => {
                         let message = format!("object {} is a component of itself", id.1);
                         return Err(ReadError::malformed(Place::Whole, message));
@@ -140,11 +142,14 @@ fn product(outer: &Matrix, inner: &Matrix) -> Matrix {
 }
 
 /// Items of a file that builds nothing: its objects that no component names.
-fn free_objects(model: &Model) -> Vec<Component> {
-    let used: BTreeSet<ResourceId> =
-        model.objects.values().flat_map(|object| &object.components).map(|component| component.object).collect();
+fn free_objects(model: &Model) -> Result<Vec<Component>, ReadError> {
+    let mut used: BTreeSet<ResourceId> = BTreeSet::new();
+    for component in model.objects.values().flat_map(|object| &object.components) {
+        used.insert(component.object);
+        alloc::check_reserve()?;
+    }
     let free = model.objects.keys().filter(|id| !used.contains(id));
-    free.map(|&object| Component { object, transform: Placement::IDENTITY }).collect()
+    Ok(alloc::gather(free.map(|&object| Component { object, transform: Placement::IDENTITY }))?)
 }
 
 fn place_items(mut model: Model, document: &mut Document, budget: &mut Budget) -> Result<(), ReadError> {
@@ -152,7 +157,7 @@ fn place_items(mut model: Model, document: &mut Document, budget: &mut Budget) -
     let mut items = std::mem::take(&mut model.items);
     if items.is_empty() && !model.objects.is_empty() {
         document.notes.push(Note::new(Place::Whole, "the file builds no object; all objects are shown"));
-        items = free_objects(&model);
+        items = free_objects(&model)?;
     }
     let (mut meshes, mut visits) = (0_u64, 0_u64);
     for item in &items {
@@ -170,20 +175,22 @@ fn place_items(mut model: Model, document: &mut Document, budget: &mut Budget) -
     let mut places: BTreeMap<ResourceId, u32> = BTreeMap::new();
     let mut open: Vec<(ResourceId, Matrix)> = Vec::new();
     for item in &items {
-        open.push((item.object, item.transform));
+        alloc::push(&mut open, (item.object, item.transform))?;
         while let Some((id, transform)) = open.pop() {
+            alloc::check_reserve()?;
             let Some(object) = model.objects.get_mut(&id) else { continue };
             if let Some(mesh) = object.mesh.take() {
                 places.insert(id, document.meshes.len() as u32);
-                document.meshes.push(*mesh);
+                alloc::push(&mut document.meshes, *mesh)?;
             }
             if let Some(&mesh) = places.get(&id) {
                 budget.take::<u8>(object.name.len() as u64)?;
-                document.placements.push(Placement { name: object.name.clone(), mesh, transform });
+                let placement = Placement { name: object.name.clone(), mesh, transform };
+                alloc::push(&mut document.placements, placement)?;
             }
             for component in object.components.iter().rev() {
                 if sizes.get(&component.object).is_some_and(|size| size.meshes > 0) {
-                    open.push((component.object, product(&transform, &component.transform)));
+                    alloc::push(&mut open, (component.object, product(&transform, &component.transform)))?;
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use super::mf_attributes::{attribute, colour_from_text, local_attribute, matrix, missing, whole};
 use super::mf_model::{Component, Group, Model, Object, ResourceId};
-use super::mf_package::{Package, TokenLimit, part_key};
+use super::mf_package::{MAX_TOKEN_BYTES, Package, TokenLimit, part_key};
 use super::mf_properties::{TriangleProperties, apply_properties};
 use crate::budget::Budget;
 use crate::document::{Document, Placement};
@@ -10,10 +10,12 @@ use crate::error::{Note, Place, ReadError, printable};
 use crate::material::{Image, ImageData, Material};
 use crate::mesh::{Mesh, Positions};
 use crate::text::number;
+use gusset_base::alloc;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::collections::BTreeSet;
 use std::io::{BufRead, Read};
+use std::sync::Arc;
 
 /// Units of length in metres.
 pub(super) const UNITS: [(&str, f64); 6] =
@@ -86,12 +88,12 @@ impl<'r> ModelReader<'r> {
         if self.read_events(bytes, &limit)? {
             self.forget_part();
             let text = format!("the part {key} is not valid UTF-8; characters beyond ASCII are replaced");
-            self.document.notes.push(Note::new(Place::Whole, text));
+            alloc::push(&mut self.document.notes, Note::new(Place::Whole, text))?;
             let (bytes, limit, _) = self.package.part(&key)?.split();
             self.read_events(std::io::BufReader::with_capacity(1 << 16, AsciiReader(bytes)), &limit)?;
         }
         for name in std::mem::take(&mut self.unread) {
-            self.document.notes.push(Note::new(Place::Whole, format!("{name} are not read")));
+            alloc::push(&mut self.document.notes, Note::new(Place::Whole, format!("{name} are not read")))?;
         }
         Ok(())
     }
@@ -110,11 +112,13 @@ impl<'r> ModelReader<'r> {
         let mut xml = Reader::from_reader(bytes);
         let config = xml.config_mut();
         (config.check_comments, config.allow_unmatched_ends, config.allow_dangling_amp) = (false, true, true);
-        let mut buffer = Vec::new();
+        // A tag never exceeds this, so that the buffer does not grow.
+        let mut buffer = alloc::with_capacity(MAX_TOKEN_BYTES as usize + (1 << 17))?;
         let mut depth = 0;
         loop {
             limit.next_token();
             buffer.clear();
+            alloc::check_reserve()?;
             match xml.read_event_into(&mut buffer) {
                 Ok(Event::Start(tag)) => {
                     depth += 1;
@@ -160,7 +164,7 @@ impl<'r> ModelReader<'r> {
                 let component = self.component(tag)?;
                 if let Some(object) = &mut self.object {
                     self.budget.take::<Component>(1)?;
-                    object.components.push(component);
+                    alloc::push(&mut object.components, component)?;
                 }
                 Ok(())
             }
@@ -169,7 +173,7 @@ impl<'r> ModelReader<'r> {
                 let item = self.component(tag)?;
                 // Only the main part says what is built.
                 if self.part == 0 {
-                    self.model.items.push(item);
+                    alloc::push(&mut self.model.items, item)?;
                 }
                 Ok(())
             }
@@ -215,7 +219,7 @@ impl<'r> ModelReader<'r> {
             (None, None) => 1e-3,
             (Some(unit), None) => {
                 let text = format!("the unit {} is unknown; millimetres are assumed", printable(unit));
-                self.document.notes.push(Note::new(Place::Whole, text));
+                alloc::push(&mut self.document.notes, Note::new(Place::Whole, text))?;
                 1e-3
             }
         };
@@ -228,7 +232,7 @@ impl<'r> ModelReader<'r> {
             }
             if !address.contains("/material/") && !address.contains("/production/") {
                 let text = format!("the required extension {} is not read", printable(&address));
-                self.document.notes.push(Note::new(Place::Whole, text));
+                alloc::push(&mut self.document.notes, Note::new(Place::Whole, text))?;
             }
         }
         Ok(())
@@ -373,7 +377,7 @@ impl<'r> ModelReader<'r> {
             let message = format!("the part {} is missing", printable(&path));
             return Err(ReadError::malformed(Place::Whole, message));
         }
-        self.model.parts.push(path);
+        alloc::push(&mut self.model.parts, path)?;
         let index = self.model.parts.len() as u32 - 1;
         self.model.known_parts.insert(key, index);
         Ok(index)
@@ -407,7 +411,7 @@ impl<'r> ModelReader<'r> {
         self.budget.take::<Material>(2)?;
         self.budget.take::<u8>(name.len() as u64)?;
         let colour = attribute(tag, "displaycolor").and_then(|text| colour_from_text(&text)).unwrap_or([1.0; 4]);
-        self.document.materials.push(Material { name, colour, ..Material::default() });
+        alloc::push(&mut self.document.materials, Material { name, colour, ..Material::default() })?;
         *count += 1;
         Ok(())
     }
@@ -415,7 +419,8 @@ impl<'r> ModelReader<'r> {
     fn colour(&mut self, tag: &BytesStart<'_>) -> Result<(), ReadError> {
         let Some((_, Group::Colours(colours))) = &mut self.group else { return Ok(()) };
         self.budget.take::<[f32; 4]>(2)?;
-        colours.push(attribute(tag, "color").and_then(|text| colour_from_text(&text)).unwrap_or([1.0; 4]));
+        let colour = attribute(tag, "color").and_then(|text| colour_from_text(&text)).unwrap_or([1.0; 4]);
+        alloc::push(colours, colour)?;
         Ok(())
     }
 
@@ -423,7 +428,7 @@ impl<'r> ModelReader<'r> {
         let Some((_, Group::Texcoords { pairs, .. })) = &mut self.group else { return Ok(()) };
         self.budget.take::<[f64; 2]>(2)?;
         let [u, v] = ["u", "v"].map(|name| attribute(tag, name).and_then(|text| number(text.trim().as_bytes())));
-        pairs.push([u.unwrap_or(0.0), v.unwrap_or(0.0)]);
+        alloc::push(pairs, [u.unwrap_or(0.0), v.unwrap_or(0.0)])?;
         Ok(())
     }
 
@@ -434,7 +439,7 @@ impl<'r> ModelReader<'r> {
         let name = key.rsplit('/').next().unwrap_or_default().to_owned();
         if !self.package.has(&key) {
             let text = format!("the image {} is missing", printable(&path));
-            self.document.notes.push(Note::new(Place::Whole, text));
+            alloc::push(&mut self.document.notes, Note::new(Place::Whole, text))?;
             return Ok(());
         }
         let image = match self.model.images.get(&key) {
@@ -443,11 +448,8 @@ impl<'r> ModelReader<'r> {
                 let bytes = self.package.part(&key)?.read_all(self.budget.left_bytes() / 2)?;
                 self.budget.take::<u8>(2 * bytes.len() as u64)?;
                 let media_type = attribute(tag, "contenttype").unwrap_or_default();
-                self.document.images.push(Image {
-                    name: name.clone(),
-                    media_type,
-                    data: ImageData::Bytes(bytes.into()),
-                });
+                let data = ImageData::Bytes(Arc::new(bytes));
+                alloc::push(&mut self.document.images, Image { name: name.clone(), media_type, data })?;
                 let image = self.document.images.len() as u32 - 1;
                 self.model.images.insert(key, image);
                 image
@@ -455,7 +457,7 @@ impl<'r> ModelReader<'r> {
         };
         self.budget.take::<(Material, ResourceId)>(2)?;
         let material = self.document.materials.len() as u32;
-        self.document.materials.push(Material { name, image: Some(image), ..Material::default() });
+        alloc::push(&mut self.document.materials, Material { name, image: Some(image), ..Material::default() })?;
         self.model.texture_materials.insert((self.part, id), material);
         Ok(())
     }

@@ -9,6 +9,7 @@ use crate::options::WriteOptions;
 use crate::polygons::triangulate_face;
 use crate::resources::Target;
 use crate::text::TextWriter;
+use gusset_base::alloc;
 use rawzip::time::UtcDateTime;
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 use std::collections::BTreeMap;
@@ -45,7 +46,7 @@ pub(crate) fn write_3mf(
     let mut archive = ZipArchiveWriter::new(&mut *target.main);
     write_part(&mut archive, "[Content_Types].xml", |out| out.write_all(CONTENT_TYPES.as_bytes()))?;
     write_part(&mut archive, "_rels/.rels", |out| out.write_all(RELATIONS.as_bytes()))?;
-    write_part(&mut archive, "3D/3dmodel.model", |out| ModelWriter::new(document, out, &mut losses).write())?;
+    write_part(&mut archive, "3D/3dmodel.model", |out| ModelWriter::new(document, out, &mut losses)?.write())?;
     archive.finish().map_err(zip_error)?.flush()?;
     Ok(losses.into_losses(document))
 }
@@ -164,8 +165,8 @@ struct ModelWriter<'w> {
 const MATERIALS: u32 = 1;
 
 impl<'w> ModelWriter<'w> {
-    fn new(document: &'w Document, out: &'w mut dyn Write, losses: &'w mut Losses) -> Self {
-        Self { document, out: TextWriter::new(out), losses, next: MATERIALS + 1 }
+    fn new(document: &'w Document, out: &'w mut dyn Write, losses: &'w mut Losses) -> io::Result<Self> {
+        Ok(Self { document, out: TextWriter::new(out)?, losses, next: MATERIALS + 1 })
     }
 
     fn write(mut self) -> io::Result<()> {
@@ -182,6 +183,7 @@ impl<'w> ModelWriter<'w> {
                 let mesh = &document.meshes[placement.mesh as usize];
                 let name = if mesh.name.is_empty() { &placement.name } else { &mesh.name };
                 entry.insert(self.object(mesh, name)?);
+                alloc::check_reserve().map_err(|_| io::ErrorKind::OutOfMemory)?;
             }
         }
         self.out.text("</resources>\n<build>\n")?;
@@ -199,10 +201,27 @@ impl<'w> ModelWriter<'w> {
         self.out.text(&format!("<basematerials id=\"{MATERIALS}\">\n"))?;
         for material in &self.document.materials {
             self.out.text("<base name=\"")?;
-            self.out.text(&escaped(&material.name))?;
+            self.escaped(&material.name)?;
+            alloc::check_reserve().map_err(|_| io::ErrorKind::OutOfMemory)?;
             self.out.text(&format!("\" displaycolor=\"{}\"/>\n", colour_text(material.colour)))?;
         }
         self.out.text("</basematerials>\n")
+    }
+
+    /// Writes text as the value of an attribute.
+    fn escaped(&mut self, text: &str) -> io::Result<()> {
+        for c in text.chars() {
+            match c {
+                '&' => self.out.text("&amp;")?,
+                '<' => self.out.text("&lt;")?,
+                '>' => self.out.text("&gt;")?,
+                '"' => self.out.text("&quot;")?,
+                // XML cannot hold these.
+                c if c < ' ' || matches!(c, '\u{fffe}' | '\u{ffff}') => self.out.text(" ")?,
+                c => self.out.text(c.encode_utf8(&mut [0; 4]))?,
+            }
+        }
+        Ok(())
     }
 
     /// Writes an object and its colours. Returns the object's number.
@@ -212,7 +231,9 @@ impl<'w> ModelWriter<'w> {
         self.next += 1;
         self.out.text(&format!("<object id=\"{id}\" type=\"model\""))?;
         if !name.is_empty() {
-            self.out.text(&format!(" name=\"{}\"", escaped(name)))?;
+            self.out.text(" name=\"")?;
+            self.escaped(name)?;
+            self.out.text("\"")?;
         }
         match properties {
             Properties::Materials => self.out.text(&format!(" pid=\"{MATERIALS}\" pindex=\"0\""))?,
@@ -281,7 +302,7 @@ impl<'w> ModelWriter<'w> {
                 3 => triangles.push([0, 1, 2]),
                 _ => {
                     self.losses.polygons += 1;
-                    triangulate_face(mesh, face, &mut triangles);
+                    triangulate_face(mesh, face, &mut triangles).map_err(|_| io::ErrorKind::OutOfMemory)?;
                 }
             }
             for triangle in &triangles {
@@ -339,21 +360,4 @@ impl<'w> ModelWriter<'w> {
 fn colour_text(colour: [f32; 4]) -> String {
     let [r, g, b, a] = colour.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as u8);
     if a == 255 { format!("#{r:02X}{g:02X}{b:02X}") } else { format!("#{r:02X}{g:02X}{b:02X}{a:02X}") }
-}
-
-/// Returns text as the value of an attribute.
-fn escaped(text: &str) -> String {
-    let mut made = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => made.push_str("&amp;"),
-            '<' => made.push_str("&lt;"),
-            '>' => made.push_str("&gt;"),
-            '"' => made.push_str("&quot;"),
-            // XML cannot hold these.
-            c if c < ' ' || matches!(c, '\u{fffe}' | '\u{ffff}') => made.push(' '),
-            c => made.push(c),
-        }
-    }
-    made
 }

@@ -3,7 +3,11 @@
 //! A general JSON tree takes up to 80 times the text's size, and most parsers recurse. A value takes 12 bytes here, and depth is
 //! unlimited. Materials need the text of their values anyway.
 
+use crate::error::ReadError;
+use crate::text_encoding::{lossy_text, owned_text};
+use gusset_base::alloc;
 use std::borrow::Cow;
+use std::cell::Cell;
 
 /// A value or a key. Its subtree lies between it and `next`.
 struct Entry {
@@ -15,24 +19,29 @@ struct Entry {
     next: u32,
 }
 
+/// Message of [`JsonError`] if memory ran out.
+pub(crate) const OUT_OF_MEMORY: &str = "out of memory";
+
 /// The container around the outermost one.
 const NO_PARENT: u32 = u32::MAX;
 
 /// A parsed JSON text.
-pub(super) struct Tape<'a> {
+pub(crate) struct Tape<'a> {
     text: &'a [u8],
     entries: Vec<Entry>,
     /// Whether commas precede closing brackets.
-    pub(super) has_trailing_commas: bool,
+    pub(crate) has_trailing_commas: bool,
     /// Whether other text follows the value.
-    pub(super) has_rest: bool,
+    pub(crate) has_rest: bool,
+    /// Whether a text was not decoded because memory ran out.
+    pub(crate) is_out_of_memory: Cell<bool>,
 }
 
 /// Why a text is not JSON.
-pub(super) struct JsonError {
+pub(crate) struct JsonError {
     /// Byte in the text.
-    pub(super) offset: usize,
-    pub(super) message: &'static str,
+    pub(crate) offset: usize,
+    pub(crate) message: &'static str,
 }
 
 /// Expectation of the parser.
@@ -50,7 +59,7 @@ enum Expected {
 
 impl<'a> Tape<'a> {
     /// Parses a text. Accepts a comma before a closing bracket, and text after the value.
-    pub(super) fn parse(text: &'a [u8]) -> Result<Self, JsonError> {
+    pub(crate) fn parse(text: &'a [u8]) -> Result<Self, JsonError> {
         if text.len() >= u32::MAX as usize {
             return Err(JsonError { offset: 0, message: "the JSON text exceeds 4 gigabytes" });
         }
@@ -58,10 +67,16 @@ impl<'a> Tape<'a> {
         let count = text.iter().filter(|byte| matches!(byte, b'[' | b'{' | b',' | b':')).count() + 1;
         let mut entries = Vec::new();
         if entries.try_reserve_exact(count).is_err() {
-            return Err(JsonError { offset: 0, message: "out of memory" });
+            return Err(JsonError { offset: 0, message: OUT_OF_MEMORY });
         }
         let mut parser = Parser {
-            tape: Self { text, entries, has_trailing_commas: false, has_rest: false },
+            tape: Self {
+                text,
+                entries,
+                has_trailing_commas: false,
+                has_rest: false,
+                is_out_of_memory: Cell::default(),
+            },
             place: 0,
             parent: NO_PARENT,
             after_comma: false,
@@ -79,12 +94,17 @@ impl<'a> Tape<'a> {
     }
 
     /// Returns the memory of all values in bytes.
-    pub(super) fn bytes(&self) -> u64 {
+    pub(crate) fn bytes(&self) -> u64 {
         (self.entries.capacity() * size_of::<Entry>()) as u64
     }
 
+    /// Fails if a text was not decoded because memory ran out.
+    pub(crate) fn check_memory(&self) -> Result<(), ReadError> {
+        if self.is_out_of_memory.get() { Err(ReadError::out_of_memory()) } else { Ok(alloc::check_reserve()?) }
+    }
+
     /// Returns the outermost value.
-    pub(super) fn root(&self) -> Value<'_> {
+    pub(crate) fn root(&self) -> Value<'_> {
         Value { tape: self, index: 0 }
     }
 }
@@ -209,7 +229,7 @@ impl Parser<'_> {
 
 /// A value of a parsed text.
 #[derive(Clone, Copy)]
-pub(super) struct Value<'t> {
+pub(crate) struct Value<'t> {
     tape: &'t Tape<'t>,
     index: u32,
 }
@@ -220,7 +240,7 @@ impl<'t> Value<'t> {
     }
 
     /// Returns the bytes of the value in the text.
-    pub(super) fn raw(self) -> &'t [u8] {
+    pub(crate) fn raw(self) -> &'t [u8] {
         let entry = self.entry();
         &self.tape.text[entry.start as usize..entry.end as usize]
     }
@@ -229,20 +249,20 @@ impl<'t> Value<'t> {
         self.tape.text[self.entry().start as usize]
     }
 
-    pub(super) fn is_object(self) -> bool {
+    pub(crate) fn is_object(self) -> bool {
         self.first_byte() == b'{'
     }
 
-    pub(super) fn is_array(self) -> bool {
+    pub(crate) fn is_array(self) -> bool {
         self.first_byte() == b'['
     }
 
-    pub(super) fn is_text(self) -> bool {
+    pub(crate) fn is_text(self) -> bool {
         self.first_byte() == b'"'
     }
 
     /// Iterates over the values of an array; over nothing if this is not an array.
-    pub(super) fn items(self) -> impl Iterator<Item = Value<'t>> {
+    pub(crate) fn items(self) -> impl Iterator<Item = Value<'t>> {
         let end = if self.is_array() { self.entry().next } else { self.index + 1 };
         let mut index = self.index + 1;
         std::iter::from_fn(move || {
@@ -253,7 +273,7 @@ impl<'t> Value<'t> {
     }
 
     /// Iterates over the names and values of an object; over nothing if this is not an object.
-    pub(super) fn members(self) -> impl Iterator<Item = (Value<'t>, Value<'t>)> {
+    pub(crate) fn members(self) -> impl Iterator<Item = (Value<'t>, Value<'t>)> {
         let end = if self.is_object() { self.entry().next } else { self.index + 1 };
         let mut index = self.index + 1;
         std::iter::from_fn(move || {
@@ -264,13 +284,18 @@ impl<'t> Value<'t> {
         })
     }
 
+    /// Lists the items of an array in an object; nothing if it is absent.
+    pub(crate) fn list(self, name: &str) -> Result<Vec<Value<'t>>, ReadError> {
+        Ok(alloc::gather(self.get(name).into_iter().flat_map(Value::items))?)
+    }
+
     /// Returns the value of a name in an object. `null` counts as absent.
-    pub(super) fn get(self, name: &str) -> Option<Value<'t>> {
+    pub(crate) fn get(self, name: &str) -> Option<Value<'t>> {
         self.members().find(|(key, _)| key.is(name)).map(|(_, value)| value).filter(|value| value.raw() != b"null")
     }
 
     /// Returns whether this is a text of these characters.
-    pub(super) fn is(self, text: &str) -> bool {
+    pub(crate) fn is(self, text: &str) -> bool {
         let raw = self.raw();
         if raw.contains(&b'\\') { self.text().is_some_and(|own| own == text) } else { self.inner() == text.as_bytes() }
     }
@@ -281,22 +306,22 @@ impl<'t> Value<'t> {
         if raw.len() >= 2 && raw[0] == b'"' { &raw[1..raw.len() - 1] } else { &[] }
     }
 
-    /// Returns the text that this is.
-    pub(super) fn text(self) -> Option<Cow<'t, str>> {
-        self.is_text().then(|| {
-            let inner = self.inner();
-            if inner.contains(&b'\\') { Cow::Owned(unescaped(inner)) } else { String::from_utf8_lossy(inner) }
-        })
+    /// Returns the text that this is. If memory runs out, returns `None` and marks the tape.
+    pub(crate) fn text(self) -> Option<Cow<'t, str>> {
+        let inner = self.inner();
+        let decoded = if inner.contains(&b'\\') { unescaped(inner).map(Cow::Owned) } else { lossy_text(inner) };
+        self.tape.is_out_of_memory.set(self.tape.is_out_of_memory.get() | decoded.is_err());
+        decoded.ok().filter(|_| self.is_text())
     }
 
     /// Returns the number that this is.
-    pub(super) fn number(self) -> Option<f64> {
+    pub(crate) fn number(self) -> Option<f64> {
         let raw = self.raw();
         matches!(raw.first(), Some(b'0'..=b'9' | b'-' | b'+' | b'.')).then(|| crate::text::number(raw))?
     }
 
     /// Returns the whole number that this is, if it is at least 0 and below 2^53.
-    pub(super) fn whole(self) -> Option<u64> {
+    pub(crate) fn whole(self) -> Option<u64> {
         let raw = self.raw();
         if raw.len() <= 15 && raw.iter().all(u8::is_ascii_digit) {
             return Some(raw.iter().fold(0, |value, digit| 10 * value + u64::from(digit - b'0')));
@@ -305,12 +330,12 @@ impl<'t> Value<'t> {
         (number >= 0.0 && number < (1_u64 << 53) as f64 && number.fract() == 0.0).then_some(number as u64)
     }
 
-    pub(super) fn is_true(self) -> bool {
+    pub(crate) fn is_true(self) -> bool {
         self.raw() == b"true"
     }
 
     /// Returns the `N` numbers of an array of this length.
-    pub(super) fn numbers<const N: usize>(self) -> Option<[f64; N]> {
+    pub(crate) fn numbers<const N: usize>(self) -> Option<[f64; N]> {
         let mut made = [0.0; N];
         let mut count = 0;
         for item in self.items() {
@@ -322,8 +347,8 @@ impl<'t> Value<'t> {
 }
 
 /// Resolves backslashes.
-fn unescaped(bytes: &[u8]) -> String {
-    let mut made: Vec<u8> = Vec::with_capacity(bytes.len());
+fn unescaped(bytes: &[u8]) -> Result<String, ReadError> {
+    let mut made: Vec<u8> = alloc::with_capacity(bytes.len())?;
     let mut place = 0;
     while let Some(&byte) = bytes.get(place) {
         place += 1;
@@ -344,7 +369,7 @@ fn unescaped(bytes: &[u8]) -> String {
         };
         made.extend_from_slice(replacement.encode_utf8(&mut [0; 4]).as_bytes());
     }
-    String::from_utf8(made).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
+    String::from_utf8(made).or_else(|error| owned_text(error.as_bytes()))
 }
 
 /// Reads the digits after `\u`, and a second half if the first one needs it.

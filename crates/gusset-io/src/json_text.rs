@@ -1,9 +1,9 @@
 //! JSON as text: strings, numbers, and values of a tape with changes.
 
-use super::json_tape::Value;
+use crate::json_tape::Value;
 
 /// Appends a text in quotation marks.
-pub(super) fn push_text(out: &mut String, text: &str) {
+pub(crate) fn push_text(out: &mut String, text: &str) {
     out.push('"');
     for c in text.chars() {
         match c {
@@ -17,7 +17,7 @@ pub(super) fn push_text(out: &mut String, text: &str) {
 }
 
 /// Appends the shortest decimal of a number; 0 if it is not finite.
-pub(super) fn push_number(out: &mut String, value: f64) {
+pub(crate) fn push_number(out: &mut String, value: f64) {
     let value = if value.is_finite() { value } else { 0.0 };
     let mut buffer = ryu::Buffer::new();
     let digits = buffer.format_finite(value);
@@ -25,7 +25,7 @@ pub(super) fn push_number(out: &mut String, value: f64) {
 }
 
 /// Appends a list of numbers in brackets.
-pub(super) fn push_numbers(out: &mut String, values: &[f64]) {
+pub(crate) fn push_numbers(out: &mut String, values: &[f64]) {
     out.push('[');
     for (place, &value) in values.iter().enumerate() {
         if place > 0 {
@@ -37,7 +37,7 @@ pub(super) fn push_numbers(out: &mut String, values: &[f64]) {
 }
 
 /// Treatment of a member of an object.
-pub(super) enum Edit {
+pub(crate) enum Edit {
     Keep,
     Drop,
     Replace(String),
@@ -58,7 +58,7 @@ const MAX_DEPTH: usize = 100;
 /// Appends a value without blanks. `edit` receives each member of each object: the name of the object, the name of the member and its
 /// value. Returns false, and appends a part, if the value is deeper than 100 containers.
 #[must_use]
-pub(super) fn push_edited<'t>(
+pub(crate) fn push_edited<'t>(
     out: &mut String,
     root: Value<'t>,
     mut edit: impl FnMut(Option<Value<'t>>, Value<'t>, Value<'t>) -> Edit,

@@ -4,8 +4,9 @@ use std::io::{Error, ErrorKind, Result, Write};
 
 /// Bytes of a file. Writing fails if memory runs out.
 #[derive(Default)]
-pub(crate) struct MemoryFile {
-    pub(crate) bytes: Vec<u8>,
+pub struct MemoryFile {
+    /// The bytes.
+    pub bytes: Vec<u8>,
 }
 
 impl Write for MemoryFile {
