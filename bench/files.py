@@ -97,7 +97,7 @@ class Gusset:
 def assimp():
     """The C interface of assimp."""
     library = ctypes.CDLL("libassimp.so.5")
-    library.aiImportFile.restype = library.aiReleaseImport.argtypes = ctypes.c_void_p
+    library.aiImportFile.restype, library.aiImportFile.argtypes = ctypes.c_void_p, [ctypes.c_char_p, ctypes.c_uint]
     library.aiReleaseImport.argtypes = [ctypes.c_void_p]
     library.aiExportScene.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_uint]
     return library

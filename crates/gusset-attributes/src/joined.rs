@@ -160,7 +160,7 @@ fn collect_kept_elements(
 ) -> Result<KeptElements> {
     let mut corners = alloc::with_capacity(mesh.face_offsets[faces] as usize)?;
     for f in 0..faces {
-        job.step_within(f, STAGE)?;
+        job.step_within_list(f, STAGE)?;
         corners.extend(corners_before_turning(mesh, f, is_turned(f)));
     }
     Ok(KeptElements {

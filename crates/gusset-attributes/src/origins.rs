@@ -55,7 +55,7 @@ impl Origins {
     }
 
     /// The first source of each input in a domain, then the number of all sources.
-    pub fn starts(&self, domain: Domain) -> &[u32] {
+    pub fn first_sources_of_inputs(&self, domain: Domain) -> &[u32] {
         &self.starts[domain as usize]
     }
 
@@ -94,14 +94,14 @@ impl Origins {
         // vertices, and new ones on edges of old faces.
         let mut is_end = BitSet::new(mesh.positions.len())?;
         (0..old_vertices as u32).for_each(|v| is_end.insert(v));
-        job.part(0.0, 0.0).ranges(STAGE, mesh.face_offsets[old_faces] as usize, |corners| {
+        job.part(0.0, 0.0).work_in_ranges(STAGE, mesh.face_offsets[old_faces] as usize, |corners| {
             corners.for_each(|corner| is_end.insert(mesh.corner(corner)));
             Ok(())
         })?;
         let mut spread = Table::with_capacity(parents.len(), 3 * parents.len())?;
         let mut row = Vec::new();
         for (k, (vertices, weights)) in parents.enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             row.clear();
             for (v, weight) in vertices.into_iter().zip(weights) {
                 match is_end.contains(v) {
@@ -116,7 +116,7 @@ impl Origins {
         }
         let KeptElements { inputs, mut vertices, mut corners, mut faces } = kept;
         for k in 0..spread.len() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             row.clear();
             for (v, weight) in spread.entries(k) {
                 let all = vertices.row(v as usize).0.len();
@@ -167,10 +167,10 @@ impl Origins {
         is_turned: impl Fn(usize) -> bool,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let set = |domain| BitSet::new(self.starts(domain).last().map_or(0, |&count| count as usize));
+        let set = |domain| BitSet::new(self.first_sources_of_inputs(domain).last().map_or(0, |&count| count as usize));
         let mut turned = [set(Domain::Vertices)?, set(Domain::Corners)?, set(Domain::Faces)?];
         let mut any = false;
-        job.ranges(STAGE, mesh.face_count(), |faces| {
+        job.work_in_ranges(STAGE, mesh.face_count(), |faces| {
             for f in faces.filter(|&f| is_turned(f)) {
                 any = true;
                 let insert =

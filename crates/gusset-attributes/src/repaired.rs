@@ -13,7 +13,7 @@ use gusset_stitch::assemble::Assembly;
 use gusset_stitch::repair::corner_origins::{CornerOnEdge, CornerOrigins};
 use gusset_stitch::repair::sew::Sew;
 use gusset_stitch::repair::weld::Weld;
-use gusset_stitch::trim::Remains;
+use gusset_stitch::trim::TrimmedPieces;
 
 impl Origins {
     /// The origins of a welded mesh.
@@ -86,7 +86,7 @@ impl Origins {
     ///
     /// # Errors
     /// The errors of [`Origins::from_stitch`].
-    pub fn from_remains(inputs: &[MeshView<'_>], remains: &Remains, job: &Job<'_>) -> Result<Origins> {
+    pub fn from_trimmed(inputs: &[MeshView<'_>], remains: &TrimmedPieces, job: &Job<'_>) -> Result<Origins> {
         let inputs = alloc::collect(inputs.iter().map(Counts::from_mesh))?;
         let (count, map) = (remains.mesh.positions.len(), remains.vertex_map.iter().copied());
         Origins::from_kept(KeptElements {
@@ -131,7 +131,7 @@ impl RepairedMesh<'_> {
         let count = self.mesh.face_offsets[self.faces] as usize;
         let mut corners = Table::with_capacity(count, count)?;
         for f in 0..self.faces {
-            job.step_within(f, STAGE)?;
+            job.step_within_list(f, STAGE)?;
             for corner in corners_before_turning(self.mesh, f, is_turned(f)) {
                 corners.push(self.sources_of_corner(corner))?;
             }

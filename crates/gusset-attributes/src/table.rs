@@ -35,7 +35,7 @@ impl Table {
     pub(crate) fn from_single_sources(sources: impl ExactSizeIterator<Item = u32>, job: &Job<'_>) -> Result<Table> {
         let mut table = Table::with_capacity(sources.len(), sources.len())?;
         let (mut sources, count) = (sources, table.offsets.capacity() - 1);
-        job.ranges(STAGE, count, |range| {
+        job.work_in_ranges(STAGE, count, |range| {
             for source in sources.by_ref().take(range.len()) {
                 if source != NONE {
                     table.sources.push(source);
@@ -59,7 +59,7 @@ impl Table {
         let pairs = map.zip(0..).filter(|&(row, _)| row != NONE).map(|(row, source)| (row as usize, source));
         let (offsets, sources) = Buckets::new(rows, 0u32, pairs)?.into_parts();
         let mut weights = alloc::with_capacity(sources.len())?;
-        job.ranges(STAGE, rows, |range| {
+        job.work_in_ranges(STAGE, rows, |range| {
             for row in range {
                 let count = (offsets[row + 1] - offsets[row]) as usize;
                 weights.extend(std::iter::repeat_n(1.0 / count as f64, count));

@@ -3,7 +3,7 @@ use super::filter::{Filter, FilterBody};
 use super::report::{BOUNDARY_LOOP, FACE, Report, Value, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_RANGE, Param, ParamValues, TypedParam, params};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -115,7 +115,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let old = inputs[0].mesh()?;
     let mut done = fill_holes(old, LoopSelection::All, &options, job)?;
-    done.keep_splits(&[old], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[old], &job.part(1.0, 1.0))?;
     let report = report(old, &done, options.plan_only);
     let origins = values.trace_origins(|| Origins::from_filled(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])

@@ -7,7 +7,7 @@ use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::stitch::{FAIRING, FINISH, MERIDIANS};
 use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use super::weld::TOLERANCE;
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
@@ -131,7 +131,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let job = &if moved.is_some() { job.part(0.2, 1.0) } else { job.part(0.0, 1.0) };
     let mut done = assemble(&placed, &options, job)?;
-    done.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let report = report(&done, aligned.as_ref());
     let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])

@@ -44,8 +44,13 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let done = planarise(&mut grid.net, &options, &job.part(0.3, 0.8))?;
     let [rows, columns] = [grid.net.shape().rows(), grid.net.shape().columns()].map(|count| alloc::collect(0..count));
-    let made =
-        quads::grid_output(&grid.net, (input, &grid), [&rows?, &columns?], (values, false), &job.part(0.8, 1.0))?;
+    let made = quads::output_of_resampled_grid(
+        &grid.net,
+        (input, &grid),
+        [&rows?, &columns?],
+        (values, false),
+        &job.part(0.8, 1.0),
+    )?;
     Ok(vec![made, Output::Text(report(&done))])
 }
 

@@ -4,7 +4,7 @@ use super::report::{EDGE, FACE, Report, VERTEX, Value, count_with_noun};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{ParamValues, params};
 use super::weld::{DROP_UNUSED_VERTICES, TOLERANCE};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_stitch::repair::sew::{Sew, sew};
@@ -31,7 +31,7 @@ params! {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options { tolerance: values.tolerance, remove_unused: values.unused, ..Options::default() };
     let mut done = sew(inputs[0].mesh()?, &options, job)?;
-    done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
     let origins = values.trace_origins(|| Origins::from_sew(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])

@@ -5,7 +5,7 @@ use super::filter::{Filter, FilterBody};
 use super::report::{BOUNDARY_LOOP, FACE, Report, Value, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, Param, ParamValues, TypedParam, params};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
@@ -132,7 +132,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         ..Options::default()
     };
     let mut done = stitch(&request, &options, &job.part(0.2, 1.0))?;
-    done.keep_splits(&alloc::gather([Some(request.a), request.b].into_iter().flatten())?, &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&alloc::gather([Some(request.a), request.b].into_iter().flatten())?, &job.part(1.0, 1.0))?;
     let report = report(&done);
     let origins = values.trace_origins(|| Origins::from_stitch(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])

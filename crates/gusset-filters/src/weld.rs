@@ -3,7 +3,7 @@ use super::filter::{Filter, FilterBody};
 use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, VERTEX, Value, count_with_noun};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, TypedParam, params};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -62,7 +62,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         remove_unused: values.unused,
     };
     let mut done = weld(inputs[0].mesh()?, &options, job)?;
-    done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
     let origins = values.trace_origins(|| Origins::from_weld(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])

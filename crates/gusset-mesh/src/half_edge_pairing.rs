@@ -65,7 +65,7 @@ impl Topology {
         let faces = mesh.faces();
         let mut parts = divide_faces_among_threads(mesh, job.requested_threads())?;
         run_on_each_thread(&mut parts, &job.part(0.0, 0.3), |part, range| {
-            faces.visit(range, &mut HalfEdgeCounter { faces, part })
+            faces.visit_faces(range, &mut HalfEdgeCounter { faces, part })
         })?;
         job.step(0.3, STAGE)?;
         let (corner_count, mut defects) = sum_corner_counts(&mut parts)?;
@@ -76,7 +76,7 @@ impl Topology {
         // entry.
         let entries: Vec<AtomicU64> = alloc::zeroed(count as usize)?;
         run_on_each_thread(&mut parts, &job.part(0.3, 0.6), |part, range| {
-            faces.visit(range, &mut BucketFiller { part, entries: &entries })
+            faces.visit_faces(range, &mut BucketFiller { part, entries: &entries })
         })?;
         let threads = parts.len();
         job.step(0.6, STAGE)?;
@@ -193,7 +193,7 @@ fn sum_corner_counts(parts: &mut [ThreadFaces]) -> Result<(Vec<u32>, Vec<Defect>
 /// the number of half-edges.
 fn turn_counts_into_offsets(parts: &mut [ThreadFaces], vertices: usize, job: &Job<'_>) -> Result<u32> {
     let mut next = 0;
-    job.ranges(STAGE, 2 * vertices, |buckets| {
+    job.work_in_ranges(STAGE, 2 * vertices, |buckets| {
         for bucket in buckets {
             for part in parts.iter_mut() {
                 let place = &mut part.places[bucket];

@@ -116,7 +116,12 @@ fn crease_of_cells<const N: usize>(
         }
         worst.angle
     };
-    let parts = par::map_cancellable(job, "comparing normals", par::ranges(rows * columns, CELLS_PER_TASK), in_chunk)?;
+    let parts = par::map_cancellable(
+        job,
+        "comparing normals",
+        par::split_into_ranges(rows * columns, CELLS_PER_TASK),
+        in_chunk,
+    )?;
     Ok(parts.into_iter().fold(0.0, f64::max))
 }
 

@@ -142,7 +142,7 @@ impl Surface<'_> {
             let work = |range: std::ops::Range<usize>| {
                 alloc::collect(round[range].iter().map(|&place| self.local_geometry(place)))
             };
-            for part in par::map(job.requested_threads(), par::ranges(round.len(), PLACES_PER_TASK), work)? {
+            for part in par::map(job.requested_threads(), par::split_into_ranges(round.len(), PLACES_PER_TASK), work)? {
                 geometries.append(&mut part?);
             }
         }

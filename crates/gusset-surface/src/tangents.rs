@@ -74,7 +74,7 @@ mod tests {
     use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
     use crate::{Grid, Patch, Scheme};
     use glam::DVec3;
-    use gusset_base::testing::cases;
+    use gusset_base::testing::case_count;
 
     /// Random nodes: tangents lie in their boxes for all weights, and come close to a side of them,
     /// so that the boxes are not too large.
@@ -82,7 +82,7 @@ mod tests {
     fn tangents_lie_in_tight_boxes() {
         let mut random = fastrand::Rng::with_seed(7);
         let mut nearest = f64::INFINITY;
-        for round in 0..cases(400) as usize {
+        for round in 0..case_count(400) as usize {
             let cells = [[9, 6], [5, 5], [2, 9], [13, 4], [3, 3]][round % 5];
             let closed = [round / 5 % 2 == 1, round / 10 % 2 == 1].map(|closed| closed && cells.iter().all(|&n| n > 2));
             let scheme = if round / 20 % 2 == 0 { Scheme::SixTap } else { Scheme::FourPoint };

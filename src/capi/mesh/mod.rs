@@ -160,7 +160,7 @@ pub(crate) fn read_and_validate_mesh<'a>(
     let faces = if view.face_offsets.is_null() {
         let corners = Faces::corner_count(view.face_size, view.face_count)?;
         let corners = input::input_bytes(view.face_corners, corners, 4, "face_corners")?;
-        Faces::uniform(corners, view.face_size, view.face_count)?
+        Faces::with_uniform_size(corners, view.face_size, view.face_count)?
     } else {
         let offsets = input::input_bytes(view.face_offsets, offset_count, 4, "face_offsets")?;
         // The offsets first: a wrong last entry would overstate the length of the corners.
@@ -208,7 +208,7 @@ impl gusset_indices {
 
 /// Maps vertices to the vertices that they are merged into.
 pub(crate) fn map_to_merged_vertices(mesh: &MeshView<'_>, mut vertices: Vec<u32>) -> Vec<u32> {
-    vertices.iter_mut().for_each(|v| *v = mesh.faces().merge_of(*v));
+    vertices.iter_mut().for_each(|v| *v = mesh.faces().merged_vertex(*v));
     vertices
 }
 

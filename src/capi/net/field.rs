@@ -245,5 +245,5 @@ pub unsafe extern "C" fn gusset_net_displace(
     net: *mut gusset_net,
     distance: f64,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(displace(net_of_handle_mut(net, job)?, distance, job)?))
+    guard_change(context, |job| Ok(displace_along_normals(net_of_handle_mut(net, job)?, distance, job)?))
 }

@@ -225,7 +225,8 @@ pub unsafe extern "C" fn gusset_result_get_net_mesh(
 /// Copies the caller's numbers, at any alignment, without the gaps between rows.
 fn read_heights<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Failure> {
     let (count, stride, row) = (shape.rows(), heights.row_stride, shape.columns() * size_of::<T>());
-    let bytes = input::input_bytes(heights.values, Strided::span(count, stride, row, "rows of values")?, 1, "values")?;
+    let bytes =
+        input::input_bytes(heights.values, Strided::byte_span(count, stride, row, "rows of values")?, 1, "values")?;
     let rows = Strided::new(bytes, count, stride, row, "rows of values")?;
     let mut values = alloc::with_capacity(shape.node_count())?;
     for i in 0..count {

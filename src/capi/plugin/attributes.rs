@@ -46,7 +46,7 @@ unsafe extern "C" fn output_origins(
     let status = lend!(outputs, origins, |outputs| {
         let of = origins_of_output(outputs.held_output(index)?, index)?;
         let domain = choice(domain)?;
-        let (table, starts) = (of.table(domain), of.starts(domain));
+        let (table, starts) = (of.table(domain), of.first_sources_of_inputs(domain));
         gusset_plugin_origins {
             struct_size: 0,
             count: table.len(),

@@ -316,7 +316,7 @@ pub unsafe extern "C" fn gusset_scene_get_report(
     report: *mut gusset_scene_report,
 ) -> gusset_status {
     lend!(scene, report, |gusset_scene(scene)| {
-        let counts = scene.counts()?;
+        let counts = scene.count_elements()?;
         gusset_scene_report {
             struct_size: size_of::<gusset_scene_report>(),
             instances: counts.instances,

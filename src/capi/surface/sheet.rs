@@ -109,11 +109,11 @@ impl NodeLayout {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 }.into());
         }
         let column = if nodes.column_stride == 0 { 3 * size } else { nodes.column_stride };
-        let width = Strided::span(columns, column, 3 * size, "nodes of a row")?;
+        let width = Strided::byte_span(columns, column, 3 * size, "nodes of a row")?;
         // With at least two columns these are at most twice the width, so the product does not
         // overflow.
         let row = if nodes.row_stride == 0 { columns * column } else { nodes.row_stride };
-        Ok(NodeLayout { row, column, span: Strided::span(rows, row, width, "rows of nodes")? })
+        Ok(NodeLayout { row, column, span: Strided::byte_span(rows, row, width, "rows of nodes")? })
     }
 }
 

@@ -147,7 +147,7 @@ impl OutlineNodes {
             alloc::append(&mut self.cuts, &[0, last].map(|node| CutNode { node, tangent: None }))?;
         }
         // The first of several cuts at a node counts.
-        sort::stable(&mut self.cuts, &|x, y| x.node.cmp(&y.node));
+        sort::sort_stable(&mut self.cuts, &|x, y| x.node.cmp(&y.node));
         self.cuts.dedup_by_key(|cut| cut.node);
         if let (true, Some(&first)) = (self.closed, self.cuts.first()) {
             let n = self.points.len() as u32;

@@ -179,7 +179,7 @@ impl Intersections {
         let mut pairs = 0usize;
         for (k, piece) in ours.iter().enumerate() {
             job.step_every(64, k, ours.len(), PROGRESS_STAGE)?;
-            tree.overlapping(&piece.bounding_box(), MAX_TOUCHING_BOX_GAP, |i| match joined(k, i) {
+            tree.visit_overlapping(&piece.bounding_box(), MAX_TOUCHING_BOX_GAP, |i| match joined(k, i) {
                 Some(joined) => {
                     if pairs % PAIRS_PER_REPORT == PAIRS_PER_REPORT - 1 {
                         job.step(k as f64 / ours.len() as f64, PROGRESS_STAGE)?;
@@ -213,12 +213,12 @@ impl Intersections {
     /// Sorts the points, and removes ends of overlaps and duplicates from joints.
     fn sort_and_merge(&mut self, periods: [f64; 2]) -> Result<()> {
         let start = |overlap: &Overlap| [overlap.a[0].global_parameter(), overlap.b[0].global_parameter()];
-        sort::stable(&mut self.overlaps, &|x, y| compare_places(start(x), start(y)));
+        sort::sort_stable(&mut self.overlaps, &|x, y| compare_places(start(x), start(y)));
         let mut ends = alloc::with_capacity(2 * self.overlaps.len())?;
         ends.extend(
             self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].global_parameter(), o.b[i].global_parameter()])),
         );
-        sort::stable(&mut ends, &|&x, &y| compare_places(x, y));
+        sort::sort_stable(&mut ends, &|&x, &y| compare_places(x, y));
         self.points.retain(|m| {
             let [a, b] = [m.a.global_parameter(), m.b.global_parameter()];
             // The end of a closed curve is its start.

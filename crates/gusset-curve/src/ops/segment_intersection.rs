@@ -126,7 +126,7 @@ impl Subdivision<[SegmentPart; 2], 2> for CrossingPairSearch<'_> {
     type Split = usize;
     type Stop = Error;
 
-    fn classify(&mut self, [p, q]: &[SegmentPart; 2]) -> Result<BoxTest<[f64; 2], usize>> {
+    fn classify_box(&mut self, [p, q]: &[SegmentPart; 2]) -> Result<BoxTest<[f64; 2], usize>> {
         let Some(pairs_left) = self.pairs_left.checked_sub(1) else {
             self.found.undecided = true;
             return Ok(BoxTest::Empty);
@@ -155,20 +155,20 @@ impl Subdivision<[SegmentPart; 2], 2> for CrossingPairSearch<'_> {
         Ok(find_touch(a, b, p, q).map_or(BoxTest::Unresolved, BoxTest::Unique))
     }
 
-    fn accept(&mut self, _: [SegmentPart; 2], at: [f64; 2]) -> Result<()> {
+    fn record_solution(&mut self, _: [SegmentPart; 2], at: [f64; 2]) -> Result<()> {
         self.found.add_crossing(at)
     }
 
-    fn give_up(&mut self, _: [SegmentPart; 2], _: bool) -> Result<()> {
+    fn record_unresolved(&mut self, _: [SegmentPart; 2], _: bool) -> Result<()> {
         self.found.undecided = true;
         Ok(())
     }
 
-    fn split(&mut self, pair: [SegmentPart; 2], number: usize) -> [[SegmentPart; 2]; 2] {
+    fn split_box(&mut self, pair: [SegmentPart; 2], number: usize) -> [[SegmentPart; 2]; 2] {
         halve_one_of_pair(pair, number)
     }
 
-    fn reserve(stack: &mut BoxStack<[SegmentPart; 2]>) -> Result<()> {
+    fn reserve_stack(stack: &mut BoxStack<[SegmentPart; 2]>) -> Result<()> {
         alloc::reserve(stack, 2)
     }
 }
@@ -197,7 +197,7 @@ impl SegmentIntersections {
     /// Merges intersections between which the segments stay together, because they touch too
     /// closely to resolve. Keeps the middle one.
     fn merge_unresolved_touches(&mut self, a: &[DVec3], b: &[DVec3]) {
-        sort::stable(&mut self.at, &|x, y| x[0].total_cmp(&y[0]));
+        sort::sort_stable(&mut self.at, &|x, y| x[0].total_cmp(&y[0]));
         let together = |x: [f64; 2], y: [f64; 2]| {
             let middle = segment::point_at(a, 0.5 * (x[0] + y[0]));
             (x[0] - y[0]).abs().max((x[1] - y[1]).abs()) <= MAX_SAME_TOUCH_PARAMETER_GAP
@@ -363,7 +363,7 @@ fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Re
         count += 1;
     }
     let ends = &mut ends[..count];
-    sort::stable(ends, &|x, y| x[0].total_cmp(&y[0]));
+    sort::sort_stable(ends, &|x, y| x[0].total_cmp(&y[0]));
     // More than n m common points prove it; 64 samples are taken as enough.
     let samples = ((a.len() - 1) * (b.len() - 1)).min(64) + 1;
     for pair in ends.windows(2) {

@@ -76,7 +76,7 @@ pub(super) fn sort_and_remove_duplicates<T: Copy>(
     periods: [f64; 2],
     tolerance: f64,
 ) {
-    sort::stable(found, &|x, y| compare_places(places(x), places(y)));
+    sort::sort_stable(found, &|x, y| compare_places(places(x), places(y)));
     let mut kept = 0;
     for i in 0..found.len() {
         let at = places(&found[i]);

@@ -418,7 +418,7 @@ fn merge_breaks(segment_ends: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, V
     for (curve, ends) in segment_ends.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
         alloc::extend(&mut all, ends[..ends.len() - 1].iter().map(|&end| (end, curve)))?;
     }
-    sort::stable(&mut all, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort::sort_stable(&mut all, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut ends: Vec<Vec<f64>> = alloc::collect(segment_ends.iter().map(|_| Vec::new()))?;
     let mut breaks: Vec<f64> = Vec::new();
     for (end, curve) in all {

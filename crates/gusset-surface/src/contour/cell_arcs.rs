@@ -139,7 +139,7 @@ impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for Cell
     type Stop = Infallible;
 
     #[inline]
-    fn classify(&mut self, part: &MarkedPart<M>) -> Result<BoxTest<usize, ()>, Infallible> {
+    fn classify_box(&mut self, part: &MarkedPart<M>) -> Result<BoxTest<usize, ()>, Infallible> {
         Ok(if part.marks.is_empty() && has_one_sign(&part.field) {
             BoxTest::Empty
         } else if let Some(over) = graph_parameter(&part.field, self.rounding_error) {
@@ -151,13 +151,13 @@ impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for Cell
         })
     }
 
-    fn accept(&mut self, mut part: MarkedPart<M>, over: usize) -> Result<(), Infallible> {
+    fn record_solution(&mut self, mut part: MarkedPart<M>, over: usize) -> Result<(), Infallible> {
         let low = part.from[1 - over];
         link_marks_along_graph(&mut part.marks, ArcAsGraph { over, range: [low, low + part.size] }, &mut self.add);
         Ok(())
     }
 
-    fn give_up(&mut self, part: MarkedPart<M>, _exhausted: bool) -> Result<(), Infallible> {
+    fn record_unresolved(&mut self, part: MarkedPart<M>, _exhausted: bool) -> Result<(), Infallible> {
         let middle = part.field.evaluate_jet(0.5, 0.5).value;
         if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
             self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
@@ -166,7 +166,7 @@ impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for Cell
         Ok(())
     }
 
-    fn split(&mut self, part: MarkedPart<M>, (): ()) -> [MarkedPart<M>; 4] {
+    fn split_box(&mut self, part: MarkedPart<M>, (): ()) -> [MarkedPart<M>; 4] {
         part.into_quarters(self.keys)
     }
 }
@@ -204,7 +204,7 @@ fn link_marks_along_graph(marks: &mut [SignChangeMark], graph: ArcAsGraph, add: 
         let (from, to) = if a.is_entry() { (a, b) } else { (b, a) };
         return add(MarkedArc { from, to, graph: Some(graph) });
     }
-    sort::stable(marks, &|a, b| a.at[graph.over].total_cmp(&b.at[graph.over]));
+    sort::sort_stable(marks, &|a, b| a.at[graph.over].total_cmp(&b.at[graph.over]));
     let (entries, exits) = (marks.iter().filter(|mark| mark.is_entry()), marks.iter().filter(|mark| !mark.is_entry()));
     for (&from, &to) in entries.zip(exits) {
         add(MarkedArc { from, to, graph: Some(graph) });
@@ -218,7 +218,7 @@ fn link_marks_around_middle(marks: &[SignChangeMark], middle: bool, add: &mut im
     for side in 0..SIDES_PER_CELL {
         let first = round.len();
         round.extend(marks.iter().filter(|mark| mark.side == side));
-        sort::stable(&mut round[first..], &|a, b| a.parameter_on_side().total_cmp(&b.parameter_on_side()));
+        sort::sort_stable(&mut round[first..], &|a, b| a.parameter_on_side().total_cmp(&b.parameter_on_side()));
         if side >= 2 {
             round[first..].reverse();
         }

@@ -93,7 +93,7 @@ struct EvaluatedContours {
 impl EvaluatedContours {
     fn new(surface: &Surface<'_>, sheets: ContourPaths, job: &Job<'_>) -> Result<Self> {
         let ContourPaths { paths: mut contours, places } = sheets;
-        sort::stable(&mut contours, &|a, b| a.level.cmp(&b.level));
+        sort::sort_stable(&mut contours, &|a, b| a.level.cmp(&b.level));
         let count = places.len();
         let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
         let parts = places
@@ -114,7 +114,7 @@ impl EvaluatedContours {
         let head = |k: usize| self.points[self.contours[k].range[0]];
         let tail = |k: usize| self.points[self.contours[k].range[1] - 1];
         let mut heads = alloc::gather(open())?;
-        sort::stable(&mut heads, &|&a, &b| {
+        sort::sort_stable(&mut heads, &|&a, &b| {
             let by = |k: usize| self.contours[k].level;
             by(a).cmp(&by(b)).then(head(a).x.total_cmp(&head(b).x)).then(a.cmp(&b))
         });
@@ -191,7 +191,7 @@ impl EvaluatedContours {
 fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
     let cell = |place: &Place| (place.sheet, place.cell);
     let mut by: Vec<usize> = alloc::collect(0..places.len())?;
-    sort::stable(&mut by, &|&a, &b| (cell(&places[a]), a).cmp(&(cell(&places[b]), b)));
+    sort::sort_stable(&mut by, &|&a, &b| (cell(&places[a]), a).cmp(&(cell(&places[b]), b)));
     by.dedup_by_key(|&mut k| cell(&places[k]));
     by.sort_unstable();
     *places = alloc::collect(by.into_iter().map(|k| places[k]))?;
@@ -207,7 +207,7 @@ pub(super) fn add_point_paths(surface: &Surface<'_>, points: &[(u32, Place)], pa
     }
     let frames = alloc::collect(points.iter().map(|&(_, place)| surface.point_and_normal(place)))?;
     let mut by: Vec<usize> = alloc::collect(0..points.len())?;
-    sort::stable(&mut by, &|&a, &b| {
+    sort::sort_stable(&mut by, &|&a, &b| {
         points[a].0.cmp(&points[b].0).then(frames[a].0.x.total_cmp(&frames[b].0.x)).then(a.cmp(&b))
     });
     let mut dropped = alloc::filled(false, points.len())?;
@@ -232,7 +232,7 @@ pub(super) fn add_point_paths(surface: &Surface<'_>, points: &[(u32, Place)], pa
 /// The paths sorted by level.
 fn sort_paths_by_level(mut given: Paths) -> Result<Paths> {
     let mut order: Vec<usize> = alloc::collect(0..given.len())?;
-    sort::stable(&mut order, &|&a, &b| (given.levels[a], a).cmp(&(given.levels[b], b)));
+    sort::sort_stable(&mut order, &|&a, &b| (given.levels[a], a).cmp(&(given.levels[b], b)));
     let unresolved = std::mem::take(&mut given.unresolved);
     let mut sorted = Paths { ends: vec![0], unresolved, ..Paths::default() };
     for k in order {

@@ -134,7 +134,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
             // With many levels, a single block takes long.
             let chunk = (LEVEL_BLOCKS_PER_TASK / self.source.level_count()).clamp(1, BLOCKS_PER_TASK);
-            let parts = par::map_cancellable(&part, "contours", par::ranges(blocks, chunk), |range| {
+            let parts = par::map_cancellable(&part, "contours", par::split_into_ranges(blocks, chunk), |range| {
                 let mut part = ContourArcs::default();
                 let (mut workspace, mut cache) = (ContourCellWorkspace::default(), S::BlockCache::default());
                 for k in range {

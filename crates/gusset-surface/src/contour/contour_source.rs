@@ -4,7 +4,7 @@ use crate::axis::{GridAxis, NODES_PER_CUBIC};
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::subdivision::BernsteinField;
 use glam::{DVec2, DVec3};
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use std::ops::Range;
 
 /// How the fields of two cells agree along their common side.
@@ -190,7 +190,7 @@ impl ScalarWindow {
 
     /// The smallest and the largest scalar.
     fn scalar_range(&self) -> [f64; 2] {
-        range(self.values.as_flattened().iter().copied())
+        range_of_values(self.values.as_flattened().iter().copied())
     }
 
     /// The field over a cell. Sums along the rows come first, then across, so that the coefficients

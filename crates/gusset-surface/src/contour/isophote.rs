@@ -395,7 +395,7 @@ fn find_normals_along_axis<C: SheetCells<N>, const N: usize, const H: usize>(
     sign: f64,
     job: &Job<'_>,
 ) -> Result<Vec<Result<[Vec<Place>; 2]>>> {
-    par::map_cancellable(job, "contours", par::ranges(blocks.len(), BLOCKS_PER_TASK), |range| {
+    par::map_cancellable(job, "contours", par::split_into_ranges(blocks.len(), BLOCKS_PER_TASK), |range| {
         let mut found = [Vec::new(), Vec::new()];
         for &block in &blocks[range] {
             let (corners, cells) = normals.block_corners_and_cells(lattice, block);

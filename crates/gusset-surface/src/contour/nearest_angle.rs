@@ -187,7 +187,7 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
                 ))
             };
             let mut bounds: Vec<(f64, [usize; 2])> = below.filter_map(bound).collect();
-            sort::stable(&mut bounds, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            sort::sort_stable(&mut bounds, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             front = bounds.into_iter().take(BLOCKS_PER_LEVEL_FOR_FIRST_BOUND).map(|(_, at)| at).collect();
         }
         let mut shown = *best;
@@ -217,7 +217,7 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
             let known = *best;
             let parts = par::map(
                 job.requested_threads(),
-                par::ranges((count - first).min(BLOCKS_PER_TASK * TASKS_PER_REPORT), BLOCKS_PER_TASK),
+                par::split_into_ranges((count - first).min(BLOCKS_PER_TASK * TASKS_PER_REPORT), BLOCKS_PER_TASK),
                 |range| {
                     let (mut best, mut candidates) = (known, Vec::new());
                     for &[r, c] in &blocks[first..][range] {
@@ -302,7 +302,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalCellPart<H>, 4> for CellA
     type Split = ();
     type Stop = Infallible;
 
-    fn classify(&mut self, part: &NormalCellPart<H>) -> Result<BoxTest<Infallible, ()>, Infallible> {
+    fn classify_box(&mut self, part: &NormalCellPart<H>) -> Result<BoxTest<Infallible, ()>, Infallible> {
         if part.deviation < self.best.deviation {
             let at = part.from + 0.5 * part.size;
             let place = Place { sheet: self.sheet, cell: self.cell, u: at.x, v: at.y };
@@ -322,20 +322,20 @@ impl<const H: usize, const M: usize> Subdivision<NormalCellPart<H>, 4> for CellA
         Ok(BoxTest::Undecided(()))
     }
 
-    fn accept(&mut self, _: NormalCellPart<H>, solution: Infallible) -> Result<(), Infallible> {
+    fn record_solution(&mut self, _: NormalCellPart<H>, solution: Infallible) -> Result<(), Infallible> {
         Err(solution)
     }
 
-    fn give_up(&mut self, part: NormalCellPart<H>, _exhausted: bool) -> Result<(), Infallible> {
+    fn record_unresolved(&mut self, part: NormalCellPart<H>, _exhausted: bool) -> Result<(), Infallible> {
         let ranges = part.normal.map(|field| field.coefficient_range());
         self.bound = self.bound.min(self.goal.deviation_bound(angle_range_to_third_axis(&ranges, 0.0)));
         Ok(())
     }
 
     /// Sorts the most promising part last, so that it is taken first.
-    fn split(&mut self, part: NormalCellPart<H>, (): ()) -> [NormalCellPart<H>; 4] {
+    fn split_box(&mut self, part: NormalCellPart<H>, (): ()) -> [NormalCellPart<H>; 4] {
         let mut quarters = part.quarters(self.goal);
-        sort::stable(&mut quarters, &|a, b| b.deviation.total_cmp(&a.deviation));
+        sort::sort_stable(&mut quarters, &|a, b| b.deviation.total_cmp(&a.deviation));
         quarters
     }
 }
@@ -374,7 +374,7 @@ impl Surface<'_> {
             })?;
         }
         let order = |candidate: &CandidateCell| (candidate.sheet, candidate.cell);
-        sort::stable(&mut candidates, &|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
+        sort::sort_stable(&mut candidates, &|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
         let (last, mut bound) = (job.part(0.9, 1.0), f64::INFINITY);
         for (k, candidate) in candidates.iter().enumerate() {
             last.step_every(16, k, candidates.len(), "angles")?;

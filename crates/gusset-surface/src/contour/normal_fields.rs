@@ -8,7 +8,7 @@ use crate::Patch;
 use crate::ranges::cross_product_ranges;
 use crate::subdivision::BernsteinField;
 use glam::DVec3;
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::bernstein::binomial_row;
 
 /// Coefficients times their binomials.
@@ -84,7 +84,7 @@ impl<const N: usize> Hodographs<N> {
     /// Ranges of the three components of N, from the ranges of the components of S_u and S_v.
     pub(super) fn normal_component_ranges(&self) -> [[f64; 2]; 3] {
         let part = |of: &[[f64; N]; N], rows: usize, columns: usize| {
-            range(of[..rows].iter().flat_map(|row| &row[..columns]).copied())
+            range_of_values(of[..rows].iter().flat_map(|row| &row[..columns]).copied())
         };
         cross_product_ranges(
             self.u.each_ref().map(|of| part(of, N - 1, N)),

@@ -36,7 +36,7 @@ struct PackedDisplacementBox {
 impl PackedDisplacementBox {
     /// Packs a box, rounding outwards.
     fn new(bounds: Aabb) -> PackedDisplacementBox {
-        let max_length = (bounds.max_norm() as f32).next_up();
+        let max_length = (bounds.max_vector_length() as f32).next_up();
         let unit = f64::from(max_length) / 127.0;
         // No vector is longer than `max_length`, so quotients are within -127 to 127, except for
         // rounding.
@@ -295,7 +295,10 @@ mod tests {
             let bounds = Aabb::from_points([a, b]);
             let packed = PackedDisplacementBox::new(bounds);
             let (held, length) = (packed.unpack(), f64::from(packed.max_length));
-            assert!(length >= bounds.max_norm() && length <= bounds.max_norm() * (1.0 + 1e-6), "{bounds:?}");
+            assert!(
+                length >= bounds.max_vector_length() && length <= bounds.max_vector_length() * (1.0 + 1e-6),
+                "{bounds:?}"
+            );
             let off = (bounds.low - held.low).min(held.high - bounds.high);
             assert!(off.min_element() >= 0.0, "{bounds:?} {held:?}");
             let off = (bounds.low - held.low).max(held.high - bounds.high);

@@ -74,13 +74,15 @@ impl Surface<'_> {
         for from in (0..count).step_by(round) {
             job.step(from as f64 / count as f64, "curve and surface")?;
             let to = count.min(from + round);
-            for part in par::map(job.requested_threads(), par::ranges(to - from, SEGMENTS_PER_TASK), |range| {
-                let mut finder = SegmentFinder::default();
-                for k in range {
-                    self.find_on_segment(from + k, curve.segment(from + k), &mut finder)?;
-                }
-                Ok(finder.finds)
-            })? {
+            for part in
+                par::map(job.requested_threads(), par::split_into_ranges(to - from, SEGMENTS_PER_TASK), |range| {
+                    let mut finder = SegmentFinder::default();
+                    for k in range {
+                        self.find_on_segment(from + k, curve.segment(from + k), &mut finder)?;
+                    }
+                    Ok(finder.finds)
+                })?
+            {
                 alloc::append(&mut finds, &part?)?;
             }
             if selection != HitSelection::All && !finds.is_empty() {
@@ -152,7 +154,7 @@ impl Surface<'_> {
                 || self.is_crossing_direction(find.place, curve_direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
-        sort::stable(&mut finds, &compare_curve_finds);
+        sort::sort_stable(&mut finds, &compare_curve_finds);
         let mut kept: Vec<CurvePointInCell> = alloc::with_capacity(finds.len())?;
         for find in finds {
             let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= MAX_SAME_CURVE_PARAMETER_GAP);
@@ -215,7 +217,7 @@ fn merge_overlapping(finds: &mut Vec<CurvePointInCell>, merge_distance: f64) {
     let by_span = |a: &CurvePointInCell, b: &CurvePointInCell| {
         a.span[0].total_cmp(&b.span[0]).then_with(|| compare_curve_finds(a, b))
     };
-    sort::stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
+    sort::sort_stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
     finds.dedup_by(|next, all| {
         let joins = all.tangent && next.tangent && overlaps_along_curve(all, next, merge_distance);
         if joins {

@@ -94,7 +94,7 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
         let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let diagonal = bounds.diagonal();
         let rounding_error =
-            (8.0 * f64::EPSILON * (bounds.max_norm() + farthest)).min(MAX_RELATIVE_LINE_ROUNDING * diagonal);
+            (8.0 * f64::EPSILON * (bounds.max_vector_length() + farthest)).min(MAX_RELATIVE_LINE_ROUNDING * diagonal);
         let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
         let mut waiting = vec![CurvePartAndBlock { part, diagonal, level: levels.len(), row: 0, column: 0 }];
         let mut solver = CurveSolverWorkspace { rounding_error, ..CurveSolverWorkspace::default() };

@@ -8,7 +8,7 @@ use crate::{Patch, Place};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::subdivision::UnresolvedCluster;
 
 /// Memory that searches of patches of degree N - 1 reuse.
@@ -250,7 +250,7 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
     fn segment_beside_patch(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
         let ray = self.ray;
         let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
-        let [low, high] = range(along);
+        let [low, high] = range_of_values(along);
         let slack = ray.rounding_error + self.tolerance;
         let from = (low - slack).max(ray.distance_from_foot(ray.line.from) - ray.rounding_error);
         let to = (high + slack).min(ray.distance_from_foot(ray.line.to) + ray.rounding_error);

@@ -30,7 +30,7 @@ pub use line_batch::Lines;
 
 use super::{Sheet, Surface};
 use gusset_base::geom::Aabb;
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_curve::ops::{NearMiss, NearMisses};
 use gusset_curve::{CurveView, Place as CurvePlace};
 use line_search::{LineWorkspace, SheetLineSearch};
@@ -130,7 +130,7 @@ impl Line {
         // The part of the line beside the curve, and a little more.
         let (along, length) = self.direction_and_length();
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));
-        let [low, high] = range(parameters);
+        let [low, high] = range_of_values(parameters);
         // A curve perpendicular to the line lacks extent along it.
         let size = Aabb::from_points(curve.points()).size().max_element();
         let slack = within + 1e-6 * size;

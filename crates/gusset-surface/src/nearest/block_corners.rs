@@ -28,7 +28,7 @@ impl CentredDisplacementBox {
             high: high.to_array(),
             middle,
             half,
-            max_length: bounds.max_norm(),
+            max_length: bounds.max_vector_length(),
         }
     }
 

@@ -174,7 +174,7 @@ mod tests {
     use super::*;
     use crate::{Grid, Nodes, Scheme};
     use gusset_base::job::Job;
-    use gusset_base::testing::cases;
+    use gusset_base::testing::case_count;
 
     /// A block of 4 x 3 cells through rough nodes.
     fn rough_grid(seed: u32) -> Grid<'static> {
@@ -204,7 +204,7 @@ mod tests {
     #[test]
     fn cells_with_nearer_points_are_never_excluded() {
         let (mut candidates, mut asked, mut excluded) = (Vec::new(), 0, 0);
-        for (seed, query) in (0..cases(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
+        for (seed, query) in (0..case_count(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
             let grid = rough_grid(seed);
             let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
             let all: Vec<[usize; 2]> = (0..12).map(|k| [k / 3, k % 3]).collect();
@@ -238,7 +238,7 @@ mod tests {
     /// Tests each bound of all cells of a block separately, on a surface with large displacements.
     #[test]
     fn bounds_of_blocks_hold() {
-        for (seed, query) in (0..cases(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
+        for (seed, query) in (0..case_count(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
             let grid = rough_grid(seed);
             let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
             let displacement = CentredDisplacementBox::new(index.displacement_box(0, 0));

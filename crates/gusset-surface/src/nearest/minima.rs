@@ -246,7 +246,7 @@ impl MinimaSearch<'_> {
         if let Some(nearest) = nearest.filter(|nearest| !points.iter().any(|point| reached(point, nearest))) {
             points.push(nearest);
         }
-        sort::stable(points.as_mut_slice(), &|a, b| {
+        sort::sort_stable(points.as_mut_slice(), &|a, b| {
             let place = |c: &Closest| (c.place.sheet, c.place.cell);
             a.distance.total_cmp(&b.distance).then_with(|| place(a).cmp(&place(b)))
         });
@@ -272,7 +272,7 @@ fn merge_coincident_minima(points: &mut Vec<Closest>, max_distance: f64) -> Resu
         }
     }
     // A proven point may be slightly farther than the point that it replaced.
-    sort::stable(&mut kept, &|a, b| a.distance.total_cmp(&b.distance));
+    sort::sort_stable(&mut kept, &|a, b| a.distance.total_cmp(&b.distance));
     *points = kept;
     Ok(())
 }
@@ -280,7 +280,7 @@ fn merge_coincident_minima(points: &mut Vec<Closest>, max_distance: f64) -> Resu
 /// Keeps the nearest of all undecided minima in cells of a sheet that touch, also across seams of
 /// grids.
 fn merge_adjacent_undecided(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> Result<()> {
-    sort::stable(undecided.as_mut_slice(), &|a, b| (a.sheet, a.cell).cmp(&(b.sheet, b.cell)));
+    sort::sort_stable(undecided.as_mut_slice(), &|a, b| (a.sheet, a.cell).cmp(&(b.sheet, b.cell)));
     let mut groups = DisjointSets::new(undecided.len())?;
     for k in 0..undecided.len() {
         let FoundMinimum { sheet, cell, .. } = undecided[k];

@@ -168,7 +168,7 @@ impl DotProductRange {
 mod tests {
     use super::super::foot_point::{MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
     use super::*;
-    use gusset_base::testing::cases;
+    use gusset_base::testing::case_count;
 
     /// A patch through control points z(a, b) over a square grid.
     fn graph_patch(z: impl Fn(usize, usize) -> f64) -> Patch<4> {
@@ -195,7 +195,9 @@ mod tests {
     /// the upper one.
     #[test]
     fn bounds_contain_sampled_distances() {
-        for (seed, query) in (0..cases(20) as usize).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
+        for (seed, query) in
+            (0..case_count(20) as usize).flat_map(|seed| sample_queries().map(move |query| (seed, query)))
+        {
             let patch = rough_patch(seed);
             let distances = || sample_places().map(|place| patch.point(place.x, place.y).distance(query));
             let (min, max) = distances().fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
@@ -283,7 +285,7 @@ mod tests {
             [hessian.x_axis.x, hessian.x_axis.y, hessian.y_axis.y]
         };
         let mut widest = [0.0_f64; 3];
-        let all = sheets.into_iter().chain((0..cases(20) as usize).map(rough_patch)).enumerate();
+        let all = sheets.into_iter().chain((0..case_count(20) as usize).map(rough_patch)).enumerate();
         for (k, patch) in all {
             for (query, from) in sample_queries().flat_map(|query| [0.0, 0.5, 1.0].map(|t| (query, DVec2::splat(t)))) {
                 let range = patch.hessian_entry_ranges(query, &FootPoint::from_place(&patch, query, from));

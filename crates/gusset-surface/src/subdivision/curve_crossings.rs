@@ -19,7 +19,7 @@ use crate::Patch;
 use glam::{DMat3, DVec2, DVec3};
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::bernstein::{evaluate, evaluate_with_slope, halves};
 use gusset_base::geom::subdivision::{
     BoxStack, BoxTest, Subdivision, SubdivisionLimits, UnresolvedBox, UnresolvedCluster, cluster_touching_boxes,
@@ -124,11 +124,11 @@ impl<const M: usize, const N: usize> Subdivision<CurvePatchPair<M, N>, 2> for Cu
     type Stop = Infallible;
 
     #[inline]
-    fn classify(&mut self, pair: &CurvePatchPair<M, N>) -> Result<BoxTest<CurvePatchCrossing, ()>, Infallible> {
+    fn classify_box(&mut self, pair: &CurvePatchPair<M, N>) -> Result<BoxTest<CurvePatchCrossing, ()>, Infallible> {
         Ok(pair.classify_pair(&self.whole, self.rounding_error, self.tolerance))
     }
 
-    fn accept(&mut self, _: CurvePatchPair<M, N>, crossing: CurvePatchCrossing) -> Result<(), Infallible> {
+    fn record_solution(&mut self, _: CurvePatchPair<M, N>, crossing: CurvePatchCrossing) -> Result<(), Infallible> {
         let is_same = |other: &CurvePatchCrossing| {
             let apart = (other.place - crossing.place).abs().max_element().max((other.t - crossing.t).abs());
             apart <= 2.0 * (other.slack + crossing.slack)
@@ -139,14 +139,14 @@ impl<const M: usize, const N: usize> Subdivision<CurvePatchPair<M, N>, 2> for Cu
         Ok(())
     }
 
-    fn give_up(&mut self, pair: CurvePatchPair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
+    fn record_unresolved(&mut self, pair: CurvePatchPair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
         let residual = (evaluate(&pair.curve, 0.5) - pair.patch.surface_point(0.5, 0.5)).length_squared();
         let half = 0.5 * pair.size;
         self.boxes.push(UnresolvedBox { middle: pair.from + half, half, residual });
         Ok(())
     }
 
-    fn split(&mut self, pair: CurvePatchPair<M, N>, (): ()) -> [CurvePatchPair<M, N>; 2] {
+    fn split_box(&mut self, pair: CurvePatchPair<M, N>, (): ()) -> [CurvePatchPair<M, N>; 2] {
         pair.halve_longest()
     }
 }
@@ -159,7 +159,7 @@ fn max_abs_components(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
 impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
     fn classify_pair(&self, whole: &Self, rounding_error: f64, tolerance: f64) -> BoxTest<CurvePatchCrossing, ()> {
         let (along, across) = (Aabb::from_points(self.curve), Aabb::from_points(self.patch.points.as_flattened()));
-        let gap = along.separation(&across);
+        let gap = along.axis_gaps(&across);
         if gap.max_element() > rounding_error {
             return BoxTest::Empty;
         }
@@ -171,7 +171,7 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
                 if self.is_separated_along(normal, rounding_error) {
                     return BoxTest::Empty;
                 }
-                let heights = |points: &[DVec3]| range(points.iter().map(|point| point.dot(normal)));
+                let heights = |points: &[DVec3]| range_of_values(points.iter().map(|point| point.dot(normal)));
                 let [one, other] = [heights(&self.curve), heights(self.patch.points.as_flattened())];
                 one[1].max(other[1]) - one[0].min(other[0]) <= tolerance
             }
@@ -196,8 +196,8 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
 
     /// True if a direction separates the two.
     fn is_separated_along(&self, direction: DVec3, rounding_error: f64) -> bool {
-        let [low, high] = range(self.curve.iter().map(|point| point.dot(direction)));
-        let [from, to] = range(self.patch.points.as_flattened().iter().map(|point| point.dot(direction)));
+        let [low, high] = range_of_values(self.curve.iter().map(|point| point.dot(direction)));
+        let [from, to] = range_of_values(self.patch.points.as_flattened().iter().map(|point| point.dot(direction)));
         low > to + rounding_error || from > high + rounding_error
     }
 
@@ -215,7 +215,7 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
         let rows = inverse.transpose();
         let slack = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) * rounding_error;
         let (along, across) = (Aabb::from_points(curve), Aabb::from_points(patch.points.as_flattened()));
-        if (along.separation(&across) - slack).max_element() > 0.0 {
+        if (along.axis_gaps(&across) - slack).max_element() > 0.0 {
             return Some(BoxTest::Empty);
         }
         // All values of a derivative lie within the range of its control points.

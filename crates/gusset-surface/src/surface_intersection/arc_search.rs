@@ -11,7 +11,7 @@
 use super::intersection_equation::{DifferenceFrame, IntersectionEquation};
 use super::solution_chart::{GRAPH_MARGIN_FRACTION, ParameterBox, SolutionChart};
 use glam::{DVec3, DVec4};
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::subdivision::BoxTest;
 
 /// Rounding of the parameter at which a curve crosses a side, as a fraction of the cell.
@@ -334,7 +334,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// lines are close together, such a curve may be close to the side for several resolutions.
     fn classify_course_beside_side(&self, k: usize, samples: &[DVec4; 5], frame: &DifferenceFrame) -> ParameterCourse {
         let close = self.close_distance_in_parameter(frame, k);
-        let [min, max] = range(samples.map(|x| x[k]));
+        let [min, max] = range_of_values(samples.map(|x| x[k]));
         // Halving across k does not bring a curve in the middle that hardly moves in k closer to
         // the sides. Shorter pieces of it have narrower bounds.
         let room = (min - self.low[k]).min(self.high[k] - max);

@@ -296,7 +296,7 @@ impl<S: IntersectedSurfaces> ChainBridges<'_, S> {
                 alloc::push(&mut bridges, (-straightness, end, start, is_point))?;
             }
         }
-        sort::stable(&mut bridges, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        sort::sort_stable(&mut bridges, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         for (_, end, start, is_point) in bridges {
             let (from, to) = (ends[end as usize], ends[start as usize]);
             if links.are_ends_free(from.arc, to.arc)

@@ -177,7 +177,7 @@ impl Surface<'_> {
         }
         alloc::extend(&mut paths.unresolved, intersection.loose_path_ends(&pieces, &chained))?;
         let cell = |place: &Place| (place.sheet, place.cell);
-        sort::stable(&mut paths.unresolved, &|a, b| cell(a).cmp(&cell(b)));
+        sort::sort_stable(&mut paths.unresolved, &|a, b| cell(a).cmp(&cell(b)));
         paths.unresolved.dedup_by_key(|place| cell(place));
         for point in critical.points.iter().filter(|point| point.gap.abs() <= tolerance) {
             alloc::push(&mut paths.contacts, intersection.contact_at(point))?;
@@ -242,8 +242,8 @@ impl SurfaceIntersection<'_> {
             let max_boxes =
                 (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
             self.solve_pairs_within_box_limit(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
-            sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
-            sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
+            sort::sort_stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
+            sort::sort_stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         }
         Ok(pieces)
     }
@@ -262,7 +262,7 @@ impl SurfaceIntersection<'_> {
         let batch = if is_last_round { BOXES_PER_REPORT.div_ceil(max_boxes_per_pair) } else { BOXES_PER_REPORT / 16 };
         for (k, part) in pairs.chunks(batch).enumerate() {
             let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / pairs.len() as f64).min(1.0));
-            let ranges = par::ranges(part.len(), chunk);
+            let ranges = par::split_into_ranges(part.len(), chunk);
             let parts_found = par::map_jobs(&job.part(from, to), "intersection", ranges, |range, job| {
                 self.solve_chunk(&part[range], max_boxes_per_pair, is_last_round, job)
             })?;

@@ -57,7 +57,7 @@ impl OverlappingArcs<'_> {
             job.part(0.1, 1.0).step_every(ARCS_PER_REPORT, k, arcs.len(), "paths")?;
             self.add_cuts_of_arc(k as u32, arc, &ends, &tree, &mut cuts)?;
         }
-        sort::stable(&mut cuts, &|a, b| (a.arc, a.behind).cmp(&(b.arc, b.behind)).then(a.way.total_cmp(&b.way)));
+        sort::sort_stable(&mut cuts, &|a, b| (a.arc, a.behind).cmp(&(b.arc, b.behind)).then(a.way.total_cmp(&b.way)));
         if cuts.is_empty() { Ok(None) } else { self.apply_cuts(&cuts).map(Some) }
     }
 

@@ -228,7 +228,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
     type Split = usize;
     type Stop = SearchStop;
 
-    fn classify(
+    fn classify_box(
         &mut self,
         part: &Cow<'a, ParameterBox<N, M>>,
     ) -> Result<BoxTest<([ArcEnd; 2], usize), usize>, SearchStop> {
@@ -300,7 +300,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
     }
 
     /// Adds an arc, unless it is short enough to be dropped.
-    fn accept(
+    fn record_solution(
         &mut self,
         part: Cow<'a, ParameterBox<N, M>>,
         (ends, free): ([ArcEnd; 2], usize),
@@ -351,12 +351,12 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         Ok(alloc::push(&mut self.pieces.arcs, arc)?)
     }
 
-    fn give_up(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), SearchStop> {
+    fn record_unresolved(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), SearchStop> {
         self.report_ball(&part, false);
         Ok(())
     }
 
-    fn split(&mut self, part: Cow<'a, ParameterBox<N, M>>, longest: usize) -> [Cow<'a, ParameterBox<N, M>>; 2] {
+    fn split_box(&mut self, part: Cow<'a, ParameterBox<N, M>>, longest: usize) -> [Cow<'a, ParameterBox<N, M>>; 2] {
         let [low, high] = part.halve_by_parameter(longest);
         [Cow::Owned(high), Cow::Owned(low)]
     }

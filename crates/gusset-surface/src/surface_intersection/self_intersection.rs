@@ -138,8 +138,8 @@ impl SurfaceIntersection<'_> {
                 (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
             self.solve_adjacent_pairs_with_limit(&again, joints, max_boxes, true, pieces, &job.part(0.5, 1.0))?;
         }
-        sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
-        sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
+        sort::sort_stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
+        sort::sort_stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         Ok(())
     }
 
@@ -234,7 +234,7 @@ impl SurfaceIntersection<'_> {
         let key = |place: &Place| (place.sheet, place.cell);
         paths.unresolved =
             alloc::gather(pieces.balls.iter().flat_map(|ball| self.places.clamped_places(ball.pair, ball.x)))?;
-        sort::stable(&mut paths.unresolved, &|a, b| key(a).cmp(&key(b)));
+        sort::sort_stable(&mut paths.unresolved, &|a, b| key(a).cmp(&key(b)));
         paths.unresolved.dedup_by_key(|place| key(place));
         Ok(paths)
     }

@@ -69,7 +69,7 @@ impl TrailBuilder<'_> {
                 alloc::push(&mut trails, self.trail_from(2 * k + first.unwrap_or(0), &mates, &mut used)?)?;
             }
         }
-        sort::stable(&mut trails, &|a, b| a.steps[0].arc.cmp(&b.steps[0].arc));
+        sort::sort_stable(&mut trails, &|a, b| a.steps[0].arc.cmp(&b.steps[0].arc));
         Ok(trails)
     }
 
@@ -113,7 +113,7 @@ impl TrailBuilder<'_> {
                 alloc::push(&mut joints, (cost, p, q))?;
             }
         }
-        sort::stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        sort::sort_stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         let mut mates = alloc::filled(NO_LINKED_ARC, 2 * arcs.len())?;
         for (_, p, q) in joints {
             if mates[p as usize] == NO_LINKED_ARC && mates[q as usize] == NO_LINKED_ARC {

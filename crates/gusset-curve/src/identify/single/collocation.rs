@@ -129,7 +129,7 @@ impl Collocation {
         self.controls[inner_range.clone()].fill(DVec3::ZERO);
         self.matrix.resize(inner)?;
         for i in 1..=inner {
-            bernstein::basis(&mut self.basis, self.t[i]);
+            bernstein::bernstein_values(&mut self.basis, self.t[i]);
             self.matrix.row(i - 1).copy_from_slice(&self.basis[inner_range.clone()]);
         }
         if !self.matrix.factor() {

@@ -110,7 +110,7 @@ impl Collocation {
                         self.t[i] = t;
                     }
                 }
-                bernstein::basis(&mut self.basis, self.t[i]);
+                bernstein::bernstein_values(&mut self.basis, self.t[i]);
                 let slope = self.basis[own];
                 let left = p - segment::point_at(&self.controls, self.t[i]);
                 let direction = if normal.is_some() { self.guides[i] } else { left.normalize_or_zero() };
@@ -212,7 +212,7 @@ impl Collocation {
             let slope = segment::point_at(&self.slopes[..degree], self.t[i]);
             let across = normal.cross(slope);
             let left = self.points[i] - segment::point_at(&self.controls, self.t[i]);
-            bernstein::basis(&mut self.basis, self.t[i]);
+            bernstein::bernstein_values(&mut self.basis, self.t[i]);
             let row = self.matrix.row(i - 1);
             for j in 1..=inner {
                 row[j - 1] = self.basis[first + j - 1] * across.dot(self.guides[j]);
@@ -301,7 +301,7 @@ mod tests {
     fn basis_functions_are_exact() {
         let mut basis = [0.0; 21];
         for t in [0.0, 0.1, 0.5, 0.97, 1.0] {
-            bernstein::basis(&mut basis, t);
+            bernstein::bernstein_values(&mut basis, t);
             assert!((basis.iter().sum::<f64>() - 1.0).abs() < 1e-14);
             let wanted = 1140.0 * t * t * t * (1.0f64 - t).powi(17);
             assert!((basis[3] - wanted).abs() < 1e-15, "{t}");

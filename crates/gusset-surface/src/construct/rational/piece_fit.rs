@@ -15,7 +15,7 @@ use crate::MAX_DEGREE;
 use glam::DVec3;
 use glam::DVec4;
 use gusset_base::error::Result;
-use gusset_base::geom::bernstein::{basis, evaluate};
+use gusset_base::geom::bernstein::{bernstein_values, evaluate};
 use gusset_base::geom::linear::dense::DenseMatrix;
 
 /// Number of data in each direction: the value and derivative at 0, inner values, the derivative
@@ -95,7 +95,7 @@ fn data_from_controls(degree: usize) -> DataMatrix<DATA_PER_DIRECTION> {
     rows[0][0] = 1.0;
     (rows[1][0], rows[1][1]) = (-n, n);
     for (row, t) in rows[2..].iter_mut().zip(INNER_PARAMETERS) {
-        basis(&mut row[..=degree], t);
+        bernstein_values(&mut row[..=degree], t);
     }
     (rows[6][degree - 1], rows[6][degree]) = (-n, n);
     rows[7][degree] = 1.0;
@@ -127,7 +127,7 @@ impl FitFactors {
         let between = degrees.map(|degree| {
             EXTREMAL_PARAMETERS.map(|t| {
                 let mut row = [0.0; DATA_PER_DIRECTION];
-                basis(&mut row[..=degree], t);
+                bernstein_values(&mut row[..=degree], t);
                 row
             })
         });
