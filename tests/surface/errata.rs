@@ -7,7 +7,7 @@ use crate::shapes::{Random, torus};
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::reference::{
-    AngleTarget, CellGridShape, Diameters, Goal, Object, SearchOptions, SearchOutcome, angle_incidence,
+    AngleTarget, CellGridShape, Diameters, PointPlaneOrLine, SearchGoal, SearchOptions, SearchOutcome, angle_incidence,
     curvature_bound, incidence, normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
@@ -36,8 +36,8 @@ fn corner_distances(sheet: &Sheet<'_>, [i, j]: [usize; 2], point: DVec3, normal:
     [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| (sheet.corner(i, j) - point).dot(normal))
 }
 
-fn within(sheet: &Sheet<'_>, diameters: &Diameters, object: Object, tau: f64) -> SearchOutcome {
-    incidence(sheet, diameters, object, &SearchOptions::new(Goal::Within(tau)), &Job::default()).unwrap()
+fn within(sheet: &Sheet<'_>, diameters: &Diameters, object: PointPlaneOrLine, tau: f64) -> SearchOutcome {
+    incidence(sheet, diameters, object, &SearchOptions::new(SearchGoal::Within(tau)), &Job::default()).unwrap()
 }
 
 /// E1, the strip: cells 1 x 0.01, the plane x = 0.5, visits at x = -3 and x = 4 zero all four
@@ -48,7 +48,7 @@ fn e1_nodes_on_rims_are_corners_outside() {
     let diameters = Diameters::new(&strip, &Job::default()).unwrap();
     let d = diameters.euclidean.greatest();
     assert!((d - 1.0_f64.hypot(0.01)).abs() < 1e-12, "{d}");
-    let object = Object::Plane { point: DVec3::new(0.5, 0.0, 0.0), normal: DVec3::X };
+    let object = PointPlaneOrLine::Plane { point: DVec3::new(0.5, 0.0, 0.0), normal: DVec3::X };
     let target = object.target().unwrap();
     let lattice = CellGridShape::new(&strip);
     let left = literal(lattice, d, |[i, j]| target.distance(strip.corner(i, j)), false);
@@ -71,7 +71,7 @@ fn e1_random_planes() {
         let (point, normal) = (random.point(0.8), random.point(1.0).normalize());
         let distance = |[i, j]: [usize; 2]| (bumpy.corner(i, j) - point).dot(normal).abs();
         let left = literal(lattice, d, distance, false);
-        let found = within(&bumpy, &diameters, Object::Plane { point, normal }, 0.0);
+        let found = within(&bumpy, &diameters, PointPlaneOrLine::Plane { point, normal }, 0.0);
         let mut own = 0;
         for cell in all_cells(lattice) {
             let corners = corner_distances(&bumpy, cell, point, normal);
@@ -94,7 +94,7 @@ fn e2_blocks_must_not_touch() {
     let line = sheet([6, 1], [false; 2], |i, _| DVec3::new(i as f64, 0.0, 0.0));
     let diameters = Diameters::new(&line, &Job::default()).unwrap();
     assert!((diameters.euclidean.greatest() - 1.0).abs() < 1e-12);
-    let object = Object::Point(DVec3::new(3.0, 0.0, 0.0));
+    let object = PointPlaneOrLine::Point(DVec3::new(3.0, 0.0, 0.0));
     let target = object.target().unwrap();
     let left = literal(CellGridShape::new(&line), 1.0, |[i, j]| target.distance(line.corner(i, j)), false);
     // The node is at the point, and zeroed by the first one.
@@ -122,8 +122,8 @@ fn e3_the_rule_does_not_find_the_nearest() {
         let nearest = nodes.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap();
         let left = literal(lattice, diameters.euclidean.greatest(), distance, false);
         lost += usize::from(!left.has_node(nearest));
-        let options = SearchOptions::new(Goal::Least);
-        let found = incidence(&bumpy, &diameters, Object::Point(query), &options, &Job::default()).unwrap();
+        let options = SearchOptions::new(SearchGoal::Least);
+        let found = incidence(&bumpy, &diameters, PointPlaneOrLine::Point(query), &options, &Job::default()).unwrap();
         assert_eq!(found.least.1, distance(nearest));
     }
     println!("{lost} of 500 nearest nodes lost");
@@ -149,7 +149,8 @@ fn e4_angles() {
         // As the paper has it: the angle with the direction itself, and K d.
         let phi = |[i, j]: [usize; 2]| normal(i, j).dot(truth.direction).clamp(-1.0, 1.0).acos();
         let left = literal(lattice, variation.greatest(), phi, false);
-        let found = angle_incidence(&ring, &variation, target, &SearchOptions::new(Goal::Within(0.0)), &job).unwrap();
+        let found =
+            angle_incidence(&ring, &variation, target, &SearchOptions::new(SearchGoal::Within(0.0)), &job).unwrap();
         for cell in all_cells(lattice) {
             let [i, j] = cell;
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| phi([i, j]) - FRAC_PI_2);
@@ -174,7 +175,7 @@ fn e5_lines_that_must_not_be_dropped() {
     let wide = sheet([6, 4], [false; 2], |i, j| DVec3::new(i as f64, 1.0 * j as f64, 0.0));
     let diameters = Diameters::new(&wide, &Job::default()).unwrap();
     let d = diameters.euclidean.greatest();
-    let object = Object::Point(DVec3::new(0.2, 4.0, 0.0));
+    let object = PointPlaneOrLine::Point(DVec3::new(0.2, 4.0, 0.0));
     let target = object.target().unwrap();
     let distance = |[i, j]: [usize; 2]| target.distance(wide.corner(i, j));
     let lattice = CellGridShape::new(&wide);
@@ -197,11 +198,11 @@ fn e5_lines_that_must_not_be_dropped() {
     let (mut lost, mut dropped, lattice) = (0, 0, CellGridShape::new(&strip));
     for _ in 0..100 {
         let point = DVec3::new(20.0 * random.next(), 0.0, 0.0);
-        let object = Object::Plane { point, normal: DVec3::X };
+        let object = PointPlaneOrLine::Plane { point, normal: DVec3::X };
         let distance = |[i, j]: [usize; 2]| (strip.corner(i, j).x - point.x).abs();
         let left = literal(lattice, d, distance, true);
         let found = within(&strip, &diameters, object, 0.0);
-        let plain = SearchOptions { drop_lines: false, ..SearchOptions::new(Goal::Within(0.0)) };
+        let plain = SearchOptions { drop_lines: false, ..SearchOptions::new(SearchGoal::Within(0.0)) };
         let plain = incidence(&strip, &diameters, object, &plain, &Job::default()).unwrap();
         // Dropping lines spares nothing else.
         assert_eq!(found.mask, plain.mask);
@@ -216,7 +217,7 @@ fn e5_lines_that_must_not_be_dropped() {
     }
     assert!(lost > 0 && dropped > 0, "{lost} {dropped}");
     // The negative answer at once: the first node excludes all.
-    let far = within(&strip, &diameters, Object::Point(DVec3::new(0.0, 1e4, 0.0)), 0.0);
+    let far = within(&strip, &diameters, PointPlaneOrLine::Point(DVec3::new(0.0, 1e4, 0.0)), 0.0);
     assert_eq!((far.mask.count(), far.evaluations, far.blocks), (0, 1, 1));
 }
 
@@ -241,7 +242,7 @@ fn e6_half_the_perimeter_is_no_bound() {
     assert!(top.distance(corner) > half_perimeter);
     assert!(diameters.euclidean.greatest() >= top.distance(corner));
     // With half the perimeter for d, the cell is excluded, and its top is lost.
-    let object = Object::Point(top);
+    let object = PointPlaneOrLine::Point(top);
     let target = object.target().unwrap();
     let lattice = CellGridShape::new(&bump);
     let left = literal(lattice, half_perimeter, |[i, j]| target.distance(bump.corner(i, j)), false);
@@ -257,7 +258,7 @@ fn e7_what_signs_at_nodes_do_not_show() {
     let diameters = Diameters::new(&bump, &Job::default()).unwrap();
     let job = Job::default();
     let crossed = |point: DVec3, normal: DVec3| {
-        cells_within(&bump, &diameters, Object::Plane { point, normal }, 0.0, 1e-9).count() == 1
+        cells_within(&bump, &diameters, PointPlaneOrLine::Plane { point, normal }, 0.0, 1e-9).count() == 1
     };
     // A loop: all corners are below.
     let loop_at = DVec3::new(0.5, 0.5, 0.5);
@@ -274,7 +275,7 @@ fn e7_what_signs_at_nodes_do_not_show() {
     }
     let arch = Sheet::Cubic(Patches::new(&points, [2, 2], 1, 1).unwrap());
     let diameters = Diameters::new(&arch, &job).unwrap();
-    let object = Object::Plane { point: DVec3::new(0.0, 0.0, 0.25), normal: DVec3::Z };
+    let object = PointPlaneOrLine::Plane { point: DVec3::new(0.0, 0.0, 0.25), normal: DVec3::Z };
     assert!(corner_distances(&arch, [0, 0], DVec3::new(0.0, 0.0, 0.25), DVec3::Z).iter().all(|&x| x < 0.0));
     assert_eq!(cells_within(&arch, &diameters, object, 0.0, 1e-9).count(), 1);
 }
@@ -294,7 +295,7 @@ fn e8_euclidean_suffices() {
     let mut random = Random(8);
     let mut evaluations = [0, 0];
     for _ in 0..20 {
-        let object = Object::Plane { point: 20.0 + random.point(20.0), normal: random.point(1.0) };
+        let object = PointPlaneOrLine::Plane { point: 20.0 + random.point(20.0), normal: random.point(1.0) };
         let [chord, way] = [&diameters, &long_way].map(|diameters| within(&folded, diameters, object, 0.0));
         evaluations = [evaluations[0] + chord.evaluations, evaluations[1] + way.evaluations];
         let exact = cells_within(&folded, &diameters, object, 0.0, 1e-9);

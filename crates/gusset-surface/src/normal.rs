@@ -170,7 +170,7 @@ impl Sheet<'_> {
                     let before = (0..=start).rev().take_while(has);
                     for k in before.chain((start..count).take_while(has)) {
                         let place = |other: f64| if direction == 0 { [t, other] } else { [other, t] };
-                        self.widen_spread(&mut here, cell(k), [0.0, 0.5, 1.0].map(place));
+                        self.add_nearby_normals_to_spread(&mut here, cell(k), [0.0, 0.5, 1.0].map(place));
                     }
                 }
             }
@@ -179,7 +179,7 @@ impl Sheet<'_> {
     }
 
     /// Raises the spread of `here` to its largest angle with the normals at `places` of a cell.
-    fn widen_spread(&self, here: &mut Normal, [i, j]: [usize; 2], places: [[f64; 2]; 3]) {
+    fn add_nearby_normals_to_spread(&self, here: &mut Normal, [i, j]: [usize; 2], places: [[f64; 2]; 3]) {
         for [u, v] in places {
             let other = self.normal(i, j, u, v);
             if other != DVec3::ZERO {

@@ -40,7 +40,7 @@ impl SheetContourSet {
     pub(super) fn into_paths(self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
         let sheet_paths = EvaluatedContours::new(surface, self.sheets, job)?;
         let tolerance = surface.tolerance();
-        let after = sheet_paths.find_following_paths(tolerance)?;
+        let after = sheet_paths.link_ends_to_nearest_starts(tolerance)?;
         let mut entered = alloc::filled(false, after.len())?;
         after.iter().flatten().for_each(|&k| entered[k] = true);
         let mut used = alloc::filled(false, after.len())?;
@@ -73,7 +73,7 @@ impl SheetContourSet {
             let closed = sheet_paths.contours[first].closed || after[last] == Some(first);
             if !closed {
                 let ends = [sheet_paths.contours[first].range[0], sheet_paths.contours[last].range[1] - 1];
-                sheet_paths.report_inner_ends(surface, ends, &mut paths)?;
+                sheet_paths.list_inner_ends_as_unresolved(surface, ends, &mut paths)?;
             }
             sheet_paths.add_joined_path(&sequence, closed, tolerance, &mut paths)?;
         }
@@ -108,7 +108,7 @@ impl EvaluatedContours {
 
     /// The successor of each path. Joins open paths whose ends are within `tolerance`, each to the
     /// nearest free one.
-    fn find_following_paths(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
+    fn link_ends_to_nearest_starts(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
         let mut after = alloc::filled(None, self.contours.len())?;
         let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
         let head = |k: usize| self.points[self.contours[k].range[0]];
@@ -170,12 +170,12 @@ impl EvaluatedContours {
             paths.truncate_points(first);
             return Ok(());
         }
-        paths.end_path(closed, self.contours[contours[0]].level)
+        paths.finish_current_path(closed, self.contours[contours[0]].level)
     }
 
     /// Lists ends that are not on an open edge as unresolved. They occur where fields are
     /// discontinuous.
-    fn report_inner_ends(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
+    fn list_inner_ends_as_unresolved(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
         for place in ends.map(|end| self.places[end]) {
             let sheet = ContourLattice::new(surface.sheet(place.sheet as usize));
             if !sheet.is_place_on_open_edge(place.cell, [place.u, place.v]) {
@@ -223,7 +223,7 @@ pub(super) fn add_point_paths(surface: &Surface<'_>, points: &[(u32, Place)], pa
     }
     for k in (0..points.len()).filter(|&k| !dropped[k]) {
         paths.push_point(points[k].1, frames[k].0, frames[k].1)?;
-        paths.end_path(false, points[k].0)?;
+        paths.finish_current_path(false, points[k].0)?;
     }
     *paths = sort_paths_by_level(std::mem::take(paths))?;
     Ok(())
@@ -239,7 +239,7 @@ fn sort_paths_by_level(mut given: Paths) -> Result<Paths> {
         for at in given.point_range(k) {
             sorted.push_point(given.places[at], given.points[at], given.normals[at])?;
         }
-        sorted.end_path(given.closed[k], given.levels[k])?;
+        sorted.finish_current_path(given.closed[k], given.levels[k])?;
     }
     Ok(sorted)
 }

@@ -61,7 +61,7 @@ pub struct NearestAngle {
 
 /// The given angle.
 #[derive(Clone, Copy)]
-struct AngleToFind {
+struct TargetAngle {
     angle: f64,
     unsigned: bool,
 }
@@ -80,7 +80,7 @@ struct CandidateCell {
     cell: [u32; 2],
 }
 
-impl AngleToFind {
+impl TargetAngle {
     /// The difference between the angle of a vector in the frame and the target. Infinite for a
     /// vector that vanishes within `rounding_error`.
     fn angle_deviation(&self, [x, y, z]: [f64; 3], rounding_error: f64) -> f64 {
@@ -139,12 +139,12 @@ struct NormalCellPart<const H: usize> {
 }
 
 impl<const H: usize> NormalCellPart<H> {
-    fn new(normal: [BernsteinField<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &AngleToFind) -> Self {
+    fn new(normal: [BernsteinField<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
         let deviation = goal.angle_deviation([0, 1, 2].map(|k| normal[k].evaluate_jet(0.5, 0.5).value), rounding_error);
         NormalCellPart { normal, from, size, rounding_error, deviation }
     }
 
-    fn quarters(&self, goal: &AngleToFind) -> [NormalCellPart<H>; 4] {
+    fn quarters(&self, goal: &TargetAngle) -> [NormalCellPart<H>; 4] {
         let [first, second, along] = [0, 1, 2].map(|k| self.normal[k].quarters());
         let half = 0.5 * self.size;
         [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
@@ -159,18 +159,18 @@ impl<const H: usize> NormalCellPart<H> {
 struct SheetAngleSearch<'a, C, const N: usize> {
     normals: ProjectedNormals<'a, C, N>,
     sheet: u32,
-    goal: AngleToFind,
+    goal: TargetAngle,
 }
 
 impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
-    fn new(surface: &'a Surface<'_>, k: usize, cells: &'a C, frame: [DVec3; 3], goal: AngleToFind) -> Self {
+    fn new(surface: &'a Surface<'_>, k: usize, cells: &'a C, frame: [DVec3; 3], goal: TargetAngle) -> Self {
         let normals = ProjectedNormals::new(surface, k, cells, frame, SideContinuity::Discontinuous);
         SheetAngleSearch { normals, sheet: k as u32, goal }
     }
 
     /// The blocks that may contain an angle as good as the best one. Searches the most promising
     /// blocks first, to improve the best angle.
-    fn candidate_blocks(
+    fn blocks_that_may_improve_angle(
         &self,
         cones: &ConePyramid,
         lattice: &ContourLattice,
@@ -210,7 +210,7 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
         candidates: &mut Vec<CandidateCell>,
         job: &Job<'_>,
     ) -> Result<()> {
-        let blocks = self.candidate_blocks(cones, lattice, best)?;
+        let blocks = self.blocks_that_may_improve_angle(cones, lattice, best)?;
         let count = blocks.len();
         for first in (0..count).step_by(BLOCKS_PER_TASK * TASKS_PER_REPORT) {
             job.step(first as f64 / count as f64, "angles")?;
@@ -289,7 +289,7 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
 
 /// The search of one cell. M is the degree of squares of normals plus one.
 struct CellAngleSearch<'a, const M: usize> {
-    goal: &'a AngleToFind,
+    goal: &'a TargetAngle,
     sheet: u32,
     cell: [u32; 2],
     best: &'a mut BestAngle,
@@ -362,7 +362,7 @@ impl Surface<'_> {
         let axis = unit_vector(axis, "direction")?;
         let max = if unsigned { 0.5 * PI } else { PI };
         Error::require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
-        let (goal, frame) = (AngleToFind { angle, unsigned }, frame_with_third_axis(axis));
+        let (goal, frame) = (TargetAngle { angle, unsigned }, frame_with_third_axis(axis));
         let mut best = BestAngle { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();
         for k in 0..self.len() {
@@ -398,7 +398,7 @@ impl Surface<'_> {
         Ok(best.place.map(|place| {
             let (point, normal) = self.point_and_normal(place);
             let projected_normals = frame.map(|axis| normal.dot(axis));
-            let found = AngleToFind { angle: 0.0, unsigned }.angle_deviation(projected_normals, 0.0);
+            let found = TargetAngle { angle: 0.0, unsigned }.angle_deviation(projected_normals, 0.0);
             let deviation = goal.angle_deviation(projected_normals, 0.0);
             NearestAngle {
                 place,

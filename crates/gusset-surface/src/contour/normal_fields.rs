@@ -32,7 +32,7 @@ fn add_scaled_product<const A: usize, const M: usize>(
 }
 
 /// The field with the given scaled coefficients of degree M - 1.
-fn field_from_scaled<const M: usize>(scaled: &ScaledCoefficients<M>) -> BernsteinField<M> {
+fn field_from_scaled_coefficients<const M: usize>(scaled: &ScaledCoefficients<M>) -> BernsteinField<M> {
     let by = const { binomial_row::<M>(M - 1) };
     let mut c = *scaled;
     for (row, a) in c.iter_mut().zip(by) {
@@ -110,7 +110,7 @@ impl<const N: usize> Hodographs<N> {
         let mut sum = [[0.0; M]; M];
         add_derivative_product(&uk, &vl, 1.0, &mut sum);
         add_derivative_product(&ul, &vk, -1.0, &mut sum);
-        field_from_scaled(&sum)
+        field_from_scaled_coefficients(&sum)
     }
 }
 
@@ -143,7 +143,7 @@ pub(super) fn sum_of_squared_fields<const H: usize, const M: usize>(fields: &[Be
         let scaled = scale_coefficients(&field.c, &by, &by);
         add_scaled_product(&scaled, &scaled, &mut sum);
     }
-    field_from_scaled(&sum)
+    field_from_scaled_coefficients(&sum)
 }
 
 #[cfg(test)]

@@ -49,10 +49,10 @@ impl Surface<'_> {
         let mut numbers = curve.points().iter().flat_map(DVec3::to_array);
         numbers.try_for_each(|x| Error::require(x.abs() <= MAX_LINE_COORDINATE, "curve", x))?;
         let finds = self.find_on_all_segments(curve, selection, job)?;
-        let mut hits = self.hits_from_finds(curve, finds)?;
+        let mut hits = self.merge_and_classify_finds(curve, finds)?;
         if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {
             // The unresolved part may continue in later segments.
-            hits = self.hits_from_finds(curve, self.find_on_all_segments(curve, HitSelection::All, job)?)?;
+            hits = self.merge_and_classify_finds(curve, self.find_on_all_segments(curve, HitSelection::All, job)?)?;
         }
         if selection != HitSelection::All {
             hits.truncate(1);
@@ -145,7 +145,11 @@ impl Surface<'_> {
     }
 
     /// Converts finds to hits: each once, in the order of the curve.
-    fn hits_from_finds(&self, curve: &CurveView<'_>, mut finds: Vec<CurvePointInCell>) -> Result<Vec<CurveHit>> {
+    fn merge_and_classify_finds(
+        &self,
+        curve: &CurveView<'_>,
+        mut finds: Vec<CurvePointInCell>,
+    ) -> Result<Vec<CurveHit>> {
         let merge_distance = self.hit_merge_distance();
         merge_overlapping(&mut finds, merge_distance);
         for find in finds.iter_mut().filter(|find| find.tangent) {
@@ -219,7 +223,7 @@ fn merge_overlapping(finds: &mut Vec<CurvePointInCell>, merge_distance: f64) {
     };
     sort::sort_stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
     finds.dedup_by(|next, all| {
-        let joins = all.tangent && next.tangent && overlaps_along_curve(all, next, merge_distance);
+        let joins = all.tangent && next.tangent && begins_within_or_at_end_of(all, next, merge_distance);
         if joins {
             all.length += next.length;
             if next.span[1] > all.span[1] {
@@ -234,7 +238,7 @@ fn merge_overlapping(finds: &mut Vec<CurvePointInCell>, merge_distance: f64) {
 }
 
 /// True if an unresolved find begins within another one, or at its end.
-fn overlaps_along_curve(first: &CurvePointInCell, next: &CurvePointInCell, merge_distance: f64) -> bool {
+fn begins_within_or_at_end_of(first: &CurvePointInCell, next: &CurvePointInCell, merge_distance: f64) -> bool {
     let near = next.span[0] - first.span[1] <= 1e-3 && first.ends[1].distance(next.ends[0]) <= 2.0 * merge_distance;
     next.span[0] <= first.span[1] || near
 }

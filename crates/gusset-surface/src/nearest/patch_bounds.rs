@@ -17,7 +17,7 @@ use gusset_base::geom::aabb::Aabb;
 
 /// A lower bound of the distance of a patch, at least `known_bound`. Uses the half-space at the
 /// foot, and the more expensive convexity if that proves too little for the tolerance.
-pub(super) fn patch_distance_bound<const N: usize>(
+pub(super) fn best_distance_bound_of_patch<const N: usize>(
     patch: &Patch<N>,
     query: DVec3,
     foot: &FootPoint,
@@ -210,8 +210,8 @@ mod tests {
                 let foot = descend_to_foot(&patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
                 // The foot may be in another valley, because the bound holds for the whole patch.
                 assert!(patch.distance_bound_by_convexity(query, &foot) <= min + 1e-12, "{seed} {query}");
-                assert!(patch_distance_bound(&patch, query, &foot, 0.0, 0.0) <= min + 1e-12, "{seed} {query}");
-                assert!(patch_distance_bound(&patch, query, &foot, 0.25 * min, 0.0) >= 0.25 * min);
+                assert!(best_distance_bound_of_patch(&patch, query, &foot, 0.0, 0.0) <= min + 1e-12, "{seed} {query}");
+                assert!(best_distance_bound_of_patch(&patch, query, &foot, 0.25 * min, 0.0) >= 0.25 * min);
             }
         }
     }
@@ -232,7 +232,7 @@ mod tests {
             assert!((patch.distance_bound_by_box(query) - truth).abs() < 1e-12);
             assert!((patch.distance_bound_by_half_space(query, (query - nearest).normalize()) - truth).abs() < 1e-12);
             assert!((patch.distance_bound_by_convexity(query, &foot) - truth).abs() < 1e-12);
-            assert!((patch_distance_bound(&patch, query, &foot, 0.0, 1e-9) - truth).abs() <= 1e-9);
+            assert!((best_distance_bound_of_patch(&patch, query, &foot, 0.0, 1e-9) - truth).abs() <= 1e-9);
         }
         assert!((patch.max_control_distance(DVec3::ZERO) - 2.0_f64.sqrt()).abs() < 1e-12);
         // A bowl seen from within: only convexity proves that its bottom is the nearest point.
@@ -242,7 +242,7 @@ mod tests {
         let foot = descend_to_foot(&bowl, query, DVec2::new(0.2, 0.9), MAX_NEWTON_STEPS_ON_PATCH);
         let direction = (query - foot.jet.point).normalize();
         assert!(bowl.distance_bound_by_half_space(query, direction) < foot.distance - 0.04);
-        assert!(patch_distance_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
+        assert!(best_distance_bound_of_patch(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
     }
 
     /// Waves seen from the side: the Hessian is indefinite, and only the half-space bound proves
@@ -253,7 +253,7 @@ mod tests {
         let query = DVec3::new(-10.0, 0.5, 0.0);
         let foot = FootPoint::from_place(&patch, query, DVec2::new(0.0, 0.5));
         assert_eq!(patch.distance_bound_by_convexity(query, &foot), 0.0);
-        assert!((patch_distance_bound(&patch, query, &foot, 0.0, 0.0) - 10.0).abs() < 1e-12);
+        assert!((best_distance_bound_of_patch(&patch, query, &foot, 0.0, 0.0) - 10.0).abs() < 1e-12);
     }
 
     /// Away from the nearest point, where the second derivatives are 1 and 100. The smaller one

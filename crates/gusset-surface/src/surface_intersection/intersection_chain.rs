@@ -3,9 +3,9 @@
 //! Cost: O(n log n) for n arcs.
 
 use super::arc_links::{ArcChain, ArcLinks};
-use super::chain_bridges::{ChainBridges, IntersectedSurfaces, JoinedCrossings};
+use super::chain_bridges::{ChainsWithBalls, IntersectedSurfaces, JoinedCrossings};
 use super::contact::{CriticalPoints, EXPLAINED_AS_APART, NOT_EXPLAINED};
-use super::pair_search::{FoundArcs, IntersectionArc};
+use super::pair_search::{FoundArcsAndBalls, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -108,7 +108,7 @@ pub(super) struct ChainedArcs {
 /// `tolerance`. `resolution` is the accuracy of ends, and the length of arcs that may be lost
 /// between them.
 pub(super) fn chain_arcs(
-    pieces: &FoundArcs,
+    pieces: &FoundArcsAndBalls,
     critical: &CriticalPoints,
     surroundings: &impl IntersectedSurfaces,
     [tolerance, resolution]: [f64; 2],
@@ -129,7 +129,7 @@ pub(super) fn chain_arcs(
     }
     // The closest pairs first.
     sort::sort_stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    let bridges = ChainBridges { pieces, surroundings, tolerance, resolution };
+    let bridges = ChainsWithBalls { pieces, surroundings, tolerance, resolution };
     let mut links = ArcLinks::from_joints(&joints, &dropped)?;
     let mut chains = links.build_chains(&dropped)?;
     // An arc that was removed may have taken the place of another one.
@@ -151,7 +151,7 @@ pub(super) fn chain_arcs(
     Ok(ChainedArcs {
         chains: links.build_chains(&dropped)?,
         crossings,
-        passed: bridges.balls_explained_by_joints(&links)?,
+        passed: bridges.which_balls_a_joint_explains(&links)?,
     })
 }
 

@@ -56,7 +56,7 @@ pub(super) struct TrailBuilder<'a> {
 impl TrailBuilder<'_> {
     /// Returns the paths, ordered by their first arcs.
     pub(super) fn build_trails(&self, job: &Job<'_>) -> Result<Vec<ArcTrail>> {
-        let (mates, dropped) = self.match_arc_ends(job)?;
+        let (mates, dropped) = self.pair_arc_ends_and_find_duplicates(job)?;
         let mut used = dropped;
         let mut trails = Vec::new();
         // Open paths first, starting at an end.
@@ -92,7 +92,7 @@ impl TrailBuilder<'_> {
     }
 
     /// For each end, the end that it is joined to, and for each arc, whether it is a duplicate.
-    fn match_arc_ends(&self, job: &Job<'_>) -> Result<(Vec<u32>, Vec<bool>)> {
+    fn pair_arc_ends_and_find_duplicates(&self, job: &Job<'_>) -> Result<(Vec<u32>, Vec<bool>)> {
         let arcs = self.arcs;
         let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
         let near = find_near_pairs(&ends, MAX_JOINT_GAP_IN_RESOLUTIONS * self.resolution, job)?;
