@@ -60,8 +60,8 @@ fn no_arc_is_lost() {
             _ => Figure::Surface(&torus),
         };
         let distance = |p: DVec3| match figure {
-            Figure::Object(object) => object.target().unwrap().distance(p),
-            Figure::Curve(curve) => curve.nearest(&[p], &job).unwrap()[0].distance,
+            Figure::Object(object) => object.as_orthonormal_box().unwrap().distance(p),
+            Figure::Curve(curve) => curve.nearest_to_each_query(&[p], &job).unwrap()[0].distance,
             Figure::Surface(surface) => surface.closest(p, f64::INFINITY).unwrap().distance,
         };
         let truth: Vec<f64> = (0..5 * parts)
@@ -85,7 +85,7 @@ fn no_arc_is_lost() {
         let target = AngleTarget { direction, angle: 0.3 + 2.0 * random.next(), unsigned: case % 5 == 0 };
         let unit = target.normalized().unwrap();
         for goal in [SearchGoal::Within(0.01), SearchGoal::Least] {
-            let found = arcs.angle_incidence(target, &options(goal, case), &job).unwrap();
+            let found = arcs.find_cells_with_angle(target, &options(goal, case), &job).unwrap();
             let deviations: Vec<f64> = (0..5 * parts)
                 .map(|k| {
                     samples(&curve, parts, k).iter().map(|&(_, t)| unit.deviation(t)).fold(f64::INFINITY, f64::min)
@@ -115,7 +115,7 @@ fn no_cell_is_lost() {
         let figure = if case % 3 == 2 { Figure::Surface(&other) } else { Figure::Curve(curve.view()) };
         let distance = |p: DVec3| match figure {
             Figure::Surface(surface) => surface.closest(p, f64::INFINITY).unwrap().distance,
-            _ => curve.view().nearest(&[p], &job).unwrap()[0].distance,
+            _ => curve.view().nearest_to_each_query(&[p], &job).unwrap()[0].distance,
         };
         let within = 0.02;
         let found = find_cells_near_figure(sheet, &diameters, figure, &options(SearchGoal::Within(within), case), &job)

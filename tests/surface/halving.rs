@@ -4,7 +4,9 @@
 use glam::{DVec2, DVec3};
 use gusset::Job;
 use gusset::surface::line_intersection::Line;
-use gusset::surface::reference::{CellMask, Diameters, PointPlaneOrLine, SearchGoal, SearchOptions, incidence};
+use gusset::surface::reference::{
+    CellMask, Diameters, PointPlaneOrLine, SearchGoal, SearchOptions, find_cells_near_object,
+};
 use gusset::surface::{Patch, Place, Sheet};
 
 /// Halvings of a cell before it is left undecided.
@@ -47,7 +49,8 @@ pub(crate) struct Nearest {
 /// long as it may be nearer.
 pub(crate) fn closest(sheet: &Sheet<'_>, diameters: &Diameters, query: DVec3, tolerance: f64) -> Nearest {
     let options = SearchOptions::new(SearchGoal::Least);
-    let found = incidence(sheet, diameters, PointPlaneOrLine::Point(query), &options, &Job::default()).unwrap();
+    let found =
+        find_cells_near_object(sheet, diameters, PointPlaneOrLine::Point(query), &options, &Job::default()).unwrap();
     let (node, distance) = found.least;
     let [(row, u), (column, v)] = [0, 1].map(|k| {
         let last = sheet.cells()[k] - 1;
@@ -110,7 +113,7 @@ pub(crate) fn cells_within(
     tolerance: f64,
 ) -> CellMask {
     let options = SearchOptions::new(SearchGoal::Within(distance));
-    let left = incidence(sheet, diameters, object, &options, &Job::default()).unwrap().mask;
+    let left = find_cells_near_object(sheet, diameters, object, &options, &Job::default()).unwrap().mask;
     let (object, mut within) = (ObjectBox::new(object), left.clone());
     for cell in left.cells() {
         let near = with_patch!(sheet, [cell[0], cell[1]], patch => object.comes_near(patch, distance, tolerance));

@@ -7,8 +7,8 @@ use glam::DVec3;
 use gusset::surface::line_intersection::Line;
 use gusset::surface::reference::{
     AngleTarget, CellBoundSum, CellGridShape, CellMask, CellSizeBounds, Diameters, PointPlaneOrLine, SearchGoal,
-    SearchOptions, angle_incidence, curvature_bound, incidence, normal_by_sections, normal_variation_by_cones,
-    normal_variation_by_curvature,
+    SearchOptions, curvature_bound, find_cells_near_object, find_cells_with_angle, normal_by_sections,
+    normal_variation_by_cones, normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, MAX_DEGREE, Nodes, Patches, Scheme, Sheet};
 use gusset::{Error, Job, Progress};
@@ -102,7 +102,7 @@ fn diameters_bound_distances_and_lengths() {
             let widest = points.iter().flat_map(|a| points.iter().map(move |b| a.0.distance(b.0))).fold(0.0, f64::max);
             assert!(euclidean <= 6.0 * widest && intrinsic <= 12.0 * widest, "{euclidean} {intrinsic} {widest}");
         }
-        assert_eq!(found.euclidean.greatest(), found.euclidean.values().iter().copied().fold(0.0, f64::max));
+        assert_eq!(found.euclidean.largest_bound(), found.euclidean.values().iter().copied().fold(0.0, f64::max));
     }
 }
 
@@ -121,7 +121,7 @@ fn blocks_stay_within_their_sums() {
             let steps = 1 + (random.next() * 4.0) as usize;
             let from = sheet.corner(node[0], node[1]);
             let reach = sizes.sum_of_largest_ring_bounds(node, steps);
-            assert!(reach <= steps as f64 * sizes.greatest() * (1.0 + 1e-12));
+            assert!(reach <= steps as f64 * sizes.largest_bound() * (1.0 + 1e-12));
             let normal = normal_at(&sheet, node);
             for cell in block(lattice, node, steps) {
                 for (point, there) in samples(&sheet, cell) {
@@ -135,7 +135,7 @@ fn blocks_stay_within_their_sums() {
                 let (most, reach) = sizes.max_steps_within_distance(node, limit, sum);
                 assert!(reach < limit || most == 0);
                 let bound = |steps: usize| match sum {
-                    CellBoundSum::Greatest => steps as f64 * sizes.greatest() * (1.0 + 1e-14),
+                    CellBoundSum::Greatest => steps as f64 * sizes.largest_bound() * (1.0 + 1e-14),
                     CellBoundSum::Rings => sizes.sum_of_largest_ring_bounds(node, steps),
                 };
                 let longest = lattice.cells[0].max(lattice.cells[1]);
@@ -195,10 +195,10 @@ fn nothing_within_reach_is_lost() {
                 _ => PointPlaneOrLine::Line(Line::segment(point, point + direction)),
             };
             let tau = if k % 3 == 0 { 0.0 } else { 0.3 * random.next() };
-            let truth = object.target().unwrap();
+            let truth = object.as_orthonormal_box().unwrap();
             let mut least = usize::MAX;
             for options in ways(SearchGoal::Within(tau)) {
-                let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
+                let found = find_cells_near_object(&sheet, &diameters, object, &options, &Job::default()).unwrap();
                 for cell in cells(lattice) {
                     let near = samples[lattice.index(cell)].iter().any(|(point, _)| truth.distance(*point) <= tau);
                     assert!(!near || found.mask.get(cell), "{object:?} {options:?} {cell:?}");
@@ -233,8 +233,14 @@ fn the_nearest_is_kept() {
             let distance = |node: [usize; 2]| sheet.corner(node[0], node[1]).distance(query);
             let nearest = nodes().min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap();
             for options in ways(SearchGoal::Least) {
-                let found =
-                    incidence(&sheet, &diameters, PointPlaneOrLine::Point(query), &options, &Job::default()).unwrap();
+                let found = find_cells_near_object(
+                    &sheet,
+                    &diameters,
+                    PointPlaneOrLine::Point(query),
+                    &options,
+                    &Job::default(),
+                )
+                .unwrap();
                 assert_eq!(found.least.1, distance(nearest), "{options:?}");
                 for cell in cells(lattice) {
                     let near = &samples[lattice.index(cell)];
@@ -258,7 +264,7 @@ fn normals_at_an_angle_are_kept() {
         let cones = normal_variation_by_cones(&sheet, &job).unwrap();
         let bent = normal_variation_by_curvature(&sheet, &diameters, curvature, &job).unwrap();
         let samples: Vec<_> = cells(lattice).map(|cell| samples(&sheet, cell)).collect();
-        assert!(cones.greatest() < bent.greatest(), "{} {}", cones.greatest(), bent.greatest());
+        assert!(cones.largest_bound() < bent.largest_bound(), "{} {}", cones.largest_bound(), bent.largest_bound());
         let mut random = Random(3);
         let mut left = [0, 0];
         for k in 0..8 {
@@ -271,7 +277,7 @@ fn normals_at_an_angle_are_kept() {
             let least: Vec<_> = samples.iter().map(least).collect();
             for (which, variation) in [&cones, &bent].into_iter().enumerate() {
                 for options in ways(SearchGoal::Within(0.02)) {
-                    let found = angle_incidence(&sheet, variation, target, &options, &job).unwrap();
+                    let found = find_cells_with_angle(&sheet, variation, target, &options, &job).unwrap();
                     left[which] += found.mask.count();
                     for cell in cells(lattice) {
                         let near = least[lattice.index(cell)] <= 0.02;
@@ -351,7 +357,7 @@ fn what_is_refused() {
     let sheet = Sheet::Grid(grid(&SHAPES[2]));
     let job = Job::default();
     let diameters = Diameters::new(&sheet, &job).unwrap();
-    let ask = |object, goal| incidence(&sheet, &diameters, object, &SearchOptions::new(goal), &job);
+    let ask = |object, goal| find_cells_near_object(&sheet, &diameters, object, &SearchOptions::new(goal), &job);
     let nan = DVec3::splat(f64::NAN);
     for object in [
         PointPlaneOrLine::Point(nan),
@@ -371,7 +377,9 @@ fn what_is_refused() {
     for (direction, angle) in [(DVec3::ZERO, 0.0), (nan, 0.0), (DVec3::X, -0.1), (DVec3::X, 4.0), (DVec3::X, f64::NAN)]
     {
         let target = AngleTarget { direction, angle, unsigned: false };
-        assert!(angle_incidence(&sheet, &variation, target, &SearchOptions::new(SearchGoal::Least), &job).is_err());
+        assert!(
+            find_cells_with_angle(&sheet, &variation, target, &SearchOptions::new(SearchGoal::Least), &job).is_err()
+        );
     }
     assert!(CellMask::from_words(CellGridShape::new(&sheet), &[0]).is_err());
     // Cancelled at once.
@@ -401,7 +409,7 @@ fn bounds_hold_at_any_size_and_place() {
         let diameters = Diameters::new(&sheet, &Job::default()).unwrap();
         let object = PointPlaneOrLine::Plane { point: DVec3::splat(offset), normal: DVec3::new(1.0, 2.0, 3.0) };
         let options = SearchOptions::new(SearchGoal::Within(0.0));
-        let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
+        let found = find_cells_near_object(&sheet, &diameters, object, &options, &Job::default()).unwrap();
         let crossing = cells(CellGridShape::new(&sheet)).filter(|&cell| {
             let PointPlaneOrLine::Plane { point, normal } = object else { unreachable!() };
             let signs: Vec<_> = samples(&sheet, cell).iter().map(|(p, _)| (*p - point).dot(normal) > 0.0).collect();
@@ -422,13 +430,13 @@ fn degenerate_sheets() {
         for goal in [SearchGoal::Least, SearchGoal::Within(0.5)] {
             for options in ways(goal) {
                 let object = PointPlaneOrLine::Point(DVec3::new(0.0, 0.0, 3.0));
-                let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
+                let found = find_cells_near_object(&sheet, &diameters, object, &options, &Job::default()).unwrap();
                 assert_eq!(found.least.1, 3.0);
                 assert_eq!(found.mask.count(), usize::from(goal == SearchGoal::Least));
             }
         }
         let variation: CellSizeBounds = normal_variation_by_cones(&sheet, &Job::default()).unwrap();
-        assert_eq!(variation.greatest(), PI);
+        assert_eq!(variation.largest_bound(), PI);
         assert_eq!(normal_by_sections(&sheet, [0, 0], 0.5, 0.5), Ok(DVec3::ZERO));
     }
 }

@@ -3,7 +3,7 @@
 use super::channel::{Channel, Rule};
 use super::domain::Domain;
 use super::origins::Origins;
-use super::table::Table;
+use super::table::SourceTable;
 use super::values::{Output, ValueType};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -60,7 +60,7 @@ pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job
 /// Mixes the values of sources.
 struct ValueMixer<'a> {
     channel: &'a Channel<'a>,
-    table: &'a Table,
+    table: &'a SourceTable,
     turned: Option<&'a BitSet>,
     /// The first source of each input, then the number of all sources.
     starts: &'a [u32],

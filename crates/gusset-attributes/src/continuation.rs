@@ -23,7 +23,7 @@
 //! equal for all channels.
 
 use super::rims::{RimEdgeEnd, RimEdges};
-use super::table::{FACES_PER_REPORT, STAGE, Table};
+use super::table::{FACES_PER_REPORT, STAGE, SourceTable};
 use super::values::Output;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -86,7 +86,7 @@ pub(super) struct ChartContinuation {
     /// For each new corner, the weights of its base's three corners in the extended chart.
     weights: Vec<[f64; 3]>,
     /// For each new corner, the old vertices whose values are interpolated.
-    shares: Table,
+    shares: SourceTable,
     /// Both ends of the rim edges, sorted by vertex.
     ends: Vec<RimEdgeEnd>,
 }
@@ -106,7 +106,7 @@ impl ChartContinuation {
         let offsets = alloc::copied(&mesh.face_offsets[first_face..])?;
         let (first, end) = (offsets[0], offsets[offsets.len() - 1]);
         let mut weights = alloc::with_capacity((end - first) as usize)?;
-        let mut shares = Table::with_capacity((end - first) as usize, (end - first) as usize)?;
+        let mut shares = SourceTable::with_capacity((end - first) as usize, (end - first) as usize)?;
         for (f, (range, &base)) in offsets.windows(2).zip(&rims.bases).enumerate() {
             job.step_every(FACES_PER_REPORT, f, rims.bases.len(), STAGE)?;
             for corner in range[0]..range[1] {

@@ -38,5 +38,5 @@ pub use channel::{Channel, Rule};
 pub use domain::{Counts, Domain};
 pub use origins::Origins;
 pub use splits::KeepSplitVertices;
-pub use table::Table;
+pub use table::SourceTable;
 pub use values::{Output, ValueType};

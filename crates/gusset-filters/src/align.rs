@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{PIECE, Report, Value, count_with_noun, format_short, push_line};
+use super::report::{PIECE, Report, ReportValue, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use gusset_attributes::{KeepSplitVertices, Origins};
@@ -100,16 +100,16 @@ fn report(found: &Alignment) -> Report {
     }
     found.overlaps.iter().for_each(|overlap| push_overlap_line(&mut text, overlap));
     let mut values = vec![
-        ("pieces", Value::count(found.pieces.len())),
-        ("trusted_pieces", Value::count(trusted)),
-        ("rounds", Value::count(found.rounds)),
-        ("converged", Value::flag(found.converged)),
-        ("overlaps", Value::count(found.overlaps.len())),
+        ("pieces", ReportValue::count(found.pieces.len())),
+        ("trusted_pieces", ReportValue::count(trusted)),
+        ("rounds", ReportValue::count(found.rounds)),
+        ("converged", ReportValue::flag(found.converged)),
+        ("overlaps", ReportValue::count(found.overlaps.len())),
     ];
     let count: f64 = found.overlaps.iter().map(|overlap| f64::from(overlap.count)).sum();
     if count > 0.0 {
         let sum: f64 = found.overlaps.iter().map(|overlap| f64::from(overlap.count) * overlap.mean).sum();
-        values.push(("mean_residual", Value::length(sum / count)));
+        values.push(("mean_residual", ReportValue::length(sum / count)));
     }
     Report::new(text, &values)
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
-use gusset_curve::ops::Spacing;
+use gusset_curve::ops::SampleSpacing;
 use gusset_curve::{Curve, CurveView, Mode, Options, Outlines, Points, fit};
 
 pub(super) const CATEGORY: &str = "Curves";
@@ -94,10 +94,10 @@ pub(super) fn absolute_chord_error(given: &Curves, chord_error: f64) -> f64 {
 /// The points of a polyline along a curve. A curve without segments gives its only point.
 ///
 /// # Errors
-/// The errors of [`CurveView::sampled`].
-pub(super) fn sample_curve(curve: &CurveView<'_>, spacing: Spacing, job: &Job<'_>) -> Result<Vec<DVec3>> {
+/// The errors of [`CurveView::sample_points`].
+pub(super) fn sample_curve(curve: &CurveView<'_>, spacing: SampleSpacing, job: &Job<'_>) -> Result<Vec<DVec3>> {
     job.step(0.0, "points along a curve")?;
-    if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sampled(spacing, job)?.points) }
+    if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sample_points(spacing, job)?.points) }
 }
 
 /// A plane with axes. The plane z = 0 has the x and y axes of space.

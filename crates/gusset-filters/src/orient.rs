@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{FACE, PIECE, Report, Value, count_with_noun, push_line, push_unlisted_count};
+use super::report::{FACE, PIECE, Report, ReportValue, count_with_noun, push_line, push_unlisted_count};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_attributes::{KeepSplitVertices, Origins};
@@ -48,9 +48,9 @@ fn report(done: &Oriented) -> Report {
     }
     push_unlisted_count(&mut text, done.one_sided.len(), MAX_LISTED_PIECES);
     let values = [
-        ("turned_faces", Value::count(done.turned_faces)),
-        ("pieces", Value::count(done.components)),
-        ("one_sided_pieces", Value::count(done.one_sided.len())),
+        ("turned_faces", ReportValue::count(done.turned_faces)),
+        ("pieces", ReportValue::count(done.components)),
+        ("one_sided_pieces", ReportValue::count(done.one_sided.len())),
     ];
     Report::new(text, &values)
 }

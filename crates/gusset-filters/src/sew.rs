@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{EDGE, FACE, Report, VERTEX, Value, count_with_noun};
+use super::report::{EDGE, FACE, Report, ReportValue, VERTEX, count_with_noun};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{ParamValues, params};
 use super::weld::{DROP_UNUSED_VERTICES, TOLERANCE};
@@ -47,12 +47,12 @@ fn report(done: &Sew) -> Report {
         count_with_noun(done.left_vertices.len(), VERTEX)
     );
     let values = [
-        ("welded_vertices", Value::count(done.welded_vertices)),
-        ("tolerance", Value::length(done.tolerance)),
-        ("sewn_edges", Value::count(done.sewn_edges)),
-        ("splits", Value::count(done.splits)),
-        ("split_faces", Value::count(done.split_faces)),
-        ("left_vertices", Value::count(done.left_vertices.len())),
+        ("welded_vertices", ReportValue::count(done.welded_vertices)),
+        ("tolerance", ReportValue::length(done.tolerance)),
+        ("sewn_edges", ReportValue::count(done.sewn_edges)),
+        ("splits", ReportValue::count(done.splits)),
+        ("split_faces", ReportValue::count(done.split_faces)),
+        ("left_vertices", ReportValue::count(done.left_vertices.len())),
     ];
     Report::new(text, &values)
 }

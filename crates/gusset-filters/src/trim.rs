@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{FACE, Report, VERTEX, Value, count_with_noun, push_line};
+use super::report::{FACE, Report, ReportValue, VERTEX, count_with_noun, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use gusset_attributes::{KeepSplitVertices, Origins};
@@ -71,10 +71,10 @@ fn report(pieces: &[MeshView<'_>], trimmed: &KeptFacesOfPieces) -> Report {
         push_line!(text, "{} dropped that intersected other pieces", count_with_noun(trimmed.crossings, FACE));
     }
     let values = [
-        ("kept_faces", Value::count(kept)),
-        ("trimmed_faces", Value::count(all - kept)),
-        ("covered_vertices", Value::count(trimmed.covered.iter().map(|&count| u64::from(count)).sum::<u64>())),
-        ("crossing_faces", Value::count(trimmed.crossings)),
+        ("kept_faces", ReportValue::count(kept)),
+        ("trimmed_faces", ReportValue::count(all - kept)),
+        ("covered_vertices", ReportValue::count(trimmed.covered.iter().map(|&count| u64::from(count)).sum::<u64>())),
+        ("crossing_faces", ReportValue::count(trimmed.crossings)),
     ];
     Report::new(text, &values)
 }

@@ -59,7 +59,7 @@ pub(super) fn compute_cell_values<T: Send + Clone + Default>(
     work: impl Fn([usize; 2]) -> T + Sync,
 ) -> Result<Vec<T>> {
     compute_cell_values_by_row(counts, stage, job, |i, row| {
-        row.iter_mut().enumerate().for_each(|(j, value)| *value = work([i, j]))
+        row.iter_mut().enumerate().for_each(|(j, value)| *value = work([i, j]));
     })
 }
 

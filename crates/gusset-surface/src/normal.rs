@@ -159,7 +159,7 @@ impl Sheet<'_> {
 
     /// The unit normal, how it was obtained, and its spread. O(1), but O(cells along the side) at a
     /// collapsed side.
-    pub fn normal_limit(&self, i: usize, j: usize, u: f64, v: f64) -> Normal {
+    pub fn normal_or_limit(&self, i: usize, j: usize, u: f64, v: f64) -> Normal {
         let mut here = each_sheet!(self, cells => SheetCells::cell_patch(cells, i, j).normal_with_kind(u, v));
         if here.kind == NormalKind::Limit {
             for (direction, t) in [u, v].into_iter().enumerate() {

@@ -136,7 +136,7 @@ pub unsafe extern "C" fn gusset_attributes_apply(
     stride: usize,
 ) -> gusset_status {
     guard(context, |job| {
-        let given = input::read(channel, false, "channel")?;
+        let given = input::read_versioned_struct(channel, false, "channel")?;
         let origins = &handle::get_object(origins, "origins")?.0;
         carry_over_channel(origins, given, (inputs, input_count), (values, count, stride), job)
     })
@@ -169,7 +169,7 @@ pub(crate) fn carry_over_channel(
     let room_range = values as usize..(values as usize).saturating_add(room);
     for k in 0..input_count {
         let of_input = |failure: Failure| failure.with_input(k as u32);
-        let one = input::reference(inputs.wrapping_add(k), "inputs").map_err(of_input)?;
+        let one = input::checked_reference(inputs.wrapping_add(k), "inputs").map_err(of_input)?;
         if one.values.is_null() && one.count == 0 {
             channel.push_missing()?;
             continue;

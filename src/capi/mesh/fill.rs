@@ -212,7 +212,7 @@ pub unsafe extern "C" fn gusset_fill(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let given_options = input::read(options, true, "options")?;
+        let given_options = input::read_versioned_struct(options, true, "options")?;
         let options = given_options.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let mesh = given_mesh.mesh_view();

@@ -46,7 +46,7 @@ pub unsafe extern "C" fn gusset_join(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let trim = input::read_nested_or_default(options.trim_options, "trim_options", Ok)?;
         let viewpoints = trim.read_viewpoints().map_err(|failure| failure.with_field("trim_options"))?;
         let mut given = read_loop_pairs(options.pairs, options.pair_count, "pairs")?;

@@ -137,7 +137,7 @@ pub(crate) fn read_and_validate_mesh<'a>(
     name: &'static str,
     job: &Job<'_>,
 ) -> Result<GivenMesh<'a>, Failure> {
-    let view = input::read(view, false, name)?;
+    let view = input::read_versioned_struct(view, false, name)?;
     let scalar = choice(view.scalar)?;
     if view.index != GUSSET_U32 {
         return Err(Failure::unknown_value("index", view.index.into()));
@@ -217,7 +217,7 @@ pub(crate) fn read_indices(given: *const gusset_indices, name: &'static str) -> 
     if given.is_null() {
         return Ok(None);
     }
-    let given = *input::reference(given, name)?;
+    let given = *input::checked_reference(given, name)?;
     Error::check_count("indices", given.count as u64, MAX_ELEMENTS)?;
     input::copy_input_items(given.data, given.count, name).map(Some)
 }

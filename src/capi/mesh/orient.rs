@@ -70,7 +70,9 @@ pub unsafe extern "C" fn gusset_orient(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = Options { outward: to_outward(input::read(options, true, "options")?.outward, Outward::Keep)? };
+        let options = Options {
+            outward: to_outward(input::read_versioned_struct(options, true, "options")?.outward, Outward::Keep)?,
+        };
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
         let mesh = given_mesh.mesh_view();
         let mut done = self::orient(&mesh, &options, &job.part(0.2, 0.9))?;

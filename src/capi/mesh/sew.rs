@@ -67,7 +67,7 @@ pub unsafe extern "C" fn gusset_sew(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let mesh = given_mesh.mesh_view();
         let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;

@@ -112,7 +112,7 @@ pub unsafe extern "C" fn gusset_stitch(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given_a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
         let given_b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
         let (a, b) = (given_a.mesh_view(), given_b.as_ref().map(GivenMesh::mesh_view));

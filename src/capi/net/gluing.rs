@@ -157,7 +157,7 @@ pub(crate) fn read_topology(
     gluing: *const gusset_net_gluing,
     job: &Job<'_>,
 ) -> Result<Topology, Failure> {
-    let gluing = input::read(gluing, true, "gluing")?;
+    let gluing = input::read_versioned_struct(gluing, true, "gluing")?;
     let links = if gluing.matrix.is_null() {
         ContractedLinks::Sides(sides_from_bits(gluing.sides)?)
     } else if gluing.sides != 0 {

@@ -17,7 +17,7 @@ use crate::job::Job;
 use crate::surface::line_intersection::Line;
 use crate::surface::reference::{
     AngleTarget, CellBoundSum, CurveArcs, Diameters, Figure, PointPlaneOrLine, SearchGoal, SearchOptions,
-    SearchOutcome, angle_incidence, find_cells_near_figure, normal_by_sections, normal_variation_by_cones,
+    SearchOutcome, find_cells_near_figure, find_cells_with_angle, normal_by_sections, normal_variation_by_cones,
     normal_variation_by_curvature,
 };
 use crate::surface::{Place, Sheet};
@@ -151,7 +151,7 @@ impl gusset_reference_task {
         let job = job.part(0.5, 1.0);
         Ok(match figure {
             Some(figure) => arcs.find_arcs_near_figure(figure, &options, &job)?,
-            None => arcs.angle_incidence(target, &options, &job)?,
+            None => arcs.find_cells_with_angle(target, &options, &job)?,
         })
     }
 
@@ -168,7 +168,7 @@ impl gusset_reference_task {
         } else {
             normal_variation_by_curvature(sheet, &Diameters::new(sheet, &first)?, self.curvature, &second)?
         };
-        Ok(angle_incidence(sheet, &variation, target, options, &job.part(0.6, 1.0))?)
+        Ok(find_cells_with_angle(sheet, &variation, target, options, &job.part(0.6, 1.0))?)
     }
 }
 
@@ -210,7 +210,7 @@ fn run_and_write_search(
     let buffer = input::cleared_result_buffer(words, if words.is_null() { 0 } else { capacity }, "words");
     let report = if report.is_null() { Ok(None) } else { input::output_struct(report, "report").map(Some) };
     guard_change(context, |job| {
-        let (written, report, task) = (written?, report?, input::read(task, false, "task")?);
+        let (written, report, task) = (written?, report?, input::read_versioned_struct(task, false, "task")?);
         buffer?;
         let found = search(&task, job)?;
         input::copy_to_buffer((words, capacity, "words"), found.mask.words(), written, job)?;

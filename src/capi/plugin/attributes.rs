@@ -85,7 +85,7 @@ unsafe extern "C" fn apply_channel(
         let job = Job::new(threads, &host);
         let origins = origins_of_output(held_output_of_handle(outputs, index)?, index)?;
         // The layouts agree, as `channels` asserts.
-        let channel = input::read(channel.cast::<gusset_channel>(), false, "channel")?;
+        let channel = input::read_versioned_struct(channel.cast::<gusset_channel>(), false, "channel")?;
         let inputs = (values_of_inputs.cast(), input_count as usize);
         carry_over_channel(origins, channel, inputs, (values, count, stride), &job)?;
         Ok(job.finish()?)
@@ -95,7 +95,7 @@ unsafe extern "C" fn apply_channel(
     if let Some(told) = told {
         told.write_known_fields(failure_report(
             fault.as_ref(),
-            if fault.is_some() { status::text(status) } else { c"" },
+            if fault.is_some() { status::status_text(status) } else { c"" },
         ));
     }
     status

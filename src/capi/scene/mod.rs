@@ -218,8 +218,8 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
     changes: *const gusset_scene_changes,
 ) -> gusset_status {
     guard_change(context, |job| {
-        let given = input::read(changes, false, "changes")?;
-        let transform = (!given.transform.is_null()).then(|| input::reference(given.transform, "transform"));
+        let given = input::read_versioned_struct(changes, false, "changes")?;
+        let transform = (!given.transform.is_null()).then(|| input::checked_reference(given.transform, "transform"));
         let changes = EntryChanges {
             net: share_net_of_handle(given.net)?,
             transform: transform.transpose()?.map(|&transform| transform.into()),

@@ -130,7 +130,7 @@ pub unsafe extern "C" fn gusset_net_encode_create(
     stream: *mut *mut gusset_stream,
 ) -> gusset_status {
     create(context, stream, "stream", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         Ok(gusset_stream(encode(net_of_handle(net)?, &options, job)?))
     })
 }

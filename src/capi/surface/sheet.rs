@@ -210,8 +210,9 @@ pub unsafe extern "C" fn gusset_sheet_create(
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
-        let given = input::read(nodes, false, "nodes")?;
-        let with = if tangents.is_null() { None } else { Some(input::read(tangents, false, "tangents")?) };
+        let given = input::read_versioned_struct(nodes, false, "nodes")?;
+        let with =
+            if tangents.is_null() { None } else { Some(input::read_versioned_struct(tangents, false, "tangents")?) };
         let split = if with.is_some() { 0.1 } else { 1.0 };
         let nodes =
             if flag(borrow, "borrow")? { borrow_nodes(&given)? } else { copy_nodes(&given, &job.part(0.0, split))? };

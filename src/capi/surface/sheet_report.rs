@@ -178,7 +178,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
     let out = if measures.is_null() { Ok(None) } else { input::output_struct(measures, "measures").map(Some) };
     guard_change(context, |job| {
         let (out, sheet) = (out?, &handle::get_object(sheet, "sheet")?.0);
-        let cells = input::read(cells, true, "cells")?;
+        let cells = input::read_versioned_struct(cells, true, "cells")?;
         let all = GUSSET_SHEET_MEASURE_DIAMETERS | GUSSET_SHEET_MEASURE_CURVATURE | GUSSET_SHEET_MEASURE_CREASE;
         if parts & !all != 0 {
             return Err(Failure::unknown_value("parts", parts.into()));
@@ -209,7 +209,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
         let crease = with_crease.then(|| sheet.largest_crease_angle(&job.part(0.8, 1.0))).transpose()?;
         job.finish()?;
 
-        let greatest = |sizes: &Diameters| [sizes.euclidean.greatest(), sizes.intrinsic.greatest()];
+        let greatest = |sizes: &Diameters| [sizes.euclidean.largest_bound(), sizes.intrinsic.largest_bound()];
         let [diameter, intrinsic_diameter] = sizes.as_ref().filter(|_| with_diameters).map_or([0.0; 2], greatest);
         if let Some(sizes) = sizes {
             euclidean.into_iter().for_each(|to| to.copy_from_slice(sizes.euclidean.values()));

@@ -18,7 +18,7 @@
 //! segments, O(degree^2) each.
 
 use super::intersect::Overlap;
-use super::near_miss_bounds::{DescentEnd, are_hulls_apart, count_minima, minimise_distance};
+use super::near_miss_bounds::{DescentResult, are_hulls_apart, minimise_distance, proven_minimum_count};
 use super::segment_part::{SegmentPart, compare_places, halve_one_of_pair, sort_and_remove_duplicates};
 use crate::curve::segment::{self, SegmentBuffer, point_and_derivatives};
 use crate::curve::unit_frame::UnitFrame;
@@ -173,7 +173,11 @@ fn leg_beyond_segment_end(curve: &CurveView<'_>, k: usize, at_end: bool) -> Opti
         return None;
     }
     let next = curve.segment(if at_end { (k + 1) % count } else { (k + count - 1) % count });
-    Some(if at_end { segment::first_leg(next) } else { -segment::last_leg(next) })
+    Some(if at_end {
+        segment::vector_to_next_distinct_control(next)
+    } else {
+        -segment::vector_from_previous_distinct_control(next)
+    })
 }
 
 struct NearMissSearch<'a> {
@@ -207,7 +211,7 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
         if are_hulls_apart(&p.controls, &q.controls, self.search.within) {
             return Ok(BoxTest::Empty);
         }
-        Ok(match count_minima(p, q) {
+        Ok(match proven_minimum_count(p, q) {
             Some(0) => BoxTest::Empty,
             Some(_) => BoxTest::Unique(()),
             None => match [p, q].map(|part| part.to - part.from <= MIN_PART_PARAMETER_LENGTH) {
@@ -277,7 +281,7 @@ impl NearMissSearch<'_> {
         &self,
         whole: [&[DVec3]; 2],
         numbers: [usize; 2],
-        &DescentEnd { at, gap, gradient }: &DescentEnd,
+        &DescentResult { at, gap, gradient }: &DescentResult,
         low: DVec2,
         high: DVec2,
     ) -> bool {
@@ -398,7 +402,7 @@ impl NearMissSearch<'_> {
         };
         self.add_overlaps(place, &mut found.overlaps, job)?;
         found.undecided = self.undecided;
-        let periods = sides.map(|curve| curve.period_in_segments());
+        let periods = sides.map(|curve| curve.segment_count_if_closed());
         sort_and_remove_duplicates(&mut self.minima, |found| found.at.to_array(), periods, MAX_SAME_PARAMETER_GAP);
         found.places = alloc::collect(self.minima.iter().map(|found| {
             let (a, b) = (place(0, found.at.x), place(1, found.at.y));

@@ -31,7 +31,7 @@ impl SegmentPart {
 
     pub(super) fn into_halves(mut self) -> [SegmentPart; 2] {
         let middle = self.middle_parameter();
-        let before = SegmentPart { controls: self.controls.split_off_front(0.5), to: middle, ..self };
+        let before = SegmentPart { controls: self.controls.split_off_part_before(0.5), to: middle, ..self };
         [before, SegmentPart { from: middle, ..self }]
     }
 }

@@ -98,7 +98,7 @@ impl<T: CoordinateBits, L: LevelMap<T>> BlockCoding<'_, T, L> {
     fn sample_nodes_of_rows(&self, rows: Range<usize>, count: usize) -> Result<NodeSample> {
         let shape = self.info.shape;
         NodeSample::new(rows, shape.rows(), shape.columns(), count, &self.levels, |i, row| {
-            self.read_states_and_levels(i, row)
+            self.read_states_and_levels(i, row);
         })
     }
 

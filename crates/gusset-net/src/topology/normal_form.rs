@@ -90,7 +90,7 @@ impl Topology {
         let classes = NodeClasses::new_cancellable(self, &job.part(0.0, 0.3), stage)?;
         let table = classes.representatives_cancellable(&job.part(0.3, 0.5), stage)?;
         let matrix = LinkMatrix::from_representatives(self.shape, &table)?;
-        let links = ContractedLinks::Matrix(matrix).as_sides_if_possible(self.shape);
+        let links = ContractedLinks::Matrix(matrix).into_sides_if_possible(self.shape);
         let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
         if !self.seams.is_empty() {
             let pieces = NodeClasses::new_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;

@@ -17,7 +17,7 @@ pub enum ContractedLinks {
 
 impl ContractedLinks {
     /// Converts to sides, if sides contract the same links.
-    pub(super) fn as_sides_if_possible(self, shape: Shape) -> Self {
+    pub(super) fn into_sides_if_possible(self, shape: Shape) -> Self {
         match self {
             ContractedLinks::Matrix(matrix) => {
                 matrix.to_equal_sides(shape).map_or(ContractedLinks::Matrix(matrix), ContractedLinks::Sides)
@@ -79,7 +79,7 @@ impl Topology {
     ) -> Self {
         seams.iter_mut().for_each(|seam| *seam = seam.canonical_spelling());
         sort_distinct(&mut seams);
-        Topology { shape, links: links.as_sides_if_possible(shape), seams, reversed }
+        Topology { shape, links: links.into_sides_if_possible(shape), seams, reversed }
     }
 
     /// Returns the links that are contracted by name, in no particular order.

@@ -148,7 +148,7 @@ impl SheetLineSearch<'_> {
                 continue;
             }
             let level_below = &levels[level as usize - 1];
-            let [near, far] = slab.entries_and_exits(level_below.child_boxes(row, column), from, farthest);
+            let [near, far] = slab.entries_and_exits_of_boxes(level_below.child_boxes(row, column), from, farthest);
             let waiting = count;
             for child in 0..4 {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);

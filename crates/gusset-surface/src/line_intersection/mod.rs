@@ -87,7 +87,12 @@ impl Line {
     ///
     /// # Errors
     /// The errors of [`near_misses`](Self::near_misses).
-    pub fn meetings(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
+    pub fn intersections_or_near_misses(
+        &self,
+        curve: &CurveView<'_>,
+        within: f64,
+        job: &Job<'_>,
+    ) -> Result<NearMisses> {
         self.check_finite_with_direction()?;
         if within == 0.0 {
             match curve.intersect_line(self.origin, self.direction, &job.part(0.0, 0.5)) {

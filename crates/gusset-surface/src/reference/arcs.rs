@@ -107,7 +107,7 @@ impl CurveArcs {
     ///
     /// # Errors
     /// The errors of [`AngleTarget::normalized`] and [`search`].
-    pub fn angle_incidence(
+    pub fn find_cells_with_angle(
         &self,
         target: AngleTarget,
         options: &SearchOptions,

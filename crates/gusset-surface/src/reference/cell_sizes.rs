@@ -56,7 +56,7 @@ impl CellSizeBounds {
     }
 
     /// The largest bound, d.
-    pub fn greatest(&self) -> f64 {
+    pub fn largest_bound(&self) -> f64 {
         self.greatest
     }
 

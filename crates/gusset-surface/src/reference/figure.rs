@@ -39,10 +39,10 @@ impl<'a> Figure<'a> {
     /// Prepares the measurement of distances.
     ///
     /// # Errors
-    /// The errors of [`Object::target`]; [`Error::EmptyCurve`], [`Error::OutOfMemory`].
+    /// The errors of [`PointPlaneOrLine::as_orthonormal_box`]; [`Error::EmptyCurve`], [`Error::OutOfMemory`].
     fn prepare_distance_measure(&self) -> Result<FigureDistance<'a>> {
         Ok(match *self {
-            Figure::Object(object) => FigureDistance::Object(object.target()?),
+            Figure::Object(object) => FigureDistance::Object(object.as_orthonormal_box()?),
             Figure::Curve(curve) if curve.is_empty() => return Err(Error::EmptyCurve),
             Figure::Curve(curve) => FigureDistance::Curve {
                 search: CurveSearch::new(&curve)?,
@@ -94,7 +94,7 @@ impl FigureDistance<'_> {
 /// corrected search.
 ///
 /// # Errors
-/// The errors of [`Object::target`] and [`super::search`]; [`Error::EmptyCurve`].
+/// The errors of [`PointPlaneOrLine::as_orthonormal_box`] and [`super::search`]; [`Error::EmptyCurve`].
 pub fn find_cells_near_figure(
     sheet: &Sheet<'_>,
     diameters: &Diameters,

@@ -62,7 +62,9 @@ pub use cell_sizes::{CellBoundSum, CellSizeBounds};
 pub use curvature::curvature_bound;
 pub use diameter::Diameters;
 pub use figure::{Figure, find_cells_near_figure};
-pub use normal_variation::{AngleTarget, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature};
-pub use object::{OrthonormalBox, PointPlaneOrLine, incidence};
+pub use normal_variation::{
+    AngleTarget, find_cells_with_angle, normal_variation_by_cones, normal_variation_by_curvature,
+};
+pub use object::{OrthonormalBox, PointPlaneOrLine, find_cells_near_object};
 pub use reference_search::{SearchGoal, SearchOptions, SearchOutcome, search};
 pub use section_normal::normal_by_sections;

@@ -120,7 +120,7 @@ impl AngleTarget {
 ///
 /// # Errors
 /// The errors of [`AngleTarget::normalized`] and [`search`].
-pub fn angle_incidence(
+pub fn find_cells_with_angle(
     sheet: &Sheet<'_>,
     variation: &CellSizeBounds,
     target: AngleTarget,

@@ -41,7 +41,7 @@ impl PointPlaneOrLine {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the object is not finite, or lacks a direction.
-    pub fn target(&self) -> Result<OrthonormalBox> {
+    pub fn as_orthonormal_box(&self) -> Result<OrthonormalBox> {
         let bad = |option, value| Error::OptionOutOfRange { option, value };
         let finite = |x: DVec3, option| if x.is_finite() { Ok(x) } else { Err(bad(option, f64::NAN)) };
         let unit = |x: DVec3, option| finite(x, option)?.try_normalize().ok_or(bad(option, x.length()));
@@ -93,14 +93,14 @@ impl OrthonormalBox {
 /// corrected search.
 ///
 /// # Errors
-/// The errors of [`Object::target`] and [`search`].
-pub fn incidence(
+/// The errors of [`PointPlaneOrLine::as_orthonormal_box`] and [`search`].
+pub fn find_cells_near_object(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
     object: PointPlaneOrLine,
     options: &SearchOptions,
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
-    let target = object.target()?;
+    let target = object.as_orthonormal_box()?;
     search(&diameters.euclidean, |[i, j]| target.distance(sheet.corner(i, j)), options, job)
 }

@@ -44,7 +44,7 @@ impl Collocation {
     /// Finds the control points for the current parameters.
     pub(super) fn solve_for_parameters(&mut self, sub: &Subcurve<'_>, out: &mut SubcurveOutput<'_>) -> Result<()> {
         if sub.options.solver == Solver::Step {
-            self.set_controls_to_points();
+            self.start_controls_at_points();
             let left = sub.options.max_sweeps.saturating_sub(out.report.iterations);
             if !self.run_sweeps(sub, None, left, out)? {
                 flag_unconverged(out);
@@ -60,7 +60,7 @@ impl Collocation {
         normal: DVec3,
         out: &mut SubcurveOutput<'_>,
     ) -> Result<bool> {
-        self.set_controls_to_points();
+        self.start_controls_at_points();
         if sub.options.solver == Solver::Fast {
             self.run_sweeps(sub, Some(normal), MAX_SWEEPS_BEFORE_NEWTON.min(sub.options.max_sweeps), out)?;
             // The sweeps are the start of Newton's method, not part of it.
@@ -118,8 +118,14 @@ impl Collocation {
                     Solver::Fast => direction.dot(left) / slope,
                     Solver::Step => {
                         let deviation = |x: f64| direction.dot(left) - slope * x;
-                        stepping::step_to_zero_deviation(sub.options, sub.size, deviation, &mut report.steps, job)?
-                            .unwrap_or(f64::NAN)
+                        stepping::step_until_deviation_is_zero(
+                            sub.options,
+                            sub.size,
+                            deviation,
+                            &mut report.steps,
+                            job,
+                        )?
+                        .unwrap_or(f64::NAN)
                     }
                 };
                 // The sweeps diverged or the steps are used up. Newton's method or the lock by
