@@ -19,7 +19,7 @@ fn main() -> Result<()> {
     // ! [path]
     // Each point has a status; the curve passes all that are not `Missed`.
     assert!(fitted.statuses().iter().all(|status| *status == PointStatus::Ok));
-    let path = fitted.curve(0).svg_path(&job)?;
+    let path = fitted.curve(0).to_svg_path(&job)?;
     println!(r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="-70 -50 140 100"><path d="{path}"/></svg>"#);
     // ! [path]
     assert!(path.starts_with('M') && path.ends_with('Z'), "{path}");

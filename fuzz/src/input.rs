@@ -253,7 +253,7 @@ pub fn expect_valid(mesh: &Mesh, visit: impl FnOnce(&MeshView<'_>)) {
 pub(crate) fn expect_origins(origins: &Origins, mesh: &Mesh) {
     let counts = [mesh.positions.len(), mesh.face_corners.len(), mesh.face_count()];
     for (domain, count) in [Domain::Vertices, Domain::Corners, Domain::Faces].into_iter().zip(counts) {
-        let (table, starts) = (origins.table(domain), origins.starts(domain));
+        let (table, starts) = (origins.table(domain), origins.first_sources_of_inputs(domain));
         assert_eq!((table.len(), starts.len()), (count, origins.inputs().len() + 1));
         for k in 0..count {
             let (sources, weights) = table.row(k);

@@ -5,7 +5,7 @@ use super::guard::catch_panic;
 use super::handle::{self, OpaqueHandle, handle};
 use super::host::{CallWatch, HostCallbacks, HostProgress};
 use super::input::{self, VersionedStruct};
-use super::status::{Failure, gusset_element, gusset_status, text};
+use super::status::{Failure, gusset_element, gusset_status, status_text};
 use crate::error::Error;
 use crate::job::{Job, Progress};
 use gusset_base::reserve;
@@ -93,7 +93,7 @@ impl ContextState {
         let message = CString::new(message.into_owned()).unwrap_or_default();
         // A context must not keep blocks in the reserve.
         let kept = !reserve::contains_block(message.as_ptr());
-        self.message = if kept { Cow::Owned(message) } else { Cow::Borrowed(text(status as i32)) };
+        self.message = if kept { Cow::Owned(message) } else { Cow::Borrowed(status_text(status as i32)) };
         self.report = gusset_error_report { status: status as i32, element, index, value, input, ..self.report };
         status
     }
@@ -207,12 +207,12 @@ pub(crate) fn create<T: OpaqueHandle>(
     name: &'static str,
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
-    create_and_tell(context, out, name, |job| Ok((body(job)?, ())), |()| ())
+    create_with_further_outputs(context, out, name, |job| Ok((body(job)?, ())), |()| ())
 }
 
 /// [`create`] for a body that produces more than the handle. `tell` writes the rest to other
 /// outputs.
-pub(crate) fn create_and_tell<T: OpaqueHandle, U>(
+pub(crate) fn create_with_further_outputs<T: OpaqueHandle, U>(
     context: *const gusset_context,
     out: *mut *mut T,
     name: &'static str,

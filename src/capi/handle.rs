@@ -18,16 +18,16 @@ pub(crate) trait OpaqueHandle {
 
 /// An object preceded by its kind. Its address is the handle.
 #[repr(C)]
-pub(crate) struct Tagged<T> {
+pub(crate) struct TaggedObject<T> {
     kind: u64,
     object: T,
 }
 
-impl<T: OpaqueHandle> Tagged<T> {
+impl<T: OpaqueHandle> TaggedObject<T> {
     /// Creates an object that is lent to C as a part of another object and dies with it. C can read
     /// but not destroy it.
     pub(crate) fn new_part(object: T) -> Self {
-        Tagged { kind: !T::KIND, object }
+        TaggedObject { kind: !T::KIND, object }
     }
 
     pub(crate) fn as_handle(&self) -> *const T {
@@ -35,7 +35,7 @@ impl<T: OpaqueHandle> Tagged<T> {
     }
 }
 
-impl<T> std::ops::Deref for Tagged<T> {
+impl<T> std::ops::Deref for TaggedObject<T> {
     type Target = T;
 
     fn deref(&self) -> &T {
@@ -44,12 +44,12 @@ impl<T> std::ops::Deref for Tagged<T> {
 }
 
 /// Allocates an object with its kind.
-pub(crate) fn boxed<T: OpaqueHandle>(object: T) -> Box<Tagged<T>> {
-    Box::new(Tagged { kind: T::KIND, object })
+pub(crate) fn boxed<T: OpaqueHandle>(object: T) -> Box<TaggedObject<T>> {
+    Box::new(TaggedObject { kind: T::KIND, object })
 }
 
 /// Transfers the object to C, until [`destroy`] takes it back.
-pub(crate) fn into_handle<T>(object: Box<Tagged<T>>) -> *mut T {
+pub(crate) fn into_handle<T>(object: Box<TaggedObject<T>>) -> *mut T {
     Box::into_raw(object).cast()
 }
 
@@ -58,8 +58,8 @@ fn check_kind<T: OpaqueHandle>(
     pointer: *const T,
     or_part: bool,
     name: &'static str,
-) -> Result<*mut Tagged<T>, Failure> {
-    let held = pointer.cast::<Tagged<T>>().cast_mut();
+) -> Result<*mut TaggedObject<T>, Failure> {
+    let held = pointer.cast::<TaggedObject<T>>().cast_mut();
     check_aligned(held.cast_const(), name)?;
     // SAFETY: not NULL and aligned. The caller promises that it points to a live handle of the
     // library, and all handles begin with their kind.

@@ -29,7 +29,7 @@ fn check_aligned_to(alignment: usize, address: usize, name: &'static str) -> Res
 }
 
 /// Returns an object that lives during the call. `handle::get` reads handles instead.
-pub fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
+pub fn checked_reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
     check_aligned(pointer, name)?;
     // SAFETY: not NULL and aligned; the caller promises that it points to a live T.
     Ok(unsafe { &*pointer })
@@ -243,7 +243,11 @@ pub(crate) unsafe trait VersionedStruct: Copy {
 
 /// Reads the struct up to the size of the caller's version; missing fields are 0. NULL gives all
 /// zeros if `optional`. Bytes beyond this version, and `reserved`, must be 0.
-pub(crate) fn read<T: VersionedStruct>(pointer: *const T, optional: bool, name: &'static str) -> Result<T, Failure> {
+pub(crate) fn read_versioned_struct<T: VersionedStruct>(
+    pointer: *const T,
+    optional: bool,
+    name: &'static str,
+) -> Result<T, Failure> {
     // SAFETY: zeros are valid, by the trait.
     let mut value: T = unsafe { MaybeUninit::zeroed().assume_init() };
     if optional && pointer.is_null() {
@@ -275,7 +279,7 @@ pub(crate) fn read_nested_or_default<T: VersionedStruct, U>(
     name: &'static str,
     checked: impl FnOnce(T) -> Result<U, Failure>,
 ) -> Result<U, Failure> {
-    checked(read(pointer, true, name)?).map_err(|failure| failure.with_field(name))
+    checked(read_versioned_struct(pointer, true, name)?).map_err(|failure| failure.with_field(name))
 }
 
 /// Returns pointers to the structs of an array. All must have the size of the first one. A failure

@@ -10,7 +10,7 @@ use crate::error::{Element, Error, LoopPairFault, Side};
 use std::borrow::Cow;
 use std::ffi::{CStr, c_char};
 
-pub(super) use super::status_text::text;
+pub(super) use super::status_text::status_text;
 
 /// Status that a function returns.
 #[repr(i32)]
@@ -397,7 +397,7 @@ impl From<Error> for Failure {
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_status_text(status: i32) -> *const c_char {
-    text(status).as_ptr()
+    status_text(status).as_ptr()
 }
 
 /// Describes a value of a choice in an English sentence.

@@ -5,7 +5,7 @@
 use std::ffi::CStr;
 
 /// The text of a status, without a dot.
-pub(super) fn text(status: i32) -> &'static CStr {
+pub(super) fn status_text(status: i32) -> &'static CStr {
     match status {
         0 => c"success",
         1 => c"a pointer that must not be NULL is NULL",

@@ -3,7 +3,7 @@
 
 use crate::curves::*;
 use glam::DVec3;
-use gusset::curve::ops::{OffsetOptions, Spacing};
+use gusset::curve::ops::{OffsetOptions, SampleSpacing};
 use gusset::curve::{CurveView, Place};
 use gusset::{Error, Job};
 use proptest::prelude::*;
@@ -12,29 +12,32 @@ use proptest::prelude::*;
 fn samples_of_a_circle() {
     let given = circle(1.0, 8);
     let curve = given.view();
-    let samples = curve.sampled(Spacing::Count(12), &Job::default()).unwrap();
+    let samples = curve.sample_points(SampleSpacing::Count(12), &Job::default()).unwrap();
     for k in 0..12 {
         let gap = samples.points[k].distance(samples.points[(k + 1) % 12]);
         assert!((gap - 2.0 * (std::f64::consts::PI / 12.0).sin()).abs() < 1e-5, "{gap}");
     }
     let step = curve.length().unwrap() / 10.0;
-    assert_eq!(curve.sampled(Spacing::Step(step), &Job::default()).unwrap().points.len(), 10);
-    assert_eq!(curve.sampled(Spacing::Step(step * 1.01), &Job::default()).unwrap().points.len(), 10);
-    assert_eq!(curve.sampled(Spacing::Step(100.0), &Job::default()).unwrap().points.len(), 1);
-    let endless = curve.sampled(Spacing::Step(f64::INFINITY), &Job::default()).unwrap_err();
+    assert_eq!(curve.sample_points(SampleSpacing::Step(step), &Job::default()).unwrap().points.len(), 10);
+    assert_eq!(curve.sample_points(SampleSpacing::Step(step * 1.01), &Job::default()).unwrap().points.len(), 10);
+    assert_eq!(curve.sample_points(SampleSpacing::Step(100.0), &Job::default()).unwrap().points.len(), 1);
+    let endless = curve.sample_points(SampleSpacing::Step(f64::INFINITY), &Job::default()).unwrap_err();
     assert_eq!(endless, Error::OptionOutOfRange { option: "step", value: f64::INFINITY });
     let open = parabola(0.0, 1.0);
-    assert_eq!(open.view().sampled(Spacing::Count(5), &Job::default()).unwrap().places[4], at(0, 1.0));
+    assert_eq!(open.view().sample_points(SampleSpacing::Count(5), &Job::default()).unwrap().places[4], at(0, 1.0));
     let length = open.view().length().unwrap();
-    assert_eq!(open.view().sampled(Spacing::Step(length / 4.0), &Job::default()).unwrap().points.len(), 5);
-    assert_eq!(open.view().sampled(Spacing::Step(length / 3.5), &Job::default()).unwrap().points.len(), 5);
+    assert_eq!(open.view().sample_points(SampleSpacing::Step(length / 4.0), &Job::default()).unwrap().points.len(), 5);
+    assert_eq!(open.view().sample_points(SampleSpacing::Step(length / 3.5), &Job::default()).unwrap().points.len(), 5);
     assert!(
-        open.view().sampled(Spacing::Count(1), &Job::default()).is_err()
-            && open.view().sampled(Spacing::Step(0.0), &Job::default()).is_err()
+        open.view().sample_points(SampleSpacing::Count(1), &Job::default()).is_err()
+            && open.view().sample_points(SampleSpacing::Step(0.0), &Job::default()).is_err()
     );
-    assert!(matches!(open.view().sampled(Spacing::Step(1e-300), &Job::default()), Err(Error::TooLarge { .. })));
+    assert!(matches!(
+        open.view().sample_points(SampleSpacing::Step(1e-300), &Job::default()),
+        Err(Error::TooLarge { .. })
+    ));
     for tolerance in [0.5, 1e-2, 1e-4, 1e-6] {
-        let samples = curve.sampled(Spacing::Chord(tolerance), &Job::default()).unwrap();
+        let samples = curve.sample_points(SampleSpacing::Chord(tolerance), &Job::default()).unwrap();
         let polygon = |k: usize| (samples.points[k], samples.points[(k + 1) % samples.points.len()]);
         let worst = (0..2000)
             .map(|k| {
@@ -69,10 +72,13 @@ fn texts_and_contours_and_splines() {
         ends: vec![0, 1, 3, 6],
         closed: true,
     };
-    assert_eq!(given.view().svg_path(&Job::default()).unwrap(), "M 0 0 L 0.1 0 Q 1e-7 1.5e300 1 2 C 3 4 5 6 0 0 Z");
-    assert!(given.view().contour(0.0, &Job::default()).is_err() && given.view().spline(&Job::default()).is_err());
+    assert_eq!(given.view().to_svg_path(&Job::default()).unwrap(), "M 0 0 L 0.1 0 Q 1e-7 1.5e300 1 2 C 3 4 5 6 0 0 Z");
+    assert!(
+        given.view().to_truetype_contour(0.0, &Job::default()).is_err()
+            && given.view().to_clamped_spline(&Job::default()).is_err()
+    );
     let quartic = Given::one(&[v(0.0, 0.0, 0.0); 5]);
-    assert!(matches!(quartic.view().svg_path(&Job::default()), Err(Error::OptionOutOfRange { .. })));
+    assert!(matches!(quartic.view().to_svg_path(&Job::default()), Err(Error::OptionOutOfRange { .. })));
     // Round control points with joints in the middle: all points off the curve; with a line, two on
     // it.
     let controls = [v(1.0, 0.3, 0.0), v(3.1, 0.7, 0.0), v(3.0, 2.0, 0.0), v(0.2, 1.9, 0.0)];
@@ -81,9 +87,9 @@ fn texts_and_contours_and_splines() {
         points.extend([controls[k], controls[k].midpoint(controls[(k + 1) % 4])]);
     }
     let round = Given { points: points.clone(), ends: vec![0, 2, 4, 6, 8], closed: true };
-    let contour = round.view().contour(0.0, &Job::default()).unwrap();
+    let contour = round.view().to_truetype_contour(0.0, &Job::default()).unwrap();
     assert_eq!((contour.points, contour.on_curve), (controls.to_vec(), vec![0; 4]));
-    let spline = round.view().spline(&Job::default()).unwrap();
+    let spline = round.view().to_clamped_spline(&Job::default()).unwrap();
     assert_eq!((spline.degree, spline.controls.len(), spline.knots.len()), (2, 6, 9));
     for (k, t) in [(0, 0.3), (1, 0.5), (2, 0.9), (3, 1.0)] {
         // Knots with equal intervals, 0 to 4 except at the ends.
@@ -93,12 +99,12 @@ fn texts_and_contours_and_splines() {
     }
     points.splice(1..2, []);
     let mixed = Given { points, ends: vec![0, 1, 3, 5, 7], closed: true };
-    assert_eq!(mixed.view().contour(0.0, &Job::default()).unwrap().on_curve, [1, 1, 0, 0, 0]);
-    assert!(Given { closed: false, ..mixed }.view().contour(0.0, &Job::default()).is_err());
+    assert_eq!(mixed.view().to_truetype_contour(0.0, &Job::default()).unwrap().on_curve, [1, 1, 0, 0, 0]);
+    assert!(Given { closed: false, ..mixed }.view().to_truetype_contour(0.0, &Job::default()).is_err());
 }
 
 /// The point of a B-spline by de Boor's scheme.
-fn de_boor(spline: &gusset::curve::ops::Spline, x: f64) -> DVec3 {
+fn de_boor(spline: &gusset::curve::ops::ClampedSpline, x: f64) -> DVec3 {
     let (n, knots) = (spline.degree, &spline.knots);
     let mut k = n;
     while k + 1 < spline.controls.len() && knots[k + 1] <= x {
@@ -120,18 +126,18 @@ proptest! {
     fn higher_degrees_keep_the_curve_and_come_down_again(given in curves(false), by in 0usize..5) {
         let curve = given.view();
         let unit = size(&given);
-        let raised = curve.elevated_by(by, &Job::default()).unwrap();
+        let raised = curve.with_degree_elevated_by(by, &Job::default()).unwrap();
         prop_assert!(apart(&curve, &raised.view()) <= 1e-14 * unit);
-        prop_assert!(curve.elevated_by(64, &Job::default()).is_err());
-        let seventh = curve.elevated_to(7, &Job::default()).unwrap();
+        prop_assert!(curve.with_degree_elevated_by(64, &Job::default()).is_err());
+        let seventh = curve.with_degree_elevated_to(7, &Job::default()).unwrap();
         prop_assert!(seventh.view().segments().all(|c| c.len() == 8));
         prop_assert!(apart(&curve, &seventh.view()) <= 1e-14 * unit);
         // Raising the degree and reducing it again gives the original curve.
-        let back = seventh.view().reduced(6, 1e-10 * unit, &Job::default()).unwrap();
+        let back = seventh.view().with_reduced_degree(6, 1e-10 * unit, &Job::default()).unwrap();
         prop_assert!(back.kept.is_empty());
         prop_assert!(apart(&curve, &back.curve.view()) <= 1e-11 * unit);
         // The bound holds, and segments beyond the tolerance are kept.
-        let low = curve.reduced(2, f64::INFINITY, &Job::default()).unwrap();
+        let low = curve.with_reduced_degree(2, f64::INFINITY, &Job::default()).unwrap();
         for k in 0..curve.len() as u32 {
             for i in 0..=10 {
                 let place = at(k, f64::from(i) / 10.0);
@@ -139,14 +145,14 @@ proptest! {
                 prop_assert!(off.length() <= low.deviations[k as usize] / unit + 1e-14);
             }
         }
-        let kept = curve.reduced(2, 0.0, &Job::default()).unwrap();
+        let kept = curve.with_reduced_degree(2, 0.0, &Job::default()).unwrap();
         prop_assert!(kept.curve.view().segments().zip(curve.segments()).zip(&kept.deviations).all(|((a, b), &d)| d == 0.0 || a == b));
     }
 
     #[test]
     fn splines_are_the_curve(given in curves(false), degree in 6usize..8) {
-        let uniform = given.view().elevated_to(degree, &Job::default()).unwrap();
-        let spline = uniform.view().spline(&Job::default()).unwrap();
+        let uniform = given.view().with_degree_elevated_to(degree, &Job::default()).unwrap();
+        let spline = uniform.view().to_clamped_spline(&Job::default()).unwrap();
         prop_assert_eq!(spline.knots.len(), spline.controls.len() + degree + 1);
         let mut distinct = spline.knots.clone();
         distinct.dedup();
@@ -164,10 +170,10 @@ proptest! {
     fn paths_read_back_as_the_same_bits(given in curves(true)) {
         let curve = given.view();
         if curve.segments().any(|c| c.len() > 4) {
-            prop_assert!(curve.svg_path(&Job::default()).is_err());
+            prop_assert!(curve.to_svg_path(&Job::default()).is_err());
             return Ok(());
         }
-        let text = curve.svg_path(&Job::default()).unwrap();
+        let text = curve.to_svg_path(&Job::default()).unwrap();
         let numbers: Vec<f64> = text.split(' ').filter_map(|word| word.parse().ok()).collect();
         let coordinates: Vec<f64> = given.points.iter().flat_map(|p| [p.x, p.y]).collect();
         prop_assert_eq!(numbers, coordinates);
@@ -183,7 +189,8 @@ fn offset_options(degree: usize, tolerance: f64) -> OffsetOptions {
 fn off_by(given: &CurveView<'_>, offset: &CurveView<'_>, distance: f64) -> f64 {
     let places: Vec<Place> =
         (0..offset.len() as u32).flat_map(|k| (0..=20).map(move |i| at(k, f64::from(i) / 20.0))).collect();
-    let found = given.nearest(&offset.points_at(&places, &Job::default()).unwrap(), &Job::default()).unwrap();
+    let found =
+        given.nearest_to_each_query(&offset.points_at(&places, &Job::default()).unwrap(), &Job::default()).unwrap();
     found.iter().fold(0.0, |m, n| f64::max(m, (n.distance - distance.abs()).abs()))
 }
 
@@ -265,9 +272,10 @@ fn reducing_high_degrees_gives_numbers_or_keeps_them() {
     for degree in 24..64u32 {
         let points: Vec<DVec3> = (0..=degree).map(|i| v(f64::from(i), f64::from(i).sin(), 0.0)).collect();
         let ends = [0, degree];
-        let raised = CurveView::new(&points, &ends, false).unwrap().elevated_by(1, &Job::default()).unwrap();
+        let raised =
+            CurveView::new(&points, &ends, false).unwrap().with_degree_elevated_by(1, &Job::default()).unwrap();
         for tolerance in [1e-3, f64::INFINITY] {
-            let back = raised.view().reduced(degree as usize, tolerance, &Job::default()).unwrap();
+            let back = raised.view().with_reduced_degree(degree as usize, tolerance, &Job::default()).unwrap();
             assert!(back.curve.view().points().iter().all(|p| p.is_finite()), "{degree}");
             assert!(!back.kept.is_empty() || back.deviations[0] <= tolerance, "{degree}");
         }

@@ -39,7 +39,7 @@ proptest! {
             prop_assert!(old > highest || changed.deviations[k] == 0.0);
         }
         let raised = curve.with_degrees([lowest, 64], 0.0, &job()).unwrap().curve;
-        prop_assert_eq!(raised, curve.elevated_to(lowest, &job()).unwrap());
+        prop_assert_eq!(raised, curve.with_degree_elevated_to(lowest, &job()).unwrap());
     }
 }
 
@@ -71,7 +71,7 @@ fn curves_meet_exactly_in_the_plane_and_within_a_distance_in_space() {
     let (low, high) = (across(0.0), across(0.1));
     let meet = |other: Option<&Given>, within| {
         let other = other.map(Given::view);
-        arch.view().meetings(other.as_ref(), within, &job())
+        arch.view().intersections_or_near_misses(other.as_ref(), within, &job())
     };
     let exact = arch.view().intersections(&low.view(), &job()).unwrap();
     let found = meet(Some(&low), 0.0).unwrap();
@@ -85,5 +85,5 @@ fn curves_meet_exactly_in_the_plane_and_within_a_distance_in_space() {
     for (other, within) in [(None, 0.1), (Some(&low), -0.1), (Some(&low), f64::NAN), (Some(&high), f64::INFINITY)] {
         assert!(matches!(meet(other, within), Err(Error::OptionOutOfRange { option: "within", .. })), "{within}");
     }
-    assert!(matches!(high.view().meetings(None, 0.0, &job()), Err(Error::CurveNotPlane { .. })));
+    assert!(matches!(high.view().intersections_or_near_misses(None, 0.0, &job()), Err(Error::CurveNotPlane { .. })));
 }

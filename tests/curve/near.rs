@@ -42,7 +42,8 @@ fn points_on_a_curve_beside_its_singular_point() {
         let mut points = vec![DVec3::ZERO; n];
         points.push(DVec3::X);
         for d in [1e-3f64, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12] {
-            let found = view(&points).view().nearest(&[DVec3::new(d, 0.0, 0.0)], &Job::default()).unwrap()[0];
+            let found =
+                view(&points).view().nearest_to_each_query(&[DVec3::new(d, 0.0, 0.0)], &Job::default()).unwrap()[0];
             assert!(found.distance <= 1e-15, "t^{n}, {d}: {found:?}");
             let t = d.powf(1.0 / n as f64);
             assert!((found.place.t / t - 1.0).abs() < 1e-3, "t^{n}, {d}: {found:?}, not {t}");
@@ -68,7 +69,7 @@ fn nearest_points_of_nets_with_coincident_points() {
         let on = casteljau(&points, random.f64());
         let anywhere = random_points(&mut random, 1)[0];
         for q in [on, on + 1e-9 * anywhere, 1.5 * anywhere] {
-            let found = view(&points).view().nearest(&[q], &Job::default()).unwrap()[0];
+            let found = view(&points).view().nearest_to_each_query(&[q], &Job::default()).unwrap()[0];
             let excess = found.distance - least_distance(&points, q);
             assert!(excess < 1e-13, "{k}: {excess:e} {found:?} of {points:?} to {q:?}");
         }

@@ -97,8 +97,9 @@ fn circles() {
             assert!((length / std::f64::consts::TAU - 1.0).abs() < error, "{n}: {length}");
             let bounds = curve.bounding_box(&Job::default()).unwrap();
             assert!((bounds.high / radius - v(1.0, 1.0, 0.0)).length() < 1e-14);
-            let found =
-                curve.nearest(&[v(2.0, 1.0, 0.0) * radius, v(0.0, 0.3, 0.4) * radius], &Job::default()).unwrap();
+            let found = curve
+                .nearest_to_each_query(&[v(2.0, 1.0, 0.0) * radius, v(0.0, 0.3, 0.4) * radius], &Job::default())
+                .unwrap();
             assert!((found[0].distance / radius - (5.0f64.sqrt() - 1.0)).abs() < error);
             assert!((found[1].distance / radius - (0.49f64 + 0.16).sqrt()).abs() < error);
             let crossings = curve.intersect_line(v(0.0, 0.6, 0.0) * radius, v(3.0, 0.0, 0.0), &Job::default()).unwrap();
@@ -168,23 +169,23 @@ fn areas_and_moments_of_polygons() {
 #[test]
 fn arc_length_there_and_back() {
     let given = circle(3.0, 5);
-    let lengths = given.view().lengths(&Job::default()).unwrap();
+    let lengths = given.view().arc_lengths(&Job::default()).unwrap();
     for k in 0..=40 {
-        let s = lengths.total() * f64::from(k) / 40.0;
-        let place = lengths.place(s).unwrap();
+        let s = lengths.total_length() * f64::from(k) / 40.0;
+        let place = lengths.place_at_length(s).unwrap();
         assert!((lengths.length_to(place).unwrap() - s).abs() < 1e-12, "{k}");
     }
-    assert_eq!(lengths.place(-1.0).unwrap(), at(0, 0.0));
-    assert_eq!(lengths.place(f64::INFINITY).unwrap(), at(4, 1.0));
-    assert!(lengths.place(f64::NAN).is_err());
+    assert_eq!(lengths.place_at_length(-1.0).unwrap(), at(0, 0.0));
+    assert_eq!(lengths.place_at_length(f64::INFINITY).unwrap(), at(4, 1.0));
+    assert!(lengths.place_at_length(f64::NAN).is_err());
     let parabola = parabola(-1.0, 2.0);
-    let lengths = parabola.view().lengths(&Job::default()).unwrap();
-    let place = lengths.place(parabola_length(1.0)).unwrap();
+    let lengths = parabola.view().arc_lengths(&Job::default()).unwrap();
+    let place = lengths.place_at_length(parabola_length(1.0)).unwrap();
     assert!((place.t - 1.0 / 3.0).abs() < 1e-15);
     let point = Given { points: vec![DVec3::X], ends: vec![0], closed: false };
     assert_eq!(point.view().length().unwrap(), 0.0);
-    assert_eq!(point.view().lengths(&Job::default()).unwrap().place(0.0).unwrap_err(), Error::EmptyCurve);
-    assert_eq!(point.view().nearest(&[], &Job::default()).unwrap_err(), Error::EmptyCurve);
+    assert_eq!(point.view().arc_lengths(&Job::default()).unwrap().place_at_length(0.0).unwrap_err(), Error::EmptyCurve);
+    assert_eq!(point.view().nearest_to_each_query(&[], &Job::default()).unwrap_err(), Error::EmptyCurve);
     assert_eq!(point.view().bounding_box(&Job::default()).unwrap().low, DVec3::X);
 }
 
@@ -287,7 +288,7 @@ proptest! {
     fn nearest_beats_brute_force(given in curves(false), q in (-2.0..2.0f64, -2.0..2.0f64, -2.0..2.0f64)) {
         let unit = size(&given);
         let q = v(q.0, q.1, q.2) * unit;
-        let found = given.view().nearest(&[q], &Job::default()).unwrap()[0];
+        let found = given.view().nearest_to_each_query(&[q], &Job::default()).unwrap()[0];
         let n = 300 * (given.ends.len() - 1);
         let brute = (0..=n).map(|k| ((given.point(k as f64 / 300.0) - q) / unit).length()).fold(f64::INFINITY, f64::min);
         prop_assert!(found.distance / unit <= brute + 1e-14, "{} {}", found.distance / unit, brute);
@@ -310,9 +311,9 @@ proptest! {
             (0..total).map(|k| ((given.point((k + 1) as f64 / n as f64) - given.point(k as f64 / n as f64)) / unit).length()).sum();
         let length = given.view().length().unwrap() / unit;
         prop_assert!((length - polygon).abs() <= 1e-4 * length + 1e-11 && length >= polygon - 1e-11, "{} {}", length, polygon);
-        let lengths = given.view().lengths(&Job::default()).unwrap();
-        let middle = lengths.place(0.5 * lengths.total()).unwrap();
-        prop_assert!((lengths.length_to(middle).unwrap() - 0.5 * lengths.total()).abs() <= 1e-12 * lengths.total());
+        let lengths = given.view().arc_lengths(&Job::default()).unwrap();
+        let middle = lengths.place_at_length(0.5 * lengths.total_length()).unwrap();
+        prop_assert!((lengths.length_to(middle).unwrap() - 0.5 * lengths.total_length()).abs() <= 1e-12 * lengths.total_length());
     }
 
     #[test]

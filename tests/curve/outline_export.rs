@@ -33,7 +33,7 @@ fn svg_paths_pass_all_points() {
         for mode in [Mode::Composite, Mode::BlendC1, Mode::CubicC2] {
             let given = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
             let done = fit(&given, &Options { mode, ..Options::default() }, &Job::default()).unwrap();
-            let text = done.curve(0).svg_path(&Job::default()).unwrap();
+            let text = done.curve(0).to_svg_path(&Job::default()).unwrap();
             let path = BezPath::from_svg(&text).unwrap();
             assert_eq!(path.segments().count(), done.curve(0).len(), "{name}");
             assert_eq!(text.ends_with('Z'), closed, "{name}");
@@ -54,7 +54,7 @@ fn contours_of_fonts_pass_all_points() {
         let given = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
         let done = fit(&given, &Options::default(), &Job::default()).unwrap();
         let far = points.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
-        let contour = done.curve(0).contour(1e-15 * far, &Job::default()).unwrap();
+        let contour = done.curve(0).to_truetype_contour(1e-15 * far, &Job::default()).unwrap();
         // No point is stored but the control points: as many as there are points in the outline.
         assert_eq!(contour.points.len(), done.curve(0).len(), "{name}");
         assert!(contour.on_curve.iter().all(|&on| on == 0), "{name}");

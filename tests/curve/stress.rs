@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use gusset::Job;
-use gusset::curve::ops::{OffsetOptions, Spacing};
+use gusset::curve::ops::{OffsetOptions, SampleSpacing};
 use gusset::curve::{CurveView, Place};
 use proptest::prelude::*;
 
@@ -62,12 +62,12 @@ proptest! {
             prop_assert!(tangents[0].is_finite() && tangents[0].length() < 1.0 + 1e-9);
         }
         let _ = (curve.split(place, &Job::default()), curve.sub_curve(place, Place { segment: 0, t: 0.5 }, &Job::default()), curve.reversed(&Job::default()).unwrap());
-        let _ = (curve.elevated_by(3, &Job::default()), curve.elevated_to(64, &Job::default()), curve.reduced(3, x, &Job::default()), curve.reduced(2, f64::INFINITY, &Job::default()));
-        if let Ok(found) = curve.nearest(&[q], &job) {
+        let _ = (curve.with_degree_elevated_by(3, &Job::default()), curve.with_degree_elevated_to(64, &Job::default()), curve.with_reduced_degree(3, x, &Job::default()), curve.with_reduced_degree(2, f64::INFINITY, &Job::default()));
+        if let Ok(found) = curve.nearest_to_each_query(&[q], &job) {
             prop_assert!(!found[0].distance.is_nan() && (0.0..=1.0).contains(&found[0].place.t));
         }
         prop_assert!(!curve.length().unwrap().is_nan());
-        if let Ok(half) = curve.lengths(&Job::default()).unwrap().place(0.5 * curve.length().unwrap()) {
+        if let Ok(half) = curve.arc_lengths(&Job::default()).unwrap().place_at_length(0.5 * curve.length().unwrap()) {
             prop_assert!((0.0..=1.0).contains(&half.t));
         }
         let _ = (curve.area_vector(&Job::default()), curve.moments(&Job::default()), curve.bounding_box(&Job::default()).unwrap());
@@ -80,8 +80,8 @@ proptest! {
         }
         let back = curve.reversed(&Job::default()).unwrap();
         let _ = curve.intersections(&back.view(), &job);
-        let _ = [Spacing::Count(7), Spacing::Step(curve.length().unwrap() / 9.0)].map(|spacing| curve.sampled(spacing, &Job::default()));
-        let _ = (curve.svg_path(&Job::default()), curve.contour(0.0, &Job::default()), curve.spline(&Job::default()));
+        let _ = [SampleSpacing::Count(7), SampleSpacing::Step(curve.length().unwrap() / 9.0)].map(|spacing| curve.sample_points(spacing, &Job::default()));
+        let _ = (curve.to_svg_path(&Job::default()), curve.to_truetype_contour(0.0, &Job::default()), curve.to_clamped_spline(&Job::default()));
         let options = OffsetOptions { degree: 3, tolerance: 1e-3, max_segments: 50 };
         if let Ok(done) = curve.offset(x, &options, &Job::default()) {
             prop_assert!(done.curve.view().points().iter().all(|p| !p.is_nan()));

@@ -44,7 +44,7 @@ pub fn values(id: &str, inputs: &[Input<'_>], set: &[(&str, &[f64])]) -> Vec<f64
     let mut values = filter.defaults(inputs);
     for (name, given) in set {
         let place = filter.params.iter().position(|param| param.id == *name).unwrap_or_else(|| panic!("{id}: {name}"));
-        let start: usize = filter.params[..place].iter().map(|param| param.kind.arity()).sum();
+        let start: usize = filter.params[..place].iter().map(|param| param.kind.component_count()).sum();
         values[start..start + given.len()].copy_from_slice(given);
     }
     values

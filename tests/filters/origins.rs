@@ -36,7 +36,7 @@ fn sources(given: &[Given]) -> Sources {
         let view = soup.view();
         let faces = view.faces();
         for f in 0..faces.len() {
-            all.corners.extend(faces.corners(faces.range(f)).map(|v| [first + v as usize, face]));
+            all.corners.extend(faces.corners(faces.corner_range(f)).map(|v| [first + v as usize, face]));
             face += 1;
         }
     }
@@ -50,8 +50,16 @@ fn check(filter: &Filter, given: &[Given], outputs: &[Output], name: &str) {
     let count = |domain| origins.table(domain).len();
     let corners: usize = faces.iter().map(|face| face.len()).sum();
     assert_eq!([Domain::Vertices, Domain::Corners, Domain::Faces].map(count), [points.len(), corners, faces.len()]);
-    assert_eq!(origins.starts(Domain::Vertices).last().map(|&end| end as usize), Some(from.points.len()), "{name}");
-    assert_eq!(origins.starts(Domain::Corners).last().map(|&end| end as usize), Some(from.corners.len()), "{name}");
+    assert_eq!(
+        origins.first_sources_of_inputs(Domain::Vertices).last().map(|&end| end as usize),
+        Some(from.points.len()),
+        "{name}"
+    );
+    assert_eq!(
+        origins.first_sources_of_inputs(Domain::Corners).last().map(|&end| end as usize),
+        Some(from.corners.len()),
+        "{name}"
+    );
     let mut kept = 0;
     for (v, point) in points.iter().enumerate() {
         if let Some(source) = only(origins, Domain::Vertices, v) {
@@ -92,7 +100,7 @@ fn filters_tell_where_elements_come_from() {
                 values[start] = choice as f64;
                 cases.push(values);
             }
-            start += param.kind.arity();
+            start += param.kind.component_count();
         }
         for values in &cases {
             // Some choices fit other inputs.
@@ -136,7 +144,7 @@ fn corners_of_grids_are_those_of_their_own_cells() {
                 [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / points.len() as f64)
             };
             let old: Vec<_> = faces
-                .corners(faces.range(faces.face_of(source as u32) as usize))
+                .corners(faces.corner_range(faces.face_of(source as u32) as usize))
                 .map(|v| soup.points[v as usize])
                 .collect();
             let f = made.face_offsets.partition_point(|&end| end as usize <= c) - 1;

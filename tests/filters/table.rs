@@ -100,7 +100,7 @@ fn parameters_have_defaults_in_range() {
     for param in FILTERS.iter().flat_map(|f| f.params) {
         assert!(is_word(param.id) && !param.label.is_empty(), "{}", param.id);
         assert!(param.help.len() > 20 && param.help.ends_with('.') && !param.help.contains("  "), "{}", param.help);
-        assert_eq!(param.default.len(), param.kind.arity(), "{}", param.id);
+        assert_eq!(param.default.len(), param.kind.component_count(), "{}", param.id);
         assert!(param.min <= param.max && param.default.iter().all(|&v| param.accepts(v)), "{}", param.id);
         assert!(param.step >= 0.0);
         assert_eq!(param.kind == ParamKind::Choice, !param.choices.is_empty(), "{}", param.id);
@@ -156,7 +156,7 @@ fn suggestions_are_in_range_whatever_the_mesh() {
         }
         for case in &cases {
             let values = filter.defaults(&inputs(case));
-            let params = filter.params.iter().flat_map(|param| (0..param.kind.arity()).map(move |_| param));
+            let params = filter.params.iter().flat_map(|param| (0..param.kind.component_count()).map(move |_| param));
             for (param, &value) in params.zip(&values) {
                 assert!(param.accepts(value), "{} {} {value}", filter.id, param.id);
             }
@@ -170,7 +170,7 @@ fn suggestions_are_in_range_whatever_the_mesh() {
                 let ratio = large[start] / small[start];
                 assert!((ratio / 1e3 - 1.0).abs() < 0.02, "{} {} {ratio}", filter.id, param.id);
             }
-            start += param.kind.arity();
+            start += param.kind.component_count();
         }
     }
 }
@@ -201,7 +201,7 @@ fn every_filter_runs_with_its_defaults_and_with_every_choice() {
                 let outputs = run(&values).unwrap_or_else(|e| panic!("{} {} {choice}: {e}", filter.id, param.id));
                 assert_eq!(outputs.len(), reference.len(), "{} {} {choice}", filter.id, param.id);
             }
-            start += param.kind.arity();
+            start += param.kind.component_count();
         }
     }
 }
@@ -267,7 +267,7 @@ fn values_and_inputs_out_of_range_are_refused() {
                     other => panic!("{} {}: {other:?}", filter.id, param.id),
                 }
             }
-            start += param.kind.arity();
+            start += param.kind.component_count();
         }
         let too_many = vec![0.0; defaults.len() + 1];
         assert!(matches!(

@@ -13,7 +13,7 @@ fn partition(net: &Net<'_>, place: impl Fn(usize, usize) -> (usize, usize)) -> V
     let shape = net.shape();
     let mut parts: std::collections::BTreeMap<u32, Vec<(usize, usize)>> = Default::default();
     for node in 0..shape.node_count() as u32 {
-        let (i, j) = shape.place(node);
+        let (i, j) = shape.row_and_column(node);
         parts.entry(classes.representative(node)).or_default().push(place(i, j));
     }
     let mut parts: Vec<Vec<_>> = parts.into_values().collect();
@@ -50,11 +50,11 @@ proptest! {
         prop_assert!(same(&rows.flipped(Direction::Down, &job()).unwrap(), &net));
         prop_assert!(same(&columns.flipped(Direction::Right, &job()).unwrap(), &net));
         prop_assert!(same(&turned.transposed(&job()).unwrap(), &net));
-        let once = net.turned(1, &job()).unwrap();
+        let once = net.turned_by_quarters(1, &job()).unwrap();
         prop_assert_eq!(bits(once.get(0, 0)), bits(net.get(0, w - 1)));
-        prop_assert!(same(&once.turned(-1, &job()).unwrap(), &net));
-        prop_assert!(same(&once.turned(1, &job()).unwrap(), &net.turned(2, &job()).unwrap()));
-        prop_assert!(same(&once.turned(2, &job()).unwrap(), &net.turned(3, &job()).unwrap()));
+        prop_assert!(same(&once.turned_by_quarters(-1, &job()).unwrap(), &net));
+        prop_assert!(same(&once.turned_by_quarters(1, &job()).unwrap(), &net.turned_by_quarters(2, &job()).unwrap()));
+        prop_assert!(same(&once.turned_by_quarters(2, &job()).unwrap(), &net.turned_by_quarters(3, &job()).unwrap()));
     }
 
     #[test]
@@ -65,7 +65,7 @@ proptest! {
             start..start + 2 + b as usize % (count - 1 - start)
         };
         let (rows, columns) = (range(net.shape().rows(), cut[0], cut[1]), range(net.shape().columns(), cut[2], cut[3]));
-        let part = match net.part(rows.clone(), columns.clone(), &job()) {
+        let part = match net.sub_net(rows.clone(), columns.clone(), &job()) {
             Err(Error::CrossingCell { .. }) => return Ok(()),
             part => part.unwrap(),
         };
@@ -76,11 +76,11 @@ proptest! {
         }
         // By force: classes of the links and pairs with both ends within.
         let inside = |node: u32| {
-            let (i, j) = net.shape().place(node);
+            let (i, j) = net.shape().row_and_column(node);
             rows.contains(&i) && columns.contains(&j)
         };
         let links = (0..2 * net.shape().node_count() as u32).filter(|&link| net.topology().is_contracted(link));
-        let pairs = links.map(|link| net.shape().ends(link));
+        let pairs = links.map(|link| net.shape().ends_of_link(link));
         let sewn = net.topology().seams().iter().flat_map(|seam| seam.pairs(net.shape()));
         let pairs: Vec<[u32; 2]> = pairs.chain(sewn).filter(|pair| pair.iter().all(|&node| inside(node))).collect();
         let mut class: Vec<u32> = (0..net.shape().node_count() as u32).collect();
@@ -92,8 +92,8 @@ proptest! {
         }
         let classes = NodeClasses::new(part.topology()).unwrap();
         for node in 0..part.shape().node_count() as u32 {
-            let (i, j) = part.shape().place(node);
-            let (p, q) = part.shape().place(classes.representative(node));
+            let (i, j) = part.shape().row_and_column(node);
+            let (p, q) = part.shape().row_and_column(classes.representative(node));
             let old = net.shape().node(rows.start + i, columns.start + j);
             prop_assert_eq!(class[old as usize], net.shape().node(rows.start + p, columns.start + q));
         }
@@ -115,12 +115,12 @@ fn a_copy_takes_its_steps_in_order() {
         turn: GridSymmetry::ThreeQuarters,
         scalar: Some(Scalar::F32),
     };
-    let part = net.part(2..7, 3..15, &job()).unwrap().compacted(&job()).unwrap();
-    let larger = part.reformatted(8, 12, options.replication, &job()).unwrap();
-    let expected = larger.turned(3, &job()).unwrap().converted(Scalar::F32).unwrap();
+    let part = net.sub_net(2..7, 3..15, &job()).unwrap().compacted(&job()).unwrap();
+    let larger = part.enlarged_to(8, 12, options.replication, &job()).unwrap();
+    let expected = larger.turned_by_quarters(3, &job()).unwrap().converted(Scalar::F32).unwrap();
     assert!(same(&copy(&options).unwrap(), &expected));
     // The symmetries are a group: the two exchanges differ by half a turn.
-    let turned = |net: &Net<'_>, turn| net.turned_by(turn, &job()).unwrap();
+    let turned = |net: &Net<'_>, turn| net.apply_symmetry(turn, &job()).unwrap();
     assert!(same(&turned(&net, GridSymmetry::None), &net));
     assert!(same(
         &turned(&turned(&net, GridSymmetry::Transpose), GridSymmetry::Half),
@@ -139,7 +139,7 @@ fn volumes_keep_their_sign() {
     for net in [sphere(9, 17, Scalar::F64, DVec3::ONE), torus(9, 17, Scalar::F64, DVec3::ZERO)] {
         let volume = Surface::from_net(&net).volume(&net);
         assert!(volume > 1.0);
-        let turned = [1, 2, 3].map(|quarters| net.turned(quarters, &job()).unwrap());
+        let turned = [1, 2, 3].map(|quarters| net.turned_by_quarters(quarters, &job()).unwrap());
         let others =
             [net.transposed(&job()), net.flipped(Direction::Down, &job()), net.flipped(Direction::Right, &job())];
         for other in turned.into_iter().chain(others.into_iter().map(Result::unwrap)) {
@@ -152,15 +152,15 @@ fn volumes_keep_their_sign() {
 #[test]
 fn parts_beyond_the_net_are_refused() {
     let net = sphere(5, 9, Scalar::F32, DVec3::ZERO);
-    assert_eq!(net.part(0..6, 0..9, &job()).unwrap_err(), Error::OptionOutOfRange { option: "rows", value: 6.0 });
+    assert_eq!(net.sub_net(0..6, 0..9, &job()).unwrap_err(), Error::OptionOutOfRange { option: "rows", value: 6.0 });
     let backwards = std::ops::Range { start: 5, end: 2 };
     assert_eq!(
-        net.part(0..5, backwards, &job()).unwrap_err(),
+        net.sub_net(0..5, backwards, &job()).unwrap_err(),
         Error::OptionOutOfRange { option: "columns", value: 5.0 }
     );
-    assert_eq!(net.part(0..5, 3..4, &job()).unwrap_err(), Error::NetTooSmall { rows: 5, columns: 1 });
+    assert_eq!(net.sub_net(0..5, 3..4, &job()).unwrap_err(), Error::NetTooSmall { rows: 5, columns: 1 });
     assert_eq!(
-        net.part(0..3, 0..9, &job()).unwrap().topology().sides().unwrap(),
+        net.sub_net(0..3, 0..9, &job()).unwrap().topology().sides().unwrap(),
         gusset::net::Sides { pole_bottom: false, ..gusset::net::Sides::TWO_POLES }
     );
 }

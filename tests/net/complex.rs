@@ -36,7 +36,7 @@ fn random_topology(dice: &mut Dice, shape: Shape) -> Option<Topology> {
     };
     let mut matrix = LinkMatrix::from_sides(shape, if dice.below(2) == 0 { sides } else { Sides::SHEET }).unwrap();
     for _ in 0..dice.below(h * w) {
-        matrix.set(dice.below(2 * h * w) as u32, true);
+        matrix.set_contracted(dice.below(2 * h * w) as u32, true);
     }
     let mut seams = Vec::new();
     for _ in 0..dice.below(3) {
@@ -60,7 +60,7 @@ fn random_gluings_with_missing_nodes() {
         Oracle::new(shape, &pairs, |_, _| true).check(&all);
         assert_eq!(Complex::from_topology(net.topology(), &Job::default()).unwrap(), all);
         for _ in 0..dice.below(1 + shape.node_count() as u64 / 4) {
-            let (i, j) = shape.place(dice.below(shape.node_count() as u64) as u32);
+            let (i, j) = shape.row_and_column(dice.below(shape.node_count() as u64) as u32);
             net.coordinates_mut().set(i, j, DVec3::new(f64::NAN, 0.0, 0.0));
         }
         let present = Complex::from_net(&net, &Job::default()).unwrap();
@@ -109,7 +109,7 @@ fn a_thread_is_one_wire() {
     let shape = Shape::new(2 * h, w).unwrap();
     let mut matrix = LinkMatrix::from_sides(shape, Sides::TUBE).unwrap();
     for row in [0, h - 1, h, 2 * h - 1] {
-        (0..w - 1).for_each(|j| matrix.set(2 * shape.node(row, j), true));
+        (0..w - 1).for_each(|j| matrix.set_contracted(2 * shape.node(row, j), true));
     }
     let mut net = flat(Topology::new(shape, ContractedLinks::Matrix(matrix), &[]).unwrap());
     net.bridges_mut().push(Bridge::new(Direction::Down, h as u32, w as u32, BridgeKind::Thread, BridgeMode::Keep));

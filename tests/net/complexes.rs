@@ -180,7 +180,7 @@ impl Oracle {
                 forward &= self.edges[&edge.map(|v| v as usize)][0].1 == (from < to);
                 found.push(edge);
             }
-            assert!(complex.boundary.open_chains()[k] == 0 || !complex.branches.is_empty());
+            assert!(complex.boundary.open_chain_flags()[k] == 0 || !complex.branches.is_empty());
         }
         found.sort_unstable();
         assert_eq!(found, expected, "every edge of one face is in one chain, once");
@@ -212,9 +212,9 @@ impl Dice {
 pub fn degrees(topology: &Topology) -> BTreeMap<u32, usize> {
     let shape = topology.shape();
     let class = gusset::net::NodeClasses::new(topology).unwrap().representatives().unwrap();
-    let links = (0..2 * shape.node_count() as u32).filter(|&link| shape.is_inner(link));
+    let links = (0..2 * shape.node_count() as u32).filter(|&link| shape.joins_neighbours(link));
     let edges: std::collections::HashSet<[u32; 2]> = links
-        .map(|link| shape.ends(link).map(|node| class[node as usize]))
+        .map(|link| shape.ends_of_link(link).map(|node| class[node as usize]))
         .filter(|[a, b]| a != b)
         .map(|[a, b]| [a.min(b), a.max(b)])
         .collect();

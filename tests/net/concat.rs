@@ -51,7 +51,7 @@ proptest! {
         prop_assert!(same(&second, &b), "{:?}\n{:?}", second.topology(), b.topology());
         // The nets' own classes, and none between them unless they are welded.
         if modes[0] != BridgeMode::Weld {
-            let [x, y, z] = [&a, &b, &once].map(|net| NodeClasses::new(net.topology()).unwrap().groups().unwrap());
+            let [x, y, z] = [&a, &b, &once].map(|net| NodeClasses::new(net.topology()).unwrap().glued_classes().unwrap());
             if a.shape() == first.shape() && once.shape().node_count() == a.shape().node_count() + b.shape().node_count() {
                 prop_assert_eq!(x.len() + y.len(), z.len());
                 prop_assert_eq!(x.nodes().len() + y.nodes().len(), z.nodes().len());
@@ -137,10 +137,10 @@ proptest! {
     ) {
         let shape = topology.shape();
         let (h, w) = (shape.rows(), shape.columns());
-        let mut matrix = topology.matrix().unwrap();
+        let mut matrix = topology.to_link_matrix().unwrap();
         match direction {
-            Direction::Right => (0..w).for_each(|j| matrix.set(2 * shape.node(h - 1, j) + 1, true)),
-            Direction::Down => (0..h).for_each(|i| matrix.set(2 * shape.node(i, w - 1), true)),
+            Direction::Right => (0..w).for_each(|j| matrix.set_contracted(2 * shape.node(h - 1, j) + 1, true)),
+            Direction::Down => (0..h).for_each(|i| matrix.set_contracted(2 * shape.node(i, w - 1), true)),
         }
         let Ok(topology) = Topology::new(shape, ContractedLinks::Matrix(matrix), topology.seams()) else { return Ok(()) };
         let b = Net::from_fn(topology, Scalar::F32, |i, j| {
@@ -255,8 +255,8 @@ fn edits_survive_splitting() {
         let [first, second] = joined.split(0, &job()).unwrap();
         assert_eq!(first.get(2, 3), DVec3::splat(7.0));
         assert_eq!((first.topology(), second.topology()), (a.topology(), b.topology()));
-        let mut matrix = joined.topology().matrix().unwrap();
-        matrix.set(2 * joined.shape().node(2, 3), true);
+        let mut matrix = joined.topology().to_link_matrix().unwrap();
+        matrix.set_contracted(2 * joined.shape().node(2, 3), true);
         let links = ContractedLinks::Matrix(matrix);
         joined.set_topology(Topology::new(joined.shape(), links, joined.topology().seams()).unwrap());
         let [first, second] = joined.split(0, &job()).unwrap();

@@ -56,14 +56,14 @@ proptest! {
             if vertex != NONE {
                 let class = if options.weld { classes.representative(node) } else { node };
                 prop_assert_eq!(made.node_of_vertex[vertex as usize], class);
-                let (i, j) = size.place(class);
+                let (i, j) = size.row_and_column(class);
                 prop_assert_eq!(mesh.positions.get(vertex), net.get(i, j));
             }
         }
         for (face, &cell) in mesh.faces().zip(&made.cell_of_face) {
-            let (i, j) = size.cell_place(cell);
+            let (i, j) = size.row_and_column_of_cell(cell);
             prop_assert!(is_present(&net, i, j) || options.fill_corners && !is_hidden(&net, i, j));
-            let corners = size.corners(i, j).map(|node| made.vertex_of_node[node as usize]);
+            let corners = size.corners_of_cell(i, j).map(|node| made.vertex_of_node[node as usize]);
             prop_assert!(face.iter().all(|vertex| corners.contains(vertex)));
             prop_assert!(face.iter().all(|&vertex| mesh.positions.get(vertex).is_finite()));
             prop_assert_eq!(face.iter().collect::<BTreeSet<_>>().len(), face.len());
@@ -72,7 +72,7 @@ proptest! {
         // The same faces and wires as by force.
         if options.weld && options.triangles.is_none() && !options.fill_corners {
             let finite = |class: u32| {
-                let (i, j) = size.place(class);
+                let (i, j) = size.row_and_column(class);
                 net.get(i, j).is_finite()
             };
             let surface = Surface::from_net(&net);
@@ -138,7 +138,7 @@ proptest! {
             DVec3::new(n, (n * 1.7).sin(), (n * 0.3).cos())
         })
         .unwrap();
-        let net = net.turned(turn, &job()).unwrap();
+        let net = net.turned_by_quarters(turn, &job()).unwrap();
         let mut mesh = net.to_mesh(&MeshOptions::default(), &job()).unwrap().mesh;
         // Faces in another order, each begun elsewhere.
         let mut faces: Vec<Vec<u32>> = mesh.faces().map(<[u32]>::to_vec).collect();
@@ -173,7 +173,7 @@ proptest! {
         prop_assert_eq!(cycles(&mesh), cycles(&again));
         prop_assert_eq!(mesh.positions.len(), again.positions.len());
         for (node, &vertex) in (0..).zip(&found.vertex_of_node) {
-            let (i, j) = found.net.shape().place(node);
+            let (i, j) = found.net.shape().row_and_column(node);
             prop_assert_eq!(found.net.get(i, j), mesh.positions.get(vertex));
         }
     }
@@ -198,7 +198,7 @@ fn closed_nets_become_closed_manifolds() {
         for reformat in [false, true] {
             let (h, w) = (net.shape().rows(), net.shape().columns());
             let large = if reformat {
-                net.reformatted(h + 5, w + 3, Default::default(), &job()).unwrap()
+                net.enlarged_to(h + 5, w + 3, Default::default(), &job()).unwrap()
             } else {
                 net.copied().unwrap()
             };

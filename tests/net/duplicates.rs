@@ -4,7 +4,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::closure::{BoxKind, Cuboid};
-use gusset::net::field::{self, DeformationStep, Field, Lattice, deform, displace};
+use gusset::net::field::{self, DeformationStep, Field, Lattice, deform, displace_along_normals};
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::transform::{Affine, Axis, RotationSense, transform};
 use gusset::net::{Net, NodeClasses};
@@ -40,10 +40,10 @@ fn shapes() -> Vec<Net<'static>> {
 fn check(net: &Net<'_>, what: &str) {
     let classes = NodeClasses::new(net.topology()).unwrap();
     let bits = |node: u32| {
-        let (i, j) = net.shape().place(node);
+        let (i, j) = net.shape().row_and_column(node);
         net.get(i, j).to_array().map(f64::to_bits)
     };
-    for class in classes.groups().unwrap().iter() {
+    for class in classes.glued_classes().unwrap().iter() {
         assert!(class.iter().all(|&node| bits(node) == bits(class[0])), "{what}: {class:?}");
     }
     let findings = net.validate(0.0, &Job::default()).unwrap();
@@ -100,7 +100,7 @@ fn fields() {
             }
         }
         let mut moved = net.copied().unwrap();
-        displace(&mut moved, 0.05, &Job::default()).unwrap();
+        displace_along_normals(&mut moved, 0.05, &Job::default()).unwrap();
         check(&moved, "displacement");
     }
 }

@@ -4,7 +4,7 @@ use crate::common::Silent;
 use crate::space::{Gapped, Random, bits, glued_bits_agree, sheet, sphere, torus};
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::analyse::jacobian;
+use gusset::net::analyse::jacobian_by_central_differences;
 use gusset::net::field::{self, *};
 use gusset::net::transform::{Affine, Axis, RotationSense};
 use gusset::net::{Net, Sides, Topology};
@@ -18,7 +18,7 @@ fn whole(field: &dyn Field) -> DeformationStep<'_> {
 /// Where a field takes a point.
 fn at(field: &dyn Field, strength: f64, p: DVec3) -> DVec3 {
     let [mut x, mut y, mut z] = p.to_array().map(|v| [v]);
-    field.map(strength, [&mut x, &mut y, &mut z]);
+    field.map_points(strength, [&mut x, &mut y, &mut z]);
     DVec3::new(x[0], y[0], z[0])
 }
 
@@ -104,7 +104,7 @@ fn twists_tapers_shears_and_wraps_have_the_volumes_that_their_formulas_say() {
     let mut random = Random(11);
     for _ in 0..200 {
         let p = 2.0 * random.vector();
-        let det = |field: &dyn Field| jacobian(p, 0.1, &[whole(field)]).0.determinant();
+        let det = |field: &dyn Field| jacobian_by_central_differences(p, 0.1, &[whole(field)]).0.determinant();
         let close = |a: f64, b: f64| (a - b).abs() < 1e-7 * (1.0 + b.abs());
         for (axis, w) in [(Axis::X, p.x), (Axis::Y, p.y), (Axis::Z, p.z)] {
             assert!(close(det(&field::twist(axis, 0.7, 0.2).unwrap()), 1.0));
@@ -254,24 +254,24 @@ fn the_host_s_function_is_called_for_every_node_once_and_the_result_is_snapped()
             }
             Ok(())
         };
-        deform_rows(&mut net, map, &Job::default()).unwrap();
+        deform_by_callback(&mut net, map, &Job::default()).unwrap();
         assert_eq!(next, rows * columns);
         assert!(glued_bits_agree(&net));
         let node = (rows - 2) * columns + 1;
         let expected = before.get(rows - 2, 1).x + node as f64;
         assert!((net.get(rows - 2, 1).x - expected).abs() <= 1e-7 * expected);
         let fail = |_: usize, _: RowsMut<'_>| Err(Error::Cancelled);
-        assert_eq!(deform_rows(&mut net, fail, &Job::default()), Err(Error::Cancelled));
+        assert_eq!(deform_by_callback(&mut net, fail, &Job::default()), Err(Error::Cancelled));
     }
 }
 
 #[test]
 fn snap_gives_members_the_bits_of_their_representative() {
     let mut net = sphere(9, 13, Scalar::F64);
-    assert_eq!(snap(&mut net).unwrap(), 0);
+    assert_eq!(snap_glued_nodes(&mut net).unwrap(), 0);
     net.coordinates_mut().set(4, 12, DVec3::NAN);
     net.coordinates_mut().set(0, 5, DVec3::new(-0.0, 0.0, -1.0));
-    assert_eq!(snap(&mut net).unwrap(), 2, "a zero with a sign is other bits");
+    assert_eq!(snap_glued_nodes(&mut net).unwrap(), 2, "a zero with a sign is other bits");
     assert!(glued_bits_agree(&net));
     assert_eq!(net.get(4, 12), net.get(4, 0));
 }
@@ -282,7 +282,7 @@ fn displacement_along_normals_makes_a_larger_sphere() {
         let mut net = sphere(33, 65, Scalar::F64);
         let topology: Topology = net.topology().clone().with_reversed(reversed);
         net.set_topology(topology);
-        displace(&mut net, 0.5, &Job::default()).unwrap();
+        displace_along_normals(&mut net, 0.5, &Job::default()).unwrap();
         let radius = if reversed { 0.5 } else { 1.5 };
         for i in 0..33 {
             for j in 0..65 {
@@ -291,7 +291,7 @@ fn displacement_along_normals_makes_a_larger_sphere() {
         }
         assert!(glued_bits_agree(&net));
     }
-    assert!(displace(&mut sphere(9, 9, Scalar::F32), f64::NAN, &Job::default()).is_err());
+    assert!(displace_along_normals(&mut sphere(9, 9, Scalar::F32), f64::NAN, &Job::default()).is_err());
 }
 
 #[test]

@@ -23,7 +23,7 @@ const MODES: [(&str, StreamMode); 3] =
 fn net(topology: Topology, scalar: Scalar, place: impl Fn(usize, usize) -> DVec3) -> Net<'static> {
     let classes = NodeClasses::new(&topology).unwrap();
     let shape = topology.shape();
-    let first = |i, j| shape.place(classes.representative(shape.node(i, j)));
+    let first = |i, j| shape.row_and_column(classes.representative(shape.node(i, j)));
     Net::from_fn(topology, scalar, |i, j| {
         let (i, j) = first(i, j);
         place(i, j)
@@ -53,7 +53,7 @@ fn nets() -> [(&'static str, Net<'static>); 3] {
     let shape = Shape::new(7, 8).unwrap();
     let torus = net(Topology::from_sides(shape, Sides::TORUS), Scalar::F32, integers);
     let mut matrix = LinkMatrix::empty(shape).unwrap();
-    [0, 2, 4, 17, 23, 60, 88].into_iter().for_each(|link| matrix.set(link, true));
+    [0, 2, 4, 17, 23, 60, 88].into_iter().for_each(|link| matrix.set_contracted(link, true));
     let seam = Seam { a: SeamRun::along_column(0, 0, 1), b: SeamRun::along_column(6, 7, -1), count: 7 };
     let mut strip = net(Topology::new(shape, ContractedLinks::Matrix(matrix), &[seam]).unwrap(), Scalar::F64, integers);
     *strip.bridges_mut() = bridges();
@@ -67,7 +67,7 @@ fn assert_same(name: &str, expected: &Net<'_>, found: &Net<'_>) {
     assert_eq!((expected.topology(), expected.bridges()), (found.topology(), found.bridges()), "{name}");
     assert_eq!(expected.coordinates().scalar(), found.coordinates().scalar(), "{name}");
     for node in 0..expected.shape().node_count() as u32 {
-        let (i, j) = expected.shape().place(node);
+        let (i, j) = expected.shape().row_and_column(node);
         let [expected, found] = [expected, found].map(|net| net.get(i, j).to_array().map(f64::to_bits));
         assert_eq!(expected, found, "{name}: node {i}, {j}");
     }
@@ -90,7 +90,7 @@ fn streams_of_the_past_are_read() {
             assert_same(&name, &net, &decode(&bytes, &job).unwrap());
             let mut decoder = StreamDecoder::new(1 << 20);
             for piece in bytes.chunks(100) {
-                decoder.push(piece).unwrap();
+                decoder.decode_next_bytes(piece).unwrap();
             }
             assert_same(&name, &net, &decoder.finish().unwrap());
         }

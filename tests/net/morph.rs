@@ -3,7 +3,7 @@
 use crate::space::{Random, bits, glued_bits_agree, sheet, sphere, torus};
 use glam::{DMat3, DVec3};
 use gusset::mesh::Scalar;
-use gusset::net::field::snap;
+use gusset::net::field::snap_glued_nodes;
 use gusset::net::{MorphPath, Net, Sides, Topology, morph};
 use gusset::{Error, Job};
 
@@ -16,7 +16,7 @@ fn between(a: &Net<'_>, b: &Net<'_>, t: f64, path: MorphPath) -> Net<'static> {
 /// The net with its nodes moved by a function, glued ones alike.
 fn moved(net: &Net<'_>, mut map: impl FnMut(DVec3) -> DVec3) -> Net<'static> {
     let mut made = Net::from_fn(net.topology().clone(), net.coordinates().scalar(), |i, j| map(net.get(i, j))).unwrap();
-    snap(&mut made).unwrap();
+    snap_glued_nodes(&mut made).unwrap();
     made
 }
 

@@ -82,7 +82,7 @@ impl Surface {
             if is_hidden(net, i, j) {
                 continue;
             }
-            match ReducedCell::new(classes.corners(i, j)) {
+            match ReducedCell::new(classes.representatives_of_corners(i, j)) {
                 ReducedCell::Digon([a, b]) => drop(edge(a, b)),
                 ReducedCell::Fold([a, b, d]) => drop((edge(a, b), edge(a, d))),
                 reduced => polygons.extend(reduced.polygon().map(<[u32]>::to_vec)),
@@ -121,7 +121,7 @@ impl Surface {
     /// The volume enclosed, by the divergence theorem over fans of triangles.
     pub fn volume(&self, net: &Net<'_>) -> f64 {
         let at = |class: u32| {
-            let (i, j) = net.shape().place(class);
+            let (i, j) = net.shape().row_and_column(class);
             net.get(i, j)
         };
         let fan =
@@ -158,7 +158,7 @@ pub fn any_topology(rows: std::ops::Range<usize>, columns: std::ops::Range<usize
                 return Some(Topology::from_sides(shape, sides).with_reversed(reversed));
             }
             let mut matrix = LinkMatrix::from_sides(shape, sides).unwrap();
-            links.iter().for_each(|&link| matrix.set(u32::from(link) % (2 * h * w) as u32, true));
+            links.iter().for_each(|&link| matrix.set_contracted(u32::from(link) % (2 * h * w) as u32, true));
             let seams: Vec<Seam> = seams.iter().filter_map(|&numbers| seam(shape, numbers)).collect();
             let made = Topology::new(shape, ContractedLinks::Matrix(matrix), &seams);
             match made {

@@ -51,9 +51,9 @@ fn by_force(net: &Net<'_>) -> Vec<DVec3> {
             if !is_present(net, i, j) {
                 continue;
             }
-            if let Some(polygon) = ReducedCell::new(classes.corners(i, j)).polygon() {
+            if let Some(polygon) = ReducedCell::new(classes.representatives_of_corners(i, j)).polygon() {
                 let point = |k: usize| {
-                    let (i, j) = shape.place(polygon[k % polygon.len()]);
+                    let (i, j) = shape.row_and_column(polygon[k % polygon.len()]);
                     net.get(i, j)
                 };
                 let n = polygon.len();
@@ -78,7 +78,7 @@ fn agree(net: &Net<'_>) {
     let (expected, (found, without)) = (by_force(net), compute(net));
     let shape = net.shape();
     for (node, expected) in expected.iter().enumerate() {
-        let (i, j) = shape.place(node as u32);
+        let (i, j) = shape.row_and_column(node as u32);
         let (a, b) = (found.get(i, j), *expected);
         assert!(a.distance(b) < 1e-6, "node ({i}, {j}) of {shape:?}: {a} instead of {b}");
     }
@@ -88,7 +88,7 @@ fn agree(net: &Net<'_>) {
 /// A rough surface with the given gluing, its glued nodes in one place.
 fn rough(topology: Topology, scalar: Scalar, random: &mut Random) -> Net<'static> {
     let mut net = Net::from_fn(topology, scalar, |i, j| DVec3::new(j as f64, i as f64, 0.0) + random.vector()).unwrap();
-    gusset::net::field::snap(&mut net).unwrap();
+    gusset::net::field::snap_glued_nodes(&mut net).unwrap();
     net
 }
 
@@ -117,7 +117,7 @@ fn they_are_the_sums_over_the_polygons_whatever_is_glued() {
     for round in 0..60 {
         let mut matrix = LinkMatrix::empty(shape).unwrap();
         for link in 0..2 * 11 * 14 {
-            matrix.set(link, shape.is_inner(link) && random.next() > 0.6);
+            matrix.set_contracted(link, shape.joins_neighbours(link) && random.next() > 0.6);
         }
         let seam = Seam { a: SeamRun::along_column(0, 0, 1), b: SeamRun::along_column(10, 13, -1), count: 11 };
         let seams = if round % 2 == 0 { vec![seam] } else { vec![] };

@@ -24,10 +24,10 @@ fn most_links_made_one(classes: &NodeClasses) -> usize {
     let shape = classes.shape();
     let mut count = BTreeMap::new();
     for link in (0..2 * shape.node_count() as u32).filter(|&link| {
-        let [a, b] = shape.ends(link).map(|node| shape.place(node));
+        let [a, b] = shape.ends_of_link(link).map(|node| shape.row_and_column(node));
         a.0.abs_diff(b.0) + a.1.abs_diff(b.1) == 1 && !classes.has_identified_ends(link)
     }) {
-        let mut ends = shape.ends(link).map(|node| classes.representative(node));
+        let mut ends = shape.ends_of_link(link).map(|node| classes.representative(node));
         ends.sort_unstable();
         *count.entry(ends).or_insert(0) += 1;
     }
@@ -36,7 +36,7 @@ fn most_links_made_one(classes: &NodeClasses) -> usize {
 
 #[test]
 fn letters_and_orders_are_those_that_counting_finds() {
-    for number in 0..GluingType::COUNT as u32 {
+    for number in 0..GluingType::TYPE_COUNT as u32 {
         let kind = GluingType::from_number(number).unwrap();
         for on_cell in [false, true] {
             let Some(signature) = (if on_cell { kind.cell_signature() } else { kind.node_signature() }) else {
@@ -45,7 +45,7 @@ fn letters_and_orders_are_those_that_counting_finds() {
             };
             let (topology, element) = with(kind, on_cell);
             let classes = NodeClasses::new(&topology).unwrap();
-            let largest = classes.groups().unwrap().iter().map(<[u32]>::len).max().unwrap();
+            let largest = classes.glued_classes().unwrap().iter().map(<[u32]>::len).max().unwrap();
             assert_eq!(usize::from(signature.node_order), largest, "{number}");
             assert_eq!(usize::from(signature.link_order), most_links_made_one(&classes), "{number}");
             // The letters, from the contracted links on the way round the node or the cell.
@@ -57,10 +57,10 @@ fn letters_and_orders_are_those_that_counting_finds() {
             let shape = topology.shape();
             let links: Vec<bool> = if on_cell {
                 let (i, j) = (found.element as usize / 6, found.element as usize % 6);
-                let [a, b, c, d] = classes.corners(i, j);
+                let [a, b, c, d] = classes.representatives_of_corners(i, j);
                 vec![a == b, b == c, c == d, d == a]
             } else {
-                let (i, j) = shape.place(found.element);
+                let (i, j) = shape.row_and_column(found.element);
                 let at = |i: usize, j: usize| classes.representative(shape.node(i, j));
                 [at(i, j + 1), at(i + 1, j), at(i, j - 1), at(i - 1, j)].map(|other| other == at(i, j)).to_vec()
             };
@@ -92,16 +92,16 @@ fn all_of_a_net_are_listed_in_order_and_as_often_as_the_histogram_says() {
             let same = |&other: &u32| classes.representative(other) == classes.representative(node);
             (0..shape.node_count() as u32).filter(same).count() as u32
         };
-        let mut counts = [[0; GluingType::COUNT]; 2];
+        let mut counts = [[0; GluingType::TYPE_COUNT]; 2];
         for found in &all {
             counts[usize::from(found.on_cell)][found.kind.number()] += 1;
             let (i, j) = if found.on_cell {
                 (found.element as usize / (shape.columns() - 1), found.element as usize % (shape.columns() - 1))
             } else {
-                shape.place(found.element)
+                shape.row_and_column(found.element)
             };
             let (kind, class) = if found.on_cell {
-                (classify_cell(&classes, i, j), shape.corners(i, j).map(size).into_iter().max().unwrap())
+                (classify_cell(&classes, i, j), shape.corners_of_cell(i, j).map(size).into_iter().max().unwrap())
             } else {
                 (classify_node(&classes, i, j, cyclic), size(found.element))
             };

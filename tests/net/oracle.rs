@@ -75,8 +75,8 @@ fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
     let (mut seen, mut refused) = (BTreeSet::new(), 0);
     for bits in part << 16..(part + 1) << 16 {
         let mut matrix = LinkMatrix::empty(shape).unwrap();
-        (0..18).for_each(|link| matrix.set(link, bits >> link & 1 == 1));
-        let pairs: Vec<_> = (matrix.links()).map(|link| shape.ends(link).map(|node| node as usize)).collect();
+        (0..18).for_each(|link| matrix.set_contracted(link, bits >> link & 1 == 1));
+        let pairs: Vec<_> = (matrix.links()).map(|link| shape.ends_of_link(link).map(|node| node as usize)).collect();
         let oracle = Oracle::new(shape, &pairs, |_, _| true);
         let topology = Topology::new(shape, ContractedLinks::Matrix(matrix), &[]);
         if let Some(cell) = oracle.crossing {
@@ -91,7 +91,7 @@ fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
         if bits % 16 == 5 {
             let saturated = topology.canonical_form().unwrap();
             let all = (0..18).all(|link| {
-                let [a, b] = shape.ends(link).map(|node| oracle.class[node as usize]);
+                let [a, b] = shape.ends_of_link(link).map(|node| oracle.class[node as usize]);
                 saturated.is_contracted(link) == (a == b)
             });
             assert!(all && saturated.canonical_form().unwrap() == saturated);
@@ -181,7 +181,7 @@ fn there_are_eighteen() {
     assert_eq!((all, crossing, cells.len()), (15, 1, 11));
     assert_eq!(stars.intersection(&cells).count(), 6);
     let types: BTreeSet<Partition> = stars.union(&cells).cloned().collect();
-    assert_eq!(types.len(), GluingType::COUNT);
+    assert_eq!(types.len(), GluingType::TYPE_COUNT);
     // Each of them, under the eight symmetries.
     let mut orbits: BTreeSet<BTreeSet<Partition>> = BTreeSet::new();
     for partition in &types {
@@ -221,7 +221,7 @@ fn each_type_is_what_its_caption_says() {
         15 => (4, 1, [4, 0, 1, 0]),
         _ => (2, 1, [0, 0, 0, 1]),
     };
-    for kind in (0..GluingType::COUNT as u32).filter_map(GluingType::from_number) {
+    for kind in (0..GluingType::TYPE_COUNT as u32).filter_map(GluingType::from_number) {
         let number = kind.number();
         let at = if number < 13 { shape.node(2, 2) } else { shape.cell(2, 2) };
         let glued = sheet.glued(&[Gluing::from_type(kind, at)]).unwrap();
@@ -229,7 +229,7 @@ fn each_type_is_what_its_caption_says() {
         let found = if number < 13 { classify_node(&classes, 2, 2, false) } else { classify_cell(&classes, 2, 2) };
         assert_eq!(found, Some(kind));
         let (order, count, cells) = caption(number);
-        let groups = classes.groups().unwrap();
+        let groups = classes.glued_classes().unwrap();
         assert!(groups.len() == count && groups.iter().all(|group| group.len() == order), "{number}");
         let complex = Complex::from_topology(&glued, &Job::default()).unwrap();
         assert_eq!([complex.triangles, complex.digons, complex.points, complex.folds], cells, "{number}");
@@ -251,8 +251,9 @@ fn long_rows() {
         let shape = Shape::new(h, w).unwrap();
         for share in [1, 3, 6, 9, 10] {
             let mut matrix = LinkMatrix::empty(shape).unwrap();
-            (0..2 * shape.node_count() as u32).for_each(|link| matrix.set(link, dice.below(10) < share));
-            let pairs: Vec<_> = (matrix.links()).map(|link| shape.ends(link).map(|node| node as usize)).collect();
+            (0..2 * shape.node_count() as u32).for_each(|link| matrix.set_contracted(link, dice.below(10) < share));
+            let pairs: Vec<_> =
+                (matrix.links()).map(|link| shape.ends_of_link(link).map(|node| node as usize)).collect();
             let class = crate::complexes::classes(shape.node_count(), &pairs);
             let crossing = Oracle::new(shape, &pairs, |_, _| true).crossing;
             let topology = Topology::new(shape, ContractedLinks::Matrix(matrix), &[]);
@@ -268,7 +269,7 @@ fn long_rows() {
             let saturated = topology.canonical_form().unwrap();
             let (mut nodes, mut cells) = ([0; 18], [0; 18]);
             for node in 0..shape.node_count() as u32 {
-                let (i, j) = shape.place(node);
+                let (i, j) = shape.row_and_column(node);
                 for link in [2 * node, 2 * node + 1] {
                     assert_eq!(saturated.is_contracted(link), classes.has_identified_ends(link));
                 }

@@ -50,7 +50,7 @@ fn made_plane(net: &mut Net<'_>, options: &PlanariseOptions<'_>) -> Planarised {
 fn squares(a: &Net<'_>, b: &Net<'_>) -> f64 {
     let classes = NodeClasses::new(a.topology()).unwrap();
     let vertices = (0..a.shape().node_count() as u32).filter(|&node| classes.representative(node) == node);
-    vertices.map(|node| a.shape().place(node)).map(|(i, j)| a.get(i, j).distance_squared(b.get(i, j))).sum()
+    vertices.map(|node| a.shape().row_and_column(node)).map(|(i, j)| a.get(i, j).distance_squared(b.get(i, j))).sum()
 }
 
 #[test]
@@ -82,11 +82,11 @@ fn cells_become_plane_and_gluing_stays() {
         let classes = NodeClasses::new(net.topology()).unwrap();
         let offsets: Vec<_> = (0..net.shape().node_count()).map(|_| 0.02 * random.vector()).collect();
         for node in 0..net.shape().node_count() as u32 {
-            let (i, j) = net.shape().place(node);
+            let (i, j) = net.shape().row_and_column(node);
             let moved = net.get(i, j) + offsets[classes.representative(node) as usize];
             net.coordinates_mut().set(i, j, moved);
         }
-        gusset::net::field::snap(&mut net).unwrap();
+        gusset::net::field::snap_glued_nodes(&mut net).unwrap();
         let given = net.copied().unwrap();
         let report = made_plane(&mut net, &PlanariseOptions::default());
         assert!(report.converged, "{name}: {report:?}");
@@ -103,11 +103,11 @@ fn cells_become_plane_and_gluing_stays() {
         for _ in 0..3 {
             let mut other = net.copied().unwrap();
             for node in 0..net.shape().node_count() as u32 {
-                let (i, j) = net.shape().place(node);
+                let (i, j) = net.shape().row_and_column(node);
                 let towards = net.get(i, j) + 0.3 * (given.get(i, j) - net.get(i, j)) + 1e-3 * random.vector();
                 other.coordinates_mut().set(i, j, towards);
             }
-            gusset::net::field::snap(&mut other).unwrap();
+            gusset::net::field::snap_glued_nodes(&mut other).unwrap();
             assert!(made_plane(&mut other, &PlanariseOptions::default()).converged);
             assert!(squares(&given, &other) > least * 0.97, "{name}: {} < {least}", squares(&given, &other));
         }
@@ -119,7 +119,7 @@ fn vertex_count(net: &Net<'_>) -> f64 {
     let classes = NodeClasses::new(net.topology()).unwrap();
     let mut seen = std::collections::BTreeSet::new();
     for cell in (0..net.shape().rows() - 1).flat_map(|i| (0..net.shape().columns() - 1).map(move |j| (i, j))) {
-        let corners = classes.corners(cell.0, cell.1);
+        let corners = classes.representatives_of_corners(cell.0, cell.1);
         if corners.iter().collect::<std::collections::BTreeSet<_>>().len() == 4 {
             seen.extend(corners);
         }

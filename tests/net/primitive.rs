@@ -76,10 +76,10 @@ fn every_primitive_is_what_it_is() {
 
 fn check_duplicates(net: &Net<'_>) {
     let bits = |node: u32| {
-        let (i, j) = net.shape().place(node);
+        let (i, j) = net.shape().row_and_column(node);
         net.get(i, j).to_array().map(f64::to_bits)
     };
-    for class in NodeClasses::new(net.topology()).unwrap().groups().unwrap().iter() {
+    for class in NodeClasses::new(net.topology()).unwrap().glued_classes().unwrap().iter() {
         assert!(class.iter().all(|&node| bits(node) == bits(class[0])));
     }
     let zero = (0..net.shape().node_count() as u32).flat_map(bits).any(|bits| bits == (-0f64).to_bits());

@@ -56,7 +56,7 @@ proptest! {
     ) {
         let net = glued(topology);
         let (h, w) = (net.shape().rows(), net.shape().columns());
-        let large = net.reformatted(h + more.0, w + more.1, how, &job()).unwrap();
+        let large = net.enlarged_to(h + more.0, w + more.1, how, &job()).unwrap();
         prop_assert_eq!(large.shape(), shape(h + more.0, w + more.1));
         let (before, after) = (Surface::from_net(&net), Surface::from_net(&large));
         prop_assert_eq!(before.counts(), after.counts());
@@ -66,12 +66,12 @@ proptest! {
         // small one.
         let classes = NodeClasses::new(large.topology()).unwrap();
         for node in 0..large.shape().node_count() as u32 {
-            let [(i, j), (p, q)] = [node, classes.representative(node)].map(|node| large.shape().place(node));
+            let [(i, j), (p, q)] = [node, classes.representative(node)].map(|node| large.shape().row_and_column(node));
             prop_assert_eq!(large.get(i, j), large.get(p, q));
         }
         if has_no_copies(&net) {
             let numbered = numbered(net.topology().clone(), Scalar::F32);
-            let large = numbered.reformatted(h + more.0, w + more.1, how, &job()).unwrap();
+            let large = numbered.enlarged_to(h + more.0, w + more.1, how, &job()).unwrap();
             let back = large.compacted(&job()).unwrap();
             if back.topology() != numbered.topology() {
                 // The same gluing, where seams that say a pair twice can be written in shorter
@@ -92,7 +92,7 @@ fn closed_nets_stay_closed() {
         for how in
             [Replication::First, Replication::Last, Replication::At(3), Replication::Uniform, Replication::AtPoles]
         {
-            let large = net.reformatted(11, 20, [how; 2], &job()).unwrap();
+            let large = net.enlarged_to(11, 20, [how; 2], &job()).unwrap();
             let surface = Surface::from_net(&large);
             assert_eq!(surface.euler(), Surface::from_net(&net).euler());
             assert_eq!(surface.edge_faces().into_keys().collect::<Vec<_>>(), [2], "{how:?}");
@@ -100,7 +100,7 @@ fn closed_nets_stay_closed() {
         }
     }
     // At poles: the first and the last row, half each.
-    let large = sphere(5, 9, Scalar::F32, DVec3::ZERO).reformatted(9, 9, [Replication::AtPoles; 2], &job()).unwrap();
+    let large = sphere(5, 9, Scalar::F32, DVec3::ZERO).enlarged_to(9, 9, [Replication::AtPoles; 2], &job()).unwrap();
     assert!((0..3).all(|i| large.get(i, 4) == large.get(0, 0)) && large.get(3, 4) != large.get(0, 0));
     assert!((6..9).all(|i| large.get(i, 4) == large.get(8, 0)) && large.get(5, 4) != large.get(8, 0));
 }
@@ -113,7 +113,7 @@ fn a_seam_through_copies_is_one_again() {
     let strip = Topology::new(size, ContractedLinks::Sides(Sides::SHEET), &[seam]).unwrap();
     let net = glued(strip);
     for how in [Replication::First, Replication::Last, Replication::At(2), Replication::Uniform] {
-        let large = net.reformatted(12, 9, [how; 2], &job()).unwrap();
+        let large = net.enlarged_to(12, 9, [how; 2], &job()).unwrap();
         assert_eq!(Surface::from_net(&large).counts(), Surface::from_net(&net).counts());
         assert!(same(&large.compacted(&job()).unwrap(), &net), "{how:?}");
     }
@@ -123,7 +123,7 @@ fn a_seam_through_copies_is_one_again() {
 fn refusals() {
     let net = sphere(5, 9, Scalar::F32, DVec3::ZERO);
     let how = [Replication::Uniform; 2];
-    let refused = |rows, columns, how| net.reformatted(rows, columns, how, &job()).unwrap_err();
+    let refused = |rows, columns, how| net.enlarged_to(rows, columns, how, &job()).unwrap_err();
     assert_eq!(refused(4, 9, how), Error::OptionOutOfRange { option: "rows", value: 4.0 });
     assert_eq!(refused(5, 8, how), Error::OptionOutOfRange { option: "columns", value: 8.0 });
     let beyond = [Replication::At(5), Replication::Last];

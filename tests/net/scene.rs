@@ -41,7 +41,7 @@ proptest! {
             let done = scene.add_child(group, child);
             prop_assert_eq!(done, if cycle { Err(Error::SceneCycle { entry: child }) } else { Ok(()) });
         }
-        let counts = scene.counts().unwrap();
+        let counts = scene.count_elements().unwrap();
         if counts.instances <= 10_000 {
             let instances = scene.instances(&job()).unwrap();
             prop_assert_eq!(instances.len() as u64, counts.instances);
@@ -113,7 +113,7 @@ fn a_million_levels() {
         let (first, last) = (groups[first as usize], groups[last as usize]);
         scene.add_child(last, net).unwrap();
         assert_eq!(scene.add_child(last, first), Err(Error::SceneCycle { entry: first }));
-        let counts = scene.counts().unwrap();
+        let counts = scene.count_elements().unwrap();
         assert_eq!((counts.levels, counts.instances, counts.net_instances), (levels + 1, u64::from(levels) + 1, 1));
         let instances = scene.instances(&job()).unwrap();
         assert_eq!(instances[levels as usize].world, along_x(f64::from(levels - 1)));
@@ -135,7 +135,7 @@ fn instances_that_explode_are_counted_and_not_listed() {
         below = group;
     }
     let too_large = Error::TooLarge { what: "instances", count: u64::MAX, limit: MAX_INSTANCES };
-    assert_eq!(scene.counts().unwrap().instances, u64::MAX);
+    assert_eq!(scene.count_elements().unwrap().instances, u64::MAX);
     assert_eq!(scene.instances(&job()).unwrap_err(), too_large);
     assert_eq!(scene.flatten(&hidden(Direction::Down), &job()).unwrap_err(), too_large);
 }
@@ -192,7 +192,7 @@ fn where_things_are() {
     // A mirror: faces must keep their outside.
     scene.set_transform(right, along_x(10.0) * DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0))).unwrap();
     scene.set_transform(ring, DAffine3::from_rotation_z(0.5)).unwrap();
-    let counts = scene.counts().unwrap();
+    let counts = scene.count_elements().unwrap();
     assert_eq!((counts.nets, counts.groups, counts.instances, counts.net_instances, counts.levels), (2, 4, 9, 4, 4));
     for direction in [Direction::Down, Direction::Right] {
         let flat = scene.flatten(&hidden(direction), &job()).unwrap();
@@ -222,7 +222,7 @@ fn where_things_are() {
     scene.remove(pair).unwrap();
     assert!(scene.children(left).unwrap().is_empty());
     assert_eq!(scene.content(pair).unwrap_err(), Error::NoSuch { element: Element::Entry, index: pair.into() });
-    assert_eq!(scene.counts().unwrap().instances, 5);
+    assert_eq!(scene.count_elements().unwrap().instances, 5);
     assert_eq!(scene.net(left).unwrap_err(), Error::NoSuch { element: Element::Entry, index: left.into() });
     assert_eq!(scene.add_child(ball, ring).unwrap_err(), Error::NoSuch { element: Element::Entry, index: ball.into() });
     assert_eq!(

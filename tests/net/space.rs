@@ -27,8 +27,8 @@ pub fn is_hidden(net: &Net<'_>, i: usize, j: usize) -> bool {
 /// True if the cell at (i, j) exists: its four nodes have finite coordinates, and it belongs to no
 /// hidden bridge.
 pub fn is_present(net: &Net<'_>, i: usize, j: usize) -> bool {
-    net.shape().corners(i, j).into_iter().all(|node| {
-        let (i, j) = net.shape().place(node);
+    net.shape().corners_of_cell(i, j).into_iter().all(|node| {
+        let (i, j) = net.shape().row_and_column(node);
         net.get(i, j).is_finite()
     }) && !is_hidden(net, i, j)
 }

@@ -49,8 +49,8 @@ fn assert_quantised(net: &Net<'_>, back: &Net<'_>, info: &StreamInfo) {
         Scalar::F64 => value,
     };
     for node in 0..net.shape().node_count() as u32 {
-        let (i, j) = net.shape().place(node);
-        let (a, b) = net.shape().place(classes.representative(node));
+        let (i, j) = net.shape().row_and_column(node);
+        let (a, b) = net.shape().row_and_column(classes.representative(node));
         let (given, found) = (net.get(a, b), back.get(i, j));
         assert_eq!(given.is_finite(), found.is_finite(), "node {node}");
         assert!(given.is_finite() || found.is_nan(), "node {node}: {found}");
@@ -92,7 +92,7 @@ pub(crate) fn odd_nets() -> Vec<Net<'static>> {
     let seam = |a, b, count| Seam { a, b, count };
     let moebius = [seam(SeamRun::along_column(0, 0, 1), SeamRun::along_column(6, 8, -1), 7)];
     let mut matrix = LinkMatrix::empty(shape).unwrap();
-    [0, 2, 4, 17, 23, 60, 88].into_iter().for_each(|link| matrix.set(link, true));
+    [0, 2, 4, 17, 23, 60, 88].into_iter().for_each(|link| matrix.set_contracted(link, true));
     let topologies = [
         Topology::from_sides(shape, Sides::TWO_POLES),
         Topology::from_sides(shape, Sides::ONE_POLE).with_reversed(true),
@@ -209,9 +209,9 @@ fn rows_come_as_their_blocks_do() {
         let mut decoder = StreamDecoder::new(1 << 20);
         let mut rows = 0;
         for piece in stream.chunks(97) {
-            let done = decoder.push(piece).unwrap();
+            let done = decoder.decode_next_bytes(piece).unwrap();
             if done > rows {
-                let preview = decoder.preview(&Job::default()).unwrap();
+                let preview = decoder.net_of_complete_rows(&Job::default()).unwrap();
                 let Coordinates::F64(planes) = preview.coordinates() else { panic!("another type") };
                 let Coordinates::F64(expected) = whole.coordinates() else { panic!("another type") };
                 assert!((rows..done).all(|i| planes.row(i) == expected.row(i)));
@@ -223,14 +223,14 @@ fn rows_come_as_their_blocks_do() {
         assert_same(&decoder.finish().unwrap(), &whole);
 
         let mut cut = StreamDecoder::new(1 << 20);
-        cut.push(&stream[..stream.len() - 1]).unwrap();
+        cut.decode_next_bytes(&stream[..stream.len() - 1]).unwrap();
         assert!(matches!(cut.finish(), Err(Error::BadStream { .. })));
         let mut small = StreamDecoder::new(2999);
-        assert!(matches!(small.push(&stream), Err(Error::TooLarge { count: 3000, .. })));
-        assert!(matches!(small.push(&[]), Err(Error::TooLarge { .. })), "an error stays");
+        assert!(matches!(small.decode_next_bytes(&stream), Err(Error::TooLarge { count: 3000, .. })));
+        assert!(matches!(small.decode_next_bytes(&[]), Err(Error::TooLarge { .. })), "an error stays");
         let mut long = StreamDecoder::new(1 << 20);
-        long.push(&stream).unwrap();
-        assert!(matches!(long.push(&[0]), Err(Error::BadStream { .. })));
+        long.decode_next_bytes(&stream).unwrap();
+        assert!(matches!(long.decode_next_bytes(&[0]), Err(Error::BadStream { .. })));
     }
 }
 
@@ -302,7 +302,7 @@ fn real_grids_come_back_and_are_small() {
     for (name, net) in real_nets() {
         let shape = net.shape();
         let present = (0..shape.node_count() as u32).filter(|&node| {
-            let (i, j) = shape.place(node);
+            let (i, j) = shape.row_and_column(node);
             net.get(i, j).is_finite()
         });
         let present = present.count() as f64;

@@ -25,7 +25,8 @@ fn classes_by_force(shape: Shape, contracted: impl Fn(u32) -> bool, pairs: &[[u3
     let mut class: Vec<u32> = (0..shape.node_count() as u32).collect();
     loop {
         let mut changed = false;
-        let links = (0..2 * shape.node_count() as u32).filter(|&link| contracted(link)).map(|link| shape.ends(link));
+        let links =
+            (0..2 * shape.node_count() as u32).filter(|&link| contracted(link)).map(|link| shape.ends_of_link(link));
         for [a, b] in links.chain(pairs.iter().copied()) {
             let least = class[a as usize].min(class[b as usize]);
             changed |= class[a as usize] != least || class[b as usize] != least;
@@ -47,7 +48,7 @@ fn classes_of_sides_are_those_of_their_matrix() {
             let expected = classes_by_force(shape, |link| sides.is_contracted(shape, link), &[]);
             assert_eq!(classes.representatives().unwrap(), expected, "{h} x {w}, {sides:?}");
             let mut members: Vec<u32> = Vec::new();
-            for class in classes.groups().unwrap().iter() {
+            for class in classes.glued_classes().unwrap().iter() {
                 assert!(class.len() > 1 && class.iter().all(|&n| expected[n as usize] == class[0]));
                 members.extend(class);
             }
@@ -102,7 +103,7 @@ proptest! {
         let shape = topology.shape();
         let table = NodeClasses::new(&topology).unwrap().representatives().unwrap();
         let node = |node: u32| {
-            let (i, j) = shape.place(node);
+            let (i, j) = shape.row_and_column(node);
             SeamRun::along_row(i as u32, j as u32, 0)
         };
         let mut seams: Vec<Seam> = (0..).zip(&table).map(|(k, &class)| Seam { a: node(k), b: node(class), count: 1 }).collect();

@@ -101,8 +101,10 @@ fn grids_that_were_cut_are_found_again() {
                 let same = |found: BTreeSet<Vec<u32>>| found == cells;
                 let corners = |cell: usize| {
                     let columns = b.columns() - 1;
-                    let mut all =
-                        b.corners(cell / columns, cell % columns).map(|n| found.vertex_of_node[n as usize]).to_vec();
+                    let mut all = b
+                        .corners_of_cell(cell / columns, cell % columns)
+                        .map(|n| found.vertex_of_node[n as usize])
+                        .to_vec();
                     all.sort_unstable();
                     all.dedup();
                     all
@@ -126,7 +128,7 @@ fn check(found: &gusset::net::convert::RecognisedNet, triangles: &[Vec<u32>], wh
     let mut covered = vec![0; triangles.len()];
     for cell in 0..shape.cell_count() {
         let columns = shape.columns() - 1;
-        let corners = shape.corners(cell / columns, cell % columns).map(|n| found.vertex_of_node[n as usize]);
+        let corners = shape.corners_of_cell(cell / columns, cell % columns).map(|n| found.vertex_of_node[n as usize]);
         let mut set: Vec<u32> = corners.to_vec();
         set.sort_unstable();
         set.dedup();
@@ -150,7 +152,7 @@ fn positions_keep_their_bits() {
     let found = net_of_triangles(&mesh.view(&job()).unwrap(), &job()).unwrap();
     assert_eq!((found.net.shape(), found.net.topology().sides()), (net.shape(), Some(Sides::TWO_POLES)));
     for (node, &vertex) in (0..).zip(&found.vertex_of_node) {
-        let (i, j) = net.shape().place(node);
+        let (i, j) = net.shape().row_and_column(node);
         assert_eq!(
             found.net.get(i, j).to_array().map(f64::to_bits),
             mesh.positions.get(vertex).to_array().map(f64::to_bits)

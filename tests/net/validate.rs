@@ -93,7 +93,7 @@ fn derived_from_classes() {
         let count = dice.below(shape.node_count() as u64);
         for _ in 0..count {
             let link = dice.below(2 * shape.node_count() as u64) as u32;
-            matrix.set(link, shape.is_inner(link));
+            matrix.set_contracted(link, shape.joins_neighbours(link));
         }
         let topology = Topology::new(shape, ContractedLinks::Matrix(matrix), &[]).unwrap();
         let classes = NodeClasses::new(&topology).unwrap();
@@ -106,7 +106,7 @@ fn derived_from_classes() {
         let derived = detect_gluing(net.coordinates(), 0.0, &Job::default()).unwrap();
         // Rims that are glued through the inside may be known as seams besides: the classes count.
         assert_eq!(NodeClasses::new(&derived).unwrap().representatives().unwrap(), classes.representatives().unwrap());
-        assert_eq!(derived.links(), topology.canonical_form().unwrap().links());
+        assert_eq!(derived.contracted_link_set(), topology.canonical_form().unwrap().contracted_link_set());
     }
     // In the plane nothing crosses. Both diagonals: refused by name.
     let shape = Shape::new(2, 2).unwrap();
@@ -174,7 +174,7 @@ fn gluing_and_ungluing_undo_each_other() {
     let part = Seam { a: SeamRun::along_column(2, 6, 1), b: SeamRun::along_column(2, 0, -1), count: 1 };
     let cut = whole.unglued(&[Gluing::Seam(part)]).unwrap();
     assert_eq!(cut.seams().iter().map(|seam| seam.count).collect::<Vec<_>>(), [2, 2]);
-    assert_eq!(NodeClasses::new(&cut).unwrap().groups().unwrap().len(), 4);
+    assert_eq!(NodeClasses::new(&cut).unwrap().glued_classes().unwrap().len(), 4);
 }
 
 #[test]

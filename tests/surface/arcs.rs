@@ -6,7 +6,8 @@ use glam::DVec3;
 use gusset::curve::{Curve, CurveView, Place};
 use gusset::surface::line_intersection::Line;
 use gusset::surface::reference::{
-    AngleTarget, Arcs, Diameters, Figure, Goal, Object, SearchOptions, Sum, figure_incidence,
+    AngleTarget, CellBoundSum, CurveArcs, Diameters, Figure, PointPlaneOrLine, SearchGoal, SearchOptions,
+    find_cells_near_figure,
 };
 use gusset::surface::{Sheet, Surface};
 use gusset::{Error, Job};
@@ -34,8 +35,8 @@ fn samples(curve: &Curve, parts: usize, k: usize) -> Vec<(DVec3, DVec3)> {
     points.into_iter().zip(tangents).collect()
 }
 
-fn options(goal: Goal, k: usize) -> SearchOptions {
-    let sum = if k.is_multiple_of(2) { Sum::Greatest } else { Sum::Rings };
+fn options(goal: SearchGoal, k: usize) -> SearchOptions {
+    let sum = if k.is_multiple_of(2) { CellBoundSum::Greatest } else { CellBoundSum::Rings };
     SearchOptions { sum, by_rows: k.is_multiple_of(3), drop_lines: k % 4 < 2, ..SearchOptions::new(goal) }
 }
 
@@ -48,30 +49,30 @@ fn no_arc_is_lost() {
     for case in 0..120 {
         let (curve, other) = (random_curve(&mut random, case % 2 == 0), random_curve(&mut random, false));
         let parts = [1, 7, 40][case % 3];
-        let arcs = Arcs::new(&curve.view(), parts, &job).unwrap();
+        let arcs = CurveArcs::new(&curve.view(), parts, &job).unwrap();
         let (point, direction) = (random.point(2.0), random.point(1.0));
         let figure = match case % 6 {
-            0 => Figure::Object(Object::Point(point)),
-            1 => Figure::Object(Object::Plane { point, normal: direction }),
-            2 => Figure::Object(Object::Line(Line::new(point, direction))),
-            3 => Figure::Object(Object::Line(Line::ray(point, direction))),
+            0 => Figure::Object(PointPlaneOrLine::Point(point)),
+            1 => Figure::Object(PointPlaneOrLine::Plane { point, normal: direction }),
+            2 => Figure::Object(PointPlaneOrLine::Line(Line::new(point, direction))),
+            3 => Figure::Object(PointPlaneOrLine::Line(Line::ray(point, direction))),
             4 => Figure::Curve(other.view()),
             _ => Figure::Surface(&torus),
         };
         let distance = |p: DVec3| match figure {
-            Figure::Object(object) => object.target().unwrap().distance(p),
-            Figure::Curve(curve) => curve.nearest(&[p], &job).unwrap()[0].distance,
+            Figure::Object(object) => object.as_orthonormal_box().unwrap().distance(p),
+            Figure::Curve(curve) => curve.nearest_to_each_query(&[p], &job).unwrap()[0].distance,
             Figure::Surface(surface) => surface.closest(p, f64::INFINITY).unwrap().distance,
         };
         let truth: Vec<f64> = (0..5 * parts)
             .map(|k| samples(&curve, parts, k).iter().map(|&(p, _)| distance(p)).fold(f64::INFINITY, f64::min))
             .collect();
         let least = truth.iter().copied().fold(f64::INFINITY, f64::min);
-        for goal in [Goal::Within(0.0), Goal::Within(least + 0.05), Goal::Least] {
-            let found = arcs.incidence(figure, &options(goal, case), &job).unwrap();
+        for goal in [SearchGoal::Within(0.0), SearchGoal::Within(least + 0.05), SearchGoal::Least] {
+            let found = arcs.find_arcs_near_figure(figure, &options(goal, case), &job).unwrap();
             let within = match goal {
-                Goal::Within(within) => within,
-                Goal::Least => least,
+                SearchGoal::Within(within) => within,
+                SearchGoal::Least => least,
             };
             for (k, &truth) in truth.iter().enumerate() {
                 assert!(found.mask.get([0, k]) || truth > within, "{case} {goal:?} {k}: {truth} {within}");
@@ -83,15 +84,15 @@ fn no_arc_is_lost() {
         // Tangents at an angle.
         let target = AngleTarget { direction, angle: 0.3 + 2.0 * random.next(), unsigned: case % 5 == 0 };
         let unit = target.normalized().unwrap();
-        for goal in [Goal::Within(0.01), Goal::Least] {
-            let found = arcs.angle_incidence(target, &options(goal, case), &job).unwrap();
+        for goal in [SearchGoal::Within(0.01), SearchGoal::Least] {
+            let found = arcs.find_cells_with_angle(target, &options(goal, case), &job).unwrap();
             let deviations: Vec<f64> = (0..5 * parts)
                 .map(|k| {
                     samples(&curve, parts, k).iter().map(|&(_, t)| unit.deviation(t)).fold(f64::INFINITY, f64::min)
                 })
                 .collect();
             let least = deviations.iter().copied().fold(f64::INFINITY, f64::min);
-            let within = if goal == Goal::Least { least } else { 0.01 };
+            let within = if goal == SearchGoal::Least { least } else { 0.01 };
             for (k, &truth) in deviations.iter().enumerate() {
                 assert!(found.mask.get([0, k]) || truth > within, "{case} {goal:?} {k}: {truth}");
             }
@@ -114,10 +115,11 @@ fn no_cell_is_lost() {
         let figure = if case % 3 == 2 { Figure::Surface(&other) } else { Figure::Curve(curve.view()) };
         let distance = |p: DVec3| match figure {
             Figure::Surface(surface) => surface.closest(p, f64::INFINITY).unwrap().distance,
-            _ => curve.view().nearest(&[p], &job).unwrap()[0].distance,
+            _ => curve.view().nearest_to_each_query(&[p], &job).unwrap()[0].distance,
         };
         let within = 0.02;
-        let found = figure_incidence(sheet, &diameters, figure, &options(Goal::Within(within), case), &job).unwrap();
+        let found = find_cells_near_figure(sheet, &diameters, figure, &options(SearchGoal::Within(within), case), &job)
+            .unwrap();
         let [h, w] = sheet.cells();
         for cell in (0..h).flat_map(|i| (0..w).map(move |j| [i, j])) {
             let points =
@@ -140,7 +142,7 @@ fn lengths_are_bounds() {
     let length = curve.view().length().unwrap();
     let mut last = f64::INFINITY;
     for parts in [1, 2, 4, 64] {
-        let sum: f64 = Arcs::new(&curve.view(), parts, &job).unwrap().lengths.values().iter().sum();
+        let sum: f64 = CurveArcs::new(&curve.view(), parts, &job).unwrap().lengths.values().iter().sum();
         assert!(sum >= length * (1.0 - 1e-12) && sum <= last, "{parts}: {sum} {length}");
         last = sum;
     }
@@ -162,9 +164,10 @@ fn bits_of_nodes_lose_crossings_of_curves() {
         nodes[visited.saturating_sub(steps)..=(visited + steps).min(13)].fill(false);
     }
     assert!(!nodes.contains(&true), "the literal rule leaves none: {nodes:?}");
-    let arcs = Arcs::new(&line, 1, &Job::default()).unwrap();
-    let plane = Figure::Object(Object::Plane { point: DVec3::X * 0.5, normal: DVec3::X });
-    let found = arcs.incidence(plane, &SearchOptions::new(Goal::Within(0.0)), &Job::default()).unwrap();
+    let arcs = CurveArcs::new(&line, 1, &Job::default()).unwrap();
+    let plane = Figure::Object(PointPlaneOrLine::Plane { point: DVec3::X * 0.5, normal: DVec3::X });
+    let found =
+        arcs.find_arcs_near_figure(plane, &SearchOptions::new(SearchGoal::Within(0.0)), &Job::default()).unwrap();
     assert!(found.mask.get([0, 6]) && found.mask.count() <= 3);
 }
 
@@ -173,11 +176,14 @@ fn arcs_are_checked() {
     let (job, mut random) = (Job::default(), Random(5));
     let curve = random_curve(&mut random, false);
     let none = CurveView::new(&[], &[0], false).unwrap();
-    assert_eq!(Arcs::new(&none, 1, &job).unwrap_err(), Error::EmptyCurve);
-    assert!(matches!(Arcs::new(&curve.view(), 0, &job).unwrap_err(), Error::OptionOutOfRange { option: "parts", .. }));
-    assert!(matches!(Arcs::new(&curve.view(), 1 << 40, &job).unwrap_err(), Error::TooLarge { .. }));
-    let arcs = Arcs::new(&curve.view(), 1, &job).unwrap();
-    let ask = |figure| arcs.incidence(figure, &SearchOptions::new(Goal::Least), &job);
+    assert_eq!(CurveArcs::new(&none, 1, &job).unwrap_err(), Error::EmptyCurve);
+    assert!(matches!(
+        CurveArcs::new(&curve.view(), 0, &job).unwrap_err(),
+        Error::OptionOutOfRange { option: "parts", .. }
+    ));
+    assert!(matches!(CurveArcs::new(&curve.view(), 1 << 40, &job).unwrap_err(), Error::TooLarge { .. }));
+    let arcs = CurveArcs::new(&curve.view(), 1, &job).unwrap();
+    let ask = |figure| arcs.find_arcs_near_figure(figure, &SearchOptions::new(SearchGoal::Least), &job);
     assert_eq!(ask(Figure::Curve(none)).unwrap_err(), Error::EmptyCurve);
-    assert!(ask(Figure::Object(Object::Point(DVec3::NAN))).is_err());
+    assert!(ask(Figure::Object(PointPlaneOrLine::Point(DVec3::NAN))).is_err());
 }

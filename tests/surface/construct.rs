@@ -70,7 +70,7 @@ fn tangents_on_a_torus() {
             assert!(p >= position && n >= normal, "{twists}: {all:?}");
         }
         if twists != 2 {
-            assert!(with_tangents(16, 32, twists).crease(&Job::default()).unwrap() < 1e-7);
+            assert!(with_tangents(16, 32, twists).largest_crease_angle(&Job::default()).unwrap() < 1e-7);
         }
     }
     // Triangles, beside them, are of order 2.
@@ -215,7 +215,7 @@ fn nets_on_a_torus_have_order_four() {
         let net = CurveNet { rows: &rows, columns: &columns, closed: [true, true], tolerance: None };
         let sheet = Sheet::from_curves(&net, &job).unwrap();
         assert_eq!((sheet.cells(), sheet.is_closed()), ([h, w], [true, true]));
-        assert!(sheet.crease(&job).unwrap() < 1e-6);
+        assert!(sheet.largest_crease_angle(&job).unwrap() < 1e-6);
         errors(&sheet, |u, v| torus(TAU * u / h as f64, TAU * v / w as f64))
     };
     let all = [10, 20, 40].map(make);
@@ -247,7 +247,7 @@ fn coons_patches_poles_and_skins() {
     let (rows, columns) = ([tip.view(), b.view()], [c.view(), side.view()]);
     let net = CurveNet { rows: &rows, columns: &columns, closed: [false, false], tolerance: None };
     let sheet = Sheet::from_curves(&net, &job).unwrap();
-    assert_eq!(sheet.poles(), [[true, false], [false, false]]);
+    assert_eq!(sheet.poles_at_sides(), [[true, false], [false, false]]);
     assert!(sheet.normal(0, 0, 0.0, 0.3).distance(DVec3::Z) < 1e-12);
     // A skin of stations of Wigley's hull with different numbers of points contains them; rows
     // alone, columns alone.
@@ -325,9 +325,9 @@ fn frames_and_their_curves() {
         let options = FrameOptions { across: curves, along: curves, ..FrameOptions::new(Correspondence::Given) };
         let made = frame(&outlines, &options, &job).unwrap();
         let grid = Sheet::from_frame(&made, [false, true], FrameSurface::Nodes, &job).unwrap();
-        assert_eq!((grid.cells(), grid.is_closed(), grid.poles()[0]), ([7, 12], [false, true], [false, true]));
+        assert_eq!((grid.cells(), grid.is_closed(), grid.poles_at_sides()[0]), ([7, 12], [false, true], [false, true]));
         let sheet = Sheet::from_frame(&made, [false, true], FrameSurface::Curves, &job).unwrap();
-        assert_eq!((sheet.is_closed(), sheet.poles()[0]), ([false, true], [false, true]), "{mode:?}");
+        assert_eq!((sheet.is_closed(), sheet.poles_at_sides()[0]), ([false, true], [false, true]), "{mode:?}");
         for k in 0..7 {
             let apart = distance_from(&sheet, made.across.curve(k));
             assert!(apart < 1e-12, "{mode:?} {k}: {apart}");
@@ -419,5 +419,5 @@ fn hermite_and_grid_agree_where_the_slopes_do() {
         }
     }
     let four = Grid::new(grid.nodes().clone(), shape.closed, Scheme::FourPoint).unwrap();
-    assert!(Sheet::Grid(four).crease(&Job::default()).unwrap() > 1e-6);
+    assert!(Sheet::Grid(four).largest_crease_angle(&Job::default()).unwrap() > 1e-6);
 }

@@ -350,24 +350,30 @@ fn curves_that_cross_touch_and_run_together() {
     assert_eq!(found.places.len(), 1, "{found:?}");
     assert!((found.places[0].b.t - 1.5).abs() < 1e-12 && found.places[0].distance < 1e-12, "{found:?}");
     // In the plane meetings are exact: a line that touches the ring at a joint meets it once.
-    let found = tangent.meetings(&a.view(), 0.0, &job).unwrap();
+    let found = tangent.intersections_or_near_misses(&a.view(), 0.0, &job).unwrap();
     assert_eq!((found.places.len(), found.overlaps.len()), (1, 0), "{found:?}");
     assert_eq!(found.places[0].b.t, 0.0);
-    let found = across.meetings(&a.view(), 0.0, &job).unwrap();
+    let found = across.intersections_or_near_misses(&a.view(), 0.0, &job).unwrap();
     let exact = a.view().intersect_line(across.origin, across.direction, &job).unwrap();
     assert_eq!(found.places.iter().map(|place| place.a).collect::<Vec<_>>(), exact.places);
     // Its places are those between its ends.
-    assert_eq!(ray.meetings(&a.view(), 0.0, &job).unwrap().places.len(), 1);
+    assert_eq!(ray.intersections_or_near_misses(&a.view(), 0.0, &job).unwrap().places.len(), 1);
     let up_to_it = Line::segment(DVec3::ZERO, DVec3::X);
-    assert_eq!(up_to_it.meetings(&a.view(), 0.0, &job).unwrap().places.len(), 1);
+    assert_eq!(up_to_it.intersections_or_near_misses(&a.view(), 0.0, &job).unwrap().places.len(), 1);
     let within_it = Line::segment(DVec3::ZERO, DVec3::X * 0.5);
-    assert_eq!(within_it.meetings(&a.view(), 0.0, &job).unwrap().places.len(), 0);
+    assert_eq!(within_it.intersections_or_near_misses(&a.view(), 0.0, &job).unwrap().places.len(), 0);
     // In space, with a distance, and along a segment they are near misses.
-    assert_eq!(across.meetings(&b.view(), 0.0, &job).unwrap(), across.near_misses(&b.view(), 0.0, &job).unwrap());
-    assert_eq!(across.meetings(&a.view(), 0.1, &job).unwrap(), across.near_misses(&a.view(), 0.1, &job).unwrap());
-    assert!(!across.meetings(&bar.view(), 0.0, &job).unwrap().overlaps.is_empty());
+    assert_eq!(
+        across.intersections_or_near_misses(&b.view(), 0.0, &job).unwrap(),
+        across.near_misses(&b.view(), 0.0, &job).unwrap()
+    );
+    assert_eq!(
+        across.intersections_or_near_misses(&a.view(), 0.1, &job).unwrap(),
+        across.near_misses(&a.view(), 0.1, &job).unwrap()
+    );
+    assert!(!across.intersections_or_near_misses(&bar.view(), 0.0, &job).unwrap().overlaps.is_empty());
     for within in [f64::NAN, -1.0, f64::INFINITY] {
-        assert!(across.meetings(&a.view(), within, &job).is_err());
+        assert!(across.intersections_or_near_misses(&a.view(), within, &job).is_err());
         assert!(a.view().near_misses(&b.view(), within, &job).is_err());
         assert!(across.near_misses(&a.view(), within, &job).is_err());
     }

@@ -74,7 +74,7 @@ fn the_hull_passes_every_point_of_its_stations() {
         Sheet::Grid(Grid::new(nodes, [false, false], Scheme::SixTap).unwrap())
     };
     let grids = vec![sheet(&aft), sheet(&fore)];
-    assert_eq!(grids[1].poles(), [[false, true], [false, false]], "the stem's head is a point");
+    assert_eq!(grids[1].poles_at_sides(), [[false, true], [false, false]], "the stem's head is a point");
     // The same as skins of curves through all points of the stations.
     let skin = |stations: &[Vec<DVec3>]| {
         let curves: Vec<Curve> =

@@ -7,8 +7,8 @@ use crate::shapes::{Random, torus};
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::reference::{
-    AngleTarget, CellGridShape, Diameters, Goal, Object, SearchOptions, SearchOutcome, angle_incidence,
-    curvature_bound, incidence, normal_variation_by_curvature,
+    AngleTarget, CellGridShape, Diameters, PointPlaneOrLine, SearchGoal, SearchOptions, SearchOutcome, curvature_bound,
+    find_cells_near_object, find_cells_with_angle, normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -36,8 +36,9 @@ fn corner_distances(sheet: &Sheet<'_>, [i, j]: [usize; 2], point: DVec3, normal:
     [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| (sheet.corner(i, j) - point).dot(normal))
 }
 
-fn within(sheet: &Sheet<'_>, diameters: &Diameters, object: Object, tau: f64) -> SearchOutcome {
-    incidence(sheet, diameters, object, &SearchOptions::new(Goal::Within(tau)), &Job::default()).unwrap()
+fn within(sheet: &Sheet<'_>, diameters: &Diameters, object: PointPlaneOrLine, tau: f64) -> SearchOutcome {
+    find_cells_near_object(sheet, diameters, object, &SearchOptions::new(SearchGoal::Within(tau)), &Job::default())
+        .unwrap()
 }
 
 /// E1, the strip: cells 1 x 0.01, the plane x = 0.5, visits at x = -3 and x = 4 zero all four
@@ -46,10 +47,10 @@ fn within(sheet: &Sheet<'_>, diameters: &Diameters, object: Object, tau: f64) ->
 fn e1_nodes_on_rims_are_corners_outside() {
     let strip = sheet([7, 3], [false; 2], |i, j| DVec3::new(i as f64 - 3.0, 0.01 * j as f64, 0.0));
     let diameters = Diameters::new(&strip, &Job::default()).unwrap();
-    let d = diameters.euclidean.greatest();
+    let d = diameters.euclidean.largest_bound();
     assert!((d - 1.0_f64.hypot(0.01)).abs() < 1e-12, "{d}");
-    let object = Object::Plane { point: DVec3::new(0.5, 0.0, 0.0), normal: DVec3::X };
-    let target = object.target().unwrap();
+    let object = PointPlaneOrLine::Plane { point: DVec3::new(0.5, 0.0, 0.0), normal: DVec3::X };
+    let target = object.as_orthonormal_box().unwrap();
     let lattice = CellGridShape::new(&strip);
     let left = literal(lattice, d, |[i, j]| target.distance(strip.corner(i, j)), false);
     assert!((0..3).all(|j| !left.has_cell([3, j])), "the literal rule keeps what it is known to lose");
@@ -63,7 +64,7 @@ fn e1_nodes_on_rims_are_corners_outside() {
 fn e1_random_planes() {
     let bumpy = bumpy(100);
     let diameters = Diameters::new(&bumpy, &Job::default()).unwrap();
-    let d = diameters.euclidean.greatest();
+    let d = diameters.euclidean.largest_bound();
     let lattice = CellGridShape::new(&bumpy);
     let mut random = Random(1);
     let (mut planes, mut lost, mut crossing) = (0, 0, 0);
@@ -71,7 +72,7 @@ fn e1_random_planes() {
         let (point, normal) = (random.point(0.8), random.point(1.0).normalize());
         let distance = |[i, j]: [usize; 2]| (bumpy.corner(i, j) - point).dot(normal).abs();
         let left = literal(lattice, d, distance, false);
-        let found = within(&bumpy, &diameters, Object::Plane { point, normal }, 0.0);
+        let found = within(&bumpy, &diameters, PointPlaneOrLine::Plane { point, normal }, 0.0);
         let mut own = 0;
         for cell in all_cells(lattice) {
             let corners = corner_distances(&bumpy, cell, point, normal);
@@ -93,9 +94,9 @@ fn e2_blocks_must_not_touch() {
     // Cells that are segments of length 1: their diameters are exact.
     let line = sheet([6, 1], [false; 2], |i, _| DVec3::new(i as f64, 0.0, 0.0));
     let diameters = Diameters::new(&line, &Job::default()).unwrap();
-    assert!((diameters.euclidean.greatest() - 1.0).abs() < 1e-12);
-    let object = Object::Point(DVec3::new(3.0, 0.0, 0.0));
-    let target = object.target().unwrap();
+    assert!((diameters.euclidean.largest_bound() - 1.0).abs() < 1e-12);
+    let object = PointPlaneOrLine::Point(DVec3::new(3.0, 0.0, 0.0));
+    let target = object.as_orthonormal_box().unwrap();
     let left = literal(CellGridShape::new(&line), 1.0, |[i, j]| target.distance(line.corner(i, j)), false);
     // The node is at the point, and zeroed by the first one.
     assert!(!left.has_node([3, 0]) && target.distance(line.corner(3, 0)) == 0.0);
@@ -120,10 +121,12 @@ fn e3_the_rule_does_not_find_the_nearest() {
         let distance = |[i, j]: [usize; 2]| bumpy.corner(i, j).distance(query);
         let nodes = (0..rows).flat_map(|i| (0..columns).map(move |j| [i, j]));
         let nearest = nodes.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap();
-        let left = literal(lattice, diameters.euclidean.greatest(), distance, false);
+        let left = literal(lattice, diameters.euclidean.largest_bound(), distance, false);
         lost += usize::from(!left.has_node(nearest));
-        let options = SearchOptions::new(Goal::Least);
-        let found = incidence(&bumpy, &diameters, Object::Point(query), &options, &Job::default()).unwrap();
+        let options = SearchOptions::new(SearchGoal::Least);
+        let found =
+            find_cells_near_object(&bumpy, &diameters, PointPlaneOrLine::Point(query), &options, &Job::default())
+                .unwrap();
         assert_eq!(found.least.1, distance(nearest));
     }
     println!("{lost} of 500 nearest nodes lost");
@@ -148,8 +151,10 @@ fn e4_angles() {
         let normal = |i: usize, j: usize| ring.normal(i % 100, j % 100, 0.0, 0.0);
         // As the paper has it: the angle with the direction itself, and K d.
         let phi = |[i, j]: [usize; 2]| normal(i, j).dot(truth.direction).clamp(-1.0, 1.0).acos();
-        let left = literal(lattice, variation.greatest(), phi, false);
-        let found = angle_incidence(&ring, &variation, target, &SearchOptions::new(Goal::Within(0.0)), &job).unwrap();
+        let left = literal(lattice, variation.largest_bound(), phi, false);
+        let found =
+            find_cells_with_angle(&ring, &variation, target, &SearchOptions::new(SearchGoal::Within(0.0)), &job)
+                .unwrap();
         for cell in all_cells(lattice) {
             let [i, j] = cell;
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| phi([i, j]) - FRAC_PI_2);
@@ -173,9 +178,9 @@ fn e5_lines_that_must_not_be_dropped() {
     // A comb: columns far apart, so that a block in the first ones says nothing of the last.
     let wide = sheet([6, 4], [false; 2], |i, j| DVec3::new(i as f64, 1.0 * j as f64, 0.0));
     let diameters = Diameters::new(&wide, &Job::default()).unwrap();
-    let d = diameters.euclidean.greatest();
-    let object = Object::Point(DVec3::new(0.2, 4.0, 0.0));
-    let target = object.target().unwrap();
+    let d = diameters.euclidean.largest_bound();
+    let object = PointPlaneOrLine::Point(DVec3::new(0.2, 4.0, 0.0));
+    let target = object.as_orthonormal_box().unwrap();
     let distance = |[i, j]: [usize; 2]| target.distance(wide.corner(i, j));
     let lattice = CellGridShape::new(&wide);
     // From the first node: r = 4.004, d = sqrt 2, J = 2, 2 J = 4: within the dimension. A lower d,
@@ -192,17 +197,17 @@ fn e5_lines_that_must_not_be_dropped() {
         DVec3::new(x, 0.0, 0.001 * j as f64 + if i <= 20 { 0.0 } else { 0.5 })
     });
     let diameters = Diameters::new(&strip, &Job::default()).unwrap();
-    let d = diameters.euclidean.greatest();
+    let d = diameters.euclidean.largest_bound();
     let mut random = Random(5);
     let (mut lost, mut dropped, lattice) = (0, 0, CellGridShape::new(&strip));
     for _ in 0..100 {
         let point = DVec3::new(20.0 * random.next(), 0.0, 0.0);
-        let object = Object::Plane { point, normal: DVec3::X };
+        let object = PointPlaneOrLine::Plane { point, normal: DVec3::X };
         let distance = |[i, j]: [usize; 2]| (strip.corner(i, j).x - point.x).abs();
         let left = literal(lattice, d, distance, true);
         let found = within(&strip, &diameters, object, 0.0);
-        let plain = SearchOptions { drop_lines: false, ..SearchOptions::new(Goal::Within(0.0)) };
-        let plain = incidence(&strip, &diameters, object, &plain, &Job::default()).unwrap();
+        let plain = SearchOptions { drop_lines: false, ..SearchOptions::new(SearchGoal::Within(0.0)) };
+        let plain = find_cells_near_object(&strip, &diameters, object, &plain, &Job::default()).unwrap();
         // Dropping lines spares nothing else.
         assert_eq!(found.mask, plain.mask);
         dropped += found.dropped;
@@ -216,7 +221,7 @@ fn e5_lines_that_must_not_be_dropped() {
     }
     assert!(lost > 0 && dropped > 0, "{lost} {dropped}");
     // The negative answer at once: the first node excludes all.
-    let far = within(&strip, &diameters, Object::Point(DVec3::new(0.0, 1e4, 0.0)), 0.0);
+    let far = within(&strip, &diameters, PointPlaneOrLine::Point(DVec3::new(0.0, 1e4, 0.0)), 0.0);
     assert_eq!((far.mask.count(), far.evaluations, far.blocks), (0, 1, 1));
 }
 
@@ -239,10 +244,10 @@ fn e6_half_the_perimeter_is_no_bound() {
     let (top, corner) = (bump.jet(0, 0, 0.5, 0.5).point, bump.corner(0, 0));
     let half_perimeter = 2.0;
     assert!(top.distance(corner) > half_perimeter);
-    assert!(diameters.euclidean.greatest() >= top.distance(corner));
+    assert!(diameters.euclidean.largest_bound() >= top.distance(corner));
     // With half the perimeter for d, the cell is excluded, and its top is lost.
-    let object = Object::Point(top);
-    let target = object.target().unwrap();
+    let object = PointPlaneOrLine::Point(top);
+    let target = object.as_orthonormal_box().unwrap();
     let lattice = CellGridShape::new(&bump);
     let left = literal(lattice, half_perimeter, |[i, j]| target.distance(bump.corner(i, j)), false);
     assert!(!left.has_cell([0, 0]));
@@ -257,7 +262,7 @@ fn e7_what_signs_at_nodes_do_not_show() {
     let diameters = Diameters::new(&bump, &Job::default()).unwrap();
     let job = Job::default();
     let crossed = |point: DVec3, normal: DVec3| {
-        cells_within(&bump, &diameters, Object::Plane { point, normal }, 0.0, 1e-9).count() == 1
+        cells_within(&bump, &diameters, PointPlaneOrLine::Plane { point, normal }, 0.0, 1e-9).count() == 1
     };
     // A loop: all corners are below.
     let loop_at = DVec3::new(0.5, 0.5, 0.5);
@@ -274,7 +279,7 @@ fn e7_what_signs_at_nodes_do_not_show() {
     }
     let arch = Sheet::Cubic(Patches::new(&points, [2, 2], 1, 1).unwrap());
     let diameters = Diameters::new(&arch, &job).unwrap();
-    let object = Object::Plane { point: DVec3::new(0.0, 0.0, 0.25), normal: DVec3::Z };
+    let object = PointPlaneOrLine::Plane { point: DVec3::new(0.0, 0.0, 0.25), normal: DVec3::Z };
     assert!(corner_distances(&arch, [0, 0], DVec3::new(0.0, 0.0, 0.25), DVec3::Z).iter().all(|&x| x < 0.0));
     assert_eq!(cells_within(&arch, &diameters, object, 0.0, 1e-9).count(), 1);
 }
@@ -289,12 +294,12 @@ fn e8_euclidean_suffices() {
     let diameters = Diameters::new(&folded, &job).unwrap();
     let lattice = CellGridShape::new(&folded);
     assert!(diameters.euclidean.values().iter().zip(diameters.intrinsic.values()).all(|(chord, way)| chord <= way));
-    assert!(diameters.euclidean.greatest() < 0.95 * diameters.intrinsic.greatest());
+    assert!(diameters.euclidean.largest_bound() < 0.95 * diameters.intrinsic.largest_bound());
     let long_way = Diameters { euclidean: diameters.intrinsic.clone(), intrinsic: diameters.intrinsic.clone() };
     let mut random = Random(8);
     let mut evaluations = [0, 0];
     for _ in 0..20 {
-        let object = Object::Plane { point: 20.0 + random.point(20.0), normal: random.point(1.0) };
+        let object = PointPlaneOrLine::Plane { point: 20.0 + random.point(20.0), normal: random.point(1.0) };
         let [chord, way] = [&diameters, &long_way].map(|diameters| within(&folded, diameters, object, 0.0));
         evaluations = [evaluations[0] + chord.evaluations, evaluations[1] + way.evaluations];
         let exact = cells_within(&folded, &diameters, object, 0.0, 1e-9);

@@ -29,20 +29,20 @@ fn cap(rows: usize, columns: usize, shift: DVec3, size: f64, height: impl Fn(f64
 fn limits_at_poles() {
     for (shift, size, noise) in [(DVec3::ZERO, 1.0, 0.0), (DVec3::splat(1e6), 1.0, 1e-6), (DVec3::ZERO, 1e-9, 0.0)] {
         let smooth = cap(12, 32, shift, size, |r| 1.0 - 0.3 * r * r);
-        assert_eq!(smooth.poles(), [[true, false], [false, false]]);
+        assert_eq!(smooth.poles_at_sides(), [[true, false], [false, false]]);
         for (j, v) in [(0, 0.0), (5, 0.3), (31, 1.0)] {
-            let normal = smooth.normal_limit(0, j, 0.0, v);
+            let normal = smooth.normal_or_limit(0, j, 0.0, v);
             assert_eq!(normal.kind, NormalKind::Limit);
             assert!(normal.direction.distance(DVec3::Z) < 1e-3 + noise && normal.spread < 2e-3 + noise, "{normal:?}");
             assert_eq!(smooth.normal(0, j, 0.0, v), normal.direction);
         }
         // A little away from it the normal is regular, and nearly the same.
-        let near = smooth.normal_limit(0, 3, 1e-3, 0.5);
+        let near = smooth.normal_or_limit(0, 3, 1e-3, 0.5);
         assert!(near.kind == NormalKind::Regular && near.direction.distance(DVec3::Z) < 2e-3 + noise, "{near:?}");
         // A cone has a normal along each line, and none at the tip: they are 90 degrees apart from
         // one another across.
         let cone = cap(12, 32, shift, size, |r| 1.0 - r);
-        let normal = cone.normal_limit(0, 0, 0.0, 0.0);
+        let normal = cone.normal_or_limit(0, 0, 0.0, 0.0);
         let along = DVec3::new(1.0, 0.0, 1.0).normalize();
         assert!(normal.direction.distance(along) < 1e-4 + noise, "{normal:?}");
         assert!((normal.spread - TAU / 4.0).abs() < 1e-3 + noise, "{normal:?}");
@@ -68,7 +68,7 @@ fn limits_on_patches() {
     }
     let sheet = Sheet::Cubic(Patches::new(&net, [3, 3], 1, 1).unwrap());
     for v in [0.0, 0.4, 1.0] {
-        let normal = sheet.normal_limit(0, 0, 0.0, v);
+        let normal = sheet.normal_or_limit(0, 0, 0.0, v);
         assert_eq!(normal.kind, NormalKind::Limit);
         assert!(normal.direction.distance(sheet.normal(0, 0, 1e-3, v)) < 1e-2, "{normal:?}");
     }
@@ -101,13 +101,13 @@ fn limits_on_patches() {
         DVec3::new(3.0, -2.0, 0.0),
     ];
     let corner = Sheet::Cubic(Patches::new(&net, [2, 2], 1, 1).unwrap());
-    let normal = corner.normal_limit(0, 0, 0.0, 0.0);
+    let normal = corner.normal_or_limit(0, 0, 0.0, 0.0);
     assert_eq!(normal.kind, NormalKind::Limit);
     assert!(normal.direction.distance(corner.normal(0, 0, 1e-3, 1e-3)) < 1e-9, "{normal:?}");
     // A line segment lacks normals.
     let line: Vec<DVec3> = (0..4).map(|k| DVec3::X * f64::from(k / 2)).collect();
     let line = Sheet::Cubic(Patches::new(&line, [1, 1], 1, 1).unwrap());
-    assert_eq!(line.normal_limit(0, 0, 0.3, 0.5).kind, NormalKind::None);
+    assert_eq!(line.normal_or_limit(0, 0, 0.3, 0.5).kind, NormalKind::None);
     assert_eq!(line.normal(0, 0, 0.0, 0.0), DVec3::ZERO);
 }
 
@@ -188,7 +188,7 @@ fn estimates_are_near_the_errors() {
             let grid = Grid::new(grid(&shape).nodes().clone(), shape.closed, scheme).unwrap();
             let sheet = Sheet::Grid(grid);
             let estimates = sheet.interpolation_errors(&job()).unwrap();
-            let flat = sheet.flatnesses(&job()).unwrap();
+            let flat = sheet.flatness_bounds_of_cells(&job()).unwrap();
             let (mut most, mut greatest) = (0.0_f64, 0.0_f64);
             for (cell, &estimate) in estimates.iter().enumerate() {
                 let (i, j) = (cell / 96, cell % 96);
@@ -243,7 +243,7 @@ fn estimates_are_near_the_errors() {
     assert!(few.interpolation_errors(&job()).unwrap().iter().all(|&error| error == f64::INFINITY));
     let patch = Sheet::Cubic(Patches::new(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE], [1, 1], 1, 1).unwrap());
     assert_eq!(patch.interpolation_errors(&job()), Ok(vec![0.0]));
-    let [bilinear, triangles] = patch.flatness(0, 0);
+    let [bilinear, triangles] = patch.flatness_bounds(0, 0);
     assert!(bilinear < 1e-15 && (triangles - 0.25).abs() < 1e-15);
 }
 
@@ -302,7 +302,7 @@ fn meshes_are_as_closed_as_sheets_and_as_near_as_they_say() {
         },
     };
     let sheet = Sheet::Grid(grid(&sphere));
-    assert_eq!(sheet.poles(), [[true, true], [false, false]]);
+    assert_eq!(sheet.poles_at_sides(), [[true, true], [false, false]]);
     let made = sheet.to_mesh(&SurfaceMeshOptions { tolerance: 1e-2, ..Default::default() }, &job()).unwrap();
     assert_eq!(topology(&made), (2, true));
 }

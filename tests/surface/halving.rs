@@ -4,7 +4,9 @@
 use glam::{DVec2, DVec3};
 use gusset::Job;
 use gusset::surface::line_intersection::Line;
-use gusset::surface::reference::{CellMask, Diameters, Goal, Object, SearchOptions, incidence};
+use gusset::surface::reference::{
+    CellMask, Diameters, PointPlaneOrLine, SearchGoal, SearchOptions, find_cells_near_object,
+};
 use gusset::surface::{Patch, Place, Sheet};
 
 /// Halvings of a cell before it is left undecided.
@@ -46,8 +48,9 @@ pub(crate) struct Nearest {
 /// The nearest point of a sheet, task a). The search by nodes leaves few cells; each is halved as
 /// long as it may be nearer.
 pub(crate) fn closest(sheet: &Sheet<'_>, diameters: &Diameters, query: DVec3, tolerance: f64) -> Nearest {
-    let options = SearchOptions::new(Goal::Least);
-    let found = incidence(sheet, diameters, Object::Point(query), &options, &Job::default()).unwrap();
+    let options = SearchOptions::new(SearchGoal::Least);
+    let found =
+        find_cells_near_object(sheet, diameters, PointPlaneOrLine::Point(query), &options, &Job::default()).unwrap();
     let (node, distance) = found.least;
     let [(row, u), (column, v)] = [0, 1].map(|k| {
         let last = sheet.cells()[k] - 1;
@@ -105,12 +108,12 @@ fn refine<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], tole
 pub(crate) fn cells_within(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
-    object: Object,
+    object: PointPlaneOrLine,
     distance: f64,
     tolerance: f64,
 ) -> CellMask {
-    let options = SearchOptions::new(Goal::Within(distance));
-    let left = incidence(sheet, diameters, object, &options, &Job::default()).unwrap().mask;
+    let options = SearchOptions::new(SearchGoal::Within(distance));
+    let left = find_cells_near_object(sheet, diameters, object, &options, &Job::default()).unwrap().mask;
     let (object, mut within) = (ObjectBox::new(object), left.clone());
     for cell in left.cells() {
         let near = with_patch!(sheet, [cell[0], cell[1]], patch => object.comes_near(patch, distance, tolerance));
@@ -127,11 +130,11 @@ struct ObjectBox {
 }
 
 impl ObjectBox {
-    fn new(object: Object) -> Self {
+    fn new(object: PointPlaneOrLine) -> Self {
         let (origin, axes, along) = match object {
-            Object::Point(point) => (point, DVec3::AXES.to_vec(), [0.0; 2]),
-            Object::Plane { point, normal } => (point, vec![normal.normalize()], [0.0; 2]),
-            Object::Line(Line { origin, direction, from, to }) => {
+            PointPlaneOrLine::Point(point) => (point, DVec3::AXES.to_vec(), [0.0; 2]),
+            PointPlaneOrLine::Plane { point, normal } => (point, vec![normal.normalize()], [0.0; 2]),
+            PointPlaneOrLine::Line(Line { origin, direction, from, to }) => {
                 let unit = direction.normalize();
                 let (u, v) = unit.any_orthonormal_pair();
                 (origin, vec![u, v, unit], [from, to].map(|t| t * direction.length()))

@@ -129,7 +129,7 @@ fn regions_by_force() {
         for _ in 0..6 {
             let query = random.point(1.5);
             let radius = 0.2 + random.next();
-            let region = surface.region(query, radius, &Job::default()).unwrap();
+            let region = surface.cells_in_ball(query, radius, &Job::default()).unwrap();
             assert_eq!(region.first, [0, (h * w) as u64]);
             let bits: u32 = region.mask.iter().map(|word| word.count_ones()).sum();
             assert_eq!(bits as usize, region.cells.len());
@@ -155,10 +155,10 @@ fn regions_by_force() {
                 }
             }
         }
-        let everything = surface.region(DVec3::ZERO, 1e9, &Job::default()).unwrap();
+        let everything = surface.cells_in_ball(DVec3::ZERO, 1e9, &Job::default()).unwrap();
         assert_eq!(everything.cells.len(), h * w);
         assert!(everything.whole.iter().all(|&whole| whole));
-        assert!(surface.region(DVec3::splat(100.0), 1.0, &Job::default()).unwrap().cells.is_empty());
+        assert!(surface.cells_in_ball(DVec3::splat(100.0), 1.0, &Job::default()).unwrap().cells.is_empty());
     }
 }
 
@@ -168,8 +168,8 @@ fn questions_that_are_none() {
     let job = Job::default();
     assert!(surface.local_minima(DVec3::splat(f64::NAN), 1.0, 0, &job).is_err());
     assert!(surface.local_minima(DVec3::ZERO, f64::NAN, 0, &job).is_err());
-    assert!(surface.region(DVec3::INFINITY, 1.0, &job).is_err());
-    assert!(surface.region(DVec3::ZERO, -1.0, &job).is_err());
+    assert!(surface.cells_in_ball(DVec3::INFINITY, 1.0, &job).is_err());
+    assert!(surface.cells_in_ball(DVec3::ZERO, -1.0, &job).is_err());
 }
 
 /// A surface through rows x columns nodes.
@@ -243,7 +243,7 @@ fn queries_whose_squares_overflow() {
     assert_eq!(surface.closest(far, f64::INFINITY), None);
     assert!(refused(surface.closest_all(&[DVec3::ZERO, far], f64::INFINITY, &job).unwrap_err(), 1));
     assert!(refused(surface.local_minima(far, f64::INFINITY, 0, &job).unwrap_err(), 0));
-    assert!(refused(surface.region(far, 1.0, &job).unwrap_err(), 0));
+    assert!(refused(surface.cells_in_ball(far, 1.0, &job).unwrap_err(), 0));
     let found = surface.closest(DVec3::splat(1e150), f64::INFINITY).unwrap();
     assert!(found.distance.is_finite() && found.proven, "{found:?}");
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::line_intersection::{HitSelection, Line};
-use gusset::surface::reference::{CellGridShape, CellMask, Diameters, Object};
+use gusset::surface::reference::{CellGridShape, CellMask, Diameters, PointPlaneOrLine};
 use gusset::surface::{Grid, Patches, Place, Scheme, Sheet, Surface};
 use std::path::{Path, PathBuf};
 
@@ -152,9 +152,10 @@ fn regions_of_cells() {
             let query = centre + random.point(0.8 * size);
             let nearest = case.surface.closest(query, f64::INFINITY).unwrap().distance;
             let radius = nearest + 0.2 * size;
-            let within =
-                |radius| cells_within(&case.sheet, &case.diameters, Object::Point(query), radius, case.tolerance);
-            let region = case.surface.region(query, radius, &Job::default()).unwrap();
+            let within = |radius| {
+                cells_within(&case.sheet, &case.diameters, PointPlaneOrLine::Point(query), radius, case.tolerance)
+            };
+            let region = case.surface.cells_in_ball(query, radius, &Job::default()).unwrap();
             let (least, most) = (within(radius - 4.0 * case.tolerance), within(radius + 4.0 * case.tolerance));
             for k in 0..case.lattice().len() {
                 let (cell, has) = (case.lattice().cell(k), region.contains(k as u64));
@@ -214,7 +215,7 @@ fn compare_lines(lines: usize, seed: u64) -> usize {
         for _ in 0..lines {
             let line = Line::new(centre + random.point(0.5 * size), random.point(1.0));
             let hits = case.surface.line(&line, HitSelection::All).unwrap();
-            let object = Object::Line(line);
+            let object = PointPlaneOrLine::Line(line);
             let scale = cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance);
             let places: Vec<Place> = hits.iter().map(|hit| hit.place).collect();
             count += compare(&case, &scale, &places, &line);
@@ -235,7 +236,7 @@ fn cells_of_sections() {
             let (point, normal) = (centre + random.point(0.4 * size), random.point(1.0).normalize());
             let planes = Planes { point, normal, levels: &[0.0] };
             let paths = case.surface.section(&planes, PointSpacing::Chord(1e-3 * size), &Job::default()).unwrap();
-            let object = Object::Plane { point, normal };
+            let object = PointPlaneOrLine::Plane { point, normal };
             let scale = cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance);
             let places: Vec<Place> = paths.places.iter().chain(&paths.unresolved).copied().collect();
             count += compare(&case, &scale, &places, &planes);
@@ -252,7 +253,7 @@ fn cells_of_planes() {
         let mut random = Random(23);
         for _ in 0..20 {
             let (point, normal) = (centre + random.point(0.4 * size), random.point(1.0).normalize());
-            let object = Object::Plane { point, normal };
+            let object = PointPlaneOrLine::Plane { point, normal };
             let scale = cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance);
             for k in 0..case.lattice().len() {
                 let cell = case.lattice().cell(k);

@@ -61,9 +61,12 @@ fn creases_are_those_of_normals_at_places() {
                     }
                 }
             }
-            let crease = sheet.crease(&Job::default()).unwrap();
+            let crease = sheet.largest_crease_angle(&Job::default()).unwrap();
             assert!((crease - worst).abs() < 1e-12, "{} {scheme:?}: {crease} {worst}", shape.name);
-            assert_eq!(crease.to_bits(), sheet.crease(&Job::new(1, &Count::default())).unwrap().to_bits());
+            assert_eq!(
+                crease.to_bits(),
+                sheet.largest_crease_angle(&Job::new(1, &Count::default())).unwrap().to_bits()
+            );
         }
     }
 }
@@ -90,6 +93,6 @@ fn long_work_asks_often_whether_to_stop() {
     let two = Surface::new(vec![sheet.clone(), sheet.clone()], None, &Job::new(1, &Count::default())).unwrap();
     assert_eq!(one.bounds(), two.bounds());
     let count = Count::default();
-    sheet.crease(&Job::new(2, &count)).unwrap();
+    sheet.largest_crease_angle(&Job::new(2, &count)).unwrap();
     assert!(count.0.get() >= 10, "{}", count.0.get());
 }

@@ -6,8 +6,9 @@ use crate::shapes::{Random, SHAPES, curvatures, grid, rough};
 use glam::DVec3;
 use gusset::surface::line_intersection::Line;
 use gusset::surface::reference::{
-    AngleTarget, CellGridShape, CellMask, Diameters, Goal, Object, SearchOptions, Sizes, Sum, angle_incidence,
-    curvature_bound, incidence, normal_by_sections, normal_variation_by_cones, normal_variation_by_curvature,
+    AngleTarget, CellBoundSum, CellGridShape, CellMask, CellSizeBounds, Diameters, PointPlaneOrLine, SearchGoal,
+    SearchOptions, curvature_bound, find_cells_near_object, find_cells_with_angle, normal_by_sections,
+    normal_variation_by_cones, normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, MAX_DEGREE, Nodes, Patches, Scheme, Sheet};
 use gusset::{Error, Job, Progress};
@@ -101,7 +102,7 @@ fn diameters_bound_distances_and_lengths() {
             let widest = points.iter().flat_map(|a| points.iter().map(move |b| a.0.distance(b.0))).fold(0.0, f64::max);
             assert!(euclidean <= 6.0 * widest && intrinsic <= 12.0 * widest, "{euclidean} {intrinsic} {widest}");
         }
-        assert_eq!(found.euclidean.greatest(), found.euclidean.values().iter().copied().fold(0.0, f64::max));
+        assert_eq!(found.euclidean.largest_bound(), found.euclidean.values().iter().copied().fold(0.0, f64::max));
     }
 }
 
@@ -119,23 +120,23 @@ fn blocks_stay_within_their_sums() {
             let node = [rows, columns].map(|n| (random.next() * n as f64) as usize);
             let steps = 1 + (random.next() * 4.0) as usize;
             let from = sheet.corner(node[0], node[1]);
-            let reach = sizes.ring_sum(node, steps);
-            assert!(reach <= steps as f64 * sizes.greatest() * (1.0 + 1e-12));
+            let reach = sizes.sum_of_largest_ring_bounds(node, steps);
+            assert!(reach <= steps as f64 * sizes.largest_bound() * (1.0 + 1e-12));
             let normal = normal_at(&sheet, node);
             for cell in block(lattice, node, steps) {
                 for (point, there) in samples(&sheet, cell) {
                     assert!(point.distance(from) <= reach);
-                    assert!(angle(normal, there) <= variation.ring_sum(node, steps) + 1e-12);
+                    assert!(angle(normal, there) <= variation.sum_of_largest_ring_bounds(node, steps) + 1e-12);
                 }
             }
             // The largest block within a limit: one more step would be too much.
-            for sum in [Sum::Greatest, Sum::Rings] {
+            for sum in [CellBoundSum::Greatest, CellBoundSum::Rings] {
                 let limit = 3.0 * random.next();
-                let (most, reach) = sizes.steps(node, limit, sum);
+                let (most, reach) = sizes.max_steps_within_distance(node, limit, sum);
                 assert!(reach < limit || most == 0);
                 let bound = |steps: usize| match sum {
-                    Sum::Greatest => steps as f64 * sizes.greatest() * (1.0 + 1e-14),
-                    Sum::Rings => sizes.ring_sum(node, steps),
+                    CellBoundSum::Greatest => steps as f64 * sizes.largest_bound() * (1.0 + 1e-14),
+                    CellBoundSum::Rings => sizes.sum_of_largest_ring_bounds(node, steps),
                 };
                 let longest = lattice.cells[0].max(lattice.cells[1]);
                 assert!(most == longest || bound(most + 1) * (1.0 + 1e-13) >= limit, "{most} {limit}");
@@ -166,10 +167,10 @@ fn block(lattice: CellGridShape, node: [usize; 2], steps: usize) -> Vec<[usize; 
 }
 
 /// All ways to search.
-fn ways(goal: Goal) -> Vec<SearchOptions> {
+fn ways(goal: SearchGoal) -> Vec<SearchOptions> {
     let mut ways = Vec::new();
     for k in 0..8 {
-        let sum = if k & 1 == 0 { Sum::Greatest } else { Sum::Rings };
+        let sum = if k & 1 == 0 { CellBoundSum::Greatest } else { CellBoundSum::Rings };
         ways.push(SearchOptions { sum, by_rows: k & 2 != 0, drop_lines: k & 4 != 0, ..SearchOptions::new(goal) });
     }
     ways
@@ -188,16 +189,16 @@ fn nothing_within_reach_is_lost() {
         for k in 0..24 {
             let (point, direction) = (random.point(1.5), random.point(1.0));
             let object = match k % 4 {
-                0 => Object::Point(point),
-                1 => Object::Plane { point, normal: direction },
-                2 => Object::Line(Line::new(point, direction)),
-                _ => Object::Line(Line::segment(point, point + direction)),
+                0 => PointPlaneOrLine::Point(point),
+                1 => PointPlaneOrLine::Plane { point, normal: direction },
+                2 => PointPlaneOrLine::Line(Line::new(point, direction)),
+                _ => PointPlaneOrLine::Line(Line::segment(point, point + direction)),
             };
             let tau = if k % 3 == 0 { 0.0 } else { 0.3 * random.next() };
-            let truth = object.target().unwrap();
+            let truth = object.as_orthonormal_box().unwrap();
             let mut least = usize::MAX;
-            for options in ways(Goal::Within(tau)) {
-                let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
+            for options in ways(SearchGoal::Within(tau)) {
+                let found = find_cells_near_object(&sheet, &diameters, object, &options, &Job::default()).unwrap();
                 for cell in cells(lattice) {
                     let near = samples[lattice.index(cell)].iter().any(|(point, _)| truth.distance(*point) <= tau);
                     assert!(!near || found.mask.get(cell), "{object:?} {options:?} {cell:?}");
@@ -231,8 +232,15 @@ fn the_nearest_is_kept() {
             let query = random.point(if k % 2 == 0 { 1.5 } else { 30.0 });
             let distance = |node: [usize; 2]| sheet.corner(node[0], node[1]).distance(query);
             let nearest = nodes().min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap();
-            for options in ways(Goal::Least) {
-                let found = incidence(&sheet, &diameters, Object::Point(query), &options, &Job::default()).unwrap();
+            for options in ways(SearchGoal::Least) {
+                let found = find_cells_near_object(
+                    &sheet,
+                    &diameters,
+                    PointPlaneOrLine::Point(query),
+                    &options,
+                    &Job::default(),
+                )
+                .unwrap();
                 assert_eq!(found.least.1, distance(nearest), "{options:?}");
                 for cell in cells(lattice) {
                     let near = &samples[lattice.index(cell)];
@@ -256,7 +264,7 @@ fn normals_at_an_angle_are_kept() {
         let cones = normal_variation_by_cones(&sheet, &job).unwrap();
         let bent = normal_variation_by_curvature(&sheet, &diameters, curvature, &job).unwrap();
         let samples: Vec<_> = cells(lattice).map(|cell| samples(&sheet, cell)).collect();
-        assert!(cones.greatest() < bent.greatest(), "{} {}", cones.greatest(), bent.greatest());
+        assert!(cones.largest_bound() < bent.largest_bound(), "{} {}", cones.largest_bound(), bent.largest_bound());
         let mut random = Random(3);
         let mut left = [0, 0];
         for k in 0..8 {
@@ -268,8 +276,8 @@ fn normals_at_an_angle_are_kept() {
             };
             let least: Vec<_> = samples.iter().map(least).collect();
             for (which, variation) in [&cones, &bent].into_iter().enumerate() {
-                for options in ways(Goal::Within(0.02)) {
-                    let found = angle_incidence(&sheet, variation, target, &options, &job).unwrap();
+                for options in ways(SearchGoal::Within(0.02)) {
+                    let found = find_cells_with_angle(&sheet, variation, target, &options, &job).unwrap();
                     left[which] += found.mask.count();
                     for cell in cells(lattice) {
                         let near = least[lattice.index(cell)] <= 0.02;
@@ -349,27 +357,29 @@ fn what_is_refused() {
     let sheet = Sheet::Grid(grid(&SHAPES[2]));
     let job = Job::default();
     let diameters = Diameters::new(&sheet, &job).unwrap();
-    let ask = |object, goal| incidence(&sheet, &diameters, object, &SearchOptions::new(goal), &job);
+    let ask = |object, goal| find_cells_near_object(&sheet, &diameters, object, &SearchOptions::new(goal), &job);
     let nan = DVec3::splat(f64::NAN);
     for object in [
-        Object::Point(nan),
-        Object::Plane { point: nan, normal: DVec3::X },
-        Object::Plane { point: DVec3::X, normal: DVec3::ZERO },
-        Object::Line(Line::new(DVec3::ZERO, DVec3::ZERO)),
-        Object::Line(Line { from: 2.0, ..Line::segment(DVec3::ZERO, DVec3::X) }),
-        Object::Line(Line { from: f64::NAN, ..Line::segment(DVec3::ZERO, DVec3::X) }),
+        PointPlaneOrLine::Point(nan),
+        PointPlaneOrLine::Plane { point: nan, normal: DVec3::X },
+        PointPlaneOrLine::Plane { point: DVec3::X, normal: DVec3::ZERO },
+        PointPlaneOrLine::Line(Line::new(DVec3::ZERO, DVec3::ZERO)),
+        PointPlaneOrLine::Line(Line { from: 2.0, ..Line::segment(DVec3::ZERO, DVec3::X) }),
+        PointPlaneOrLine::Line(Line { from: f64::NAN, ..Line::segment(DVec3::ZERO, DVec3::X) }),
     ] {
-        assert!(matches!(ask(object, Goal::Least), Err(Error::OptionOutOfRange { .. })), "{object:?}");
+        assert!(matches!(ask(object, SearchGoal::Least), Err(Error::OptionOutOfRange { .. })), "{object:?}");
     }
     for within in [-1.0, f64::NAN] {
-        assert!(ask(Object::Point(DVec3::ZERO), Goal::Within(within)).is_err());
+        assert!(ask(PointPlaneOrLine::Point(DVec3::ZERO), SearchGoal::Within(within)).is_err());
     }
     assert!(normal_variation_by_curvature(&sheet, &diameters, f64::NAN, &job).is_err());
     let variation = normal_variation_by_cones(&sheet, &job).unwrap();
     for (direction, angle) in [(DVec3::ZERO, 0.0), (nan, 0.0), (DVec3::X, -0.1), (DVec3::X, 4.0), (DVec3::X, f64::NAN)]
     {
         let target = AngleTarget { direction, angle, unsigned: false };
-        assert!(angle_incidence(&sheet, &variation, target, &SearchOptions::new(Goal::Least), &job).is_err());
+        assert!(
+            find_cells_with_angle(&sheet, &variation, target, &SearchOptions::new(SearchGoal::Least), &job).is_err()
+        );
     }
     assert!(CellMask::from_words(CellGridShape::new(&sheet), &[0]).is_err());
     // Cancelled at once.
@@ -397,11 +407,11 @@ fn bounds_hold_at_any_size_and_place() {
         let nodes = Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap();
         let sheet = Sheet::Grid(Grid::new(nodes, [true, true], Scheme::SixTap).unwrap());
         let diameters = Diameters::new(&sheet, &Job::default()).unwrap();
-        let object = Object::Plane { point: DVec3::splat(offset), normal: DVec3::new(1.0, 2.0, 3.0) };
-        let options = SearchOptions::new(Goal::Within(0.0));
-        let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
+        let object = PointPlaneOrLine::Plane { point: DVec3::splat(offset), normal: DVec3::new(1.0, 2.0, 3.0) };
+        let options = SearchOptions::new(SearchGoal::Within(0.0));
+        let found = find_cells_near_object(&sheet, &diameters, object, &options, &Job::default()).unwrap();
         let crossing = cells(CellGridShape::new(&sheet)).filter(|&cell| {
-            let Object::Plane { point, normal } = object else { unreachable!() };
+            let PointPlaneOrLine::Plane { point, normal } = object else { unreachable!() };
             let signs: Vec<_> = samples(&sheet, cell).iter().map(|(p, _)| (*p - point).dot(normal) > 0.0).collect();
             signs.iter().any(|&sign| sign != signs[0])
         });
@@ -417,16 +427,16 @@ fn degenerate_sheets() {
         let nodes = Nodes::strided(points, 2, 2, 0, 0).unwrap();
         let sheet = Sheet::Grid(Grid::new(nodes, [false; 2], Scheme::SixTap).unwrap());
         let diameters = Diameters::new(&sheet, &Job::default()).unwrap();
-        for goal in [Goal::Least, Goal::Within(0.5)] {
+        for goal in [SearchGoal::Least, SearchGoal::Within(0.5)] {
             for options in ways(goal) {
-                let object = Object::Point(DVec3::new(0.0, 0.0, 3.0));
-                let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
+                let object = PointPlaneOrLine::Point(DVec3::new(0.0, 0.0, 3.0));
+                let found = find_cells_near_object(&sheet, &diameters, object, &options, &Job::default()).unwrap();
                 assert_eq!(found.least.1, 3.0);
-                assert_eq!(found.mask.count(), usize::from(goal == Goal::Least));
+                assert_eq!(found.mask.count(), usize::from(goal == SearchGoal::Least));
             }
         }
-        let variation: Sizes = normal_variation_by_cones(&sheet, &Job::default()).unwrap();
-        assert_eq!(variation.greatest(), PI);
+        let variation: CellSizeBounds = normal_variation_by_cones(&sheet, &Job::default()).unwrap();
+        assert_eq!(variation.largest_bound(), PI);
         assert_eq!(normal_by_sections(&sheet, [0, 0], 0.5, 0.5), Ok(DVec3::ZERO));
     }
 }

@@ -103,7 +103,7 @@ fn closed_splines_close() {
             let (before, after) = (sheet.jet(k, n - 1, 0.4, 1.0).v / last, sheet.jet(k, 0, 0.4, 0.0).v / first);
             assert!(before.distance(after) < 1e-13);
         }
-        assert!(sheet.crease(&job).unwrap() < 1e-7);
+        assert!(sheet.largest_crease_angle(&job).unwrap() < 1e-7);
         // The same, unrolled: an open spline with its points repeated.
         let count = n + degree;
         let open: Vec<f64> = (0..count + degree + 1)

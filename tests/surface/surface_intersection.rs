@@ -203,7 +203,7 @@ fn candidates_hold_all_that_meets() {
     let shape = ring(16, 32);
     let (a, b) = (surface(&shape, |p| p), surface(&shape, |p| DMat3::from_rotation_x(0.9) * p + 0.2));
     let job = Job::default();
-    let pairs = a.candidates(&b, 0.0, &job).unwrap();
+    let pairs = a.candidate_cell_pairs(&b, 0.0, &job).unwrap();
     assert!(pairs.is_sorted() && pairs.windows(2).all(|pair| pair[0] != pair[1]));
     let near: Vec<DVec3> = meet(&a, &b).points;
     assert!(pairs.len() < 4 * near.len());
@@ -214,7 +214,7 @@ fn candidates_hold_all_that_meets() {
     // By distance: all pairs of cells with samples as near as that.
     let within = 0.1;
     let wide: std::collections::HashSet<_> =
-        a.candidates(&b, within, &job).unwrap().into_iter().map(|pair| pair.cells).collect();
+        a.candidate_cell_pairs(&b, within, &job).unwrap().into_iter().map(|pair| pair.cells).collect();
     let cells = |k: u32| [k / 32, k % 32];
     let samples = |of: &Surface<'_>, cell: [u32; 2]| {
         [0.0, 0.5, 1.0]
@@ -245,7 +245,7 @@ fn bad_options_and_cancel() {
         assert!(matches!(tolerance, Err(Error::OptionOutOfRange { option: "tolerance", .. })));
     }
     for bad in [-1.0, f64::NAN, f64::INFINITY] {
-        let found = a.candidates(&b, bad, &job);
+        let found = a.candidate_cell_pairs(&b, bad, &job);
         assert!(matches!(found, Err(Error::OptionOutOfRange { option: "within", .. })));
     }
     struct Stop;

@@ -3,7 +3,7 @@
 use super::channel::{Channel, Rule};
 use super::domain::Domain;
 use super::origins::Origins;
-use super::table::Table;
+use super::table::SourceTable;
 use super::values::{Output, ValueType};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -36,12 +36,15 @@ pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job
     let table = origins.table(channel.domain);
     // The output must have the type and number of components of the channel.
     Error::require(out.value_type == channel.value_type && out.components == channel.components, "output", 0.0)?;
-    let needed = (table.len() * out.stride).saturating_sub(out.stride - channel.size().min(out.stride));
+    let needed = (table.len() * out.stride).saturating_sub(out.stride - channel.bytes_per_value().min(out.stride));
     if out.bytes.len() < needed {
         return Err(Error::ArrayTooShort { what: "values", needed: needed as u64, given: out.bytes.len() as u64 });
     }
     let mixer = ValueMixer::new(origins, channel);
-    let chunks = out.bytes.chunks_mut(ELEMENTS_PER_TASK * out.stride).zip(par::ranges(table.len(), ELEMENTS_PER_TASK));
+    let chunks = out
+        .bytes
+        .chunks_mut(ELEMENTS_PER_TASK * out.stride)
+        .zip(par::split_into_ranges(table.len(), ELEMENTS_PER_TASK));
     let chunks = alloc::collect(chunks)?;
     let stride = out.stride;
     let done = par::map_cancellable(&job.part(0.2, 0.9), STAGE, chunks.into_iter(), |(bytes, rows)| {
@@ -57,7 +60,7 @@ pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job
 /// Mixes the values of sources.
 struct ValueMixer<'a> {
     channel: &'a Channel<'a>,
-    table: &'a Table,
+    table: &'a SourceTable,
     turned: Option<&'a BitSet>,
     /// The first source of each input, then the number of all sources.
     starts: &'a [u32],
@@ -67,7 +70,12 @@ impl<'a> ValueMixer<'a> {
     fn new(origins: &'a Origins, channel: &'a Channel<'a>) -> Self {
         let turned = origins.turned.as_ref().map(|sets| &sets[channel.domain as usize]);
         let turned = turned.filter(|_| channel.rule == Rule::Normal);
-        ValueMixer { channel, table: origins.table(channel.domain), turned, starts: origins.starts(channel.domain) }
+        ValueMixer {
+            channel,
+            table: origins.table(channel.domain),
+            turned,
+            starts: origins.first_sources_of_inputs(channel.domain),
+        }
     }
 
     /// The values of a source, if its input has the channel.
@@ -84,7 +92,7 @@ impl<'a> ValueMixer<'a> {
 
     fn mix_rows(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
         // Copies of constant size are faster.
-        match self.channel.size() {
+        match self.channel.bytes_per_value() {
             1 => self.mix_rows_of_size::<1>(rows, out, stride),
             2 => self.mix_rows_of_size::<2>(rows, out, stride),
             3 => self.mix_rows_of_size::<3>(rows, out, stride),
@@ -99,7 +107,7 @@ impl<'a> ValueMixer<'a> {
 
     /// Mixes rows whose values have `SIZE` bytes, or any number if `SIZE` is 0.
     fn mix_rows_of_size<const SIZE: usize>(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
-        let size = if SIZE == 0 { self.channel.size() } else { SIZE };
+        let size = if SIZE == 0 { self.channel.bytes_per_value() } else { SIZE };
         let components = self.channel.components;
         let mut mean = alloc::filled(0.0, components)?;
         let mut order = alloc::filled(0, if self.channel.rule == Rule::SkinWeights { components } else { 0 })?;

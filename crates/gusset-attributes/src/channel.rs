@@ -77,7 +77,7 @@ impl<'a> Channel<'a> {
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`], [`Error::ArrayTooShort`],
     /// [`Error::OutOfMemory`].
     pub fn push(&mut self, bytes: &'a [u8], stride: usize, count: usize) -> Result<()> {
-        let values = Strided::new(bytes, count, stride, self.size(), "values")?;
+        let values = Strided::new(bytes, count, stride, self.bytes_per_value(), "values")?;
         alloc::push(&mut self.inputs, Some(values))
     }
 
@@ -91,12 +91,12 @@ impl<'a> Channel<'a> {
     }
 
     /// The type and the number of the values of one element.
-    pub fn values(&self) -> (ValueType, u32) {
+    pub fn value_type_and_components(&self) -> (ValueType, u32) {
         (self.value_type, self.components as u32)
     }
 
     /// Size of the values of one element in bytes.
-    pub fn size(&self) -> usize {
+    pub fn bytes_per_value(&self) -> usize {
         self.components * self.value_type.size()
     }
 
@@ -125,10 +125,12 @@ impl<'a> Channel<'a> {
                 let bytes = values.bytes(*element);
                 bytes.chunks_exact(size).any(|value| is_bad(self.value_type.read(value)))
             };
-            let found =
-                par::map_cancellable(job, STAGE, par::ranges(values.count(), ELEMENTS_PER_TASK), |mut range| {
-                    range.find(bad)
-                })?;
+            let found = par::map_cancellable(
+                job,
+                STAGE,
+                par::split_into_ranges(values.count(), ELEMENTS_PER_TASK),
+                |mut range| range.find(bad),
+            )?;
             if let Some(&index) = found.iter().flatten().next() {
                 let mut own = values.bytes(index).chunks_exact(size).map(|value| self.value_type.read(value));
                 let value = own.find(|&value| is_bad(value)).unwrap_or(f64::NAN);

@@ -23,7 +23,7 @@
 //! equal for all channels.
 
 use super::rims::{RimEdgeEnd, RimEdges};
-use super::table::{FACES_PER_REPORT, STAGE, Table};
+use super::table::{FACES_PER_REPORT, STAGE, SourceTable};
 use super::values::Output;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -86,7 +86,7 @@ pub(super) struct ChartContinuation {
     /// For each new corner, the weights of its base's three corners in the extended chart.
     weights: Vec<[f64; 3]>,
     /// For each new corner, the old vertices whose values are interpolated.
-    shares: Table,
+    shares: SourceTable,
     /// Both ends of the rim edges, sorted by vertex.
     ends: Vec<RimEdgeEnd>,
 }
@@ -106,7 +106,7 @@ impl ChartContinuation {
         let offsets = alloc::copied(&mesh.face_offsets[first_face..])?;
         let (first, end) = (offsets[0], offsets[offsets.len() - 1]);
         let mut weights = alloc::with_capacity((end - first) as usize)?;
-        let mut shares = Table::with_capacity((end - first) as usize, (end - first) as usize)?;
+        let mut shares = SourceTable::with_capacity((end - first) as usize, (end - first) as usize)?;
         for (f, (range, &base)) in offsets.windows(2).zip(&rims.bases).enumerate() {
             job.step_every(FACES_PER_REPORT, f, rims.bases.len(), STAGE)?;
             for corner in range[0]..range[1] {
@@ -225,7 +225,7 @@ impl ChartContinuation {
     fn find_chart_cuts(&self, charts: &mut DisjointSets, values: &Output<'_>, job: &Job<'_>) -> Result<ChartCuts> {
         let mut cuts = ChartCuts { any: false, jumps: Vec::new(), usual_way: self.median_squared_base_length(values)? };
         for (k, ends) in self.ends.chunk_by(|a, b| a.vertex == b.vertex).enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             let &[a, b] = ends else { continue };
             // A vertex where different charts meet is not a cut.
             if have_same_values(values, [a.corner, b.corner]) || charts.find(a.edge) != charts.find(b.edge) {
@@ -271,7 +271,7 @@ impl ChartContinuation {
         let mut charts = DisjointSets::new(self.bases.len())?;
         let pairs = self.ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex);
         for (k, pair) in pairs.enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             if have_same_values(values, [pair[0].corner, pair[1].corner]) {
                 charts.union(pair[0].edge, pair[1].edge);
             }
@@ -307,7 +307,7 @@ impl ChartContinuation {
         let job = job.part(1.0, 1.0);
         sort(&mut votes, Ord::cmp, &job, STAGE)?;
         for (k, between) in votes.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)).enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             let no = between.partition_point(|vote| !vote.2);
             if between.len() - no > no {
                 charts.union(between[0].0, between[0].1);

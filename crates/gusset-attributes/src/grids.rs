@@ -2,7 +2,7 @@
 
 use super::domain::Counts;
 use super::origins::{KeptElements, Origins};
-use super::table::{STAGE, Table};
+use super::table::{STAGE, SourceTable};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
@@ -24,11 +24,11 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_net_mesh(net: &NetMesh, job: &Job<'_>) -> Result<Origins> {
         let (mesh, columns) = (&net.mesh, net.columns);
-        let vertices = Table::from_single_sources(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
-        let faces = Table::from_single_sources(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
-        let mut corners = Table::with_capacity(mesh.face_corners.len(), mesh.face_corners.len())?;
+        let vertices = SourceTable::from_single_sources(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
+        let faces = SourceTable::from_single_sources(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
+        let mut corners = SourceTable::with_capacity(mesh.face_corners.len(), mesh.face_corners.len())?;
         for (f, (&cell, face)) in net.cell_of_face.iter().zip(mesh.faces()).enumerate() {
-            job.part(0.4, 1.0).step_within(f, STAGE)?;
+            job.part(0.4, 1.0).step_within_list(f, STAGE)?;
             let cell = cell as usize;
             let first = cell / (columns - 1) * columns + cell % (columns - 1);
             let nodes = [first, first + columns, first + columns + 1, first + 1];
@@ -64,12 +64,12 @@ impl Origins {
         let face_at = |cell: [usize; 2]| grid.face_of_cell[wide(cell, shape.columns() - 1)];
         let split = |k: u32, columns: usize| [k as usize / columns, k as usize % columns];
         let sources = made.node_of_vertex.iter().map(|&node| vertex_at(split(node, made.columns)));
-        let vertices = Table::from_single_sources(sources, &job.part(0.0, 0.2))?;
+        let vertices = SourceTable::from_single_sources(sources, &job.part(0.0, 0.2))?;
         let count = made.mesh.face_count();
-        let mut corners = Table::with_capacity(made.mesh.face_corners.len(), made.mesh.face_corners.len())?;
-        let mut of_faces = Table::with_capacity(count, count)?;
+        let mut corners = SourceTable::with_capacity(made.mesh.face_corners.len(), made.mesh.face_corners.len())?;
+        let mut of_faces = SourceTable::with_capacity(count, count)?;
         for (f, (&cell, face)) in made.cell_of_face.iter().zip(made.mesh.faces()).enumerate() {
-            job.part(0.2, 1.0).step_within(f, STAGE)?;
+            job.part(0.2, 1.0).step_within_list(f, STAGE)?;
             let [i, j] = split(cell, made.columns - 1);
             of_faces.push([(face_at([rows[i], columns[j]]), 1.0)])?;
             for &v in face {
@@ -79,7 +79,7 @@ impl Origins {
                     .find(|&([i, j], _)| made.vertex_of_node[wide([i, j], made.columns)] == v);
                 let corner = end.and_then(|([i, j], [down, right])| {
                     let old = face_at([rows[i] - down, columns[j] - right]);
-                    faces.range(old as usize).find(|&c| faces.corner(c as u32) == vertex_at([i, j]))
+                    faces.corner_range(old as usize).find(|&c| faces.corner(c as u32) == vertex_at([i, j]))
                 });
                 corners.push(corner.map(|corner| (corner as u32, 1.0)))?;
             }
@@ -102,16 +102,16 @@ impl Origins {
             let below = first + columns as u32 + 1;
             [(first, (1.0 - u) * (1.0 - v)), (below, u * (1.0 - v)), (first + 1, (1.0 - u) * v), (below + 1, u * v)]
         };
-        let mut vertices = Table::with_capacity(sheet.places.len(), 4 * sheet.places.len())?;
+        let mut vertices = SourceTable::with_capacity(sheet.places.len(), 4 * sheet.places.len())?;
         job.step(0.0, STAGE)?;
         for (k, place) in sheet.places.iter().enumerate() {
-            job.part(0.0, 0.3).step_within(k, STAGE)?;
+            job.part(0.0, 0.3).step_within_list(k, STAGE)?;
             vertices.push(nodes(place.cell, [place.u, place.v]))?;
         }
-        let mut corners = Table::with_capacity(mesh.face_corners.len(), 4 * mesh.face_corners.len())?;
-        let mut faces = Table::with_capacity(mesh.face_count(), mesh.face_count())?;
+        let mut corners = SourceTable::with_capacity(mesh.face_corners.len(), 4 * mesh.face_corners.len())?;
+        let mut faces = SourceTable::with_capacity(mesh.face_count(), mesh.face_count())?;
         for (f, range) in mesh.face_offsets.windows(2).enumerate() {
-            job.part(0.3, 1.0).step_within(f, STAGE)?;
+            job.part(0.3, 1.0).step_within_list(f, STAGE)?;
             let (cell, parameters) = lines.face_parameters(range[0] as usize..range[1] as usize);
             for place in parameters {
                 corners.push(nodes(cell, place))?;

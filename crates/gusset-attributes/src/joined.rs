@@ -3,7 +3,7 @@
 
 use super::domain::Counts;
 use super::origins::{KeptElements, Origins};
-use super::table::{STAGE, Table};
+use super::table::{STAGE, SourceTable};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bit_set::BitSet;
@@ -86,9 +86,9 @@ impl Origins {
         let (corners, faces) = (done.mesh.face_corners.len(), done.mesh.face_count());
         Origins::from_kept(KeptElements {
             inputs: vec![Counts { vertices: done.old_vertices, corners, faces }],
-            vertices: Table::from_single_sources(done.vertex_map.iter().copied(), &job.part(0.0, 0.3))?,
-            corners: Table::from_single_sources(0..corners as u32, &job.part(0.3, 0.7))?,
-            faces: Table::from_single_sources(0..faces as u32, &job.part(0.7, 1.0))?,
+            vertices: SourceTable::from_single_sources(done.vertex_map.iter().copied(), &job.part(0.0, 0.3))?,
+            corners: SourceTable::from_single_sources(0..corners as u32, &job.part(0.3, 0.7))?,
+            faces: SourceTable::from_single_sources(0..faces as u32, &job.part(0.7, 1.0))?,
         })
     }
 
@@ -123,8 +123,8 @@ impl Origins {
         let [n, m] = ruled.counts;
         let points = |count: u32| Counts { vertices: count as usize, ..Counts::default() };
         let inputs = vec![points(n), points(m)];
-        let vertices = Table::from_single_sources(0..n + m, &job.part(0.0, 0.1))?;
-        let none = || Table::with_capacity(0, 0);
+        let vertices = SourceTable::from_single_sources(0..n + m, &job.part(0.0, 0.1))?;
+        let none = || SourceTable::with_capacity(0, 0);
         let kept = KeptElements { inputs, vertices, corners: none()?, faces: none()? };
         let parents = ruled.parents.iter().zip(&ruled.weights);
         let parents = parents.map(|(&[a, b], &weight)| ([a, b, b], [1.0 - weight, weight, 0.0]));
@@ -136,9 +136,9 @@ impl Origins {
 fn origins_of_first_elements(inputs: Vec<Counts>, count: Counts, job: &Job<'_>) -> Result<Origins> {
     Origins::from_kept(KeptElements {
         inputs,
-        vertices: Table::from_single_sources(0..count.vertices as u32, &job.part(0.0, 0.2))?,
-        corners: Table::from_single_sources(0..count.corners as u32, &job.part(0.2, 0.8))?,
-        faces: Table::from_single_sources(0..count.faces as u32, &job.part(0.8, 1.0))?,
+        vertices: SourceTable::from_single_sources(0..count.vertices as u32, &job.part(0.0, 0.2))?,
+        corners: SourceTable::from_single_sources(0..count.corners as u32, &job.part(0.2, 0.8))?,
+        faces: SourceTable::from_single_sources(0..count.faces as u32, &job.part(0.8, 1.0))?,
     })
 }
 
@@ -160,14 +160,14 @@ fn collect_kept_elements(
 ) -> Result<KeptElements> {
     let mut corners = alloc::with_capacity(mesh.face_offsets[faces] as usize)?;
     for f in 0..faces {
-        job.step_within(f, STAGE)?;
+        job.step_within_list(f, STAGE)?;
         corners.extend(corners_before_turning(mesh, f, is_turned(f)));
     }
     Ok(KeptElements {
         inputs,
-        vertices: Table::from_single_sources(0..vertices as u32, &job.part(0.2, 0.4))?,
-        corners: Table::from_single_sources(corners.into_iter(), &job.part(0.4, 0.8))?,
-        faces: Table::from_single_sources(0..faces as u32, &job.part(0.8, 1.0))?,
+        vertices: SourceTable::from_single_sources(0..vertices as u32, &job.part(0.2, 0.4))?,
+        corners: SourceTable::from_single_sources(corners.into_iter(), &job.part(0.4, 0.8))?,
+        faces: SourceTable::from_single_sources(0..faces as u32, &job.part(0.8, 1.0))?,
     })
 }
 

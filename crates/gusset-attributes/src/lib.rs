@@ -37,6 +37,6 @@ pub use apply::apply;
 pub use channel::{Channel, Rule};
 pub use domain::{Counts, Domain};
 pub use origins::Origins;
-pub use splits::KeepSplits;
-pub use table::Table;
+pub use splits::KeepSplitVertices;
+pub use table::SourceTable;
 pub use values::{Output, ValueType};

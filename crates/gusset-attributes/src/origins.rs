@@ -3,7 +3,7 @@
 use super::continuation::ChartContinuation;
 use super::domain::{Counts, Domain};
 use super::rims::RimEdges;
-use super::table::{FACES_PER_REPORT, STAGE, Table};
+use super::table::{FACES_PER_REPORT, STAGE, SourceTable};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::bit_set::BitSet;
@@ -25,7 +25,7 @@ pub struct Origins {
     inputs: Vec<Counts>,
     /// For each domain, the first source of each input, then the number of all sources.
     starts: [Vec<u32>; 3],
-    pub(super) tables: [Table; 3],
+    pub(super) tables: [SourceTable; 3],
     /// For each domain, the sources whose faces were turned over; `None` if no face was turned.
     pub(super) turned: Option<[BitSet; 3]>,
     pub(super) continuation: ChartContinuation,
@@ -34,10 +34,10 @@ pub struct Origins {
 /// The old elements of a result, which come before its new ones.
 pub(super) struct KeptElements {
     pub(super) inputs: Vec<Counts>,
-    pub(super) vertices: Table,
+    pub(super) vertices: SourceTable,
     /// The sources of the corners of old faces, in their order in the result.
-    pub(super) corners: Table,
-    pub(super) faces: Table,
+    pub(super) corners: SourceTable,
+    pub(super) faces: SourceTable,
 }
 
 /// The vertices of the result between which a new vertex lies, and their weights.
@@ -45,7 +45,7 @@ pub(super) type VertexParents = ([u32; 3], [f64; 3]);
 
 impl Origins {
     /// The table of sources of a domain.
-    pub fn table(&self, domain: Domain) -> &Table {
+    pub fn table(&self, domain: Domain) -> &SourceTable {
         &self.tables[domain as usize]
     }
 
@@ -55,7 +55,7 @@ impl Origins {
     }
 
     /// The first source of each input in a domain, then the number of all sources.
-    pub fn starts(&self, domain: Domain) -> &[u32] {
+    pub fn first_sources_of_inputs(&self, domain: Domain) -> &[u32] {
         &self.starts[domain as usize]
     }
 
@@ -65,7 +65,7 @@ impl Origins {
         Origins::from_tables(inputs, [vertices, corners, faces], ChartContinuation::default())
     }
 
-    fn from_tables(inputs: Vec<Counts>, tables: [Table; 3], continuation: ChartContinuation) -> Result<Origins> {
+    fn from_tables(inputs: Vec<Counts>, tables: [SourceTable; 3], continuation: ChartContinuation) -> Result<Origins> {
         let starts = |domain| {
             let mut starts = alloc::with_capacity(inputs.len() + 1)?;
             starts.push(0);
@@ -94,14 +94,14 @@ impl Origins {
         // vertices, and new ones on edges of old faces.
         let mut is_end = BitSet::new(mesh.positions.len())?;
         (0..old_vertices as u32).for_each(|v| is_end.insert(v));
-        job.part(0.0, 0.0).ranges(STAGE, mesh.face_offsets[old_faces] as usize, |corners| {
+        job.part(0.0, 0.0).work_in_ranges(STAGE, mesh.face_offsets[old_faces] as usize, |corners| {
             corners.for_each(|corner| is_end.insert(mesh.corner(corner)));
             Ok(())
         })?;
-        let mut spread = Table::with_capacity(parents.len(), 3 * parents.len())?;
+        let mut spread = SourceTable::with_capacity(parents.len(), 3 * parents.len())?;
         let mut row = Vec::new();
         for (k, (vertices, weights)) in parents.enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             row.clear();
             for (v, weight) in vertices.into_iter().zip(weights) {
                 match is_end.contains(v) {
@@ -116,7 +116,7 @@ impl Origins {
         }
         let KeptElements { inputs, mut vertices, mut corners, mut faces } = kept;
         for k in 0..spread.len() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             row.clear();
             for (v, weight) in spread.entries(k) {
                 let all = vertices.row(v as usize).0.len();
@@ -167,14 +167,15 @@ impl Origins {
         is_turned: impl Fn(usize) -> bool,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let set = |domain| BitSet::new(self.starts(domain).last().map_or(0, |&count| count as usize));
+        let set = |domain| BitSet::new(self.first_sources_of_inputs(domain).last().map_or(0, |&count| count as usize));
         let mut turned = [set(Domain::Vertices)?, set(Domain::Corners)?, set(Domain::Faces)?];
         let mut any = false;
-        job.ranges(STAGE, mesh.face_count(), |faces| {
+        job.work_in_ranges(STAGE, mesh.face_count(), |faces| {
             for f in faces.filter(|&f| is_turned(f)) {
                 any = true;
-                let insert =
-                    |set: &mut BitSet, table: &Table, k: usize| table.row(k).0.iter().for_each(|&s| set.insert(s));
+                let insert = |set: &mut BitSet, table: &SourceTable, k: usize| {
+                    table.row(k).0.iter().for_each(|&s| set.insert(s));
+                };
                 insert(&mut turned[2], &self.tables[2], f);
                 // If pieces were welded, only the vertices of the face's own piece are turned.
                 let face = self.tables[2].main_source(f);
@@ -196,7 +197,7 @@ impl Origins {
 /// The vertices of old faces from which a vertex of the result takes its values: itself, or the
 /// vertices that a new one is spread over.
 fn sources_after_spreading(
-    spread: &Table,
+    spread: &SourceTable,
     is_end: &BitSet,
     old: usize,
     v: u32,

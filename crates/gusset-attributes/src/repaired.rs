@@ -4,7 +4,7 @@
 use super::domain::Counts;
 use super::joined::corners_before_turning;
 use super::origins::{KeptElements, Origins};
-use super::table::{STAGE, Table};
+use super::table::{STAGE, SourceTable};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -13,7 +13,7 @@ use gusset_stitch::assemble::Assembly;
 use gusset_stitch::repair::corner_origins::{CornerOnEdge, CornerOrigins};
 use gusset_stitch::repair::sew::Sew;
 use gusset_stitch::repair::weld::Weld;
-use gusset_stitch::trim::Remains;
+use gusset_stitch::trim::TrimmedPieces;
 
 impl Origins {
     /// The origins of a welded mesh.
@@ -86,14 +86,14 @@ impl Origins {
     ///
     /// # Errors
     /// The errors of [`Origins::from_stitch`].
-    pub fn from_remains(inputs: &[MeshView<'_>], remains: &Remains, job: &Job<'_>) -> Result<Origins> {
+    pub fn from_trimmed(inputs: &[MeshView<'_>], remains: &TrimmedPieces, job: &Job<'_>) -> Result<Origins> {
         let inputs = alloc::collect(inputs.iter().map(Counts::from_mesh))?;
         let (count, map) = (remains.mesh.positions.len(), remains.vertex_map.iter().copied());
         Origins::from_kept(KeptElements {
             inputs,
-            vertices: Table::from_map(count, map, &job.part(0.0, 0.3))?,
-            corners: Table::from_single_sources(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
-            faces: Table::from_single_sources(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
+            vertices: SourceTable::from_map(count, map, &job.part(0.0, 0.3))?,
+            corners: SourceTable::from_single_sources(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
+            faces: SourceTable::from_single_sources(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
         })
     }
 }
@@ -127,19 +127,19 @@ impl RepairedMesh<'_> {
         is_turned: impl Fn(usize) -> bool,
         job: &Job<'_>,
     ) -> Result<KeptElements> {
-        let vertices = Table::from_map(self.mesh.positions.len() - self.new_vertices, map, &job.part(0.0, 0.4))?;
+        let vertices = SourceTable::from_map(self.mesh.positions.len() - self.new_vertices, map, &job.part(0.0, 0.4))?;
         let count = self.mesh.face_offsets[self.faces] as usize;
-        let mut corners = Table::with_capacity(count, count)?;
+        let mut corners = SourceTable::with_capacity(count, count)?;
         for f in 0..self.faces {
-            job.step_within(f, STAGE)?;
+            job.step_within_list(f, STAGE)?;
             for corner in corners_before_turning(self.mesh, f, is_turned(f)) {
                 corners.push(self.sources_of_corner(corner))?;
             }
         }
         let faces = self.faces as u32;
         let faces = match face_origin {
-            Some(origin) => Table::from_single_sources(origin.iter().copied(), &job.part(0.8, 1.0))?,
-            None => Table::from_single_sources(0..faces, &job.part(0.8, 1.0))?,
+            Some(origin) => SourceTable::from_single_sources(origin.iter().copied(), &job.part(0.8, 1.0))?,
+            None => SourceTable::from_single_sources(0..faces, &job.part(0.8, 1.0))?,
         };
         Ok(KeptElements { inputs, vertices, corners, faces })
     }

@@ -46,10 +46,10 @@ impl RimEdges {
         // All edges of new faces, and the edges of old faces that may coincide with them.
         let mut sides = alloc::with_capacity(new.len())?;
         for f in first_face..mesh.face_count() {
-            job.step_within(f, STAGE)?;
+            job.step_within_list(f, STAGE)?;
             sides.extend(face_sides(mesh, f));
         }
-        job.part(0.0, 0.4).ranges(STAGE, first_face, |faces| {
+        job.part(0.0, 0.4).work_in_ranges(STAGE, first_face, |faces| {
             for f in faces {
                 let may = |&([u, v], _): &([u32; 2], u32)| is_new.contains(u) && is_new.contains(v);
                 alloc::extend(&mut sides, face_sides(mesh, f).filter(may))?;
@@ -63,7 +63,7 @@ impl RimEdges {
         let face_of = |corner: u32| mesh.face_of(corner) as u32;
         let (mut edges, mut own, mut links) = (Vec::new(), Vec::new(), Vec::new());
         for (k, together) in keyed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).enumerate() {
-            job.part(0.6, 0.6).step_within(k, STAGE)?;
+            job.part(0.6, 0.6).step_within_list(k, STAGE)?;
             let old = together.partition_point(|&(_, _, corner)| corner < first_corner);
             let faces = together[old..].iter().map(|&(_, _, corner)| face_of(corner) - first_face as u32);
             if old > 0 && old < together.len() {
@@ -102,14 +102,14 @@ impl RimEdges {
         let mut wanted = BitSet::new(mesh.positions.len())?;
         let mut any = false;
         for (k, &v) in new.iter().enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             if self.first_rim_end_at(v).is_none() {
                 wanted.insert(v);
                 any = true;
             }
         }
         if any {
-            job.ranges(STAGE, old, |range| {
+            job.work_in_ranges(STAGE, old, |range| {
                 let named = range.map(|corner| (mesh.corner(corner), corner as u32));
                 let found = named.filter(|&(v, _)| wanted.contains(v));
                 alloc::extend(&mut self.loose, found)
@@ -158,7 +158,7 @@ fn find_face_bases(count: usize, own: &[(u32, u32, u32)], links: &[(u32, u32)], 
     }
     let mut next = 0;
     while let Some(&f) = queue.get(next) {
-        job.step_within(next, STAGE)?;
+        job.step_within_list(next, STAGE)?;
         next += 1;
         for &g in neighbours.get(f as usize) {
             if bases[g as usize] == NONE {

@@ -12,29 +12,29 @@ use super::origins::Origins;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::{Mesh, MeshView, NONE, Piece};
+use gusset_mesh::{Mesh, MeshView, NONE, PieceOffsets};
 use gusset_stitch::assemble::Assembly;
 use gusset_stitch::fill::Filled;
 use gusset_stitch::repair::orient::Oriented;
 use gusset_stitch::repair::sew::Sew;
 use gusset_stitch::repair::weld::Weld;
 use gusset_stitch::stitch::Stitch;
-use gusset_stitch::trim::Remains;
+use gusset_stitch::trim::TrimmedPieces;
 
 const STAGE: &str = "keeping split vertices";
 
 /// A result whose inputs may have split vertices.
-pub trait KeepSplits {
+pub trait KeepSplitVertices {
     /// Restores the split vertices of `inputs` in the faces of the result. Does nothing if the
     /// inputs have none. O(H log n) for H corners, n of which belong to new faces.
     ///
     /// # Errors
     /// The errors of [`Origins::from_stitch`].
-    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()>;
+    fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()>;
 }
 
-impl KeepSplits for Stitch {
-    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+impl KeepSplitVertices for Stitch {
+    fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_stitch(self, &job.part(0.0, 0.6))?;
         let [a, b] = &self.maps;
@@ -43,16 +43,16 @@ impl KeepSplits for Stitch {
     }
 }
 
-impl KeepSplits for Filled {
-    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+impl KeepSplitVertices for Filled {
+    fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_filled(self, &job.part(0.0, 0.6))?;
         splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
     }
 }
 
-impl KeepSplits for Assembly {
-    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+impl KeepSplitVertices for Assembly {
+    fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_assembly(self, &job.part(0.0, 0.6))?;
         let maps = &self.maps;
@@ -61,8 +61,8 @@ impl KeepSplits for Assembly {
     }
 }
 
-impl KeepSplits for Weld {
-    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+impl KeepSplitVertices for Weld {
+    fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_weld(self, &job.part(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
@@ -70,8 +70,8 @@ impl KeepSplits for Weld {
     }
 }
 
-impl KeepSplits for Sew {
-    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+impl KeepSplitVertices for Sew {
+    fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_sew(self, &job.part(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
@@ -79,8 +79,8 @@ impl KeepSplits for Sew {
     }
 }
 
-impl KeepSplits for Oriented {
-    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+impl KeepSplitVertices for Oriented {
+    fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_oriented(self, &job.part(0.0, 0.6))?;
         splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
@@ -88,8 +88,8 @@ impl KeepSplits for Oriented {
 }
 
 /// The inputs side by side, and the position of each.
-impl KeepSplits for (Mesh, Vec<Piece>) {
-    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+impl KeepSplitVertices for (Mesh, Vec<PieceOffsets>) {
+    fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
         let origins = Origins::from_side_by_side(&views, &job.part(0.0, 0.6))?;
@@ -98,11 +98,11 @@ impl KeepSplits for (Mesh, Vec<Piece>) {
     }
 }
 
-impl KeepSplits for Remains {
-    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+impl KeepSplitVertices for TrimmedPieces {
+    fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
-        let origins = Origins::from_remains(&views, self, &job.part(0.0, 0.6))?;
+        let origins = Origins::from_trimmed(&views, self, &job.part(0.0, 0.6))?;
         let (map, places) = (&self.vertex_map, &self.places);
         let map = |input: usize, v: u32| map[(places[input].first_vertex + v) as usize];
         splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
@@ -130,16 +130,16 @@ impl<'a> InputsWithSplitVertices<'a> {
         let mut merge = alloc::collect(0..mesh.positions.len() as u32)?;
         for (input, view) in self.0.iter().enumerate() {
             for v in 0..view.positions().len() as u32 {
-                job.part(0.0, 0.3).step_within(v as usize, STAGE)?;
-                let (own, of) = (map(input, v), map(input, view.faces().merge_of(v)));
+                job.part(0.0, 0.3).step_within_list(v as usize, STAGE)?;
+                let (own, of) = (map(input, v), map(input, view.faces().merged_vertex(v)));
                 if own != NONE && of != NONE {
                     merge[own as usize] = of;
                 }
             }
         }
-        let (starts, corners) = (origins.starts(Domain::Corners), origins.table(Domain::Corners));
+        let (starts, corners) = (origins.first_sources_of_inputs(Domain::Corners), origins.table(Domain::Corners));
         for (k, corner) in mesh.face_corners.iter_mut().enumerate() {
-            job.part(0.3, 1.0).step_within(k, STAGE)?;
+            job.part(0.3, 1.0).step_within_list(k, STAGE)?;
             // A corner with several sources is at a new vertex between old ones.
             let &[source] = corners.row(k).0 else { continue };
             let input = starts.partition_point(|&start| start <= source) - 1;

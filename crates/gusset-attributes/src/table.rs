@@ -17,25 +17,28 @@ pub(super) const FACES_PER_REPORT: usize = 1 << 12;
 /// Row k has the entries `offsets()[k]` to `offsets()[k + 1]`. An element without sources has an
 /// empty row.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Table {
+pub struct SourceTable {
     offsets: Vec<u32>,
     sources: Vec<u32>,
     weights: Vec<f64>,
 }
 
-impl Table {
+impl SourceTable {
     /// Creates a table without rows, with memory for the given numbers of rows and sources.
-    pub(crate) fn with_capacity(rows: usize, sources: usize) -> Result<Table> {
+    pub(crate) fn with_capacity(rows: usize, sources: usize) -> Result<SourceTable> {
         let mut offsets = alloc::with_capacity(rows + 1)?;
         offsets.push(0);
-        Ok(Table { offsets, sources: alloc::with_capacity(sources)?, weights: alloc::with_capacity(sources)? })
+        Ok(SourceTable { offsets, sources: alloc::with_capacity(sources)?, weights: alloc::with_capacity(sources)? })
     }
 
     /// Creates rows with one source each, or without sources for [`NONE`].
-    pub(crate) fn from_single_sources(sources: impl ExactSizeIterator<Item = u32>, job: &Job<'_>) -> Result<Table> {
-        let mut table = Table::with_capacity(sources.len(), sources.len())?;
+    pub(crate) fn from_single_sources(
+        sources: impl ExactSizeIterator<Item = u32>,
+        job: &Job<'_>,
+    ) -> Result<SourceTable> {
+        let mut table = SourceTable::with_capacity(sources.len(), sources.len())?;
         let (mut sources, count) = (sources, table.offsets.capacity() - 1);
-        job.ranges(STAGE, count, |range| {
+        job.work_in_ranges(STAGE, count, |range| {
             for source in sources.by_ref().take(range.len()) {
                 if source != NONE {
                     table.sources.push(source);
@@ -54,19 +57,19 @@ impl Table {
         rows: usize,
         map: impl ExactSizeIterator<Item = u32> + Clone,
         job: &Job<'_>,
-    ) -> Result<Table> {
+    ) -> Result<SourceTable> {
         job.step(0.0, STAGE)?;
         let pairs = map.zip(0..).filter(|&(row, _)| row != NONE).map(|(row, source)| (row as usize, source));
         let (offsets, sources) = Buckets::new(rows, 0u32, pairs)?.into_parts();
         let mut weights = alloc::with_capacity(sources.len())?;
-        job.ranges(STAGE, rows, |range| {
+        job.work_in_ranges(STAGE, rows, |range| {
             for row in range {
                 let count = (offsets[row + 1] - offsets[row]) as usize;
                 weights.extend(std::iter::repeat_n(1.0 / count as f64, count));
             }
             Ok(())
         })?;
-        Ok(Table { offsets, sources, weights })
+        Ok(SourceTable { offsets, sources, weights })
     }
 
     /// Adds a row of few sources. Merges repeated sources, and drops sources of weight 0.

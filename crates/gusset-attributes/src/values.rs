@@ -92,7 +92,7 @@ impl<'a> Output<'a> {
     ) -> Result<Output<'a>> {
         let components = components as usize;
         let size = components * value_type.size();
-        let needed = Strided::span(count, stride, size, "values")?;
+        let needed = Strided::byte_span(count, stride, size, "values")?;
         let stride = if stride == 0 { size } else { stride };
         let given = bytes.len() as u64;
         let Some(bytes) = bytes.get_mut(..needed) else {

@@ -42,7 +42,7 @@ pub fn collect_cancellable<T>(
     stage: &'static str,
 ) -> Result<Vec<T>> {
     let mut vec = with_capacity(items.len())?;
-    job.ranges(stage, items.len(), |range| {
+    job.work_in_ranges(stage, items.len(), |range| {
         vec.extend(items.by_ref().take(range.len()));
         Ok(())
     })?;

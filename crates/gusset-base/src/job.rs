@@ -46,7 +46,7 @@ impl<'a> Job<'a> {
     /// Creates a job. If `threads` is 0, it uses as many threads as the machine has; 1 means the
     /// calling thread only. The result does not depend on the number of threads.
     pub fn new(threads: usize, progress: &'a dyn Progress) -> Self {
-        Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::drawn_bytes() }
+        Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::bytes_drawn_since_start() }
     }
 
     /// Returns the requested number of threads; 0 means automatic.
@@ -75,12 +75,12 @@ impl<'a> Job<'a> {
     #[inline(never)]
     pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
         self.check_memory()?;
-        self.report(fraction, stage)
+        self.step_without_memory_check(fraction, stage)
     }
 
     /// Reports progress like [`Job::step`], but without checking the reserve. Use it in work that
     /// modifies the caller's data in place, after a call of [`Job::check_memory`].
-    pub fn report(&self, fraction: f64, stage: &'static str) -> Result<()> {
+    pub fn step_without_memory_check(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Work without elements reports 0 / 0.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
         error_if_cancelled(self.progress.step(self.from + (self.to - self.from) * fraction, stage))
@@ -101,7 +101,7 @@ impl<'a> Job<'a> {
     /// began. Call it before modifying the caller's data.
     #[inline]
     pub fn check_memory(&self) -> Result<()> {
-        match reserve::drawn_bytes() - self.drawn {
+        match reserve::bytes_drawn_since_start() - self.drawn {
             0 => Ok(()),
             bytes => Err(Error::OutOfMemory { bytes }),
         }
@@ -116,20 +116,20 @@ impl<'a> Job<'a> {
     /// Reports within work on element `k` of a list that is usually short. It skips the first
     /// element, so that many short lists report nothing.
     #[inline]
-    pub fn step_within(&self, k: usize, stage: &'static str) -> Result<()> {
+    pub fn step_within_list(&self, k: usize, stage: &'static str) -> Result<()> {
         if k % ELEMENTS_PER_REPORT == ELEMENTS_PER_REPORT - 1 { self.step(0.0, stage) } else { Ok(()) }
     }
 
-    /// [`Job::step_within`] for elements that each take as long as `weight` simple ones. `weight`
+    /// [`Job::step_within_list`] for elements that each take as long as `weight` simple ones. `weight`
     /// is a power of two.
     #[inline]
-    pub fn step_within_heavy(&self, weight: usize, k: usize, stage: &'static str) -> Result<()> {
-        self.step_within(k * weight + (weight - 1), stage)
+    pub fn step_within_heavy_list(&self, weight: usize, k: usize, stage: &'static str) -> Result<()> {
+        self.step_within_list(k * weight + (weight - 1), stage)
     }
 
     /// Runs `work` on consecutive ranges of `0..len` that take a few milliseconds each, and reports
     /// before each.
-    pub fn ranges(
+    pub fn work_in_ranges(
         &self,
         stage: &'static str,
         len: usize,
@@ -192,7 +192,7 @@ mod tests {
         for weight in [1, 16, 64] {
             let recorder = ProgressRecorder(RefCell::default());
             let count = 3 * ELEMENTS_PER_REPORT / weight;
-            (0..count).try_for_each(|k| Job::new(1, &recorder).step_within_heavy(weight, k, "a")).unwrap();
+            (0..count).try_for_each(|k| Job::new(1, &recorder).step_within_heavy_list(weight, k, "a")).unwrap();
             assert_eq!(recorder.0.borrow().len(), 3);
         }
     }

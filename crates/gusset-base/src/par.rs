@@ -29,7 +29,7 @@ pub fn map<T: Send, R: Send>(
     items: impl ExactSizeIterator<Item = T> + Send,
     work: impl Fn(T) -> R + Sync,
 ) -> Result<Vec<R>> {
-    run_ordered(threads, items, work, |_| Ok(()))
+    map_on_threads(threads, items, work, |_| Ok(()))
 }
 
 /// [`map`] that the host can cancel. The calling thread reports progress before each item that it
@@ -47,7 +47,7 @@ pub fn map_cancellable<T: Send, R: Send>(
 ) -> Result<Vec<R>> {
     let count = items.len().max(1) as f64;
     job.step(0.0, stage)?;
-    run_ordered(job.requested_threads(), items, work, |i| job.step(i as f64 / count, stage))
+    map_on_threads(job.requested_threads(), items, work, |i| job.step(i as f64 / count, stage))
 }
 
 /// [`map_cancellable`] for items that may be large: `work` also receives a job. On the calling
@@ -142,7 +142,7 @@ fn empty_result_slots<R>(count: usize) -> Result<Mutex<Vec<Option<R>>>> {
 
 /// Implements [`map`]: returns the results in the order of the items. The calling thread calls
 /// `before` with the index of each item that it takes.
-fn run_ordered<T: Send, R: Send>(
+fn map_on_threads<T: Send, R: Send>(
     threads: usize,
     items: impl ExactSizeIterator<Item = T> + Send,
     work: impl Fn(T) -> R + Sync,
@@ -301,7 +301,7 @@ impl Progress for CancelOnFlag<'_> {
 }
 
 /// Divides `0..len` into consecutive ranges of `size` elements.
-pub fn ranges(len: usize, size: usize) -> impl ExactSizeIterator<Item = Range<usize>> + Send {
+pub fn split_into_ranges(len: usize, size: usize) -> impl ExactSizeIterator<Item = Range<usize>> + Send {
     (0..len.div_ceil(size)).map(move |i| i * size..len.min((i + 1) * size))
 }
 
@@ -325,14 +325,15 @@ mod tests {
 
     #[test]
     fn results_are_equal_for_any_thread_count() {
-        let sums =
-            |threads| map(threads, ranges(1001, 10), |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>()).unwrap();
+        let sums = |threads| {
+            map(threads, split_into_ranges(1001, 10), |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>()).unwrap()
+        };
         let one = sums(1);
         assert_eq!(one.len(), 101);
         for threads in [0, 2, 3, 64] {
             assert_eq!(one, sums(threads));
         }
-        assert_eq!(map(4, ranges(0, 10), |range| range.len()), Ok(Vec::new()));
+        assert_eq!(map(4, split_into_ranges(0, 10), |range| range.len()), Ok(Vec::new()));
     }
 
     #[test]
@@ -349,7 +350,7 @@ mod tests {
             let counter = ProgressCounter(Cell::new(calls));
             let begun = AtomicUsize::new(0);
             let work = |range: Range<usize>| begun.fetch_add(1, Ordering::Relaxed) + range.len();
-            let done = map_cancellable(&Job::new(threads, &counter), "work", ranges(1000, 10), work);
+            let done = map_cancellable(&Job::new(threads, &counter), "work", split_into_ranges(1000, 10), work);
             (done.map(|done| done.len()), begun.into_inner(), calls - counter.0.get())
         };
         // One report at first, and one for each item.

@@ -4,7 +4,7 @@
 //! Memory that grows with the input is requested through `alloc`, where a refusal is an error. The
 //! standard library and third-party crates also make small allocations that cannot fail without
 //! aborting. If the system refuses one of these, the allocator serves it from the reserve. The job
-//! of the call notices at its next step ([`drawn_bytes`]) and ends the call with an error, which
+//! of the call notices at its next step ([`bytes_drawn_since_start`]) and ends the call with an error, which
 //! frees the memory.
 //!
 //! The reserve is static and divided into arenas, in which blocks lie one behind another. An arena
@@ -17,7 +17,7 @@
 /// Returns the number of bytes taken from the reserve since the program began. Two equal readings
 /// mean that nothing was taken in between.
 #[inline]
-pub fn drawn_bytes() -> u64 {
+pub fn bytes_drawn_since_start() -> u64 {
     #[cfg(feature = "reserve")]
     return arenas::RESERVE_ARENAS.drawn.load(std::sync::atomic::Ordering::Relaxed);
     #[cfg(not(feature = "reserve"))]
@@ -81,10 +81,10 @@ mod arenas {
     };
 
     /// One block in the state of an arena.
-    const ONE_BLOCK: u64 = 1 << 32;
+    const BLOCK_COUNT_INCREMENT: u64 = 1 << 32;
 
     fn used_bytes(state: u64) -> usize {
-        (state & (ONE_BLOCK - 1)) as usize
+        (state & (BLOCK_COUNT_INCREMENT - 1)) as usize
     }
 
     impl ReserveArenas {
@@ -111,7 +111,8 @@ mod arenas {
                 let taken = state.fetch_update(Ordering::AcqRel, Ordering::Acquire, |now| {
                     start = used_bytes(now).next_multiple_of(layout.align());
                     let end = start + layout.size();
-                    (end <= ARENA_BYTES).then(|| (now & !(ONE_BLOCK - 1)) + ONE_BLOCK + end as u64)
+                    (end <= ARENA_BYTES)
+                        .then(|| (now & !(BLOCK_COUNT_INCREMENT - 1)) + BLOCK_COUNT_INCREMENT + end as u64)
                 });
                 if taken.is_ok() {
                     self.drawn.fetch_add(layout.size() as u64, Ordering::Relaxed);
@@ -129,7 +130,11 @@ mod arenas {
             let start = offset % ARENA_BYTES;
             let _ = self.states[offset / ARENA_BYTES].fetch_update(Ordering::AcqRel, Ordering::Acquire, |now| {
                 let end = if used_bytes(now) == start + size { start } else { used_bytes(now) };
-                Some(if now >> 32 == 1 { 0 } else { (now & !(ONE_BLOCK - 1)) - ONE_BLOCK + end as u64 })
+                Some(if now >> 32 == 1 {
+                    0
+                } else {
+                    (now & !(BLOCK_COUNT_INCREMENT - 1)) - BLOCK_COUNT_INCREMENT + end as u64
+                })
             });
         }
     }
@@ -166,7 +171,7 @@ mod arenas {
         }
 
         /// Removes and returns the origin of a block and its size.
-        fn take_origin(block: *mut u8) -> Option<(*mut u8, usize)> {
+        fn remove_origin(block: *mut u8) -> Option<(*mut u8, usize)> {
             let record = BLOCK_ORIGINS.iter().find(|record| record.block.load(Ordering::Acquire) == block)?;
             let origin = (record.from.load(Ordering::Relaxed), record.size.load(Ordering::Relaxed));
             record.block.store(ptr::null_mut(), Ordering::Release);
@@ -188,7 +193,7 @@ mod arenas {
         // is a block of the system with the recorded size, and has no other owner.
         unsafe {
             if let Some(offset) = offset
-                && let Some((from, before)) = BlockOrigin::take_origin(block)
+                && let Some((from, before)) = BlockOrigin::remove_origin(block)
             {
                 if before == size {
                     ptr::copy_nonoverlapping(block, from, layout.size().min(size));
@@ -218,7 +223,7 @@ mod arenas {
     #[cold]
     #[inline(never)]
     unsafe fn free_block(block: *mut u8, offset: usize, layout: Layout) {
-        if let Some((from, size)) = BlockOrigin::take_origin(block) {
+        if let Some((from, size)) = BlockOrigin::remove_origin(block) {
             // SAFETY: as in `reallocate`.
             unsafe { System.dealloc(from, Layout::from_size_align_unchecked(size, layout.align())) };
         }
@@ -282,10 +287,10 @@ mod arenas {
             let blocks = blocks.each_mut().map(|block| block.as_mut_ptr());
             let noted = |k: usize| BlockOrigin::record_origin(blocks[k], blocks[k + 1], k);
             assert!((0..64).all(noted) && !noted(64));
-            assert_eq!(BlockOrigin::take_origin(blocks[7]), Some((blocks[8], 7)));
-            assert!(BlockOrigin::take_origin(blocks[7]).is_none() && noted(64) && !noted(7));
-            assert_eq!(BlockOrigin::take_origin(blocks[64]), Some((blocks[65], 64)));
-            assert!((0..64).all(|k| BlockOrigin::take_origin(blocks[k]).is_some() == (k != 7)));
+            assert_eq!(BlockOrigin::remove_origin(blocks[7]), Some((blocks[8], 7)));
+            assert!(BlockOrigin::remove_origin(blocks[7]).is_none() && noted(64) && !noted(7));
+            assert_eq!(BlockOrigin::remove_origin(blocks[64]), Some((blocks[65], 64)));
+            assert!((0..64).all(|k| BlockOrigin::remove_origin(blocks[k]).is_some() == (k != 7)));
         }
 
         #[test]

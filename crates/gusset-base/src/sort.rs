@@ -11,7 +11,7 @@ const ELEMENTS_PER_REPORT: usize = 1 << 16;
 /// The largest number of elements in which a selection runs without a progress report.
 const MAX_UNREPORTED_ELEMENTS: usize = 1 << 19;
 /// The sample size for the pivot of a larger selection. Odd, so that the sample has a median.
-const PIVOT_SAMPLES: usize = 63;
+const PIVOT_SAMPLE_COUNT: usize = 63;
 const MAX_PIVOT_DIVISIONS: usize = 16;
 
 /// Sorts in place, unstably, on the calling thread. `compare` must be a total order without ties
@@ -59,7 +59,7 @@ pub fn sort<T>(
 
 /// Partitions so that the element of rank `middle` is in its place, with smaller elements before
 /// it. Calls `report` regularly. O(n).
-fn select_in_steps<T>(
+fn select_with_reports<T>(
     items: &mut [T],
     middle: usize,
     compare: &impl Fn(&T, &T) -> Ordering,
@@ -92,8 +92,8 @@ fn partition_near_median<T>(
     report: &mut impl FnMut() -> Result<()>,
 ) -> Result<Range<usize>> {
     let mut samples = scattered_positions(items.len());
-    stable(&mut samples, &|&a, &b| compare(&items[a], &items[b]));
-    items.swap(0, samples[PIVOT_SAMPLES / 2]);
+    sort_stable(&mut samples, &|&a, &b| compare(&items[a], &items[b]));
+    items.swap(0, samples[PIVOT_SAMPLE_COUNT / 2]);
     let less = partition_by_first(items, Ordering::Equal, compare, report)?;
     items.swap(0, less);
     // Also groups the elements equal to the pivot, if there may be many.
@@ -102,10 +102,10 @@ fn partition_near_median<T>(
     Ok(less..less + 1 + equal)
 }
 
-/// Draws one random position from each of `PIVOT_SAMPLES` equal ranges. Random positions avoid
+/// Draws one random position from each of `PIVOT_SAMPLE_COUNT` equal ranges. Random positions avoid
 /// resonance with the periodic lists that meshes produce.
-fn scattered_positions(count: usize) -> [usize; PIVOT_SAMPLES] {
-    let range = count / PIVOT_SAMPLES;
+fn scattered_positions(count: usize) -> [usize; PIVOT_SAMPLE_COUNT] {
+    let range = count / PIVOT_SAMPLE_COUNT;
     let mut number = count as u64;
     std::array::from_fn(|k| {
         // D. Knuth's linear congruential generator. Its high bits are the better ones.
@@ -143,7 +143,7 @@ const INSERTION_SORTED_RUN: usize = 16;
 /// Sorts in place, stably, without allocating (the standard library's stable sort allocates
 /// infallibly). `compare` is a trait object, so that the code is compiled once for each element
 /// type. Intended for lists that are short or nearly sorted. O(n log^2 n).
-pub fn stable<T>(items: &mut [T], compare: &dyn Fn(&T, &T) -> Ordering) {
+pub fn sort_stable<T>(items: &mut [T], compare: &dyn Fn(&T, &T) -> Ordering) {
     for run in items.chunks_mut(INSERTION_SORTED_RUN) {
         for k in 1..run.len() {
             let place = run[..k].partition_point(|item| compare(item, &run[k]).is_le());
@@ -195,13 +195,13 @@ pub fn select_by_rank(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f
 }
 
 /// [`select_by_rank`] for long lists: calls `report` regularly.
-pub fn select_reported(
+pub fn select_by_rank_reported(
     numbers: &mut [u32],
     middle: usize,
     key: impl Fn(u32) -> f64,
     report: &mut impl FnMut() -> Result<()>,
 ) -> Result<()> {
-    select_in_steps(numbers, middle, &|&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)), report)
+    select_with_reports(numbers, middle, &|&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)), report)
 }
 
 /// Sorts and removes duplicates.
@@ -239,7 +239,7 @@ impl<T: Copy> Buckets<T> {
         // they are filled.
         let mut start = alloc::filled(0u32, count + 2)?;
         for (k, (bucket, _)) in given.clone().enumerate() {
-            job.step_within(k, stage)?;
+            job.step_within_list(k, stage)?;
             start[bucket + 2] += 1;
         }
         for bucket in 2..count + 2 {
@@ -247,12 +247,12 @@ impl<T: Copy> Buckets<T> {
         }
         let total = start[count + 1] as usize;
         let mut items = alloc::with_capacity(total)?;
-        job.ranges(stage, total, |range| {
+        job.work_in_ranges(stage, total, |range| {
             items.resize(range.end, blank);
             Ok(())
         })?;
         for (k, (bucket, item)) in given.enumerate() {
-            job.step_within(k, stage)?;
+            job.step_within_list(k, stage)?;
             let place = &mut start[bucket + 1];
             items[*place as usize] = item;
             *place += 1;
@@ -336,7 +336,7 @@ mod tests {
         fn stable_agrees_with_the_standard_library(keys in prop::collection::vec(0u8..40, 0..300)) {
             let mut ours: Vec<(u8, usize)> = keys.into_iter().zip(0..).collect();
             let mut plain = ours.clone();
-            stable(&mut ours, &|a, b| a.0.cmp(&b.0));
+            sort_stable(&mut ours, &|a, b| a.0.cmp(&b.0));
             plain.sort_by_key(|&(key, _)| key);
             prop_assert_eq!(ours, plain);
         }
@@ -412,7 +412,7 @@ mod tests {
                 reports += 1;
                 Ok(())
             };
-            select_reported(&mut selected, middle, |i| keys[i as usize] as f64, &mut report).unwrap();
+            select_by_rank_reported(&mut selected, middle, |i| keys[i as usize] as f64, &mut report).unwrap();
             assert!(reports > 8, "{reports}");
             assert_eq!(selected[middle], sorted[middle]);
             let before = &mut selected[..middle];

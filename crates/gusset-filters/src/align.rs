@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{PIECE, Report, Value, count_with_noun, format_short, push_line};
+use super::report::{PIECE, Report, ReportValue, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
@@ -64,7 +64,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let found = align(&pieces, &options, &job.part(0.0, 0.9))?;
     let mut moved = found.moved(&pieces, &job.part(0.9, 1.0))?;
-    moved.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
+    moved.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let origins = values.trace_origins(|| Origins::from_side_by_side(&pieces, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(moved.0, origins), Output::Text(report(&found))])
 }
@@ -96,26 +96,26 @@ fn report(found: &Alignment) -> Report {
             reason => format!("not trusted: {}", explain_untrusted_pose(reason)),
         };
         push_line!(text, "piece {k}: {why}");
-        push_pose(&mut text, &piece.pose);
+        push_pose_line(&mut text, &piece.pose);
     }
-    found.overlaps.iter().for_each(|overlap| push_overlap(&mut text, overlap));
+    found.overlaps.iter().for_each(|overlap| push_overlap_line(&mut text, overlap));
     let mut values = vec![
-        ("pieces", Value::count(found.pieces.len())),
-        ("trusted_pieces", Value::count(trusted)),
-        ("rounds", Value::count(found.rounds)),
-        ("converged", Value::flag(found.converged)),
-        ("overlaps", Value::count(found.overlaps.len())),
+        ("pieces", ReportValue::count(found.pieces.len())),
+        ("trusted_pieces", ReportValue::count(trusted)),
+        ("rounds", ReportValue::count(found.rounds)),
+        ("converged", ReportValue::flag(found.converged)),
+        ("overlaps", ReportValue::count(found.overlaps.len())),
     ];
     let count: f64 = found.overlaps.iter().map(|overlap| f64::from(overlap.count)).sum();
     if count > 0.0 {
         let sum: f64 = found.overlaps.iter().map(|overlap| f64::from(overlap.count) * overlap.mean).sum();
-        values.push(("mean_residual", Value::length(sum / count)));
+        values.push(("mean_residual", ReportValue::length(sum / count)));
     }
     Report::new(text, &values)
 }
 
 /// A motion with all digits, for use elsewhere: a row for each coordinate.
-fn push_pose(text: &mut String, pose: &Pose) {
+fn push_pose_line(text: &mut String, pose: &Pose) {
     for k in 0..3 {
         let ([x, y, z], shift) = (pose.rotation.row(k).to_array(), pose.translation[k]);
         // No sign before 0.
@@ -124,7 +124,7 @@ fn push_pose(text: &mut String, pose: &Pose) {
     }
 }
 
-fn push_overlap(text: &mut String, overlap: &Overlap) {
+fn push_overlap_line(text: &mut String, overlap: &Overlap) {
     let ([i, k], [share, other]) = (overlap.pieces, overlap.shares.map(|share| 100.0 * share));
     let fit = if overlap.trusted { "" } else { "; they do not fit" };
     push_line!(

@@ -1,7 +1,7 @@
 use super::data::{Curves, Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::report::{
-    BOUNDARY_LOOP, EDGE, Report, Value, count_with_noun, format_short, push_line, push_unlisted_count,
+    BOUNDARY_LOOP, EDGE, Report, ReportValue, count_with_noun, format_short, push_line, push_unlisted_count,
 };
 use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
 use super::typed_param::{Param, ParamValues, params};
@@ -62,10 +62,10 @@ fn report(boundary: &Boundary) -> Report {
     }
     let length = boundary.iter().map(|found| found.length).sum();
     let values = [
-        ("boundary_loops", Value::count(boundary.len())),
-        ("boundary_edges", Value::count(boundary.edge_count())),
-        ("length", Value::length(length)),
-        ("defects", Value::count(boundary.defects().len())),
+        ("boundary_loops", ReportValue::count(boundary.len())),
+        ("boundary_edges", ReportValue::count(boundary.edge_count())),
+        ("length", ReportValue::length(length)),
+        ("defects", ReportValue::count(boundary.defects().len())),
     ];
     Report::new(text, &values)
 }

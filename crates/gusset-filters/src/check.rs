@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::fill::intersections_line;
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, Value, count_with_noun};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, ReportValue, VERTEX, count_with_noun};
 use super::signatures::{ONE_MESH, TO_TEXT};
 use super::typed_param::{LISTED_COUNT_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -51,7 +51,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     if values.intersections {
         let pairs = find_intersecting_faces(mesh, &job.part(0.5, 1.0))?;
         text += &intersecting_pairs_line(&pairs, max);
-        numbers.push(("intersections", Value::count(pairs.len())));
+        numbers.push(("intersections", ReportValue::count(pairs.len())));
     }
     Ok(vec![Output::Text(Report::new(text, &numbers))])
 }
@@ -114,20 +114,20 @@ fn check_summary(found: &Check) -> String {
     )
 }
 
-fn report_values(found: &Check) -> Vec<(&'static str, Value)> {
+fn report_values(found: &Check) -> Vec<(&'static str, ReportValue)> {
     let mut values = vec![
-        ("vertices", Value::count(found.vertices)),
-        ("edges", Value::count(found.edges)),
-        ("faces", Value::count(found.faces)),
-        ("pieces", Value::count(found.components)),
-        ("boundary_walks", Value::count(found.boundary_walks)),
-        ("closed", Value::flag(found.closed)),
-        ("manifold", Value::flag(found.manifold)),
-        ("oriented", Value::flag(found.oriented)),
-        ("orientable", Value::flag(found.orientable)),
-        ("euler_characteristic", Value::count(found.euler)),
+        ("vertices", ReportValue::count(found.vertices)),
+        ("edges", ReportValue::count(found.edges)),
+        ("faces", ReportValue::count(found.faces)),
+        ("pieces", ReportValue::count(found.components)),
+        ("boundary_walks", ReportValue::count(found.boundary_walks)),
+        ("closed", ReportValue::flag(found.closed)),
+        ("manifold", ReportValue::flag(found.manifold)),
+        ("oriented", ReportValue::flag(found.oriented)),
+        ("orientable", ReportValue::flag(found.orientable)),
+        ("euler_characteristic", ReportValue::count(found.euler)),
     ];
-    values.extend(found.genus.map(|genus| ("genus", Value::count(genus))));
-    values.extend(defect_kinds(found).map(|(_, name, elements)| (name, Value::count(elements.len()))));
+    values.extend(found.genus.map(|genus| ("genus", ReportValue::count(genus))));
+    values.extend(defect_kinds(found).map(|(_, name, elements)| (name, ReportValue::count(elements.len()))));
     values
 }

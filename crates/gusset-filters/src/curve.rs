@@ -1,13 +1,13 @@
 //! Common parts of filters of curves: Bézier curves that interpolate polylines, and their plane.
 
 use super::data::{Curves, Input};
-use super::extent::{best_plane_of_curves, extent_of};
+use super::extent::{best_plane_of_curves, bounding_box_of_inputs};
 use super::typed_param::{Param, PlaneValue, TypedParam};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
-use gusset_curve::ops::Spacing;
+use gusset_curve::ops::SampleSpacing;
 use gusset_curve::{Curve, CurveView, Mode, Options, Outlines, Points, fit};
 
 pub(super) const CATEGORY: &str = "Curves";
@@ -87,17 +87,17 @@ fn fit_mapped_curves(
 
 /// The largest distance of chords that a relative [`CHORD_ERROR`] allows.
 pub(super) fn absolute_chord_error(given: &Curves, chord_error: f64) -> f64 {
-    let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
+    let size = bounding_box_of_inputs(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
     (chord_error * size).max(f64::MIN_POSITIVE)
 }
 
 /// The points of a polyline along a curve. A curve without segments gives its only point.
 ///
 /// # Errors
-/// The errors of [`CurveView::sampled`].
-pub(super) fn sample_curve(curve: &CurveView<'_>, spacing: Spacing, job: &Job<'_>) -> Result<Vec<DVec3>> {
+/// The errors of [`CurveView::sample_points`].
+pub(super) fn sample_curve(curve: &CurveView<'_>, spacing: SampleSpacing, job: &Job<'_>) -> Result<Vec<DVec3>> {
     job.step(0.0, "points along a curve")?;
-    if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sampled(spacing, job)?.points) }
+    if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sample_points(spacing, job)?.points) }
 }
 
 /// A plane with axes. The plane z = 0 has the x and y axes of space.
@@ -121,7 +121,7 @@ impl CurvePlane {
     /// [`Error::CurveNotPlane`] with an index among all points, and the errors of [`fit_curves`].
     pub(super) fn fit_curves_in_plane(&self, given: &Curves, mode: Option<Mode>, job: &Job<'_>) -> Result<Vec<Curve>> {
         let largest = given.points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
-        let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
+        let size = bounding_box_of_inputs(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
         let slack = 1e-6 * size + 64.0 * f64::EPSILON * largest;
         fit_mapped_curves(given, mode, job, |first, points| {
             let mut flat = alloc::with_capacity(points.len())?;

@@ -2,7 +2,7 @@ use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::report::{
-    CURVE, Report, Value, count_with_noun, format_short, format_short_point, push_line, push_unlisted_count,
+    CURVE, Report, ReportValue, count_with_noun, format_short, format_short_point, push_line, push_unlisted_count,
 };
 use super::signatures::{CURVES_ONLY, TO_TEXT};
 use super::typed_param::{ParamValues, params};
@@ -34,7 +34,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         let part = job.part(0.5, 1.0).share(c, curves.len());
         part.step(0.0, "measuring curves")?;
         let curve = curve.view();
-        let length = if curve.is_empty() { 0.0 } else { curve.lengths(&part.part(0.0, 0.5))?.total() };
+        let length = if curve.is_empty() { 0.0 } else { curve.arc_lengths(&part.part(0.0, 0.5))?.total_length() };
         total += length;
         if c < MAX_LISTED_CURVES {
             push_line!(text, "curve {c}: {}", measures_line(&curve, length, &part.part(0.5, 1.0))?);
@@ -42,7 +42,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     }
     push_unlisted_count(&mut text, curves.len(), MAX_LISTED_CURVES);
     push_line!(text, "{}, length {}", count_with_noun(curves.len(), CURVE), format_short(total));
-    let values = [("curves", Value::count(curves.len())), ("length", Value::length(total))];
+    let values = [("curves", ReportValue::count(curves.len())), ("length", ReportValue::length(total))];
     Ok(vec![Output::Text(Report::new(text, &values))])
 }
 

@@ -7,7 +7,7 @@ use super::typed_param::{COORDINATE_RANGE, Param, ParamValues, PlaneValue, param
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_curve::Mode;
-use gusset_curve::ops::{OffsetOptions, Spacing};
+use gusset_curve::ops::{OffsetOptions, SampleSpacing};
 
 /// The largest number of segments of an offset.
 const MAX_OFFSET_SEGMENTS: usize = 1 << 20;
@@ -47,7 +47,8 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
             continue;
         }
         let offset = curve.view().offset(values.distance, &options, &part.part(0.0, 0.8))?;
-        let points = curve::sample_curve(&offset.curve.view(), Spacing::Chord(0.5 * tolerance), &part.part(0.8, 1.0))?;
+        let points =
+            curve::sample_curve(&offset.curve.view(), SampleSpacing::Chord(0.5 * tolerance), &part.part(0.8, 1.0))?;
         drawn.add_curve(points.iter().map(|&point| flat.to_space(point)), offset.curve.view().is_closed())?;
         let tight = if offset.tight { ", some radii of curvature are less than the distance" } else { "" };
         let reached = if offset.reached { "" } else { ", more than the chord error allows" };

@@ -7,7 +7,7 @@ use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_curve::Mode;
-use gusset_curve::ops::Spacing;
+use gusset_curve::ops::SampleSpacing;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_resample",
@@ -34,14 +34,14 @@ params! {
 }
 
 /// The spacing of new points on the given polylines.
-type MakeSpacing = fn(&Params, &Curves) -> Spacing;
+type MakeSpacing = fn(&Params, &Curves) -> SampleSpacing;
 
 choices! {
     SPACINGS: MakeSpacing =
-        |values, _| Spacing::Count(values.number as usize) => "Number",
+        |values, _| SampleSpacing::Count(values.number as usize) => "Number",
             "A given number of points on each curve, at equal arc lengths.";
-        |values, _| Spacing::Step(values.step) => "Step", "A given spacing along the curve.";
-        |values, given| Spacing::Chord(curve::absolute_chord_error(given, values.chord_error)) => "Chord error",
+        |values, _| SampleSpacing::Step(values.step) => "Step", "A given spacing along the curve.";
+        |values, given| SampleSpacing::Chord(curve::absolute_chord_error(given, values.chord_error)) => "Chord error",
             "As few points as the chord error allows, more where the curve bends.";
 }
 

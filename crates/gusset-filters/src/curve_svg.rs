@@ -34,7 +34,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         part.step(0.0, "writing a path")?;
         let path = match values.downwards {
             true => svg_path_with_y_down(&curve.view(), &part)?,
-            false => curve.view().svg_path(&part)?,
+            false => curve.view().to_svg_path(&part)?,
         };
         let bytes = path.len() + 1;
         text.try_reserve(bytes).map_err(|_| Error::OutOfMemory { bytes: bytes as u64 })?;
@@ -47,5 +47,5 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 /// The path of a curve whose second coordinate grows downwards.
 fn svg_path_with_y_down(curve: &CurveView<'_>, job: &Job<'_>) -> Result<String> {
     let points = alloc::collect(curve.points().iter().map(|p| DVec3::new(p.x, -p.y, p.z)))?;
-    CurveView::new(&points, curve.ends(), curve.is_closed())?.svg_path(job)
+    CurveView::new(&points, curve.ends(), curve.is_closed())?.to_svg_path(job)
 }

@@ -163,7 +163,7 @@ pub(super) fn require_same_faces(a: &MeshView<'_>, b: &MeshView<'_>, place: u32)
     let same = a.positions().len() == b.positions().len()
         && faces.len() == others.len()
         && faces.half_edge_count() == others.half_edge_count()
-        && (0..faces.len()).all(|f| faces.range(f) == others.range(f))
+        && (0..faces.len()).all(|f| faces.corner_range(f) == others.corner_range(f))
         && faces.corners(0..faces.half_edge_count()).eq(others.corners(0..faces.half_edge_count()));
     let unfit = Error::InputUnfit { input: place, why: "a mesh with the same faces as the one before is needed" };
     if same { Ok(()) } else { Err(unfit) }
@@ -172,7 +172,7 @@ pub(super) fn require_same_faces(a: &MeshView<'_>, b: &MeshView<'_>, place: u32)
 /// A mesh with the faces of another mesh and its own positions.
 pub(super) fn mesh_with_positions(mesh: &MeshView<'_>, positions: PositionBuffer) -> Result<Mesh> {
     let faces = mesh.faces();
-    let offsets = (0..faces.len() + 1).map(|f| if f == 0 { 0 } else { faces.range(f - 1).end as u32 });
+    let offsets = (0..faces.len() + 1).map(|f| if f == 0 { 0 } else { faces.corner_range(f - 1).end as u32 });
     let face_corners = alloc::collect(faces.corners(0..faces.half_edge_count()))?;
     Ok(Mesh::new(positions, alloc::collect(offsets)?, face_corners))
 }

@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::extent::round_to_two_digits;
 use super::filter::{Filter, FilterBody};
-use super::moving::{CATEGORY, STRENGTH, copy_mesh, move_mesh, moved_output};
+use super::moving::{CATEGORY, STRENGTH, copy_mesh, move_mesh, output_of_moved_mesh};
 use super::signatures::{ONE_MESH, TO_MESH};
 use super::typed_param::{COORDINATE_RANGE, LENGTH_RANGE, Param, ParamValues, params};
 use glam::DVec3;
@@ -110,7 +110,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         Some(field) => move_mesh(mesh, field.as_ref(), values.strength, job)?,
         None => copy_mesh(mesh, job)?,
     };
-    Ok(vec![moved_output(moved, inputs, values, job)?])
+    Ok(vec![output_of_moved_mesh(moved, inputs, values, job)?])
 }
 
 /// The radius of a circle of the given length, or of another length if that is 0.

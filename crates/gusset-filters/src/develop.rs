@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::moving::CATEGORY;
-use super::report::{FACE, Report, Value, count_with_noun, push_line};
+use super::report::{FACE, Report, ReportValue, count_with_noun, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_attributes::Origins;
@@ -75,17 +75,17 @@ fn report(done: &Developed) -> Report {
         push_line!(text, "{folds} triangles are inverted, {overlaps} pairs of edges overlap");
     }
     let values = [
-        ("charts", Value::count(done.charts.len())),
-        ("exact_charts", Value::count(exact)),
-        ("cut_edges", Value::count(done.cut_edges.len())),
-        ("darts", Value::count(done.darts)),
-        ("energy", Value::number(energy)),
-        ("max_stretch", Value::number(stretch[0])),
-        ("min_stretch", Value::number(stretch[1])),
-        ("area", Value::area(area)),
-        ("flat_area", Value::area(flat)),
-        ("turned_triangles", Value::count(folds)),
-        ("overlaps", Value::count(overlaps)),
+        ("charts", ReportValue::count(done.charts.len())),
+        ("exact_charts", ReportValue::count(exact)),
+        ("cut_edges", ReportValue::count(done.cut_edges.len())),
+        ("darts", ReportValue::count(done.darts)),
+        ("energy", ReportValue::number(energy)),
+        ("max_stretch", ReportValue::number(stretch[0])),
+        ("min_stretch", ReportValue::number(stretch[1])),
+        ("area", ReportValue::area(area)),
+        ("flat_area", ReportValue::area(flat)),
+        ("turned_triangles", ReportValue::count(folds)),
+        ("overlaps", ReportValue::count(overlaps)),
     ];
     Report::new(text, &values)
 }

@@ -6,7 +6,7 @@ use super::typed_param::{COORDINATE_RANGE, Param, ParamValues, params};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_net::field::displace;
+use gusset_net::field::displace_along_normals;
 
 pub(super) const FILTER: Filter = Filter {
     id: "displace",
@@ -31,10 +31,10 @@ params! {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let input = inputs[0].mesh()?;
     let mut grid = quads::recognise_grid(input, &job.part(0.0, 0.5))?;
-    displace(&mut grid.net, values.distance, &job.part(0.5, 0.7))?;
+    displace_along_normals(&mut grid.net, values.distance, &job.part(0.5, 0.7))?;
     let all = |count: usize| alloc::collect(0..count);
     let (rows, columns) = (all(grid.net.shape().rows())?, all(grid.net.shape().columns())?);
-    Ok(vec![quads::grid_output(
+    Ok(vec![quads::output_of_resampled_grid(
         &grid.net,
         (input, &grid),
         [&rows, &columns],

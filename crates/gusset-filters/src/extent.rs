@@ -5,7 +5,7 @@ use glam::DVec3;
 use gusset_base::geom::Aabb;
 
 /// The box around all finite points of some inputs; `None` if there are none, or if all coincide.
-pub(super) fn extent_of(inputs: &[Input<'_>]) -> Option<Aabb> {
+pub(super) fn bounding_box_of_inputs(inputs: &[Input<'_>]) -> Option<Aabb> {
     let mut extent = Aabb::EMPTY;
     let mut add = |point: DVec3| {
         if point.is_finite() {
@@ -34,7 +34,7 @@ pub(super) fn round_to_two_digits(value: f64) -> f64 {
 /// The plane of curves, or a plane near them: its unit normal, upwards if possible, and its distance
 /// from the origin.
 pub(super) fn best_plane_of_curves(curves: &Curves) -> Option<[f64; 4]> {
-    let extent = extent_of(&[Input::Curves(curves)])?;
+    let extent = bounding_box_of_inputs(&[Input::Curves(curves)])?;
     let (centre, size) = (extent.centre(), extent.diagonal());
     let mut area = DVec3::ZERO;
     for ends in curves.offsets.windows(2) {

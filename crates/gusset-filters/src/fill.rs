@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, FACE, Report, Value, count_with_noun, format_short};
+use super::report::{BOUNDARY_LOOP, FACE, Report, ReportValue, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_RANGE, Param, ParamValues, TypedParam, params};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -115,7 +115,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let old = inputs[0].mesh()?;
     let mut done = fill_holes(old, LoopSelection::All, &options, job)?;
-    done.keep_splits(&[old], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[old], &job.part(1.0, 1.0))?;
     let report = report(old, &done, options.plan_only);
     let origins = values.trace_origins(|| Origins::from_filled(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
@@ -156,18 +156,18 @@ fn report(old: &MeshView<'_>, done: &Filled, plan_only: bool) -> Report {
         count_with_noun(done.quality.loops_left, BOUNDARY_LOOP)
     );
     let mut values = vec![
-        ("filled_loops", Value::count(count)),
-        ("patches", Value::count(patches)),
-        ("boundary_loops_before", Value::count(done.holes.len())),
-        ("new_faces", Value::count(faces)),
-        ("new_vertices", Value::count(vertices)),
-        ("area", Value::area(area)),
-        ("smallest_angle", Value::angle(done.quality.min_angle)),
-        ("turned_outwards", Value::count(done.turned_outwards.len())),
-        ("boundary_loops", Value::count(done.quality.loops_left)),
+        ("filled_loops", ReportValue::count(count)),
+        ("patches", ReportValue::count(patches)),
+        ("boundary_loops_before", ReportValue::count(done.holes.len())),
+        ("new_faces", ReportValue::count(faces)),
+        ("new_vertices", ReportValue::count(vertices)),
+        ("area", ReportValue::area(area)),
+        ("smallest_angle", ReportValue::angle(done.quality.min_angle)),
+        ("turned_outwards", ReportValue::count(done.turned_outwards.len())),
+        ("boundary_loops", ReportValue::count(done.quality.loops_left)),
     ];
     if let Some(pairs) = &done.intersections {
-        values.push(("intersections", Value::count(pairs.len())));
+        values.push(("intersections", ReportValue::count(pairs.len())));
     }
     Report::new(text, &values)
 }

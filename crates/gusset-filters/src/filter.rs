@@ -1,7 +1,7 @@
 //! A filter: a named capability with typed inputs, outputs and parameters.
 
 use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::extent_of;
+use super::extent::bounding_box_of_inputs;
 use super::param::Param;
 use super::typed_param::{ParamValues, Parameters};
 use gusset_base::error::{Error, Result};
@@ -104,7 +104,7 @@ impl Filter {
         if !self.has_suggestions() {
             return values;
         }
-        if let Some(extent) = extent_of(inputs) {
+        if let Some(extent) = bounding_box_of_inputs(inputs) {
             self.components_of_params_mut(&mut values).for_each(|(param, own)| param.suggest(inputs, &extent, own));
         }
         values
@@ -116,7 +116,7 @@ impl Filter {
         mut rest: &'a mut [f64],
     ) -> impl Iterator<Item = (&'static Param, &'a mut [f64])> {
         self.params.iter().map(move |param| {
-            let (own, next) = std::mem::take(&mut rest).split_at_mut(param.kind.arity());
+            let (own, next) = std::mem::take(&mut rest).split_at_mut(param.kind.component_count());
             rest = next;
             (param, own)
         })
@@ -124,7 +124,7 @@ impl Filter {
 
     /// The number of values of all parameters.
     pub fn value_count(&self) -> usize {
-        self.params.iter().map(|param| param.kind.arity()).sum()
+        self.params.iter().map(|param| param.kind.component_count()).sum()
     }
 
     /// Checks number and kinds of inputs.

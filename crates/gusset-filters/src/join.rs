@@ -2,12 +2,12 @@ use super::align::explain_untrusted_pose;
 use super::data::{Input, Output};
 use super::fill::{KEEP_OPEN, OUTWARD};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, Value, count_with_noun, format_short, push_line};
+use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, ReportValue, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::stitch::{FAIRING, FINISH, MERIDIANS};
 use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use super::weld::TOLERANCE;
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
@@ -131,7 +131,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let job = &if moved.is_some() { job.part(0.2, 1.0) } else { job.part(0.0, 1.0) };
     let mut done = assemble(&placed, &options, job)?;
-    done.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let report = report(&done, aligned.as_ref());
     let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
@@ -201,19 +201,19 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
     }
     let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined)).count();
     let mut values = vec![
-        ("sewn_edges", Value::count(done.sewn_edges)),
-        ("joins", Value::count(joined)),
-        ("refused_joins", Value::count(done.joints.len() - joined)),
-        ("filled_holes", Value::count(filled)),
-        ("boundary_loops", Value::count(done.loops_left)),
-        ("near_loops_left", Value::count(done.near_loops_left)),
-        ("turned_faces", Value::count(turned)),
-        ("zero_volume_components", Value::count(done.zero_volume.len())),
-        ("trimmed_faces", Value::count(done.trimmed_faces)),
-        ("blends", Value::count(done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count())),
+        ("sewn_edges", ReportValue::count(done.sewn_edges)),
+        ("joins", ReportValue::count(joined)),
+        ("refused_joins", ReportValue::count(done.joints.len() - joined)),
+        ("filled_holes", ReportValue::count(filled)),
+        ("boundary_loops", ReportValue::count(done.loops_left)),
+        ("near_loops_left", ReportValue::count(done.near_loops_left)),
+        ("turned_faces", ReportValue::count(turned)),
+        ("zero_volume_components", ReportValue::count(done.zero_volume.len())),
+        ("trimmed_faces", ReportValue::count(done.trimmed_faces)),
+        ("blends", ReportValue::count(done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count())),
     ];
     if aligned.is_some() {
-        values.push(("trusted_pieces", Value::count(trusted)));
+        values.push(("trusted_pieces", ReportValue::count(trusted)));
     }
     Report::new(text, &values)
 }

@@ -1,6 +1,6 @@
 use super::data::{Input, InputKind, Output, require_same_faces};
 use super::filter::{Filter, FilterBody};
-use super::moving::{CATEGORY, STRENGTH, move_mesh, moved_output};
+use super::moving::{CATEGORY, STRENGTH, move_mesh, output_of_moved_mesh};
 use super::signatures::TO_MESH;
 use super::typed_param::{ParamValues, params};
 use glam::DVec3;
@@ -42,7 +42,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     require_same_faces(rest, changed, 2)?;
     let lattice = lattice_from_meshes(rest, changed, &job.part(0.0, 0.1))?;
     let moved = move_mesh(inputs[0].mesh()?, &lattice, values.strength, &job.part(0.1, 1.0))?;
-    Ok(vec![moved_output(moved, inputs, values, job)?])
+    Ok(vec![output_of_moved_mesh(moved, inputs, values, job)?])
 }
 
 /// The error of a lattice at rest that is not a lattice.
@@ -82,12 +82,12 @@ fn lattice_from_meshes(rest: &MeshView<'_>, changed: &MeshView<'_>, job: &Job<'_
         let [i, j, k] = place.round().to_array().map(|index| index as usize);
         offsets[(k * counts[1] + j) * counts[0] + i] = Some(*to - *from);
     }
-    Lattice::new(extent.low, extent.high, counts, &complete_offsets(counts, offsets)?)
+    Lattice::new(extent.low, extent.high, counts, &fill_missing_offsets(counts, offsets)?)
 }
 
 /// The offsets of all grid points: a point without one gets the mean of the linear interpolations
 /// between the nearest points along each axis that have one. Affine motions are kept.
-fn complete_offsets(counts: [usize; 3], mut offsets: Vec<Option<DVec3>>) -> Result<Vec<DVec3>> {
+fn fill_missing_offsets(counts: [usize; 3], mut offsets: Vec<Option<DVec3>>) -> Result<Vec<DVec3>> {
     while offsets.contains(&None) {
         let known = alloc::copied(&offsets)?;
         let mut strides = [(1, 1); 3];

@@ -1,6 +1,6 @@
 use super::data::{Input, Output, mesh_with_positions, require_same_faces};
 use super::filter::{Filter, FilterBody};
-use super::moving::{CATEGORY, moved_output};
+use super::moving::{CATEGORY, output_of_moved_mesh};
 use super::signatures::{TO_MESH, TWO_MESHES};
 use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
@@ -41,9 +41,9 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let between = gusset_net::morph(&a, &b, values.ratio, values.path, &job.part(0.3, 0.9))?;
     job.step(0.9, "nodes to vertices")?;
     let mut positions = PositionBuffer::with_capacity(scalar, from.positions().len())?;
-    let places = (0..from.positions().len() as u32).map(|v| between.shape().place(v));
+    let places = (0..from.positions().len() as u32).map(|v| between.shape().row_and_column(v));
     positions.extend(places.map(|(i, j)| between.get(i, j)))?;
-    Ok(vec![moved_output(mesh_with_positions(from, positions)?, inputs, values, job)?])
+    Ok(vec![output_of_moved_mesh(mesh_with_positions(from, positions)?, inputs, values, job)?])
 }
 
 /// The vertices of a mesh in order, as the nodes of a net of two rows. An odd number of vertices

@@ -69,7 +69,7 @@ fn move_points<T: Copy + Into<f64>>(
             (0..3).for_each(|axis| scratch[axis][k] = point[axis].into());
         }
         let [x, y, z] = &mut scratch;
-        field.map(strength, [&mut x[..count], &mut y[..count], &mut z[..count]]);
+        field.map_points(strength, [&mut x[..count], &mut y[..count], &mut z[..count]]);
         for (k, point) in chunk.iter_mut().enumerate() {
             let moved = [0, 1, 2].map(|axis| scratch[axis][k]);
             let was_finite = point.iter().all(|&x| x.into().is_finite());
@@ -83,7 +83,7 @@ fn move_points<T: Copy + Into<f64>>(
 }
 
 /// A mesh with the faces of the first input, as an output.
-pub(super) fn moved_output<P: Parameters>(
+pub(super) fn output_of_moved_mesh<P: Parameters>(
     mesh: Mesh,
     inputs: &[Input<'_>],
     values: &ParamValues<P>,

@@ -40,7 +40,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let mut edges = Curves::without_curves();
     let shape = grid.net.shape();
     for link in found.contracted.iter().map(|contracted| contracted.link).chain(found.torn.iter().copied()) {
-        let ends = shape.ends(link).map(|node| before.positions().get(grid.vertex_of_node[node as usize]));
+        let ends = shape.ends_of_link(link).map(|node| before.positions().get(grid.vertex_of_node[node as usize]));
         edges.add_curve(ends.into_iter(), false)?;
     }
     let kind = if found.is_soft() { "soft" } else { "hard" };
@@ -66,7 +66,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 
 /// The smallest and the largest of some ratios.
 fn ratio_range_text(ratios: &[f64]) -> String {
-    let [min, max] = aabb::range(ratios.iter().copied());
+    let [min, max] = aabb::range_of_values(ratios.iter().copied());
     format!("{} to {}", format_short(min), format_short(max))
 }
 

@@ -43,7 +43,13 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     );
     let lines = [&made.rows[..], &made.columns];
     Ok(vec![
-        quads::grid_output(&made.net, (input, &grid), lines, (values, values.triangles), &job.part(0.8, 1.0))?,
+        quads::output_of_resampled_grid(
+            &made.net,
+            (input, &grid),
+            lines,
+            (values, values.triangles),
+            &job.part(0.8, 1.0),
+        )?,
         Output::Text(text.into()),
     ])
 }

@@ -10,7 +10,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
 use gusset_base::job::Job;
-use gusset_curve::ops::Spacing;
+use gusset_curve::ops::SampleSpacing;
 use gusset_curve::{CurveView, Mode};
 use gusset_net::primitive::{Primitive, Request};
 use gusset_net::transform::{Affine, transform};
@@ -66,7 +66,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         0 => curve_joints(&curve)?,
         rows => {
             let count = rows.max(if curve.is_closed() { 3 } else { 2 });
-            curve.sampled(Spacing::Count(count), &job.part(0.1, 0.2))?.points
+            curve.sample_points(SampleSpacing::Count(count), &job.part(0.1, 0.2))?.points
         }
     };
     if curve.is_closed() {

@@ -2,7 +2,7 @@ use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY};
 use super::report::{
-    BOUNDARY_LOOP, COLUMN, QUAD, ROW, Report, Value, count_with_noun, format_short, format_short_point,
+    BOUNDARY_LOOP, COLUMN, QUAD, ROW, Report, ReportValue, count_with_noun, format_short, format_short_point,
 };
 use super::signatures::{ONE_MESH, TO_TEXT};
 use super::typed_param::{Param, ParamValues, params};
@@ -51,18 +51,18 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         plane.worst.map_or(0, |worst| worst.1)
     );
     let mut values = vec![
-        ("rows", Value::count(net.shape().rows())),
-        ("columns", Value::count(net.shape().columns())),
-        ("euler_characteristic", Value::count(complex.euler_characteristic())),
-        ("boundary_loops", Value::count(complex.boundary.len())),
-        ("area", Value::area(measures.area)),
+        ("rows", ReportValue::count(net.shape().rows())),
+        ("columns", ReportValue::count(net.shape().columns())),
+        ("euler_characteristic", ReportValue::count(complex.euler_characteristic())),
+        ("boundary_loops", ReportValue::count(complex.boundary.len())),
+        ("area", ReportValue::area(measures.area)),
     ];
     if complex.is_closed() && complex.orientable {
         let body = moments(&net, &job.part(0.8, 1.0))?;
         let [x, y, z] = [0, 1, 2].map(|k| format_short_point(body.inertia.col(k)));
         let (volume, centre) = (format_short(body.volume), format_short_point(body.centroid));
         text += &format!("volume {volume}, centre {centre}\ninertia {x} {y} {z}\n");
-        values.push(("volume", Value::volume(body.volume)));
+        values.push(("volume", ReportValue::volume(body.volume)));
     }
     Ok(vec![Output::Text(Report::new(text, &values))])
 }

@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY};
-use super::report::{Report, Value, count_with_noun, format_short};
+use super::report::{Report, ReportValue, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_base::alloc;
@@ -44,8 +44,13 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let done = planarise(&mut grid.net, &options, &job.part(0.3, 0.8))?;
     let [rows, columns] = [grid.net.shape().rows(), grid.net.shape().columns()].map(|count| alloc::collect(0..count));
-    let made =
-        quads::grid_output(&grid.net, (input, &grid), [&rows?, &columns?], (values, false), &job.part(0.8, 1.0))?;
+    let made = quads::output_of_resampled_grid(
+        &grid.net,
+        (input, &grid),
+        [&rows?, &columns?],
+        (values, false),
+        &job.part(0.8, 1.0),
+    )?;
     Ok(vec![made, Output::Text(report(&done))])
 }
 
@@ -60,13 +65,13 @@ fn report(done: &Planarised) -> Report {
         count_with_noun(done.iterations, ["step", "steps"])
     );
     let values = [
-        ("deviation_before", Value::length(done.deviation_before)),
-        ("deviation", Value::length(done.deviation_after)),
-        ("tolerance", Value::length(done.tolerance)),
-        ("largest_displacement", Value::length(done.max_displacement)),
-        ("root_mean_square_displacement", Value::length(done.rms_displacement)),
-        ("steps", Value::count(done.iterations)),
-        ("converged", Value::flag(done.converged)),
+        ("deviation_before", ReportValue::length(done.deviation_before)),
+        ("deviation", ReportValue::length(done.deviation_after)),
+        ("tolerance", ReportValue::length(done.tolerance)),
+        ("largest_displacement", ReportValue::length(done.max_displacement)),
+        ("root_mean_square_displacement", ReportValue::length(done.rms_displacement)),
+        ("steps", ReportValue::count(done.iterations)),
+        ("converged", ReportValue::flag(done.converged)),
     ];
     Report::new(text, &values)
 }

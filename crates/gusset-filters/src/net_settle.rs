@@ -2,7 +2,7 @@ use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::net_join::{DIFFERENT_SIZES, DIRECTION, TURN, TWIST, join_grids};
 use super::quads::{self, CATEGORY, TRIANGLES};
-use super::report::{Report, Value, count_with_noun, format_short};
+use super::report::{Report, ReportValue, count_with_noun, format_short};
 use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
 use super::typed_param::{NON_NEGATIVE_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -91,18 +91,18 @@ fn report(done: &Settled) -> Report {
         if done.converged { "" } else { ", not converged" }
     );
     let values = [
-        ("settled_bridges", Value::count(done.settled)),
-        ("idle_bridges", Value::count(done.idle)),
-        ("energy_before", Value::number(done.energy_before)),
-        ("energy", Value::number(energy)),
-        ("tension_energy", Value::number(done.tension_energy)),
-        ("elastic_energy", Value::number(done.elastic_energy)),
-        ("bending_energy", Value::number(done.bending_energy)),
-        ("residual_force", Value::number(done.residual_force)),
-        ("largest_displacement", Value::length(done.max_displacement)),
-        ("steps", Value::count(done.iterations)),
-        ("converged", Value::flag(done.converged)),
-        ("collapsed_films", Value::count(done.collapsed)),
+        ("settled_bridges", ReportValue::count(done.settled)),
+        ("idle_bridges", ReportValue::count(done.idle)),
+        ("energy_before", ReportValue::number(done.energy_before)),
+        ("energy", ReportValue::number(energy)),
+        ("tension_energy", ReportValue::number(done.tension_energy)),
+        ("elastic_energy", ReportValue::number(done.elastic_energy)),
+        ("bending_energy", ReportValue::number(done.bending_energy)),
+        ("residual_force", ReportValue::number(done.residual_force)),
+        ("largest_displacement", ReportValue::length(done.max_displacement)),
+        ("steps", ReportValue::count(done.iterations)),
+        ("converged", ReportValue::flag(done.converged)),
+        ("collapsed_films", ReportValue::count(done.collapsed)),
     ];
     Report::new(text, &values)
 }

@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::report::{BOUNDARY_LOOP, EDGE, QUAD, Report, TRIANGLE, VERTEX, Value, count_with_noun};
+use super::report::{BOUNDARY_LOOP, EDGE, QUAD, Report, ReportValue, TRIANGLE, VERTEX, count_with_noun};
 use super::signatures::TO_MESH_TEXT;
 use super::typed_param::{LENGTH_RANGE, Param, ParamValues, params};
 use gusset_base::choices;
@@ -102,12 +102,12 @@ fn run(_: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<V
         count_with_noun(complex.boundary.len(), BOUNDARY_LOOP)
     );
     let values = [
-        ("vertices", Value::count(complex.vertices)),
-        ("edges", Value::count(complex.edges)),
-        ("quads", Value::count(complex.quads)),
-        ("triangles", Value::count(complex.triangles)),
-        ("euler_characteristic", Value::count(complex.euler_characteristic())),
-        ("boundary_loops", Value::count(complex.boundary.len())),
+        ("vertices", ReportValue::count(complex.vertices)),
+        ("edges", ReportValue::count(complex.edges)),
+        ("quads", ReportValue::count(complex.quads)),
+        ("triangles", ReportValue::count(complex.triangles)),
+        ("euler_characteristic", ReportValue::count(complex.euler_characteristic())),
+        ("boundary_loops", ReportValue::count(complex.boundary.len())),
     ];
     Ok(vec![Output::Mesh(mesh, None), Output::Text(Report::new(text, &values))])
 }

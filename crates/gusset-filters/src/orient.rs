@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{FACE, PIECE, Report, Value, count_with_noun, push_line, push_unlisted_count};
+use super::report::{FACE, PIECE, Report, ReportValue, count_with_noun, push_line, push_unlisted_count};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_stitch::repair::orient::{Options, Oriented, Outward, orient};
@@ -30,7 +30,7 @@ params! {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options { outward: values.outward };
     let mut done = orient(inputs[0].mesh()?, &options, job)?;
-    done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
     let origins = values.trace_origins(|| Origins::from_oriented(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
@@ -48,9 +48,9 @@ fn report(done: &Oriented) -> Report {
     }
     push_unlisted_count(&mut text, done.one_sided.len(), MAX_LISTED_PIECES);
     let values = [
-        ("turned_faces", Value::count(done.turned_faces)),
-        ("pieces", Value::count(done.components)),
-        ("one_sided_pieces", Value::count(done.one_sided.len())),
+        ("turned_faces", ReportValue::count(done.turned_faces)),
+        ("pieces", ReportValue::count(done.components)),
+        ("one_sided_pieces", ReportValue::count(done.one_sided.len())),
     ];
     Report::new(text, &values)
 }

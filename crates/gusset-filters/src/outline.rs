@@ -6,7 +6,7 @@ use super::signatures::{CURVES_ONLY, TO_CURVES_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_curve::ops::Spacing;
+use gusset_curve::ops::SampleSpacing;
 use gusset_curve::{
     Ends, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
 };
@@ -56,7 +56,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         let outline = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
         let done = fit(&outline, &options, &part.part(0.0, 0.8))?;
         let chord = (values.chord_error * done.reports()[0].size).max(f64::MIN_POSITIVE);
-        let points = sample_curve(&done.curve(0), Spacing::Chord(chord), &part.part(0.8, 1.0))?;
+        let points = sample_curve(&done.curve(0), SampleSpacing::Chord(chord), &part.part(0.8, 1.0))?;
         drawn.add_curve(points.into_iter(), closed)?;
         push_line!(text, "curve {c}: {}", report(&done));
     }

@@ -34,7 +34,7 @@ pub enum ParamKind {
 
 impl ParamKind {
     /// The number of components.
-    pub const fn arity(self) -> usize {
+    pub const fn component_count(self) -> usize {
         match self {
             ParamKind::Point | ParamKind::Direction => 3,
             ParamKind::Plane => 4,
@@ -42,7 +42,7 @@ impl ParamKind {
         }
     }
 
-    pub(super) const fn is_whole(self) -> bool {
+    pub(super) const fn is_integer(self) -> bool {
         matches!(self, ParamKind::Bool | ParamKind::Int | ParamKind::Choice)
     }
 }
@@ -89,7 +89,7 @@ impl Param {
     /// True if `value` is valid for a component.
     pub fn accepts(&self, value: f64) -> bool {
         // NaN is in no range.
-        (self.min..=self.max).contains(&value) && (!self.kind.is_whole() || value.fract() == 0.0)
+        (self.min..=self.max).contains(&value) && (!self.kind.is_integer() || value.fract() == 0.0)
     }
 
     /// Checks the components of a value.

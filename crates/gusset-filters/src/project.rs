@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::moving::{CATEGORY, STRENGTH, move_mesh, moved_output};
+use super::moving::{CATEGORY, STRENGTH, move_mesh, output_of_moved_mesh};
 use super::signatures::{ONE_MESH, TO_MESH};
 use super::typed_param::{Param, ParamValues, PlaneValue, params};
 use glam::DVec3;
@@ -59,7 +59,7 @@ fn central_projection_field(PlaneValue { normal, distance }: PlaneValue, eye: DV
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let moved = move_mesh(inputs[0].mesh()?, (values.along)(values)?.as_ref(), values.strength, job)?;
-    Ok(vec![moved_output(moved, inputs, values, job)?])
+    Ok(vec![output_of_moved_mesh(moved, inputs, values, job)?])
 }
 
 /// [`Error::OptionOutOfRange`] for a height above the plane that is 0 within rounding.

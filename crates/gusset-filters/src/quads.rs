@@ -54,7 +54,7 @@ fn net_mesh(net: &Net<'_>, triangles: bool, job: &Job<'_>) -> Result<NetMesh> {
 ///
 /// # Errors
 /// The errors of [`Net::to_mesh`].
-pub(super) fn grid_output<P: Parameters>(
+pub(super) fn output_of_resampled_grid<P: Parameters>(
     net: &Net<'_>,
     (input, grid): (&MeshView<'_>, &RecognisedNet),
     lines: [&[usize]; 2],

@@ -7,7 +7,7 @@ use std::ops::Deref;
 
 /// The kind of a number in a report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ValueKind {
+pub enum ReportValueKind {
     /// A whole number.
     Count,
     /// 0 or 1.
@@ -26,42 +26,42 @@ pub enum ValueKind {
 
 /// A number in a report.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Value {
+pub struct ReportValue {
     /// Its kind.
-    pub kind: ValueKind,
+    pub kind: ReportValueKind,
     /// The number; flags are 0 or 1.
     pub number: f64,
 }
 
-impl Value {
+impl ReportValue {
     pub(super) fn count(count: impl TryInto<i64>) -> Self {
         // No mesh has more than 2^63 of anything.
-        Value { kind: ValueKind::Count, number: count.try_into().unwrap_or(i64::MAX) as f64 }
+        ReportValue { kind: ReportValueKind::Count, number: count.try_into().unwrap_or(i64::MAX) as f64 }
     }
 
     pub(super) fn flag(is: bool) -> Self {
-        Value { kind: ValueKind::Flag, number: f64::from(u8::from(is)) }
+        ReportValue { kind: ReportValueKind::Flag, number: f64::from(u8::from(is)) }
     }
 
     pub(super) const fn number(number: f64) -> Self {
-        Value { kind: ValueKind::Number, number }
+        ReportValue { kind: ReportValueKind::Number, number }
     }
 
     pub(super) const fn length(length: f64) -> Self {
-        Value { kind: ValueKind::Length, number: length }
+        ReportValue { kind: ReportValueKind::Length, number: length }
     }
 
     pub(super) const fn area(area: f64) -> Self {
-        Value { kind: ValueKind::Area, number: area }
+        ReportValue { kind: ReportValueKind::Area, number: area }
     }
 
     pub(super) const fn volume(volume: f64) -> Self {
-        Value { kind: ValueKind::Volume, number: volume }
+        ReportValue { kind: ReportValueKind::Volume, number: volume }
     }
 
     /// An angle in radians.
     pub(super) const fn angle(angle: f64) -> Self {
-        Value { kind: ValueKind::Angle, number: angle }
+        ReportValue { kind: ReportValueKind::Angle, number: angle }
     }
 }
 
@@ -69,17 +69,17 @@ impl Value {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Report {
     text: String,
-    values: Vec<(&'static str, Value)>,
+    values: Vec<(&'static str, ReportValue)>,
 }
 
 impl Report {
     /// Lines and the numbers in them. Names are lower case, words joined by underscores.
-    pub(super) fn new(text: String, values: &[(&'static str, Value)]) -> Self {
+    pub(super) fn new(text: String, values: &[(&'static str, ReportValue)]) -> Self {
         Report { text, values: values.to_vec() }
     }
 
     /// The numbers under their names, in the order of the lines.
-    pub fn values(&self) -> &[(&'static str, Value)] {
+    pub fn values(&self) -> &[(&'static str, ReportValue)] {
         &self.values
     }
 }
@@ -194,10 +194,10 @@ pub(super) fn distance_report(of_what: Noun, distances: impl Iterator<Item = f64
         format_short(root)
     );
     let values = [
-        ("count", Value::count(count)),
-        ("largest_distance", Value::length(largest)),
-        ("mean_distance", Value::length(mean)),
-        ("root_mean_square_distance", Value::length(root)),
+        ("count", ReportValue::count(count)),
+        ("largest_distance", ReportValue::length(largest)),
+        ("mean_distance", ReportValue::length(mean)),
+        ("root_mean_square_distance", ReportValue::length(root)),
     ];
     Report::new(text, &values)
 }

@@ -1,10 +1,10 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{EDGE, FACE, Report, VERTEX, Value, count_with_noun};
+use super::report::{EDGE, FACE, Report, ReportValue, VERTEX, count_with_noun};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{ParamValues, params};
 use super::weld::{DROP_UNUSED_VERTICES, TOLERANCE};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_stitch::repair::sew::{Sew, sew};
@@ -31,7 +31,7 @@ params! {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options { tolerance: values.tolerance, remove_unused: values.unused, ..Options::default() };
     let mut done = sew(inputs[0].mesh()?, &options, job)?;
-    done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
     let origins = values.trace_origins(|| Origins::from_sew(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
@@ -47,12 +47,12 @@ fn report(done: &Sew) -> Report {
         count_with_noun(done.left_vertices.len(), VERTEX)
     );
     let values = [
-        ("welded_vertices", Value::count(done.welded_vertices)),
-        ("tolerance", Value::length(done.tolerance)),
-        ("sewn_edges", Value::count(done.sewn_edges)),
-        ("splits", Value::count(done.splits)),
-        ("split_faces", Value::count(done.split_faces)),
-        ("left_vertices", Value::count(done.left_vertices.len())),
+        ("welded_vertices", ReportValue::count(done.welded_vertices)),
+        ("tolerance", ReportValue::length(done.tolerance)),
+        ("sewn_edges", ReportValue::count(done.sewn_edges)),
+        ("splits", ReportValue::count(done.splits)),
+        ("split_faces", ReportValue::count(done.split_faces)),
+        ("left_vertices", ReportValue::count(done.left_vertices.len())),
     ];
     Report::new(text, &values)
 }

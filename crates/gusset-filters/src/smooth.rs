@@ -2,7 +2,7 @@
 
 use super::curve;
 use super::data::Curves;
-use super::report::{CURVE, FACE, POINT, Report, VERTEX, Value, count_with_noun};
+use super::report::{CURVE, FACE, POINT, Report, ReportValue, VERTEX, count_with_noun};
 use super::typed_param::{Param, TypedParam};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -86,9 +86,9 @@ pub(super) fn mesh_surface(
         made.deviation
     );
     let values = [
-        ("vertices", Value::count(vertices)),
-        ("faces", Value::count(faces)),
-        ("deviation", Value::length(made.deviation)),
+        ("vertices", ReportValue::count(vertices)),
+        ("faces", ReportValue::count(faces)),
+        ("deviation", ReportValue::length(made.deviation)),
     ];
     Ok((made.mesh, Report::new(text, &values)))
 }

@@ -1,6 +1,6 @@
 use super::data::{Input, Output, mesh_with_positions};
 use super::filter::{Filter, FilterBody};
-use super::moving::{STRENGTH, moved_output};
+use super::moving::{STRENGTH, output_of_moved_mesh};
 use super::report::{VERTEX, distance_report};
 use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
@@ -40,6 +40,6 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     job.step(1.0, "moving vertices")?;
     let report = distance_report(VERTEX, from.iter().zip(&nearest).map(|(from, to)| from.distance(to.point)));
     job.step(1.0, "moving vertices")?;
-    let moved = moved_output(mesh_with_positions(mesh, moved)?, inputs, values, job)?;
+    let moved = output_of_moved_mesh(mesh_with_positions(mesh, moved)?, inputs, values, job)?;
     Ok(vec![moved, Output::Text(report)])
 }

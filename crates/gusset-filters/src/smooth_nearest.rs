@@ -1,6 +1,6 @@
 use super::data::{Curves, Input, InputKind, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{POINT, Report, Value, distance_report};
+use super::report::{POINT, Report, ReportValue, distance_report};
 use super::signatures::TO_CURVES_TEXT;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use super::typed_param::{ParamValues, params};
@@ -37,6 +37,6 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let unproven = nearest.iter().filter(|nearest| !nearest.proven).count();
     let found = distance_report(POINT, nearest.iter().map(|nearest| nearest.distance));
     let text = format!("{found}{unproven} without proof\n");
-    let values = [found.values(), &[("unproven", Value::count(unproven))]].concat();
+    let values = [found.values(), &[("unproven", ReportValue::count(unproven))]].concat();
     Ok(vec![Output::Curves(ways), Output::Text(Report::new(text, &values))])
 }

@@ -72,7 +72,7 @@ fn cut_by_planes(surface: &Surface<'_>, values: &Params, job: &Job<'_>) -> Resul
 fn first_offset_and_spacing(surface: &Surface<'_>, normal: DVec3, number: usize) -> [f64; 2] {
     let [low, high] = surface.bounds();
     let corner = |k: usize| DVec3::new([low.x, high.x][k & 1], [low.y, high.y][k >> 1 & 1], [low.z, high.z][k >> 2]);
-    let [from, to] = aabb::range((0..8).map(|k| corner(k).dot(normal)));
+    let [from, to] = aabb::range_of_values((0..8).map(|k| corner(k).dot(normal)));
     let distance = (to - from) / number as f64;
     [from + 0.5 * distance, distance]
 }

@@ -2,10 +2,10 @@ use super::data::{Input, Output};
 use super::facing_arcs_of_loops::{FACING_ARC, FACING_TOLERANCE};
 use super::fill::{OUTWARD, intersections_line, turned_outwards_line};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, FACE, Report, Value, count_with_noun, format_short};
+use super::report::{BOUNDARY_LOOP, FACE, Report, ReportValue, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, Param, ParamValues, TypedParam, params};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
@@ -132,7 +132,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         ..Options::default()
     };
     let mut done = stitch(&request, &options, &job.part(0.2, 1.0))?;
-    done.keep_splits(&alloc::gather([Some(request.a), request.b].into_iter().flatten())?, &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&alloc::gather([Some(request.a), request.b].into_iter().flatten())?, &job.part(1.0, 1.0))?;
     let report = report(&done);
     let origins = values.trace_origins(|| Origins::from_stitch(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
@@ -173,21 +173,21 @@ fn report(done: &Stitch) -> Report {
         min_angle.to_degrees()
     );
     let mut values = vec![
-        ("rim_vertices_a", Value::count(a)),
-        ("rim_vertices_b", Value::count(b)),
-        ("strip_faces", Value::count(done.strip_faces.len())),
-        ("rows", Value::count(done.rows)),
-        ("turned", Value::flag(done.turned)),
-        ("area", Value::area(area)),
-        ("longest_edge", Value::length(max_edge)),
-        ("smallest_angle", Value::angle(min_angle)),
-        ("largest_aspect_ratio", Value::number(max_aspect)),
-        ("turned_outwards", Value::count(done.turned_outwards.len())),
-        ("boundary_loops", Value::count(loops_left)),
-        ("blended", Value::flag(done.finish == Finish::Blend)),
+        ("rim_vertices_a", ReportValue::count(a)),
+        ("rim_vertices_b", ReportValue::count(b)),
+        ("strip_faces", ReportValue::count(done.strip_faces.len())),
+        ("rows", ReportValue::count(done.rows)),
+        ("turned", ReportValue::flag(done.turned)),
+        ("area", ReportValue::area(area)),
+        ("longest_edge", ReportValue::length(max_edge)),
+        ("smallest_angle", ReportValue::angle(min_angle)),
+        ("largest_aspect_ratio", ReportValue::number(max_aspect)),
+        ("turned_outwards", ReportValue::count(done.turned_outwards.len())),
+        ("boundary_loops", ReportValue::count(loops_left)),
+        ("blended", ReportValue::flag(done.finish == Finish::Blend)),
     ];
     if let Some(pairs) = &done.intersections {
-        values.push(("intersections", Value::count(pairs.len())));
+        values.push(("intersections", ReportValue::count(pairs.len())));
     }
     Report::new(text, &values)
 }

@@ -1,14 +1,14 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{FACE, Report, VERTEX, Value, count_with_noun, push_line};
+use super::report::{FACE, Report, ReportValue, VERTEX, count_with_noun, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
-use gusset_stitch::trim::{KeptFacesOfPieces, Options, Remains, trim};
+use gusset_stitch::trim::{KeptFacesOfPieces, Options, TrimmedPieces, trim};
 use std::f64::consts::FRAC_PI_3;
 
 pub(super) const FILTER: Filter = Filter {
@@ -51,10 +51,10 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         ..Options::default()
     };
     let trimmed = trim(&pieces, &options, &job.part(0.0, 0.9))?;
-    let mut left = Remains::new(&pieces, &trimmed, &job.part(0.9, 1.0))?;
-    left.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
+    let mut left = TrimmedPieces::new(&pieces, &trimmed, &job.part(0.9, 1.0))?;
+    left.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let report = report(&pieces, &trimmed);
-    let origins = values.trace_origins(|| Origins::from_remains(&pieces, &left, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_trimmed(&pieces, &left, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(left.mesh, origins), Output::Text(report)])
 }
 
@@ -71,10 +71,10 @@ fn report(pieces: &[MeshView<'_>], trimmed: &KeptFacesOfPieces) -> Report {
         push_line!(text, "{} dropped that intersected other pieces", count_with_noun(trimmed.crossings, FACE));
     }
     let values = [
-        ("kept_faces", Value::count(kept)),
-        ("trimmed_faces", Value::count(all - kept)),
-        ("covered_vertices", Value::count(trimmed.covered.iter().map(|&count| u64::from(count)).sum::<u64>())),
-        ("crossing_faces", Value::count(trimmed.crossings)),
+        ("kept_faces", ReportValue::count(kept)),
+        ("trimmed_faces", ReportValue::count(all - kept)),
+        ("covered_vertices", ReportValue::count(trimmed.covered.iter().map(|&count| u64::from(count)).sum::<u64>())),
+        ("crossing_faces", ReportValue::count(trimmed.crossings)),
     ];
     Report::new(text, &values)
 }

@@ -108,7 +108,7 @@ impl Param {
         [min, max]: [f64; 2],
         default: &'static [f64],
     ) -> Param {
-        let step = if kind.is_whole() { 1.0 } else { 0.0 };
+        let step = if kind.is_integer() { 1.0 } else { 0.0 };
         Param { id: "", label, help, kind, min, max, default, step, choices: &[], suggestion: None }
     }
 
@@ -247,7 +247,7 @@ impl<T: Copy> TypedParam<T> {
 
     /// The value at the start of some components, which are moved past it.
     pub(super) fn take_value(&self, components: &mut &[f64]) -> T {
-        let (own, rest) = components.split_at(self.param.kind.arity());
+        let (own, rest) = components.split_at(self.param.kind.component_count());
         *components = rest;
         match self.read {
             ValueReader::Components(read) => read(own),

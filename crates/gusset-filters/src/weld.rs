@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, VERTEX, Value, count_with_noun};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, ReportValue, VERTEX, count_with_noun};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, TypedParam, params};
-use gusset_attributes::{KeepSplits, Origins};
+use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -62,7 +62,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         remove_unused: values.unused,
     };
     let mut done = weld(inputs[0].mesh()?, &options, job)?;
-    done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
     let origins = values.trace_origins(|| Origins::from_weld(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
@@ -86,12 +86,12 @@ fn report(done: &Weld) -> Report {
         count_with_noun(done.dropped_faces, FACE)
     );
     let values = [
-        ("welded_vertices", Value::count(done.welded_vertices)),
-        ("tolerance", Value::length(done.tolerance)),
-        ("sewn_edges", Value::count(done.sewn_edges)),
-        ("dropped_faces", Value::count(done.dropped_faces)),
-        ("coincident_boundary_edges", Value::count(edges)),
-        ("coincident_vertices", Value::count(vertices)),
+        ("welded_vertices", ReportValue::count(done.welded_vertices)),
+        ("tolerance", ReportValue::length(done.tolerance)),
+        ("sewn_edges", ReportValue::count(done.sewn_edges)),
+        ("dropped_faces", ReportValue::count(done.dropped_faces)),
+        ("coincident_boundary_edges", ReportValue::count(edges)),
+        ("coincident_vertices", ReportValue::count(vertices)),
     ];
     Report::new(text, &values)
 }

@@ -12,7 +12,7 @@ const STAGE: &str = "putting the pieces together";
 /// The place of a piece in the concatenated mesh. Its vertex v becomes `first_vertex + v` and its
 /// face f becomes `first_face + f`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Piece {
+pub struct PieceOffsets {
     /// The new index of the piece's first vertex.
     pub first_vertex: u32,
     /// The new index of the piece's first face.
@@ -25,11 +25,11 @@ pub struct Piece {
 /// # Errors
 /// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`] if the first piece has `f32` and a
 /// later one `f64` positions, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn concatenate(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<Piece>)> {
-    let mut whole = empty_with_room(pieces.iter(), [0; 3])?;
+pub fn concatenate(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<PieceOffsets>)> {
+    let mut whole = empty_mesh_with_room(pieces.iter(), [0; 3])?;
     let mut places = alloc::with_capacity(pieces.len())?;
     for piece in pieces {
-        places.push(append(&mut whole, piece, job, |_| false)?);
+        places.push(append_piece(&mut whole, piece, job, |_| false)?);
     }
     Ok((whole, places))
 }
@@ -39,7 +39,7 @@ pub fn concatenate(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<
 ///
 /// # Errors
 /// The errors of [`concatenate`].
-pub fn empty_with_room<'m, 'a: 'm>(
+pub fn empty_mesh_with_room<'m, 'a: 'm>(
     pieces: impl Iterator<Item = &'m MeshView<'a>> + Clone,
     extra: [usize; 3],
 ) -> Result<Mesh> {
@@ -62,18 +62,18 @@ pub fn empty_with_room<'m, 'a: 'm>(
 
 /// Appends a piece to a mesh that has room for it. `must_flip` selects the faces to flip; a flipped
 /// face keeps its first corner.
-pub fn append(
+pub fn append_piece(
     whole: &mut Mesh,
     piece: &MeshView<'_>,
     job: &Job<'_>,
     mut must_flip: impl FnMut(usize) -> bool,
-) -> Result<Piece> {
-    let place = Piece { first_vertex: whole.positions.len() as u32, first_face: whole.face_count() as u32 };
+) -> Result<PieceOffsets> {
+    let place = PieceOffsets { first_vertex: whole.positions.len() as u32, first_face: whole.face_count() as u32 };
     let (positions, place_them) = (piece.positions(), job.part(0.0, 0.0));
-    place_them.ranges(STAGE, positions.len(), |range| whole.positions.append(positions, range))?;
+    place_them.work_in_ranges(STAGE, positions.len(), |range| whole.positions.append(positions, range))?;
     job.step(0.0, STAGE)?;
     for f in 0..piece.faces().len() {
-        job.step_within(f, STAGE)?;
+        job.step_within_list(f, STAGE)?;
         let start = whole.face_corners.len();
         whole.face_corners.extend(piece.face(f).map(|v| v + place.first_vertex));
         if must_flip(f) {

@@ -65,7 +65,7 @@ impl Topology {
         let faces = mesh.faces();
         let mut parts = divide_faces_among_threads(mesh, job.requested_threads())?;
         run_on_each_thread(&mut parts, &job.part(0.0, 0.3), |part, range| {
-            faces.visit(range, &mut HalfEdgeCounter { faces, part })
+            faces.visit_faces(range, &mut HalfEdgeCounter { faces, part })
         })?;
         job.step(0.3, STAGE)?;
         let (corner_count, mut defects) = sum_corner_counts(&mut parts)?;
@@ -76,7 +76,7 @@ impl Topology {
         // entry.
         let entries: Vec<AtomicU64> = alloc::zeroed(count as usize)?;
         run_on_each_thread(&mut parts, &job.part(0.3, 0.6), |part, range| {
-            faces.visit(range, &mut BucketFiller { part, entries: &entries })
+            faces.visit_faces(range, &mut BucketFiller { part, entries: &entries })
         })?;
         let threads = parts.len();
         job.step(0.6, STAGE)?;
@@ -115,7 +115,7 @@ impl Topology {
         for bucket in long {
             let bucket = &mut entries[bucket];
             sort(bucket, Ord::cmp, &job, STAGE)?;
-            for (k, edge) in bucket.chunk_by(have_same_far_end).enumerate() {
+            for (k, edge) in bucket.chunk_by(end_at_same_vertex).enumerate() {
                 job.step_every(ELEMENTS_PER_REPORT, k, faces.half_edge_count(), STAGE)?;
                 mark_half_edges_of_edge(faces, &mate, edge, &mut defects)?;
             }
@@ -193,7 +193,7 @@ fn sum_corner_counts(parts: &mut [ThreadFaces]) -> Result<(Vec<u32>, Vec<Defect>
 /// the number of half-edges.
 fn turn_counts_into_offsets(parts: &mut [ThreadFaces], vertices: usize, job: &Job<'_>) -> Result<u32> {
     let mut next = 0;
-    job.ranges(STAGE, 2 * vertices, |buckets| {
+    job.work_in_ranges(STAGE, 2 * vertices, |buckets| {
         for bucket in buckets {
             for part in parts.iter_mut() {
                 let place = &mut part.places[bucket];
@@ -314,7 +314,7 @@ fn pair_half_edges_in_buckets(
         let (own, others) = std::mem::take(&mut entries).split_at_mut(both as usize);
         entries = others;
         let (ups, downs) = own.split_at_mut(up as usize);
-        if pair_by_scan(mate, ups, downs) {
+        if pair_unless_ambiguous(mate, ups, downs) {
             continue;
         }
         if own.len() > MAX_UNREPORTED_BUCKET_ENTRIES {
@@ -322,7 +322,7 @@ fn pair_half_edges_in_buckets(
             continue;
         }
         own.sort_unstable();
-        for edge in own.chunk_by(have_same_far_end) {
+        for edge in own.chunk_by(end_at_same_vertex) {
             mark_half_edges_of_edge(faces, mate, edge, &mut found.defects)?;
         }
     }
@@ -330,14 +330,14 @@ fn pair_half_edges_in_buckets(
 }
 
 /// Returns true if two half-edges of one vertex's buckets have the same far end.
-fn have_same_far_end(x: &u64, y: &u64) -> bool {
+fn end_at_same_vertex(x: &u64, y: &u64) -> bool {
     x >> 32 == y >> 32
 }
 
 /// Pairs each upward half-edge with the downward one that has the same far end. Returns false if a
 /// match is missing or ambiguous, or if there are too many half-edges to scan. The caller must then
 /// overwrite the partners.
-fn pair_by_scan(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
+fn pair_unless_ambiguous(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
     if ups.len() != downs.len() || ups.len() > MAX_UNSORTED_BUCKET_ENTRIES {
         return false;
     }
@@ -353,13 +353,13 @@ fn pair_by_scan(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
         if count != 1 {
             return false;
         }
-        set_mates(mate, up as u32, downs[at] as u32);
+        link_opposite_half_edges(mate, up as u32, downs[at] as u32);
         downs.swap(0, at);
     }
     true
 }
 
-fn set_mates(mate: &[AtomicU32], g: u32, h: u32) {
+fn link_opposite_half_edges(mate: &[AtomicU32], g: u32, h: u32) {
     mate[g as usize].store(h, Ordering::Relaxed);
     mate[h as usize].store(g, Ordering::Relaxed);
 }
@@ -377,7 +377,7 @@ fn mark_half_edges_of_edge(
         1 => set(FREE_EDGE_MARK),
         2 => {
             let (g, h) = (half_edge(0), half_edge(1));
-            set_mates(mate, g, h);
+            link_opposite_half_edges(mate, g, h);
             if faces.corner(g) == faces.corner(h) {
                 alloc::push(defects, Defect::OrientationConflict { half_edges: [g, h] })?;
             }

@@ -22,7 +22,7 @@ mod positions;
 mod topology;
 mod view;
 
-pub use concat::{Piece, concatenate};
+pub use concat::{PieceOffsets, concatenate};
 pub use defect::Defect;
 pub use gusset_base::NONE;
 pub use half_edge_pairing::Topology;

@@ -34,7 +34,7 @@ pub fn merge_map(mesh: &MeshView<'_>, keys: Option<&[u32]>, job: &Job<'_>) -> Re
     let mut merge = alloc::collect(0..positions.len() as u32)?;
     let is_one = |u: u32, v: u32| compare(&u, &v).is_eq() && (keys.is_some() || positions.get(u).is_finite());
     for (k, pair) in order.windows(2).enumerate() {
-        job.part(0.9, 1.0).step_within(k, STAGE)?;
+        job.part(0.9, 1.0).step_within_list(k, STAGE)?;
         if is_one(pair[0], pair[1]) {
             merge[pair[1] as usize] = merge[pair[0] as usize];
         }

@@ -6,7 +6,7 @@ use super::view::{Faces, MeshView};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::scale::distance;
+use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
 use std::ops::Range;
 
@@ -49,7 +49,7 @@ impl PositionBuffer {
     }
 
     /// Copies the positions `vertices` of this buffer, bit for bit.
-    pub fn select(&self, vertices: &[u32]) -> Result<PositionBuffer> {
+    pub fn select_vertices(&self, vertices: &[u32]) -> Result<PositionBuffer> {
         Self::gather(&self.view(), vertices)
     }
 
@@ -162,7 +162,7 @@ impl Mesh {
         let (mut sum, mut count) = (0.0, 0.0);
         for face in self.faces() {
             for (k, &u) in face.iter().enumerate() {
-                sum += distance(self.positions.get(u), self.positions.get(face[(k + 1) % face.len()]));
+                sum += overflow_safe_distance(self.positions.get(u), self.positions.get(face[(k + 1) % face.len()]));
                 count += 1.0;
             }
         }

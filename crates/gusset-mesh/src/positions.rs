@@ -55,7 +55,7 @@ impl<'a> Positions<'a> {
     #[inline]
     pub fn bytes_needed(stride: usize, count: usize, scalar: Scalar) -> Result<usize> {
         check_size(count as u64, 0)?;
-        Strided::span(count, stride, scalar.position_size(), "positions")
+        Strided::byte_span(count, stride, scalar.position_size(), "positions")
     }
 
     /// Returns the number of positions.
@@ -117,7 +117,7 @@ impl<'a> Positions<'a> {
 
     /// Returns the bytes, if the positions are contiguous.
     pub(super) fn packed_bytes(&self) -> Option<&'a [u8]> {
-        self.points.without_gaps()
+        self.points.contiguous_bytes()
     }
 }
 

@@ -43,10 +43,11 @@ impl Topology {
     /// Returns the half-edges of free edges and of edges with three or more faces, in ascending
     /// order.
     pub fn border_half_edges(&self, job: &Job<'_>) -> Result<Vec<u32>> {
-        let found = par::map(job.requested_threads(), par::ranges(self.mate.len(), HALF_EDGES_PER_TASK), |range| {
-            let half_edges = (range.start as u32..).zip(&self.mate[range]);
-            alloc::gather(half_edges.filter(|&(_, &mate)| mate >= NON_MANIFOLD_EDGE_MARK).map(|(h, _)| h))
-        })?;
+        let found =
+            par::map(job.requested_threads(), par::split_into_ranges(self.mate.len(), HALF_EDGES_PER_TASK), |range| {
+                let half_edges = (range.start as u32..).zip(&self.mate[range]);
+                alloc::gather(half_edges.filter(|&(_, &mate)| mate >= NON_MANIFOLD_EDGE_MARK).map(|(h, _)| h))
+            })?;
         let mut border = Vec::new();
         alloc::append_all(&mut border, found)?;
         Ok(border)
@@ -67,7 +68,7 @@ impl Topology {
     /// Returns the next half-edge of the same face, skipping half-edges without length.
     #[inline]
     pub fn next(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
-        let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
+        let range = mesh.faces().corner_range(mesh.faces().face_of(h) as usize);
         let (before, after) = (range.start as u32..h, h + 1..range.end as u32);
         after.chain(before).find(|&n| !self.is_ignored(n)).unwrap_or(h)
     }
@@ -75,7 +76,7 @@ impl Topology {
     /// Returns the previous half-edge of the same face, skipping half-edges without length.
     #[inline]
     pub fn previous(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
-        let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
+        let range = mesh.faces().corner_range(mesh.faces().face_of(h) as usize);
         let (before, after) = (range.start as u32..h, h + 1..range.end as u32);
         before.rev().chain(after.rev()).find(|&n| !self.is_ignored(n)).unwrap_or(h)
     }
@@ -91,7 +92,7 @@ pub fn unordered([u, v]: [u32; 2]) -> u64 {
 #[inline]
 pub fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = (u32, u32, u32)> + Clone + 'm {
     let faces = mesh.faces();
-    let range = faces.range(f);
+    let range = faces.corner_range(f);
     let (start, end) = (range.start as u32, range.end as u32);
     (start..end).map(move |h| (h, faces.corner(h), faces.corner(if h + 1 == end { start } else { h + 1 })))
 }

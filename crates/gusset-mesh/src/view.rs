@@ -42,7 +42,9 @@ impl<'a> PackedIndices<'a> {
                 Some(_) => Ok(()),
             })
         };
-        par::map(job.requested_threads(), par::ranges(self.len() - 1, ELEMENTS_PER_TASK), check)?.into_iter().collect()
+        par::map(job.requested_threads(), par::split_into_ranges(self.len() - 1, ELEMENTS_PER_TASK), check)?
+            .into_iter()
+            .collect()
     }
 }
 
@@ -54,7 +56,7 @@ enum FaceLayout<'a> {
     Offsets(PackedIndices<'a>),
 }
 
-/// The receiver of [`Faces::visit`].
+/// The receiver of [`Faces::visit_faces`].
 pub trait FaceVisitor {
     /// Receives a face as its first half-edge and its vertices. Inline it: triangles and quads are
     /// passed as arrays, whose length the compiler then knows.
@@ -86,7 +88,7 @@ impl<'a> Faces<'a> {
     ///
     /// # Errors
     /// [`Error::FaceTooSmall`], [`Error::TooLarge`], [`Error::ArrayTooShort`].
-    pub fn uniform(corners: &'a [u8], face_size: u32, count: usize) -> Result<Self> {
+    pub fn with_uniform_size(corners: &'a [u8], face_size: u32, count: usize) -> Result<Self> {
         let needed = Self::corner_count(face_size, count)? * 4;
         Ok(Faces {
             corners: read_packed_indices(corners, needed, "corners")?,
@@ -121,7 +123,7 @@ impl<'a> Faces<'a> {
 
     /// Returns the vertex that `v` is merged into; `v` itself if the map does not cover it.
     #[inline]
-    pub fn merge_of(&self, v: u32) -> u32 {
+    pub fn merged_vertex(&self, v: u32) -> u32 {
         match self.split {
             Some(split) if (v as usize) < split.merge.len() => split.merge.get(v as usize),
             _ => v,
@@ -179,7 +181,7 @@ impl<'a> Faces<'a> {
     /// [`Error::TooLarge`].
     #[inline]
     pub fn triangles(corners: &'a [[u32; 3]]) -> Result<Self> {
-        Self::uniform(bytemuck::cast_slice(corners), 3, corners.len())
+        Self::with_uniform_size(bytemuck::cast_slice(corners), 3, corners.len())
     }
 
     /// Creates quads.
@@ -188,7 +190,7 @@ impl<'a> Faces<'a> {
     /// [`Error::TooLarge`].
     #[inline]
     pub fn quads(corners: &'a [[u32; 4]]) -> Result<Self> {
-        Self::uniform(bytemuck::cast_slice(corners), 4, corners.len())
+        Self::with_uniform_size(bytemuck::cast_slice(corners), 4, corners.len())
     }
 
     /// Creates polygons; see [`Faces::with_offsets`].
@@ -215,7 +217,7 @@ impl<'a> Faces<'a> {
 
     /// Returns the range of corners (half-edges) of face `f`.
     #[inline]
-    pub fn range(&self, f: usize) -> Range<usize> {
+    pub fn corner_range(&self, f: usize) -> Range<usize> {
         match self.layout {
             FaceLayout::Uniform(n) => f * n as usize..(f + 1) * n as usize,
             FaceLayout::Offsets(offsets) => offsets.get(f) as usize..offsets.get(f + 1) as usize,
@@ -242,7 +244,7 @@ impl<'a> Faces<'a> {
     /// Returns the next half-edge of the face.
     #[inline]
     pub fn next(&self, h: u32) -> u32 {
-        let range = self.range(self.face_of(h) as usize);
+        let range = self.corner_range(self.face_of(h) as usize);
         if h as usize + 1 == range.end { range.start as u32 } else { h + 1 }
     }
 
@@ -260,7 +262,7 @@ impl<'a> Faces<'a> {
     /// Calls `visitor` with each face of `faces` in turn. Extra memory: the largest face that has
     /// more than four corners.
     #[doc(hidden)]
-    pub fn visit(&self, faces: Range<usize>, visitor: &mut impl FaceVisitor) -> Result<()> {
+    pub fn visit_faces(&self, faces: Range<usize>, visitor: &mut impl FaceVisitor) -> Result<()> {
         if let FaceLayout::Uniform(3) = self.layout {
             let corners = self.corners.0[12 * faces.start..12 * faces.end].chunks_exact(12);
             for (f, triangle) in faces.zip(corners) {
@@ -270,7 +272,7 @@ impl<'a> Faces<'a> {
         }
         let mut polygon = Vec::new();
         for f in faces {
-            let range = self.range(f);
+            let range = self.corner_range(f);
             let first = range.start as u32;
             let corner = |i: u32| self.corner(first + i);
             match range.len() {
@@ -347,9 +349,10 @@ impl<'a> MeshView<'a> {
         if !checked.iter().all(|&(_, finite)| finite) {
             // Rare: check whether a face uses such a vertex.
             let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
-            let firsts = par::map(job.requested_threads(), par::ranges(corners, ELEMENTS_PER_TASK), |mut range| {
-                range.find(bad)
-            })?;
+            let firsts =
+                par::map(job.requested_threads(), par::split_into_ranges(corners, ELEMENTS_PER_TASK), |mut range| {
+                    range.find(bad)
+                })?;
             if let Some(&h) = firsts.iter().flatten().next() {
                 let vertex = faces.corner(h as u32);
                 Error::check_finite(Element::Vertex, vertex.into(), positions.get(vertex))?;
@@ -385,12 +388,12 @@ impl<'a> MeshView<'a> {
             let of = merge.get(v);
             of as usize >= count || merge.get(of as usize) != of
         };
-        job.part(0.0, 0.3).ranges(STAGE, count, |mut range| match range.find(is_bad) {
+        job.part(0.0, 0.3).work_in_ranges(STAGE, count, |mut range| match range.find(is_bad) {
             Some(v) => Err(Error::BadMerge { vertex: v as u32, value: merge.get(v) }),
             None => Ok(()),
         })?;
         let mut corners = alloc::with_capacity(self.faces.half_edge_count())?;
-        job.part(0.3, 1.0).ranges(STAGE, self.faces.half_edge_count(), |range| {
+        job.part(0.3, 1.0).work_in_ranges(STAGE, self.faces.half_edge_count(), |range| {
             corners.extend(self.faces.corners(range).map(|v| merge.get(v as usize)));
             Ok(())
         })?;
@@ -416,7 +419,7 @@ impl<'a> MeshView<'a> {
     /// Returns the vertices of face `f`, in order.
     #[inline]
     pub fn face(&self, f: usize) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
-        self.faces.corners(self.faces.range(f))
+        self.faces.corners(self.faces.corner_range(f))
     }
 
     fn check_corners(&self, range: Range<usize>) -> Result<()> {

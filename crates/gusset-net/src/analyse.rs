@@ -76,8 +76,11 @@ pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>)
         let (a, b) = (before.shape().node_count() as u32, after.shape().node_count() as u32);
         return Err(Error::SidesDiffer { a, b });
     }
-    let mut found = compare_unsigned(before, after, tolerance, &job.part(0.0, 0.5))?;
-    mark_folds(&mut found, &fold::fold_signs(before, after, tolerance, &job.part(0.5, 1.0))?);
+    let mut found = analyse_without_signs(before, after, tolerance, &job.part(0.0, 0.5))?;
+    negate_ratios_of_folded_cells(
+        &mut found,
+        &fold::signs_of_turned_over_cells(before, after, tolerance, &job.part(0.5, 1.0))?,
+    );
     Ok(found)
 }
 
@@ -96,40 +99,48 @@ pub fn analyse_field(
 ) -> Result<DeformationAnalysis> {
     let mut after = net.copied()?;
     deform(&mut after, steps, &job.part(0.0, 0.3))?;
-    let mut found = compare_unsigned(net, &after, tolerance, &job.part(0.3, 0.6))?;
+    let mut found = analyse_without_signs(net, &after, tolerance, &job.part(0.3, 0.6))?;
     found.determinants = each!(net.coordinates(), planes => jacobian_determinants(planes, steps, &job.part(0.6, 0.8)))?;
-    if !mark_inversions(&mut found) {
-        mark_folds(&mut found, &fold::fold_signs(net, &after, tolerance, &job.part(0.8, 1.0))?);
+    if !mark_minority_signs_as_folds(&mut found) {
+        negate_ratios_of_folded_cells(
+            &mut found,
+            &fold::signs_of_turned_over_cells(net, &after, tolerance, &job.part(0.8, 1.0))?,
+        );
     }
     Ok(found)
 }
 
 /// Contracts more links of a topology, which makes the gluings of a hard deformation part of the
-/// net. Follow it with [`snap`](super::field::snap).
+/// net. Follow it with [`snap_glued_nodes`](super::field::snap_glued_nodes).
 ///
 /// # Errors
 /// [`Error::NoSuch`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
 pub fn contract_links(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &Job<'_>) -> Result<Topology> {
-    let (shape, mut matrix) = (topology.shape(), topology.matrix()?);
+    let (shape, mut matrix) = (topology.shape(), topology.to_link_matrix()?);
     for link in links {
         if link as usize >= 2 * shape.node_count() {
             return Err(Error::NoSuch { element: Element::Link, index: link.into() });
         }
-        matrix.set(link, true);
+        matrix.set_contracted(link, true);
     }
     let glued = Topology::new_cancellable(shape, ContractedLinks::Matrix(matrix), topology.seams(), job, "absorbing")?;
     Ok(glued.with_reversed(topology.is_reversed()))
 }
 
 /// Compares two nets without signs.
-fn compare_unsigned(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<DeformationAnalysis> {
+fn analyse_without_signs(
+    before: &Net<'_>,
+    after: &Net<'_>,
+    tolerance: f64,
+    job: &Job<'_>,
+) -> Result<DeformationAnalysis> {
     Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
     job.step(0.0, "analyse")?;
     let (shape, classes) = (before.shape(), NodeClasses::new(before.topology())?);
     let mut links = alloc::zeroed(2 * shape.node_count())?;
     let width = 2 * shape.columns();
     let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        let row = |i: usize, ratios: &mut [f64]| measure_row_of_links((old, new), i, ratios, &classes, tolerance);
+        let row = |i: usize, ratios: &mut [f64]| write_length_ratios_of_row((old, new), i, ratios, &classes, tolerance);
         chunks::map_rows(&mut links, width, (&job.part(0.0, 0.5), "analyse"), row)?.collect()
     }));
     let (mut contracted, mut torn) = (Vec::new(), Vec::new());
@@ -156,7 +167,7 @@ fn compare_unsigned(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job
 
 /// Writes for each link of row i its new length divided by its old one. Returns two lists: the
 /// links newly contracted, and the glued links that are torn.
-fn measure_row_of_links<A: Real, B: Real>(
+fn write_length_ratios_of_row<A: Real, B: Real>(
     (old, new): (&XyzMatrices<'_, A>, &XyzMatrices<'_, B>),
     i: usize,
     ratios: &mut [f64],
@@ -166,7 +177,7 @@ fn measure_row_of_links<A: Real, B: Real>(
     let shape = old.shape();
     let (mut contracted, mut torn) = (Vec::new(), Vec::new());
     for (link, ratio) in (shape.horizontal_link(i, 0)..).zip(ratios) {
-        let [(a, b), (c, d)] = shape.ends(link).map(|node| shape.place(node));
+        let [(a, b), (c, d)] = shape.ends_of_link(link).map(|node| shape.row_and_column(node));
         let before = old.get(a, b).distance(old.get(c, d));
         let after = new.get(a, b).distance(new.get(c, d));
         *ratio = if before > 0.0 { after / before } else { f64::NAN };
@@ -187,7 +198,7 @@ fn classify_contracted_links(topology: &Topology, links: &[u32], job: &Job<'_>) 
     }
     let classes = NodeClasses::new_cancellable(&contract_links(topology, links.iter().copied(), job)?, job, "analyse")?;
     alloc::gather(links.iter().filter_map(|&link| {
-        let (i, j) = topology.shape().place(link / 2);
+        let (i, j) = topology.shape().row_and_column(link / 2);
         classify_node(&classes, i, j, true).map(|star| ContractedLink { link, star })
     }))
 }
@@ -199,7 +210,7 @@ fn area_vector<T: Real>(planes: &XyzMatrices<'_, T>, i: usize, j: usize) -> DVec
 
 /// Records the existing cells of sign -1 as folded. `signs` has one sign for each cell, or is
 /// empty.
-fn mark_folds(analysis: &mut DeformationAnalysis, signs: &[i8]) {
+fn negate_ratios_of_folded_cells(analysis: &mut DeformationAnalysis, signs: &[i8]) {
     for ((cell, ratio), _) in (0..).zip(&mut analysis.cells).zip(signs).filter(|&(_, &sign)| sign < 0) {
         *ratio = -*ratio;
         if !ratio.is_nan() {
@@ -210,7 +221,7 @@ fn mark_folds(analysis: &mut DeformationAnalysis, signs: &[i8]) {
 
 /// Gives ratios the signs of the determinants, and records the cells whose sign differs from the
 /// majority. Returns false if all signs agree.
-fn mark_inversions(analysis: &mut DeformationAnalysis) -> bool {
+fn mark_minority_signs_as_folds(analysis: &mut DeformationAnalysis) -> bool {
     let sign = |determinant: f64| i64::from(determinant > 0.0) - i64::from(determinant < 0.0);
     let existing = analysis.cells.iter_mut().zip(&analysis.determinants).filter(|(ratio, _)| !ratio.is_nan());
     let balance: i64 = existing.map(|(_, &determinant)| sign(determinant)).sum();
@@ -237,7 +248,7 @@ fn jacobian_determinants<T: Real>(
         for (j, determinant) in row.iter_mut().enumerate() {
             let [a, b, c, d] = planes.cell_corners(i, j);
             let size = (c - a).length() + (d - b).length();
-            let (jacobian, error) = jacobian((a + b + c + d) / 4.0, size, steps);
+            let (jacobian, error) = jacobian_by_central_differences((a + b + c + d) / 4.0, size, steps);
             let [x, y, z] = [jacobian.x_axis, jacobian.y_axis, jacobian.z_axis];
             // The error bound of the determinant, from the error bound of each column.
             let off = error * (x.cross(y).length() + y.cross(z).length() + z.cross(x).length());
@@ -251,13 +262,13 @@ fn jacobian_determinants<T: Real>(
 /// Returns the Jacobian of a chain of fields at a point, by central differences, and an error bound
 /// of its columns. The step balances truncation against rounding: the cube root of the precision,
 /// times the larger of `size` and the coordinates.
-pub fn jacobian(point: DVec3, size: f64, steps: &[DeformationStep<'_>]) -> (DMat3, f64) {
+pub fn jacobian_by_central_differences(point: DVec3, size: f64, steps: &[DeformationStep<'_>]) -> (DMat3, f64) {
     let step = 6e-6 * size.max(point.abs().max_element());
     let offsets = DVec3::AXES.map(|axis| step * axis);
     let points = [0, 1, 2].map(|k| [point + offsets[k], point - offsets[k]]);
     let [mut x, mut y, mut z] = [0, 1, 2].map(|axis| points.as_flattened().iter().map(|p| p[axis]).collect::<Vec<_>>());
     for step in steps.iter().filter(|step| step.strength != 0.0) {
-        step.field.map(step.strength, [&mut x, &mut y, &mut z]);
+        step.field.map_points(step.strength, [&mut x, &mut y, &mut z]);
     }
     let column = |k: usize| {
         let of = |values: &[f64]| values[2 * k] - values[2 * k + 1];

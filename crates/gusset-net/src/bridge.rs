@@ -120,13 +120,13 @@ impl Bridge {
     }
 
     /// Returns the last row or column of the first net.
-    pub(crate) fn first_side_line(&self) -> u32 {
+    pub(crate) fn last_line_of_first_net(&self) -> u32 {
         self.at - self.rows - 1
     }
 
     /// Returns true if it runs from side to side of a net of the given size, so that the net can be
     /// split there.
-    pub fn is_whole(&self, shape: Shape) -> bool {
-        self.start == 0 && self.end as usize == self.direction.extents_along_and_across(shape).1
+    pub fn spans_net_from_side_to_side(&self, shape: Shape) -> bool {
+        self.start == 0 && self.end as usize == self.direction.line_count_and_length(shape).1
     }
 }

@@ -21,20 +21,20 @@ pub(crate) fn lines_per_block(nodes_per_line: usize) -> usize {
 }
 
 /// The layout of blocks: `lines` lines each, of `length` numbers `stride` apart.
-struct LineLayout {
+struct BlockLineLayout {
     length: usize,
     stride: usize,
     lines: usize,
 }
 
-impl LineLayout {
+impl BlockLineLayout {
     /// Treats rows without gaps as one long line, which can be divided anywhere.
     fn from_matrices<T: Real>(planes: &XyzMatrices<'_, T>) -> Self {
         let (stride, columns) = (planes.stride(), planes.shape().columns());
         if stride == columns {
-            LineLayout { length: NODES_PER_BLOCK, stride: NODES_PER_BLOCK, lines: 1 }
+            BlockLineLayout { length: NODES_PER_BLOCK, stride: NODES_PER_BLOCK, lines: 1 }
         } else {
-            LineLayout { length: columns, stride, lines: lines_per_block(stride) }
+            BlockLineLayout { length: columns, stride, lines: lines_per_block(stride) }
         }
     }
 
@@ -68,7 +68,7 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
     max: usize,
     work: impl Fn(usize, [&mut [T]; 3]) -> Result<()> + Sync,
 ) -> Result<()> {
-    let layout = LineLayout::from_matrices(planes);
+    let layout = BlockLineLayout::from_matrices(planes);
     let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(layout.lines * layout.stride)));
     let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
         layout.for_each_chunk(matrices, block * layout.lines, max, &work)
@@ -82,7 +82,7 @@ pub(crate) fn for_each_chunk_in_order<T: Real>(
     planes: &mut XyzMatrices<'_, T>,
     work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
 ) -> Result<()> {
-    LineLayout::from_matrices(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * MAX_NODES_PER_CHUNK, work)
+    BlockLineLayout::from_matrices(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * MAX_NODES_PER_CHUNK, work)
 }
 
 /// Returns the results of `work` for each row of `width` values, in order, computed in parallel;

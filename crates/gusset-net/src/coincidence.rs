@@ -28,7 +28,7 @@ pub(super) fn for_each_coincident_link<T: Real>(
         job.step_every(64, i, h, "coincidence")?;
         let row = planes.row(i);
         let node = |k: usize| DVec3::new(row[0][k].into(), row[1][k].into(), row[2][k].into());
-        if may_coincide(row.map(|axis| &axis[..w - 1]), row.map(|axis| &axis[1..]), tolerance) {
+        if may_any_nodes_coincide(row.map(|axis| &axis[..w - 1]), row.map(|axis| &axis[1..]), tolerance) {
             for j in (0..w - 1).filter(|&j| are_coincident(node(j), node(j + 1), tolerance)) {
                 visit(shape.horizontal_link(i, j))?;
             }
@@ -40,7 +40,7 @@ pub(super) fn for_each_coincident_link<T: Real>(
             break;
         }
         let below = planes.row((i + 1) % h);
-        if may_coincide(row, below, tolerance) {
+        if may_any_nodes_coincide(row, below, tolerance) {
             let node_below = |k: usize| DVec3::new(below[0][k].into(), below[1][k].into(), below[2][k].into());
             for j in (0..w).filter(|&j| are_coincident(node(j), node_below(j), tolerance)) {
                 visit(shape.vertical_link(i, j))?;
@@ -52,7 +52,7 @@ pub(super) fn for_each_coincident_link<T: Real>(
 
 /// Returns false if no two corresponding nodes of `a` and `b` coincide. Branch-free, because it is
 /// false for most rows.
-fn may_coincide<T: Real>(a: [&[T]; 3], b: [&[T]; 3], tolerance: f64) -> bool {
+fn may_any_nodes_coincide<T: Real>(a: [&[T]; 3], b: [&[T]; 3], tolerance: f64) -> bool {
     let close = |a: T, b: T| {
         let difference: f64 = a.into() - b.into();
         (difference <= tolerance) & (difference >= -tolerance)

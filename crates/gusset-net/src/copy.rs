@@ -13,11 +13,11 @@ use std::ops::Range;
 /// The steps of a copy, in the order of the fields.
 #[derive(Debug, Clone, Default)]
 pub struct CopyOptions {
-    /// Takes these rows and columns only; see [`Net::part`].
+    /// Takes these rows and columns only; see [`Net::sub_net`].
     pub part: Option<[Range<usize>; 2]>,
     /// Removes rows and columns that duplicate the one before; see [`Net::compacted`].
     pub compact: bool,
-    /// Enlarges the net to this many rows; see [`Net::reformatted`].
+    /// Enlarges the net to this many rows; see [`Net::enlarged_to`].
     pub rows: Option<usize>,
     /// Enlarges the net to this many columns.
     pub columns: Option<usize>,
@@ -33,7 +33,7 @@ impl Net<'_> {
     /// Makes a copy and changes it by the options; `None` if they request no change.
     ///
     /// # Errors
-    /// Errors of [`Net::part`], [`Net::compacted`], [`Net::reformatted`], [`Net::turned_by`] and
+    /// Errors of [`Net::sub_net`], [`Net::compacted`], [`Net::enlarged_to`], [`Net::apply_symmetry`] and
     /// [`Net::converted`].
     pub fn changed_copy(&self, options: &CopyOptions, job: &Job<'_>) -> Result<Option<Net<'static>>> {
         let enlarges = options.rows.is_some() || options.columns.is_some();
@@ -45,7 +45,7 @@ impl Net<'_> {
         let mut share = || shares.next().unwrap_or_else(|| job.part(1.0, 1.0));
         let mut made: Option<Net<'static>> = None;
         if let Some([rows, columns]) = options.part.clone() {
-            made = Some(self.part(rows, columns, &share())?);
+            made = Some(self.sub_net(rows, columns, &share())?);
         }
         if options.compact {
             made = Some(made.as_ref().unwrap_or(self).compacted(&share())?);
@@ -54,10 +54,10 @@ impl Net<'_> {
             let net = made.as_ref().unwrap_or(self);
             let (rows, columns) = (net.shape().rows(), net.shape().columns());
             let (rows, columns) = (options.rows.unwrap_or(rows), options.columns.unwrap_or(columns));
-            made = Some(net.reformatted(rows, columns, options.replication, &share())?);
+            made = Some(net.enlarged_to(rows, columns, options.replication, &share())?);
         }
         if turns {
-            made = Some(made.as_ref().unwrap_or(self).turned_by(options.turn, &share())?);
+            made = Some(made.as_ref().unwrap_or(self).apply_symmetry(options.turn, &share())?);
         }
         if let Some(scalar) = scalar {
             share().step(0.0, "converting a net")?;

@@ -34,8 +34,8 @@ pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_
     let shape = coordinates.shape();
     let mut matrix = LinkMatrix::empty(shape)?;
     each!(coordinates, planes => for_each_coincident_link(planes, tolerance, &job.part(0.0, 0.5), |link| {
-        if shape.is_inner(link) {
-            matrix.set(link, true);
+        if shape.joins_neighbours(link) {
+            matrix.set_contracted(link, true);
         }
         Ok(())
     }))?;
@@ -44,7 +44,7 @@ pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_
     let rim = NetRim { shape, coordinates, tolerance };
     let seams = rim.seams_of_pairs(&rim.coincident_pairs(&classes)?, &classes)?;
     job.step(0.8, "detecting gluings")?;
-    Topology::new(shape, ContractedLinks::Matrix(near.matrix()?), &seams)?.canonical_form()
+    Topology::new(shape, ContractedLinks::Matrix(near.to_link_matrix()?), &seams)?.canonical_form()
 }
 
 /// The nodes of the four sides, numbered around the net: the first row forwards, the last column
@@ -61,7 +61,7 @@ impl NetRim<'_> {
     }
 
     /// Where the four sides start, and the end.
-    fn side_starts(&self) -> [usize; 5] {
+    fn first_rim_nodes_of_sides(&self) -> [usize; 5] {
         let (h, w) = (self.shape.rows() - 1, self.shape.columns() - 1);
         [0, w, w + h, 2 * w + h, 2 * (w + h)]
     }
@@ -81,7 +81,7 @@ impl NetRim<'_> {
         self.coordinates.get(i, j)
     }
 
-    fn class_of(&self, classes: &NodeClasses, k: usize) -> u32 {
+    fn class_of_rim_node(&self, classes: &NodeClasses, k: usize) -> u32 {
         let (i, j) = self.row_and_column(k % self.len());
         classes.representative(self.shape.node(i, j))
     }
@@ -89,7 +89,8 @@ impl NetRim<'_> {
     /// Coincident pairs of rim nodes that are not one vertex by links alone, each vertex by its
     /// first node.
     fn coincident_pairs(&self, classes: &NodeClasses) -> Result<Vec<[usize; 2]>> {
-        let mut nodes: Vec<(u32, usize)> = alloc::collect((0..self.len()).map(|k| (self.class_of(classes, k), k)))?;
+        let mut nodes: Vec<(u32, usize)> =
+            alloc::collect((0..self.len()).map(|k| (self.class_of_rim_node(classes, k), k)))?;
         nodes.sort_unstable();
         nodes.dedup_by_key(|node| node.0);
         let finite = nodes.iter().filter(|node| self.position(node.1).is_finite());
@@ -159,18 +160,21 @@ impl NetRim<'_> {
     ) -> Result<()> {
         let n = self.len();
         let same = |k: usize| {
-            self.class_of(classes, k) == self.class_of(classes, pairing.partner(k))
-                || are_coincident(self.position(k), self.position(pairing.partner(k)), self.tolerance)
+            self.class_of_rim_node(classes, k) == self.class_of_rim_node(classes, pairing.partner_of_rim_node(k))
+                || are_coincident(self.position(k), self.position(pairing.partner_of_rim_node(k)), self.tolerance)
         };
         let before = usize::from(count < n && same(start + n - 1));
         let after = usize::from(count < n && same(start + count));
         let (mut k, mut steps) = (start + n - before, before + count + after - 1);
         // A fold is its own partner.
-        if pairing.reversed && pairing.partner(k) % n == (k + steps) % n {
+        if pairing.reversed && pairing.partner_of_rim_node(k) % n == (k + steps) % n {
             steps /= 2;
         }
         while steps > 0 {
-            let (a, b) = (self.run_along_side(k, true), self.run_along_side(pairing.partner(k), !pairing.reversed));
+            let (a, b) = (
+                self.straight_run_to_corner(k, true),
+                self.straight_run_to_corner(pairing.partner_of_rim_node(k), !pairing.reversed),
+            );
             let straight = a.1.min(b.1).min(steps);
             alloc::push(seams, Seam { a: a.0, b: b.0, count: straight as u32 + 1 })?;
             (k, steps) = (k + straight, steps - straight);
@@ -180,8 +184,8 @@ impl NetRim<'_> {
 
     /// Returns the straight run from rim node k round the rim, or back, and the number of steps up
     /// to the corner.
-    fn run_along_side(&self, k: usize, forwards: bool) -> (SeamRun, usize) {
-        let (k, corners) = (k % self.len(), self.side_starts());
+    fn straight_run_to_corner(&self, k: usize, forwards: bool) -> (SeamRun, usize) {
+        let (k, corners) = (k % self.len(), self.first_rim_nodes_of_sides());
         // Back from a corner leads along the previous side.
         let k = if k == 0 && !forwards { corners[4] } else { k };
         let side = (0..4).rposition(|side| if forwards { corners[side] <= k } else { corners[side] < k }).unwrap_or(0);
@@ -210,7 +214,7 @@ struct RimPairing {
 }
 
 impl RimPairing {
-    fn partner(self, k: usize) -> usize {
+    fn partner_of_rim_node(self, k: usize) -> usize {
         let k = k % self.n;
         (if self.reversed { self.line + self.n - k } else { k + self.line }) % self.n
     }

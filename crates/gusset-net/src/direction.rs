@@ -24,8 +24,8 @@ impl Direction {
 
     /// Orders a row and a column: the coordinate in this direction comes first, so `Right`
     /// exchanges them. It also converts back: node k of line i has row and column
-    /// `order_along_first(i, k)`, where line i is row i (`Down`) or column i.
-    pub(crate) fn order_along_first<T>(self, row: T, column: T) -> (T, T) {
+    /// `swap_unless_down(i, k)`, where line i is row i (`Down`) or column i.
+    pub(crate) fn swap_unless_down<T>(self, row: T, column: T) -> (T, T) {
         match self {
             Direction::Right => (column, row),
             Direction::Down => (row, column),
@@ -33,12 +33,12 @@ impl Direction {
     }
 
     /// Returns the number of nodes in this direction, and across it along a joined side.
-    pub(crate) fn extents_along_and_across(self, shape: Shape) -> (usize, usize) {
-        self.order_along_first(shape.rows(), shape.columns())
+    pub(crate) fn line_count_and_length(self, shape: Shape) -> (usize, usize) {
+        self.swap_unless_down(shape.rows(), shape.columns())
     }
 
     /// Returns the link in this direction from node `k` of line `i` to the next line.
-    pub(crate) fn link_across(self, shape: Shape, i: usize, k: usize) -> u32 {
+    pub(crate) fn link_to_next_line(self, shape: Shape, i: usize, k: usize) -> u32 {
         match self {
             Direction::Right => shape.horizontal_link(k, i),
             Direction::Down => shape.vertical_link(i, k),
@@ -46,7 +46,7 @@ impl Direction {
     }
 
     /// Returns the link along line `i` from its node `k` to the next.
-    pub(crate) fn link_along(self, shape: Shape, i: usize, k: usize) -> u32 {
+    pub(crate) fn link_within_line(self, shape: Shape, i: usize, k: usize) -> u32 {
         match self {
             Direction::Right => shape.vertical_link(k, i),
             Direction::Down => shape.horizontal_link(i, k),

@@ -33,19 +33,24 @@ const STAGE: &str = "detecting folds";
 
 /// The factor on error margins before the deformation: a near-fold that existed before does not
 /// count.
-const OLD_MARGIN_FACTOR: f64 = 8.0;
+const MARGIN_FACTOR_BEFORE_DEFORMATION: f64 = 8.0;
 
 /// Returns the sign of each cell: -1 if it is turned over, otherwise 1. Empty if nothing is folded.
 ///
 /// Folds divide each connected component of cells into two sides, and the smaller is turned over.
 /// If they do not divide it, because a fold ends within the surface, the cells at the fold are
 /// turned over.
-pub(super) fn fold_signs(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<i8>> {
+pub(super) fn signs_of_turned_over_cells(
+    before: &Net<'_>,
+    after: &Net<'_>,
+    tolerance: f64,
+    job: &Job<'_>,
+) -> Result<Vec<i8>> {
     let (shape, classes, hidden) = (before.shape(), NodeClasses::new(before.topology())?, HiddenCells::new(before)?);
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let search = FoldSearch { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
         let (lines, part) = ((CELLS_PER_REPORT / shape.columns()).max(1), job.part(0.0, 0.5));
-        let blocks = par::map_cancellable(&part, STAGE, par::ranges(shape.rows() - 1, lines), |mut rows| {
+        let blocks = par::map_cancellable(&part, STAGE, par::split_into_ranges(shape.rows() - 1, lines), |mut rows| {
             rows.any(|i| search.has_fold_in_row(i))
         })?;
         if blocks.contains(&true) { search.cell_signs(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }
@@ -92,8 +97,8 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
 
     /// Tests whether two cells are folded onto each other now and were not before.
     fn test_new_fold(&self, (cells, link): AdjacentCells) -> FoldTestResult {
-        let cells = cells.map(|cell| self.shape.cell_place(cell));
-        let before = || test_fold_at_link(self.old, link, cells, self.tolerance, OLD_MARGIN_FACTOR);
+        let cells = cells.map(|cell| self.shape.row_and_column_of_cell(cell));
+        let before = || test_fold_at_link(self.old, link, cells, self.tolerance, MARGIN_FACTOR_BEFORE_DEFORMATION);
         match test_fold_at_link(self.new, link, cells, self.tolerance, 1.0) {
             FoldTestResult::Folded if before() != FoldTestResult::Unfolded => FoldTestResult::Unfolded,
             now => now,
@@ -103,7 +108,8 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     /// Returns true if opposite sides of cell (i, j) cross and did not before.
     fn is_newly_crossed(&self, i: usize, j: usize) -> bool {
         test_crossed_sides(self.new, i, j, self.tolerance, 1.0) == FoldTestResult::Folded
-            && test_crossed_sides(self.old, i, j, self.tolerance, OLD_MARGIN_FACTOR) == FoldTestResult::Unfolded
+            && test_crossed_sides(self.old, i, j, self.tolerance, MARGIN_FACTOR_BEFORE_DEFORMATION)
+                == FoldTestResult::Unfolded
             && !self.hidden.contains(i, j)
     }
 
@@ -111,7 +117,7 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     /// folded over.
     fn cell_signs(&self, job: &Job<'_>) -> Result<Vec<i8>> {
         let count = self.shape.cell_count();
-        let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
+        let cells = || (0..count as u32).map(|cell| self.shape.row_and_column_of_cell(cell));
         let mut sets = ParitySets::new(count)?;
         let mut folded = Vec::new();
         let step =
@@ -155,7 +161,7 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
 }
 
 /// Returns the error bound of nodes: the tolerance and their rounding.
-fn error_bound<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
+fn tolerance_plus_rounding<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
     let epsilon = if T::SCALAR == Scalar::F32 { f64::from(f32::EPSILON) } else { f64::EPSILON };
     let largest = points.iter().fold(0.0, |largest: f64, point| largest.max(point.abs().max_element()));
     tolerance + 8.0 * epsilon * largest
@@ -178,7 +184,7 @@ fn test_fold_at_link<T: Real>(
 ) -> FoldTestResult {
     let [p, q] = link.map(|(i, j)| planes.get(i, j));
     let cells = cells.map(|(i, j)| planes.cell_corners(i, j));
-    let error = error_bound::<T>(cells.as_flattened(), tolerance);
+    let error = tolerance_plus_rounding::<T>(cells.as_flattened(), tolerance);
     // Twice the vectors from the link to the middle of the opposite sides.
     let [u, v] = cells.map(|[a, b, c, d]| (a - p) + (b - p) + (c - q) + (d - q));
     let ([along, u, v], error) = scale_to_largest([q - p, u, v], error);
@@ -201,7 +207,7 @@ fn test_crossed_sides<T: Real>(
     margin: f64,
 ) -> FoldTestResult {
     let points @ [a, b, c, d] = planes.cell_corners(i, j);
-    let error = error_bound::<T>(&points, tolerance);
+    let error = tolerance_plus_rounding::<T>(&points, tolerance);
     let found =
         [test_crossing_segments([a, b], [d, c], error, margin), test_crossing_segments([a, d], [b, c], error, margin)];
     if found.contains(&FoldTestResult::Folded) {

@@ -61,7 +61,7 @@ pub fn find_gluing(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> R
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
 pub fn set_gluing(net: &mut Net<'_>, topology: Option<Topology>, snap: bool, job: &Job<'_>) -> Result<u64> {
     let classes = topology.as_ref().unwrap_or(net.topology());
-    let groups = if snap { Some(NodeClasses::new(classes)?.groups()?) } else { None };
+    let groups = if snap { Some(NodeClasses::new(classes)?.glued_classes()?) } else { None };
     job.check_memory()?;
     if let Some(topology) = topology {
         net.set_topology(topology);

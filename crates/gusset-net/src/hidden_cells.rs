@@ -53,6 +53,6 @@ impl HiddenCells {
 /// Returns the rows of cells of a bridge, and its range of columns in each.
 fn cell_ranges_of_bridge(bridge: &Bridge) -> impl Iterator<Item = (usize, [u32; 2])> + Clone {
     let (rows, columns) =
-        bridge.direction.order_along_first(bridge.first_side_line()..bridge.at, bridge.start..bridge.end - 1);
+        bridge.direction.swap_unless_down(bridge.last_line_of_first_net()..bridge.at, bridge.start..bridge.end - 1);
     rows.map(move |row| (row as usize, [columns.start, columns.end]))
 }

@@ -181,7 +181,7 @@ impl<'a> Net<'a> {
     /// Returns the position of a node in double precision.
     #[inline]
     pub(crate) fn position(&self, node: u32) -> DVec3 {
-        let (i, j) = self.shape().place(node);
+        let (i, j) = self.shape().row_and_column(node);
         self.get(i, j)
     }
 

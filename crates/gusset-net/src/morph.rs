@@ -7,7 +7,7 @@ use super::{Net, NodeClasses, Real, each};
 use glam::{DMat3, DVec3};
 use gusset_base::choices;
 use gusset_base::error::{Error, Result};
-use gusset_base::geom::rotation::{best_rotation, fraction_of_rotation};
+use gusset_base::geom::rotation::{fraction_of_rotation, rotation_maximising_trace};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
@@ -53,7 +53,7 @@ pub fn morph(a: &Net<'_>, b: &Net<'_>, t: f64, path: MorphPath, job: &Job<'_>) -
     each!(made.coordinates_mut(), planes => {
         for i in 0..shape.rows() {
             job.step_every((1 << 16) / shape.columns() + 1, i, shape.rows(), "morph")?;
-            way.morph_row(b, i, planes.row_mut(i));
+            way.move_nodes_of_row(b, i, planes.row_mut(i));
         }
     });
     Ok(made)
@@ -108,13 +108,13 @@ impl MorphMotion {
             let (p, q) = (p - means[0], q - means[1]);
             covariance += DMat3::from_cols(p.x * q, p.y * q, p.z * q);
         });
-        let turn = best_rotation(covariance);
+        let turn = rotation_maximising_trace(covariance);
         let part = |t: f64| DMat3::from_quat(fraction_of_rotation(turn, t));
         Ok(MorphMotion { t, unit, means, rotations: Some([part(t), part(t - 1.0)]) })
     }
 
     /// Moves the nodes of a row of the first net.
-    fn morph_row<T: Real>(&self, b: &Net<'_>, i: usize, row: [&mut [T]; 3]) {
+    fn move_nodes_of_row<T: Real>(&self, b: &Net<'_>, i: usize, row: [&mut [T]; 3]) {
         let (t, [x, y, z]) = (self.t, row);
         for (j, ((x, y), z)) in x.iter_mut().zip(y).zip(z).enumerate() {
             let (from, to) = (DVec3::new((*x).into(), (*y).into(), (*z).into()), b.get(i, j));

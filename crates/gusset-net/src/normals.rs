@@ -11,7 +11,7 @@
 
 use super::chunks::{lines_per_block, zip3};
 use super::hidden_cells::HiddenCells;
-use super::shape::corner_places;
+use super::shape::rows_and_columns_of_corners;
 use super::topology::{NodeGroups, ReducedCell};
 use super::{Coordinates, Net, NodeClasses, Real, XyzMatrices};
 use glam::DVec3;
@@ -89,7 +89,7 @@ struct CornerNormalSums<'a, T> {
 impl<'a, T: Real> CornerNormalSums<'a, T> {
     fn new(net: &'a Net<'_>, planes: &'a XyzMatrices<'_, T>) -> Result<Self> {
         let classes = NodeClasses::new(net.topology())?;
-        let groups = classes.groups()?;
+        let groups = classes.glued_classes()?;
         let mut glued = BitSet::new(net.shape().node_count())?;
         groups.nodes().iter().for_each(|&node| glued.insert(node));
         Ok(CornerNormalSums {
@@ -131,11 +131,11 @@ impl<'a, T: Real> CornerNormalSums<'a, T> {
     /// Returns the cross product of the sides at a corner of cell (i, j); zero if the cell is
     /// missing or reduced to a line or a point.
     fn corner_cross_product(&self, i: usize, j: usize, corner: usize) -> DVec3 {
-        let points = corner_places(i, j).map(|(i, j)| self.position(i, j));
+        let points = rows_and_columns_of_corners(i, j).map(|(i, j)| self.position(i, j));
         if !points.iter().all(|point| point.is_finite()) {
             return DVec3::ZERO;
         }
-        let classes = self.classes.corners(i, j);
+        let classes = self.classes.representatives_of_corners(i, j);
         let is_first = !classes[..corner].contains(&classes[corner]);
         if !is_first || ReducedCell::new(classes).polygon().is_none() {
             return DVec3::ZERO;
@@ -159,11 +159,11 @@ impl<'a, T: Real> CornerNormalSums<'a, T> {
     }
 
     /// Returns true if a node near (i, j) is missing.
-    fn is_near_missing(&self, i: usize, j: usize) -> bool {
+    fn has_missing_neighbour(&self, i: usize, j: usize) -> bool {
         (i - 1..=i + 1).any(|i| (j - 1..=j + 1).any(|j| !self.position(i, j).is_finite()))
     }
 
-    fn is_near_hidden(&self, i: usize, j: usize) -> bool {
+    fn touches_hidden_cell(&self, i: usize, j: usize) -> bool {
         !self.hidden.is_empty() && (i - 1..=i).any(|i| (j - 1..=j).any(|j| self.hidden.contains(i, j)))
     }
 }
@@ -234,7 +234,7 @@ fn write_normals_of_row<T: Real>(corners: &CornerNormalSums<'_, T>, i: usize, mu
             // If the squared length overflowed or underflowed, the length is not 1.
             let square = DVec3::from_array([0, 1, 2].map(|axis| out[axis][j].into())).length_squared();
             let is_unit = (square - 1.0).abs() < 1e-5;
-            if !is_unit || corners.is_near_missing(i, j) || corners.is_near_hidden(i, j) {
+            if !is_unit || corners.has_missing_neighbour(i, j) || corners.touches_hidden_cell(i, j) {
                 exact(j, &mut out);
             }
         }
@@ -250,7 +250,7 @@ fn write_glued_normals<T: Real>(
     job: &Job<'_>,
 ) -> Result<u64> {
     let (shape, groups) = (out.shape(), &corners.groups);
-    let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
+    let places = |k: usize| groups.get(k).iter().map(|&node| shape.row_and_column(node));
     let mut normals = alloc::zeroed(groups.len())?;
     par::map_cancellable(job, STAGE, normals.chunks_mut(CLASSES_PER_TASK).enumerate(), |(chunk, normals)| {
         for (normal, k) in normals.iter_mut().zip(CLASSES_PER_TASK * chunk..) {

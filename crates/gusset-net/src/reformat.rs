@@ -36,7 +36,7 @@ impl Net<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`] for fewer rows or columns than now, or for the index of a line
     /// that does not exist, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn reformatted(
+    pub fn enlarged_to(
         &self,
         rows: usize,
         columns: usize,
@@ -57,7 +57,7 @@ impl Net<'_> {
             rows: &old_index_of_each_row(&row_starts)?,
             columns: &old_index_of_each_row(&column_starts)?,
         };
-        let mut net = self.rearranged(&map, topology, job)?;
+        let mut net = self.with_rearranged_nodes(&map, topology, job)?;
         for bridge in self.bridges() {
             let bridge = bridge.with_moved_lines(|i| row_starts[i as usize], |j| column_starts[j as usize]);
             alloc::push(net.bridges_mut(), bridge)?;
@@ -68,7 +68,7 @@ impl Net<'_> {
     /// Removes rows and columns that duplicate the previous one. In a duplicate, all links to the
     /// previous line are contracted, and links and coordinates along both lines are equal bit for
     /// bit. At least two rows and columns are left, and lines where a bridge ends are kept. It is
-    /// the inverse of [`Net::reformatted`] for nets without duplicates; seams that continue each
+    /// the inverse of [`Net::enlarged_to`] for nets without duplicates; seams that continue each
     /// other are merged. O(nodes).
     ///
     /// # Errors
@@ -82,7 +82,7 @@ impl Net<'_> {
 
     /// Returns the rows (`Down`) or columns that duplicate the previous one.
     fn duplicate_lines(&self, axis: Direction) -> Result<Vec<u32>> {
-        let count = axis.extents_along_and_across(self.shape()).0;
+        let count = axis.line_count_and_length(self.shape()).0;
         let mut needed = alloc::filled(false, count)?;
         for bridge in self.bridges() {
             let line = if bridge.direction == axis { bridge.at } else { bridge.start };
@@ -107,9 +107,9 @@ impl Net<'_> {
         if removed.is_empty() {
             return self.copied();
         }
-        let kept = indices_not_removed(axis.extents_along_and_across(self.shape()).0, removed)?;
+        let kept = indices_not_removed(axis.line_count_and_length(self.shape()).0, removed)?;
         let topology = self.topology().map_rows_or_columns(axis, |topology| topology.keep_rows(&kept))?;
-        let mut net = self.with_lines(axis, &kept, topology, job)?;
+        let mut net = self.with_selected_lines(axis, &kept, topology, job)?;
         let place = |i: u32| kept.partition_point(|&k| k < i) as u32;
         for bridge in self.bridges() {
             let bridge = match axis {
@@ -125,16 +125,16 @@ impl Net<'_> {
 
     /// Returns the nodes of a list of rows (`Down`) or columns under a new topology; without
     /// bridges.
-    pub(crate) fn with_lines(
+    pub(crate) fn with_selected_lines(
         &self,
         axis: Direction,
         lines: &[u32],
         topology: Topology,
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
-        let all = alloc::collect((0..axis.extents_along_and_across(topology.shape()).1).map(|i| i as u32))?;
-        let (rows, columns) = axis.order_along_first(lines, &all);
-        self.rearranged(&Rearrangement::Selection { rows, columns }, topology, job)
+        let all = alloc::collect((0..axis.line_count_and_length(topology.shape()).1).map(|i| i as u32))?;
+        let (rows, columns) = axis.swap_unless_down(lines, &all);
+        self.with_rearranged_nodes(&Rearrangement::Selection { rows, columns }, topology, job)
     }
 }
 
@@ -160,7 +160,7 @@ pub(crate) fn starts_of_replicated_lines(
     replication: Replication,
     option: &'static str,
 ) -> Result<Vec<u32>> {
-    let old = axis.extents_along_and_across(topology.shape()).0;
+    let old = axis.line_count_and_length(topology.shape()).0;
     Error::require(count >= old, option, count as f64)?;
     let copies = count - old;
     let mut times: Vec<u32> = alloc::filled(1, old)?;
@@ -206,12 +206,12 @@ fn old_index_of_each_row(starts: &[u32]) -> Result<Vec<u32>> {
 }
 
 /// Returns the new rows that are copies of the previous one.
-pub(crate) fn rows_that_are_copies(starts: &[u32]) -> Result<Vec<u32>> {
+pub(crate) fn copied_rows_from_starts(starts: &[u32]) -> Result<Vec<u32>> {
     alloc::gather(starts.windows(2).flat_map(|ends| ends[0] + 1..ends[1]))
 }
 
 /// Returns the starts of rows among `count`, given which are copies.
-pub(crate) fn starts_from_copies(count: usize, copies: &[u32]) -> Result<Vec<u32>> {
+pub(crate) fn row_starts_from_copies(count: usize, copies: &[u32]) -> Result<Vec<u32>> {
     let mut starts = indices_not_removed(count, copies)?;
     alloc::push(&mut starts, count as u32)?;
     Ok(starts)
@@ -227,16 +227,16 @@ impl Topology {
     /// Returns true if all links along row i (`Down`) or column i are contracted by name.
     pub(crate) fn is_line_contracted(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
-        (0..axis.extents_along_and_across(shape).1 - 1).all(|k| self.is_contracted(axis.link_along(shape, i, k)))
+        (0..axis.line_count_and_length(shape).1 - 1).all(|k| self.is_contracted(axis.link_within_line(shape, i, k)))
     }
 
     /// Returns true if row or column i, not the first, is glued to the previous one link by link,
     /// and both are glued within themselves in the same way.
     fn is_duplicate_line(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
-        let along = |i: usize, k: usize| self.is_contracted(axis.link_along(shape, i, k));
-        (0..axis.extents_along_and_across(shape).1)
-            .all(|k| self.is_contracted(axis.link_across(shape, i - 1, k)) && along(i - 1, k) == along(i, k))
+        let along = |i: usize, k: usize| self.is_contracted(axis.link_within_line(shape, i, k));
+        (0..axis.line_count_and_length(shape).1)
+            .all(|k| self.is_contracted(axis.link_to_next_line(shape, i - 1, k)) && along(i - 1, k) == along(i, k))
     }
 
     /// Row i is rows `starts[i]..starts[i + 1]`. O(contracted links + pairs of seams).
@@ -248,12 +248,14 @@ impl Topology {
         let shape = Shape::new(rows, old.columns())?;
         let mut links = LinkMatrix::empty(shape)?;
         self.contracted_links().for_each(|link| {
-            let (i, j) = old.place(link / 2);
+            let (i, j) = old.row_and_column(link / 2);
             // A vertical link starts at the last copy.
             let copies = if link % 2 == 0 { starts[i]..starts[i + 1] } else { starts[i + 1] - 1..starts[i + 1] };
-            copies.for_each(|i| links.set(2 * shape.node(i as usize, j) + link % 2, true));
+            copies.for_each(|i| links.set_contracted(2 * shape.node(i as usize, j) + link % 2, true));
         });
-        rows_that_are_copies(starts)?.into_iter().for_each(|i| links.contract_links_below_row(shape, i as usize - 1));
+        copied_rows_from_starts(starts)?
+            .into_iter()
+            .for_each(|i| links.contract_links_below_row(shape, i as usize - 1));
         let mut seams = Vec::new();
         for &seam in self.seams() {
             if let Some(seam) = replicate_seam_along_rows(seam, starts) {
@@ -279,10 +281,10 @@ impl Topology {
             let end = kept.get(new + 1).map_or(h + kept[0] as usize, |&next| next as usize);
             for j in 0..w {
                 if self.is_contracted(old.horizontal_link(i, j)) {
-                    links.set(shape.horizontal_link(new, j), true);
+                    links.set_contracted(shape.horizontal_link(new, j), true);
                 }
                 if (i..end).all(|i| self.is_contracted(old.vertical_link(i % h, j))) {
-                    links.set(shape.vertical_link(new, j), true);
+                    links.set_contracted(shape.vertical_link(new, j), true);
                 }
             }
         }
@@ -308,7 +310,7 @@ fn replicate_seam_along_rows(seam: Seam, starts: &[u32]) -> Option<Seam> {
     if !same || a.row_step.abs() != 1 {
         return None;
     }
-    let last = a.node_place(count - 1).0 as u32;
+    let last = a.row_and_column_of_node(count - 1).0 as u32;
     let (first, last) = (a.row.min(last) as usize, a.row.max(last) as usize);
     let run = |run: SeamRun| SeamRun::along_column(starts[first], run.column, 1);
     Some(Seam { a: run(a), b: run(b), count: starts[last + 1] - starts[first] })

@@ -38,12 +38,13 @@ impl Net<'_> {
         let mut moves = Vec::new();
         if separation > 0.0 {
             let (before, after) = (NodeClasses::new(self.topology())?, NodeClasses::new(&topology)?);
-            moves = SplitVertices::new(&before, &after)?.component_moves(self, &before, separation / 2.0)?;
+            moves =
+                VerticesToSplit::new(&before, &after)?.new_positions_of_components(self, &before, separation / 2.0)?;
         }
         let shape = self.shape();
         for (component, position) in &moves {
             for &node in component {
-                let (i, j) = shape.place(node);
+                let (i, j) = shape.row_and_column(node);
                 self.coordinates_mut().set(i, j, *position);
             }
         }
@@ -53,18 +54,18 @@ impl Net<'_> {
 }
 
 /// The vertices that fall apart into components.
-struct SplitVertices {
+struct VerticesToSplit {
     /// (representative of the vertex, representative of the component, node), in order.
     nodes: Vec<[u32; 3]>,
     /// All these nodes in order.
     split: Vec<u32>,
 }
 
-impl SplitVertices {
+impl VerticesToSplit {
     fn new(before: &NodeClasses, after: &NodeClasses) -> Result<Self> {
         let component = |node: u32| after.representative(node);
         let (mut nodes, mut split) = (Vec::new(), Vec::new());
-        for class in before.groups()?.iter() {
+        for class in before.glued_classes()?.iter() {
             if class.iter().any(|&node| component(node) != component(class[0])) {
                 alloc::extend(&mut nodes, class.iter().map(|&node| [class[0], component(node), node]))?;
                 alloc::append(&mut split, class)?;
@@ -72,11 +73,16 @@ impl SplitVertices {
         }
         nodes.sort_unstable();
         split.sort_unstable();
-        Ok(SplitVertices { nodes, split })
+        Ok(VerticesToSplit { nodes, split })
     }
 
     /// Returns the components that move, and their new positions.
-    fn component_moves(&self, net: &Net<'_>, before: &NodeClasses, step: f64) -> Result<Vec<(Vec<u32>, DVec3)>> {
+    fn new_positions_of_components(
+        &self,
+        net: &Net<'_>,
+        before: &NodeClasses,
+        step: f64,
+    ) -> Result<Vec<(Vec<u32>, DVec3)>> {
         let mut moves = Vec::new();
         for component in self.nodes.chunk_by(|a, b| a[1] == b[1]) {
             let links = [true, false].map(|whole| self.sum_of_outward_links(net, before, component, whole));
@@ -104,7 +110,7 @@ impl SplitVertices {
 
 /// Returns the nodes next to a node, without closing links.
 fn neighbour_nodes(shape: Shape, node: u32) -> impl Iterator<Item = u32> {
-    let ((i, j), w) = (shape.place(node), shape.columns() as u32);
+    let ((i, j), w) = (shape.row_and_column(node), shape.columns() as u32);
     let around = [
         (i > 0).then(|| node - w),
         (j > 0).then(|| node - 1),

@@ -69,7 +69,7 @@ impl Shape {
 
     /// Returns row and column of a node.
     #[inline]
-    pub fn place(self, node: u32) -> (usize, usize) {
+    pub fn row_and_column(self, node: u32) -> (usize, usize) {
         ((node / self.columns) as usize, (node % self.columns) as usize)
     }
 
@@ -81,7 +81,7 @@ impl Shape {
 
     /// Returns row and column of the first corner of a cell.
     #[inline]
-    pub fn cell_place(self, cell: u32) -> (usize, usize) {
+    pub fn row_and_column_of_cell(self, cell: u32) -> (usize, usize) {
         let columns = self.columns - 1;
         ((cell / columns) as usize, (cell % columns) as usize)
     }
@@ -89,7 +89,7 @@ impl Shape {
     /// Returns the corners of the cell at (i, j): the nodes (i, j), (i, j + 1), (i + 1, j + 1),
     /// (i + 1, j).
     #[inline]
-    pub fn corners(self, i: usize, j: usize) -> [u32; 4] {
+    pub fn corners_of_cell(self, i: usize, j: usize) -> [u32; 4] {
         let a = self.node(i, j);
         [a, a + 1, a + self.columns + 1, a + self.columns]
     }
@@ -107,9 +107,9 @@ impl Shape {
     }
 
     /// Returns the two nodes of a link; closing links end in the first column or row.
-    pub fn ends(self, link: u32) -> [u32; 2] {
+    pub fn ends_of_link(self, link: u32) -> [u32; 2] {
         let node = link / 2;
-        let (i, j) = self.place(node);
+        let (i, j) = self.row_and_column(node);
         let end = match (link & 1 == 0, j + 1 == self.columns(), i + 1 == self.rows()) {
             (true, true, _) => self.node(i, 0),
             (true, false, _) => node + 1,
@@ -122,15 +122,15 @@ impl Shape {
     /// Returns the links between two nodes: at most one, or two in a net of two rows or columns.
     pub(crate) fn links_between(self, [a, b]: [u32; 2]) -> impl Iterator<Item = u32> {
         [2 * a, 2 * a + 1, 2 * b, 2 * b + 1].into_iter().filter(move |&link| {
-            let ends = self.ends(link);
+            let ends = self.ends_of_link(link);
             ends == [a, b] || ends == [b, a]
         })
     }
 
     /// Returns true for a link between neighbours, false for a closing link.
     #[inline]
-    pub fn is_inner(self, link: u32) -> bool {
-        let (i, j) = self.place(link / 2);
+    pub fn joins_neighbours(self, link: u32) -> bool {
+        let (i, j) = self.row_and_column(link / 2);
         if link & 1 == 0 { j + 1 < self.columns() } else { i + 1 < self.rows() }
     }
 
@@ -147,16 +147,18 @@ impl Shape {
         exists.then_some(()).ok_or(Error::NoSuch { element: Element::Node, index: node.into() })
     }
 
-    /// [`Shape::cell_place`], or [`Error::NoSuch`].
-    pub(crate) fn checked_cell_place(self, cell: u32) -> Result<(usize, usize)> {
+    /// [`Shape::row_and_column_of_cell`], or [`Error::NoSuch`].
+    pub(crate) fn checked_row_and_column_of_cell(self, cell: u32) -> Result<(usize, usize)> {
         let exists = (cell as usize) < self.cell_count();
-        exists.then(|| self.cell_place(cell)).ok_or(Error::NoSuch { element: Element::Cell, index: cell.into() })
+        exists
+            .then(|| self.row_and_column_of_cell(cell))
+            .ok_or(Error::NoSuch { element: Element::Cell, index: cell.into() })
     }
 }
 
-/// Returns row and column of the corners of the cell at (i, j), in the order of [`Shape::corners`].
+/// Returns row and column of the corners of the cell at (i, j), in the order of [`Shape::corners_of_cell`].
 #[inline]
-pub(crate) fn corner_places(i: usize, j: usize) -> [(usize, usize); 4] {
+pub(crate) fn rows_and_columns_of_corners(i: usize, j: usize) -> [(usize, usize); 4] {
     [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
 }
 

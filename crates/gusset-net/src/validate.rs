@@ -71,8 +71,8 @@ impl Net<'_> {
             let [a, b] = ends(nodes);
             !are_coincident(a, b, tolerance) && (a.is_finite() || b.is_finite())
         };
-        for link in topology.contracted_links().filter(|&link| apart(shape.ends(link))) {
-            add(FindingKind::LinkApart, link, shape.ends(link))?;
+        for link in topology.contracted_links().filter(|&link| apart(shape.ends_of_link(link))) {
+            add(FindingKind::LinkApart, link, shape.ends_of_link(link))?;
         }
         for (number, seam) in (0..).zip(topology.seams()) {
             for pair in seam.pairs(shape).filter(|&pair| apart(pair)) {
@@ -80,13 +80,13 @@ impl Net<'_> {
             }
         }
         for link in find_loop_links(topology, &classes)? {
-            add(FindingKind::Loop, link, shape.ends(link))?;
+            add(FindingKind::Loop, link, shape.ends_of_link(link))?;
         }
         each!(self.coordinates(), planes => for_each_coincident_link(planes, tolerance, job, |link| {
-            if classes.has_identified_ends(link) { Ok(()) } else { add(FindingKind::ZeroLength, link, shape.ends(link)) }
+            if classes.has_identified_ends(link) { Ok(()) } else { add(FindingKind::ZeroLength, link, shape.ends_of_link(link)) }
         }))?;
         for link in find_links_closing_short_lines(topology) {
-            add(FindingKind::FewNodes, link, shape.ends(link))?;
+            add(FindingKind::FewNodes, link, shape.ends_of_link(link))?;
         }
         let key = |finding: &ValidationFinding| (finding.kind, finding.element, finding.nodes);
         sort::sort(&mut findings, |a, b| key(a).cmp(&key(b)), &job.part(1.0, 1.0), "sorting findings")?;
@@ -99,9 +99,10 @@ fn find_loop_links(topology: &Topology, classes: &NodeClasses) -> Result<Vec<u32
     let shape = topology.shape();
     let mut loops = Vec::new();
     classes.for_each_glued_node(|node, _| {
-        let (i, j) = shape.place(node);
-        let is_loop =
-            |&link: &u32| shape.is_inner(link) && !topology.is_contracted(link) && classes.has_identified_ends(link);
+        let (i, j) = shape.row_and_column(node);
+        let is_loop = |&link: &u32| {
+            shape.joins_neighbours(link) && !topology.is_contracted(link) && classes.has_identified_ends(link)
+        };
         links_of_star(shape, i, j).into_iter().filter(is_loop).try_for_each(|link| alloc::push(&mut loops, link))
     })?;
     sort_distinct(&mut loops);

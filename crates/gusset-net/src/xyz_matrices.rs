@@ -5,7 +5,7 @@
 //! vectorise. 12 or 24 bytes a node.
 
 use super::Real;
-use super::shape::{Shape, corner_places};
+use super::shape::{Shape, rows_and_columns_of_corners};
 use bytemuck::Zeroable;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -191,10 +191,10 @@ impl<'a, T: Real> XyzMatrices<'a, T> {
         DVec3::new(x, y, z)
     }
 
-    /// Returns the corners of cell (i, j), in the order of [`Shape::corners`].
+    /// Returns the corners of cell (i, j), in the order of [`Shape::corners_of_cell`].
     #[inline]
     pub(crate) fn cell_corners(&self, i: usize, j: usize) -> [DVec3; 4] {
-        corner_places(i, j).map(|(i, j)| self.get(i, j))
+        rows_and_columns_of_corners(i, j).map(|(i, j)| self.get(i, j))
     }
 
     /// Moves node (i, j), rounding to the type of the coordinates.

@@ -121,7 +121,7 @@ fn effect_parameters(filter: &'static Filter) -> Vec<EffectParameter> {
                 knobs.push(knob(ParameterKind::Double, "_offset", ": offset", 3, &default[3..]));
             }
         }
-        first += param.kind.arity();
+        first += param.kind.component_count();
     }
     knobs
 }

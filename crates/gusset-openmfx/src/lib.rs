@@ -31,7 +31,7 @@ mod suites;
 
 use effects::FilterEffect;
 use gusset::filters::FILTERS;
-use ofx_abi::{API, API_VERSION, HostHandle, OfxHost, OfxPlugin, OfxStatus};
+use ofx_abi::{API_VERSION, HostHandle, MESH_EFFECT_API_NAME, OfxHost, OfxPlugin, OfxStatus};
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
@@ -78,7 +78,7 @@ impl PluginTable {
         static PLUGINS: OnceLock<PluginTable> = OnceLock::new();
         let version = |part: &str| part.parse::<c_uint>().unwrap_or(0);
         let plugin = |(effect, (set_host, main_entry)): (&FilterEffect, EffectFunctions)| OfxPlugin {
-            plugin_api: API.as_ptr(),
+            plugin_api: MESH_EFFECT_API_NAME.as_ptr(),
             api_version: API_VERSION,
             // Never freed, because the effects are never freed.
             plugin_identifier: effects::to_c_string(&format!("gusset.{}", effect.filter.id)).into_raw(),

@@ -25,7 +25,7 @@ impl OfxStatus {
 }
 
 /// The API that the effects implement, and its version.
-pub(super) const API: &CStr = c"OfxMeshEffectPluginAPI";
+pub(super) const MESH_EFFECT_API_NAME: &CStr = c"OfxMeshEffectPluginAPI";
 pub(super) const API_VERSION: c_int = 1;
 
 pub(super) const PROPERTY_SUITE: &CStr = c"OfxPropertySuite";

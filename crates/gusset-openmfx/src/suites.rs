@@ -53,7 +53,7 @@ pub(super) struct HostSuites {
 impl HostSuites {
     /// Fetches the suites of a host. The message suite is optional.
     pub(super) fn fetch_from_host(host: *const OfxHost) -> Result<Self, OfxStatus> {
-        let host = input::reference(host, "host").map_err(|_| OfxStatus::MISSING_HOST_FEATURE)?;
+        let host = input::checked_reference(host, "host").map_err(|_| OfxStatus::MISSING_HOST_FEATURE)?;
         let needed = OfxStatus::MISSING_HOST_FEATURE;
         Ok(HostSuites {
             properties: fetch_suite(host, PROPERTY_SUITE, 1).ok_or(needed)?,
@@ -130,7 +130,7 @@ fn fetch_suite<T>(host: &OfxHost, name: &CStr, version: c_int) -> Option<&'stati
     // SAFETY: the host provides the function for this purpose, with its own handle. The text ends
     // with NUL.
     let suite = unsafe { host.fetch_suite?(host.host, name.as_ptr(), version) };
-    input::reference(suite.cast(), "suite").ok()
+    input::checked_reference(suite.cast(), "suite").ok()
 }
 
 /// Named values of the host. Texts must be static, because the host keeps pointers to them.

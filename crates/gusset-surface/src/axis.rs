@@ -128,14 +128,14 @@ impl GridAxis {
     }
 
     /// The position of interval `cell` among the nodes that it depends on.
-    pub(crate) fn position_among_nodes(&self, cell: usize) -> usize {
+    pub(crate) fn index_of_interval_among_its_nodes(&self, cell: usize) -> usize {
         let first = cell.saturating_sub(2).min(self.lines.saturating_sub(NODES_PER_CUBIC));
         if self.closed { 2 } else { cell - first }
     }
 
     /// The weights of intervals at `position` among their nodes; `None` if no interval has
     /// this position.
-    pub(crate) fn weights_at_position(&self, position: usize) -> Option<&BezierWeights> {
+    pub(crate) fn weights_of_interval_at_index(&self, position: usize) -> Option<&BezierWeights> {
         let exists = if self.closed { position == 2 } else { position + 1 < self.lines.min(NODES_PER_CUBIC) };
         exists.then(|| &self.weights[position])
     }
@@ -173,7 +173,7 @@ impl GridAxis {
     }
 
     /// The largest sum of the absolute weights of an interval's nodes, without the two at its ends.
-    pub(crate) fn lebesgue_constant_of_outer_nodes(&self) -> f64 {
+    pub(crate) fn max_weight_sum_without_end_nodes(&self) -> f64 {
         self.outside
     }
 }
@@ -214,7 +214,7 @@ fn interval_weights(
     // The slope at node `at` of the polynomial through `count` nodes, beginning with node `first`.
     let slope = |at: usize, first: usize, count: usize| {
         let mut slope = [0.0; NODES_PER_CUBIC];
-        let (by, rows) = slope_difference_rows(count);
+        let (by, rows) = slope_formulas_at_nodes(count);
         slope[first..].iter_mut().zip(rows[at - first]).for_each(|(slope, weight)| *slope = weight / by);
         slope
     };
@@ -244,7 +244,7 @@ fn interval_weights(
 
 /// Row k gives the slope at node k of the polynomial through `node_count` nodes, multiplied by the
 /// returned factor.
-fn slope_difference_rows(node_count: usize) -> (f64, &'static [&'static [f64]]) {
+fn slope_formulas_at_nodes(node_count: usize) -> (f64, &'static [&'static [f64]]) {
     match node_count {
         2 => (1.0, &[&[-1.0, 1.0], &[-1.0, 1.0]]),
         3 => (2.0, &[&[-3.0, 4.0, -1.0], &[-1.0, 0.0, 1.0], &[1.0, -4.0, 3.0]]),

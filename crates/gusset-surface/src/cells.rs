@@ -37,7 +37,7 @@ const VALUES_PER_TASK: usize = 1 << 10;
 
 /// Computes values for all cells on the job's threads, and returns them row by row. `work` fills
 /// the values of one row.
-pub(super) fn compute_by_row<T: Send + Clone + Default>(
+pub(super) fn compute_cell_values_by_row<T: Send + Clone + Default>(
     [rows, columns]: [usize; 2],
     stage: &'static str,
     job: &Job<'_>,
@@ -51,14 +51,16 @@ pub(super) fn compute_by_row<T: Send + Clone + Default>(
     Ok(values)
 }
 
-/// Computes values like [`compute_by_row`], cell by cell.
-pub(super) fn compute_by_cell<T: Send + Clone + Default>(
+/// Computes values like [`compute_cell_values_by_row`], cell by cell.
+pub(super) fn compute_cell_values<T: Send + Clone + Default>(
     counts: [usize; 2],
     stage: &'static str,
     job: &Job<'_>,
     work: impl Fn([usize; 2]) -> T + Sync,
 ) -> Result<Vec<T>> {
-    compute_by_row(counts, stage, job, |i, row| row.iter_mut().enumerate().for_each(|(j, value)| *value = work([i, j])))
+    compute_cell_values_by_row(counts, stage, job, |i, row| {
+        row.iter_mut().enumerate().for_each(|(j, value)| *value = work([i, j]));
+    })
 }
 
 /// A sheet of patches of degree N - 1.
@@ -72,7 +74,7 @@ pub(crate) trait SheetCells<const N: usize>: Sync {
     /// The corners along a row of `count` cells from (i, j) onwards. If the block has fewer than
     /// [`CELLS_PER_BLOCK_SIDE`] cells, the last corner repeats.
     #[inline(always)]
-    fn corner_row(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; CELLS_PER_BLOCK_SIDE + 1] {
+    fn corner_points_of_row(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; CELLS_PER_BLOCK_SIDE + 1] {
         std::array::from_fn(|k| self.corner_point(i, j + k.min(count)).to_array())
     }
 
@@ -80,7 +82,13 @@ pub(crate) trait SheetCells<const N: usize>: Sync {
     fn cell_patch(&self, i: usize, j: usize) -> Patch<N>;
 
     /// The coordinates of the patch over a cell along two directions, relative to `origin`.
-    fn coordinates_along(&self, i: usize, j: usize, origin: DVec3, directions: [DVec3; 2]) -> [BernsteinField<N>; 2] {
+    fn patch_coordinates_along(
+        &self,
+        i: usize,
+        j: usize,
+        origin: DVec3,
+        directions: [DVec3; 2],
+    ) -> [BernsteinField<N>; 2] {
         let patch = self.cell_patch(i, j);
         directions.map(|direction| BernsteinField {
             c: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))),
@@ -88,7 +96,7 @@ pub(crate) trait SheetCells<const N: usize>: Sync {
     }
 
     /// True if tangents are continuous across all sides of the cell at (i, j).
-    fn is_smooth_around_cell(&self, _i: usize, _j: usize) -> bool {
+    fn are_tangents_continuous_across_sides(&self, _i: usize, _j: usize) -> bool {
         false
     }
 
@@ -103,7 +111,7 @@ pub(crate) trait SheetCells<const N: usize>: Sync {
 
 impl<const N: usize> Patch<N> {
     /// A bound of the distance from the bilinear patch through the corners, at equal parameters.
-    pub(crate) fn bilinear_deviation(&self) -> f64 {
+    pub(crate) fn max_distance_from_bilinear_patch(&self) -> f64 {
         self.differences_from_bilinear().map(DVec3::length_squared).fold(0.0, f64::max).sqrt()
     }
 

@@ -17,7 +17,7 @@
 
 use super::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
 use super::nodes::Nodes;
-use super::weighted_sum_ranges::WeightedSumSweep;
+use super::weighted_sum_ranges::WeightedSumRanges;
 use super::widen_kernel::SumWeights;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -44,13 +44,13 @@ pub(super) fn compute_displacement_boxes(
     block_rows: Range<usize>,
     boxes: &mut [Aabb],
 ) -> Result<()> {
-    let sweep = WeightedSumSweep { nodes, u, v, sums: chord_deviation_weights };
+    let sweep = WeightedSumRanges { nodes, u, v, sums: chord_deviation_weights };
     let mut along = alloc::filled(Aabb::EMPTY, boxes.len())?;
     sweep.sweep_rows(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
     sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
         let across = ranges.box_of_cells_or_columns(columns.start..columns.end + 1);
-        boxes[k] = box_of_weighted_sums(three_quarter_box(along[k]), u.lebesgue_constant())
-            .minkowski_sum(three_quarter_box(across));
+        boxes[k] = box_of_weighted_sums(three_quarters_of_box_with_origin(along[k]), u.lebesgue_constant())
+            .minkowski_sum(three_quarters_of_box_with_origin(across));
     })
 }
 
@@ -62,6 +62,6 @@ pub(super) fn box_of_weighted_sums(bounds: Aabb, lebesgue: f64) -> Aabb {
 }
 
 /// 3/4 of a box, joined with 0.
-fn three_quarter_box(bounds: Aabb) -> Aabb {
+fn three_quarters_of_box_with_origin(bounds: Aabb) -> Aabb {
     Aabb { low: (0.75 * bounds.low).min(DVec3::ZERO), high: (0.75 * bounds.high).max(DVec3::ZERO) }
 }

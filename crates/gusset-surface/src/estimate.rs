@@ -4,7 +4,7 @@
 //! through six nodes in a row. Control nets bound the flatness. O(cells), on the job's threads.
 
 use super::axis::{GridAxis, NODES_PER_CUBIC};
-use super::cells::{SheetCells, compute_by_cell, compute_by_row};
+use super::cells::{SheetCells, compute_cell_values, compute_cell_values_by_row};
 use super::normal::angle_between_unit_vectors;
 use super::{Sheet, each_sheet};
 use glam::DVec3;
@@ -34,8 +34,8 @@ impl Sheet<'_> {
         let Sheet::Grid(grid) = self else {
             return alloc::filled(0.0, rows * columns);
         };
-        let defects = grid.axes().map(QuinticDefects::new);
-        compute_by_row(self.cells(), "estimating errors", job, |i, errors: &mut [f64]| {
+        let defects = grid.axes().map(QuinticMinusCubicWeights::new);
+        compute_cell_values_by_row(self.cells(), "estimating errors", job, |i, errors: &mut [f64]| {
             let along = |row: usize, j: usize| defects[1].largest_difference(j, |column| grid.nodes().get(row, column));
             let across = |column: usize| defects[0].largest_difference(i, |row| grid.nodes().get(row, column));
             let mut left = across(0);
@@ -50,28 +50,28 @@ impl Sheet<'_> {
     /// Bounds the distance between the surface over the cell at (i, j) and two approximations, at
     /// equal parameters. The first is the bilinear patch through the corners, the second either
     /// pair of triangles that a diagonal splits the cell into.
-    pub fn flatness(&self, i: usize, j: usize) -> [f64; 2] {
+    pub fn flatness_bounds(&self, i: usize, j: usize) -> [f64; 2] {
         each_sheet!(self, cells => {
             let patch = SheetCells::cell_patch(cells, i, j);
-            let ([[a, b], [c, d]], bilinear) = (patch.corner_points(), patch.bilinear_deviation());
+            let ([[a, b], [c, d]], bilinear) = (patch.corner_points(), patch.max_distance_from_bilinear_patch());
             [bilinear, bilinear + 0.25 * ((a - b) - (c - d)).length()]
         })
     }
 
     /// Whether each side of the whole sheet is a single point, in O(cells at the sides). The sides
     /// are u = 0 and u = 1, then v = 0 and v = 1.
-    pub fn poles(&self) -> [[bool; 2]; 2] {
+    pub fn poles_at_sides(&self) -> [[bool; 2]; 2] {
         let last = self.cells().map(|count| count - 1);
         [0, 1].map(|k| [self.is_node_line_point(k, 0, false), self.is_node_line_point(k, last[k], true)])
     }
 
-    /// Computes [`Sheet::flatness`] for each cell, row by row. O(cells).
+    /// Computes [`Sheet::flatness_bounds`] for each cell, row by row. O(cells).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn flatnesses(&self, job: &Job<'_>) -> Result<Vec<[f64; 2]>> {
-        compute_by_cell(self.cells(), "bounding deviations", job, |[i, j]| self.flatness(i, j))
+    pub fn flatness_bounds_of_cells(&self, job: &Job<'_>) -> Result<Vec<[f64; 2]>> {
+        compute_cell_values(self.cells(), "bounding deviations", job, |[i, j]| self.flatness_bounds(i, j))
     }
 
     /// The largest angle between the normals on both sides of a border between cells, sampled at
@@ -81,13 +81,13 @@ impl Sheet<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn crease(&self, job: &Job<'_>) -> Result<f64> {
-        each_sheet!(self, cells => crease_of_cells(cells, self.is_closed(), job))
+    pub fn largest_crease_angle(&self, job: &Job<'_>) -> Result<f64> {
+        each_sheet!(self, cells => largest_crease_angle_of_cells(cells, self.is_closed(), job))
     }
 }
 
-/// Computes [`Sheet::crease`]: compares each cell with the next ones in u and in v.
-fn crease_of_cells<const N: usize>(
+/// Computes [`Sheet::largest_crease_angle`]: compares each cell with the next ones in u and in v.
+fn largest_crease_angle_of_cells<const N: usize>(
     cells: &impl SheetCells<N>,
     [closed_u, closed_v]: [bool; 2],
     job: &Job<'_>,
@@ -116,7 +116,12 @@ fn crease_of_cells<const N: usize>(
         }
         worst.angle
     };
-    let parts = par::map_cancellable(job, "comparing normals", par::ranges(rows * columns, CELLS_PER_TASK), in_chunk)?;
+    let parts = par::map_cancellable(
+        job,
+        "comparing normals",
+        par::split_into_ranges(rows * columns, CELLS_PER_TASK),
+        in_chunk,
+    )?;
     Ok(parts.into_iter().fold(0.0, f64::max))
 }
 
@@ -142,19 +147,19 @@ impl LargestCreaseAngle {
 
 /// Weights of the difference between the quintic and the scheme's cubic, at three parameters of
 /// each interval of an axis.
-struct QuinticDefects<'a> {
+struct QuinticMinusCubicWeights<'a> {
     axis: &'a GridAxis,
     /// Weights of the nodes, by position of the interval among its nodes, then by parameter (1/4,
     /// 1/2, 3/4). Their sum is quintic minus cubic. `None` with fewer than 5 nodes.
     weights: Option<[[[f64; NODES_PER_CUBIC]; 3]; NODES_PER_CUBIC - 1]>,
 }
 
-impl<'a> QuinticDefects<'a> {
+impl<'a> QuinticMinusCubicWeights<'a> {
     fn new(axis: &'a GridAxis) -> Self {
         let nodes = if axis.is_closed() { NODES_PER_CUBIC } else { NODES_PER_CUBIC.min(axis.interval_count() + 1) };
         let mut weights = [[[0.0; NODES_PER_CUBIC]; 3]; NODES_PER_CUBIC - 1];
         for (place, at) in weights.iter_mut().enumerate() {
-            let Some(points) = axis.weights_at_position(place) else { continue };
+            let Some(points) = axis.weights_of_interval_at_index(place) else { continue };
             for (k, weights) in at.iter_mut().enumerate() {
                 let t = 0.25 * (k + 1) as f64;
                 let s = 1.0 - t;
@@ -167,7 +172,7 @@ impl<'a> QuinticDefects<'a> {
                 }
             }
         }
-        QuinticDefects { axis, weights: (nodes >= 5).then_some(weights) }
+        QuinticMinusCubicWeights { axis, weights: (nodes >= 5).then_some(weights) }
     }
 
     /// The largest difference in an interval of a line of nodes.
@@ -176,6 +181,9 @@ impl<'a> QuinticDefects<'a> {
         let nodes = self.axis.nodes_and_weights(cell).0.map(node);
         let difference =
             |weights: &[f64; NODES_PER_CUBIC]| weights.iter().zip(&nodes).map(|(&w, &node)| w * node).sum::<DVec3>();
-        all[self.axis.position_among_nodes(cell)].iter().map(|weights| difference(weights).length()).fold(0.0, f64::max)
+        all[self.axis.index_of_interval_among_its_nodes(cell)]
+            .iter()
+            .map(|weights| difference(weights).length())
+            .fold(0.0, f64::max)
     }
 }

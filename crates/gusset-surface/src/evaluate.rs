@@ -121,7 +121,7 @@ impl Surface<'_> {
     pub fn local_geometry(&self, place: Place) -> LocalGeometry {
         let ([i, j], sheet) = (place.cell.map(|k| k as usize), self.sheet(place.sheet as usize));
         let jet = self.jet(place);
-        let normal = sheet.normal_limit(i, j, place.u, place.v);
+        let normal = sheet.normal_or_limit(i, j, place.u, place.v);
         let curvatures = if normal.kind == NormalKind::Regular { jet.principal() } else { None };
         LocalGeometry { jet, normal, curvatures }
     }
@@ -142,7 +142,7 @@ impl Surface<'_> {
             let work = |range: std::ops::Range<usize>| {
                 alloc::collect(round[range].iter().map(|&place| self.local_geometry(place)))
             };
-            for part in par::map(job.requested_threads(), par::ranges(round.len(), PLACES_PER_TASK), work)? {
+            for part in par::map(job.requested_threads(), par::split_into_ranges(round.len(), PLACES_PER_TASK), work)? {
                 geometries.append(&mut part?);
             }
         }

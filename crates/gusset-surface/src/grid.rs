@@ -78,7 +78,7 @@ impl<'a> Grid<'a> {
             [[0.0; 3 * NODES_PER_CUBIC]; NODES_PER_CUBIC]
         };
         let nodes: [&NodeWindow; NODES_PER_CUBIC] = std::array::from_fn(|k| direct[k].unwrap_or(&read[k]));
-        let (row, column) = (self.u.position_among_nodes(i), self.v.position_among_nodes(j));
+        let (row, column) = (self.u.index_of_interval_among_its_nodes(i), self.v.index_of_interval_among_its_nodes(j));
         let inner = [weighted_sum_of_rows(&row_weights[1], &nodes), weighted_sum_of_rows(&row_weights[2], &nodes)];
         let mut points = [[DVec3::ZERO; 4]; 4];
         for (points, line) in points.iter_mut().zip([nodes[row], &inner[0], &inner[1], nodes[row + 1]]) {
@@ -127,7 +127,7 @@ impl SheetCells<4> for Grid<'_> {
     }
 
     #[inline(always)]
-    fn corner_row(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; CELLS_PER_BLOCK_SIDE + 1] {
+    fn corner_points_of_row(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; CELLS_PER_BLOCK_SIDE + 1] {
         let mut line = [[0.0; 3]; CELLS_PER_BLOCK_SIDE + 1];
         match self.nodes.contiguous_numbers::<{ 3 * (CELLS_PER_BLOCK_SIDE + 1) }>(i, j) {
             Some(packed) if count == CELLS_PER_BLOCK_SIDE => line.as_flattened_mut().copy_from_slice(packed),
@@ -142,10 +142,11 @@ impl SheetCells<4> for Grid<'_> {
 
     /// Computes the sums of [`Grid::patch`] for heights of nodes instead of points. The first and
     /// the last of four Bézier points are nodes.
-    fn coordinates_along(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [BernsteinField<4>; 2] {
+    fn patch_coordinates_along(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [BernsteinField<4>; 2] {
         let ((rows, row_weights), (columns, column_weights)) =
             (self.u.nodes_and_weights(i), self.v.nodes_and_weights(j));
-        let (from_row, from_column) = (self.u.position_among_nodes(i), self.v.position_among_nodes(j));
+        let (from_row, from_column) =
+            (self.u.index_of_interval_among_its_nodes(i), self.v.index_of_interval_among_its_nodes(j));
         let mut along = [[DVec2::ZERO; 4]; NODES_PER_CUBIC];
         for (points, &row) in along.iter_mut().zip(&rows) {
             let mut heights = [DVec2::ZERO; NODES_PER_CUBIC];
@@ -166,7 +167,7 @@ impl SheetCells<4> for Grid<'_> {
         fields
     }
 
-    fn is_smooth_around_cell(&self, i: usize, j: usize) -> bool {
+    fn are_tangents_continuous_across_sides(&self, i: usize, j: usize) -> bool {
         self.u.is_interval_smooth_at_ends(i) && self.v.is_interval_smooth_at_ends(j)
     }
 

@@ -11,7 +11,7 @@
 //! | sheets from curves, splines, tangents, frames | [`construct`] | |
 //! | sheets and their index | [`Surface`] | |
 //! | points, derivatives, normals, curvatures | [`Patch`], [`Jet`], [`Normal`], [`Curvatures`] | |
-//! | nearest points, minima, cells within a distance | [`Closest`], [`Minima`], [`Region`] | a |
+//! | nearest points, minima, cells within a distance | [`Closest`], [`Minima`], [`CellsInBall`] | a |
 //! | isophotes, silhouettes | [`contour`] | b |
 //! | intersections with lines, rays and curves | [`line_intersection`] | c |
 //! | plane sections, contours of functions | [`contour`] | d |
@@ -63,7 +63,7 @@ pub use grid::Grid;
 pub use index::NormalCone;
 pub use mesh::{SurfaceMesh, SurfaceMeshOptions};
 pub use model::{LARGEST_COORDINATE, Place, SMALLEST_COORDINATE, Surface};
-pub use nearest::{Closest, Minima, Region};
+pub use nearest::{CellsInBall, Closest, Minima};
 pub use nodes::{MAX_NODES, Nodes};
 pub use normal::{Normal, NormalKind};
 pub use patch::{Jet, Patch};

@@ -50,12 +50,12 @@ pub struct SurfaceMesh {
     /// it holds for either pair of triangles.
     pub deviation: f64,
     /// The parameter lines that form the mesh.
-    pub lines: ParameterLines,
+    pub lines: MeshParameterLines,
 }
 
 /// The parameter lines of the mesh of a sheet.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ParameterLines {
+pub struct MeshParameterLines {
     /// The numbers of the sheet's cells in u and in v.
     pub cells: [usize; 2],
     /// Lines in u and in v, each by its cell and the parameter within it, 0 to 1. Includes the
@@ -67,7 +67,7 @@ pub struct ParameterLines {
     pub corners: Vec<u32>,
 }
 
-impl ParameterLines {
+impl MeshParameterLines {
     /// The cell that contains a face, and the parameters of the face's corners within it. `corners`
     /// is the range of the face's corners in the mesh.
     pub fn face_parameters(&self, corners: Range<usize>) -> ([u32; 2], impl ExactSizeIterator<Item = [f64; 2]>) {
@@ -216,7 +216,7 @@ impl<'a> MeshLattice<'a> {
     }
 
     /// The first pair of lines that meet at the vertex where lines a and b meet.
-    fn first_lines_of_vertex(&self, a: usize, b: usize) -> (usize, usize) {
+    fn first_line_pair_of_vertex(&self, a: usize, b: usize) -> (usize, usize) {
         let (a, b) = (a % self.lines[0].len(), b % self.lines[1].len());
         match (self.points[0][a], self.points[1][b], self.meeting) {
             (false, false, _) => (a, b),
@@ -232,7 +232,7 @@ impl<'a> MeshLattice<'a> {
         let (mut positions, mut places, mut normals) = (Vec::new(), Vec::new(), Vec::new());
         for a in 0..height {
             job.step(0.8 * a as f64 / height as f64, "evaluating")?;
-            for b in (0..width).filter(|&b| self.first_lines_of_vertex(a, b) == (a, b)) {
+            for b in (0..width).filter(|&b| self.first_line_pair_of_vertex(a, b) == (a, b)) {
                 let ((i, u), (j, v)) = (self.lines[0][a], self.lines[1][b]);
                 vertices[a * width + b] = positions.len() as u32;
                 alloc::push(&mut positions, self.sheet.jet(i as usize, j as usize, u, v).point.to_array())?;
@@ -264,7 +264,7 @@ impl<'a> MeshLattice<'a> {
             for b in 0..wide {
                 let [p, q, r, s] = [(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)].map(|(a, b)| {
                     let place = (a * (wide + 1) + b) as u32;
-                    let (a, b) = self.first_lines_of_vertex(a, b);
+                    let (a, b) = self.first_line_pair_of_vertex(a, b);
                     (vertices[a * width + b], place)
                 });
                 if triangles {
@@ -283,7 +283,8 @@ impl<'a> MeshLattice<'a> {
             }
             Ok(lines)
         };
-        let lines = ParameterLines { cells: self.sheet.cells(), lines: [with_end(0)?, with_end(1)?], corners: lattice };
+        let lines =
+            MeshParameterLines { cells: self.sheet.cells(), lines: [with_end(0)?, with_end(1)?], corners: lattice };
         Ok(SurfaceMesh { mesh, places, normals, deviation: self.deviation, lines })
     }
 }

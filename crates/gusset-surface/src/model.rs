@@ -159,7 +159,7 @@ impl<'a> Surface<'a> {
     /// The cones of sheet k. Builds them if necessary.
     pub(crate) fn cones_of_sheet(&self, k: usize, job: &Job<'_>) -> Result<&ConePyramid> {
         let (sheet, index) = &self.sheets[k];
-        each_sheet!(sheet, cells => index.cones_or_build(cells, job))
+        each_sheet!(sheet, cells => index.get_or_build_cones(cells, job))
     }
 
     /// A cone that contains all unit normals of a block of a sheet, including the limits at poles.
@@ -188,7 +188,7 @@ impl Surface<'_> {
     /// Builds cones that exclude nothing, so that searches run as if without cones.
     pub(crate) fn disable_cones(&mut self, job: &Job<'_>) -> Result<()> {
         self.build_cones(job)?;
-        self.sheets.iter_mut().for_each(|(_, index)| index.make_cones_exclude_nothing());
+        self.sheets.iter_mut().for_each(|(_, index)| index.replace_cones_by_full_cones());
         Ok(())
     }
 }

@@ -120,7 +120,7 @@ impl<'a> Nodes<'a> {
     /// Returns a function that reads a node as four numbers for vector instructions. The fourth is
     /// padding.
     #[inline(always)]
-    pub(super) fn four_number_reader(&self) -> impl Fn(usize, usize) -> [f64; 4] {
+    pub(super) fn reader_of_four_numbers(&self) -> impl Fn(usize, usize) -> [f64; 4] {
         let (data, strides): (&[f64], _) = (&self.data, [self.row_stride, self.column_stride]);
         move |i, j| {
             let at = i * strides[0] + j * strides[1];

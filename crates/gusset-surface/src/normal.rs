@@ -159,7 +159,7 @@ impl Sheet<'_> {
 
     /// The unit normal, how it was obtained, and its spread. O(1), but O(cells along the side) at a
     /// collapsed side.
-    pub fn normal_limit(&self, i: usize, j: usize, u: f64, v: f64) -> Normal {
+    pub fn normal_or_limit(&self, i: usize, j: usize, u: f64, v: f64) -> Normal {
         let mut here = each_sheet!(self, cells => SheetCells::cell_patch(cells, i, j).normal_with_kind(u, v));
         if here.kind == NormalKind::Limit {
             for (direction, t) in [u, v].into_iter().enumerate() {
@@ -170,7 +170,7 @@ impl Sheet<'_> {
                     let before = (0..=start).rev().take_while(has);
                     for k in before.chain((start..count).take_while(has)) {
                         let place = |other: f64| if direction == 0 { [t, other] } else { [other, t] };
-                        self.widen_spread(&mut here, cell(k), [0.0, 0.5, 1.0].map(place));
+                        self.add_nearby_normals_to_spread(&mut here, cell(k), [0.0, 0.5, 1.0].map(place));
                     }
                 }
             }
@@ -179,7 +179,7 @@ impl Sheet<'_> {
     }
 
     /// Raises the spread of `here` to its largest angle with the normals at `places` of a cell.
-    fn widen_spread(&self, here: &mut Normal, [i, j]: [usize; 2], places: [[f64; 2]; 3]) {
+    fn add_nearby_normals_to_spread(&self, here: &mut Normal, [i, j]: [usize; 2], places: [[f64; 2]; 3]) {
         for [u, v] in places {
             let other = self.normal(i, j, u, v);
             if other != DVec3::ZERO {

@@ -23,12 +23,12 @@ pub struct Patches<const N: usize> {
     rows: usize,
     columns: usize,
     closed: [bool; 2],
-    origin: Option<Arc<SplineKnotsAndDeviation>>,
+    origin: Option<Arc<SplineOrigin>>,
 }
 
 /// The spline from which patches were converted.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct SplineKnotsAndDeviation {
+pub(crate) struct SplineOrigin {
     /// A bound of the distance to the spline at equal parameters. If the bound is 0, rounding may
     /// add to it.
     pub(crate) deviation: f64,
@@ -72,12 +72,12 @@ impl<const N: usize> Patches<N> {
     }
 
     /// Returns the patches with a record of the spline they were converted from.
-    pub(crate) fn with_spline_origin(self, origin: SplineKnotsAndDeviation) -> Self {
+    pub(crate) fn with_spline_origin(self, origin: SplineOrigin) -> Self {
         Patches { origin: Some(Arc::new(origin)), ..self }
     }
 
     /// The spline that the patches were converted from, if any.
-    pub(crate) fn spline_origin(&self) -> Option<&SplineKnotsAndDeviation> {
+    pub(crate) fn spline_origin(&self) -> Option<&SplineOrigin> {
         self.origin.as_deref()
     }
 

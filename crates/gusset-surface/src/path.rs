@@ -130,7 +130,7 @@ impl Paths {
     }
 
     /// Ends the unfinished path at the last point.
-    pub(super) fn end_path(&mut self, closed: bool, level: u32) -> Result<()> {
+    pub(super) fn finish_current_path(&mut self, closed: bool, level: u32) -> Result<()> {
         Error::check_count("points of curves", self.points.len() as u64, u32::MAX.into())?;
         alloc::push(&mut self.ends, self.points.len() as u32)?;
         alloc::push(&mut self.closed, closed)?;

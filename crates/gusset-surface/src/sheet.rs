@@ -1,7 +1,7 @@
 //! The kinds of sheets, and a macro that treats them alike.
 
 use super::cells::SheetCells;
-use super::patches::SplineKnotsAndDeviation;
+use super::patches::SplineOrigin;
 use super::{Grid, Jet, Patches};
 use glam::DVec3;
 
@@ -40,7 +40,7 @@ impl Sheet<'_> {
         each_sheet!(self, cells => cells.is_closed())
     }
 
-    fn spline_origin(&self) -> Option<&SplineKnotsAndDeviation> {
+    fn spline_origin(&self) -> Option<&SplineOrigin> {
         match self {
             Sheet::Grid(_) => None,
             Sheet::Cubic(patches) => patches.spline_origin(),

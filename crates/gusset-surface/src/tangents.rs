@@ -11,7 +11,7 @@
 use super::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
 use super::displacements::box_of_weighted_sums;
 use super::nodes::Nodes;
-use super::weighted_sum_ranges::WeightedSumSweep;
+use super::weighted_sum_ranges::WeightedSumRanges;
 use super::widen_kernel::SumWeights;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -19,7 +19,7 @@ use gusset_base::geom::aabb::Aabb;
 use std::ops::Range;
 
 /// Weights that compute the control vectors of the derivative.
-fn control_vector_weights(weights: &BezierWeights) -> SumWeights<3> {
+fn weights_of_control_vectors(weights: &BezierWeights) -> SumWeights<3> {
     std::array::from_fn(|b| std::array::from_fn::<_, NODES_PER_CUBIC, _>(|k| 3.0 * (weights[b + 1][k] - weights[b][k])))
 }
 
@@ -41,9 +41,9 @@ impl ControlVectorBoxes {
     }
 
     /// A box of the weighted sums of lines along `axis`.
-    fn box_of_sums(&self, axis: &GridAxis) -> Aabb {
+    fn box_of_weighted_line_sums(&self, axis: &GridAxis) -> Aabb {
         let beside =
-            (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.lebesgue_constant_of_outer_nodes();
+            (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.max_weight_sum_without_end_nodes();
         let grown = box_of_weighted_sums(self.own, axis.lebesgue_constant());
         Aabb { low: grown.low - beside, high: grown.high + beside }
     }
@@ -56,7 +56,7 @@ pub(super) fn compute_tangent_boxes(
     block_rows: Range<usize>,
     boxes: &mut [[Aabb; 2]],
 ) -> Result<()> {
-    let sweep = WeightedSumSweep { nodes, u, v, sums: control_vector_weights };
+    let sweep = WeightedSumRanges { nodes, u, v, sums: weights_of_control_vectors };
     // S_v.
     let mut along = alloc::filled(ControlVectorBoxes::EMPTY, boxes.len())?;
     sweep.sweep_rows(block_rows.clone(), |k, found, own| along[k].add_box(found, own))?;
@@ -64,7 +64,7 @@ pub(super) fn compute_tangent_boxes(
         let mut across = ControlVectorBoxes::EMPTY;
         across.add_box(ranges.box_of_cells_or_columns(columns.start..columns.end + 1), true);
         v.lines_of_cells(columns).for_each(|j| across.add_box(ranges.box_of_cells_or_columns(j..j + 1), false));
-        boxes[k] = [across.box_of_sums(v), along[k].box_of_sums(u)];
+        boxes[k] = [across.box_of_weighted_line_sums(v), along[k].box_of_weighted_line_sums(u)];
     })
 }
 
@@ -74,7 +74,7 @@ mod tests {
     use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
     use crate::{Grid, Patch, Scheme};
     use glam::DVec3;
-    use gusset_base::testing::cases;
+    use gusset_base::testing::case_count;
 
     /// Random nodes: tangents lie in their boxes for all weights, and come close to a side of them,
     /// so that the boxes are not too large.
@@ -82,7 +82,7 @@ mod tests {
     fn tangents_lie_in_tight_boxes() {
         let mut random = fastrand::Rng::with_seed(7);
         let mut nearest = f64::INFINITY;
-        for round in 0..cases(400) as usize {
+        for round in 0..case_count(400) as usize {
             let cells = [[9, 6], [5, 5], [2, 9], [13, 4], [3, 3]][round % 5];
             let closed = [round / 5 % 2 == 1, round / 10 % 2 == 1].map(|closed| closed && cells.iter().all(|&n| n > 2));
             let scheme = if round / 20 % 2 == 0 { Scheme::SixTap } else { Scheme::FourPoint };

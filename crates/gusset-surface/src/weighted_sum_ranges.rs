@@ -15,7 +15,7 @@ use gusset_base::simd;
 use std::ops::Range;
 
 /// A grid, and the sums to bound in an interval of given weights.
-pub(super) struct WeightedSumSweep<'a, const K: usize> {
+pub(super) struct WeightedSumRanges<'a, const K: usize> {
     pub(super) nodes: &'a Nodes<'a>,
     pub(super) u: &'a GridAxis,
     pub(super) v: &'a GridAxis,
@@ -57,7 +57,7 @@ fn is_side_of_cells(axis: &GridAxis, cells: &Range<usize>, line: usize) -> bool 
     cells.contains(&line) || line == if axis.is_closed() { cells.end % axis.interval_count() } else { cells.end }
 }
 
-impl<const K: usize> WeightedSumSweep<'_, K> {
+impl<const K: usize> WeightedSumRanges<'_, K> {
     /// Computes boxes of the sums along the rows that rows of blocks depend on. Each row is swept
     /// once, for all blocks that depend on it. `add` receives the index of the block, the box over
     /// its columns, and whether the row is a side of its cells.

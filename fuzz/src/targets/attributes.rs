@@ -5,7 +5,7 @@
 use crate::agree::agreed;
 use crate::input::{self, Soup};
 use bytemuck::cast_slice;
-use gusset::attributes::{Channel, Domain, KeepSplits, Origins, Output, Rule, ValueType, apply};
+use gusset::attributes::{Channel, Domain, KeepSplitVertices, Origins, Output, Rule, ValueType, apply};
 use gusset::fill::{self, LoopSelection, fill_holes};
 use gusset::mesh::merge::merge_map;
 use gusset::mesh::{Mesh, MeshView};
@@ -37,7 +37,12 @@ fn carried(mesh: &MeshView<'_>, way: u8, choice: u8) {
         let mut channel = Channel::new(Domain::Vertices, ValueType::F64, 3, Rule::Linear)?;
         channel.push(cast_slice(&points), 0, count)?;
         let mut all = vec![0.0; 3 * made.positions.len()];
-        let mut out = Output::new(bytemuck::cast_slice_mut(&mut all), 0, made.positions.len(), channel.values())?;
+        let mut out = Output::new(
+            bytemuck::cast_slice_mut(&mut all),
+            0,
+            made.positions.len(),
+            channel.value_type_and_components(),
+        )?;
         apply(&origins, &channel, &mut out, job)?;
         Ok((made, origins, all))
     };
@@ -52,26 +57,26 @@ fn carried(mesh: &MeshView<'_>, way: u8, choice: u8) {
         match way % 4 {
             0 => {
                 let mut done = weld(mesh, &welding, &work)?;
-                done.keep_splits(&[mesh], &rest.part(0.0, 0.3))?;
+                done.keep_split_vertices(&[mesh], &rest.part(0.0, 0.3))?;
                 let origins = Origins::from_weld(&done, &rest.part(0.3, 0.6))?;
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
             }
             1 => {
                 let mut done = sew(mesh, &welding, &work)?;
-                done.keep_splits(&[mesh], &rest.part(0.0, 0.3))?;
+                done.keep_split_vertices(&[mesh], &rest.part(0.0, 0.3))?;
                 let origins = Origins::from_sew(&done, &rest.part(0.3, 0.6))?;
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
             }
             2 => {
                 let outward = if way & 16 == 0 { Outward::Keep } else { Outward::Closed };
                 let mut done = orient(mesh, &orient::Options { outward }, &work)?;
-                done.keep_splits(&[mesh], &rest.part(0.0, 0.3))?;
+                done.keep_split_vertices(&[mesh], &rest.part(0.0, 0.3))?;
                 let origins = Origins::from_oriented(&done, &rest.part(0.3, 0.6))?;
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
             }
             _ => {
                 let mut done = fill_holes(mesh, LoopSelection::All, &fill::Options::default(), &work)?;
-                done.keep_splits(&[mesh], &rest.part(0.0, 0.3))?;
+                done.keep_split_vertices(&[mesh], &rest.part(0.0, 0.3))?;
                 let origins = Origins::from_filled(&done, &rest.part(0.3, 0.6))?;
                 values(done.mesh, origins, &rest.part(0.6, 1.0))
             }

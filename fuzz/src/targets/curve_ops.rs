@@ -3,7 +3,7 @@
 use crate::input;
 use crate::input::{Cloud, Point, places};
 use gusset::Job;
-use gusset::curve::ops::{OffsetOptions, Spacing};
+use gusset::curve::ops::{OffsetOptions, SampleSpacing};
 use gusset::curve::{CurveView, Place};
 
 /// Runs one case.
@@ -25,12 +25,12 @@ pub(crate) fn run(bytes: &[u8]) {
     let place = Place { segment: 0, t };
     let _ = (
         curve.split(place, &Job::default()),
-        curve.elevated_by(2, &Job::default()),
-        curve.reduced(2, 0.1, &Job::default()),
+        curve.with_degree_elevated_by(2, &Job::default()),
+        curve.with_reduced_degree(2, 0.1, &Job::default()),
         curve.bounding_box(&Job::default()),
         curve.moments(&Job::default()),
     );
-    if let Ok(found) = curve.nearest(&[query], &job) {
+    if let Ok(found) = curve.nearest_to_each_query(&[query], &job) {
         assert!(!found[0].distance.is_nan() && (0.0..=1.0).contains(&found[0].place.t));
     }
     if let Ok(found) = curve.intersect_plane(query, glam::DVec3::new(query.y, query.z, query.x), &Job::default()) {
@@ -40,10 +40,10 @@ pub(crate) fn run(bytes: &[u8]) {
         assert!(found.points.iter().all(|both| curve.point(both.a).is_ok() && curve.point(both.b).is_ok()));
     }
     let _ = (
-        curve.sampled(Spacing::Count(7), &Job::default()),
-        curve.svg_path(&Job::default()),
-        curve.contour(0.0, &Job::default()),
-        curve.spline(&Job::default()),
+        curve.sample_points(SampleSpacing::Count(7), &Job::default()),
+        curve.to_svg_path(&Job::default()),
+        curve.to_truetype_contour(0.0, &Job::default()),
+        curve.to_clamped_spline(&Job::default()),
     );
     let options = OffsetOptions { degree: 3, tolerance: 1e-3, max_segments: 50 };
     if let Ok(done) = curve.offset(t, &options, &Job::default()) {

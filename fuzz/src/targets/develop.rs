@@ -31,7 +31,7 @@ pub(crate) fn run(bytes: &[u8]) {
         assert_eq!(faces as usize, mesh.faces().len());
         let size = done.points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
         for f in 0..mesh.faces().len() {
-            let range = mesh.faces().range(f);
+            let range = mesh.faces().corner_range(f);
             let own = &done.mesh.face_corners[range.clone()];
             for (k, h) in range.enumerate() {
                 assert_eq!(done.vertex_map[own[k] as usize], mesh.faces().corner(h as u32));

@@ -39,7 +39,7 @@ pub(crate) fn run(bytes: &[u8]) {
 
 fn answered(filter: &Filter, inputs: &[Input<'_>], case: &Case) {
     let mut values = filter.defaults(inputs);
-    let params = filter.params.iter().flat_map(|param| (0..param.kind.arity()).map(move |_| param));
+    let params = filter.params.iter().flat_map(|param| (0..param.kind.component_count()).map(move |_| param));
     for (k, (value, param)) in values.iter_mut().zip(params).enumerate() {
         *value = chosen(param, *value, case.values[k % 12].rotate_left(k as u32 / 12));
     }

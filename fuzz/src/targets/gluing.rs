@@ -32,7 +32,7 @@ pub(crate) fn run(bytes: &[u8]) {
         let genus = complex.genus().expect("a manifold has one") as i64;
         assert_eq!(euler, 2 * complex.components as i64 - 2 * genus - complex.boundary.len() as i64, "{gluings:?}");
     }
-    let matrix = glued.matrix().expect("few nodes");
+    let matrix = glued.to_link_matrix().expect("few nodes");
     let again = LinkMatrix::from_bytes(shape, &matrix.to_bytes(shape).expect("few nodes")).expect("its own bytes");
     assert!(matrix.links().eq(again.links()));
     let _ = (glued.unglued(&gluings), agreed(choice, |job| find_gluing_occurrences(&glued, false, job)));
@@ -76,7 +76,7 @@ fn united(topology: &Topology) -> Vec<usize> {
     let mut pairs: Vec<[u32; 2]> = topology.seams().iter().flat_map(|seam| seam.pairs(shape)).collect();
     let (rows, columns) = (shape.rows(), shape.columns());
     let node = |i: usize, j: usize| (i % rows * columns + j % columns) as u32;
-    let matrix = topology.matrix().expect("few nodes");
+    let matrix = topology.to_link_matrix().expect("few nodes");
     // Two links a node: to its right and below, round the sides.
     for link in matrix.links() {
         let (i, j) = (link as usize / 2 / columns, link as usize / 2 % columns);

@@ -3,7 +3,7 @@
 
 use crate::agree::agreed;
 use crate::input::{self, SmallNet};
-use gusset::net::field::snap;
+use gusset::net::field::snap_glued_nodes;
 use gusset::net::planarise::PlanariseOptions;
 use gusset::net::resample::{Interpolation, decimate, pyramid, resample};
 use gusset::net::settle::SettleOptions;
@@ -22,7 +22,7 @@ pub(crate) fn run(bytes: &[u8]) {
     };
     let Some(mut net) = a.net() else { return };
     // Nodes that are one have one place.
-    snap(&mut net).expect("few nodes");
+    snap_glued_nodes(&mut net).expect("few nodes");
     let interpolation = if what & 8 == 0 { Interpolation::Bilinear } else { Interpolation::Bicubic };
     match what % 6 {
         0 => {

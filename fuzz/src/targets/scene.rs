@@ -57,7 +57,7 @@ pub(crate) fn run(bytes: &[u8]) {
             }
         }
     }
-    let counts = scene.counts().expect("memory");
+    let counts = scene.count_elements().expect("memory");
     if counts.instances < 5000 {
         let listed = agreed(choice, |job| scene.instances(job)).expect("few instances");
         let roots = (0..model.len() as u32).filter(|&k| is_entry(&model, k) && !has_parent(&model, k));

@@ -12,7 +12,7 @@ const LIMIT: u64 = 1 << 22;
 pub(crate) fn run(bytes: &[u8]) {
     let whole = decode(bytes, &Job::default());
     let mut decoder = StreamDecoder::new(LIMIT);
-    let pushed = bytes.chunks(61).try_for_each(|piece| decoder.push(piece).map(|_| ()));
+    let pushed = bytes.chunks(61).try_for_each(|piece| decoder.decode_next_bytes(piece).map(|_| ()));
     let pieces = pushed.and_then(|()| decoder.finish());
     let small = |net: &gusset::net::Net<'_>| net.shape().node_count() as u64 <= LIMIT;
     assert_eq!(whole.as_ref().is_ok_and(small), pieces.is_ok());

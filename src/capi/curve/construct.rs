@@ -1,6 +1,6 @@
 //! Curves from curves: Parts, other degrees, offsets.
 
-use crate::capi::context::{create, create_and_tell, gusset_context};
+use crate::capi::context::{create, create_with_further_outputs, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::input;
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     let out = (!report.is_null()).then(|| input::output_struct(report, "report")).transpose();
     let moved = |job: &Job<'_>| {
         let out = out?;
-        let options = input::read(options, false, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, false, "options")?.checked()?;
         let done = view_of_curve(curve, "curve")?.offset(distance, &options, job)?;
         let told = gusset_offset_report {
             struct_size: 0,
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
         };
         Ok((gusset_curve(done.curve), out.map(|out| (out, told))))
     };
-    create_and_tell(context, offset, "offset", moved, |told| {
+    create_with_further_outputs(context, offset, "offset", moved, |told| {
         if let Some((out, report)) = told {
             out.write_known_fields(report);
         }

@@ -6,7 +6,7 @@ use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::lend_list;
 use crate::capi::status::{Failure, gusset_status};
-use crate::curve::ops::{Contour, Spline};
+use crate::curve::ops::{ClampedSpline, TrueTypeContour};
 use glam::DVec3;
 use gusset_base::alloc;
 use std::ffi::c_char;
@@ -86,16 +86,16 @@ pub unsafe extern "C" fn gusset_curve_export_create(
         let view = view_of_curve(curve, "curve")?;
         match format {
             GUSSET_CURVE_FORMAT_SVG => {
-                let mut text = view.svg_path(job)?.into_bytes();
+                let mut text = view.to_svg_path(job)?.into_bytes();
                 alloc::push(&mut text, 0)?;
                 Ok(gusset_curve_form { text, ..Default::default() })
             }
             GUSSET_CURVE_FORMAT_CONTOUR => {
-                let Contour { points, on_curve } = view.contour(tolerance, job)?;
+                let TrueTypeContour { points, on_curve } = view.to_truetype_contour(tolerance, job)?;
                 Ok(gusset_curve_form { points, on_curve, ..Default::default() })
             }
             GUSSET_CURVE_FORMAT_SPLINE => {
-                let Spline { controls: points, knots, degree } = view.spline(job)?;
+                let ClampedSpline { controls: points, knots, degree } = view.to_clamped_spline(job)?;
                 Ok(gusset_curve_form { points, knots, degree, ..Default::default() })
             }
             other => Err(Failure::unknown_value("format", other.into())),

@@ -6,7 +6,7 @@ use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::curve::outline::{GivenOutlines, gusset_outline, gusset_outlines};
 use crate::capi::curve::outline_options::gusset_outline_options;
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::handle::Tagged;
+use crate::capi::handle::TaggedObject;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag, lend_list};
 use crate::capi::mesh::{self, gusset_indices};
@@ -32,8 +32,8 @@ pub const GUSSET_CORRESPONDENCE_LANDMARKS: gusset_correspondence_rule = 3;
 /// A grid of nodes on a body, with a curve across each row and along each column.
 pub struct gusset_frame {
     pub(crate) grid: NodeGrid,
-    pub(crate) across: Tagged<gusset_outline>,
-    pub(crate) along: Tagged<gusset_outline>,
+    pub(crate) across: TaggedObject<gusset_outline>,
+    pub(crate) along: TaggedObject<gusset_outline>,
     options: Options,
     options_along: Options,
     /// Whether the sections are closed, and whether the first section follows the last.
@@ -198,7 +198,7 @@ pub unsafe extern "C" fn gusset_frame_create(
     frame: *mut *mut gusset_frame,
 ) -> gusset_status {
     create(context, frame, "frame", |job| {
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let landmarks = mesh::read_indices(&raw const options.landmarks, "landmarks")?.unwrap_or_default();
         let axis =
             input::copy_input_items::<[f64; 3]>(options.axis_points.cast(), options.axis_point_count, "axis_points")?;
@@ -209,7 +209,8 @@ pub unsafe extern "C" fn gusset_frame_create(
         let given = GivenOutlines::read_outlines(sections)?;
         let Frame { grid, across, along } = self::frame(&given.as_outlines(), &options, job)?;
         let closed = given.as_outlines().closed;
-        let (across, along) = (Tagged::new_part(gusset_outline(across)), Tagged::new_part(gusset_outline(along)));
+        let (across, along) =
+            (TaggedObject::new_part(gusset_outline(across)), TaggedObject::new_part(gusset_outline(along)));
         Ok(gusset_frame {
             grid,
             across,
@@ -260,7 +261,8 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
         };
         let Frame { grid, across, along } =
             crate::curve::frame::offset(&frame.grid, frame.closed, &distances, choice(direction)?, &options, job)?;
-        let (across, along) = (Tagged::new_part(gusset_outline(across)), Tagged::new_part(gusset_outline(along)));
+        let (across, along) =
+            (TaggedObject::new_part(gusset_outline(across)), TaggedObject::new_part(gusset_outline(along)));
         let (options, options_along, closed, ring) = (frame.options, frame.options_along, frame.closed, frame.ring);
         Ok(gusset_frame { grid, across, along, options, options_along, closed, ring })
     })

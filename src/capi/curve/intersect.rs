@@ -7,7 +7,7 @@ use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
-use crate::curve::ops::{NearMisses, Overlap, PlaneIntersections, Spacing, TangentAngles};
+use crate::curve::ops::{NearMisses, Overlap, PlaneIntersections, SampleSpacing, TangentAngles};
 use crate::curve::{CurveView, Place};
 use crate::error::Error;
 use crate::job::Job;
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     create(context, places, "places", |job| {
         let one = view_of_curve(curve, "curve")?;
         let other = (!other.is_null()).then(|| view_of_curve(other, "other")).transpose()?;
-        let found = one.meetings(other.as_ref(), within, &job.part(0.0, 0.9))?;
+        let found = one.intersections_or_near_misses(other.as_ref(), within, &job.part(0.0, 0.9))?;
         gusset_places::from_near_misses(&found, &one, &job.part(0.9, 1.0))
     })
 }
@@ -217,13 +217,13 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
     create(context, places, "places", |job| {
         let view = view_of_curve(curve, "curve")?;
         let spacing = match rule {
-            GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => Spacing::Count(amount as usize),
+            GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => SampleSpacing::Count(amount as usize),
             GUSSET_SAMPLE_COUNT => return Err(Error::OptionOutOfRange { option: "amount", value: amount }.into()),
-            GUSSET_SAMPLE_STEP => Spacing::Step(amount),
-            GUSSET_SAMPLE_CHORD => Spacing::Chord(amount),
+            GUSSET_SAMPLE_STEP => SampleSpacing::Step(amount),
+            GUSSET_SAMPLE_CHORD => SampleSpacing::Chord(amount),
             other => return Err(Failure::unknown_value("rule", other.into())),
         };
-        let found = view.sampled(spacing, job)?;
+        let found = view.sample_points(spacing, job)?;
         let places = to_c_places(found.places.into_iter())?;
         Ok(gusset_places { places, points: found.points, ..Default::default() })
     })

@@ -160,7 +160,7 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     guard(context, |job| {
         let (view, points) = (view_of_curve(curve, "curve")?, self::read_points(points, count, 3)?);
         let out = input::result_buffer(out, count, "out")?;
-        for (to, n) in out.iter_mut().zip(view.nearest(&points, job)?) {
+        for (to, n) in out.iter_mut().zip(view.nearest_to_each_query(&points, job)?) {
             *to = gusset_curve_nearest_point { place: n.place.into(), point: n.point.to_array(), distance: n.distance };
         }
         Ok(())
@@ -183,7 +183,7 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
 ) -> gusset_status {
     compute_at_places(context, curve, (places, count), |curve, places, job| {
         let out = input::result_buffer(out, count, "out")?;
-        let lengths = curve.lengths(&job.part(0.0, 0.5))?;
+        let lengths = curve.arc_lengths(&job.part(0.0, 0.5))?;
         let job = job.part(0.5, 1.0);
         for (k, (to, &place)) in out.iter_mut().zip(places).enumerate() {
             job.step_every(PLACES_PER_REPORT, k, count, "lengths at places")?;
@@ -209,11 +209,11 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     out: *mut gusset_place,
 ) -> gusset_status {
     guard(context, |job| {
-        let measured = view_of_curve(curve, "curve")?.lengths(&job.part(0.0, 0.5))?;
+        let measured = view_of_curve(curve, "curve")?.arc_lengths(&job.part(0.0, 0.5))?;
         let (lengths, job) = (input::copy_input_items(lengths, count, "lengths")?, job.part(0.5, 1.0));
         for (k, (to, length)) in input::result_buffer(out, count, "out")?.iter_mut().zip(lengths).enumerate() {
             job.step_every(PLACES_PER_REPORT, k, count, "places at lengths")?;
-            *to = measured.place(length)?.into();
+            *to = measured.place_at_length(length)?.into();
         }
         Ok(())
     })

@@ -165,7 +165,7 @@ pub(crate) struct GivenOutlines<'a> {
 
 impl GivenOutlines<'_> {
     pub(crate) fn read_outlines(outlines: *const gusset_outlines) -> Result<Self, Failure> {
-        let given = input::read(outlines, false, "outlines")?;
+        let given = input::read_versioned_struct(outlines, false, "outlines")?;
         let closed = flag(given.closed, "closed")?;
         let dimension = given.dimension as usize;
         let size = Points::bytes_needed(given.point_stride, given.point_count, dimension)?;
@@ -222,7 +222,7 @@ pub unsafe extern "C" fn gusset_outline_create(
     outline: *mut *mut gusset_outline,
 ) -> gusset_status {
     create(context, outline, "outline", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given = GivenOutlines::read_outlines(outlines)?;
         Ok(gusset_outline(fit(&given.as_outlines(), &options, job)?))
     })
@@ -336,7 +336,7 @@ pub unsafe extern "C" fn gusset_outlines_find_sections(
     let steps = input::cleared_optional_output(steps, 0, "steps");
     guard(context, |job| {
         let steps = steps?;
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given = GivenOutlines::read_outlines(outlines)?;
         let outlines = given.as_outlines();
         let count = outlines.points.len();

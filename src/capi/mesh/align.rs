@@ -216,7 +216,7 @@ pub unsafe extern "C" fn gusset_alignment_create(
     alignment: *mut *mut gusset_alignment,
 ) -> gusset_status {
     create(context, alignment, "alignment", |job| {
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let poses = alloc::collect(input::input_items(options.poses, options.pose_count, "poses")?.map(to_pose))?;
         let start = match options.start {
             GUSSET_ALIGN_AS_GIVEN if poses.is_empty() => Start::AsGiven,

@@ -136,7 +136,7 @@ pub unsafe extern "C" fn gusset_attributes_apply(
     stride: usize,
 ) -> gusset_status {
     guard(context, |job| {
-        let given = input::read(channel, false, "channel")?;
+        let given = input::read_versioned_struct(channel, false, "channel")?;
         let origins = &handle::get_object(origins, "origins")?.0;
         carry_over_channel(origins, given, (inputs, input_count), (values, count, stride), job)
     })
@@ -165,17 +165,17 @@ pub(crate) fn carry_over_channel(
     if input_count != inputs_needed {
         return Err(Error::InputsDiffer { given: input_count as u64, needed: inputs_needed as u64 }.into());
     }
-    let room = Strided::span(count, stride, channel.size(), "values")?;
+    let room = Strided::byte_span(count, stride, channel.bytes_per_value(), "values")?;
     let room_range = values as usize..(values as usize).saturating_add(room);
     for k in 0..input_count {
         let of_input = |failure: Failure| failure.with_input(k as u32);
-        let one = input::reference(inputs.wrapping_add(k), "inputs").map_err(of_input)?;
+        let one = input::checked_reference(inputs.wrapping_add(k), "inputs").map_err(of_input)?;
         if one.values.is_null() && one.count == 0 {
             channel.push_missing()?;
             continue;
         }
-        let size =
-            Strided::span(one.count, one.stride, channel.size(), "values").map_err(|error| of_input(error.into()))?;
+        let size = Strided::byte_span(one.count, one.stride, channel.bytes_per_value(), "values")
+            .map_err(|error| of_input(error.into()))?;
         let bytes = input::input_bytes(one.values, size, 1, "values").map_err(of_input)?;
         let range = bytes.as_ptr_range();
         if !bytes.is_empty() && (range.start as usize) < room_range.end && room_range.start < range.end as usize {
@@ -189,7 +189,7 @@ pub(crate) fn carry_over_channel(
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     let out = input::result_buffer(values.cast::<u8>(), room, "values")?;
-    let mut out = Output::new(out, stride, count, channel.values())?;
+    let mut out = Output::new(out, stride, count, channel.value_type_and_components())?;
     Ok(apply(origins, &channel, &mut out, job)?)
 }
 

@@ -209,7 +209,7 @@ pub unsafe extern "C" fn gusset_boundary_create(
     boundary: *mut *mut gusset_boundary,
 ) -> gusset_status {
     create(context, boundary, "boundary", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
         let mesh = given_mesh.mesh_view();
         let boundary = boundary_loops(&mesh, &options, &job.part(0.2, 1.0))?;

@@ -99,7 +99,7 @@ pub unsafe extern "C" fn gusset_develop(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let cuts = mesh::read_indices(&raw const options.cuts, "cuts")?.unwrap_or_default();
         let offsets = mesh::read_indices(&raw const options.cut_offsets, "cut_offsets")?.unwrap_or_default();
         let options = options.checked(&cuts, &offsets)?;

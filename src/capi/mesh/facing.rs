@@ -107,7 +107,7 @@ pub unsafe extern "C" fn gusset_facing_create(
     facing: *mut *mut gusset_facing,
 ) -> gusset_status {
     create(context, facing, "facing", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let a = read_loop_points(points_a, count_a, "points_a")?;
         let b = read_loop_points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
         let found = self::facing(&a, &b, &options, job)?;

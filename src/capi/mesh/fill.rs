@@ -2,7 +2,7 @@
 //!
 //! @source G. Barequet and M. Sharir (1995); P. Liepa (2003).
 
-use crate::attributes::KeepSplits;
+use crate::attributes::KeepSplitVertices;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice, flag};
@@ -212,7 +212,7 @@ pub unsafe extern "C" fn gusset_fill(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let given_options = input::read(options, true, "options")?;
+        let given_options = input::read_versioned_struct(options, true, "options")?;
         let options = given_options.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let mesh = given_mesh.mesh_view();
@@ -233,7 +233,7 @@ pub unsafe extern "C" fn gusset_fill(
             (Some(_), Some(_)) => LoopSelection::Groups(&groups),
         };
         let mut filled = fill_holes(&mesh, selection, &options, &job.part(0.1, 0.95))?;
-        filled.keep_splits(&[&mesh], &job.part(0.95, 1.0))?;
+        filled.keep_split_vertices(&[&mesh], &job.part(0.95, 1.0))?;
         Ok(gusset_result(OperationResult::Fill(FillResult::new(filled)?)))
     })
 }

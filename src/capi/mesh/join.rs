@@ -3,7 +3,7 @@
 //! @source Nesterenko for a single gap.
 
 use crate::assemble::assemble;
-use crate::attributes::KeepSplits;
+use crate::attributes::KeepSplitVertices;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::input;
 use crate::capi::mesh::join_options::{gusset_join_options, read_loop_pairs};
@@ -46,7 +46,7 @@ pub unsafe extern "C" fn gusset_join(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let trim = input::read_nested_or_default(options.trim_options, "trim_options", Ok)?;
         let viewpoints = trim.read_viewpoints().map_err(|failure| failure.with_field("trim_options"))?;
         let mut given = read_loop_pairs(options.pairs, options.pair_count, "pairs")?;
@@ -55,12 +55,12 @@ pub unsafe extern "C" fn gusset_join(
         let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         for selector in given.iter_mut().chain(&mut excluded).flatten() {
             if let Some(view) = views.get(selector.piece as usize) {
-                selector.vertex = view.faces().merge_of(selector.vertex);
+                selector.vertex = view.faces().merged_vertex(selector.vertex);
             }
         }
         let options = options.checked([&given, &excluded], trim, &viewpoints)?;
         let mut done = assemble(&views, &options, &job.part(0.1, 0.95))?;
-        done.keep_splits(&alloc::gather(views.iter())?, &job.part(0.95, 1.0))?;
+        done.keep_split_vertices(&alloc::gather(views.iter())?, &job.part(0.95, 1.0))?;
         Ok(gusset_result(OperationResult::Join(JoinResult::new(done)?)))
     })
 }

@@ -137,7 +137,7 @@ pub(crate) fn read_and_validate_mesh<'a>(
     name: &'static str,
     job: &Job<'_>,
 ) -> Result<GivenMesh<'a>, Failure> {
-    let view = input::read(view, false, name)?;
+    let view = input::read_versioned_struct(view, false, name)?;
     let scalar = choice(view.scalar)?;
     if view.index != GUSSET_U32 {
         return Err(Failure::unknown_value("index", view.index.into()));
@@ -160,7 +160,7 @@ pub(crate) fn read_and_validate_mesh<'a>(
     let faces = if view.face_offsets.is_null() {
         let corners = Faces::corner_count(view.face_size, view.face_count)?;
         let corners = input::input_bytes(view.face_corners, corners, 4, "face_corners")?;
-        Faces::uniform(corners, view.face_size, view.face_count)?
+        Faces::with_uniform_size(corners, view.face_size, view.face_count)?
     } else {
         let offsets = input::input_bytes(view.face_offsets, offset_count, 4, "face_offsets")?;
         // The offsets first: a wrong last entry would overstate the length of the corners.
@@ -208,7 +208,7 @@ impl gusset_indices {
 
 /// Maps vertices to the vertices that they are merged into.
 pub(crate) fn map_to_merged_vertices(mesh: &MeshView<'_>, mut vertices: Vec<u32>) -> Vec<u32> {
-    vertices.iter_mut().for_each(|v| *v = mesh.faces().merge_of(*v));
+    vertices.iter_mut().for_each(|v| *v = mesh.faces().merged_vertex(*v));
     vertices
 }
 
@@ -217,7 +217,7 @@ pub(crate) fn read_indices(given: *const gusset_indices, name: &'static str) -> 
     if given.is_null() {
         return Ok(None);
     }
-    let given = *input::reference(given, name)?;
+    let given = *input::checked_reference(given, name)?;
     Error::check_count("indices", given.count as u64, MAX_ELEMENTS)?;
     input::copy_input_items(given.data, given.count, name).map(Some)
 }

@@ -2,7 +2,7 @@
 //!
 //! @source Textbook; the least number of faces is our own.
 
-use crate::attributes::KeepSplits;
+use crate::attributes::KeepSplitVertices;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, lend_list};
@@ -70,11 +70,13 @@ pub unsafe extern "C" fn gusset_orient(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = Options { outward: to_outward(input::read(options, true, "options")?.outward, Outward::Keep)? };
+        let options = Options {
+            outward: to_outward(input::read_versioned_struct(options, true, "options")?.outward, Outward::Keep)?,
+        };
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
         let mesh = given_mesh.mesh_view();
         let mut done = self::orient(&mesh, &options, &job.part(0.2, 0.9))?;
-        done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
+        done.keep_split_vertices(&[&mesh], &job.part(0.9, 1.0))?;
         let one_sided = [
             alloc::collect(done.one_sided.iter().map(|found| found.face))?,
             alloc::collect(done.one_sided.iter().map(|found| found.half_edge))?,

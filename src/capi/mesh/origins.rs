@@ -78,7 +78,7 @@ pub unsafe extern "C" fn gusset_origins_get_view(
             offsets: gusset_indices::lend_indices(table.offsets()),
             sources: gusset_indices::lend_indices(table.source_indices()),
             weights: lend_list(table.weights()),
-            starts: gusset_indices::lend_indices(of.starts(domain)),
+            starts: gusset_indices::lend_indices(of.first_sources_of_inputs(domain)),
         }
     })
 }

@@ -1,6 +1,6 @@
 //! Sewing: Joins coincident borders, also where their vertices do not match.
 
-use crate::attributes::KeepSplits;
+use crate::attributes::KeepSplitVertices;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input;
@@ -67,11 +67,11 @@ pub unsafe extern "C" fn gusset_sew(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let mesh = given_mesh.mesh_view();
         let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;
-        done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
+        done.keep_split_vertices(&[&mesh], &job.part(0.9, 1.0))?;
         Ok(gusset_result(OperationResult::Sew(done)))
     })
 }

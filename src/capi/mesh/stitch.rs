@@ -3,7 +3,7 @@
 //! @source Nesterenko, algorithm 2 and the intermediate mesh; best strips after H. Fuchs, Z.
 //!     Kedem and S. Uselton (1977).
 
-use crate::attributes::KeepSplits;
+use crate::attributes::KeepSplitVertices;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, Choice, lend_list};
@@ -112,7 +112,7 @@ pub unsafe extern "C" fn gusset_stitch(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given_a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
         let given_b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
         let (a, b) = (given_a.mesh_view(), given_b.as_ref().map(GivenMesh::mesh_view));
@@ -122,7 +122,7 @@ pub unsafe extern "C" fn gusset_stitch(
         let request = Request { a: &a, loop_a: loop_a.as_deref(), b: b.as_ref(), loop_b: loop_b.as_deref() };
         let mut done = self::stitch(&request, &options, &job.part(0.2, 0.95))?;
         let inputs = [Some(&a), b.as_ref()];
-        done.keep_splits(&alloc::gather(inputs.into_iter().flatten())?, &job.part(0.95, 1.0))?;
+        done.keep_split_vertices(&alloc::gather(inputs.into_iter().flatten())?, &job.part(0.95, 1.0))?;
         Ok(gusset_result(OperationResult::Stitch(done)))
     })
 }

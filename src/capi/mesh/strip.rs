@@ -109,7 +109,7 @@ pub unsafe extern "C" fn gusset_strip(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let (closed, options) = input::read(options, true, "options")?.checked()?;
+        let (closed, options) = input::read_versioned_struct(options, true, "options")?.checked()?;
         let a = read_loop_points(points_a, count_a, "points_a")?;
         let b = read_loop_points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
         Ok(gusset_result(OperationResult::Strip(ruled(&a, &b, closed, &options, job)?)))

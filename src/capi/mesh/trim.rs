@@ -117,7 +117,7 @@ pub unsafe extern "C" fn gusset_trim_create(
     trim: *mut *mut gusset_trim,
 ) -> gusset_status {
     create(context, trim, "trim", |job| {
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let viewpoints = options.read_viewpoints()?;
         let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
         let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;

@@ -1,6 +1,6 @@
 //! Welding: Merges coincident vertices.
 
-use crate::attributes::KeepSplits;
+use crate::attributes::KeepSplitVertices;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice, flag};
@@ -124,11 +124,11 @@ pub unsafe extern "C" fn gusset_weld(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let mesh = given_mesh.mesh_view();
         let mut done = self::weld(&mesh, &options, &job.part(0.1, 0.9))?;
-        done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
+        done.keep_split_vertices(&[&mesh], &job.part(0.9, 1.0))?;
         Ok(gusset_result(OperationResult::Weld(done)))
     })
 }

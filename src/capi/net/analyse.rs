@@ -116,7 +116,7 @@ pub unsafe extern "C" fn gusset_net_analysis_create(
     analysis: *mut *mut gusset_net_analysis,
 ) -> gusset_status {
     create(context, analysis, "analysis", |job| {
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let given = read_fields(options.fields, options.field_count, options.time)?;
         let found = if options.after.is_null() {
             let steps = alloc::collect(given.iter().map(GivenField::to_step))?;

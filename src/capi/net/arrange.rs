@@ -165,7 +165,8 @@ pub unsafe extern "C" fn gusset_net_copy_create(
     copy: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, copy, "copy", |job| {
-        let (handle, options) = (handle::get_object(net, "net")?, input::read(options, true, "options")?);
+        let (handle, options) =
+            (handle::get_object(net, "net")?, input::read_versioned_struct(options, true, "options")?);
         let net = handle.net();
         match net.changed_copy(&options.checked(net.shape())?, job)? {
             Some(changed) => Ok(gusset_net::new(changed)),

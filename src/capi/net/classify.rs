@@ -58,7 +58,9 @@ pub unsafe extern "C" fn gusset_net_groups_create(
     groups: *mut *mut gusset_net_groups,
 ) -> gusset_status {
     create(context, groups, "groups", |job| {
-        Ok(gusset_net_groups(NodeClasses::new_cancellable(net_of_handle(net)?.topology(), job, "groups")?.groups()?))
+        Ok(gusset_net_groups(
+            NodeClasses::new_cancellable(net_of_handle(net)?.topology(), job, "groups")?.glued_classes()?,
+        ))
     })
 }
 
@@ -125,8 +127,8 @@ pub unsafe extern "C" fn gusset_net_classify(
     answer(context, (found, "found"), GUSSET_TYPE_NONE, |job| {
         let (topology, cyclic) = (net_of_handle(net)?.topology(), flag(cyclic, "cyclic")?);
         Ok(gluing_type_code(match place {
-            GUSSET_GLUING_PLACE_NODE => topology.node_type(element, cyclic, job)?,
-            GUSSET_GLUING_PLACE_CELL => topology.cell_type(element, job)?,
+            GUSSET_GLUING_PLACE_NODE => topology.gluing_type_at_node(element, cyclic, job)?,
+            GUSSET_GLUING_PLACE_CELL => topology.gluing_type_at_cell(element, job)?,
             other => return Err(Failure::unknown_value("place", other.into())),
         }))
     })
@@ -159,7 +161,7 @@ pub unsafe extern "C" fn gusset_net_histogram(
 
 /// Returns the cleared buffer for the counts; empty if the caller omits it.
 fn count_buffer<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], Failure> {
-    input::cleared_result_buffer(out, if out.is_null() { 0 } else { GluingType::COUNT }, name)
+    input::cleared_result_buffer(out, if out.is_null() { 0 } else { GluingType::TYPE_COUNT }, name)
 }
 
 /// Local gluing: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4.

@@ -138,7 +138,7 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
             reserved: 0,
             boundary_offsets: gusset_indices::lend_indices(c.boundary.offsets()),
             boundary_nodes: gusset_indices::lend_indices(c.boundary.nodes()),
-            boundary_open: gusset_indices::lend_indices(c.boundary.open_chains()),
+            boundary_open: gusset_indices::lend_indices(c.boundary.open_chain_flags()),
             wires: gusset_indices::lend_indices(c.wires.as_flattened()),
             branches: gusset_indices::lend_indices(c.branches.as_flattened()),
             pinches: gusset_indices::lend_indices(&c.pinches),

@@ -130,7 +130,7 @@ impl GivenField {
 pub(crate) fn read_fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<GivenField>, Failure> {
     Error::check_count("fields", count as u64, MAX_ELEMENTS)?;
     let given = |field: *const gusset_field| {
-        let given = input::read(field, false, "fields")?;
+        let given = input::read_versioned_struct(field, false, "fields")?;
         let (field, strength) = (given.checked()?, given.strength_at(time)?);
         Error::require(strength.is_finite(), "strength", strength)?;
         Ok(GivenField { field, strength })
@@ -245,5 +245,5 @@ pub unsafe extern "C" fn gusset_net_displace(
     net: *mut gusset_net,
     distance: f64,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(displace(net_of_handle_mut(net, job)?, distance, job)?))
+    guard_change(context, |job| Ok(displace_along_normals(net_of_handle_mut(net, job)?, distance, job)?))
 }

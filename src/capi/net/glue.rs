@@ -176,7 +176,7 @@ pub unsafe extern "C" fn gusset_net_glue(
 ) -> gusset_status {
     let moved = input::cleared_optional_output(moved, 0, "moved");
     guard_change(context, |job| {
-        let (moved, options) = (moved?, input::read(options, false, "options")?);
+        let (moved, options) = (moved?, input::read_versioned_struct(options, false, "options")?);
         let detect = flag(options.detect, "detect")?.then_some(options.tolerance);
         let (saturate, snap) = (flag(options.saturate, "saturate")?, flag(options.snap, "snap")?);
         let gluings = read_gluings(options.gluings, options.gluing_count)?;

@@ -157,7 +157,7 @@ pub(crate) fn read_topology(
     gluing: *const gusset_net_gluing,
     job: &Job<'_>,
 ) -> Result<Topology, Failure> {
-    let gluing = input::read(gluing, true, "gluing")?;
+    let gluing = input::read_versioned_struct(gluing, true, "gluing")?;
     let links = if gluing.matrix.is_null() {
         ContractedLinks::Sides(sides_from_bits(gluing.sides)?)
     } else if gluing.sides != 0 {
@@ -239,7 +239,7 @@ pub unsafe extern "C" fn gusset_net_get_gluing(
         };
         let (matrix, seams) = ((matrix, matrix_capacity, "matrix"), (seams, seam_capacity, "seams"));
         fill_buffer(matrix, found.matrix_size, &mut found.matrix_size, job, || {
-            Ok(topology.matrix()?.to_bytes(shape)?)
+            Ok(topology.to_link_matrix()?.to_bytes(shape)?)
         })?;
         fill_buffer(seams, all.len(), &mut found.seam_count, job, || Ok(all.iter().map(gusset_seam::from)))?;
         report.write_known_fields(found);

@@ -165,7 +165,7 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
     joined: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, joined, "joined", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         Ok(gusset_net::new(concatenate_all(&self::nets_of_handles(nets, net_count)?, &options, job)?))
     })
 }
@@ -255,7 +255,7 @@ pub unsafe extern "C" fn gusset_net_set_bridge(
 ) -> gusset_status {
     guard_change(context, |job| {
         let mode = choice(mode)?;
-        let given = (!properties.is_null()).then(|| input::reference(properties, "properties")).transpose()?;
+        let given = (!properties.is_null()).then(|| input::checked_reference(properties, "properties")).transpose()?;
         let net = net_of_handle_mut(net, job)?;
         net.set_bridge_mode(index, mode, tolerance)?;
         if let Some(&given) = given {

@@ -1,6 +1,6 @@
 //! Meshes and heights: Converts nets to meshes and back, and heights to nets.
 
-use crate::capi::context::{create, create_and_tell, gusset_context, lend};
+use crate::capi::context::{create, create_with_further_outputs, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, choice, flag, lend_list};
@@ -192,7 +192,7 @@ pub unsafe extern "C" fn gusset_net_to_mesh(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         Ok(gusset_result(OperationResult::NetMesh(net_of_handle(net)?.to_mesh(&options, job)?)))
     })
 }
@@ -225,7 +225,8 @@ pub unsafe extern "C" fn gusset_result_get_net_mesh(
 /// Copies the caller's numbers, at any alignment, without the gaps between rows.
 fn read_heights<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Failure> {
     let (count, stride, row) = (shape.rows(), heights.row_stride, shape.columns() * size_of::<T>());
-    let bytes = input::input_bytes(heights.values, Strided::span(count, stride, row, "rows of values")?, 1, "values")?;
+    let bytes =
+        input::input_bytes(heights.values, Strided::byte_span(count, stride, row, "rows of values")?, 1, "values")?;
     let rows = Strided::new(bytes, count, stride, row, "rows of values")?;
     let mut values = alloc::with_capacity(shape.node_count())?;
     for i in 0..count {
@@ -267,7 +268,7 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
     net: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, net, "net", |job| {
-        let heights = input::read(heights, false, "heights")?;
+        let heights = input::read_versioned_struct(heights, false, "heights")?;
         Ok(gusset_net::new(match choice(heights.scalar)? {
             Scalar::F32 => net_of_c_heights::<f32>(&heights, job)?,
             Scalar::F64 => net_of_c_heights::<f64>(&heights, job)?,
@@ -303,7 +304,7 @@ pub unsafe extern "C" fn gusset_net_from_mesh_create(
     let slot = input::cleared_optional_output(grid, ptr::null_mut(), "grid");
     let found = |job: &Job<'_>| {
         let slot = slot?;
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let face = flag(options.has_face, "has_face")?.then_some(options.face);
         let given_mesh = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let (view, job) = (given_mesh.mesh_view(), job.part(0.1, 1.0));
@@ -315,7 +316,7 @@ pub unsafe extern "C" fn gusset_net_from_mesh_create(
         let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
         Ok((gusset_net::new(found.net), (slot, handle::boxed(gusset_net_grid { vertex_of_node, face_of_cell }))))
     };
-    create_and_tell(context, net, "net", found, |(slot, grid)| {
+    create_with_further_outputs(context, net, "net", found, |(slot, grid)| {
         if let Some(slot) = slot {
             *slot = handle::into_handle(grid);
         }

@@ -242,7 +242,7 @@ fn create_net_of_view(
 }
 
 fn read_view(view: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
-    let arrays = input::read(view, false, "view")?;
+    let arrays = input::read_versioned_struct(view, false, "view")?;
     Ok((arrays, Shape::new(arrays.rows, arrays.columns)?))
 }
 

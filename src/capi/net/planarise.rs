@@ -77,7 +77,7 @@ pub unsafe extern "C" fn gusset_net_planarise(
     report: *mut gusset_planarise_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let given = input::read(options, true, "options")?;
+        let given = input::read_versioned_struct(options, true, "options")?;
         let net = net_of_handle_mut(net, job)?;
         let (needed, count) = (net.shape().node_count(), given.fixed_count);
         if !given.fixed.is_null() && count < needed {

@@ -137,7 +137,7 @@ pub unsafe extern "C" fn gusset_net_primitive_create(
     net: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, net, "net", |job| {
-        let given = input::read(primitive, false, "primitive")?;
+        let given = input::read_versioned_struct(primitive, false, "primitive")?;
         let point_count = if given.shape == GUSSET_NET_LATHE { given.profile_count } else { 0 };
         let profile: Vec<[f64; 2]> = input::copy_input_items(given.profile.cast(), point_count, "profile")?;
         let (primitive, scalar) = (given.read_primitive(&profile)?, choice(given.scalar)?);

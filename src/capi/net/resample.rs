@@ -1,6 +1,6 @@
 //! Resolutions: Resamples and decimates nets; levels of detail.
 
-use crate::capi::context::{create, create_and_tell, guard_change, gusset_context};
+use crate::capi::context::{create, create_with_further_outputs, guard_change, gusset_context};
 use crate::capi::glue::c_enum;
 use crate::capi::handle;
 use crate::capi::input::{self, choice};
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn gusset_net_decimate_create(
         write_indices(&found.columns, columns, "columns")?;
         Ok((gusset_net::new(found.net), (deviation, found.deviation)))
     };
-    create_and_tell(context, decimated, "decimated", decimated_net, |(to, deviation)| {
+    create_with_further_outputs(context, decimated, "decimated", decimated_net, |(to, deviation)| {
         input::set_optional_output(to, deviation);
     })
 }

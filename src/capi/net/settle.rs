@@ -98,7 +98,7 @@ pub unsafe extern "C" fn gusset_net_settle(
     report: *mut gusset_settle_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let given = input::read(options, true, "options")?;
+        let given = input::read_versioned_struct(options, true, "options")?;
         // The reference may be the net itself.
         let reference = if given.reference.is_null() { None } else { Some(net_of_handle(given.reference)?.copied()?) };
         let bytes = input::input_bytes(given.free.cast(), given.free_count, 1, "free")?;

@@ -16,8 +16,9 @@ use crate::error::{Element, Error};
 use crate::job::Job;
 use crate::surface::line_intersection::Line;
 use crate::surface::reference::{
-    AngleTarget, Arcs, Diameters, Figure, Goal, Object, SearchOptions, SearchOutcome, Sum, angle_incidence,
-    figure_incidence, normal_by_sections, normal_variation_by_cones, normal_variation_by_curvature,
+    AngleTarget, CellBoundSum, CurveArcs, Diameters, Figure, PointPlaneOrLine, SearchGoal, SearchOptions,
+    SearchOutcome, find_cells_near_figure, find_cells_with_angle, normal_by_sections, normal_variation_by_cones,
+    normal_variation_by_curvature,
 };
 use crate::surface::{Place, Sheet};
 use glam::DVec3;
@@ -107,8 +108,8 @@ impl gusset_reference_task {
     fn search_options(&self) -> Result<SearchOptions, Failure> {
         let nearest = flag(self.find_nearest, "find_nearest")?;
         Ok(SearchOptions {
-            goal: if nearest { Goal::Least } else { Goal::Within(self.within) },
-            sum: if flag(self.by_rings, "by_rings")? { Sum::Rings } else { Sum::Greatest },
+            goal: if nearest { SearchGoal::Least } else { SearchGoal::Within(self.within) },
+            sum: if flag(self.by_rings, "by_rings")? { CellBoundSum::Rings } else { CellBoundSum::Greatest },
             by_rows: flag(self.by_rows, "by_rows")?,
             drop_lines: !flag(self.keep_lines, "keep_lines")?,
         })
@@ -118,11 +119,11 @@ impl gusset_reference_task {
     fn distance_figure(&self) -> Result<Option<Figure<'_>>, Failure> {
         let (point, direction) = (DVec3::from_array(self.point), DVec3::from_array(self.direction));
         Ok(Some(match self.object {
-            GUSSET_REFERENCE_POINT => Figure::Object(Object::Point(point)),
-            GUSSET_REFERENCE_PLANE => Figure::Object(Object::Plane { point, normal: direction }),
-            GUSSET_REFERENCE_LINE => Figure::Object(Object::Line(Line::new(point, direction))),
-            GUSSET_REFERENCE_SEGMENT => Figure::Object(Object::Line(Line::segment(point, point + direction))),
-            GUSSET_REFERENCE_RAY => Figure::Object(Object::Line(Line::ray(point, direction))),
+            GUSSET_REFERENCE_POINT => Figure::Object(PointPlaneOrLine::Point(point)),
+            GUSSET_REFERENCE_PLANE => Figure::Object(PointPlaneOrLine::Plane { point, normal: direction }),
+            GUSSET_REFERENCE_LINE => Figure::Object(PointPlaneOrLine::Line(Line::new(point, direction))),
+            GUSSET_REFERENCE_SEGMENT => Figure::Object(PointPlaneOrLine::Line(Line::segment(point, point + direction))),
+            GUSSET_REFERENCE_RAY => Figure::Object(PointPlaneOrLine::Line(Line::ray(point, direction))),
             GUSSET_REFERENCE_CURVE => Figure::Curve(view_of_curve(self.curve, "curve")?),
             GUSSET_REFERENCE_SURFACE => Figure::Surface(&handle::get_object(self.surface, "surface")?.0),
             GUSSET_REFERENCE_ANGLE => return Ok(None),
@@ -141,16 +142,16 @@ impl gusset_reference_task {
             return self.search_angle_incidence(sheet, target, &options, job);
         };
         let diameters = Diameters::new(sheet, &job.part(0.0, 0.5))?;
-        Ok(figure_incidence(sheet, &diameters, figure, &options, &job.part(0.5, 1.0))?)
+        Ok(find_cells_near_figure(sheet, &diameters, figure, &options, &job.part(0.5, 1.0))?)
     }
 
     fn search_curve(&self, curve: &CurveView<'_>, parts: usize, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
         let (options, target, figure) = (self.search_options()?, self.angle_target()?, self.distance_figure()?);
-        let arcs = Arcs::new(curve, parts, &job.part(0.0, 0.5))?;
+        let arcs = CurveArcs::new(curve, parts, &job.part(0.0, 0.5))?;
         let job = job.part(0.5, 1.0);
         Ok(match figure {
-            Some(figure) => arcs.incidence(figure, &options, &job)?,
-            None => arcs.angle_incidence(target, &options, &job)?,
+            Some(figure) => arcs.find_arcs_near_figure(figure, &options, &job)?,
+            None => arcs.find_cells_with_angle(target, &options, &job)?,
         })
     }
 
@@ -167,7 +168,7 @@ impl gusset_reference_task {
         } else {
             normal_variation_by_curvature(sheet, &Diameters::new(sheet, &first)?, self.curvature, &second)?
         };
-        Ok(angle_incidence(sheet, &variation, target, options, &job.part(0.6, 1.0))?)
+        Ok(find_cells_with_angle(sheet, &variation, target, options, &job.part(0.6, 1.0))?)
     }
 }
 
@@ -209,7 +210,7 @@ fn run_and_write_search(
     let buffer = input::cleared_result_buffer(words, if words.is_null() { 0 } else { capacity }, "words");
     let report = if report.is_null() { Ok(None) } else { input::output_struct(report, "report").map(Some) };
     guard_change(context, |job| {
-        let (written, report, task) = (written?, report?, input::read(task, false, "task")?);
+        let (written, report, task) = (written?, report?, input::read_versioned_struct(task, false, "task")?);
         buffer?;
         let found = search(&task, job)?;
         input::copy_to_buffer((words, capacity, "words"), found.mask.words(), written, job)?;

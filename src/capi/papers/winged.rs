@@ -148,7 +148,7 @@ pub unsafe extern "C" fn gusset_winged_create(
     winged: *mut *mut gusset_winged,
 ) -> gusset_status {
     create(context, winged, "winged", |job| {
-        let winding = choice(input::read(options, true, "options")?.winding)?;
+        let winding = choice(input::read_versioned_struct(options, true, "options")?.winding)?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
         let mesh = given_mesh.mesh_view();
         let tables = WingedEdges::new(&mesh, winding, &job.part(0.2, 0.9))?;
@@ -209,7 +209,7 @@ pub unsafe extern "C" fn gusset_winged_faces_create(
     faces: *mut *mut gusset_winged_faces,
 ) -> gusset_status {
     create(context, faces, "faces", |job| {
-        let winding = choice(input::read(options, true, "options")?.winding)?;
+        let winding = choice(input::read_versioned_struct(options, true, "options")?.winding)?;
         Error::check_count("edges", edge_count as u64, MAX_ELEMENTS)?;
         let edges: Vec<WingedEdge> = input::copy_input_items(edges.cast(), edge_count, "edges")?;
         let first_edges = mesh::read_indices(first_edges, "first_edges")?;

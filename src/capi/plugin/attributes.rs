@@ -46,7 +46,7 @@ unsafe extern "C" fn output_origins(
     let status = lend!(outputs, origins, |outputs| {
         let of = origins_of_output(outputs.held_output(index)?, index)?;
         let domain = choice(domain)?;
-        let (table, starts) = (of.table(domain), of.starts(domain));
+        let (table, starts) = (of.table(domain), of.first_sources_of_inputs(domain));
         gusset_plugin_origins {
             struct_size: 0,
             count: table.len(),
@@ -85,7 +85,7 @@ unsafe extern "C" fn apply_channel(
         let job = Job::new(threads, &host);
         let origins = origins_of_output(held_output_of_handle(outputs, index)?, index)?;
         // The layouts agree, as `channels` asserts.
-        let channel = input::read(channel.cast::<gusset_channel>(), false, "channel")?;
+        let channel = input::read_versioned_struct(channel.cast::<gusset_channel>(), false, "channel")?;
         let inputs = (values_of_inputs.cast(), input_count as usize);
         carry_over_channel(origins, channel, inputs, (values, count, stride), &job)?;
         Ok(job.finish()?)
@@ -95,7 +95,7 @@ unsafe extern "C" fn apply_channel(
     if let Some(told) = told {
         told.write_known_fields(failure_report(
             fault.as_ref(),
-            if fault.is_some() { status::text(status) } else { c"" },
+            if fault.is_some() { status::status_text(status) } else { c"" },
         ));
     }
     status

@@ -64,7 +64,7 @@ fn read_input<'a>(
     place: usize,
     job: &Job<'_>,
 ) -> Result<GivenInput<'a>, RunFault> {
-    let given = input::read(given, false, "inputs")?;
+    let given = input::read_versioned_struct(given, false, "inputs")?;
     let kind = choice(given.kind)?;
     filter.check_input_kind(place, kind)?;
     Ok(match kind {
@@ -74,7 +74,7 @@ fn read_input<'a>(
 }
 
 fn read_curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Failure> {
-    let view = input::read(view, false, "view")?;
+    let view = input::read_versioned_struct(view, false, "view")?;
     let scalar = choice(view.scalar)?;
     Error::check_count("points", view.point_count as u64, MAX_ELEMENTS)?;
     Error::check_count("curves", view.curve_count as u64, MAX_ELEMENTS)?;
@@ -110,7 +110,7 @@ fn read_curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curve
 
 /// Returns true if the host requests the origins of the outputs' elements.
 pub(super) fn wants_origins(host: *const gusset_host) -> Result<bool, Failure> {
-    match input::read(host, true, "host")?.origins {
+    match input::read_versioned_struct(host, true, "host")?.origins {
         0 => Ok(false),
         1 => Ok(true),
         other => Err(Failure::unknown_value("origins", other.into())),
@@ -119,6 +119,6 @@ pub(super) fn wants_origins(host: *const gusset_host) -> Result<bool, Failure> {
 
 /// Returns the host's number of threads, and its callbacks.
 pub(super) fn read_host(host: *const gusset_host) -> Result<(usize, HostCallbacks), Failure> {
-    let gusset_host { user, progress, log, threads, .. } = input::read(host, true, "host")?;
+    let gusset_host { user, progress, log, threads, .. } = input::read_versioned_struct(host, true, "host")?;
     Ok((threads as usize, HostCallbacks { progress, progress_user: user, log, log_user: user }))
 }

@@ -5,7 +5,7 @@ use crate::capi::handle::handle;
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Result;
 use crate::filters::data::{Curves, Output};
-use crate::filters::report::Value;
+use crate::filters::report::ReportValue;
 use crate::mesh::Mesh;
 use gusset_base::alloc;
 use std::ffi::CString;
@@ -23,7 +23,7 @@ handle! { gusset_outputs }
 pub(super) enum OutputForHost {
     Mesh(Mesh, Option<Box<Origins>>),
     Curves(Curves),
-    Text(CString, Vec<(CString, Value)>),
+    Text(CString, Vec<(CString, ReportValue)>),
 }
 
 impl gusset_outputs {
@@ -50,7 +50,7 @@ impl OutputForHost {
                 OutputForHost::Curves(curves)
             }
             Output::Text(report) => {
-                let named = |&(name, value): &(&str, Value)| Ok((to_c_string(name)?, value));
+                let named = |&(name, value): &(&str, ReportValue)| Ok((to_c_string(name)?, value));
                 OutputForHost::Text(to_c_string(&report)?, alloc::try_collect(report.values().iter().map(named))?)
             }
         })

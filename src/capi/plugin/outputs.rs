@@ -11,7 +11,7 @@ use crate::capi::handle;
 use crate::capi::input::lend_list;
 use crate::capi::mesh::{self, gusset_mesh_view};
 use crate::capi::status::Failure;
-use crate::filters::report::{Value, ValueKind};
+use crate::filters::report::{ReportValue, ReportValueKind};
 use std::ffi::{CStr, CString, c_char};
 use std::ptr;
 
@@ -87,7 +87,7 @@ pub(super) unsafe extern "C" fn output_text(outputs: *const gusset_outputs, inde
 }
 
 /// Returns the values of output `index`; empty unless it is a text.
-fn values_of_text<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, Value)] {
+fn values_of_text<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, ReportValue)] {
     match held_output_of_handle(outputs, index) {
         Ok(OutputForHost::Text(_, values)) => values,
         _ => &[],
@@ -112,13 +112,13 @@ pub(super) unsafe extern "C" fn output_value(outputs: *const gusset_outputs, ind
 
 pub(super) unsafe extern "C" fn output_value_kind(outputs: *const gusset_outputs, index: u32, which: u32) -> u32 {
     values_of_text(outputs, index).get(which as usize).map_or(0, |(_, value)| match value.kind {
-        ValueKind::Count => GUSSET_VALUE_COUNT,
-        ValueKind::Flag => GUSSET_VALUE_FLAG,
-        ValueKind::Number => GUSSET_VALUE_NUMBER,
-        ValueKind::Length => GUSSET_VALUE_LENGTH,
-        ValueKind::Area => GUSSET_VALUE_AREA,
-        ValueKind::Volume => GUSSET_VALUE_VOLUME,
-        ValueKind::Angle => GUSSET_VALUE_ANGLE,
+        ReportValueKind::Count => GUSSET_VALUE_COUNT,
+        ReportValueKind::Flag => GUSSET_VALUE_FLAG,
+        ReportValueKind::Number => GUSSET_VALUE_NUMBER,
+        ReportValueKind::Length => GUSSET_VALUE_LENGTH,
+        ReportValueKind::Area => GUSSET_VALUE_AREA,
+        ReportValueKind::Volume => GUSSET_VALUE_VOLUME,
+        ReportValueKind::Angle => GUSSET_VALUE_ANGLE,
     })
 }
 

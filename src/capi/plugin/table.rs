@@ -111,7 +111,7 @@ impl FilterEntry {
 }
 
 fn param_info(of: &'static Param, value_count: &mut u32) -> gusset_param_info {
-    let arity = of.kind.arity() as u32;
+    let arity = of.kind.component_count() as u32;
     let first_value = *value_count;
     *value_count += arity;
     let choices = of.choices.iter().map(|of| gusset_choice { label: leak_text(of.label), help: leak_text(of.help) });

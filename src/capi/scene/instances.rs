@@ -80,7 +80,7 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
         let options = if options.is_null() {
             JoinOptions { mode: BridgeMode::Hide, ..JoinOptions::new(Direction::Down) }
         } else {
-            input::read(options, false, "options")?.checked()?
+            input::read_versioned_struct(options, false, "options")?.checked()?
         };
         Ok(gusset_net::new(self::scene_of_handle(scene)?.flatten(&options, job)?))
     })

@@ -218,8 +218,8 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
     changes: *const gusset_scene_changes,
 ) -> gusset_status {
     guard_change(context, |job| {
-        let given = input::read(changes, false, "changes")?;
-        let transform = (!given.transform.is_null()).then(|| input::reference(given.transform, "transform"));
+        let given = input::read_versioned_struct(changes, false, "changes")?;
+        let transform = (!given.transform.is_null()).then(|| input::checked_reference(given.transform, "transform"));
         let changes = EntryChanges {
             net: share_net_of_handle(given.net)?,
             transform: transform.transpose()?.map(|&transform| transform.into()),
@@ -316,7 +316,7 @@ pub unsafe extern "C" fn gusset_scene_get_report(
     report: *mut gusset_scene_report,
 ) -> gusset_status {
     lend!(scene, report, |gusset_scene(scene)| {
-        let counts = scene.counts()?;
+        let counts = scene.count_elements()?;
         gusset_scene_report {
             struct_size: size_of::<gusset_scene_report>(),
             instances: counts.instances,

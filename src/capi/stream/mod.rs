@@ -130,7 +130,7 @@ pub unsafe extern "C" fn gusset_net_encode_create(
     stream: *mut *mut gusset_stream,
 ) -> gusset_status {
     create(context, stream, "stream", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         Ok(gusset_stream(encode(net_of_handle(net)?, &options, job)?))
     })
 }
@@ -257,7 +257,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     guard_change(context, |_| {
         let rows_done = rows_done?;
         let decoder = handle::get_object_mut(decoder, "decoder")?;
-        input::set_optional_output(rows_done, decoder.0.push(input::input_bytes(data, size, 1, "data")?)?);
+        input::set_optional_output(rows_done, decoder.0.decode_next_bytes(input::input_bytes(data, size, 1, "data")?)?);
         Ok(())
     })
 }
@@ -273,7 +273,9 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
     decoder: *const gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| Ok(gusset_net::new(handle::get_object(decoder, "decoder")?.0.preview(job)?)))
+    create(context, net, "net", |job| {
+        Ok(gusset_net::new(handle::get_object(decoder, "decoder")?.0.net_of_complete_rows(job)?))
+    })
 }
 
 /// Makes the net of a complete stream, and resets the decoder.

@@ -6,7 +6,7 @@ use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list};
 use crate::capi::status::gusset_status;
 use crate::capi::surface::{gusset_surface, surface_of_handle};
-use crate::surface::Region;
+use crate::surface::CellsInBall;
 use gusset_base::alloc;
 
 /// A cell of a surface.
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn gusset_surface_region_create(
 ) -> gusset_status {
     create(context, cells, "cells", |job| {
         let (surface, query) = (surface_of_handle(surface)?, input::read_vector(query, "query")?);
-        let Region { cells, whole, mask, first } = surface.region(query, radius, job)?;
+        let CellsInBall { cells, whole, mask, first } = surface.cells_in_ball(query, radius, job)?;
         let cell = |[sheet, row, column]: [u32; 3]| gusset_surface_cell { sheet, row, column };
         Ok(gusset_surface_cells {
             cells: alloc::collect(cells.into_iter().map(cell))?,
@@ -115,7 +115,8 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
     cells: *mut *mut gusset_surface_cells,
 ) -> gusset_status {
     create(context, cells, "cells", |job| {
-        let found = surface_of_handle(surface)?.candidates(&handle::get_object(other, "other")?.0, within, job)?;
+        let found =
+            surface_of_handle(surface)?.candidate_cell_pairs(&handle::get_object(other, "other")?.0, within, job)?;
         let part = |which: usize| {
             alloc::collect(found.iter().map(move |pair| {
                 let [row, column] = pair.cells[which];

@@ -141,10 +141,12 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
     paths: *mut *mut gusset_surface_paths,
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
-        let (surface, options) = (surface_of_handle(surface)?, input::read(options, true, "options")?);
+        let (surface, options) = (surface_of_handle(surface)?, input::read_versioned_struct(options, true, "options")?);
         let between = to_point_spacing(options.spacing, options.chord, options.points)?;
-        let (function, levels) =
-            (input::read(function, false, "function")?, input::copy_input_items(levels, count, "levels")?);
+        let (function, levels) = (
+            input::read_versioned_struct(function, false, "function")?,
+            input::copy_input_items(levels, count, "levels")?,
+        );
         let [point, direction] = [function.point, function.direction].map(DVec3::from_array);
         let unsigned = flag(function.unsigned_normals, "unsigned_normals")?;
         let found = match function.kind {

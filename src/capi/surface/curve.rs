@@ -85,7 +85,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_line_create(
 ) -> gusset_status {
     create(context, places, "places", |job| {
         let (curve, line) = (view_of_curve(curve, "curve")?, read_lines(line, 1)?[0]);
-        let found = line.meetings(&curve, within, &job.part(0.0, 0.9))?;
+        let found = line.intersections_or_near_misses(&curve, within, &job.part(0.0, 0.9))?;
         gusset_places::from_near_misses(&found, &curve, &job.part(0.9, 1.0))
     })
 }

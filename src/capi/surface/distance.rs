@@ -128,7 +128,7 @@ pub unsafe extern "C" fn gusset_surface_distance(
     report: *mut gusset_distance_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let (surface, target) = (surface_of_handle(surface)?, input::read(target, false, "target")?);
+        let (surface, target) = (surface_of_handle(surface)?, input::read_versioned_struct(target, false, "target")?);
         let tolerance = (tolerance != 0.0).then_some(tolerance);
         let field = |failure: Failure| failure.with_field("target");
         Ok(match target.kind {

@@ -255,7 +255,7 @@ pub unsafe extern "C" fn gusset_surface_create(
     surface: *mut *mut gusset_surface,
 ) -> gusset_status {
     create(context, surface, "surface", |job| {
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let given = self::sheets_of_handles(sheets, count)?;
         let tolerance = if options.tolerance == 0.0 { None } else { Some(options.tolerance) };
         let with_cones = flag(options.cones, "cones")?;

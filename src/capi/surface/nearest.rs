@@ -139,7 +139,7 @@ pub unsafe extern "C" fn gusset_surface_nearest(
     let mut out = input::result_buffer(points, count, "points");
     out.iter_mut().for_each(|out| out.fill(None.into()));
     guard_change(context, |job| {
-        let (out, limit) = (out?, input::read(options, true, "options")?.limit_or_infinity());
+        let (out, limit) = (out?, input::read_versioned_struct(options, true, "options")?.limit_or_infinity());
         let surface = surface_of_handle(surface)?;
         Error::check_count("queries", count as u64, u32::MAX.into())?;
         let queries =
@@ -169,7 +169,7 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
     points: *mut *mut gusset_surface_points,
 ) -> gusset_status {
     create(context, points, "points", |job| {
-        let options = input::read(options, true, "options")?;
+        let options = input::read_versioned_struct(options, true, "options")?;
         let (surface, query) = (surface_of_handle(surface)?, input::read_vector(query, "query")?);
         let found = surface.local_minima(query, options.limit_or_infinity(), options.max_count, job)?;
         let Minima { points, complete, bound } = found;

@@ -109,11 +109,11 @@ impl NodeLayout {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 }.into());
         }
         let column = if nodes.column_stride == 0 { 3 * size } else { nodes.column_stride };
-        let width = Strided::span(columns, column, 3 * size, "nodes of a row")?;
+        let width = Strided::byte_span(columns, column, 3 * size, "nodes of a row")?;
         // With at least two columns these are at most twice the width, so the product does not
         // overflow.
         let row = if nodes.row_stride == 0 { columns * column } else { nodes.row_stride };
-        Ok(NodeLayout { row, column, span: Strided::span(rows, row, width, "rows of nodes")? })
+        Ok(NodeLayout { row, column, span: Strided::byte_span(rows, row, width, "rows of nodes")? })
     }
 }
 
@@ -210,8 +210,9 @@ pub unsafe extern "C" fn gusset_sheet_create(
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
-        let given = input::read(nodes, false, "nodes")?;
-        let with = if tangents.is_null() { None } else { Some(input::read(tangents, false, "tangents")?) };
+        let given = input::read_versioned_struct(nodes, false, "nodes")?;
+        let with =
+            if tangents.is_null() { None } else { Some(input::read_versioned_struct(tangents, false, "tangents")?) };
         let split = if with.is_some() { 0.1 } else { 1.0 };
         let nodes =
             if flag(borrow, "borrow")? { borrow_nodes(&given)? } else { copy_nodes(&given, &job.part(0.0, split))? };

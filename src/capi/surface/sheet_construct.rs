@@ -1,7 +1,7 @@
 //! Other sheets: Sheets from patches, B-splines (NURBS included), nets of curves, frames, and
 //! offsets.
 
-use crate::capi::context::{create, create_and_tell, gusset_context};
+use crate::capi::context::{create, create_with_further_outputs, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
 use crate::capi::curve::{checked_product, gusset_curve, read_points};
 use crate::capi::glue::{c_enum, versioned};
@@ -178,7 +178,7 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
-        let given = input::read(spline, false, "spline")?;
+        let given = input::read_versioned_struct(spline, false, "spline")?;
         let points = read_points(given.points, checked_product(given.count_u, given.count_v, "control points")?, 3)?;
         let u = input::copy_input_items(given.knots_u, given.knot_count_u, "knots_u")?;
         let v = input::copy_input_items(given.knots_v, given.knot_count_v, "knots_v")?;
@@ -224,7 +224,7 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
-        let given = input::read(net, false, "net")?;
+        let given = input::read_versioned_struct(net, false, "net")?;
         let rows = curves_of_handles(given.rows, given.row_count, "rows")?;
         let columns = curves_of_handles(given.columns, given.column_count, "columns")?;
         let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
@@ -266,7 +266,7 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
         let (made, worst) = handle::get_object(sheet, "sheet")?.0.offset(&distances, job)?;
         Ok((gusset_sheet(made), out.map(|out| (out, worst))))
     };
-    create_and_tell(context, offset, "offset", moved, |told| {
+    create_with_further_outputs(context, offset, "offset", moved, |told| {
         if let Some((out, worst)) = told {
             *out = worst;
         }

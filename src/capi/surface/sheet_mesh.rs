@@ -76,7 +76,7 @@ pub unsafe extern "C" fn gusset_sheet_to_mesh(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let made = handle::get_object(sheet, "sheet")?.0.to_mesh(&options, job)?;
         let places = alloc::collect(made.places.iter().map(|&place| gusset_surface_place::from(place)))?;
         Ok(gusset_result(OperationResult::SheetMesh(made, places)))

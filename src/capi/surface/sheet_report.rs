@@ -66,7 +66,7 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
 ) -> gusset_status {
     lend!(sheet, report, |gusset_sheet(sheet)| {
         let ([rows, columns], [closed_u, closed_v]) = (sheet.cells(), sheet.is_closed().map(u32::from));
-        let [[pole_u0, pole_u1], [pole_v0, pole_v1]] = sheet.poles().map(|pair| pair.map(u32::from));
+        let [[pole_u0, pole_u1], [pole_v0, pole_v1]] = sheet.poles_at_sides().map(|pair| pair.map(u32::from));
         let (degree, is_grid) = match sheet {
             Sheet::Grid(_) => (3, 1),
             Sheet::Cubic(_) => (3, 0),
@@ -178,7 +178,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
     let out = if measures.is_null() { Ok(None) } else { input::output_struct(measures, "measures").map(Some) };
     guard_change(context, |job| {
         let (out, sheet) = (out?, &handle::get_object(sheet, "sheet")?.0);
-        let cells = input::read(cells, true, "cells")?;
+        let cells = input::read_versioned_struct(cells, true, "cells")?;
         let all = GUSSET_SHEET_MEASURE_DIAMETERS | GUSSET_SHEET_MEASURE_CURVATURE | GUSSET_SHEET_MEASURE_CREASE;
         if parts & !all != 0 {
             return Err(Failure::unknown_value("parts", parts.into()));
@@ -202,14 +202,14 @@ pub unsafe extern "C" fn gusset_sheet_measure(
         let sizes = with_sizes.then(|| Diameters::new(sheet, &job.part(0.0, 0.2))).transpose()?;
         let estimates = errors.is_some().then(|| sheet.interpolation_errors(&job.part(0.2, 0.4))).transpose()?;
         let is_flat_wanted = bilinear.is_some() || triangles.is_some();
-        let flat = is_flat_wanted.then(|| sheet.flatnesses(&job.part(0.4, 0.6))).transpose()?;
+        let flat = is_flat_wanted.then(|| sheet.flatness_bounds_of_cells(&job.part(0.4, 0.6))).transpose()?;
         let with_curvature = is_wanted(GUSSET_SHEET_MEASURE_CURVATURE);
         let curvature = with_curvature.then(|| curvature_bound(sheet, &job.part(0.6, 0.8))).transpose()?;
         let with_crease = is_wanted(GUSSET_SHEET_MEASURE_CREASE);
-        let crease = with_crease.then(|| sheet.crease(&job.part(0.8, 1.0))).transpose()?;
+        let crease = with_crease.then(|| sheet.largest_crease_angle(&job.part(0.8, 1.0))).transpose()?;
         job.finish()?;
 
-        let greatest = |sizes: &Diameters| [sizes.euclidean.greatest(), sizes.intrinsic.greatest()];
+        let greatest = |sizes: &Diameters| [sizes.euclidean.largest_bound(), sizes.intrinsic.largest_bound()];
         let [diameter, intrinsic_diameter] = sizes.as_ref().filter(|_| with_diameters).map_or([0.0; 2], greatest);
         if let Some(sizes) = sizes {
             euclidean.into_iter().for_each(|to| to.copy_from_slice(sizes.euclidean.values()));

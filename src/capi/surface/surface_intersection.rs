@@ -34,7 +34,7 @@ pub struct gusset_intersection_options {
 versioned! { gusset_intersection_options: 32 reserved }
 
 fn read_options(options: *const gusset_intersection_options) -> Result<Options, Failure> {
-    let options = input::read(options, true, "options")?;
+    let options = input::read_versioned_struct(options, true, "options")?;
     let chord = match to_point_spacing(options.spacing, options.chord, 0)? {
         PointSpacing::Auto => None,
         PointSpacing::CellEdges => Some(f64::INFINITY),

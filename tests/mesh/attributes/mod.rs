@@ -19,7 +19,8 @@ fn carried(origins: &Origins, domain: Domain, rule: Rule, components: usize, inp
     }
     let count = origins.table(domain).len();
     let mut out = vec![f64::NAN; count * components];
-    let mut output = Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel.values()).unwrap();
+    let mut output =
+        Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel.value_type_and_components()).unwrap();
     apply(origins, &channel, &mut output, &Job::new(0, &Steady::default())).unwrap();
     out
 }

@@ -20,7 +20,12 @@ fn caps() -> super::Case {
 fn applied<T: bytemuck::Pod>(origins: &Origins, channel: &Channel<'_>, components: usize) -> Result<Vec<T>, Error> {
     let count = origins.table(Domain::Vertices).len();
     let mut out = vec![T::zeroed(); count * components];
-    apply(origins, channel, &mut Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel.values())?, &job())?;
+    apply(
+        origins,
+        channel,
+        &mut Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel.value_type_and_components())?,
+        &job(),
+    )?;
     Ok(out)
 }
 
@@ -150,7 +155,7 @@ fn the_same_for_any_threads_and_strides() {
         let count = origins.table(Domain::Vertices).len();
         let step = if stride == 0 { 12 } else { stride };
         let mut out = vec![0xAAu8; 1 + (count - 1) * step + 12];
-        let mut output = Output::new(&mut out[1..], stride, count, channel.values()).unwrap();
+        let mut output = Output::new(&mut out[1..], stride, count, channel.value_type_and_components()).unwrap();
         apply(&origins, &channel, &mut output, &Job::new(threads, &crate::common::Silent)).unwrap();
         if step > 12 {
             assert!(out[1 + 12..].chunks(step).all(|gap| gap.iter().take(step - 12).all(|&byte| byte == 0xAA)));
@@ -201,8 +206,14 @@ fn what_does_not_fit_is_refused() {
         ));
     }
     let channel = Channel::new(Domain::Vertices, ValueType::F64, 1, Rule::Linear).unwrap();
-    assert!(matches!(Output::new(&mut [0; 23], 0, 3, channel.values()), Err(Error::ArrayTooShort { .. })));
-    assert!(matches!(Output::new(&mut [0; 24], 7, 3, channel.values()), Err(Error::StrideTooSmall { .. })));
+    assert!(matches!(
+        Output::new(&mut [0; 23], 0, 3, channel.value_type_and_components()),
+        Err(Error::ArrayTooShort { .. })
+    ));
+    assert!(matches!(
+        Output::new(&mut [0; 24], 7, 3, channel.value_type_and_components()),
+        Err(Error::StrideTooSmall { .. })
+    ));
 }
 
 fn welding() -> assemble::Options<'static> {

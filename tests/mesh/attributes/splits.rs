@@ -4,7 +4,7 @@ use super::fields::job;
 use crate::common::{Soup, cap, data, edge_counts, some_of, torus};
 use gusset::Error;
 use gusset::assemble::{self, assemble};
-use gusset::attributes::{Domain, KeepSplits, Origins, Rule};
+use gusset::attributes::{Domain, KeepSplitVertices, Origins, Rule};
 use gusset::boundary::{self, boundary_loops};
 use gusset::fill::{self, LoopSelection, fill_holes};
 use gusset::mesh::merge::merge_map;
@@ -156,7 +156,7 @@ fn real_meshes_are_what_they_were_before() {
         let view = split.view();
         let plain = fill::Options { refinement: fill::Refinement::None, ..fill::Options::default() };
         let mut made = fill_holes(&view, LoopSelection::All, &plain, &job()).unwrap();
-        made.keep_splits(&[&view], &job()).unwrap();
+        made.keep_split_vertices(&[&view], &job()).unwrap();
         if made.turned_outwards.is_empty() {
             assert_kept(&split, &made.mesh, &Origins::from_filled(&made, &job()).unwrap(), None);
         }
@@ -172,11 +172,11 @@ fn loops_and_results_are_those_of_the_mesh_before() {
         let options = fill::Options { refinement: fill::Refinement::RimDensity(500), ..fill::Options::default() };
         let expected = fill_holes(&whole, LoopSelection::All, &options, &job()).unwrap();
         let mut made = fill_holes(&view, LoopSelection::All, &options, &job()).unwrap();
-        made.keep_splits(&[&view], &job()).unwrap();
+        made.keep_split_vertices(&[&view], &job()).unwrap();
         assert_kept(&split, &made.mesh, &Origins::from_filled(&made, &job()).unwrap(), Some(&expected.mesh));
 
         let mut made = orient(&view, &orient::Options::default(), &job()).unwrap();
-        made.keep_splits(&[&view], &job()).unwrap();
+        made.keep_split_vertices(&[&view], &job()).unwrap();
         assert_kept(
             &split,
             &made.mesh,
@@ -188,7 +188,7 @@ fn loops_and_results_are_those_of_the_mesh_before() {
             let rows = Options { rows: Rows::Count(2), ..Options::default() };
             let within = |a| stitch(&Request { a, loop_a: None, b: None, loop_b: None }, &rows, &job());
             if let (Ok(mut made), Ok(expected)) = (within(&view), within(&whole)) {
-                made.keep_splits(&[&view], &job()).unwrap();
+                made.keep_split_vertices(&[&view], &job()).unwrap();
                 let turned = made.turned || !made.turned_outwards.is_empty();
                 if !turned {
                     assert_kept(
@@ -202,7 +202,7 @@ fn loops_and_results_are_those_of_the_mesh_before() {
             let views = [view];
             let mut made =
                 assemble(&views, &assemble::Options { keep_orientation: true, ..Default::default() }, &job()).unwrap();
-            made.keep_splits(&[&views[0]], &job()).unwrap();
+            made.keep_split_vertices(&[&views[0]], &job()).unwrap();
             assert_kept(&split, &made.mesh, &Origins::from_assembly(&made, &job()).unwrap(), None);
         }
     }
@@ -247,9 +247,9 @@ fn split_vertices_are_no_unused_ones() {
         let used = split.split.corners.iter().collect::<BTreeSet<_>>().len();
         let options = weld::Options { remove_unused: true, ..weld::Options::default() };
         let mut welded = weld(&split.view(), &options, &job()).unwrap();
-        welded.keep_splits(&[&split.view()], &job()).unwrap();
+        welded.keep_split_vertices(&[&split.view()], &job()).unwrap();
         let mut sewn = sew(&split.view(), &options, &job()).unwrap();
-        sewn.keep_splits(&[&split.view()], &job()).unwrap();
+        sewn.keep_split_vertices(&[&split.view()], &job()).unwrap();
         for (mesh, map) in [(&welded.mesh, &welded.vertex_map), (&sewn.mesh, &sewn.vertex_map)] {
             assert_eq!(mesh.positions.len(), used, "{seed}");
             let was = split.split.corners.iter().map(|&v| map[v as usize]);

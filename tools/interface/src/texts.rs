@@ -14,7 +14,7 @@ fn head(what: &str) -> String {
 /// The function `text(status)`. A text can follow a colon: it begins in lower case, without a dot.
 pub fn statuses(sources: &[Source]) -> String {
     let mut code = head("status");
-    code += "/// The text of a status, without a dot.\npub(super) fn text(status: i32) -> &'static CStr {\n    match status {\n";
+    code += "/// The text of a status, without a dot.\npub(super) fn status_text(status: i32) -> &'static CStr {\n    match status {\n";
     for item in sources.iter().flat_map(|source| &source.items) {
         let Kind::Enum(values) = &item.kind else { continue };
         for (_, number, comment) in values {

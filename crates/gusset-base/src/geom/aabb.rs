@@ -74,7 +74,7 @@ impl Aabb {
 
     /// Returns an upper bound of the length of every vector in the box.
     #[inline]
-    pub fn max_norm(&self) -> f64 {
+    pub fn max_vector_length(&self) -> f64 {
         self.low.abs().max(self.high.abs()).length()
     }
 
@@ -99,27 +99,27 @@ impl Aabb {
 
     /// Returns the gap between the boxes along each axis, negative where they overlap.
     #[inline]
-    pub fn separation(&self, other: &Aabb) -> DVec3 {
+    pub fn axis_gaps(&self, other: &Aabb) -> DVec3 {
         (self.low - other.high).max(other.low - self.high)
     }
 
     /// Returns true if the gap between the boxes is at most `slack` along every axis.
     #[inline]
     pub fn is_within(&self, other: &Aabb, slack: f64) -> bool {
-        self.separation(other).max_element() <= slack
+        self.axis_gaps(other).max_element() <= slack
     }
 
     /// Returns the distance between the boxes, 0 if they overlap.
     #[inline]
     pub fn distance(&self, other: &Aabb) -> f64 {
-        self.separation(other).max(DVec3::ZERO).length()
+        self.axis_gaps(other).max(DVec3::ZERO).length()
     }
 }
 
 /// Returns the minimum and maximum of some numbers; [infinity, -infinity] if there are none. Skips
 /// NaN.
 #[inline(always)]
-pub fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+pub fn range_of_values(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     values.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
@@ -151,10 +151,10 @@ mod tests {
             let between = least(&mut of_a.iter().flat_map(|x| of_b.iter().map(|y| x.distance_squared(*y))));
             prop_assert_eq!(a.distance(&b), between.sqrt());
             prop_assert_eq!(a.overlaps(&b), between == 0.0);
-            prop_assert_eq!(a.separation(&b).max_element() <= 0.0, between == 0.0);
+            prop_assert_eq!(a.axis_gaps(&b).max_element() <= 0.0, between == 0.0);
             prop_assert_eq!(a.union(b), Aabb::from_points(p.iter().chain(&q)));
             prop_assert_eq!(a.minkowski_sum(b), Aabb::from_points(of_a.iter().flat_map(|&x| of_b.iter().map(move |&y| x + y))));
-            prop_assert_eq!(a.max_norm(), of_a.iter().map(|x| x.length()).fold(0.0, f64::max));
+            prop_assert_eq!(a.max_vector_length(), of_a.iter().map(|x| x.length()).fold(0.0, f64::max));
             prop_assert_eq!(grid_points(&a.inflated(1.0)).len() as f64, (a.size() + 3.0).element_product());
         }
     }
@@ -166,7 +166,7 @@ mod tests {
         assert_eq!(Aabb::EMPTY.union(one), one);
         assert_eq!(Aabb::EMPTY.distance_squared(DVec3::ONE), f64::INFINITY);
         assert_eq!(one.diagonal(), 0.0);
-        assert_eq!(range([2.0, f64::NAN, -1.0]), [-1.0, 2.0]);
-        assert_eq!(range([]), [f64::INFINITY, f64::NEG_INFINITY]);
+        assert_eq!(range_of_values([2.0, f64::NAN, -1.0]), [-1.0, 2.0]);
+        assert_eq!(range_of_values([]), [f64::INFINITY, f64::NEG_INFINITY]);
     }
 }

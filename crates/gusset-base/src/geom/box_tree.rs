@@ -9,7 +9,7 @@ use super::Aabb;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::sort::{select_by_rank, select_reported};
+use crate::sort::{select_by_rank, select_by_rank_reported};
 use glam::DVec3;
 
 /// The tree. Takes 48 bytes a node, with at most four nodes for each leaf.
@@ -32,19 +32,19 @@ impl BoxTree {
     ) -> Result<Self> {
         let (count, leaves) = (boxes.len(), boxes.len().next_power_of_two());
         let mut nodes = alloc::with_capacity(2 * leaves)?;
-        job.ranges(stage, leaves, |range| {
+        job.work_in_ranges(stage, leaves, |range| {
             nodes.resize(range.end, Aabb::EMPTY);
             Ok(())
         })?;
-        job.ranges(stage, count, |range| {
+        job.work_in_ranges(stage, count, |range| {
             nodes.extend(boxes.by_ref().take(range.len()));
             Ok(())
         })?;
-        job.ranges(stage, leaves - count, |range| {
+        job.work_in_ranges(stage, leaves - count, |range| {
             nodes.resize(nodes.len() + range.len(), Aabb::EMPTY);
             Ok(())
         })?;
-        job.ranges(stage, leaves, |range| {
+        job.work_in_ranges(stage, leaves, |range| {
             for k in range.map(|k| leaves - k).filter(|&k| k < leaves) {
                 nodes[k] = nodes[2 * k].union(nodes[2 * k + 1]);
             }
@@ -80,14 +80,14 @@ impl BoxTree {
 
     /// Calls `leaf` for the leaves whose boxes are within `slack` of `b` along every axis, in
     /// ascending order.
-    pub fn overlapping(&self, b: &Aabb, slack: f64, leaf: impl FnMut(usize) -> Result<()>) -> Result<()> {
-        self.descend(|_, node| node.is_within(b, slack), leaf)
+    pub fn visit_overlapping(&self, b: &Aabb, slack: f64, leaf: impl FnMut(usize) -> Result<()>) -> Result<()> {
+        self.visit_accepted(|_, node| node.is_within(b, slack), leaf)
     }
 
     /// Calls `leaf` in ascending order for each leaf that `enter` accepts, together with all nodes
     /// above it. `enter` receives the index and box of a node.
     #[inline]
-    pub fn descend(
+    pub fn visit_accepted(
         &self,
         enter: impl Fn(usize, &Aabb) -> bool,
         mut leaf: impl FnMut(usize) -> Result<()>,
@@ -148,10 +148,10 @@ fn split_boxes(
         split_boxes_unreported(boxes, order, group_size);
     } else if order.len() > group_size {
         report(0)?;
-        let (end, axis) = split_rule(boxes, order);
+        let (end, axis) = choose_split_rule(boxes, order);
         report(0)?;
         let split_position = split_position(order, group_size);
-        select_reported(order, split_position, |i| end(&boxes[i as usize])[axis], &mut || report(0))?;
+        select_by_rank_reported(order, split_position, |i| end(&boxes[i as usize])[axis], &mut || report(0))?;
         let (first, second) = order.split_at_mut(split_position);
         split_boxes(boxes, first, group_size, report)?;
         split_boxes(boxes, second, group_size, report)?;
@@ -161,7 +161,7 @@ fn split_boxes(
 
 fn split_boxes_unreported(boxes: &[Aabb], order: &mut [u32], group_size: usize) {
     if order.len() > group_size {
-        let (end, axis) = split_rule(boxes, order);
+        let (end, axis) = choose_split_rule(boxes, order);
         let split_position = split_position(order, group_size);
         select_by_rank(order, split_position, |i| end(&boxes[i as usize])[axis]);
         let (first, second) = order.split_at_mut(split_position);
@@ -173,7 +173,7 @@ fn split_boxes_unreported(boxes: &[Aabb], order: &mut [u32], group_size: usize) 
 /// One end of the boxes, and the axis along which these ends are spread most.
 type SplitRule = (fn(&Aabb) -> DVec3, usize);
 
-fn split_rule(boxes: &[Aabb], order: &[u32]) -> SplitRule {
+fn choose_split_rule(boxes: &[Aabb], order: &[u32]) -> SplitRule {
     let spread = |end: fn(&Aabb) -> DVec3| Aabb::from_points(order.iter().map(|&i| end(&boxes[i as usize]))).size();
     let ends: [fn(&Aabb) -> DVec3; 2] = [|b| b.low, |b| b.high];
     let [low, high] = ends.map(spread);
@@ -207,7 +207,7 @@ mod tests {
             for (k, query) in boxes.iter().enumerate() {
                 for slack in [0.0, 1.0] {
                     let (mut leaves, mut found) = (Vec::new(), Vec::<u32>::new());
-                    tree.overlapping(query, slack, |leaf| {
+                    tree.visit_overlapping(query, slack, |leaf| {
                         leaves.push(leaf);
                         found.extend(order.chunks(group).nth(leaf).into_iter().flatten().copied());
                         Ok(())

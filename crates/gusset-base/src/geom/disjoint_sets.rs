@@ -80,7 +80,7 @@ impl DisjointSets {
     /// Returns the root of every element in a single pass, because parents precede their children.
     /// The host can cancel.
     pub fn into_roots(mut self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
-        job.ranges(stage, self.parents.len(), |range| {
+        job.work_in_ranges(stage, self.parents.len(), |range| {
             for i in range {
                 self.parents[i] = self.parents[self.parents[i] as usize];
             }

@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::geom::Aabb;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::sort::{select_by_rank, select_reported};
+use crate::sort::{select_by_rank, select_by_rank_reported};
 use glam::DVec3;
 use std::ops::{ControlFlow, Range};
 
@@ -23,7 +23,7 @@ const MAX_UNREPORTED_POINTS: usize = 1 << 15;
 /// The smallest distance in `order` between the middles of two ranges that are not searched
 /// linearly. The smaller such range has at least 9 points, so at least 4 on either side of its
 /// middle.
-const MIN_SEARCHED_MIDDLE_DISTANCE: usize = 5;
+const MIN_INNER_NODE_SPACING: usize = 5;
 
 /// Marks a range whose points belong to several groups.
 const SEVERAL_GROUPS: u32 = u32::MAX;
@@ -41,7 +41,7 @@ pub struct KdTree<'a> {
     /// groups.
     least: Vec<u32>,
     /// The bounding boxes of the inner ranges. The box of a range with middle index m is at m /
-    /// [`MIN_SEARCHED_MIDDLE_DISTANCE`], rounded down. Empty for a tree without boxes.
+    /// [`MIN_INNER_NODE_SPACING`], rounded down. Empty for a tree without boxes.
     boxes: Vec<Aabb>,
     whole: Aabb,
 }
@@ -72,10 +72,10 @@ impl<'a> KdTree<'a> {
     /// together, such as samples of a curve: bounding boxes discriminate where the cells do not.
     /// Takes 10 bytes a point more.
     #[inline]
-    pub fn with_boxes(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
+    pub fn with_range_boxes(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = Self::new(points, job, stage)?;
-        let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(MIN_SEARCHED_MIDDLE_DISTANCE))?;
-        tree.compute_range_boxes(0..points.len(), &mut boxes);
+        let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(MIN_INNER_NODE_SPACING))?;
+        tree.compute_boxes_of_ranges(0..points.len(), &mut boxes);
         tree.boxes = boxes;
         Ok(tree)
     }
@@ -83,21 +83,21 @@ impl<'a> KdTree<'a> {
     /// Returns the points' indices in the order of the tree, in which neighbours are close
     /// together.
     #[inline]
-    pub fn order(&self) -> &[u32] {
+    pub fn tree_order(&self) -> &[u32] {
         &self.order
     }
 
     /// Stores and returns the bounding box of a range.
-    fn compute_range_boxes(&self, range: Range<usize>, out: &mut [Aabb]) -> Aabb {
+    fn compute_boxes_of_ranges(&self, range: Range<usize>, out: &mut [Aabb]) -> Aabb {
         if range.len() <= MAX_LEAF_POINTS {
             return Aabb::from_points(self.order[range].iter().map(|&index| self.points[index as usize]));
         }
         let middle = usize::midpoint(range.start, range.end);
-        let low = self.compute_range_boxes(range.start..middle, out);
-        let high = self.compute_range_boxes(middle + 1..range.end, out);
+        let low = self.compute_boxes_of_ranges(range.start..middle, out);
+        let high = self.compute_boxes_of_ranges(middle + 1..range.end, out);
         let mut whole = low.union(high);
         whole.add(self.points[self.order[middle] as usize]);
-        out[middle / MIN_SEARCHED_MIDDLE_DISTANCE] = whole;
+        out[middle / MIN_INNER_NODE_SPACING] = whole;
         whole
     }
 
@@ -106,36 +106,36 @@ impl<'a> KdTree<'a> {
     pub fn with_groups(points: &'a [DVec3], groups: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = Self::new(points, job, stage)?;
         let mut group = alloc::filled(SEVERAL_GROUPS, points.len())?;
-        tree.compute_range_groups(0..points.len(), groups, &mut group);
+        tree.compute_groups_of_ranges(0..points.len(), groups, &mut group);
         tree.group = group;
         let mut least = alloc::filled(0, points.len())?;
-        tree.compute_least_indices(0..points.len(), &mut least);
+        tree.compute_min_indices_of_ranges(0..points.len(), &mut least);
         tree.least = least;
         Ok(tree)
     }
 
     /// Stores and returns the smallest index of a range; [`u32::MAX`] if the range is empty.
-    fn compute_least_indices(&self, range: Range<usize>, out: &mut [u32]) -> u32 {
+    fn compute_min_indices_of_ranges(&self, range: Range<usize>, out: &mut [u32]) -> u32 {
         if range.is_empty() {
             return u32::MAX;
         }
         let middle = usize::midpoint(range.start, range.end);
-        let low = self.compute_least_indices(range.start..middle, out);
-        let high = self.compute_least_indices(middle + 1..range.end, out);
+        let low = self.compute_min_indices_of_ranges(range.start..middle, out);
+        let high = self.compute_min_indices_of_ranges(middle + 1..range.end, out);
         out[middle] = low.min(high).min(self.order[middle]);
         out[middle]
     }
 
     /// Stores and returns the common group of a range.
-    fn compute_range_groups(&self, range: Range<usize>, groups: &[u32], out: &mut [u32]) -> u32 {
+    fn compute_groups_of_ranges(&self, range: Range<usize>, groups: &[u32], out: &mut [u32]) -> u32 {
         let of = |place: usize| groups[self.order[place] as usize];
         let middle = usize::midpoint(range.start, range.end);
         let whole = if range.len() <= MAX_LEAF_POINTS {
             let first = range.clone().next().map_or(SEVERAL_GROUPS, of);
             if range.clone().all(|place| of(place) == first) { first } else { SEVERAL_GROUPS }
         } else {
-            let low = self.compute_range_groups(range.start..middle, groups, out);
-            let high = self.compute_range_groups(middle + 1..range.end, groups, out);
+            let low = self.compute_groups_of_ranges(range.start..middle, groups, out);
+            let high = self.compute_groups_of_ranges(middle + 1..range.end, groups, out);
             if low == high && low == of(middle) { low } else { SEVERAL_GROUPS }
         };
         if !range.is_empty() {
@@ -187,7 +187,7 @@ impl<'a> KdTree<'a> {
         // Testing the points of a leaf costs no more than testing its box.
         if !self.boxes.is_empty()
             && range.len() > MAX_LEAF_POINTS
-            && let Some(around) = self.boxes.get(middle / MIN_SEARCHED_MIDDLE_DISTANCE)
+            && let Some(around) = self.boxes.get(middle / MIN_INNER_NODE_SPACING)
             && around.distance_squared(query) > best.0
         {
             return;
@@ -221,23 +221,23 @@ impl KdTree<'_> {
     /// Calls `visit` with (squared distance in units of the reach, index) for every point within
     /// `reach` of the query, in unspecified order. O(log n) for each point found.
     pub fn for_each_within(&self, query: DVec3, reach: ScaledRadius, visit: &mut impl FnMut(f64, u32)) {
-        let _ = self.visit_within(query, reach, &mut |squared, index| {
+        let _ = self.try_for_each_within(query, reach, &mut |squared, index| {
             visit(squared, index);
             ControlFlow::Continue(())
         });
     }
 
     /// [`for_each_within`](Self::for_each_within), until `visit` breaks.
-    pub fn visit_within(
+    pub fn try_for_each_within(
         &self,
         query: DVec3,
         reach: ScaledRadius,
         visit: &mut impl FnMut(f64, u32) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        self.visit_range_within(0..self.order.len(), query, reach, visit)
+        self.try_for_each_of_range_within(0..self.order.len(), query, reach, visit)
     }
 
-    fn visit_range_within(
+    fn try_for_each_of_range_within(
         &self,
         range: Range<usize>,
         query: DVec3,
@@ -257,10 +257,10 @@ impl KdTree<'_> {
         let offset = self.points[self.order[middle] as usize][axis] - query[axis];
         let near = reach.scaled_length_squared(DVec3::new(offset, 0.0, 0.0)) <= reach.limit;
         if near || offset >= 0.0 {
-            self.visit_range_within(range.start..middle, query, reach, visit)?;
+            self.try_for_each_of_range_within(range.start..middle, query, reach, visit)?;
         }
         if near || offset <= 0.0 {
-            self.visit_range_within(middle + 1..range.end, query, reach, visit)?;
+            self.try_for_each_of_range_within(middle + 1..range.end, query, reach, visit)?;
         }
         ControlFlow::Continue(())
     }
@@ -311,7 +311,7 @@ fn split_points_reported(
     let axis = longest_axis(points, order);
     report(0)?;
     let middle = order.len() / 2;
-    select_reported(order, middle, |i| points[i as usize][axis], &mut || report(0))?;
+    select_by_rank_reported(order, middle, |i| points[i as usize][axis], &mut || report(0))?;
     let [(left, left_axes), (right, right_axes)] = halves_around_middle(order, axes, axis);
     split_points_reported(points, left, left_axes, report)?;
     split_points_reported(points, right, right_axes, report)
@@ -369,7 +369,7 @@ mod tests {
             let expected = nearest(&accept);
             let tree = KdTree::new(&points, &Job::default(), "").unwrap();
             prop_assert_eq!(tree.nearest(query, f64::INFINITY, accept), expected);
-            let with_boxes = KdTree::with_boxes(&points, &Job::default(), "").unwrap();
+            let with_boxes = KdTree::with_range_boxes(&points, &Job::default(), "").unwrap();
             prop_assert_eq!(with_boxes.nearest(query, f64::INFINITY, accept), expected);
             // Groups of neighbours, so that whole subtrees belong to one group.
             let groups: Vec<u32> = points.iter().map(|p| p.x as u32 / 2).collect();

@@ -16,8 +16,8 @@ use glam::DVec3;
 /// end there. O(nodes), unless long runs of nodes coincide.
 pub fn node_normals(nodes: &[DVec3], [rows, columns]: [usize; 2], closed: [bool; 2]) -> Result<Vec<DVec3>> {
     let at = |i: usize, j: usize| nodes[i * columns + j];
-    let along = |i: usize, j: usize| circle_tangent(rows, closed[0], i, |i| at(i, j));
-    let across = |i: usize, j: usize| circle_tangent(columns, closed[1], j, |j| at(i, j));
+    let along = |i: usize, j: usize| tangent_of_circle_at_point(rows, closed[0], i, |i| at(i, j));
+    let across = |i: usize, j: usize| tangent_of_circle_at_point(columns, closed[1], j, |j| at(i, j));
     let mut normals = alloc::collect((0..rows * columns).map(|k| {
         let (i, j) = (k / columns, k % columns);
         along(i, j).cross(across(i, j)).normalize_or_zero()
@@ -40,7 +40,7 @@ pub fn node_normals(nodes: &[DVec3], [rows, columns]: [usize; 2], closed: [bool;
 /// Returns the tangent direction, at point `k`, of the circle through the point and its nearest
 /// distinct neighbours on either side. At an end of an open line the circle passes through the next
 /// two points.
-pub fn circle_tangent(count: usize, closed: bool, k: usize, at: impl Fn(usize) -> DVec3) -> DVec3 {
+pub fn tangent_of_circle_at_point(count: usize, closed: bool, k: usize, at: impl Fn(usize) -> DVec3) -> DVec3 {
     let p = at(k);
     // The distinct points on one side, the nearest first, inverted about p. Inversion maps the
     // circle to a line along the tangent.

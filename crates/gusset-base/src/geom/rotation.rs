@@ -6,7 +6,7 @@ use glam::{DMat3, DQuat, DVec3};
 /// Returns the rotation R that maximises the trace of R^T M (B. K. P. Horn, *Closed-form solution
 /// of absolute orientation using unit quaternions*, 1987). Its quaternion is the eigenvector of the
 /// largest eigenvalue of a symmetric 4 x 4 matrix.
-pub fn best_rotation(m: DMat3) -> DQuat {
+pub fn rotation_maximising_trace(m: DMat3) -> DQuat {
     let at = |row: usize, column: usize| m.col(column)[row];
     let (x, y, z) = (at(2, 1) - at(1, 2), at(0, 2) - at(2, 0), at(1, 0) - at(0, 1));
     let (xy, xz, yz) = (at(1, 0) + at(0, 1), at(2, 0) + at(0, 2), at(2, 1) + at(1, 2));

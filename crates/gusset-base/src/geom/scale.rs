@@ -25,7 +25,7 @@ pub fn floor_to_power_of_two(x: f64) -> f64 {
 
 /// Returns the distance between two points of any magnitude.
 #[inline]
-pub fn distance(p: DVec3, q: DVec3) -> f64 {
+pub fn overflow_safe_distance(p: DVec3, q: DVec3) -> f64 {
     let unit = common_unit(&[p, q]);
     (p / unit).distance(q / unit) * unit
 }
@@ -43,8 +43,8 @@ mod tests {
         }
         assert_eq!(common_unit(&[DVec3::ZERO]), 1.0);
         assert_eq!(common_unit(&[]), 1.0);
-        assert!((distance(DVec3::X * 3e200, DVec3::Y * 4e200) / 5e200 - 1.0).abs() < 1e-15);
-        assert!((distance(DVec3::X * 3e-200, DVec3::Y * 4e-200) / 5e-200 - 1.0).abs() < 1e-15);
+        assert!((overflow_safe_distance(DVec3::X * 3e200, DVec3::Y * 4e200) / 5e200 - 1.0).abs() < 1e-15);
+        assert!((overflow_safe_distance(DVec3::X * 3e-200, DVec3::Y * 4e-200) / 5e-200 - 1.0).abs() < 1e-15);
         assert!((f64::MAX / common_unit(&[DVec3::splat(f64::MAX)])).powi(2).is_finite());
     }
 }

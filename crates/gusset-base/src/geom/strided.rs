@@ -18,9 +18,9 @@ impl<'a> Strided<'a> {
     /// names the elements in errors.
     ///
     /// # Errors
-    /// [`Error::ArrayTooShort`], and the errors of [`Strided::span`].
+    /// [`Error::ArrayTooShort`], and the errors of [`Strided::byte_span`].
     pub fn new(bytes: &'a [u8], count: usize, stride: usize, size: usize, what: &'static str) -> Result<Self> {
-        let needed = Self::span(count, stride, size, what)?;
+        let needed = Self::byte_span(count, stride, size, what)?;
         let stride = if stride == 0 { size } else { stride };
         match bytes.get(..needed) {
             Some(bytes) => Ok(Strided { bytes, stride, size, count }),
@@ -38,7 +38,7 @@ impl<'a> Strided<'a> {
     ///
     /// # Errors
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
-    pub fn span(count: usize, stride: usize, size: usize, what: &'static str) -> Result<usize> {
+    pub fn byte_span(count: usize, stride: usize, size: usize, what: &'static str) -> Result<usize> {
         if stride != 0 && stride < size {
             return Err(Error::StrideTooSmall { stride: stride as u64, min: size as u64 });
         }
@@ -69,7 +69,7 @@ impl<'a> Strided<'a> {
 
     /// Returns all bytes, if the elements are contiguous.
     #[inline]
-    pub fn without_gaps(&self) -> Option<&'a [u8]> {
+    pub fn contiguous_bytes(&self) -> Option<&'a [u8]> {
         (self.stride == self.size).then_some(self.bytes)
     }
 }
@@ -89,8 +89,8 @@ mod tests {
             let all = Strided::new(&memory[offset..], 4, stride, 4, "numbers").unwrap();
             assert_eq!((0..4).map(|k| all.get::<u32>(k)).collect::<Vec<_>>(), [1000, 1001, 1002, 1003]);
             assert_eq!((all.count(), all.bytes(2)), (4, &1002u32.to_ne_bytes()[..]));
-            assert_eq!(all.without_gaps().is_some(), step == 4);
-            assert_eq!(Strided::span(4, stride, 4, "numbers"), Ok(3 * step + 4));
+            assert_eq!(all.contiguous_bytes().is_some(), step == 4);
+            assert_eq!(Strided::byte_span(4, stride, 4, "numbers"), Ok(3 * step + 4));
             // One byte too few.
             let short = Strided::new(&memory[offset + 1..], 4, stride, 4, "numbers");
             assert_eq!(
@@ -103,11 +103,11 @@ mod tests {
             );
         }
         assert_eq!(Strided::packed(&[7u32, 8]).get::<u32>(1), 8);
-        assert_eq!(Strided::span(0, 9, 4, "numbers"), Ok(0));
-        assert_eq!(Strided::span(1, 9, 4, "numbers"), Ok(4));
-        assert_eq!(Strided::span(2, 3, 4, "numbers"), Err(Error::StrideTooSmall { stride: 3, min: 4 }));
+        assert_eq!(Strided::byte_span(0, 9, 4, "numbers"), Ok(0));
+        assert_eq!(Strided::byte_span(1, 9, 4, "numbers"), Ok(4));
+        assert_eq!(Strided::byte_span(2, 3, 4, "numbers"), Err(Error::StrideTooSmall { stride: 3, min: 4 }));
         let overflow = Err(Error::SizeOverflow { what: "numbers", count: 3 });
-        assert_eq!(Strided::span(3, usize::MAX / 2, 4, "numbers"), overflow);
-        assert_eq!(Strided::span(3, isize::MAX as usize / 2, 4, "numbers"), overflow);
+        assert_eq!(Strided::byte_span(3, usize::MAX / 2, 4, "numbers"), overflow);
+        assert_eq!(Strided::byte_span(3, isize::MAX as usize / 2, 4, "numbers"), overflow);
     }
 }

@@ -58,21 +58,21 @@ pub trait Subdivision<P, const K: usize> {
     /// The reason for stopping the search early.
     type Stop;
 
-    fn classify(&mut self, part: &P) -> Result<BoxTest<Self::Solution, Self::Split>, Self::Stop>;
+    fn classify_box(&mut self, part: &P) -> Result<BoxTest<Self::Solution, Self::Split>, Self::Stop>;
 
     /// Receives the only solution of a box.
-    fn accept(&mut self, part: P, solution: Self::Solution) -> Result<(), Self::Stop>;
+    fn record_solution(&mut self, part: P, solution: Self::Solution) -> Result<(), Self::Stop>;
 
     /// Receives a box that will not be split further. `exhausted` tells whether `max_boxes` boxes
     /// have been examined.
-    fn give_up(&mut self, part: P, exhausted: bool) -> Result<(), Self::Stop>;
+    fn record_unresolved(&mut self, part: P, exhausted: bool) -> Result<(), Self::Stop>;
 
     /// Splits a box. The last part is examined first.
-    fn split(&mut self, part: P, split: Self::Split) -> [P; K];
+    fn split_box(&mut self, part: P, split: Self::Split) -> [P; K];
 
     /// Makes room for K parts. Override it to report a lack of memory as an error.
     #[inline(always)]
-    fn reserve(_stack: &mut BoxStack<P>) -> Result<(), Self::Stop> {
+    fn reserve_stack(_stack: &mut BoxStack<P>) -> Result<(), Self::Stop> {
         Ok(())
     }
 }
@@ -93,14 +93,14 @@ pub fn subdivide<P, const K: usize, S: Subdivision<P, K>>(
     while let Some((part, depth)) = next.take().or_else(|| stack.pop()) {
         examined += 1;
         let exhausted = examined >= limits.max_boxes;
-        match system.classify(&part)? {
+        match system.classify_box(&part)? {
             BoxTest::Empty => {}
-            BoxTest::Unique(solution) => system.accept(part, solution)?,
+            BoxTest::Unique(solution) => system.record_solution(part, solution)?,
             BoxTest::Undecided(split) if depth < limits.max_depth && !exhausted => {
-                S::reserve(stack)?;
-                stack.extend(system.split(part, split).map(|part| (part, depth + 1)));
+                S::reserve_stack(stack)?;
+                stack.extend(system.split_box(part, split).map(|part| (part, depth + 1)));
             }
-            BoxTest::Undecided(_) | BoxTest::Unresolved => system.give_up(part, exhausted)?,
+            BoxTest::Undecided(_) | BoxTest::Unresolved => system.record_unresolved(part, exhausted)?,
         }
     }
     Ok(())
@@ -155,7 +155,7 @@ pub fn cluster_touching_boxes(
         [middle.x - CONTACT_GROWTH_FACTOR * half.x, middle.x + CONTACT_GROWTH_FACTOR * half.x]
     };
     let mut order = alloc::collect(0..boxes.len() as u32)?;
-    sort::stable(&mut order, &|&a, &b| ends(a)[0].total_cmp(&ends(b)[0]).then(a.cmp(&b)));
+    sort::sort_stable(&mut order, &|&a, &b| ends(a)[0].total_cmp(&ends(b)[0]).then(a.cmp(&b)));
     let mut sets = DisjointSets::new(boxes.len())?;
     let mut active: Vec<u32> = alloc::with_capacity(boxes.len())?;
     for (place, &k) in order.iter().enumerate() {
@@ -209,7 +209,7 @@ mod tests {
         type Split = ();
         type Stop = ();
 
-        fn classify(&mut self, &[low, high]: &[f64; 2]) -> Result<BoxTest<f64, ()>, ()> {
+        fn classify_box(&mut self, &[low, high]: &[f64; 2]) -> Result<BoxTest<f64, ()>, ()> {
             self.examined += 1;
             let values = [low * low, high * high];
             let range = [if low * high < 0.0 { 0.0 } else { values[0].min(values[1]) }, values[0].max(values[1])];
@@ -222,18 +222,18 @@ mod tests {
             })
         }
 
-        fn accept(&mut self, [low, high]: [f64; 2], root: f64) -> Result<(), ()> {
+        fn record_solution(&mut self, [low, high]: [f64; 2], root: f64) -> Result<(), ()> {
             assert!((low..=high).contains(&root));
             self.found.push(root);
             Ok(())
         }
 
-        fn give_up(&mut self, part: [f64; 2], exhausted: bool) -> Result<(), ()> {
+        fn record_unresolved(&mut self, part: [f64; 2], exhausted: bool) -> Result<(), ()> {
             self.given_up.push(part);
             if exhausted { Err(()) } else { Ok(()) }
         }
 
-        fn split(&mut self, [low, high]: [f64; 2], (): ()) -> [[f64; 2]; 2] {
+        fn split_box(&mut self, [low, high]: [f64; 2], (): ()) -> [[f64; 2]; 2] {
             let middle = 0.25 * low + 0.75 * high;
             [[middle, high], [low, middle]]
         }

@@ -44,12 +44,12 @@ impl<'a> TriangleTree<'a> {
     /// first place in the order of the tree.
     #[inline]
     pub fn nearest(&self, p: DVec3, limit: f64) -> Option<TrianglePlace> {
-        self.nearest_beside(p, limit, None)
+        self.nearest_with_guess(p, limit, None)
     }
 
     /// [`nearest`](Self::nearest), accelerated by `guess`, a triangle near the point such as the
     /// result of a neighbouring query.
-    pub fn nearest_beside(&self, p: DVec3, limit: f64, guess: Option<u32>) -> Option<TrianglePlace> {
+    pub fn nearest_with_guess(&self, p: DVec3, limit: f64, guess: Option<u32>) -> Option<TrianglePlace> {
         let mut best = TrianglePlace { triangle: u32::MAX, weights: [1.0, 0.0, 0.0], squared: limit };
         let mut look = |triangle: u32| {
             let corners = self.triangles[triangle as usize].map(|v| self.points[v as usize]);

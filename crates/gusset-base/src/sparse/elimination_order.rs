@@ -36,7 +36,7 @@ pub fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl UnknownCoupl
 /// The couplings between unknowns. Two unknowns are coupled if a row of the equations has both.
 pub trait UnknownCouplings {
     /// Visits the rows that have an entry of an unknown.
-    fn for_each_row_of(&self, v: u32, visit: impl FnMut(usize));
+    fn for_each_row_with_unknown(&self, v: u32, visit: impl FnMut(usize));
 
     /// Returns the distance over which unknowns are coupled, in edges.
     fn coupling_reach(&self) -> usize;
@@ -99,7 +99,7 @@ impl<C: UnknownCouplings> NestedDissection<'_, C> {
 
         self.part += 1;
         let (stamp, part) = (&mut self.stamp, self.part);
-        order[..middle].iter().for_each(|&v| self.couplings.for_each_row_of(v, |row| stamp[row] = part));
+        order[..middle].iter().for_each(|&v| self.couplings.for_each_row_with_unknown(v, |row| stamp[row] = part));
         let mut separator = order.len();
         let mut i = middle;
         while i < separator {
@@ -123,7 +123,7 @@ mod tests {
     struct GridCouplings(usize);
 
     impl UnknownCouplings for GridCouplings {
-        fn for_each_row_of(&self, v: u32, mut visit: impl FnMut(usize)) {
+        fn for_each_row_with_unknown(&self, v: u32, mut visit: impl FnMut(usize)) {
             visit(v as usize);
         }
 

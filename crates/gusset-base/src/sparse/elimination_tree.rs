@@ -51,7 +51,7 @@ pub(super) fn forest_postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>
     let (mut order, mut open) = (alloc::with_capacity(n)?, alloc::with_capacity(n)?);
     let mut down = first_child[n];
     loop {
-        job.step_within(order.len(), "solving")?;
+        job.step_within_list(order.len(), "solving")?;
         while down != NONE {
             open.push(down);
             down = first_child[down as usize];
@@ -78,7 +78,7 @@ pub(super) fn factor_column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], 
     let mut first = alloc::filled(NONE, n)?;
     let mut count = alloc::filled(0i64, n)?;
     for (place, &leaf) in order.iter().enumerate() {
-        job.step_within(place, "solving")?;
+        job.step_within_list(place, "solving")?;
         if first[leaf as usize] == NONE {
             count[leaf as usize] = 1;
         }

@@ -64,7 +64,10 @@ impl SparseSymmetric {
 
 impl CholeskyFactor {
     /// Returns the number of columns in each block of rows of a supernode.
-    pub fn columns_of_blocks(&self, s: usize) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator + use<> {
+    pub fn column_counts_of_row_blocks(
+        &self,
+        s: usize,
+    ) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator + use<> {
         columns_of_blocks(self.supernodes.columns(s).len(), self.supernodes.rows_below(s).len())
     }
 }
@@ -133,7 +136,7 @@ impl FactorProgress<'_> {
     }
 
     #[inline]
-    fn count_moves(&mut self, entries: usize) -> Result<()> {
+    fn count_moved_entries(&mut self, entries: usize) -> Result<()> {
         self.count_multiplications(MOVE_COST_IN_MULTIPLICATIONS * entries)
     }
 }
@@ -158,7 +161,7 @@ impl SupernodeElimination<'_> {
         let (columns, rows) = (supernodes.columns(s), supernodes.rows_below(s));
         let (first, width) = (columns.start, columns.len());
         let work = &mut self.work;
-        self.front.reset(width + rows.len(), |count| work.count_moves(count))?;
+        self.front.reset(width + rows.len(), |count| work.count_moved_entries(count))?;
         rows.iter().zip(width as u32..).for_each(|(&row, to)| self.local[row as usize] = to);
         let local = &self.local;
         let place = |row: u32| if (row as usize) < columns.end { row - first as u32 } else { local[row as usize] };
@@ -167,10 +170,10 @@ impl SupernodeElimination<'_> {
         for (k, &column) in supernodes.order[columns.clone()].iter().enumerate() {
             let diagonal = self.matrix.diagonal[column as usize];
             alloc::push(&mut self.diagonal, diagonal)?;
-            *self.front.entry(k, k) = diagonal;
+            *self.front.entry_mut(k, k) = diagonal;
             for &(row, value) in self.below.get(column as usize) {
                 let row = place(supernodes.place[row as usize]);
-                *self.front.entry(row as usize, k) = value;
+                *self.front.entry_mut(row as usize, k) = value;
             }
         }
         for child in supernodes.children(s) {
@@ -178,7 +181,8 @@ impl SupernodeElimination<'_> {
             self.places.clear();
             alloc::extend(&mut self.places, rows.iter().map(|&row| place(row)))?;
             let left = self.updates.len() - triangle_entry_count(rows.len());
-            self.front.add_triangle(&self.places, &self.updates[left..], |count| work.count_moves(count))?;
+            self.front
+                .add_lower_triangle(&self.places, &self.updates[left..], |count| work.count_moved_entries(count))?;
             self.updates.truncate(left);
         }
         let inverse = &mut factor.inverse[columns];
@@ -189,8 +193,8 @@ impl SupernodeElimination<'_> {
                 std::array::from_fn(|i| if i < above { 0.0 } else { lanes[i] })
             };
             factor.entries.extend(self.front.block_columns(b)[..columns].iter().enumerate().map(below_diagonal));
-            work.count_moves(ROWS_PER_BLOCK * columns)?;
+            work.count_moved_entries(ROWS_PER_BLOCK * columns)?;
         }
-        self.front.append_lower_triangle_from_row(width, &mut self.updates, |count| work.count_moves(count))
+        self.front.append_lower_triangle_from_row(width, &mut self.updates, |count| work.count_moved_entries(count))
     }
 }

@@ -124,7 +124,7 @@ fn dense_lower_factor(factor: &CholeskyFactor) -> DenseRows {
         let columns = factor.supernodes.columns(s);
         let rows: Vec<_> =
             columns.clone().chain(factor.supernodes.rows_below(s).iter().map(|&row| row as usize)).collect();
-        for (b, count) in factor.columns_of_blocks(s).enumerate() {
+        for (b, count) in factor.column_counts_of_row_blocks(s).enumerate() {
             for (k, lanes) in columns.clone().zip(&factor.entries[used..used + count]) {
                 for (&row, &entry) in rows[ROWS_PER_BLOCK * b..].iter().zip(lanes) {
                     assert!(row > k || entry == 0.0, "above the diagonal");

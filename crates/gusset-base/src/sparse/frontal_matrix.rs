@@ -57,13 +57,13 @@ impl FrontalMatrix {
 
     /// Returns an entry on the diagonal or below it.
     #[inline]
-    pub(super) fn entry(&mut self, row: usize, column: usize) -> &mut f64 {
+    pub(super) fn entry_mut(&mut self, row: usize, column: usize) -> &mut f64 {
         &mut self.entries[block_start(row / ROWS_PER_BLOCK) + column][row % ROWS_PER_BLOCK]
     }
 
     /// Adds a lower triangle, given row by row. `places` has the positions of its rows, ascending.
     /// Calls `spend` with the number of entries added.
-    pub(super) fn add_triangle(
+    pub(super) fn add_lower_triangle(
         &mut self,
         places: &[u32],
         triangle: &[f64],

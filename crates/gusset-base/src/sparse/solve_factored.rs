@@ -32,7 +32,7 @@ impl CholeskyFactor {
             Ok(())
         };
         for s in 0..self.supernodes.len() {
-            let count = self.columns_of_blocks(s).sum::<usize>();
+            let count = self.column_counts_of_row_blocks(s).sum::<usize>();
             step(used, count)?;
             self.gather_right_sides(s, &y, &mut local)?;
             self.solve_forward(s, used, &mut local);
@@ -43,7 +43,7 @@ impl CholeskyFactor {
             *y = if inverse == 0.0 { DVec3::ZERO } else { *y * inverse };
         }
         for s in (0..self.supernodes.len()).rev() {
-            let count = self.columns_of_blocks(s).sum::<usize>();
+            let count = self.column_counts_of_row_blocks(s).sum::<usize>();
             step(2 * self.entries.len() - used, count)?;
             self.gather_right_sides(s, &y, &mut local)?;
             self.solve_backward(s, used, &mut local);
@@ -61,7 +61,7 @@ impl CholeskyFactor {
 
     /// Copies the entries of `y` in the rows of a supernode to `local`.
     fn gather_right_sides(&self, s: usize, y: &[DVec3], local: &mut Vec<RightSides>) -> Result<()> {
-        alloc::reset(local, self.columns_of_blocks(s).count(), [[0.0; ROWS_PER_BLOCK]; 3])?;
+        alloc::reset(local, self.column_counts_of_row_blocks(s).count(), [[0.0; ROWS_PER_BLOCK]; 3])?;
         for (i, place) in self.unknowns_of_supernode(s).enumerate() {
             set_right_side(local, i, y[place]);
         }
@@ -76,7 +76,7 @@ impl CholeskyFactor {
 
     /// Solves L y = b for the columns of a supernode, whose entries begin at `first_entry`.
     fn solve_forward(&self, supernode: usize, mut first_entry: usize, right_sides: &mut [RightSides]) {
-        for (b, columns) in self.columns_of_blocks(supernode).enumerate() {
+        for (b, columns) in self.column_counts_of_row_blocks(supernode).enumerate() {
             for (k, lanes) in self.entries[first_entry..first_entry + columns].iter().enumerate() {
                 let value = right_side_at(right_sides, k);
                 for (side, value) in right_sides[b].iter_mut().zip(value.to_array()) {
@@ -92,7 +92,7 @@ impl CholeskyFactor {
     /// Solves L^T x = y for the columns of a supernode, whose entries end at `entries_end`. Blocks
     /// and columns run backwards, so that a row is known before it is used.
     fn solve_backward(&self, supernode: usize, mut entries_end: usize, right_sides: &mut [RightSides]) {
-        for (b, columns) in self.columns_of_blocks(supernode).enumerate().rev() {
+        for (b, columns) in self.column_counts_of_row_blocks(supernode).enumerate().rev() {
             entries_end -= columns;
             for (k, lanes) in self.entries[entries_end..entries_end + columns].iter().enumerate().rev() {
                 let sums = right_sides[b].map(|side| sum_pairwise(std::array::from_fn(|i| lanes[i] * side[i])));

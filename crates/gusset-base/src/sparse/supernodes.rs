@@ -48,7 +48,7 @@ impl Supernodes {
     pub fn new(matrix: &SparseSymmetric, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<Self> {
         let n = matrix.row_count();
         if n <= MAX_SINGLE_GROUP_COLUMNS {
-            return Supernodes::single_group(n);
+            return Supernodes::one_supernode(n);
         }
         let parent = elimination_tree_parents(matrix, &job.part(0.0, 0.2))?;
         let count = factor_column_counts(below, &parent, &job.part(0.2, 0.6))?;
@@ -90,12 +90,12 @@ impl Supernodes {
         }
         let mut supernodes =
             Supernodes { order, place, first, rows: Vec::new(), rows_start: Vec::new(), parent, subtree };
-        supernodes.find_rows(below, &job.part(0.6, 1.0))?;
+        supernodes.find_rows_of_supernodes(below, &job.part(0.6, 1.0))?;
         Ok(supernodes)
     }
 
     /// Returns a single group of all columns.
-    fn single_group(n: usize) -> Result<Self> {
+    fn one_supernode(n: usize) -> Result<Self> {
         let numbers = alloc::collect(0..n as u32)?;
         let [place, first, parent, subtree] = [numbers.clone(), vec![0, n as u32], vec![NONE], vec![0]];
         Ok(Supernodes { order: numbers, place, first, rows: Vec::new(), rows_start: vec![0, 0], parent, subtree })
@@ -124,7 +124,7 @@ impl Supernodes {
 
     /// Finds the rows of each group: the union of the matrix's rows in its columns and its
     /// children's rows.
-    fn find_rows(&mut self, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<()> {
+    fn find_rows_of_supernodes(&mut self, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<()> {
         let mut seen = alloc::filled(NONE, self.order.len())?;
         let mut found = Vec::new();
         self.rows_start = alloc::with_capacity(self.len() + 1)?;

@@ -146,7 +146,7 @@ impl<'a> CurveView<'a> {
     }
 
     /// Returns the number of segments after which a closed curve repeats; infinite for an open one.
-    pub(super) fn period_in_segments(&self) -> f64 {
+    pub(super) fn segment_count_if_closed(&self) -> f64 {
         if self.closed { self.len() as f64 } else { f64::INFINITY }
     }
 

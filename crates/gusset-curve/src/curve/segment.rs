@@ -58,27 +58,27 @@ fn scaled_bernstein_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
 }
 
 /// Returns the vector from the first control point to the next distinct one.
-pub(crate) fn first_leg(controls: &[DVec3]) -> DVec3 {
+pub(crate) fn vector_to_next_distinct_control(controls: &[DVec3]) -> DVec3 {
     let first = controls[0];
     controls.iter().find(|&&p| p != first).map_or(DVec3::ZERO, |&p| p - first)
 }
 
 /// Returns the vector from the last distinct control point to the last one.
-pub(crate) fn last_leg(controls: &[DVec3]) -> DVec3 {
+pub(crate) fn vector_from_previous_distinct_control(controls: &[DVec3]) -> DVec3 {
     let last = controls[controls.len() - 1];
     controls.iter().rev().find(|&&p| p != last).map_or(DVec3::ZERO, |&p| last - p)
 }
 
 /// (C - q) . C' / n for a segment C of degree n: half the derivative of the squared distance from
 /// `q`, divided by n. It is a polynomial of degree 2 n - 1.
-pub(crate) struct DistanceSlope {
+pub(crate) struct SquaredDistanceSlope {
     coefficients: [f64; MAX_COEFFICIENTS],
     len: usize,
     /// The largest value that rounding can make of 0.
     rounding_error: f64,
 }
 
-impl DistanceSlope {
+impl SquaredDistanceSlope {
     pub(crate) fn new(controls: &[DVec3], q: DVec3) -> Self {
         let n = controls.len() - 1;
         let mut coefficients = [0.0; MAX_COEFFICIENTS];
@@ -94,7 +94,7 @@ impl DistanceSlope {
             add_product(&place[..=n], &step[..n], 1.0, product);
         }
         let largest = product.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        DistanceSlope { coefficients, len: 2 * n, rounding_error: 4.0 * f64::EPSILON * largest }
+        SquaredDistanceSlope { coefficients, len: 2 * n, rounding_error: 4.0 * f64::EPSILON * largest }
     }
 
     fn coefficients(&self) -> &[f64] {
@@ -103,14 +103,14 @@ impl DistanceSlope {
 
     /// Returns the stationary points of the distance. An interval on which rounding hides the
     /// slope's sign yields one root.
-    pub(crate) fn roots(&self) -> Roots {
+    pub(crate) fn slope_roots(&self) -> Roots {
         roots(self.coefficients(), self.rounding_error)
     }
 
     /// Returns the interval around a root on which rounding hides the slope's sign, up to twice as
     /// long to either side. Returns `None` for a root that is well defined. Near a singular point,
     /// where C' is small too, the interval may be long and the minimum anywhere in it.
-    pub(crate) fn interval_with_uncertain_sign(&self, root: f64) -> Option<[f64; 2]> {
+    pub(crate) fn interval_around_ill_conditioned_root(&self, root: f64) -> Option<[f64; 2]> {
         let slope = |t: f64| value_and_slope(self.coefficients(), t);
         if slope(root).1.abs() * MAX_ROOT_ERROR > self.rounding_error {
             return None;
@@ -160,7 +160,7 @@ impl SegmentBuffer {
     }
 
     /// Keeps the part after `t` and returns the part before it, by de Casteljau's scheme.
-    pub(crate) fn split_off_front(&mut self, t: f64) -> Self {
+    pub(crate) fn split_off_part_before(&mut self, t: f64) -> Self {
         let mut front = *self;
         bernstein::split(self, t, &mut front);
         front
@@ -171,10 +171,10 @@ impl SegmentBuffer {
     pub(crate) fn into_part_between(mut self, from: f64, to: f64) -> Self {
         let mut end = to;
         if from > 0.0 {
-            self.split_off_front(from);
+            self.split_off_part_before(from);
             end = (to - from) / (1.0 - from);
         }
-        if to < 1.0 { self.split_off_front(end) } else { self }
+        if to < 1.0 { self.split_off_part_before(end) } else { self }
     }
 }
 

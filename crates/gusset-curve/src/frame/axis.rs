@@ -8,7 +8,7 @@ use super::frame_options::Axis;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
-use gusset_base::geom::scale::distance;
+use gusset_base::geom::scale::overflow_safe_distance;
 
 /// The sine of the smallest angle between an axis and the reference.
 const MIN_AXIS_TO_REFERENCE_SINE: f64 = 1e-9;
@@ -41,8 +41,12 @@ pub(super) fn axis_frames(
     bad.map_or(Ok(()), |x| Error::require(false, "axis_points", x))?;
     // Halve the points first, because their difference may overflow.
     let half = |k: usize| points[k % n] * 0.5;
-    let chord =
-        |k: usize| Ok((normalise_option_vector(half(k + 1) - half(k), "axis_points")?, distance(half(k), half(k + 1))));
+    let chord = |k: usize| {
+        Ok((
+            normalise_option_vector(half(k + 1) - half(k), "axis_points")?,
+            overflow_safe_distance(half(k), half(k + 1)),
+        ))
+    };
     let chords = alloc::try_collect((0..if ring { n } else { n - 1 }).map(chord))?;
     let tangents = alloc::try_collect((0..n).map(|k| circle_tangent_at(&chords, k, ring)))?;
     let [along, start, second] = orthonormal_axes(tangents[0], reference)?;

@@ -11,7 +11,7 @@ use crate::identify::{Outlines, Points};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
-use gusset_base::geom::node_normals::{circle_tangent, node_normals};
+use gusset_base::geom::node_normals::{node_normals, tangent_of_circle_at_point};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 
@@ -56,7 +56,9 @@ pub fn offset(
     let nodes = &alloc::collect(grid.nodes.iter().map(|&p| p / unit))?[..];
     let inside = alloc::collect((0..rows * columns).map(|k| {
         let row = &nodes[k / columns * columns..][..columns];
-        circle_tangent(columns, closed, k % columns, |j| row[j]).cross(section_area_vector(row)).normalize_or_zero()
+        tangent_of_circle_at_point(columns, closed, k % columns, |j| row[j])
+            .cross(section_area_vector(row))
+            .normalize_or_zero()
     }))?;
     let directions = match direction {
         OffsetDirection::InSection => inside,

@@ -15,7 +15,7 @@ use crate::identify::Outlines;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
-use gusset_base::geom::scale::distance;
+use gusset_base::geom::scale::overflow_safe_distance;
 
 /// A present node and its parameter.
 type KnownNode = (f64, DVec3);
@@ -90,7 +90,7 @@ impl SectionRows {
             let pairs = (0..self.columns)
                 .filter_map(|column| self.node_if_present(row, column).zip(self.node_if_present(next, column)));
             let (sum, count) =
-                pairs.fold((0.0, 0.0), |(sum, count), (p, q)| (sum + distance(p, q).sqrt(), count + 1.0));
+                pairs.fold((0.0, 0.0), |(sum, count), (p, q)| (sum + overflow_safe_distance(p, q).sqrt(), count + 1.0));
             *step = if count > 0.0 { sum / count } else { 0.0 };
         }
         // If no column has both nodes, or all such pairs coincide, use the mean of the other steps.
@@ -121,7 +121,7 @@ impl SectionRows {
             let step = |column: usize, k: usize| {
                 let row = |k: usize| (first + k as isize).rem_euclid(self.rows as isize) as usize;
                 let (p, q) = (self.node_if_present(row(k), column)?, self.node_if_present(row(k + 1), column)?);
-                Some(distance(p, q).sqrt()).filter(|&step| step > 0.0)
+                Some(overflow_safe_distance(p, q).sqrt()).filter(|&step| step > 0.0)
             };
             let mut complete = away.filter(|&other| (0..count - 1).all(|k| step(other, k).is_some()));
             if let Some(other) = complete.next() {

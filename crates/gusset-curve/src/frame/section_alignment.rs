@@ -10,7 +10,7 @@
 //! shifts do not depend on where the lists of points begin.
 
 use crate::curve::Place;
-use crate::ops::Lengths;
+use crate::ops::ArcLengths;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -24,7 +24,7 @@ const RELATIVE_TIE_TOLERANCE: f64 = 1e-9;
 
 /// A closed section, traversed from its anchor.
 pub(super) struct AnchoredSection<'a> {
-    pub(super) lengths: Lengths<'a>,
+    pub(super) lengths: ArcLengths<'a>,
     /// The arc length at the anchor.
     pub(super) anchor: f64,
     pub(super) backwards: bool,
@@ -33,18 +33,18 @@ pub(super) struct AnchoredSection<'a> {
 impl AnchoredSection<'_> {
     /// Returns the place at a fraction of the length after the anchor.
     pub(super) fn place_at_fraction(&self, fraction: f64) -> Result<Place> {
-        let total = self.lengths.total();
+        let total = self.lengths.total_length();
         let by = (fraction - fraction.floor()) * total;
         let at = self.anchor + if self.backwards { -by } else { by };
         let at = if at < 0.0 { at + total } else { at };
-        self.lengths.place(if at >= total { at - total } else { at })
+        self.lengths.place_at_length(if at >= total { at - total } else { at })
     }
 
     /// Returns the arc length from the anchor to a place: at least 0, less than the total length.
     pub(super) fn length_from_anchor(&self, place: Place) -> Result<f64> {
         let by = self.lengths.length_to(place)? - self.anchor;
         let by = if self.backwards { -by } else { by };
-        Ok(if by < 0.0 { by + self.lengths.total() } else { by })
+        Ok(if by < 0.0 { by + self.lengths.total_length() } else { by })
     }
 
     /// Returns points at equal fractions of the length, relative to their mean and scaled to size

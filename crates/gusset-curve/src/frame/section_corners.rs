@@ -10,7 +10,7 @@ use crate::identify::{Constraint, Options, Outlines, PointConstraint};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::{Aabb, scale::distance};
+use gusset_base::geom::{Aabb, scale::overflow_safe_distance};
 use gusset_base::job::Job;
 use gusset_base::sort;
 use std::f64::consts::PI;
@@ -86,7 +86,7 @@ fn points_turning_more_than(turns: &[(u32, f64)], closed: bool, angle: f64) -> R
 /// section's size of the previous point are skipped.
 fn turn_angles(points: impl Iterator<Item = DVec3> + Clone, closed: bool, tolerance: f64) -> Result<Vec<(u32, f64)>> {
     let near = tolerance * Aabb::from_points(points.clone()).diagonal();
-    let is_same = |p: DVec3, q: DVec3| p == q || distance(p, q) <= near;
+    let is_same = |p: DVec3, q: DVec3| p == q || overflow_safe_distance(p, q) <= near;
     let mut distinct: Vec<(u32, DVec3)> = Vec::new();
     for (i, p) in (0..).zip(points) {
         if distinct.last().is_none_or(|&(_, last)| !is_same(last, p)) {
@@ -147,7 +147,7 @@ pub(super) fn point_constraints_with_corners(sections: &Outlines<'_>, corners: &
             }
         }
     }
-    sort::stable(&mut all, &|a, b| a.point.cmp(&b.point));
+    sort::sort_stable(&mut all, &|a, b| a.point.cmp(&b.point));
     Ok(all)
 }
 
@@ -238,7 +238,7 @@ pub(super) fn apportion_parts(shares: &[f64], parts: usize) -> Result<Vec<usize>
         |k: usize| (APPORTIONING_STEPS_PER_PART * free * shares[k] / whole).round() / APPORTIONING_STEPS_PER_PART;
     let mut counts = alloc::collect((0..shares.len()).map(|k| 1 + exact(k).floor() as usize))?;
     let mut order = alloc::collect(0..shares.len())?;
-    sort::stable(&mut order, &|&j, &k| exact(k).fract().total_cmp(&exact(j).fract()).then(j.cmp(&k)));
+    sort::sort_stable(&mut order, &|&j, &k| exact(k).fract().total_cmp(&exact(j).fract()).then(j.cmp(&k)));
     let left = parts.saturating_sub(counts.iter().sum());
     order.into_iter().take(left).for_each(|k| counts[k] += 1);
     Ok(counts)

@@ -15,7 +15,7 @@ use super::section_corners::{
     apportion_parts, find_corners_of_sections, match_corners, nodes_with_sharp_turn, point_constraints_with_corners,
 };
 use crate::identify::{Fit, Options, Outlines, fit};
-use crate::ops::Lengths;
+use crate::ops::ArcLengths;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -186,7 +186,7 @@ fn add_nodes_of_closed_sections(
         };
         for (k, (ring, start)) in rings.iter().zip(starts).enumerate() {
             job.step(0.5 + 0.5 * k as f64 / rows as f64, "finding nodes")?;
-            let total = ring.lengths.total();
+            let total = ring.lengths.total_length();
             let whole = if ring.backwards { -total } else { total };
             add_evenly_spaced_nodes(
                 &ring.lengths,
@@ -213,7 +213,7 @@ fn add_nodes_of_closed_sections(
     let span = |k: usize, i: usize| {
         let [from, to] = [i, (i + 1) % count].map(|i| rings[k].length_from_anchor(place(k, marks[k][i])));
         let by = to? - from?;
-        Ok(if by > 0.0 { by } else { by + rings[k].lengths.total() })
+        Ok(if by > 0.0 { by } else { by + rings[k].lengths.total_length() })
     };
     add_nodes_between_landmarks(&marks, &rings, curves, sections, columns, &span, found)
 }
@@ -231,7 +231,7 @@ fn orient_closed_sections<'a>(
     let mut before = DVec3::ZERO;
     for k in 0..found.rows {
         job.step(k as f64 / found.rows as f64, "finding nodes")?;
-        let lengths = outline_curve(curves, k)?.lengths(&job.share(k, found.rows))?;
+        let lengths = outline_curve(curves, k)?.arc_lengths(&job.share(k, found.rows))?;
         let turn = section_normal(sections, k);
         let backwards = turn.dot(before) < 0.0;
         if turn != DVec3::ZERO {
@@ -260,7 +260,7 @@ fn add_nodes_of_open_sections(
     let mut rings = alloc::with_capacity(rows)?;
     for k in 0..rows {
         job.step(0.8 * k as f64 / rows as f64, "finding nodes")?;
-        let lengths = outline_curve(curves, k)?.lengths(&job.part(0.0, 0.8).share(k, rows))?;
+        let lengths = outline_curve(curves, k)?.arc_lengths(&job.part(0.0, 0.8).share(k, rows))?;
         rings.push(AnchoredSection { lengths, anchor: 0.0, backwards: false });
     }
     let mut marks = shared_corners(sections, corners, columns.saturating_sub(2), &job.part(0.8, 1.0))?;
@@ -322,7 +322,7 @@ fn add_nodes_between_landmarks(
     let mut shares = alloc::filled(0.0, intervals)?;
     for (k, ring) in rings.iter().enumerate() {
         for (i, share) in shares.iter_mut().enumerate() {
-            *share += span(k, i)? / ring.lengths.total();
+            *share += span(k, i)? / ring.lengths.total_length();
         }
     }
     let counts = apportion_parts(&shares, parts)?;
@@ -367,14 +367,14 @@ fn section_normal(sections: &Outlines<'_>, k: usize) -> DVec3 {
 /// Adds `count` nodes from a place on. Consecutive nodes are `length` / `steps` apart, backwards if
 /// `length` is negative. A `closed` curve continues at its start.
 fn add_evenly_spaced_nodes(
-    lengths: &Lengths<'_>,
+    lengths: &ArcLengths<'_>,
     from: Place,
     whole: f64,
     [steps, count]: [usize; 2],
     closed: bool,
     nodes: &mut Vec<DVec3>,
 ) -> Result<()> {
-    let (start, total) = (lengths.length_to(from)?, lengths.total());
+    let (start, total) = (lengths.length_to(from)?, lengths.total_length());
     nodes.push(lengths.curve().point(from)?);
     for i in 1..count {
         let at = match start + whole * (i as f64 / steps as f64) {
@@ -382,7 +382,7 @@ fn add_evenly_spaced_nodes(
             at if closed && at >= total => at - total,
             at => at,
         };
-        nodes.push(lengths.curve().point(lengths.place(at)?)?);
+        nodes.push(lengths.curve().point(lengths.place_at_length(at)?)?);
     }
     Ok(())
 }
@@ -414,7 +414,7 @@ fn add_landmark_nodes(
             (0..each).find(|&i| own[i] as usize >= span.len() || (i > 0 && own[i] <= own[i - 1] && !may_descend));
         check(k * each + wrong.unwrap_or(0), wrong.is_none())?;
         let place = |landmark: u32| curves.place(span.start + landmark as usize);
-        let lengths = curve.lengths(&of_section.part(0.0, 0.5))?;
+        let lengths = curve.arc_lengths(&of_section.part(0.0, 0.5))?;
         let of_section = of_section.part(0.5, 1.0);
         for (i, &landmark) in own.iter().enumerate() {
             of_section.step_every(LANDMARKS_PER_REPORT, i, each, "finding nodes")?;
@@ -427,7 +427,7 @@ fn add_landmark_nodes(
             let mut whole = lengths.length_to(to)? - lengths.length_to(from)?;
             // Landmarks at one place enclose nothing; a single landmark encloses the whole section.
             if whole < 0.0 || each == 1 {
-                whole += lengths.total();
+                whole += lengths.total_length();
             }
             add_evenly_spaced_nodes(&lengths, from, whole, [parts, parts], true, &mut found.nodes)?;
         }

@@ -73,7 +73,7 @@ impl Measure {
     /// [`Error::OutOfMemory`].
     pub fn from_curve(curve: CurveView<'_>) -> Result<Self> {
         let job = Job::default();
-        let girth = curve.lengths(&job)?.total();
+        let girth = curve.arc_lengths(&job)?.total_length();
         Ok(Measure { girth, area: curve.area_vector(&job)?.length(), centre: curve.centre(&job)? })
     }
 }

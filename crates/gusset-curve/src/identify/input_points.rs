@@ -34,7 +34,7 @@ impl<'a> Points<'a> {
     pub fn bytes_needed(stride: usize, count: usize, dimension: usize) -> Result<usize> {
         Error::require((2..=3).contains(&dimension), "dimension", dimension as f64)?;
         Error::check_count("points", count as u64, MAX_POINTS as u64)?;
-        Strided::span(count, stride, 8 * dimension, "points")
+        Strided::byte_span(count, stride, 8 * dimension, "points")
     }
 
     /// Returns the number of points.

@@ -164,7 +164,7 @@ impl<'a> OutlineWorker<'a> {
         self.constraints = rest;
         // Long outlines report progress between the passes over their points.
         let long = |fraction| if span.len() < POINTS_PER_REPORT { Ok(()) } else { job.step(fraction, PROGRESS_STAGE) };
-        self.nodes.read_and_cut(self.outlines, &span, own, self.options)?;
+        self.nodes.normalise_and_divide(self.outlines, &span, own, self.options)?;
         long(0.0)?;
         let (base, first_status) = (self.done.points.len(), self.done.statuses.len());
         let placement = self.nodes.placement;
@@ -173,7 +173,7 @@ impl<'a> OutlineWorker<'a> {
         let mut report = ReportInProgress { report, history: self.options.history.then(Vec::new) };
         let quadratic = self.options.mode == Mode::Composite && self.options.joint != JointParameter::G2;
         if self.nodes.cuts.is_empty() && quadratic {
-            self.identify_closed_without_cuts(&span, base, &mut report, job)?;
+            self.fit_smooth_closed_outline(&span, base, &mut report, job)?;
         } else {
             self.solve_subcurves(&mut report, job)?;
             long(1.0)?;
@@ -185,7 +185,7 @@ impl<'a> OutlineWorker<'a> {
             self.append_curve_and_places(&span, base)?;
         }
         long(1.0)?;
-        self.withdraw_overflowing_curve(&span, base, first_status, &mut report)?;
+        self.replace_overflowing_curve_by_point(&span, base, first_status, &mut report)?;
         self.append_report(first_status, report)
     }
 
@@ -194,10 +194,10 @@ impl<'a> OutlineWorker<'a> {
         self.builder.clear();
         let n = self.nodes.points.len();
         if n < 2 || (self.outlines.closed && n < 3) {
-            return self.solve_one_or_two_nodes(report);
+            return self.fit_one_or_two_points(report);
         }
         if self.nodes.cuts.is_empty() {
-            let (sub, results) = self.nodes.as_subcurve(self.options);
+            let (sub, results) = self.nodes.whole_outline_as_subcurve(self.options);
             let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
             return append_subcurve_curve(&sub, &mut self.composite, &mut self.single, &mut out);
         }
@@ -222,7 +222,7 @@ impl<'a> OutlineWorker<'a> {
     }
 
     /// Treats an outline of one or two nodes as a point, or as a line there and back.
-    fn solve_one_or_two_nodes(&mut self, report: &mut Report) -> Result<()> {
+    fn fit_one_or_two_points(&mut self, report: &mut Report) -> Result<()> {
         report.status = FitStatus::TooFewPoints;
         let OutlineNodes { points, results, .. } = &mut self.nodes;
         results.iter_mut().for_each(|result| result.status = PointStatus::Missed);
@@ -240,7 +240,7 @@ impl<'a> OutlineWorker<'a> {
 
     /// Finds the composite curve of a closed outline without cuts, and writes it at the outline's
     /// position.
-    fn identify_closed_without_cuts(
+    fn fit_smooth_closed_outline(
         &mut self,
         span: &Range<usize>,
         base: usize,
@@ -248,7 +248,7 @@ impl<'a> OutlineWorker<'a> {
         job: &Job<'_>,
     ) -> Result<()> {
         let placement = self.nodes.placement;
-        let (sub, results) = self.nodes.as_subcurve(self.options);
+        let (sub, results) = self.nodes.whole_outline_as_subcurve(self.options);
         let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
         composite::solve_composite_curve(&sub, &mut self.composite, &mut out)?;
         if span.len() >= POINTS_PER_REPORT {
@@ -317,7 +317,7 @@ impl<'a> OutlineWorker<'a> {
 
     /// Withdraws a curve whose control points overflow although its points do not. This can happen
     /// at any size, because control points may be far out where points are close together.
-    fn withdraw_overflowing_curve(
+    fn replace_overflowing_curve_by_point(
         &mut self,
         span: &Range<usize>,
         base: usize,

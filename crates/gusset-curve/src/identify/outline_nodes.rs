@@ -24,14 +24,14 @@ pub(super) struct OutlineNodes {
     /// The outcome at each node.
     pub(super) results: Vec<PointResult>,
     /// Nodes where the outline is cut or ends, and the directions there.
-    pub(super) cuts: Vec<CutNode>,
+    pub(super) cuts: Vec<CornerNode>,
     /// Whether the nodes form a closed outline; two nodes do not.
     pub(super) closed: bool,
-    pub(super) placement: OutlinePlacement,
+    pub(super) placement: NormalisationOfOutline,
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct CutNode {
+pub(super) struct CornerNode {
     pub(super) node: u32,
     /// The unit tangent.
     pub(super) tangent: Option<DVec3>,
@@ -39,7 +39,7 @@ pub(super) struct CutNode {
 
 /// The position of an outline: point = origin + unit * node.
 #[derive(Clone, Copy, Default)]
-pub(super) struct OutlinePlacement {
+pub(super) struct NormalisationOfOutline {
     pub(super) origin: DVec3,
     /// A power of two.
     pub(super) unit: f64,
@@ -50,7 +50,7 @@ pub(super) struct OutlinePlacement {
 
 impl OutlineNodes {
     /// Reads the nodes of some points, and cuts them.
-    pub(super) fn read_and_cut(
+    pub(super) fn normalise_and_divide(
         &mut self,
         outlines: &Outlines<'_>,
         span: &Range<usize>,
@@ -59,7 +59,7 @@ impl OutlineNodes {
     ) -> Result<()> {
         self.normalise_points(outlines, span, options.repeat_tolerance)?;
         self.closed = outlines.closed && self.points.len() > 2;
-        self.find_cuts(span, constraints, options)
+        self.find_dividing_nodes(span, constraints, options)
     }
 
     /// Moves the points near the origin, scales them to a size near 1, and merges repetitions.
@@ -86,7 +86,7 @@ impl OutlineNodes {
             points.truncate(1);
             points.iter_mut().for_each(|p| *p = DVec3::ZERO);
             point_nodes.resize(span.len(), 0);
-            self.placement = OutlinePlacement { origin, unit: 1.0, size: 0.0 };
+            self.placement = NormalisationOfOutline { origin, unit: 1.0, size: 0.0 };
             return Ok(());
         }
         // Exact: the scale is a power of two, far from the ends of the range.
@@ -96,7 +96,7 @@ impl OutlineNodes {
         // If the box is far larger than the unit, only repetitions are omitted.
         let shift = origin * scale;
         points.iter_mut().for_each(|p| *p = *p * scale - shift);
-        self.placement = OutlinePlacement { origin, unit, size };
+        self.placement = NormalisationOfOutline { origin, unit, size };
         self.merge_repeated_points(outlines.closed, (repeat_tolerance * size).powi(2));
         Ok(())
     }
@@ -126,7 +126,12 @@ impl OutlineNodes {
 
     /// Finds the nodes that divide the outline into separately fitted subcurves. Rotates a closed
     /// outline so that it begins at such a node.
-    fn find_cuts(&mut self, span: &Range<usize>, constraints: &[Constraint], options: &Options) -> Result<()> {
+    fn find_dividing_nodes(
+        &mut self,
+        span: &Range<usize>,
+        constraints: &[Constraint],
+        options: &Options,
+    ) -> Result<()> {
         self.cuts.clear();
         self.results.clear();
         alloc::reserve(&mut self.results, self.points.len() + 1)?;
@@ -139,15 +144,15 @@ impl OutlineNodes {
                 self.results[node as usize].status = PointStatus::NoTangent;
                 continue;
             }
-            alloc::push(&mut self.cuts, CutNode { node, tangent })?;
+            alloc::push(&mut self.cuts, CornerNode { node, tangent })?;
         }
-        self.add_corner_cuts(options.corner_angle)?;
+        self.add_dividing_nodes_at_sharp_turns(options.corner_angle)?;
         let last = self.points.len().saturating_sub(1) as u32;
         if !self.closed {
-            alloc::append(&mut self.cuts, &[0, last].map(|node| CutNode { node, tangent: None }))?;
+            alloc::append(&mut self.cuts, &[0, last].map(|node| CornerNode { node, tangent: None }))?;
         }
         // The first of several cuts at a node counts.
-        sort::stable(&mut self.cuts, &|x, y| x.node.cmp(&y.node));
+        sort::sort_stable(&mut self.cuts, &|x, y| x.node.cmp(&y.node));
         self.cuts.dedup_by_key(|cut| cut.node);
         if let (true, Some(&first)) = (self.closed, self.cuts.first()) {
             let n = self.points.len() as u32;
@@ -157,13 +162,13 @@ impl OutlineNodes {
             self.results.push(self.results[0]);
             self.point_nodes.iter_mut().for_each(|node| *node = (*node + n - first.node) % n);
             self.cuts.iter_mut().for_each(|cut| cut.node -= first.node);
-            alloc::push(&mut self.cuts, CutNode { node: n, ..first })?;
+            alloc::push(&mut self.cuts, CornerNode { node: n, ..first })?;
         }
         Ok(())
     }
 
     /// Adds the nodes where the polygon turns by more than an angle.
-    fn add_corner_cuts(&mut self, angle: f64) -> Result<()> {
+    fn add_dividing_nodes_at_sharp_turns(&mut self, angle: f64) -> Result<()> {
         let n = self.points.len();
         if angle >= std::f64::consts::PI || n < 3 {
             return Ok(());
@@ -175,12 +180,15 @@ impl OutlineNodes {
             let (u, v) = (p - a, c - p);
             u.dot(v) < min_cosine * u.length() * v.length()
         };
-        let corners = inner.filter(is_corner).map(|i| CutNode { node: i as u32, tangent: None });
+        let corners = inner.filter(is_corner).map(|i| CornerNode { node: i as u32, tangent: None });
         alloc::extend(&mut self.cuts, corners)
     }
 
     /// Returns a closed outline without a cut as one subcurve, and the results of its nodes.
-    pub(super) fn as_subcurve<'a>(&'a mut self, options: &'a Options) -> (Subcurve<'a>, &'a mut [PointResult]) {
+    pub(super) fn whole_outline_as_subcurve<'a>(
+        &'a mut self,
+        options: &'a Options,
+    ) -> (Subcurve<'a>, &'a mut [PointResult]) {
         let size = self.placement.size;
         (Subcurve { points: &self.points, closed: true, tangents: [None, None], size, options }, &mut self.results)
     }

@@ -28,7 +28,10 @@ pub(super) fn measure_residuals(nodes: &OutlineNodes, curve: &CurveBuilder, repo
     for joint in joints {
         if corners.next_if(|&&corner| corner as usize == joint).is_none() {
             let next = if joint == curve.len() { 0 } else { joint };
-            angle.add_joint(segment::last_leg(curve.segment(joint - 1)), segment::first_leg(curve.segment(next)));
+            angle.add_joint(
+                segment::vector_from_previous_distinct_control(curve.segment(joint - 1)),
+                segment::vector_to_next_distinct_control(curve.segment(next)),
+            );
         }
     }
     report.max_joint_sine = report.max_joint_sine.max(angle.sine());

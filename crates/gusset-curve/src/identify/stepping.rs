@@ -22,7 +22,7 @@ const PROGRESS_STAGE: &str = "stepping along guides";
 
 /// Finds the offset x from 0 on at which `deviation` is 0, and the number of steps. Returns `None`
 /// if the steps are used up. The deviation must decrease with x.
-pub(super) fn step_to_zero_deviation(
+pub(super) fn step_until_deviation_is_zero(
     options: &Options,
     size: f64,
     deviation: impl Fn(f64) -> f64,
@@ -88,7 +88,8 @@ pub fn step_section(
     let guide = -still.normalize_or_zero();
     let mut steps = 0;
     let deviation = |x: f64| -(still.dot(guide) + 2.0 * t * s * x);
-    let along = step_to_zero_deviation(options, size, deviation, &mut steps, job)?.ok_or(PointStatus::NotConverged);
+    let along =
+        step_until_deviation_is_zero(options, size, deviation, &mut steps, job)?.ok_or(PointStatus::NotConverged);
     Ok(along.map(|along| (Section { control: p + guide * along, t }, steps)))
 }
 
@@ -104,7 +105,7 @@ mod tests {
         let mut steps = 0;
         let options = Options { tolerance: 8e-6, ..Options::default() };
         let mut go = |options: &Options, deviation: fn(f64) -> f64| {
-            step_to_zero_deviation(options, 1.0, deviation, &mut steps, &Job::default()).unwrap()
+            step_until_deviation_is_zero(options, 1.0, deviation, &mut steps, &Job::default()).unwrap()
         };
         // 0.1 until 0.4, back, then by hundredths and so on.
         let x = go(&options, |x| 0.345_678_9 - x).unwrap();
@@ -132,7 +133,7 @@ mod tests {
     fn small_steps_can_be_cancelled() {
         let options = Options { max_steps: u32::MAX, first_step: 1e-300, ..Options::default() };
         let mut steps = 0;
-        let stopped = step_to_zero_deviation(&options, 1.0, |x| 1.0 - x, &mut steps, &Job::new(1, &CancelAtOnce));
+        let stopped = step_until_deviation_is_zero(&options, 1.0, |x| 1.0 - x, &mut steps, &Job::new(1, &CancelAtOnce));
         assert_eq!(stopped, Err(Error::Cancelled));
         assert!(steps < 1_000_000, "{steps}");
     }

@@ -25,7 +25,7 @@ const SEGMENTS_PER_REPORT: usize = 1 << 8;
 /// The moments of the region that a plane curve encloses. Parts that the curve traverses clockwise
 /// count as negative. Parts that it traverses twice count twice.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Moments {
+pub struct AreaMoments {
     /// The area, positive if the curve runs counter-clockwise.
     pub area: f64,
     /// The centre of gravity; the curve's start if the area is 0.
@@ -86,7 +86,7 @@ impl CurveView<'_> {
     /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane),
     /// [`EmptyCurve`](gusset_base::Error::EmptyCurve),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
-    pub fn moments(&self, job: &Job<'_>) -> Result<Moments> {
+    pub fn moments(&self, job: &Job<'_>) -> Result<AreaMoments> {
         self.check_not_empty()?;
         self.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points());
@@ -115,7 +115,7 @@ impl CurveView<'_> {
         // c^T.
         let central = [second[0] - x * first[0], second[1] - x * first[1], second[2] - y * first[1]];
         let back = |x: f64, power: u32| (0..power).fold(x, |x, _| frame.length_from_frame(x));
-        Ok(Moments {
+        Ok(AreaMoments {
             area: back(area, 2),
             centroid: if area == 0.0 {
                 self.points()[0]

@@ -46,7 +46,7 @@ pub(super) fn real_cubic_roots(a: f64, b: f64, c: f64, d: f64) -> Option<([f64; 
             }
         }
     }
-    sort::stable(&mut roots[..count], &f64::total_cmp);
+    sort::sort_stable(&mut roots[..count], &f64::total_cmp);
     Some((roots, count))
 }
 

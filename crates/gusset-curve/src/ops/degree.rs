@@ -17,7 +17,7 @@ const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
 /// A curve with changed degrees.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Reduced {
+pub struct CurveOfReducedDegree {
     /// The curve. Its segments correspond to the original ones, in order.
     pub curve: Curve,
     /// For each segment a bound of the distance between new and original points at equal
@@ -39,15 +39,15 @@ impl CurveView<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`] (a degree would exceed [`MAX_DEGREE`]), [`Error::TooLarge`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`]. O(degree) for each new control point.
-    pub fn elevated_by(&self, by: usize, job: &Job<'_>) -> Result<Curve> {
+    pub fn with_degree_elevated_by(&self, by: usize, job: &Job<'_>) -> Result<Curve> {
         self.elevate_each_segment(|degree| degree.saturating_add(by), job)
     }
 
     /// Elevates every segment to at least `degree`, 1 to [`MAX_DEGREE`]. Higher degrees stay.
     ///
     /// # Errors
-    /// The errors of [`elevated_by`](Self::elevated_by).
-    pub fn elevated_to(&self, degree: usize, job: &Job<'_>) -> Result<Curve> {
+    /// The errors of [`with_degree_elevated_by`](Self::with_degree_elevated_by).
+    pub fn with_degree_elevated_to(&self, degree: usize, job: &Job<'_>) -> Result<Curve> {
         check_degree(degree)?;
         self.elevate_each_segment(|old| old.max(degree), job)
     }
@@ -68,7 +68,7 @@ impl CurveView<'_> {
     ///
     /// # Errors
     /// The errors of [`with_degrees`](Self::with_degrees).
-    pub fn reduced(&self, degree: usize, tolerance: f64, job: &Job<'_>) -> Result<Reduced> {
+    pub fn with_reduced_degree(&self, degree: usize, tolerance: f64, job: &Job<'_>) -> Result<CurveOfReducedDegree> {
         self.with_degrees([1, degree], tolerance, job)
     }
 
@@ -84,12 +84,17 @@ impl CurveView<'_> {
     /// [`Error::OptionOutOfRange`] (a degree, or `tolerance`), [`Error::TooLarge`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`]. O(degree) for each new control point of an
     /// elevated segment, O(degree^3) for each reduced segment.
-    pub fn with_degrees(&self, [lowest, highest]: [usize; 2], tolerance: f64, job: &Job<'_>) -> Result<Reduced> {
+    pub fn with_degrees(
+        &self,
+        [lowest, highest]: [usize; 2],
+        tolerance: f64,
+        job: &Job<'_>,
+    ) -> Result<CurveOfReducedDegree> {
         check_degree(lowest)?;
         check_degree(highest)?;
         Error::require(lowest <= highest, "lowest", lowest as f64)?;
         Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
-        let mut reduced = Reduced {
+        let mut reduced = CurveOfReducedDegree {
             curve: self.empty_curve_at_start()?,
             deviations: alloc::with_capacity(self.len())?,
             kept: vec![],

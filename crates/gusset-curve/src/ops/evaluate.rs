@@ -114,8 +114,8 @@ const MIN_RELATIVE_DERIVATIVE: f64 = 1e-13;
 /// Returns the unit tangent at `t`, or 0.
 pub(super) fn unit_tangent(controls: &[DVec3], t: f64) -> DVec3 {
     let along = match t {
-        0.0 => segment::first_leg(controls),
-        1.0 => segment::last_leg(controls),
+        0.0 => segment::vector_to_next_distinct_control(controls),
+        1.0 => segment::vector_from_previous_distinct_control(controls),
         _ => {
             let min = MIN_RELATIVE_DERIVATIVE * controls.len() as f64;
             first_three_derivatives(controls, t).1.into_iter().find(|d| d.length() > min).unwrap_or(DVec3::ZERO)
@@ -131,7 +131,7 @@ fn signed_curvature(controls: &[DVec3], t: f64) -> f64 {
     let across = first.cross(second);
     let speed = first.length();
     if speed <= MIN_RELATIVE_DERIVATIVE * controls.len() as f64 {
-        let along = segment::first_leg(controls);
+        let along = segment::vector_to_next_distinct_control(controls);
         let along = along / along.abs().max_element().max(f64::MIN_POSITIVE);
         let straight = controls.iter().all(|&p| {
             let leg = frame.point_to_frame(p) - frame.point_to_frame(controls[0]);

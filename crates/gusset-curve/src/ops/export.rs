@@ -12,7 +12,7 @@ use std::ops::RangeInclusive;
 /// A closed contour of a TrueType font (`glyf` table). Between two consecutive off-curve points,
 /// their midpoint is an implied on-curve point.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Contour {
+pub struct TrueTypeContour {
     /// The points; the first follows the last.
     pub points: Vec<DVec3>,
     /// For each point 1 if it is on the curve, 0 if it is the control point of a quadratic.
@@ -21,7 +21,7 @@ pub struct Contour {
 
 /// A clamped B-spline.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Spline {
+pub struct ClampedSpline {
     /// The degree n of all its pieces.
     pub degree: usize,
     /// The knots, ascending: n + 1 more than there are control points. The first n + 1 are equal,
@@ -60,8 +60,8 @@ impl CurveView<'_> {
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG lacks:
-    /// see [`reduced`](Self::reduced)), [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
-    pub fn svg_path(&self, job: &Job<'_>) -> Result<String> {
+    /// see [`with_reduced_degree`](Self::with_reduced_degree)), [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
+    pub fn to_svg_path(&self, job: &Job<'_>) -> Result<String> {
         self.check_in_xy_plane()?;
         self.check_degrees(1..=3)?;
         let mut text = String::new();
@@ -99,7 +99,7 @@ impl CurveView<'_> {
     /// [`Error::CurveNotPlane`], [`Error::CurveNotClosed`] (contours are closed),
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a degree above 2, or the tolerance),
     /// [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
-    pub fn contour(&self, tolerance: f64, job: &Job<'_>) -> Result<Contour> {
+    pub fn to_truetype_contour(&self, tolerance: f64, job: &Job<'_>) -> Result<TrueTypeContour> {
         self.check_in_xy_plane()?;
         self.check_degrees(1..=2)?;
         Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
@@ -111,7 +111,7 @@ impl CurveView<'_> {
         }
         let largest = self.points().iter().fold(0.0f64, |m, p| m.max(p.abs().max_element()));
         let tolerance = tolerance.max(4.0 * f64::EPSILON * largest);
-        let mut contour = Contour::default();
+        let mut contour = TrueTypeContour::default();
         let mut before = self.segment(self.len() - 1);
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "writing a contour")?;
@@ -140,13 +140,13 @@ impl CurveView<'_> {
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (the degree of a segment differs from the
     /// first one's), [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
-    pub fn spline(&self, job: &Job<'_>) -> Result<Spline> {
+    pub fn to_clamped_spline(&self, job: &Job<'_>) -> Result<ClampedSpline> {
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
         let n = self.segment(0).len() - 1;
         self.check_degrees(n..=n)?;
-        let mut spline = Spline { degree: n, ..Spline::default() };
+        let mut spline = ClampedSpline { degree: n, ..ClampedSpline::default() };
         let frame = UnitFrame::from_points(self.points());
         let (mut knot, mut interval) = (0.0, 1.0);
         spline.add_knots(knot, n + 1)?;
@@ -186,14 +186,14 @@ fn length_ratio_if_parallel(u: DVec3, v: DVec3) -> Option<f64> {
     (u.dot(v) > 0.0 && u.cross(v).length() <= 1e-9 * a * b).then_some(b / a)
 }
 
-impl Contour {
+impl TrueTypeContour {
     fn add_point(&mut self, point: DVec3, on_curve: u8) -> Result<()> {
         alloc::push(&mut self.points, point)?;
         alloc::push(&mut self.on_curve, on_curve)
     }
 }
 
-impl Spline {
+impl ClampedSpline {
     fn add_knots(&mut self, at: f64, times: usize) -> Result<()> {
         (0..times).try_for_each(|_| alloc::push(&mut self.knots, at))
     }

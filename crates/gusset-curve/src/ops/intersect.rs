@@ -2,7 +2,7 @@
 //! whose boxes meet.
 
 use super::segment_intersection::{
-    MAX_COMMON_POINT_DISTANCE, MAX_SAME_PARAMETER_GAP, MAX_TOUCHING_BOX_GAP, SegmentIntersections, SharedJoints,
+    IgnoredSharedJoints, MAX_COMMON_POINT_DISTANCE, MAX_SAME_PARAMETER_GAP, MAX_TOUCHING_BOX_GAP, SegmentIntersections,
     advances_along_chord, intersect_segments,
 };
 use super::segment_part::{SegmentPart, compare_places, do_places_coincide, sort_and_remove_duplicates};
@@ -48,14 +48,14 @@ pub struct Intersections {
 }
 
 /// A part of a curve that does not intersect itself.
-struct SimplePiece {
+struct SimpleSegmentPart {
     controls: Vec<DVec3>,
     segment: u32,
     from: f64,
     to: f64,
 }
 
-impl SimplePiece {
+impl SimpleSegmentPart {
     fn bounding_box(&self) -> Aabb {
         Aabb::from_points(&self.controls)
     }
@@ -88,9 +88,10 @@ impl CurveView<'_> {
         self.check_in_xy_plane()?;
         other.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points().iter().chain(other.points()));
-        let (ours, theirs) = (self.simple_pieces(&frame, 0)?, other.simple_pieces(&frame, 0)?);
-        let mut all = Intersections::from_pieces(&ours, &theirs, |_, _| Some(SharedJoints::default()), job)?;
-        all.sort_and_merge([self.period_in_segments(), other.period_in_segments()])?;
+        let (ours, theirs) = (self.divide_into_simple_parts(&frame, 0)?, other.divide_into_simple_parts(&frame, 0)?);
+        let mut all =
+            Intersections::from_simple_parts(&ours, &theirs, |_, _| Some(IgnoredSharedJoints::default()), job)?;
+        all.sort_and_merge([self.segment_count_if_closed(), other.segment_count_if_closed()])?;
         Ok(all)
     }
 
@@ -104,16 +105,16 @@ impl CurveView<'_> {
     pub fn self_intersections(&self, job: &Job<'_>) -> Result<Intersections> {
         self.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points());
-        let pieces = self.simple_pieces(&frame, MAX_SEGMENT_HALVINGS)?;
+        let pieces = self.divide_into_simple_parts(&frame, MAX_SEGMENT_HALVINGS)?;
         let last = pieces.len().saturating_sub(1);
         let joined = |k: usize, i: usize| {
-            (i > k).then_some(SharedJoints {
+            (i > k).then_some(IgnoredSharedJoints {
                 at_first_end: i == k + 1,
                 at_first_start: self.is_closed() && k == 0 && i == last,
             })
         };
-        let mut all = Intersections::from_pieces(&pieces, &pieces, joined, job)?;
-        let period = self.period_in_segments();
+        let mut all = Intersections::from_simple_parts(&pieces, &pieces, joined, job)?;
+        let period = self.segment_count_if_closed();
         for found in &mut all.points {
             // The end of a closed curve is its start.
             if found.b.global_parameter() >= period - MAX_SAME_PARAMETER_GAP {
@@ -132,10 +133,10 @@ impl CurveView<'_> {
     /// they cannot, at most `max_halvings` times. Segments that are points are skipped, because
     /// they coincide with the ends of their neighbours. If all segments are points, the first is
     /// kept, unless `max_halvings` asks for self-intersections.
-    fn simple_pieces(&self, frame: &UnitFrame, max_halvings: u32) -> Result<Vec<SimplePiece>> {
+    fn divide_into_simple_parts(&self, frame: &UnitFrame, max_halvings: u32) -> Result<Vec<SimpleSegmentPart>> {
         let mut pieces = alloc::with_capacity(self.len())?;
         for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_single_point(controls)) {
-            push_simple_pieces(
+            push_simple_parts(
                 SegmentPart::from_whole_segment(frame.segment_to_frame(controls)),
                 k as u32,
                 max_halvings,
@@ -143,7 +144,7 @@ impl CurveView<'_> {
             )?;
         }
         if pieces.is_empty() && max_halvings == 0 && !self.is_empty() {
-            push_simple_pieces(
+            push_simple_parts(
                 SegmentPart::from_whole_segment(frame.segment_to_frame(self.segment(0))),
                 0,
                 max_halvings,
@@ -156,36 +157,36 @@ impl CurveView<'_> {
 
 /// Appends a part of a segment, or its halves if it may intersect itself. A part that is too small
 /// for rounding to resolve counts as one piece.
-fn push_simple_pieces(part: SegmentPart, segment: u32, depth: u32, pieces: &mut Vec<SimplePiece>) -> Result<()> {
+fn push_simple_parts(part: SegmentPart, segment: u32, depth: u32, pieces: &mut Vec<SimpleSegmentPart>) -> Result<()> {
     let small = |controls: &[DVec3]| Aabb::from_points(controls).size().max_element() <= MAX_COMMON_POINT_DISTANCE;
     if depth == 0 || advances_along_chord(&part.controls) || small(&part.controls) {
         let SegmentPart { ref controls, from, to } = part;
-        return alloc::push(pieces, SimplePiece { controls: alloc::copied(controls)?, segment, from, to });
+        return alloc::push(pieces, SimpleSegmentPart { controls: alloc::copied(controls)?, segment, from, to });
     }
-    part.into_halves().into_iter().try_for_each(|half| push_simple_pieces(half, segment, depth - 1, pieces))
+    part.into_halves().into_iter().try_for_each(|half| push_simple_parts(half, segment, depth - 1, pieces))
 }
 
 impl Intersections {
     /// Finds the intersections of two lists of pieces. `joined` returns `None` for a pair that must
     /// not be compared.
-    fn from_pieces(
-        ours: &[SimplePiece],
-        theirs: &[SimplePiece],
-        joined: impl Fn(usize, usize) -> Option<SharedJoints>,
+    fn from_simple_parts(
+        ours: &[SimpleSegmentPart],
+        theirs: &[SimpleSegmentPart],
+        joined: impl Fn(usize, usize) -> Option<IgnoredSharedJoints>,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let tree = BoxTree::new(theirs.iter().map(SimplePiece::bounding_box))?;
+        let tree = BoxTree::new(theirs.iter().map(SimpleSegmentPart::bounding_box))?;
         let (mut all, mut found) = (Intersections::default(), SegmentIntersections::default());
         let mut pairs = 0usize;
         for (k, piece) in ours.iter().enumerate() {
             job.step_every(64, k, ours.len(), PROGRESS_STAGE)?;
-            tree.overlapping(&piece.bounding_box(), MAX_TOUCHING_BOX_GAP, |i| match joined(k, i) {
+            tree.visit_overlapping(&piece.bounding_box(), MAX_TOUCHING_BOX_GAP, |i| match joined(k, i) {
                 Some(joined) => {
                     if pairs % PAIRS_PER_REPORT == PAIRS_PER_REPORT - 1 {
                         job.step(k as f64 / ours.len() as f64, PROGRESS_STAGE)?;
                     }
                     pairs += 1;
-                    all.add_piece_intersections(piece, &theirs[i], joined, &mut found)
+                    all.add_intersections_of_parts(piece, &theirs[i], joined, &mut found)
                 }
                 None => Ok(()),
             })?;
@@ -193,11 +194,11 @@ impl Intersections {
         Ok(all)
     }
 
-    fn add_piece_intersections(
+    fn add_intersections_of_parts(
         &mut self,
-        p: &SimplePiece,
-        q: &SimplePiece,
-        joined: SharedJoints,
+        p: &SimpleSegmentPart,
+        q: &SimpleSegmentPart,
+        joined: IgnoredSharedJoints,
         found: &mut SegmentIntersections,
     ) -> Result<()> {
         intersect_segments(&p.controls, &q.controls, joined, found)?;
@@ -213,12 +214,12 @@ impl Intersections {
     /// Sorts the points, and removes ends of overlaps and duplicates from joints.
     fn sort_and_merge(&mut self, periods: [f64; 2]) -> Result<()> {
         let start = |overlap: &Overlap| [overlap.a[0].global_parameter(), overlap.b[0].global_parameter()];
-        sort::stable(&mut self.overlaps, &|x, y| compare_places(start(x), start(y)));
+        sort::sort_stable(&mut self.overlaps, &|x, y| compare_places(start(x), start(y)));
         let mut ends = alloc::with_capacity(2 * self.overlaps.len())?;
         ends.extend(
             self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].global_parameter(), o.b[i].global_parameter()])),
         );
-        sort::stable(&mut ends, &|&x, &y| compare_places(x, y));
+        sort::sort_stable(&mut ends, &|&x, &y| compare_places(x, y));
         self.points.retain(|m| {
             let [a, b] = [m.a.global_parameter(), m.b.global_parameter()];
             // The end of a closed curve is its start.

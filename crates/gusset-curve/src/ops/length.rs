@@ -1,6 +1,6 @@
 //! Arc length and its inverse.
 
-use crate::curve::segment::{self, DistanceSlope, SegmentBuffer};
+use crate::curve::segment::{self, SegmentBuffer, SquaredDistanceSlope};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};
 use glam::DVec3;
@@ -13,7 +13,7 @@ const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
 /// The arc lengths of a curve up to each joint, for conversions between places and lengths.
 #[derive(Debug, Clone)]
-pub struct Lengths<'a> {
+pub struct ArcLengths<'a> {
     curve: CurveView<'a>,
     frame: UnitFrame,
     /// The arc length up to the end of each segment, in the frame.
@@ -21,12 +21,12 @@ pub struct Lengths<'a> {
 }
 
 impl<'a> CurveView<'a> {
-    /// Returns the arc length of the whole curve; see [`CurveView::lengths`].
+    /// Returns the arc length of the whole curve; see [`CurveView::arc_lengths`].
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn length(&self) -> Result<f64> {
-        Ok(self.lengths(&Job::default())?.total())
+        Ok(self.arc_lengths(&Job::default())?.total_length())
     }
 
     /// Measures all segments. Degrees 1 and 2 have a closed form. Higher degrees use adaptive
@@ -35,7 +35,7 @@ impl<'a> CurveView<'a> {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn lengths(&self, job: &Job<'_>) -> Result<Lengths<'a>> {
+    pub fn arc_lengths(&self, job: &Job<'_>) -> Result<ArcLengths<'a>> {
         let frame = UnitFrame::from_points(self.points());
         let mut ends = alloc::with_capacity(self.len())?;
         let mut sum = 0.0;
@@ -44,18 +44,18 @@ impl<'a> CurveView<'a> {
             sum += SegmentSpeed::new(&frame, controls).integrate_speed(0.0, 1.0);
             ends.push(sum);
         }
-        Ok(Lengths { curve: *self, frame, ends })
+        Ok(ArcLengths { curve: *self, frame, ends })
     }
 }
 
-impl<'a> Lengths<'a> {
+impl<'a> ArcLengths<'a> {
     /// Returns the curve.
     pub(crate) fn curve(&self) -> &CurveView<'a> {
         &self.curve
     }
 
     /// Returns the arc length of the whole curve, in the unit of the points.
-    pub fn total(&self) -> f64 {
+    pub fn total_length(&self) -> f64 {
         self.frame.length_from_frame(self.ends.last().copied().unwrap_or(0.0))
     }
 
@@ -78,7 +78,7 @@ impl<'a> Lengths<'a> {
     ///
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (NaN).
-    pub fn place(&self, length: f64) -> Result<Place> {
+    pub fn place_at_length(&self, length: f64) -> Result<Place> {
         Error::require(!length.is_nan(), "length", length)?;
         if self.curve.is_empty() {
             return Err(Error::EmptyCurve);
@@ -127,8 +127,11 @@ impl SegmentSpeed {
     fn new(frame: &UnitFrame, controls: &[DVec3]) -> Self {
         let mut velocity = frame.segment_to_frame(controls);
         velocity.differentiate();
-        let turns =
-            if velocity.len() > 2 { DistanceSlope::new(&velocity, DVec3::ZERO).roots() } else { Roots::default() };
+        let turns = if velocity.len() > 2 {
+            SquaredDistanceSlope::new(&velocity, DVec3::ZERO).slope_roots()
+        } else {
+            Roots::default()
+        };
         SegmentSpeed { velocity, turns }
     }
 
@@ -215,18 +218,19 @@ fn quadratic_arc_length(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
     let turn = -start / k;
     let y = |t: f64| if t == 0.0 { start } else { start + k * t };
     if turn <= a {
-        one_sided_arc_length(y(a).max(0.0), k * (b - a), across, k)
+        integral_of_speed_from_vertex(y(a).max(0.0), k * (b - a), across, k)
     } else if turn >= b {
-        one_sided_arc_length((-y(b)).max(0.0), k * (b - a), across, k)
+        integral_of_speed_from_vertex((-y(b)).max(0.0), k * (b - a), across, k)
     } else {
-        one_sided_arc_length(0.0, k * (turn - a), across, k) + one_sided_arc_length(0.0, k * (b - turn), across, k)
+        integral_of_speed_from_vertex(0.0, k * (turn - a), across, k)
+            + integral_of_speed_from_vertex(0.0, k * (b - turn), across, k)
     }
 }
 
 /// Returns the integral of sqrt(y^2 + g^2) / k from y to y + step, both at least 0. With s =
 /// sqrt(y^2 + g^2), and s' at the other end y', it is half of y' s' - y s + g^2 ln((y' + s') / (y +
 /// s)). Here s' - s = step (y' + y) / (s' + s).
-fn one_sided_arc_length(y: f64, step: f64, g: f64, k: f64) -> f64 {
+fn integral_of_speed_from_vertex(y: f64, step: f64, g: f64, k: f64) -> f64 {
     let far = y + step;
     let (s, t) = ((y * y + g * g).sqrt(), (far * far + g * g).sqrt());
     if t == 0.0 {

@@ -1,6 +1,6 @@
 //! Several measures of one curve in one call.
 
-use super::{Bounds, Moments};
+use super::{AreaMoments, Bounds};
 use crate::curve::{CurveView, Place};
 use glam::DVec3;
 use gusset_base::error::Result;
@@ -47,7 +47,7 @@ pub struct Measures {
     /// Half the integral of r x dr; see [`CurveView::area_vector`].
     pub area_vector: Option<DVec3>,
     /// The moments of the enclosed region. Only a curve in the plane z = 0 with points has them.
-    pub moments: Option<Moments>,
+    pub moments: Option<AreaMoments>,
 }
 
 impl Measures {
@@ -75,7 +75,7 @@ impl CurveView<'_> {
             asked[k].then(|| job.share(asked[..k].iter().filter(|&&asked| asked).count(), count))
         };
         Ok(Measures {
-            length: share(0).map(|job| Ok(self.lengths(&job)?.total())).transpose()?,
+            length: share(0).map(|job| Ok(self.arc_lengths(&job)?.total_length())).transpose()?,
             bounds: share(1).map(|job| self.bounding_box(&job)).transpose()?,
             centre: share(2).map(|job| self.centre(&job)).transpose()?,
             area_vector: share(3).map(|job| self.area_vector(&job)).transpose()?,

@@ -19,7 +19,12 @@ impl CurveView<'_> {
     /// [`Error::OptionOutOfRange`] (`within` is negative or not finite, or not 0 without `other`),
     /// [`Error::CurveNotPlane`] (without `other`), [`Error::EmptyCurve`] (near misses),
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn meetings(&self, other: Option<&CurveView<'_>>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
+    pub fn intersections_or_near_misses(
+        &self,
+        other: Option<&CurveView<'_>>,
+        within: f64,
+        job: &Job<'_>,
+    ) -> Result<NearMisses> {
         let Some(other) = other else {
             Error::require(within == 0.0, "within", within)?;
             return self.self_intersections(job)?.into_near_misses();

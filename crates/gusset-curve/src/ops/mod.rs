@@ -5,8 +5,8 @@
 //! - evaluate: points, derivatives, tangents and curvatures at places.
 //! - split, degree: parts of a curve, its reverse, other degrees.
 //! - nearest: the nearest point of a curve.
-//! - length, [`Lengths`]: arc length and its inverse.
-//! - area, [`Moments`]: integrals over the region that a curve encloses.
+//! - length, [`ArcLengths`]: arc length and its inverse.
+//! - area, [`AreaMoments`]: integrals over the region that a curve encloses.
 //! - bounds: the exact bounding box.
 //! - measures, [`Measures`]: several measures in one call.
 //! - intersect_line: intersections with lines and planes.
@@ -15,7 +15,7 @@
 //! - near_misses: minima of the distance between curves in space. meetings: intersections or near
 //!   misses.
 //! - curve_offset: the offset curve.
-//! - resample, [`Samples`]: points along a curve.
+//! - resample, [`SampledPoints`]: points along a curve.
 //! - export: SVG paths, TrueType contours, B-splines.
 //!
 //! They use Bernstein polynomials from gusset-base, and the closed form of cubic.
@@ -45,17 +45,17 @@ mod segment_intersection;
 mod split;
 mod tangent_angle;
 
-pub use area::Moments;
+pub use area::AreaMoments;
 pub use bounds::Bounds;
 pub use curve_offset::{Offset, OffsetOptions};
-pub use degree::Reduced;
-pub use export::{Contour, Spline};
+pub use degree::CurveOfReducedDegree;
+pub use export::{ClampedSpline, TrueTypeContour};
 pub use intersect::{Intersection, Intersections, Overlap};
 pub use intersect_line::PlaneIntersections;
-pub use length::Lengths;
+pub use length::ArcLengths;
 pub use measures::{MeasureSelection, Measures};
 pub use near_misses::{NearMiss, NearMisses};
-pub use nearest::Nearest;
+pub use nearest::NearestCurvePoint;
 pub use nearest::{CurveSearch, nearest_of_any};
-pub use resample::{Samples, Spacing};
+pub use resample::{SampleSpacing, SampledPoints};
 pub use tangent_angle::TangentAngles;

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use gusset_base::geom::Aabb;
 
 /// The end of a descent.
-pub(super) struct DescentEnd {
+pub(super) struct DescentResult {
     pub(super) at: DVec2,
     /// The vector from the second point to the first.
     pub(super) gap: DVec3,
@@ -18,7 +18,7 @@ pub(super) struct DescentEnd {
 ///
 /// The first derivative has the control points n (B_i+1 - B_i), the second n (n - 1) (B_i+2 - 2
 /// B_i+1 + B_i).
-pub(super) fn derivative_range(part: &SegmentPart, order: usize) -> (DVec3, f64) {
+pub(super) fn derivative_middle_and_radius(part: &SegmentPart, order: usize) -> (DVec3, f64) {
     let mut derived = part.controls;
     (0..order).for_each(|_| derived.differentiate());
     if derived.is_empty() {
@@ -45,10 +45,10 @@ pub(super) fn are_hulls_apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
 
 /// Returns the number of minima of |A(s) - B(t)|^2 / 2 in a pair, 0 or 1, proven by bounds of its
 /// slopes and Hessian. Returns `None` if they prove neither.
-pub(super) fn count_minima(p: &SegmentPart, q: &SegmentPart) -> Option<usize> {
-    let [(here, r), (there, rr)] = [p, q].map(|part| derivative_range(part, 0));
-    let [(a, ra), (b, rb)] = [p, q].map(|part| derivative_range(part, 1));
-    let [(aa, raa), (bb, rbb)] = [p, q].map(|part| derivative_range(part, 2));
+pub(super) fn proven_minimum_count(p: &SegmentPart, q: &SegmentPart) -> Option<usize> {
+    let [(here, r), (there, rr)] = [p, q].map(|part| derivative_middle_and_radius(part, 0));
+    let [(a, ra), (b, rb)] = [p, q].map(|part| derivative_middle_and_radius(part, 1));
+    let [(aa, raa), (bb, rbb)] = [p, q].map(|part| derivative_middle_and_radius(part, 2));
     let (gap, spread) = (here - there, r + rr);
     // Bounds the deviation of a product from the product of the means.
     let slack = |x: DVec3, rx: f64, y: DVec3, ry: f64| x.length() * ry + y.length() * rx + rx * ry;
@@ -79,7 +79,7 @@ pub(super) fn count_minima(p: &SegmentPart, q: &SegmentPart) -> Option<usize> {
 }
 
 /// Minimises |A - B|^2 / 2 within a box by Newton and Gauss-Newton steps.
-pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> DescentEnd {
+pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> DescentResult {
     let jets = |at: DVec2| (point_and_derivatives::<3>(whole[0], at.x), point_and_derivatives::<3>(whole[1], at.y));
     let mut at = start.clamp(low, high);
     let (mut a, mut b) = jets(at);
@@ -133,5 +133,5 @@ pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, 
         let Some((there, p, q)) = next else { break };
         (at, a, b) = (there, p, q);
     }
-    DescentEnd { at, gap: a[0] - b[0], gradient: slope(&a, &b) }
+    DescentResult { at, gap: a[0] - b[0], gradient: slope(&a, &b) }
 }

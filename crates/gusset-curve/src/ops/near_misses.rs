@@ -18,7 +18,7 @@
 //! segments, O(degree^2) each.
 
 use super::intersect::Overlap;
-use super::near_miss_bounds::{DescentEnd, are_hulls_apart, count_minima, minimise_distance};
+use super::near_miss_bounds::{DescentResult, are_hulls_apart, minimise_distance, proven_minimum_count};
 use super::segment_part::{SegmentPart, compare_places, halve_one_of_pair, sort_and_remove_duplicates};
 use crate::curve::segment::{self, SegmentBuffer, point_and_derivatives};
 use crate::curve::unit_frame::UnitFrame;
@@ -145,7 +145,7 @@ impl CurveView<'_> {
         for (k, &i) in numbers[0].iter().enumerate() {
             searching.step_every(16, k, numbers[0].len(), PROGRESS_STAGE)?;
             let i = i as usize;
-            tree.overlapping(&Aabb::from_points(sides[0].segment(i)), within, |leaf| {
+            tree.visit_overlapping(&Aabb::from_points(sides[0].segment(i)), within, |leaf| {
                 pairs += 1;
                 if pairs.is_multiple_of(SEGMENT_PAIRS_PER_REPORT) {
                     searching.step(k as f64 / numbers[0].len() as f64, PROGRESS_STAGE)?;
@@ -173,7 +173,11 @@ fn leg_beyond_segment_end(curve: &CurveView<'_>, k: usize, at_end: bool) -> Opti
         return None;
     }
     let next = curve.segment(if at_end { (k + 1) % count } else { (k + count - 1) % count });
-    Some(if at_end { segment::first_leg(next) } else { -segment::last_leg(next) })
+    Some(if at_end {
+        segment::vector_to_next_distinct_control(next)
+    } else {
+        -segment::vector_from_previous_distinct_control(next)
+    })
 }
 
 struct NearMissSearch<'a> {
@@ -203,11 +207,11 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
     type Split = usize;
     type Stop = Error;
 
-    fn classify(&mut self, [p, q]: &[SegmentPart; 2]) -> Result<BoxTest<(), usize>> {
+    fn classify_box(&mut self, [p, q]: &[SegmentPart; 2]) -> Result<BoxTest<(), usize>> {
         if are_hulls_apart(&p.controls, &q.controls, self.search.within) {
             return Ok(BoxTest::Empty);
         }
-        Ok(match count_minima(p, q) {
+        Ok(match proven_minimum_count(p, q) {
             Some(0) => BoxTest::Empty,
             Some(_) => BoxTest::Unique(()),
             None => match [p, q].map(|part| part.to - part.from <= MIN_PART_PARAMETER_LENGTH) {
@@ -219,11 +223,11 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
         })
     }
 
-    fn accept(&mut self, pair: [SegmentPart; 2], (): ()) -> Result<()> {
+    fn record_solution(&mut self, pair: [SegmentPart; 2], (): ()) -> Result<()> {
         self.search.add_local_minimum(self.whole, self.numbers, pair)
     }
 
-    fn give_up(&mut self, [p, q]: [SegmentPart; 2], exhausted: bool) -> Result<()> {
+    fn record_unresolved(&mut self, [p, q]: [SegmentPart; 2], exhausted: bool) -> Result<()> {
         self.search.undecided |= exhausted;
         self.exhausted |= exhausted;
         let [low, high] = parameter_box_corners(&[p, q]);
@@ -234,11 +238,11 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
         alloc::push(&mut self.search.unresolved, UnresolvedBox { middle, half, residual: x.distance(y) })
     }
 
-    fn split(&mut self, pair: [SegmentPart; 2], number: usize) -> [[SegmentPart; 2]; 2] {
+    fn split_box(&mut self, pair: [SegmentPart; 2], number: usize) -> [[SegmentPart; 2]; 2] {
         halve_one_of_pair(pair, number)
     }
 
-    fn reserve(stack: &mut BoxStack<[SegmentPart; 2]>) -> Result<()> {
+    fn reserve_stack(stack: &mut BoxStack<[SegmentPart; 2]>) -> Result<()> {
         alloc::reserve(stack, 2)
     }
 }
@@ -277,7 +281,7 @@ impl NearMissSearch<'_> {
         &self,
         whole: [&[DVec3]; 2],
         numbers: [usize; 2],
-        &DescentEnd { at, gap, gradient }: &DescentEnd,
+        &DescentResult { at, gap, gradient }: &DescentResult,
         low: DVec2,
         high: DVec2,
     ) -> bool {
@@ -343,7 +347,9 @@ impl NearMissSearch<'_> {
         job: &Job<'_>,
     ) -> Result<()> {
         let mut unresolved = std::mem::take(&mut self.unresolved);
-        sort::stable(&mut unresolved, &|x, y| compare_places(x.middle.truncate().into(), y.middle.truncate().into()));
+        sort::sort_stable(&mut unresolved, &|x, y| {
+            compare_places(x.middle.truncate().into(), y.middle.truncate().into())
+        });
         let mut clusters = Vec::new();
         let cluster_of = cluster_touching_boxes(&unresolved, &mut clusters, || job.step(0.0, PROGRESS_STAGE))?;
         let mut valleys = Vec::new();
@@ -365,7 +371,7 @@ impl NearMissSearch<'_> {
                 alloc::push(&mut valleys, DistanceValley { minimum, low, high, has_minimum: inside })?;
             }
         }
-        sort::stable(&mut valleys, &|x, y| compare_places(x.minimum.at.into(), y.minimum.at.into()));
+        sort::sort_stable(&mut valleys, &|x, y| compare_places(x.minimum.at.into(), y.minimum.at.into()));
         let same = |x: &DistanceValley, y: &DistanceValley| {
             (x.minimum.at - y.minimum.at).abs().max_element() <= MAX_SAME_VALLEY_PARAMETER_GAP
         };
@@ -378,7 +384,7 @@ impl NearMissSearch<'_> {
                 alloc::push(overlaps, Overlap { a: ends(0), b: ends(1) })?;
             }
         }
-        sort::stable(overlaps, &|x, y| {
+        sort::sort_stable(overlaps, &|x, y| {
             let start = |overlap: &Overlap| [overlap.a[0].global_parameter(), overlap.b[0].global_parameter()];
             compare_places(start(x), start(y))
         });
@@ -396,7 +402,7 @@ impl NearMissSearch<'_> {
         };
         self.add_overlaps(place, &mut found.overlaps, job)?;
         found.undecided = self.undecided;
-        let periods = sides.map(|curve| curve.period_in_segments());
+        let periods = sides.map(|curve| curve.segment_count_if_closed());
         sort_and_remove_duplicates(&mut self.minima, |found| found.at.to_array(), periods, MAX_SAME_PARAMETER_GAP);
         found.places = alloc::collect(self.minima.iter().map(|found| {
             let (a, b) = (place(0, found.at.x), place(1, found.at.y));

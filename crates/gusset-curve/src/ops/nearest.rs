@@ -7,7 +7,7 @@
 //! result is the global minimum.
 
 use super::cubic_roots;
-use crate::curve::segment::{self, DistanceSlope};
+use crate::curve::segment::{self, SquaredDistanceSlope};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place, check_finite};
 use glam::DVec3;
@@ -19,7 +19,7 @@ use gusset_base::par;
 
 /// The nearest point of a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Nearest {
+pub struct NearestCurvePoint {
     /// The place on the curve; any one of several at equal distance.
     pub place: Place,
     /// The point there.
@@ -55,7 +55,7 @@ impl CurveView<'_> {
     /// # Errors
     /// [`Error::EmptyCurve`] (the curve lacks segments), [`Error::NotFinite`] (a query),
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
+    pub fn nearest_to_each_query(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<NearestCurvePoint>> {
         job.step(0.0, PROGRESS_STAGE)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
@@ -72,7 +72,11 @@ impl CurveView<'_> {
 /// # Errors
 /// [`Error::EmptyCurve`] (all curves lack points, and there are queries), [`Error::NotFinite`] (a
 /// query), [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn nearest_of_any(curves: &[CurveView<'_>], queries: &[DVec3], job: &Job<'_>) -> Result<Vec<(usize, Nearest)>> {
+pub fn nearest_of_any(
+    curves: &[CurveView<'_>],
+    queries: &[DVec3],
+    job: &Job<'_>,
+) -> Result<Vec<(usize, NearestCurvePoint)>> {
     job.step(0.0, PROGRESS_STAGE)?;
     if queries.is_empty() {
         return Ok(Vec::new());
@@ -131,14 +135,14 @@ impl<'a> CurveSearch<'a> {
     }
 
     /// Finds the nearest point. The curve must have a point.
-    pub fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<Nearest> {
+    pub fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<NearestCurvePoint> {
         if self.curve.is_empty() {
             let point = self.curve.points()[0];
-            return Ok(Nearest { place: Place::START, point, distance: overflow_safe_distance(point, q) });
+            return Ok(NearestCurvePoint { place: Place::START, point, distance: overflow_safe_distance(point, q) });
         }
         let place = self.nearest_place(self.query_to_frame(q), job)?;
         let point = segment::point_at(self.curve.segment(place.segment as usize), place.t);
-        Ok(Nearest { place, point, distance: overflow_safe_distance(point, q) })
+        Ok(NearestCurvePoint { place, point, distance: overflow_safe_distance(point, q) })
     }
 
     fn query_to_frame(&self, q: DVec3) -> DVec3 {
@@ -204,12 +208,12 @@ impl<'a> CurveSetSearch<'a> {
         Ok(CurveSetSearch { searches, frame, tree })
     }
 
-    fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<(usize, Nearest)> {
+    fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<(usize, NearestCurvePoint)> {
         // For queries so distant that squares overflow, the boxes are useless and every curve is
         // searched.
         let local =
             self.frame.point_to_frame(q).clamp(DVec3::splat(-MAX_QUERY_COORDINATE), DVec3::splat(MAX_QUERY_COORDINATE));
-        let (mut best, mut heard) = (None::<(usize, Nearest)>, Ok(()));
+        let (mut best, mut heard) = (None::<(usize, NearestCurvePoint)>, Ok(()));
         self.tree.visit_nearest(local, f64::INFINITY, &mut |k| {
             let (curve, search) = &self.searches[k];
             let found = match search.nearest(q, job) {
@@ -219,7 +223,7 @@ impl<'a> CurveSetSearch<'a> {
                     return 0.0;
                 }
             };
-            let nearer = |&(c, nearest): &(usize, Nearest)| (found.distance, *curve) < (nearest.distance, c);
+            let nearer = |&(c, nearest): &(usize, NearestCurvePoint)| (found.distance, *curve) < (nearest.distance, c);
             if best.as_ref().is_none_or(nearer) {
                 best = Some((*curve, found));
             }
@@ -237,8 +241,8 @@ impl<'a> CurveSetSearch<'a> {
 /// Returns the parameter of the nearest point of one segment, and its squared distance.
 pub(super) fn nearest_on_segment(controls: &[DVec3], q: DVec3) -> (f64, f64) {
     let mut best = NearestOnSegment { controls, q, t: 0.0, squared: controls[0].distance_squared(q) };
-    best.offer_parameter(1.0);
-    best.offer_stationary_parameters();
+    best.improve_with_parameter(1.0);
+    best.improve_with_stationary_parameters();
     (best.t, best.squared)
 }
 
@@ -261,7 +265,7 @@ impl NearestOnSegment<'_> {
         segment::point_at(self.controls, t).distance_squared(self.q)
     }
 
-    fn offer_parameter(&mut self, t: f64) {
+    fn improve_with_parameter(&mut self, t: f64) {
         let squared = self.squared_distance(t);
         if squared < self.squared {
             (self.t, self.squared) = (t, squared);
@@ -269,13 +273,13 @@ impl NearestOnSegment<'_> {
     }
 
     /// Tests the inner places where the distance is stationary.
-    fn offer_stationary_parameters(&mut self) {
+    fn improve_with_stationary_parameters(&mut self) {
         match *self.controls {
             [a, b] => {
                 let along = b - a;
                 let t = (self.q - a).dot(along) / along.length_squared();
                 if t > 0.0 && t < 1.0 {
-                    self.offer_parameter(t);
+                    self.improve_with_parameter(t);
                 }
                 return;
             }
@@ -286,22 +290,25 @@ impl NearestOnSegment<'_> {
                 let cubic =
                     cubic_roots::real_cubic_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
                 if let Some((found, count)) = cubic {
-                    found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| self.offer_parameter(t));
+                    found[..count]
+                        .iter()
+                        .filter(|t| (0.0..=1.0).contains(*t))
+                        .for_each(|&t| self.improve_with_parameter(t));
                     return;
                 }
             }
             _ => {}
         }
-        let slope = DistanceSlope::new(self.controls, self.q);
-        let roots = slope.roots();
-        roots.as_slice().iter().for_each(|&t| self.offer_parameter(t));
+        let slope = SquaredDistanceSlope::new(self.controls, self.q);
+        let roots = slope.slope_roots();
+        roots.as_slice().iter().for_each(|&t| self.improve_with_parameter(t));
         let size = self.controls.iter().fold(0.0f64, |size, p| size.max(p.abs().max_element()));
         let mut searched = 0.0;
         for &t in roots.as_slice() {
             // A point on the curve within rounding cannot be improved.
             if t >= searched
                 && self.squared > (4.0 * f64::EPSILON * size).powi(2)
-                && let Some(flat) = slope.interval_with_uncertain_sign(t)
+                && let Some(flat) = slope.interval_around_ill_conditioned_root(t)
             {
                 self.minimise_over_interval(flat);
                 searched = flat[1];

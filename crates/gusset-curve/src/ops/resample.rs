@@ -1,7 +1,7 @@
 //! Points along a curve, by their number, by their spacing, or by the deviation of the polygon
 //! through them.
 
-use super::length::Lengths;
+use super::length::ArcLengths;
 use crate::curve::segment::{self, SegmentBuffer};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};
@@ -16,10 +16,10 @@ const PROGRESS_STAGE: &str = "points along a curve";
 
 /// The spacing of points along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Spacing {
+pub enum SampleSpacing {
     /// A number of points at equal arc lengths. An open curve gets at least 2, from start to end; a
     /// closed one at least 1, once around from its start. Lengths are as exact as
-    /// [`lengths`](CurveView::lengths). O(points + count log points).
+    /// [`arc_lengths`](CurveView::arc_lengths). O(points + count log points).
     Count(usize),
     /// Points at equal arc lengths, in the unit of the points, above 0: at 0, step, 2 step and so
     /// on. The end of an open curve is always the last point, even if it is close to the previous
@@ -33,7 +33,7 @@ pub enum Spacing {
 
 /// Points along a curve, in order. The start of a closed curve is not repeated at the end.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Samples {
+pub struct SampledPoints {
     /// The places of the points.
     pub places: Vec<Place>,
     /// The points.
@@ -47,31 +47,31 @@ impl CurveView<'_> {
     /// [`Error::EmptyCurve`] (the curve lacks segments), [`Error::OptionOutOfRange`] (a count, step
     /// or tolerance that is too small), [`Error::TooLarge`] (above [`MAX_POINTS`]),
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn sampled(&self, spacing: Spacing, job: &Job<'_>) -> Result<Samples> {
+    pub fn sample_points(&self, spacing: SampleSpacing, job: &Job<'_>) -> Result<SampledPoints> {
         let least_count = if self.is_closed() { 1.0 } else { 2.0 };
         let (option, value, least) = match spacing {
-            Spacing::Count(count) => ("count", count as f64, least_count),
-            Spacing::Step(step) => ("step", step, f64::MIN_POSITIVE),
-            Spacing::Chord(tolerance) => ("tolerance", tolerance, f64::MIN_POSITIVE),
+            SampleSpacing::Count(count) => ("count", count as f64, least_count),
+            SampleSpacing::Step(step) => ("step", step, f64::MIN_POSITIVE),
+            SampleSpacing::Chord(tolerance) => ("tolerance", tolerance, f64::MIN_POSITIVE),
         };
-        let is_bounded = value.is_finite() || !matches!(spacing, Spacing::Step(_));
+        let is_bounded = value.is_finite() || !matches!(spacing, SampleSpacing::Step(_));
         Error::require(value >= least && is_bounded, option, value)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
         let (first, second) = (job.part(0.0, 0.3), job.part(0.3, 1.0));
         match spacing {
-            Spacing::Count(count) => {
+            SampleSpacing::Count(count) => {
                 check_point_count(count as u64)?;
-                PointCollector::new(self, count, &second)?.collect_by_count(count, &self.lengths(&first)?)
+                PointCollector::new(self, count, &second)?.collect_by_count(count, &self.arc_lengths(&first)?)
             }
-            Spacing::Step(step) => {
-                let lengths = self.lengths(&first)?;
-                let whole = (lengths.total() / step).floor();
+            SampleSpacing::Step(step) => {
+                let lengths = self.arc_lengths(&first)?;
+                let whole = (lengths.total_length() / step).floor();
                 check_point_count(if whole < MAX_POINTS as f64 { whole as u64 } else { u64::MAX })?;
                 PointCollector::new(self, whole as usize + 2, &second)?.collect_by_step(step, whole as usize, &lengths)
             }
-            Spacing::Chord(tolerance) => PointCollector::new(self, 0, job)?.collect_by_chord(tolerance),
+            SampleSpacing::Chord(tolerance) => PointCollector::new(self, 0, job)?.collect_by_chord(tolerance),
         }
     }
 }
@@ -83,13 +83,13 @@ fn check_point_count(count: u64) -> Result<()> {
 /// The points collected so far along a curve.
 struct PointCollector<'a> {
     curve: &'a CurveView<'a>,
-    samples: Samples,
+    samples: SampledPoints,
     job: &'a Job<'a>,
 }
 
 impl<'a> PointCollector<'a> {
     fn new(curve: &'a CurveView<'a>, count: usize, job: &'a Job<'a>) -> Result<Self> {
-        let samples = Samples { places: alloc::with_capacity(count)?, points: alloc::with_capacity(count)? };
+        let samples = SampledPoints { places: alloc::with_capacity(count)?, points: alloc::with_capacity(count)? };
         Ok(PointCollector { curve, samples, job })
     }
 
@@ -104,19 +104,19 @@ impl<'a> PointCollector<'a> {
         alloc::push(&mut self.samples.points, point)
     }
 
-    fn collect_by_count(mut self, count: usize, lengths: &Lengths<'_>) -> Result<Samples> {
+    fn collect_by_count(mut self, count: usize, lengths: &ArcLengths<'_>) -> Result<SampledPoints> {
         let gaps = if self.curve.is_closed() { count } else { count - 1 };
         (0..count).try_for_each(|k| self.add_place(lengths.place_at_fraction(k, gaps)))?;
         Ok(self.samples)
     }
 
-    fn collect_by_step(mut self, step: f64, whole: usize, lengths: &Lengths<'_>) -> Result<Samples> {
-        let total = lengths.total();
+    fn collect_by_step(mut self, step: f64, whole: usize, lengths: &ArcLengths<'_>) -> Result<SampledPoints> {
+        let total = lengths.total_length();
         for k in 0..=whole {
             let at = k as f64 * step;
             // The last step may coincide with the end, up to rounding.
             if k == 0 || total - at > 1e-12 * total {
-                self.add_place(lengths.place(at)?)?;
+                self.add_place(lengths.place_at_length(at)?)?;
             }
         }
         if !self.curve.is_closed() {
@@ -125,7 +125,7 @@ impl<'a> PointCollector<'a> {
         Ok(self.samples)
     }
 
-    fn collect_by_chord(mut self, tolerance: f64) -> Result<Samples> {
+    fn collect_by_chord(mut self, tolerance: f64) -> Result<SampledPoints> {
         let frame = UnitFrame::from_points(self.curve.points());
         self.add_place(Place::START)?;
         for (k, controls) in self.curve.segments().enumerate() {
@@ -162,7 +162,7 @@ impl<'a> PointCollector<'a> {
         if halvings == 0 || most * (1.0 - libm::ldexp(2.0, -(n as i32))) <= tolerance {
             return self.add_place(Place { segment, t: to });
         }
-        let before = controls.split_off_front(0.5);
+        let before = controls.split_off_part_before(0.5);
         let middle = 0.5 * (from + to);
         self.add_chord_ends(segment, before, [from, middle], tolerance, halvings - 1)?;
         self.add_chord_ends(segment, controls, [middle, to], tolerance, halvings - 1)

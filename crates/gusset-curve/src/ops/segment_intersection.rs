@@ -46,7 +46,7 @@ const MAX_SAME_TOUCH_PARAMETER_GAP: f64 = 1e-3;
 /// The maximum number of examined pairs of parts, divided by the product of the degrees.
 const MAX_PART_PAIRS_TIMES_DEGREES: usize = 100_000;
 /// The range to which that limit is clamped.
-const PART_PAIR_LIMIT_RANGE: (usize, usize) = (1_000, 20_000);
+const MIN_AND_MAX_PART_PAIR_LIMIT: (usize, usize) = (1_000, 20_000);
 /// The number of undecided pairs of segments after which further pairs get only the effort of
 /// simple crossings.
 const MAX_UNDECIDED_SEGMENT_PAIRS: u32 = 32;
@@ -56,7 +56,7 @@ const MAX_PART_PAIRS_AFTER_GIVING_UP: usize = 300;
 
 /// The joints between two segments, which do not count as intersections.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct SharedJoints {
+pub(super) struct IgnoredSharedJoints {
     /// Tells whether the first segment ends where the second begins.
     pub(super) at_first_end: bool,
     /// Tells whether the first segment begins where the second ends. Both fields may be true, or
@@ -79,7 +79,7 @@ pub(super) struct SegmentIntersections {
 pub(super) fn intersect_segments(
     a: &[DVec3],
     b: &[DVec3],
-    joined: SharedJoints,
+    joined: IgnoredSharedJoints,
     found: &mut SegmentIntersections,
 ) -> Result<()> {
     found.at.clear();
@@ -88,7 +88,7 @@ pub(super) fn intersect_segments(
     find_overlaps(a, b, &mut found.overlaps)?;
     let degrees = (a.len() - 1) * (b.len() - 1);
     let max_pairs = if found.given_up < MAX_UNDECIDED_SEGMENT_PAIRS {
-        (MAX_PART_PAIRS_TIMES_DEGREES / degrees).clamp(PART_PAIR_LIMIT_RANGE.0, PART_PAIR_LIMIT_RANGE.1)
+        (MAX_PART_PAIRS_TIMES_DEGREES / degrees).clamp(MIN_AND_MAX_PART_PAIR_LIMIT.0, MIN_AND_MAX_PART_PAIR_LIMIT.1)
     } else {
         MAX_PART_PAIRS_AFTER_GIVING_UP
     };
@@ -115,7 +115,7 @@ pub(super) fn intersect_segments(
 
 struct CrossingPairSearch<'a> {
     whole: [&'a [DVec3]; 2],
-    joined: SharedJoints,
+    joined: IgnoredSharedJoints,
     pairs_left: usize,
     found: &'a mut SegmentIntersections,
 }
@@ -126,7 +126,7 @@ impl Subdivision<[SegmentPart; 2], 2> for CrossingPairSearch<'_> {
     type Split = usize;
     type Stop = Error;
 
-    fn classify(&mut self, [p, q]: &[SegmentPart; 2]) -> Result<BoxTest<[f64; 2], usize>> {
+    fn classify_box(&mut self, [p, q]: &[SegmentPart; 2]) -> Result<BoxTest<[f64; 2], usize>> {
         let Some(pairs_left) = self.pairs_left.checked_sub(1) else {
             self.found.undecided = true;
             return Ok(BoxTest::Empty);
@@ -135,7 +135,7 @@ impl Subdivision<[SegmentPart; 2], 2> for CrossingPairSearch<'_> {
         if are_hulls_separated(&p.controls, &q.controls) || self.found.has_overlap_covering(p, q) {
             return Ok(BoxTest::Empty);
         }
-        let SharedJoints { at_first_end, at_first_start } = self.joined;
+        let IgnoredSharedJoints { at_first_end, at_first_start } = self.joined;
         let joint = (at_first_end && p.to == 1.0 && q.from == 0.0) || (at_first_start && p.from == 0.0 && q.to == 1.0);
         let once = can_cross_only_once(&p.controls, &q.controls);
         if joint && (once || has_common_direction(&p.controls, &q.controls)) {
@@ -155,20 +155,20 @@ impl Subdivision<[SegmentPart; 2], 2> for CrossingPairSearch<'_> {
         Ok(find_touch(a, b, p, q).map_or(BoxTest::Unresolved, BoxTest::Unique))
     }
 
-    fn accept(&mut self, _: [SegmentPart; 2], at: [f64; 2]) -> Result<()> {
+    fn record_solution(&mut self, _: [SegmentPart; 2], at: [f64; 2]) -> Result<()> {
         self.found.add_crossing(at)
     }
 
-    fn give_up(&mut self, _: [SegmentPart; 2], _: bool) -> Result<()> {
+    fn record_unresolved(&mut self, _: [SegmentPart; 2], _: bool) -> Result<()> {
         self.found.undecided = true;
         Ok(())
     }
 
-    fn split(&mut self, pair: [SegmentPart; 2], number: usize) -> [[SegmentPart; 2]; 2] {
+    fn split_box(&mut self, pair: [SegmentPart; 2], number: usize) -> [[SegmentPart; 2]; 2] {
         halve_one_of_pair(pair, number)
     }
 
-    fn reserve(stack: &mut BoxStack<[SegmentPart; 2]>) -> Result<()> {
+    fn reserve_stack(stack: &mut BoxStack<[SegmentPart; 2]>) -> Result<()> {
         alloc::reserve(stack, 2)
     }
 }
@@ -197,7 +197,7 @@ impl SegmentIntersections {
     /// Merges intersections between which the segments stay together, because they touch too
     /// closely to resolve. Keeps the middle one.
     fn merge_unresolved_touches(&mut self, a: &[DVec3], b: &[DVec3]) {
-        sort::stable(&mut self.at, &|x, y| x[0].total_cmp(&y[0]));
+        sort::sort_stable(&mut self.at, &|x, y| x[0].total_cmp(&y[0]));
         let together = |x: [f64; 2], y: [f64; 2]| {
             let middle = segment::point_at(a, 0.5 * (x[0] + y[0]));
             (x[0] - y[0]).abs().max((x[1] - y[1]).abs()) <= MAX_SAME_TOUCH_PARAMETER_GAP
@@ -363,7 +363,7 @@ fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Re
         count += 1;
     }
     let ends = &mut ends[..count];
-    sort::stable(ends, &|x, y| x[0].total_cmp(&y[0]));
+    sort::sort_stable(ends, &|x, y| x[0].total_cmp(&y[0]));
     // More than n m common points prove it; 64 samples are taken as enough.
     let samples = ((a.len() - 1) * (b.len() - 1)).min(64) + 1;
     for pair in ends.windows(2) {

@@ -31,7 +31,7 @@ impl SegmentPart {
 
     pub(super) fn into_halves(mut self) -> [SegmentPart; 2] {
         let middle = self.middle_parameter();
-        let before = SegmentPart { controls: self.controls.split_off_front(0.5), to: middle, ..self };
+        let before = SegmentPart { controls: self.controls.split_off_part_before(0.5), to: middle, ..self };
         [before, SegmentPart { from: middle, ..self }]
     }
 }
@@ -76,7 +76,7 @@ pub(super) fn sort_and_remove_duplicates<T: Copy>(
     periods: [f64; 2],
     tolerance: f64,
 ) {
-    sort::stable(found, &|x, y| compare_places(places(x), places(y)));
+    sort::sort_stable(found, &|x, y| compare_places(places(x), places(y)));
     let mut kept = 0;
     for i in 0..found.len() {
         let at = places(&found[i]);

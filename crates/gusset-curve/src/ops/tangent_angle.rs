@@ -54,7 +54,7 @@ struct SegmentTangents {
 
 /// The angle sought.
 #[derive(Clone, Copy)]
-enum SoughtAngle {
+enum AngleCriterion {
     Right,
     /// Along the direction (1) or against it (-1).
     Parallel(f64),
@@ -79,10 +79,10 @@ impl CurveView<'_> {
         Error::require(largest > 0.0, "direction", largest)?;
         let along = (direction / largest).normalize();
         let sought = match angle {
-            _ if angle <= MAX_SPECIAL_ANGLE_ERROR => SoughtAngle::Parallel(1.0),
-            _ if PI - angle <= MAX_SPECIAL_ANGLE_ERROR => SoughtAngle::Parallel(-1.0),
-            _ if (angle - FRAC_PI_2).abs() <= MAX_SPECIAL_ANGLE_ERROR => SoughtAngle::Right,
-            _ => SoughtAngle::Other(libm::cos(angle), libm::sin(angle)),
+            _ if angle <= MAX_SPECIAL_ANGLE_ERROR => AngleCriterion::Parallel(1.0),
+            _ if PI - angle <= MAX_SPECIAL_ANGLE_ERROR => AngleCriterion::Parallel(-1.0),
+            _ if (angle - FRAC_PI_2).abs() <= MAX_SPECIAL_ANGLE_ERROR => AngleCriterion::Right,
+            _ => AngleCriterion::Other(libm::cos(angle), libm::sin(angle)),
         };
         let (u, v) = along.any_orthonormal_pair();
         let frame = UnitFrame::from_points(self.points());
@@ -132,16 +132,16 @@ impl SegmentTangents {
     }
 
     /// Returns the roots of the equation, or of its square, which include all solutions.
-    fn candidate_roots(&self, sought: SoughtAngle) -> Roots {
+    fn candidate_roots(&self, sought: AngleCriterion) -> Roots {
         let [along, u, v] = [0, 1, 2].map(|k| self.derivative_component(k));
         match sought {
-            SoughtAngle::Right => roots(along, MAX_POLYNOMIAL_ROUNDING),
-            SoughtAngle::Parallel(_) => {
+            AngleCriterion::Right => roots(along, MAX_POLYNOMIAL_ROUNDING),
+            AngleCriterion::Parallel(_) => {
                 // Use the component across that is not 0 everywhere.
                 let size = |c: &[f64]| c.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
                 roots(if size(u) >= size(v) { u } else { v }, MAX_POLYNOMIAL_ROUNDING)
             }
-            SoughtAngle::Other(cosine, sine) => {
+            AngleCriterion::Other(cosine, sine) => {
                 let mut squared = [0.0; 2 * MAX_DEGREE];
                 add_product(along, along, sine * sine, &mut squared);
                 for across in [u, v] {
@@ -153,19 +153,20 @@ impl SegmentTangents {
     }
 
     /// Returns the solution near a candidate, if the tangent makes the angle there.
-    fn confirm_root(&self, sought: SoughtAngle, t: f64, angle: f64) -> Option<f64> {
+    fn confirm_root(&self, sought: AngleCriterion, t: f64, angle: f64) -> Option<f64> {
         let [tangent, _] = self.derivatives_at(t);
         if tangent.length() <= MIN_RELATIVE_SPEED {
-            return self.is_cusp_at(t, angle).then_some(t);
+            return self.is_cusp_of_angle_at(t, angle).then_some(t);
         }
         match sought {
-            SoughtAngle::Right => Some(t),
-            SoughtAngle::Parallel(sign) => (libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length()
-                && sign * tangent.x > 0.0)
-                .then_some(t),
+            AngleCriterion::Right => Some(t),
+            AngleCriterion::Parallel(sign) => {
+                (libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length() && sign * tangent.x > 0.0)
+                    .then_some(t)
+            }
             // Check the sign that squaring lost, if it is beyond doubt; otherwise solve the
             // original equation.
-            SoughtAngle::Other(cosine, _) => {
+            AngleCriterion::Other(cosine, _) => {
                 let mut at = t;
                 for _ in 0..MAX_NEWTON_STEPS {
                     let [tangent, slope] = self.derivatives_at(at);
@@ -190,7 +191,7 @@ impl SegmentTangents {
     }
 
     /// Returns true if the derivative is 0 and the tangent before or after makes the angle.
-    fn is_cusp_at(&self, t: f64, angle: f64) -> bool {
+    fn is_cusp_of_angle_at(&self, t: f64, angle: f64) -> bool {
         let mut rest = self.components;
         let (mut count, mut sign) = (self.count, 1.0);
         // The tangent after the place is the first non-zero derivative. The tangent before it has
@@ -213,11 +214,16 @@ impl SegmentTangents {
 
     /// Adds a segment all of whose tangents are parallel, or make the angle or its opposite: the
     /// parts with the right sign.
-    fn add_parallel_intervals(&self, sought: SoughtAngle, segment: u32, intervals: &mut Vec<[Place; 2]>) -> Result<()> {
+    fn add_parallel_intervals(
+        &self,
+        sought: AngleCriterion,
+        segment: u32,
+        intervals: &mut Vec<[Place; 2]>,
+    ) -> Result<()> {
         let sign = match sought {
-            SoughtAngle::Right => None,
-            SoughtAngle::Parallel(sign) => Some(sign),
-            SoughtAngle::Other(cosine, _) => Some(cosine),
+            AngleCriterion::Right => None,
+            AngleCriterion::Parallel(sign) => Some(sign),
+            AngleCriterion::Other(cosine, _) => Some(cosine),
         };
         let turns = roots(self.derivative_component(0), MAX_POLYNOMIAL_ROUNDING);
         let ends = turns.as_slice().iter().copied().filter(|_| sign.is_some()).chain([1.0]);
@@ -225,7 +231,9 @@ impl SegmentTangents {
         for to in ends.filter(|&t| t > 0.0) {
             let [tangent, _] = self.derivatives_at(0.5 * (from + to));
             let all_lie = match sought {
-                SoughtAngle::Parallel(_) => libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length(),
+                AngleCriterion::Parallel(_) => {
+                    libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length()
+                }
                 _ => true,
             };
             if to > from && all_lie && sign.is_none_or(|sign| sign * tangent.x > 0.0) {

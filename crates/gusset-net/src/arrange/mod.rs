@@ -53,7 +53,7 @@ impl Net<'_> {
     /// [`Error::NetTooSmall`], [`Error::OptionOutOfRange`] for ranges beyond the net,
     /// [`Error::CrossingCell`] if only gluings outside the part identified the opposite corners of
     /// a cell, [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn part(&self, rows: Range<usize>, columns: Range<usize>, job: &Job<'_>) -> Result<Net<'static>> {
+    pub fn sub_net(&self, rows: Range<usize>, columns: Range<usize>, job: &Job<'_>) -> Result<Net<'static>> {
         let old = self.shape();
         for (option, range, count) in [("rows", &rows, old.rows()), ("columns", &columns, old.columns())] {
             let is_within = range.start <= range.end && range.end <= count;
@@ -64,7 +64,7 @@ impl Net<'_> {
         let topology = restrict_topology(self.topology(), &rows, &columns)?;
         topology.check_crossed_cells()?;
         let map = Rearrangement::Part { row: rows.start, column: columns.start };
-        let mut part = self.rearranged(&map, topology, job)?;
+        let mut part = self.with_rearranged_nodes(&map, topology, job)?;
         for bridge in self.bridges() {
             if let Some(bridge) = bridge.clipped_to(&rows, &columns) {
                 alloc::push(part.bridges_mut(), bridge)?;
@@ -78,7 +78,7 @@ impl Net<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn transposed(&self, job: &Job<'_>) -> Result<Net<'static>> {
-        let mut net = self.rearranged(&Rearrangement::Transposed, self.topology().transposed()?, job)?;
+        let mut net = self.with_rearranged_nodes(&Rearrangement::Transposed, self.topology().transposed()?, job)?;
         let transpose =
             |bridge: &Bridge| Bridge { direction: bridge.direction.transposed(), ..bridge.without_adaptations() };
         *net.bridges_mut() = alloc::collect(self.bridges().iter().map(transpose))?;
@@ -91,7 +91,7 @@ impl Net<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn flipped(&self, axis: Direction, job: &Job<'_>) -> Result<Net<'static>> {
         let topology = self.topology().map_rows_or_columns(axis, Topology::flipped_rows)?;
-        let mut net = self.rearranged(&Rearrangement::Flipped(axis), topology, job)?;
+        let mut net = self.with_rearranged_nodes(&Rearrangement::Flipped(axis), topology, job)?;
         let flip = |bridge: &Bridge| bridge.flipped(axis, self.shape());
         *net.bridges_mut() = alloc::collect(self.bridges().iter().map(flip))?;
         Ok(net)
@@ -102,7 +102,7 @@ impl Net<'_> {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn turned(&self, quarters: i32, job: &Job<'_>) -> Result<Net<'static>> {
+    pub fn turned_by_quarters(&self, quarters: i32, job: &Job<'_>) -> Result<Net<'static>> {
         let (first, second) = (&job.part(0.0, 0.5), &job.part(0.5, 1.0));
         match quarters.rem_euclid(4) {
             0 => self.copied(),
@@ -116,21 +116,23 @@ impl Net<'_> {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn turned_by(&self, turn: GridSymmetry, job: &Job<'_>) -> Result<Net<'static>> {
+    pub fn apply_symmetry(&self, turn: GridSymmetry, job: &Job<'_>) -> Result<Net<'static>> {
         match turn {
             GridSymmetry::None => self.copied(),
-            GridSymmetry::Quarter => self.turned(1, job),
-            GridSymmetry::Half => self.turned(2, job),
-            GridSymmetry::ThreeQuarters => self.turned(3, job),
+            GridSymmetry::Quarter => self.turned_by_quarters(1, job),
+            GridSymmetry::Half => self.turned_by_quarters(2, job),
+            GridSymmetry::ThreeQuarters => self.turned_by_quarters(3, job),
             GridSymmetry::FlipColumns => self.flipped(Direction::Right, job),
             GridSymmetry::FlipRows => self.flipped(Direction::Down, job),
             GridSymmetry::Transpose => self.transposed(job),
-            GridSymmetry::Antitranspose => self.transposed(&job.part(0.0, 0.4))?.turned(2, &job.part(0.4, 1.0)),
+            GridSymmetry::Antitranspose => {
+                self.transposed(&job.part(0.0, 0.4))?.turned_by_quarters(2, &job.part(0.4, 1.0))
+            }
         }
     }
 
     /// Rearranges the nodes under a new topology, without bridges.
-    pub(crate) fn rearranged(
+    pub(crate) fn with_rearranged_nodes(
         &self,
         rearrangement: &Rearrangement<'_>,
         topology: Topology,
@@ -164,10 +166,10 @@ impl Bridge {
 
     /// Returns the bridge in a net whose rows (`Down`) or columns are reversed.
     fn flipped(&self, axis: Direction, shape: Shape) -> Bridge {
-        let count = axis.extents_along_and_across(shape).0 as u32;
+        let count = axis.line_count_and_length(shape).0 as u32;
         let bridge = self.without_adaptations();
         if self.direction == axis {
-            Bridge { at: count - self.first_side_line() - 1, ..bridge }
+            Bridge { at: count - self.last_line_of_first_net() - 1, ..bridge }
         } else {
             Bridge { start: count - self.end, end: count - self.start, ..bridge }
         }
@@ -176,9 +178,9 @@ impl Bridge {
     /// Returns the part of the bridge within a rectangle, if a cell of it is. Where the rectangle
     /// ends among the inner rows, the last of them is the side.
     pub(crate) fn clipped_to(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
-        let (across, along) = self.direction.order_along_first(rows, columns);
+        let (across, along) = self.direction.swap_unless_down(rows, columns);
         let (start, end) = (along.start.max(self.start as usize), along.end.min(self.end as usize));
-        let (side, at) = (self.first_side_line() as usize, self.at as usize);
+        let (side, at) = (self.last_line_of_first_net() as usize, self.at as usize);
         let (first, last) = (side.max(across.start), at.min(across.end.saturating_sub(1)));
         if first >= last || end < start + 2 {
             return None;

@@ -20,7 +20,7 @@ impl Topology {
         link: impl Fn(u32) -> u32,
         run: impl Fn(SeamRun) -> SeamRun,
     ) -> Result<Self> {
-        let links = match self.links() {
+        let links = match self.contracted_link_set() {
             ContractedLinks::Sides(old) => ContractedLinks::Sides(sides(*old)),
             ContractedLinks::Matrix(old) => {
                 ContractedLinks::Matrix(LinkMatrix::from_links(shape, old.links().map(link))?)
@@ -35,7 +35,7 @@ impl Topology {
     pub(crate) fn transposed(&self) -> Result<Self> {
         let (old, shape) = (self.shape(), self.shape().transposed());
         let link = |link: u32| {
-            let (i, j) = old.place(link / 2);
+            let (i, j) = old.row_and_column(link / 2);
             2 * shape.node(j, i) + (1 - link % 2)
         };
         self.map_elements(shape, Sides::transposed, link, SeamRun::transposed)
@@ -46,7 +46,7 @@ impl Topology {
         let shape = self.shape();
         let last = shape.rows() - 1;
         let link = |link: u32| {
-            let (i, j) = shape.place(link / 2);
+            let (i, j) = shape.row_and_column(link / 2);
             match (link % 2, i == last) {
                 (0, _) => shape.horizontal_link(last - i, j),
                 // A closing link stays one; others begin where theirs ended, a row earlier.
@@ -88,7 +88,7 @@ impl Topology {
         let (old, whole) = (self.shape(), rows.len() == self.shape().rows());
         let shape = Shape::new(rows.len(), old.columns())?;
         let first = old.horizontal_link(rows.start, 0);
-        let mut links = match self.links() {
+        let mut links = match self.contracted_link_set() {
             ContractedLinks::Sides(sides) => ContractedLinks::Sides(Sides {
                 columns_closed: sides.columns_closed && whole,
                 pole_top: sides.pole_top && rows.start == 0,
@@ -109,7 +109,7 @@ impl Topology {
             match columns_closed_by_seam(shape, seam) {
                 Some(columns) => {
                     let mut matrix = links.into_matrix(shape)?;
-                    columns.for_each(|j| matrix.set(shape.vertical_link(rows.len() - 1, j as usize), true));
+                    columns.for_each(|j| matrix.set_contracted(shape.vertical_link(rows.len() - 1, j as usize), true));
                     links = ContractedLinks::Matrix(matrix);
                 }
                 None => alloc::push(&mut kept, seam)?,
@@ -122,7 +122,7 @@ impl Topology {
     fn cut_seams_by_row_ranges(&self, ranges: &[Range<usize>]) -> Result<Vec<Vec<Seam>>> {
         let mut cut = alloc::filled(Vec::new(), ranges.len())?;
         for &seam in self.seams() {
-            let ends = [seam.a.node_place(0).0, seam.a.node_place(seam.count - 1).0];
+            let ends = [seam.a.row_and_column_of_node(0).0, seam.a.row_and_column_of_node(seam.count - 1).0];
             let (low, high) = (ends[0].min(ends[1]) as usize, ends[0].max(ends[1]) as usize);
             let from = ranges.partition_point(|rows| rows.end <= low);
             let to = ranges.partition_point(|rows| rows.start <= high);
@@ -143,7 +143,7 @@ fn columns_closed_by_seam(shape: Shape, seam: Seam) -> Option<impl Iterator<Item
     let rows = [a.row.min(b.row), a.row.max(b.row)];
     let whole = rows == [0, shape.rows() as u32 - 1] && a.row_step == 0 && b.row_step == 0;
     let same = a.column == b.column && a.column_step == b.column_step;
-    (whole && same).then(|| (0..count).map(move |k| a.node_place(k).1))
+    (whole && same).then(|| (0..count).map(move |k| a.row_and_column_of_node(k).1))
 }
 
 /// Returns the rows that a seam closes, if each of its pairs is the last and the first node of a

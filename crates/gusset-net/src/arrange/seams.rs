@@ -37,7 +37,9 @@ pub(crate) fn map_seam(
     let mut flush = |piece: Option<Seam>| piece.filter(glues).map_or(Ok(()), |piece| alloc::push(out, piece));
     let mut current: Option<Seam> = None;
     for k in 0..seam.count {
-        let (Some(a), Some(b)) = (map_place(seam.a.node_place(k)), map_place(seam.b.node_place(k))) else {
+        let (Some(a), Some(b)) =
+            (map_place(seam.a.row_and_column_of_node(k)), map_place(seam.b.row_and_column_of_node(k)))
+        else {
             flush(current.take())?;
             continue;
         };
@@ -100,10 +102,10 @@ fn find_unused_seam(starts: &[(SeamStart, usize)], used: &[bool], wanted: SeamSt
 }
 
 fn last_pair(seam: Seam) -> [RowColumn; 2] {
-    [seam.a.node_place(seam.count - 1), seam.b.node_place(seam.count - 1)]
+    [seam.a.row_and_column_of_node(seam.count - 1), seam.b.row_and_column_of_node(seam.count - 1)]
 }
 
 fn seam_start(seam: Seam) -> SeamStart {
     let steps = |run: SeamRun| (i64::from(run.row_step), i64::from(run.column_step));
-    ([seam.a.node_place(0), seam.b.node_place(0)], [steps(seam.a), steps(seam.b)])
+    ([seam.a.row_and_column_of_node(0), seam.b.row_and_column_of_node(0)], [steps(seam.a), steps(seam.b)])
 }

@@ -75,10 +75,10 @@ impl Cuboid {
             for j in 0..w {
                 let here = self.lattice_point(i, j);
                 if j + 1 < w && here == self.lattice_point(i, j + 1) {
-                    matrix.set(shape.horizontal_link(i, j), true);
+                    matrix.set_contracted(shape.horizontal_link(i, j), true);
                 }
                 if i > 0 && here == self.lattice_point(i - 1, j) {
-                    matrix.set(shape.vertical_link(i - 1, j), true);
+                    matrix.set_contracted(shape.vertical_link(i - 1, j), true);
                 }
             }
         }

@@ -40,7 +40,7 @@ impl BoundaryChains {
     }
 
     /// 1 for each open chain, 0 for the others.
-    pub fn open_chains(&self) -> &[u32] {
+    pub fn open_chain_flags(&self) -> &[u32] {
         &self.open
     }
 
@@ -61,14 +61,14 @@ impl BoundaryChains {
 
     /// Links `edges` of a net of `count` nodes to chains, in the direction of their faces, or
     /// against it if `reversed`. `fan_ends` pairs the edges at vertices with more than two.
-    pub(super) fn from_edges(
+    pub(super) fn from_boundary_edges(
         edges: &[Edge],
         fan_ends: &mut Vec<FanEnds>,
         count: usize,
         reversed: bool,
     ) -> Result<Self> {
         Error::check_count("edges of one face", edges.len() as u64, u64::from(u32::MAX / 2))?;
-        let partners = link_edge_ends_to_chains(edges, fan_ends, count)?;
+        let partners = pair_edge_ends_into_chains(edges, fan_ends, count)?;
         let mut boundary = BoundaryChains { offsets: alloc::filled(0, 1)?, ..BoundaryChains::default() };
         let mut done: Vec<bool> = alloc::filled(false, edges.len())?;
         // Open chains first, from their ends; then loops.
@@ -103,7 +103,7 @@ impl BoundaryChains {
 
 /// For each end of each edge (number `2 * edge + side`) the end of the next edge of its chain, or
 /// itself.
-fn link_edge_ends_to_chains(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize) -> Result<Vec<u32>> {
+fn pair_edge_ends_into_chains(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize) -> Result<Vec<u32>> {
     sort_by_bucket(fan_ends, count, |fan| fan[0])?;
     let mut partners: Vec<u32> = alloc::collect((0..2 * edges.len()).map(|end| end as u32))?;
     // (vertex, the edge's other vertex, number)

@@ -1,8 +1,8 @@
 //! Connected components by union-find, and orientability by union-find with parity. O(nodes).
 
-use super::edges::sides_of_faces;
+use super::edges::sides_that_belong_to_faces;
 use super::presence::ExistingCells;
-use super::row_scan::{FaceSide, RowScan};
+use super::row_scan::{FaceSide, IrregularElements};
 use crate::topology::NodeClasses;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -20,7 +20,7 @@ pub(super) fn count_components(classes: &NodeClasses, presence: &ExistingCells) 
     for i in 0..shape.rows() - 1 {
         presence.write_padded_row(shape, i, &mut row);
         for j in (0..shape.columns() - 1).filter(|&j| row[j + 1] == 1) {
-            let corners = shape.corners(i, j);
+            let corners = shape.corners_of_cell(i, j);
             for node in corners {
                 sets.union(corners[0], node);
                 touched[node as usize] = true;
@@ -28,7 +28,7 @@ pub(super) fn count_components(classes: &NodeClasses, presence: &ExistingCells) 
         }
     }
     // A glued node that no cell touches connects nothing.
-    for class in classes.groups()?.iter() {
+    for class in classes.glued_classes()?.iter() {
         let mut nodes = class.iter().filter(|&&node| touched[node as usize]);
         if let Some(&first) = nodes.next() {
             nodes.for_each(|&node| _ = sets.union(first, node));
@@ -39,7 +39,11 @@ pub(super) fn count_components(classes: &NodeClasses, presence: &ExistingCells) 
 
 /// Returns true if the faces can be oriented so that no two traverse an edge in the same direction.
 /// Edges of three or more faces do not count. O(cells).
-pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &NodeClasses, presence: &ExistingCells) -> Result<bool> {
+pub(super) fn is_orientable(
+    scan: &IrregularElements<'_>,
+    classes: &NodeClasses,
+    presence: &ExistingCells,
+) -> Result<bool> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let mut signs = ParitySets::new(shape.cell_count())?;
@@ -50,7 +54,7 @@ pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &NodeClasses, presence:
     for i in 0..h - 1 {
         presence.write_padded_row(shape, i + 1, &mut next);
         for j in (0..w - 1).filter(|&j| row[j + 1] == 1) {
-            let [_, b, c, d] = shape.corners(i, j);
+            let [_, b, c, d] = shape.corners_of_cell(i, j);
             if row[j + 2..].first() == Some(&1) && plain(b, c) {
                 signs.union(shape.cell(i, j), shape.cell(i, j + 1), false);
             }
@@ -61,7 +65,7 @@ pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &NodeClasses, presence:
         std::mem::swap(&mut row, &mut next);
     }
     let pairs = scan.sides.chunk_by(|a: &FaceSide, b: &FaceSide| a.edge == b.edge).filter_map(|sides| {
-        match sides_of_faces(sides) {
+        match sides_that_belong_to_faces(sides) {
             [a, b] => Some((a.cell, b.cell, a.sense == b.sense)),
             _ => None,
         }

@@ -3,20 +3,20 @@
 
 use super::boundary::FanEnds;
 use super::quotient::Complex;
-use super::row_scan::{FaceCorner, FaceSide, RowScan, SideDirection};
+use super::row_scan::{FaceCorner, FaceSide, IrregularElements, SideDirection};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::sort::{sort_by_bucket, sort_distinct};
 
 /// Groups sides of faces to edges, and adds boundary edges to the scan's.
-pub(super) fn group_sides_into_edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
+pub(super) fn group_sides_into_edges(scan: &mut IrregularElements<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
     sort_by_bucket(&mut scan.sides, count, |side| side.edge[0])?;
     for sides in scan.sides.chunk_by(|a, b| a.edge == b.edge) {
         complex.edges += 1;
         let [min, max] = sides[0].edge;
-        match sides_of_faces(sides) {
+        match sides_that_belong_to_faces(sides) {
             [] => alloc::push(&mut complex.wires, [min, max])?,
             [one] if one.sense == SideDirection::Up => alloc::push(&mut scan.rim, [min, max])?,
             [_] => alloc::push(&mut scan.rim, [max, min])?,
@@ -29,16 +29,16 @@ pub(super) fn group_sides_into_edges(scan: &mut RowScan<'_>, complex: &mut Compl
 }
 
 /// Returns the sides of an edge that belong to faces, given all of them in order.
-pub(super) fn sides_of_faces(sides: &[FaceSide]) -> &[FaceSide] {
+pub(super) fn sides_that_belong_to_faces(sides: &[FaceSide]) -> &[FaceSide] {
     &sides[..sides.partition_point(|side| side.sense != SideDirection::None)]
 }
 
 /// Groups the corners at each vertex into fans, sequences of adjacent faces around it. A vertex
 /// with several fans is a pinch, and the boundary edges of each fan are added to the scan's.
-pub(super) fn group_corners_into_fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
+pub(super) fn group_corners_into_fans(scan: &mut IrregularElements<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
     sort_by_bucket(&mut scan.corners, count, |corner| corner[0])?;
-    let mut link = VertexLink::default();
+    let mut link = LinkOfVertex::default();
     for corners in scan.corners.chunk_by(|a, b| a[0] == b[0]) {
         if link.count_fans(corners, &mut scan.fan_ends)? > 1 {
             alloc::push(&mut complex.pinches, corners[0][0])?;
@@ -51,7 +51,7 @@ pub(super) fn group_corners_into_fans(scan: &mut RowScan<'_>, complex: &mut Comp
 /// The link of a vertex: its points are the edges that meet there, and each face joins two of them.
 /// The memory is reused for each vertex.
 #[derive(Default)]
-struct VertexLink {
+struct LinkOfVertex {
     /// The other ends of the edges, in order.
     points: Vec<u32>,
     /// The connected components of these points.
@@ -62,7 +62,7 @@ struct VertexLink {
     ends: Vec<(u32, u32)>,
 }
 
-impl VertexLink {
+impl LinkOfVertex {
     /// Returns the number of components of the link; the two ends of each open one are appended to
     /// `ends`.
     fn count_fans(&mut self, corners: &[FaceCorner], ends: &mut Vec<FanEnds>) -> Result<usize> {

@@ -24,7 +24,7 @@ use super::topology::{NodeClasses, Topology};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use presence::ExistingCells;
-use row_scan::RowScan;
+use row_scan::IrregularElements;
 
 impl Complex {
     /// Returns the complex of all cells of a topology.
@@ -50,7 +50,7 @@ impl Complex {
     fn new(topology: &Topology, presence: &ExistingCells, job: &Job<'_>) -> Result<Self> {
         let classes = NodeClasses::new(topology)?;
         let mut complex = Complex::default();
-        let mut scan = RowScan::new(&classes, presence, &mut complex, &job.part(0.0, 0.5))?;
+        let mut scan = IrregularElements::new(&classes, presence, &mut complex, &job.part(0.0, 0.5))?;
         edges::group_sides_into_edges(&mut scan, &mut complex)?;
         job.step(0.7, "complex")?;
         edges::group_corners_into_fans(&mut scan, &mut complex)?;
@@ -58,7 +58,7 @@ impl Complex {
         complex.orientable = complex.conflicts.is_empty() || connectivity::is_orientable(&scan, &classes, presence)?;
         complex.boundary_edges = scan.rim.len() as u64;
         let (count, reversed) = (scan.node_count(), topology.is_reversed());
-        complex.boundary = BoundaryChains::from_edges(&scan.rim, &mut scan.fan_ends, count, reversed)?;
+        complex.boundary = BoundaryChains::from_boundary_edges(&scan.rim, &mut scan.fan_ends, count, reversed)?;
         job.step(1.0, "complex")?;
         Ok(complex)
     }

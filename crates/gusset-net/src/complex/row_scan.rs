@@ -41,10 +41,10 @@ pub(super) enum SideDirection {
 pub(super) type FaceCorner = [u32; 3];
 
 /// The elements that the pass collects.
-pub(super) struct RowScan<'a> {
+pub(super) struct IrregularElements<'a> {
     shape: Shape,
     classes: &'a NodeClasses,
-    /// For each node [`NODE_IS_GLUED`], [`NODE_IS_NEAR_GLUED`], or neither.
+    /// For each node [`NODE_IS_GLUED`], [`NODE_HAS_LINK_TO_GLUED`], or neither.
     marks: Vec<u8>,
     pub(super) sides: Vec<FaceSide>,
     pub(super) corners: Vec<FaceCorner>,
@@ -58,9 +58,9 @@ pub(super) struct RowScan<'a> {
 /// The node is glued to others.
 const NODE_IS_GLUED: u8 = 1;
 /// A link joins the node to a glued one.
-const NODE_IS_NEAR_GLUED: u8 = 2;
+const NODE_HAS_LINK_TO_GLUED: u8 = 2;
 
-impl<'a> RowScan<'a> {
+impl<'a> IrregularElements<'a> {
     /// Scans the net and counts its regular elements in `complex`.
     pub(super) fn new(
         classes: &'a NodeClasses,
@@ -70,8 +70,16 @@ impl<'a> RowScan<'a> {
     ) -> Result<Self> {
         let shape = classes.shape();
         let (sides, corners, rim, fan_ends, touched) = Default::default();
-        let mut scan =
-            RowScan { shape, classes, marks: mark_glued_nodes(classes)?, sides, corners, rim, fan_ends, touched };
+        let mut scan = IrregularElements {
+            shape,
+            classes,
+            marks: mark_glued_nodes(classes)?,
+            sides,
+            corners,
+            rim,
+            fan_ends,
+            touched,
+        };
         let mut above: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
         let mut below: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
         for i in 0..shape.rows() {
@@ -145,31 +153,31 @@ impl<'a> RowScan<'a> {
     /// nodes.
     fn scan_cells_of_row(&mut self, i: usize, below: &[u8], complex: &mut Complex) -> Result<()> {
         for j in (0..self.shape.columns() - 1).filter(|&j| below[j + 1] == 1) {
-            let corners = self.shape.corners(i, j);
+            let corners = self.shape.corners_of_cell(i, j);
             let mark = corners.into_iter().fold(0, |mark, node| mark | self.marks[node as usize]);
             if mark == 0 {
                 complex.quads += 1;
                 continue;
             }
             let cell = self.shape.cell(i, j);
-            match ReducedCell::new(self.classes.corners(i, j)) {
+            match ReducedCell::new(self.classes.representatives_of_corners(i, j)) {
                 ReducedCell::Quad(polygon) => {
                     complex.quads += 1;
-                    self.add_face(&polygon, cell)?;
+                    self.add_sides_and_corners_of_face(&polygon, cell)?;
                 }
                 ReducedCell::Triangle(polygon) => {
                     complex.triangles += 1;
-                    self.add_face(&polygon, cell)?;
+                    self.add_sides_and_corners_of_face(&polygon, cell)?;
                 }
                 ReducedCell::Digon(edge) => {
                     complex.digons += 1;
-                    self.add_side(edge, cell, true)?;
+                    self.add_side_if_glued(edge, cell, true)?;
                 }
                 ReducedCell::Point(_) => complex.points += 1,
                 ReducedCell::Fold([a, b, d]) => {
                     complex.folds += 1;
-                    self.add_side([a, b], cell, true)?;
-                    self.add_side([a, d], cell, true)?;
+                    self.add_side_if_glued([a, b], cell, true)?;
+                    self.add_side_if_glued([a, d], cell, true)?;
                 }
                 // A topology never has such a cell.
                 ReducedCell::Crossing(_) => {}
@@ -178,19 +186,19 @@ impl<'a> RowScan<'a> {
         Ok(())
     }
 
-    fn add_face(&mut self, polygon: &[u32], cell: u32) -> Result<()> {
+    fn add_sides_and_corners_of_face(&mut self, polygon: &[u32], cell: u32) -> Result<()> {
         let n = polygon.len();
         for k in 0..n {
             let [before, at, after] = [polygon[(k + n - 1) % n], polygon[k], polygon[(k + 1) % n]];
             if self.marks[at as usize] != 0 {
                 alloc::push(&mut self.corners, [at, before, after])?;
             }
-            self.add_side([at, after], cell, false)?;
+            self.add_side_if_glued([at, after], cell, false)?;
         }
         Ok(())
     }
 
-    fn add_side(&mut self, [from, to]: Edge, cell: u32, bare: bool) -> Result<()> {
+    fn add_side_if_glued(&mut self, [from, to]: Edge, cell: u32, bare: bool) -> Result<()> {
         if (self.marks[from as usize] | self.marks[to as usize]) & NODE_IS_GLUED == 0 {
             return Ok(());
         }
@@ -220,14 +228,14 @@ fn mark_glued_nodes(classes: &NodeClasses) -> Result<Vec<u8>> {
     let mut marks: Vec<u8> = alloc::zeroed(shape.node_count())?;
     classes.for_each_glued_node(|node, representative| {
         for node in [node, representative] {
-            let (i, j) = shape.place(node);
+            let (i, j) = shape.row_and_column(node);
             let node = node as usize;
             marks[node] = NODE_IS_GLUED;
             let around = [(j > 0, 1, 0), (j + 1 < w, 0, 1), (i > 0, w, 0), (i + 1 < h, 0, w)];
             for (_, minus, plus) in around.into_iter().filter(|&(exists, ..)| exists) {
                 let neighbour = &mut marks[node + plus - minus];
                 if *neighbour == 0 {
-                    *neighbour = NODE_IS_NEAR_GLUED;
+                    *neighbour = NODE_HAS_LINK_TO_GLUED;
                 }
             }
         }

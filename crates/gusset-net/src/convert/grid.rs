@@ -82,7 +82,7 @@ impl QuadWalker<'_> {
     }
 
     fn corner_count(&self, face: u32) -> usize {
-        self.mesh.faces().range(face as usize).len()
+        self.mesh.faces().corner_range(face as usize).len()
     }
 
     /// Returns the half-edge `k` places further around the face.
@@ -95,7 +95,7 @@ impl QuadWalker<'_> {
     }
 
     /// Returns the third corner of a triangle.
-    fn apex_vertex(&self, h: u32) -> u32 {
+    fn third_vertex_of_triangle(&self, h: u32) -> u32 {
         self.start_vertex(self.advance_around_face(h, 2))
     }
 
@@ -155,7 +155,7 @@ struct QuadGrid {
 
 impl QuadGrid {
     fn find_from_face(walker: &QuadWalker<'_>, start_face: Option<u32>, job: &Job<'_>) -> Result<QuadGrid> {
-        let head = QuadGrid::first_cell(walker, start_face)?;
+        let head = QuadGrid::find_top_left_cell(walker, start_face)?;
         let mut grid = QuadGrid { cells: Vec::new(), columns: 0, rows_closed: false, shift: None, poles: [None, None] };
         let count = walker.mesh.faces().len();
         grid.add_row(walker, head)?;
@@ -176,23 +176,23 @@ impl QuadGrid {
                 return Err(walker.no_grid_error(row));
             }
         }
-        grid.check_columns(walker, &job.part(0.5, 1.0))?;
+        grid.check_rows_and_columns(walker, &job.part(0.5, 1.0))?;
         let last = grid.cells.len() - grid.columns;
         grid.poles = [
-            grid.triangles_at_pole(walker, 0, GridHeading::Up)?,
-            grid.triangles_at_pole(walker, last, GridHeading::Down)?,
+            grid.triangle_fan_at_pole(walker, 0, GridHeading::Up)?,
+            grid.triangle_fan_at_pole(walker, last, GridHeading::Down)?,
         ];
         Ok(grid)
     }
 
     /// Returns the first cell of the first row of quads.
-    fn first_cell(walker: &QuadWalker<'_>, start_face: Option<u32>) -> Result<u32> {
+    fn find_top_left_cell(walker: &QuadWalker<'_>, start_face: Option<u32>) -> Result<u32> {
         let face = start_face.unwrap_or(0);
         let faces = walker.mesh.faces();
         if face as usize >= faces.len() {
             return Err(Error::NoGrid { face });
         }
-        let first = faces.range(face as usize).start as u32;
+        let first = faces.corner_range(face as usize).start as u32;
         let quad = match walker.corner_count(face) {
             4 => first,
             // A triangle at a pole has a quad across the side opposite the pole.
@@ -205,7 +205,7 @@ impl QuadGrid {
                     return Err(Error::NoGrid { face });
                 }
                 let mate = (0..3).find_map(across).ok_or(Error::NoGrid { face })?;
-                faces.range(walker.face_of(mate) as usize).start as u32
+                faces.corner_range(walker.face_of(mate) as usize).start as u32
             }
             _ => return Err(Error::NoGrid { face }),
         };
@@ -251,7 +251,7 @@ impl QuadGrid {
 
     /// Verifies that each cell is above the next one of its column, that rows start at the border,
     /// and that no face occurs twice.
-    fn check_columns(&self, walker: &QuadWalker<'_>, job: &Job<'_>) -> Result<()> {
+    fn check_rows_and_columns(&self, walker: &QuadWalker<'_>, job: &Job<'_>) -> Result<()> {
         let mut visited = alloc::filled(false, walker.mesh.faces().len())?;
         let rows = self.cells.len() / self.columns;
         for (k, &cell) in self.cells.iter().enumerate() {
@@ -290,7 +290,7 @@ impl QuadGrid {
 
     /// Returns the fan beyond the row that starts at `first`. Either every cell has a triangle, and
     /// all have the same third corner, or none has one.
-    fn triangles_at_pole(
+    fn triangle_fan_at_pole(
         &self,
         walker: &QuadWalker<'_>,
         first: usize,
@@ -303,7 +303,10 @@ impl QuadGrid {
         let mut apex = None;
         for &cell in &self.cells[first..first + self.columns] {
             match walker.neighbour_of_quad(cell, heading)? {
-                CellNeighbour::Triangle(h) if *apex.get_or_insert(walker.apex_vertex(h)) == walker.apex_vertex(h) => {
+                CellNeighbour::Triangle(h)
+                    if *apex.get_or_insert(walker.third_vertex_of_triangle(h))
+                        == walker.third_vertex_of_triangle(h) =>
+                {
                     // Neighbours must share the edge to the pole; otherwise the surface would be
                     // open there.
                     alloc::push(&mut triangles, h)?;
@@ -346,7 +349,7 @@ impl QuadGrid {
     /// For each node its vertex.
     fn vertices_of_nodes(&self, walker: &QuadWalker<'_>, shape: Shape) -> Result<Vec<u32>> {
         let mut vertices = alloc::with_capacity(shape.node_count())?;
-        let apex = |pole: &Option<Vec<u32>>| pole.as_ref().map(|pole| walker.apex_vertex(pole[0]));
+        let apex = |pole: &Option<Vec<u32>>| pole.as_ref().map(|pole| walker.third_vertex_of_triangle(pole[0]));
         let [top, bottom] = self.poles.each_ref().map(apex);
         vertices.extend(top.into_iter().flat_map(|apex| std::iter::repeat_n(apex, shape.columns())));
         let mut add_row = |row: &[u32], corners: [usize; 2]| {
@@ -387,7 +390,7 @@ impl QuadGrid {
         let closed = Topology::new(shape, ContractedLinks::Sides(sides), &seams)?;
         // Nodes of one vertex that are not glued yet: the surface touches itself there.
         let mut sets = DisjointSets::new(shape.node_count())?;
-        let links = closed.contracted_links().map(|link| shape.ends(link));
+        let links = closed.contracted_links().map(|link| shape.ends_of_link(link));
         for [a, b] in links.chain(seams.iter().flat_map(|seam| seam.pairs(shape))) {
             sets.union(a, b);
         }
@@ -398,7 +401,8 @@ impl QuadGrid {
             if *first == NONE {
                 *first = node;
             } else if sets.union(*first, node) {
-                let [a, b] = [*first, node].map(|node| shape.place(node)).map(|(i, j)| SeamRun::stationary(i, j));
+                let [a, b] =
+                    [*first, node].map(|node| shape.row_and_column(node)).map(|(i, j)| SeamRun::stationary(i, j));
                 alloc::push(&mut seams, Seam { a, b, count: 1 })?;
                 touches = true;
             }

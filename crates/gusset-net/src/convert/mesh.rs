@@ -104,16 +104,16 @@ impl TextureCoordinates {
     fn new(shape: Shape, nodes: &[u32], job: &Job<'_>) -> Result<Self> {
         let mut number =
             alloc::collect_cancellable(repeat_n(NONE, shape.node_count()), &job.part(0.0, 0.2), NUMBERING_STAGE)?;
-        job.part(0.2, 0.4).ranges(NUMBERING_STAGE, nodes.len(), |range| {
+        job.part(0.2, 0.4).work_in_ranges(NUMBERING_STAGE, nodes.len(), |range| {
             nodes[range].iter().for_each(|&node| number[node as usize] = 0);
             Ok(())
         })?;
         let mut coordinates = Vec::new();
         let (rows, columns) = ((shape.rows() - 1) as f64, (shape.columns() - 1) as f64);
-        job.part(0.4, 0.8).ranges(NUMBERING_STAGE, shape.node_count(), |range| {
+        job.part(0.4, 0.8).work_in_ranges(NUMBERING_STAGE, shape.node_count(), |range| {
             for (node, number) in range.clone().zip(&mut number[range]).filter(|(_, number)| **number == 0) {
                 *number = coordinates.len() as u32;
-                let (i, j) = shape.place(node as u32);
+                let (i, j) = shape.row_and_column(node as u32);
                 alloc::push(&mut coordinates, [j as f64 / columns, i as f64 / rows])?;
             }
             Ok(())
@@ -159,7 +159,7 @@ fn build_mesh<T: Real>(
     };
     let mut faces = FaceBuilder {
         columns: shape.columns() as u32,
-        places: VertexNodes::new(planes, &classes, &job.part(0.1, 0.2))?,
+        places: ClassPositions::new(planes, &classes, &job.part(0.1, 0.2))?,
         planes,
         options,
         reversed: net.topology().is_reversed(),
@@ -182,18 +182,18 @@ fn build_mesh<T: Real>(
         let ranges = hidden.hidden_ranges(i);
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(true));
         for (j, _) in skip.iter().enumerate().filter(|(_, skip)| !**skip) {
-            faces.add_cell(shape.corners(i, j), shape.cell(i, j))?;
+            faces.add_face_of_cell(shape.corners_of_cell(i, j), shape.cell(i, j))?;
         }
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(false));
     }
     if let Some(ratio) = options.max_edge_ratio {
-        faces.drop_long_faces(ratio, &job.part(0.7, 0.8))?;
+        faces.drop_faces_with_long_edges(ratio, &job.part(0.7, 0.8))?;
     }
     faces.finish_mesh(options, &job.part(0.8, 1.0))
 }
 
 /// The nodes at which classes lie.
-struct VertexNodes {
+struct ClassPositions {
     /// True for each node with finite coordinates.
     finite: Vec<bool>,
     /// The classes whose smallest node is missing, each with its first existing node, in order.
@@ -201,11 +201,11 @@ struct VertexNodes {
     elsewhere: Vec<[u32; 2]>,
 }
 
-impl VertexNodes {
+impl ClassPositions {
     fn new<T: Real>(planes: &XyzMatrices<'_, T>, classes: &[u32], job: &Job<'_>) -> Result<Self> {
         let finite = mark_finite_nodes(planes, &job.part(0.0, 0.5))?;
         let mut elsewhere = Vec::new();
-        job.part(0.5, 1.0).ranges(FACES_STAGE, classes.len(), |range| {
+        job.part(0.5, 1.0).work_in_ranges(FACES_STAGE, classes.len(), |range| {
             for node in range.filter(|&node| finite[node] && !finite[classes[node] as usize]) {
                 alloc::push(&mut elsewhere, [classes[node], node as u32])?;
             }
@@ -213,7 +213,7 @@ impl VertexNodes {
         })?;
         elsewhere.sort_unstable();
         elsewhere.dedup_by_key(|entry| entry[0]);
-        Ok(VertexNodes { finite, elsewhere })
+        Ok(ClassPositions { finite, elsewhere })
     }
 
     /// Returns the node that gives the class its position.
@@ -224,7 +224,7 @@ impl VertexNodes {
         }
     }
 
-    fn has_position(&self, class: u32) -> bool {
+    fn class_has_position(&self, class: u32) -> bool {
         self.finite[self.node_with_position(class) as usize]
     }
 }
@@ -248,7 +248,7 @@ fn mark_finite_nodes<T: Real>(planes: &XyzMatrices<'_, T>, job: &Job<'_>) -> Res
 /// Faces under construction, their corners as nodes.
 struct FaceBuilder<'a, T> {
     columns: u32,
-    places: VertexNodes,
+    places: ClassPositions,
     planes: &'a XyzMatrices<'a, T>,
     options: &'a MeshOptions,
     reversed: bool,
@@ -265,7 +265,7 @@ struct FaceBuilder<'a, T> {
 impl<T: Real> FaceBuilder<'_, T> {
     /// Adds the face of a cell, given its corners in order around it. Glued or missing corners
     /// reduce the quad to a triangle, edges or nothing.
-    fn add_cell(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+    fn add_face_of_cell(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let finite = corners.map(|node| self.places.finite[node as usize]);
         if finite != [true; 4] {
             return if self.options.fill_corners {
@@ -310,7 +310,9 @@ impl<T: Real> FaceBuilder<'_, T> {
             Some(Diagonal::Fixed) => true,
             // Measured between classes, so that coincident cells agree.
             Some(Diagonal::Shorter) => {
-                let between = |p: u32, q: u32| (self.vertex_position(p) - self.vertex_position(q)).length_squared();
+                let between = |p: u32, q: u32| {
+                    (self.position_of_class_of_node(p) - self.position_of_class_of_node(q)).length_squared()
+                };
                 between(a, c) <= between(b, d)
             }
         };
@@ -326,7 +328,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         self.push_face(&second, cell)
     }
 
-    fn vertex_position(&self, node: u32) -> DVec3 {
+    fn position_of_class_of_node(&self, node: u32) -> DVec3 {
         let node = self.places.node_with_position(self.classes[node as usize]);
         self.planes.get((node / self.columns) as usize, (node % self.columns) as usize)
     }
@@ -344,8 +346,9 @@ impl<T: Real> FaceBuilder<'_, T> {
 
     /// Drops faces with an edge longer than `ratio` times the usual length. The usual length is the
     /// median over the edges of evenly sampled faces, skipping edges of length 0. O(faces).
-    fn drop_long_faces(&mut self, ratio: f64, job: &Job<'_>) -> Result<()> {
-        let squared = |p: u32, q: u32| (self.vertex_position(p) - self.vertex_position(q)).length_squared();
+    fn drop_faces_with_long_edges(&mut self, ratio: f64, job: &Job<'_>) -> Result<()> {
+        let squared =
+            |p: u32, q: u32| (self.position_of_class_of_node(p) - self.position_of_class_of_node(q)).length_squared();
         let looked_at = self.offsets.windows(2).step_by(self.cells.len() / MAX_SAMPLED_FACES + 1);
         let mut lengths = Vec::new();
         for ends in looked_at {
@@ -360,7 +363,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         let middle = lengths.len() / 2;
         let longest = ratio * ratio * *lengths.select_nth_unstable_by(middle, f64::total_cmp).1;
         let mut kept = alloc::filled(false, self.cells.len())?;
-        job.part(0.0, 0.7).ranges(FACES_STAGE, self.cells.len(), |range| {
+        job.part(0.0, 0.7).work_in_ranges(FACES_STAGE, self.cells.len(), |range| {
             for f in range {
                 let face = &self.nodes[self.offsets[f] as usize..self.offsets[f + 1] as usize];
                 let nexts = face.iter().skip(1).chain(face.first());
@@ -370,7 +373,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         })?;
         // In place, because the lists only shrink.
         let (mut faces, mut corners) = (0, 0);
-        job.part(0.7, 1.0).ranges(FACES_STAGE, self.cells.len(), |range| {
+        job.part(0.7, 1.0).work_in_ranges(FACES_STAGE, self.cells.len(), |range| {
             for f in range.filter(|&f| kept[f]) {
                 let own = self.offsets[f] as usize..self.offsets[f + 1] as usize;
                 let count = own.len();
@@ -399,7 +402,7 @@ impl<T: Real> FaceBuilder<'_, T> {
             return Ok(edges);
         }
         let mut has_face = alloc::filled(false, edges.len())?;
-        job.ranges(NUMBERING_STAGE, self.cells.len(), |range| {
+        job.work_in_ranges(NUMBERING_STAGE, self.cells.len(), |range| {
             for ends in self.offsets[range.start..=range.end].windows(2) {
                 let face = &self.nodes[ends[0] as usize..ends[1] as usize];
                 let nexts = face.iter().skip(1).chain(face.first());
@@ -424,16 +427,16 @@ impl<T: Real> FaceBuilder<'_, T> {
         let mut vertex =
             alloc::collect_cancellable(repeat_n(NONE, self.classes.len()), &part(0.2, 0.3), NUMBERING_STAGE)?;
         let mut use_class = |node: u32| vertex[self.classes[node as usize] as usize] = 0;
-        part(0.3, 0.4).ranges(NUMBERING_STAGE, self.nodes.len(), |range| {
+        part(0.3, 0.4).work_in_ranges(NUMBERING_STAGE, self.nodes.len(), |range| {
             self.nodes[range].iter().for_each(|&node| use_class(node));
             Ok(())
         })?;
         wires.as_flattened().iter().for_each(|&class| use_class(class));
         let mut node_of_vertex = Vec::new();
-        part(0.4, 0.5).ranges(NUMBERING_STAGE, self.classes.len(), |range| {
+        part(0.4, 0.5).work_in_ranges(NUMBERING_STAGE, self.classes.len(), |range| {
             for node in range {
                 let own = self.classes[node] as usize == node;
-                if own && (vertex[node] == 0 || options.keep_unused && self.places.has_position(node as u32)) {
+                if own && (vertex[node] == 0 || options.keep_unused && self.places.class_has_position(node as u32)) {
                     vertex[node] = node_of_vertex.len() as u32;
                     alloc::push(&mut node_of_vertex, node as u32)?;
                 } else {
@@ -446,7 +449,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         let texture =
             options.texture.then(|| TextureCoordinates::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7)));
         let texture = texture.transpose()?;
-        part(0.7, 0.8).ranges(NUMBERING_STAGE, self.nodes.len(), |range| {
+        part(0.7, 0.8).work_in_ranges(NUMBERING_STAGE, self.nodes.len(), |range| {
             self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);
             Ok(())
         })?;

@@ -46,7 +46,7 @@ enum EdgeLabel {
 /// [`Error::Cancelled`].
 pub fn net_of_triangles(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<RecognisedNet> {
     let faces = mesh.faces();
-    if let Some(face) = (0..faces.len()).find(|&f| faces.range(f).len() != 3) {
+    if let Some(face) = (0..faces.len()).find(|&f| faces.corner_range(f).len() != 3) {
         return Err(Error::NoGrid { face: face as u32 });
     }
     let pairing = Pairing::new(mesh, &job.part(0.0, 0.4))?;

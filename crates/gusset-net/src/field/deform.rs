@@ -31,7 +31,7 @@ pub fn deform(net: &mut Net<'_>, steps: &[DeformationStep<'_>], job: &Job<'_>) -
     steps.iter().try_for_each(|step| Error::require(step.strength.is_finite(), "strength", step.strength))?;
     job.step(0.0, "deform")?;
     each!(net.coordinates_mut(), planes => {
-        if steps.iter().any(|step| step.strength != 0.0 && !step.field.is_total()) {
+        if steps.iter().any(|step| step.strength != 0.0 && !step.field.is_defined_everywhere()) {
             chunks::for_each_chunk_mut(planes, job.requested_threads(), MAX_NODES_PER_CHUNK, |first, rows| check_images_finite(steps, first, &rows))?;
             job.step(0.5, "deform")?;
         }
@@ -79,7 +79,7 @@ fn map_nodes<'a, T: Real>(
         to.iter_mut().zip(from.iter()).for_each(|(to, &from)| *to = from.into());
     }
     for step in steps.iter().filter(|step| step.strength != 0.0) {
-        step.field.map(step.strength, [&mut *x, &mut *y, &mut *z]);
+        step.field.map_points(step.strength, [&mut *x, &mut *y, &mut *z]);
     }
     [x, y, z]
 }

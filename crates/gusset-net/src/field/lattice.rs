@@ -78,7 +78,7 @@ fn bernstein_weights(count: usize, t: f64) -> [f64; MAX_POINTS] {
 }
 
 impl Field for Lattice {
-    fn map(&self, strength: f64, points: PointsMut<'_>) {
+    fn map_points(&self, strength: f64, points: PointsMut<'_>) {
         map_each_point(points, |point| {
             let place = [0, 1, 2].map(|k| (point[k] - self.low[k]) / self.size[k]);
             if !place.iter().all(|t| (0.0..=1.0).contains(t)) {

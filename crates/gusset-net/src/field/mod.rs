@@ -6,7 +6,7 @@
 //! * [`twist`], [`taper`], [`bend`], [`shear`]: shaping. [`spherify`]: projection onto a sphere.
 //!   [`cylinder_wrap`], [`cone_wrap`], [`torus_wrap`], [`sphere_wrap`]: sheets that roll up.
 //! * [`Lattice`]: free-form. [`projection()`]: any 4 x 4 matrix, parallel, perspective.
-//!   [`displace`]: along the normals.
+//!   [`displace_along_normals`]: along the normals.
 //! * [`TimedStrength`]: the strength of a field as a function of time.
 //!
 //! Invariant: a field maps each point independently, so that nodes of equal bits, such as glued
@@ -27,6 +27,6 @@ pub use projection::{parallel_projection, perspective_projection, projection};
 pub use shaping::{bend, shear, taper, twist};
 pub use space_map::{Field, PointsMut};
 pub(crate) use surface_fields::snap_groups;
-pub use surface_fields::{RowsMut, deform_rows, displace, snap};
+pub use surface_fields::{RowsMut, deform_by_callback, displace_along_normals, snap_glued_nodes};
 pub use timed::{Easing, TimedStrength};
 pub use wrap::{cone_wrap, cylinder_wrap, sphere_wrap, spherify, torus_wrap};

@@ -13,17 +13,17 @@ pub trait Field: Sync {
     /// Moves each point independently. `strength` is 1 for the whole map and never 0; each field
     /// defines its meaning for values between 0 and 1, and beyond. A point outside the field's
     /// domain becomes NaN.
-    fn map(&self, strength: f64, points: PointsMut<'_>);
+    fn map_points(&self, strength: f64, points: PointsMut<'_>);
 
     /// Returns true if finite points stay finite, except by overflow.
-    fn is_total(&self) -> bool {
+    fn is_defined_everywhere(&self) -> bool {
         true
     }
 }
 
 /// A function of strength and points is a total field.
 impl<F: Fn(f64, PointsMut<'_>) + Sync> Field for F {
-    fn map(&self, strength: f64, points: PointsMut<'_>) {
+    fn map_points(&self, strength: f64, points: PointsMut<'_>) {
         self(strength, points);
     }
 }
@@ -32,11 +32,11 @@ impl<F: Fn(f64, PointsMut<'_>) + Sync> Field for F {
 pub(super) struct PartlyDefinedField<F>(pub(super) F);
 
 impl<F: Field> Field for PartlyDefinedField<F> {
-    fn map(&self, strength: f64, points: PointsMut<'_>) {
-        self.0.map(strength, points);
+    fn map_points(&self, strength: f64, points: PointsMut<'_>) {
+        self.0.map_points(strength, points);
     }
 
-    fn is_total(&self) -> bool {
+    fn is_defined_everywhere(&self) -> bool {
         false
     }
 }
@@ -90,7 +90,7 @@ pub(super) fn check_parameters_finite(parameters: &[(&'static str, f64)]) -> Res
 
 /// At strength t, points move by t along the line to their image.
 impl Field for Affine {
-    fn map(&self, strength: f64, points: PointsMut<'_>) {
+    fn map_points(&self, strength: f64, points: PointsMut<'_>) {
         let rows = self.rows();
         map_each_point_simd(
             points,

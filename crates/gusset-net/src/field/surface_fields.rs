@@ -1,5 +1,5 @@
 //! Deformations that depend on the net: displacement along its normals, a host's function of rows,
-//! and [`snap`], which makes glued nodes equal again. O(nodes).
+//! and [`snap_glued_nodes`], which makes glued nodes equal again. O(nodes).
 
 use crate::chunks;
 use crate::normals::normals;
@@ -15,12 +15,12 @@ use gusset_base::job::Job;
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
-pub fn snap(net: &mut Net<'_>) -> Result<u64> {
-    let groups = NodeClasses::new(net.topology())?.groups()?;
+pub fn snap_glued_nodes(net: &mut Net<'_>) -> Result<u64> {
+    let groups = NodeClasses::new(net.topology())?.glued_classes()?;
     Ok(snap_groups(&groups, net))
 }
 
-/// [`snap`] for known classes. It cannot fail after nodes have moved.
+/// [`snap_glued_nodes`] for known classes. It cannot fail after nodes have moved.
 pub(crate) fn snap_groups(groups: &NodeGroups, net: &mut Net<'_>) -> u64 {
     let mut moved = 0;
     for class in groups.iter() {
@@ -32,7 +32,7 @@ pub(crate) fn snap_groups(groups: &NodeGroups, net: &mut Net<'_>) -> u64 {
 fn snap_class_to_first<T: Real>(planes: &mut XyzMatrices<'_, T>, class: &[u32]) -> u64 {
     let (shape, stride) = (planes.shape(), planes.stride());
     let at = |node: u32| {
-        let (i, j) = shape.place(node);
+        let (i, j) = shape.row_and_column(node);
         i * stride + j
     };
     let (mut moved, mut matrices) = (0, planes.matrices_mut());
@@ -55,10 +55,10 @@ fn snap_class_to_first<T: Real>(planes: &mut XyzMatrices<'_, T>, class: &[u32]) 
 /// [`Error::OptionOutOfRange`] if the distance is not finite, [`Error::FieldUndefined`] for the
 /// first node whose coordinates would overflow (no node is moved), [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
-pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
+pub fn displace_along_normals(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
     Error::require(distance.is_finite(), "distance", distance)?;
     let (normals, _) = normals(net, job)?;
-    let groups = NodeClasses::new(net.topology())?.groups()?;
+    let groups = NodeClasses::new(net.topology())?.glued_classes()?;
     job.check_memory()?;
     match (net.coordinates_mut(), &normals) {
         (Coordinates::F32(planes), Coordinates::F32(normals)) => add_scaled_normals(planes, normals, distance)?,
@@ -102,7 +102,7 @@ pub enum RowsMut<'a> {
     F64([&'a mut [f64]; 3]),
 }
 
-/// Moves the nodes by a function of the host, then [`snap`]s.
+/// Moves the nodes by a function of the host, then [`snap_glued_nodes`]s.
 ///
 /// `map` is called on the calling thread with the index of the first node and the coordinates of
 /// consecutive nodes, from the first node to the last. It changes the coordinates in place. If it
@@ -110,7 +110,7 @@ pub enum RowsMut<'a> {
 ///
 /// # Errors
 /// The errors of `map`, [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn deform_rows(
+pub fn deform_by_callback(
     net: &mut Net<'_>,
     mut map: impl FnMut(usize, RowsMut<'_>) -> Result<()>,
     job: &Job<'_>,
@@ -121,9 +121,9 @@ pub fn deform_rows(
             return Ok(());
         }
         next_step = first + (1 << 20);
-        job.report(first as f64 / count, "deform")
+        job.step_without_memory_check(first as f64 / count, "deform")
     };
-    let groups = NodeClasses::new(net.topology())?.groups()?;
+    let groups = NodeClasses::new(net.topology())?.glued_classes()?;
     job.check_memory()?;
     match net.coordinates_mut() {
         Coordinates::F32(planes) => chunks::for_each_chunk_in_order(planes, |first, rows| {

@@ -96,7 +96,7 @@ pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
     check_positive("major", major)?;
     check_positive("minor", minor)?;
     Ok(move |strength: f64, points: PointsMut<'_>| {
-        let [tube, ring] = progress_of_two_stages(strength);
+        let [tube, ring] = split_strength_into_two_stages(strength);
         let place = RigidMotionToAxis::new(strength, major + minor);
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             if strength == 1.0 {
@@ -130,7 +130,7 @@ pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
 pub fn sphere_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
     check_positive("radius", radius)?;
     Ok(move |strength: f64, points: PointsMut<'_>| {
-        let [tube, meridian] = progress_of_two_stages(strength);
+        let [tube, meridian] = split_strength_into_two_stages(strength);
         let place = RigidMotionToAxis::new(strength, radius);
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             if strength == 1.0 {
@@ -172,7 +172,7 @@ fn roll_line_about_origin(strength: f64, radius: f64, [along, out]: [f64; 2]) ->
 }
 
 /// Returns the progress of the first and the second of two stages at a strength.
-fn progress_of_two_stages(strength: f64) -> [f64; 2] {
+fn split_strength_into_two_stages(strength: f64) -> [f64; 2] {
     [(2.0 * strength).min(1.0), (2.0 * strength - 1.0).max(0.0)]
 }
 

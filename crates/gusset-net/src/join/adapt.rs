@@ -1,13 +1,13 @@
 //! Adapting a net before it is joined: flipping, replicating and rotating in this order, and
 //! undoing these steps.
 //!
-//! Invariant: [`restore_net`] inverts [`adapt_net`] bit for bit. Unless the gluing was edited
+//! Invariant: [`undo_adaptation`] inverts [`adapt_net_to_first`] bit for bit. Unless the gluing was edited
 //! since, the topology is the recorded one. O(nodes).
 
 use super::JoinOptions;
 use crate::arrange::{map_seam, merge_seams, rows_closed_by_seam};
 use crate::bridge::NetAdaptation;
-use crate::reformat::{rows_that_are_copies, starts_from_copies, starts_of_replicated_lines};
+use crate::reformat::{copied_rows_from_starts, row_starts_from_copies, starts_of_replicated_lines};
 use crate::topology::{ContractedLinks, LinkMatrix};
 use crate::{Bridge, Direction, Net, Real, Replication, Topology, XyzMatrices, each};
 use gusset_base::alloc;
@@ -21,7 +21,7 @@ pub(super) type AdaptedNet = (Net<'static>, Arc<NetAdaptation>);
 /// Adapts a net for joining. Returns an adapted copy, or `None` if the net fits unchanged.
 /// `flipped` means that its face orientation is opposite to the others'. `along` is the number of
 /// nodes on the side.
-pub(super) fn adapt_net(
+pub(super) fn adapt_net_to_first(
     net: &Net<'_>,
     flipped: bool,
     side_nodes: usize,
@@ -33,7 +33,7 @@ pub(super) fn adapt_net(
     if flipped && !options.turn {
         return Err(Error::NetsOpposed);
     }
-    let (across, nodes) = direction.extents_along_and_across(net.shape());
+    let (across, nodes) = direction.line_count_and_length(net.shape());
     if !flipped && nodes == side_nodes && twist == 0 {
         return Ok(None);
     }
@@ -42,16 +42,16 @@ pub(super) fn adapt_net(
     let mut added = Vec::new();
     if nodes != side_nodes {
         let replication = options.equalise.unwrap_or_default();
-        added = rows_that_are_copies(&starts_of_replicated_lines(
+        added = copied_rows_from_starts(&starts_of_replicated_lines(
             made.topology(),
             axis,
             side_nodes,
             replication,
             "nodes of a side",
         )?)?;
-        let (rows, columns) = axis.order_along_first(side_nodes, across);
-        let replications = axis.order_along_first(replication, Replication::Last);
-        made = made.reformatted(rows, columns, replications.into(), &job.share(1, 3))?;
+        let (rows, columns) = axis.swap_unless_down(side_nodes, across);
+        let replications = axis.swap_unless_down(replication, Replication::Last);
+        made = made.enlarged_to(rows, columns, replications.into(), &job.share(1, 3))?;
     }
     if twist > 0 {
         made = rotate_net(&made, direction, twist, &job.share(2, 3))?;
@@ -64,7 +64,7 @@ pub(super) fn adapt_net(
 
 /// Undoes the adaptation of a net, if it still has the size that it was joined with. An unedited
 /// topology becomes the recorded one; an edited one is mapped back.
-pub(super) fn restore_net(
+pub(super) fn undo_adaptation(
     net: Net<'static>,
     adaptation: Option<&NetAdaptation>,
     direction: Direction,
@@ -73,12 +73,12 @@ pub(super) fn restore_net(
     let Some(adaptation) = adaptation.filter(|adaptation| adaptation.joined == net.shape()) else { return Ok(net) };
     let axis = direction.transposed();
     // A net that was mirrored since has the same gluing in the opposite orientation.
-    let adapted = adaptation.topology_as_joined(direction)?;
+    let adapted = adaptation.adapted_topology(direction)?;
     let unedited = net.topology().clone().with_reversed(adapted.is_reversed()) == adapted;
     let mut bridges = alloc::collect(net.bridges().iter().cloned())?;
     let mut net = net;
     if adaptation.twist > 0 {
-        let around = axis.extents_along_and_across(net.shape()).0 as u32 - 1;
+        let around = axis.line_count_and_length(net.shape()).0 as u32 - 1;
         net = rotate_net(&net, direction, around - adaptation.twist % around, &job.share(0, 3))?;
     }
     net = net.without_lines(axis, &adaptation.copies, &job.share(1, 3))?;
@@ -100,11 +100,11 @@ pub(super) fn restore_net(
 
 impl NetAdaptation {
     /// Returns the topology that the net was joined with.
-    fn topology_as_joined(&self, direction: Direction) -> Result<Topology> {
+    fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
         self.topology.map_rows_or_columns(direction.transposed(), |topology| {
             let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
-            let along = direction.extents_along_and_across(self.joined).1;
-            let replicated = flipped.replicate_rows(&starts_from_copies(along, &self.copies)?)?;
+            let along = direction.line_count_and_length(self.joined).1;
+            let replicated = flipped.replicate_rows(&row_starts_from_copies(along, &self.copies)?)?;
             let twist = self.twist as usize;
             if twist > 0 { rotate_rows(&replicated, twist % (along - 1)) } else { Ok(replicated) }
         })
@@ -114,14 +114,14 @@ impl NetAdaptation {
 /// Returns the net rotated by `twist` places along its closed side.
 fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Result<Net<'static>> {
     let (axis, shape) = (direction.transposed(), net.shape());
-    let (count, along) = axis.extents_along_and_across(shape);
+    let (count, along) = axis.line_count_and_length(shape);
     let place = twist as usize % (count - 1);
-    let closed = |k: usize| net.topology().is_contracted(axis.link_across(shape, count - 1, k));
+    let closed = |k: usize| net.topology().is_contracted(axis.link_to_next_line(shape, count - 1, k));
     Error::require((0..along).all(closed), "twist", twist.into())?;
     each!(net.coordinates(), planes => check_axis_closed(planes, axis))?;
     let topology = net.topology().map_rows_or_columns(axis, |topology| rotate_rows(topology, place))?;
     let lines = alloc::collect((0..count).map(|i| ((i + place) % (count - 1)) as u32))?;
-    let mut made = net.with_lines(axis, &lines, topology, job)?;
+    let mut made = net.with_selected_lines(axis, &lines, topology, job)?;
     // Bridges along the side rotate with it; others would be cut.
     for bridge in net.bridges() {
         Error::require(bridge.direction == direction, "twist", twist.into())?;
@@ -133,9 +133,9 @@ fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) ->
 /// Returns [`Error::SidesApart`] unless the last row (`Down`) or column equals the first bit for
 /// bit, because a rotation drops one of the two.
 fn check_axis_closed<T: Real>(planes: &XyzMatrices<'_, T>, axis: Direction) -> Result<()> {
-    let (count, along) = axis.extents_along_and_across(planes.shape());
+    let (count, along) = axis.line_count_and_length(planes.shape());
     for k in 0..along {
-        let [(p, q), (r, s)] = [axis.order_along_first(0, k), axis.order_along_first(count - 1, k)];
+        let [(p, q), (r, s)] = [axis.swap_unless_down(0, k), axis.swap_unless_down(count - 1, k)];
         let stride = planes.stride();
         let same =
             |matrix: &[T]| bytemuck::bytes_of(&matrix[p * stride + q]) == bytemuck::bytes_of(&matrix[r * stride + s]);
@@ -154,19 +154,19 @@ fn rotate_rows(topology: &Topology, first_row: usize) -> Result<Topology> {
     let place = |i: usize| (i % around + around - first_row) % around;
     let mut matrix = LinkMatrix::empty(shape)?;
     topology.contracted_links().for_each(|link| {
-        let (i, j) = shape.place(link / 2);
+        let (i, j) = shape.row_and_column(link / 2);
         match (link % 2, i == around) {
             // The last row equals the first: a link along either is a link along their common
             // image.
             (0, _) => {
                 let i = i % around;
-                matrix.set(shape.horizontal_link(place(i), j), true);
+                matrix.set_contracted(shape.horizontal_link(place(i), j), true);
                 if i == first_row {
-                    matrix.set(shape.horizontal_link(around, j), true);
+                    matrix.set_contracted(shape.horizontal_link(around, j), true);
                 }
             }
-            (_, true) => matrix.set(link, true),
-            (_, false) => matrix.set(shape.vertical_link(place(i), j), true),
+            (_, true) => matrix.set_contracted(link, true),
+            (_, false) => matrix.set_contracted(shape.vertical_link(place(i), j), true),
         }
     });
     let mut seams = Vec::new();
@@ -178,7 +178,7 @@ fn rotate_rows(topology: &Topology, first_row: usize) -> Result<Topology> {
     // the net is cut out again.
     seams.retain(|&seam| match rows_closed_by_seam(shape, seam) {
         Some(rows) => {
-            rows.for_each(|i| matrix.set(shape.horizontal_link(i, shape.columns() - 1), true));
+            rows.for_each(|i| matrix.set_contracted(shape.horizontal_link(i, shape.columns() - 1), true));
             false
         }
         None => true,

@@ -40,7 +40,7 @@ fn place_side_by_side<T: Real>(
     shape: Shape,
     job: &Job<'_>,
 ) -> Result<XyzMatrices<'static, T>> {
-    let starts = starts_of_nets(parts.iter().map(|part| part.shape()), direction, inner)?;
+    let starts = first_lines_of_nets(parts.iter().map(|part| part.shape()), direction, inner)?;
     let columns = shape.columns();
     match direction {
         Direction::Down => {
@@ -59,12 +59,12 @@ fn place_side_by_side<T: Real>(
 
 /// Returns the start of each net in a direction, if `inner` rows or columns follow each; one entry
 /// more than there are nets.
-pub(crate) fn starts_of_nets(
+pub(crate) fn first_lines_of_nets(
     shapes: impl ExactSizeIterator<Item = Shape>,
     direction: Direction,
     inner: u32,
 ) -> Result<Vec<usize>> {
-    prefix_sums(shapes.map(|shape| direction.extents_along_and_across(shape).0 + inner as usize))
+    prefix_sums(shapes.map(|shape| direction.line_count_and_length(shape).0 + inner as usize))
 }
 
 /// Fills rows from the nets that lie one below the other.

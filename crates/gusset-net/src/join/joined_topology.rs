@@ -51,7 +51,7 @@ fn stack_topologies(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) 
             let (shift, last) = (shape.horizontal_link(first, 0), own.horizontal_link(own.rows() - 1, 0));
             // The links that close columns become seams.
             let kept = topology.contracted_links().filter(|link| *link < last || link % 2 == 0);
-            kept.for_each(|link| links.set(shift + link, true));
+            kept.for_each(|link| links.set_contracted(shift + link, true));
             if weld && k + 1 < topologies.len() {
                 links.contract_links_below_row(shape, first + own.rows() - 1);
             }
@@ -82,7 +82,7 @@ fn contract_inner_rows(links: &mut LinkMatrix, [a, b]: [&Topology; 2], rows: Ran
         let along = |topology: &Topology, i: usize| topology.is_contracted(topology.shape().horizontal_link(i, k));
         let by_kind = kind == BridgeKind::Thread || (kind == BridgeKind::Tube && k == end);
         if by_kind || (along(a, last) && along(b, 0)) {
-            rows.clone().for_each(|i| links.set(shape.horizontal_link(i, k), true));
+            rows.clone().for_each(|i| links.set_contracted(shape.horizontal_link(i, k), true));
         }
     }
 }
@@ -96,12 +96,12 @@ fn add_closing_seams(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -
         let seam = Seam { a: run(top), b: run(bottom), count: (to - from) as u32 };
         if from < to { alloc::push(seams, seam) } else { Ok(()) }
     };
-    match topology.links() {
+    match topology.contracted_link_set() {
         ContractedLinks::Sides(sides) => add(0, if sides.columns_closed { shape.columns() } else { 0 }),
         ContractedLinks::Matrix(matrix) => {
             let mut from = 0;
             for j in 0..shape.columns() {
-                if !matrix.get(shape.vertical_link(shape.rows() - 1, j)) {
+                if !matrix.is_contracted(shape.vertical_link(shape.rows() - 1, j)) {
                     add(from, j)?;
                     from = j + 1;
                 }
@@ -112,11 +112,11 @@ fn add_closing_seams(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -
 }
 
 /// Returns the topology with the links across a bridge contracted if `weld`, else with them free.
-pub(super) fn with_bridge_welded(topology: &Topology, bridge: &Bridge, weld: bool) -> Result<Topology> {
+pub(super) fn with_bridge_links_contracted(topology: &Topology, bridge: &Bridge, weld: bool) -> Result<Topology> {
     let shape = topology.shape();
-    let mut matrix: LinkMatrix = topology.matrix()?;
+    let mut matrix: LinkMatrix = topology.to_link_matrix()?;
     for k in bridge.start as usize..bridge.end as usize {
-        matrix.set(bridge.link_across(shape, k), weld);
+        matrix.set_contracted(bridge.link_across(shape, k), weld);
     }
     let seams = alloc::copied(topology.seams())?;
     let topology = Topology::assemble_unchecked(shape, ContractedLinks::Matrix(matrix), seams, topology.is_reversed());
@@ -126,10 +126,10 @@ pub(super) fn with_bridge_welded(topology: &Topology, bridge: &Bridge, weld: boo
 
 /// Returns the form of the bridge between two nets.
 pub(super) fn bridge_kind(a: &Topology, b: &Topology, direction: Direction) -> BridgeKind {
-    let last = direction.extents_along_and_across(a.shape()).0 - 1;
-    match [SideClosure::new(a, direction, last), SideClosure::new(b, direction, 0)] {
-        [SideClosure::Point, SideClosure::Point] => BridgeKind::Thread,
-        [SideClosure::Open, _] | [_, SideClosure::Open] => BridgeKind::Ribbon,
+    let last = direction.line_count_and_length(a.shape()).0 - 1;
+    match [ClosureOfSide::new(a, direction, last), ClosureOfSide::new(b, direction, 0)] {
+        [ClosureOfSide::Point, ClosureOfSide::Point] => BridgeKind::Thread,
+        [ClosureOfSide::Open, _] | [_, ClosureOfSide::Open] => BridgeKind::Ribbon,
         _ => BridgeKind::Tube,
     }
 }
@@ -138,41 +138,43 @@ pub(super) fn bridge_kind(a: &Topology, b: &Topology, direction: Direction) -> B
 /// belongs to a net whose links closed to its opposite pole before it was joined.
 fn is_side_seamed_to_point(topology: &Topology, direction: Direction, i: usize) -> bool {
     let shape = topology.shape();
-    let along = direction.extents_along_and_across(shape).1;
+    let along = direction.line_count_and_length(shape).1;
     let is_side = |run: SeamRun| {
-        let ends = [run.node_place(0), run.node_place(along as u32 - 1)];
-        let [p, q] = ends.map(|(i, j)| direction.order_along_first(i, j));
+        let ends = [run.row_and_column_of_node(0), run.row_and_column_of_node(along as u32 - 1)];
+        let [p, q] = ends.map(|(i, j)| direction.swap_unless_down(i, j));
         p.0 == i as i64 && q.0 == i as i64 && (p.1 - q.1).unsigned_abs() as usize == along - 1
     };
     let contracts = |pair: [u32; 2]| shape.links_between(pair).any(|link| topology.is_contracted(link));
-    let is_point = |run: SeamRun| (1..along as u32).all(|k| contracts([run.node(shape, k - 1), run.node(shape, k)]));
+    let is_point =
+        |run: SeamRun| (1..along as u32).all(|k| contracts([run.node_index(shape, k - 1), run.node_index(shape, k)]));
     let mut seams = topology.seams().iter().filter(|seam| seam.count as usize == along);
     seams.any(|seam| (is_side(seam.a) && is_point(seam.b)) || (is_side(seam.b) && is_point(seam.a)))
 }
 
 /// The closure of a side: by the links along it, and the links and seams that glue it to others.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum SideClosure {
+enum ClosureOfSide {
     Open,
     Closed,
     Point,
 }
 
-impl SideClosure {
+impl ClosureOfSide {
     fn new(topology: &Topology, direction: Direction, i: usize) -> Self {
         let shape = topology.shape();
-        let (count, along) = direction.extents_along_and_across(shape);
+        let (count, along) = direction.line_count_and_length(shape);
         let opposite = count - 1 - i;
-        let is_opposite = || (0..along).all(|k| topology.is_contracted(direction.link_across(shape, count - 1, k)));
+        let is_opposite =
+            || (0..along).all(|k| topology.is_contracted(direction.link_to_next_line(shape, count - 1, k)));
         let is_point = topology.is_line_contracted(direction, i)
             || (topology.is_line_contracted(direction, opposite) && is_opposite())
             || is_side_seamed_to_point(topology, direction, i);
         if is_point {
-            SideClosure::Point
-        } else if topology.is_contracted(direction.link_along(shape, i, along - 1)) {
-            SideClosure::Closed
+            ClosureOfSide::Point
+        } else if topology.is_contracted(direction.link_within_line(shape, i, along - 1)) {
+            ClosureOfSide::Closed
         } else {
-            SideClosure::Open
+            ClosureOfSide::Open
         }
     }
 }

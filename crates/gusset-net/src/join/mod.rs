@@ -21,14 +21,14 @@ mod split;
 
 pub(crate) use inner_rows::interpolate_inner_rows;
 pub use join_options::JoinOptions;
-pub(crate) use joined_matrices::starts_of_nets;
+pub(crate) use joined_matrices::first_lines_of_nets;
 
 use super::{Bridge, BridgeMode, Direction, Net, Shape};
-use adapt::{AdaptedNet, adapt_net};
+use adapt::{AdaptedNet, adapt_net_to_first};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
-use gusset_base::geom::scale::distance;
+use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
 use std::sync::Arc;
 
@@ -41,7 +41,7 @@ use std::sync::Arc;
 /// - [`Error::SidesApart`]: welded nodes, or the ends of a rotated side, do not coincide.
 /// - [`Error::CrossingCell`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
-    join_mirrored(&[a, b], &[false; 2], options, job)
+    join_nets_to_be_transformed(&[a, b], &[false; 2], options, job)
 }
 
 /// Joins any number of nets in one pass. A twist rotates every net except the first. O(nodes).
@@ -51,12 +51,12 @@ pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_
 /// apart count along the side.
 pub fn concatenate_all(nets: &[&Net<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
     let mirrored = alloc::filled(false, nets.len())?;
-    join_mirrored(nets, &mirrored, options, job)
+    join_nets_to_be_transformed(nets, &mirrored, options, job)
 }
 
 /// Joins nets that the caller transforms afterwards. `mirrored` tells which of these transforms
 /// mirror.
-pub(crate) fn join_mirrored(
+pub(crate) fn join_nets_to_be_transformed(
     nets: &[&Net<'_>],
     mirrored: &[bool],
     options: &JoinOptions,
@@ -69,7 +69,7 @@ pub(crate) fn join_mirrored(
         if net.coordinates().scalar() != first.coordinates().scalar() {
             return Err(Error::MixedScalars);
         }
-        let [a, b] = [first, net].map(|net| options.direction.extents_along_and_across(net.shape()).1);
+        let [a, b] = [first, net].map(|net| options.direction.line_count_and_length(net.shape()).1);
         if a != b && options.equalise.is_none() {
             return Err(Error::SidesDiffer { a: a as u32, b: b as u32 });
         }
@@ -86,7 +86,7 @@ pub(crate) fn join_mirrored(
         }
         let flip = (net.topology().is_reversed() != mirrored) != reversed;
         let twist = if k == 0 { 0 } else { options.twist };
-        copies.push(adapt_net(net, flip, along, twist, options, &part)?);
+        copies.push(adapt_net_to_first(net, flip, along, twist, options, &part)?);
     }
     let fitted = nets.iter().zip(&copies).map(|(&net, copy)| copy.as_ref().map_or(net, |(copy, _)| copy));
     let nets: Vec<&Net<'_>> = alloc::collect(fitted)?;
@@ -109,9 +109,9 @@ fn joined_shape(nets: &[&Net<'_>], options: &JoinOptions, side_nodes: usize) -> 
     let inner = (options.rows as usize).saturating_mul(nets.len() - 1);
     let across = nets
         .iter()
-        .map(|net| options.direction.extents_along_and_across(net.shape()).0)
+        .map(|net| options.direction.line_count_and_length(net.shape()).0)
         .fold(inner, usize::saturating_add);
-    let (rows, columns) = options.direction.order_along_first(across, side_nodes);
+    let (rows, columns) = options.direction.swap_unless_down(across, side_nodes);
     Shape::new(rows, columns)
 }
 
@@ -124,13 +124,13 @@ fn add_bridges(
     options: &JoinOptions,
 ) -> Result<()> {
     let direction = options.direction;
-    let along = direction.extents_along_and_across(net.shape()).1 as u32;
+    let along = direction.line_count_and_length(net.shape()).1 as u32;
     let record = |k: usize| copies[k].as_ref().map(|(_, record)| Arc::clone(record));
     let mut at = 0;
     for (k, part) in nets.iter().enumerate() {
         let first = if k > 0 { at + options.rows } else { at };
         for bridge in part.bridges() {
-            let bridge = bridge.shifted(direction, first);
+            let bridge = bridge.moved_by_lines(direction, first);
             alloc::push(net.bridges_mut(), Bridge { nesting: bridge.nesting.saturating_add(1), ..bridge })?;
         }
         if k > 0 {
@@ -143,14 +143,14 @@ fn add_bridges(
             bridge.adaptations = [if k == 1 { record(0) } else { None }, record(k)];
             alloc::push(net.bridges_mut(), bridge)?;
         }
-        at += direction.extents_along_and_across(part.shape()).0 as u32;
+        at += direction.line_count_and_length(part.shape()).0 as u32;
     }
     Ok(())
 }
 
 impl Bridge {
     /// The bridge after its net has moved by `by` nodes.
-    pub(crate) fn shifted(&self, direction: Direction, by: u32) -> Bridge {
+    pub(crate) fn moved_by_lines(&self, direction: Direction, by: u32) -> Bridge {
         let bridge = self.clone();
         if self.direction == direction {
             Bridge { at: self.at + by, ..bridge }
@@ -163,10 +163,10 @@ impl Bridge {
 /// Returns [`Error::SidesApart`] unless the last side of one net and the first of the other
 /// coincide. Each pair of nodes must be within the tolerance, or both missing.
 fn check_sides_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolerance: f64) -> Result<()> {
-    let (across, along) = direction.extents_along_and_across(a.shape());
+    let (across, along) = direction.line_count_and_length(a.shape());
     for k in 0..along {
         let node = |net: &Net<'_>, i: usize| {
-            let (i, j) = direction.order_along_first(i, k);
+            let (i, j) = direction.swap_unless_down(i, k);
             net.get(i, j)
         };
         check_nodes_coincident(node(a, across - 1), node(b, 0), k as u32, tolerance)?;
@@ -176,7 +176,7 @@ fn check_sides_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolera
 
 /// Returns [`Error::SidesApart`] unless two nodes are within the tolerance, or both are missing.
 fn check_nodes_coincident(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
-    let distance = distance(p, q);
+    let distance = overflow_safe_distance(p, q);
     let coincident = distance <= tolerance || !(p.is_finite() || q.is_finite());
     if coincident { Ok(()) } else { Err(Error::SidesApart { place, distance }) }
 }
@@ -197,12 +197,13 @@ impl Net<'_> {
         let (welded, weld) = (bridge.mode == BridgeMode::Weld, mode == BridgeMode::Weld);
         if weld && !welded {
             for k in bridge.start as usize..bridge.end as usize {
-                let [p, q] = self.shape().ends(bridge.link_across(self.shape(), k)).map(|node| self.position(node));
+                let [p, q] =
+                    self.shape().ends_of_link(bridge.link_across(self.shape(), k)).map(|node| self.position(node));
                 check_nodes_coincident(p, q, k as u32 - bridge.start, tolerance)?;
             }
         }
         if weld != welded {
-            let topology = joined_topology::with_bridge_welded(self.topology(), &bridge, weld)?;
+            let topology = joined_topology::with_bridge_links_contracted(self.topology(), &bridge, weld)?;
             self.set_topology(topology);
         }
         self.bridges_mut()[index].mode = mode;
@@ -213,6 +214,6 @@ impl Net<'_> {
 impl Bridge {
     /// Returns the link across it at place `k` of the side.
     fn link_across(&self, shape: Shape, k: usize) -> u32 {
-        self.direction.link_across(shape, self.at as usize - 1, k)
+        self.direction.link_to_next_line(shape, self.at as usize - 1, k)
     }
 }

@@ -68,7 +68,7 @@ const RELATIVE_ROUNDING_ERROR: f64 = 16.0 * f64::EPSILON;
 pub fn bilinear_area(net: &Net<'_>, job: &Job<'_>) -> Result<BilinearArea> {
     let hidden = HiddenCells::new(net)?;
     let (rows, columns) = (net.shape().rows() - 1, net.shape().columns() - 1);
-    let parts = par::map_cancellable(job, "measure", par::ranges(rows, lines_per_block(columns)), |rows| {
+    let parts = par::map_cancellable(job, "measure", par::split_into_ranges(rows, lines_per_block(columns)), |rows| {
         let mut sum = BilinearArea::default();
         for i in rows {
             for j in hidden.visible_runs(i).flatten() {
@@ -94,13 +94,13 @@ fn patch_area([a, b, c, d]: [DVec3; 4]) -> BilinearArea {
     // A unit in which the eighth powers of lengths are in range.
     let unit = common_unit([&p, &q, &e]);
     let [p, q, e] = [p, q, e].map(|side| side / unit);
-    let found = scaled_patch_area(p, q, e, (c - b) / unit);
+    let found = patch_area_from_sides(p, q, e, (c - b) / unit);
     BilinearArea { area: found.area * unit * unit, error: found.error * unit * unit }
 }
 
 /// Returns the area of a patch, given its sides at the first corner, its twist, and the vector from
 /// the second to the third corner.
-fn scaled_patch_area(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
+fn patch_area_from_sides(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
     let (n0, n1, n2) = (p.cross(q), p.cross(e), e.cross(q));
     let middle = (p + other).cross(q - p).length() / 2.0;
     let change = n1.length() + n2.length();

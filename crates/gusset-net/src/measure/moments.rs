@@ -47,7 +47,7 @@ pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
         })
     };
     let (rows, lines) = (net.shape().rows() - 1, lines_per_block(net.shape().columns() - 1));
-    let parts = par::map_cancellable(job, "moments", par::ranges(rows, lines), |rows| {
+    let parts = par::map_cancellable(job, "moments", par::split_into_ranges(rows, lines), |rows| {
         rows.map(row).fold(VolumeIntegrals::default(), VolumeIntegrals::add)
     })?;
     let total = parts.into_iter().fold(VolumeIntegrals::default(), VolumeIntegrals::add);

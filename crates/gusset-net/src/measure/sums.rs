@@ -44,10 +44,10 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let total = each!(net.coordinates(), planes => {
         let hidden = HiddenCells::new(net)?;
         let ([rows, columns], part) = ([net.shape().rows(), net.shape().columns()], job.part(0.0, 0.7));
-        let parts = par::map_cancellable(&part, "measure", par::ranges(rows - 1, lines_per_block(columns - 1)), |rows| {
-            rows.fold(MeasureSums::default(), |sums, i| sums.add(sum_row(planes, &hidden, i, origin)))
+        let parts = par::map_cancellable(&part, "measure", par::split_into_ranges(rows - 1, lines_per_block(columns - 1)), |rows| {
+            rows.fold(AreaAndVolumeSums::default(), |sums, i| sums.add(sum_row(planes, &hidden, i, origin)))
         })?;
-        parts.into_iter().fold(MeasureSums::default(), MeasureSums::add)
+        parts.into_iter().fold(AreaAndVolumeSums::default(), AreaAndVolumeSums::add)
     });
     let Aabb { low, high } = bounds(net, &job.part(0.7, 1.0))?;
     Ok(Measures {
@@ -69,15 +69,15 @@ pub(super) fn first_existing_node(net: &Net<'_>) -> DVec3 {
 
 /// Twice the area and the area vector, and 24 times the volume.
 #[derive(Debug, Clone, Copy, Default)]
-struct MeasureSums {
+struct AreaAndVolumeSums {
     lengths: f64,
     vector: DVec3,
     cones: f64,
 }
 
-impl MeasureSums {
-    fn add(self, other: MeasureSums) -> MeasureSums {
-        MeasureSums {
+impl AreaAndVolumeSums {
+    fn add(self, other: AreaAndVolumeSums) -> AreaAndVolumeSums {
+        AreaAndVolumeSums {
             lengths: self.lengths + other.lengths,
             vector: self.vector + other.vector,
             cones: self.cones + other.cones,
@@ -85,26 +85,26 @@ impl MeasureSums {
     }
 }
 
-fn sum_row<T: Real>(planes: &XyzMatrices<'_, T>, hidden: &HiddenCells, i: usize, origin: DVec3) -> MeasureSums {
+fn sum_row<T: Real>(planes: &XyzMatrices<'_, T>, hidden: &HiddenCells, i: usize, origin: DVec3) -> AreaAndVolumeSums {
     let (above, below) = (planes.row(i), planes.row(i + 1));
-    hidden.visible_runs(i).fold(MeasureSums::default(), |sums, run| {
+    hidden.visible_runs(i).fold(AreaAndVolumeSums::default(), |sums, run| {
         let nodes = run.start..run.end + 1;
         let rows = [above, below].map(|rows| rows.map(|row| &row[nodes.clone()]));
-        sums.add(simd::run(CellRow { rows, origin: origin.to_array() }))
+        sums.add(simd::run(SumCellRowKernel { rows, origin: origin.to_array() }))
     })
 }
 
 /// A row of cells between two rows of nodes.
-struct CellRow<'a, T> {
+struct SumCellRowKernel<'a, T> {
     rows: [[&'a [T]; 3]; 2],
     origin: [f64; 3],
 }
 
-impl<T: Real> Kernel for CellRow<'_, T> {
-    type Output = MeasureSums;
+impl<T: Real> Kernel for SumCellRowKernel<'_, T> {
+    type Output = AreaAndVolumeSums;
 
     #[inline(always)]
-    fn run(self) -> MeasureSums {
+    fn run(self) -> AreaAndVolumeSums {
         let [above, below] = self.rows;
         let mut lanes = [[0.0; SUM_LANES]; 5];
         let mut cells = [[0.0; CELLS_PER_CHUNK]; 5];
@@ -112,7 +112,7 @@ impl<T: Real> Kernel for CellRow<'_, T> {
             let nodes = start..above[0].len().min(start + CELLS_PER_CHUNK + 1);
             // The entries that the last, shorter run does not overwrite.
             cells.iter_mut().for_each(|values| values[nodes.len() - 1..].fill(0.0));
-            fill_cell_terms(
+            write_area_and_volume_terms(
                 above.map(|row| &row[nodes.clone()]),
                 below.map(|row| &row[nodes.clone()]),
                 self.origin,
@@ -125,14 +125,14 @@ impl<T: Real> Kernel for CellRow<'_, T> {
             }
         }
         let [lengths, x, y, z, cones] = lanes.map(|lanes| lanes.into_iter().sum());
-        MeasureSums { lengths, vector: DVec3::new(x, y, z), cones }
+        AreaAndVolumeSums { lengths, vector: DVec3::new(x, y, z), cones }
     }
 }
 
 /// |N|, N and (a + b + c + d - 4 origin) . N of the cells between two rows of nodes; zeros for
 /// cells with a missing corner.
 #[inline(always)]
-fn fill_cell_terms<T: Real>(
+fn write_area_and_volume_terms<T: Real>(
     above: [&[T]; 3],
     below: [&[T]; 3],
     origin: [f64; 3],
@@ -170,17 +170,17 @@ fn fill_cell_terms<T: Real>(
 fn bounds(net: &Net<'_>, job: &Job<'_>) -> Result<Aabb> {
     each!(net.coordinates(), planes => {
         let lines = lines_per_block(net.shape().columns());
-        let parts = par::map_cancellable(job, "measure", par::ranges(net.shape().rows(), lines), |rows| {
-            rows.fold(Aabb::EMPTY, |bounds, i| bounds.union(simd::run(RowBounds(planes.row(i)))))
+        let parts = par::map_cancellable(job, "measure", par::split_into_ranges(net.shape().rows(), lines), |rows| {
+            rows.fold(Aabb::EMPTY, |bounds, i| bounds.union(simd::run(RowBoundsKernel(planes.row(i)))))
         })?;
         Ok(parts.into_iter().fold(Aabb::EMPTY, Aabb::union))
     })
 }
 
 /// The bounding box of a row of nodes.
-struct RowBounds<'a, T>([&'a [T]; 3]);
+struct RowBoundsKernel<'a, T>([&'a [T]; 3]);
 
-impl<T: Real> Kernel for RowBounds<'_, T> {
+impl<T: Real> Kernel for RowBoundsKernel<'_, T> {
     type Output = Aabb;
 
     #[inline(always)]
@@ -233,11 +233,11 @@ mod tests {
         let numbers = |k: usize| (0..2 * CELLS_PER_CHUNK + 13).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
         let rows: [Vec<f32>; 6] = std::array::from_fn(|k| numbers(2 * k + 3));
         let rows = [0, 3].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);
-        let strip = || CellRow { rows, origin: [0.5, -1.0, 2.0] };
-        let bits = |sums: MeasureSums| {
+        let strip = || SumCellRowKernel { rows, origin: [0.5, -1.0, 2.0] };
+        let bits = |sums: AreaAndVolumeSums| {
             [sums.lengths, sums.vector.x, sums.vector.y, sums.vector.z, sums.cones].map(f64::to_bits)
         };
         assert_eq!(bits(simd::run(strip())), bits(strip().run()));
-        assert_eq!(simd::run(RowBounds(rows[0])), RowBounds(rows[0]).run());
+        assert_eq!(simd::run(RowBoundsKernel(rows[0])), RowBoundsKernel(rows[0]).run());
     }
 }

@@ -46,9 +46,11 @@ impl PlanarityConstraints {
         visit_in_elimination_order([shape.rows() - 1, shape.columns() - 1], is_glued, &mut |i, j| {
             job.step_every(CELLS_PER_REPORT, done, shape.cell_count(), "planarise")?;
             done += 1;
-            let [a, b, c, d] = surface.classes.corners(i, j);
+            let [a, b, c, d] = surface.classes.representatives_of_corners(i, j);
             let is_quad = a != b && a != c && a != d && b != c && b != d && c != d;
-            if is_quad && !hidden.contains(i, j) && shape.corners(i, j).into_iter().all(|n| net.position(n).is_finite())
+            if is_quad
+                && !hidden.contains(i, j)
+                && shape.corners_of_cell(i, j).into_iter().all(|n| net.position(n).is_finite())
             {
                 alloc::push(&mut corners, [a, b, c, d])?;
                 alloc::push(&mut numbers, (i * (shape.columns() - 1) + j) as u32)?;
@@ -115,7 +117,7 @@ impl PlanarityConstraints {
 
     /// Returns the displacements -J^T y from `base`, where y solves (J J^T + penalty) y = g + J
     /// (base - positions).
-    pub(super) fn penalised_step(
+    pub(super) fn displacements_from_base(
         &self,
         rows: &[LinearisedConstraint],
         [base, positions]: [&[DVec3]; 2],
@@ -159,7 +161,7 @@ impl PlanarityConstraints {
                     alloc::push(&mut column, (other, value))?;
                 }
             }
-            sort::stable(&mut column, &|a: &(u32, f64), b| a.0.cmp(&b.0));
+            sort::sort_stable(&mut column, &|a: &(u32, f64), b| a.0.cmp(&b.0));
             for same in column.chunk_by(|a, b| a.0 == b.0) {
                 alloc::push(&mut entries, (same[0].0, same.iter().map(|&(_, value)| value).sum()))?;
             }

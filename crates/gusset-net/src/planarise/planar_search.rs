@@ -10,7 +10,7 @@ use gusset_base::job::Job;
 /// The penalties, and the maximum number of steps with each. With smaller penalties, steps along
 /// the curved valley of the sum become too short.
 const DECREASING_PENALTIES: [f64; 3] = [1e-1, 1e-2, 1e-3];
-const STEPS_PER_PENALTY: u32 = 4;
+const MAX_STEPS_PER_PENALTY: u32 = 4;
 /// Keeps the matrix positive definite if constraints depend on each other.
 const MATRIX_REGULARISATION: f64 = 1e-13;
 /// The maximum number of halvings of a step.
@@ -47,7 +47,7 @@ impl<'a> PlanarSearch<'a> {
     /// Runs the search and returns the positions found.
     pub(super) fn run(&mut self) -> Result<Vec<DVec3>> {
         let mut positions = alloc::copied(self.start)?;
-        self.approach_constraints(&mut positions)?;
+        self.minimise_with_decreasing_penalties(&mut positions)?;
         self.restore_constraints(&mut positions)?;
         self.reduce_displacement(&mut positions)?;
         Ok(positions)
@@ -55,19 +55,24 @@ impl<'a> PlanarSearch<'a> {
 
     /// Returns the job of the next step. The number of steps is unknown, so each takes a share of
     /// the remaining progress.
-    fn next_step_job(&mut self) -> Job<'a> {
+    fn job_of_next_step(&mut self) -> Job<'a> {
         let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
         self.done += 1;
         self.job.part(at(self.done - 1), at(self.done))
     }
 
     /// Minimises the penalised sum |x - x0|^2 + |g|^2 / penalty, for decreasing penalties.
-    fn approach_constraints(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
+    fn minimise_with_decreasing_penalties(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
         let (constraints, start) = (self.constraints, self.start);
         for penalty in DECREASING_PENALTIES {
-            for _ in 0..STEPS_PER_PENALTY.min(self.max - self.done) {
+            for _ in 0..MAX_STEPS_PER_PENALTY.min(self.max - self.done) {
                 let rows = constraints.linearise(positions)?;
-                let towards = constraints.penalised_step(&rows, [start, positions], penalty, &self.next_step_job())?;
+                let towards = constraints.displacements_from_base(
+                    &rows,
+                    [start, positions],
+                    penalty,
+                    &self.job_of_next_step(),
+                )?;
                 let sum = |at: &[DVec3]| {
                     self.squared_distance_from_start(at) + constraints.sum_of_squares(&rows, at) / penalty
                 };
@@ -94,11 +99,11 @@ impl<'a> PlanarSearch<'a> {
         let (mut part, mut distance) = (1.0, self.squared_distance_from_start(positions));
         while part > 0.01 && self.done < self.max && constraints.max_deviation(positions).0 <= self.tolerance {
             let rows = constraints.linearise(positions)?;
-            let mut next = constraints.penalised_step(
+            let mut next = constraints.displacements_from_base(
                 &rows,
                 [self.start, positions],
                 MATRIX_REGULARISATION,
-                &self.next_step_job(),
+                &self.job_of_next_step(),
             )?;
             constraints.constrained_vertices().for_each(|v| next[v] = positions[v].lerp(next[v], part));
             self.restore_constraints(&mut next)?;
@@ -127,8 +132,12 @@ impl<'a> PlanarSearch<'a> {
         let (mut deviation, _) = constraints.max_deviation(positions);
         while self.done < self.max && deviation > self.tolerance {
             let rows = constraints.linearise(positions)?;
-            let towards =
-                constraints.penalised_step(&rows, [&*positions; 2], MATRIX_REGULARISATION, &self.next_step_job())?;
+            let towards = constraints.displacements_from_base(
+                &rows,
+                [&*positions; 2],
+                MATRIX_REGULARISATION,
+                &self.job_of_next_step(),
+            )?;
             let Some(next) =
                 self.halve_until_better(positions, towards, |at| constraints.max_deviation(at).0 < deviation)
             else {

@@ -98,7 +98,7 @@ impl ScaledVertices {
         for node in 0..net.shape().node_count() as u32 {
             let class = self.classes.representative(node) as usize;
             if moved[class].is_finite() && moved[class] != self.positions[class] && net.position(node).is_finite() {
-                let (i, j) = net.shape().place(node);
+                let (i, j) = net.shape().row_and_column(node);
                 net.coordinates_mut().set(i, j, (moved[class] + self.origin) * self.unit);
             }
         }

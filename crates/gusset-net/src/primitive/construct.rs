@@ -141,7 +141,7 @@ fn swept_topology(shape: Shape, profile: &[ProfilePoint]) -> Result<Topology> {
     let topology = if (1..last).any(on_axis) {
         let mut matrix = LinkMatrix::from_sides(shape, sides)?;
         for i in (1..last).filter(|&i| on_axis(i)) {
-            (0..shape.columns() - 1).for_each(|j| matrix.set(shape.horizontal_link(i, j), true));
+            (0..shape.columns() - 1).for_each(|j| matrix.set_contracted(shape.horizontal_link(i, j), true));
         }
         // A contracted row reduces its cells to triangles, or to wires between two such rows, so
         // none is crossed.

@@ -4,7 +4,7 @@
 //! Invariant: the deviation of removed nodes from the segments that replace them stays within half
 //! the tolerance for rows, and for columns. O(nodes log rows) approximately.
 
-use super::whole_sides::{min_rows_and_columns, net_with_sides, require_only_sides, select_lines};
+use super::whole_sides::{min_rows_and_columns, net_with_sides, select_lines, sides_or_glued_inside_error};
 use crate::{Net, each};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -44,16 +44,16 @@ pub struct Decimated {
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimated> {
     Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
-    let (sides, limit) = (require_only_sides(net)?, tolerance / 2.0);
+    let (sides, limit) = (sides_or_glued_inside_error(net)?, tolerance / 2.0);
     let (h, w) = (net.shape().rows(), net.shape().columns());
     each!(net.coordinates(), planes => {
         let all = alloc::collect(0..w)?;
         let [min_rows, min_columns] = min_rows_and_columns(sides, 4);
         let row = |k: usize, j: usize| planes.get(k, j);
-        let cost = |gap: Range<usize>| max_deviation_in_gap(row, gap, &all);
+        let cost = |gap: Range<usize>| max_deviation_of_removed_lines(row, gap, &all);
         let (rows, by_rows) = choose_kept_lines(h, min_rows, limit, &job.part(0.0, 0.5), cost)?;
         let column = |k: usize, i: usize| planes.get(i, k);
-        let cost = |gap: Range<usize>| max_deviation_in_gap(column, gap, &rows);
+        let cost = |gap: Range<usize>| max_deviation_of_removed_lines(column, gap, &rows);
         let (columns, by_columns) = choose_kept_lines(w, min_columns, limit, &job.part(0.5, 1.0), cost)?;
         let net = net_with_sides(select_lines(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
         Ok(Decimated { net, rows, columns, deviation: by_rows + by_columns })
@@ -62,7 +62,7 @@ pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimate
 
 /// Returns the largest distance of nodes in a gap, between two kept lines, from the segments across
 /// it. `node(k, j)`: node j of line k.
-fn max_deviation_in_gap(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[usize]) -> f64 {
+fn max_deviation_of_removed_lines(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[usize]) -> f64 {
     let mut max = 0.0f64;
     for &j in places {
         let (a, b) = (node(gap.start, j), node(gap.end, j));
@@ -101,9 +101,10 @@ fn choose_kept_lines(
     let mut before = alloc::collect((0..count).map(|k| k.wrapping_sub(1)))?;
     let mut after = alloc::collect(1..count + 1)?;
     let mut queue: BinaryHeap<RemovalCandidate> = BinaryHeap::from(alloc::with_capacity(3 * count)?);
-    let costs = par::map_cancellable(&job.part(0.0, 0.5), "decimate", par::ranges(count - 2, 16), |lines| {
-        lines.map(|k| cost(k..k + 2)).collect::<Vec<_>>()
-    })?;
+    let costs =
+        par::map_cancellable(&job.part(0.0, 0.5), "decimate", par::split_into_ranges(count - 2, 16), |lines| {
+            lines.map(|k| cost(k..k + 2)).collect::<Vec<_>>()
+        })?;
     let job = job.part(0.5, 1.0);
     queue.extend(costs.into_iter().flatten().enumerate().map(|(k, cost)| removal_candidate(cost, k..k + 2, k + 1)));
     let (mut left, mut max) = (count, 0.0f64);

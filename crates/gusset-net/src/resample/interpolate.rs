@@ -1,7 +1,7 @@
 //! Resampling by bilinear and Catmull-Rom interpolation, a separable filter of four taps, and
 //! pyramids of nets. O(nodes of both).
 
-use super::whole_sides::{min_rows_and_columns, net_with_sides, require_only_sides, select_lines};
+use super::whole_sides::{min_rows_and_columns, net_with_sides, select_lines, sides_or_glued_inside_error};
 use crate::chunks::zip3;
 use crate::{Coordinates, Net, Real, Shape, XyzMatrices, each};
 use gusset_base::alloc;
@@ -45,7 +45,7 @@ pub fn resample(
     interpolation: Interpolation,
     job: &Job<'_>,
 ) -> Result<Net<'static>> {
-    let (sides, shape) = (require_only_sides(net)?, Shape::new(rows, columns)?);
+    let (sides, shape) = (sides_or_glued_inside_error(net)?, Shape::new(rows, columns)?);
     let along = interpolation_taps(net.shape().columns(), columns, sides.rows_closed, interpolation)?;
     let across = interpolation_taps(net.shape().rows(), rows, sides.columns_closed, interpolation)?;
     let coordinates = each!(net.coordinates(), planes => Coordinates::from(interpolate_matrices(planes, shape, &along, &across, job)?));
@@ -64,7 +64,7 @@ pub fn resample(
 /// # Errors
 /// The errors of [`resample`].
 pub fn pyramid(net: &Net<'_>, interpolation: Interpolation, job: &Job<'_>) -> Result<Vec<Net<'static>>> {
-    let sides = require_only_sides(net)?;
+    let sides = sides_or_glued_inside_error(net)?;
     let (h, w) = (net.shape().rows(), net.shape().columns());
     let [rows, columns] = [h, w].map(|n| (n - 1).next_power_of_two() + 1);
     let mut levels = Vec::new();

@@ -1,7 +1,7 @@
 //! Nets glued along whole sides: their requirements, and results with the same sides. O(nodes).
 
 use crate::arrange::{Rearrangement, rearrange_coordinates};
-use crate::field::snap;
+use crate::field::snap_glued_nodes;
 use crate::{Coordinates, Net, Shape, Sides, Topology};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -9,7 +9,7 @@ use gusset_base::job::Job;
 
 /// Returns the sides of a net without other gluings and bridges; otherwise returns
 /// [`Error::GluedInside`].
-pub(super) fn require_only_sides(net: &Net<'_>) -> Result<Sides> {
+pub(super) fn sides_or_glued_inside_error(net: &Net<'_>) -> Result<Sides> {
     let plain = net.topology().seams().is_empty() && net.bridges().is_empty();
     net.topology().sides().filter(|_| plain).ok_or(Error::GluedInside)
 }
@@ -32,7 +32,7 @@ pub(super) fn min_rows_and_columns(sides: Sides, min_closed_count: usize) -> [us
 pub(super) fn net_with_sides(coordinates: Coordinates<'static>, like: &Net<'_>, sides: Sides) -> Result<Net<'static>> {
     let topology = Topology::from_sides(coordinates.shape(), sides).with_reversed(like.topology().is_reversed());
     let mut net = Net::new(coordinates, topology);
-    snap(&mut net)?;
+    snap_glued_nodes(&mut net)?;
     Ok(net)
 }
 

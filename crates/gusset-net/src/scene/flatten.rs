@@ -4,7 +4,7 @@
 use super::arena::Scene;
 use super::instances::Instance;
 use crate::chunks::{lines_per_block, zip3};
-use crate::join::{JoinOptions, interpolate_inner_rows, join_mirrored, starts_of_nets};
+use crate::join::{JoinOptions, first_lines_of_nets, interpolate_inner_rows, join_nets_to_be_transformed};
 use crate::transform::is_orientation_reversing;
 use crate::{Direction, Net, Real, XyzMatrices, each};
 use glam::{DAffine3, DVec3};
@@ -36,9 +36,9 @@ impl Scene {
             |instance: &Instance| instance.world.is_finite() && is_orientation_reversing(instance.world.matrix3);
         let mirrored = alloc::collect(instances.iter().map(is_mirrored))?;
         let options = JoinOptions { turn: true, ..*options };
-        let mut net = join_mirrored(&nets, &mirrored, &options, &job.part(0.2, 0.8))?;
+        let mut net = join_nets_to_be_transformed(&nets, &mirrored, &options, &job.part(0.2, 0.8))?;
         if instances.iter().any(|instance| instance.world != DAffine3::IDENTITY) {
-            let starts = starts_of_nets(nets.iter().map(|net| net.shape()), options.direction, options.rows)?;
+            let starts = first_lines_of_nets(nets.iter().map(|net| net.shape()), options.direction, options.rows)?;
             let world = |k: usize| instances[k].world;
             each!(net.coordinates_mut(), planes => transform_nets(planes, options.direction, &starts, world, job))?;
             interpolate_inner_rows(&mut net, &job.part(0.9, 1.0))?;

@@ -29,7 +29,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn counts(&self) -> Result<SceneCounts> {
+    pub fn count_elements(&self) -> Result<SceneCounts> {
         let mut pending =
             alloc::collect(self.entries.iter().map(|entry| entry.as_ref().map_or(0, |e| e.parents.len())))?;
         let mut paths = alloc::filled(0u64, self.entries.len())?;
@@ -72,7 +72,7 @@ impl Scene {
     /// # Errors
     /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], [`Error::OutOfMemory`].
     pub fn instance_count(&self) -> Result<usize> {
-        let count = self.counts()?.instances;
+        let count = self.count_elements()?.instances;
         Error::check_count("instances", count, MAX_INSTANCES)?;
         Ok(count as usize)
     }

@@ -4,7 +4,7 @@ use super::SettleOptions;
 use super::energy::{BridgeLine, ElasticLaw, FilmQuad, MIN_RELATIVE_LENGTH};
 use super::energy_model::EnergyModel;
 use super::motion::RigidMotion;
-use super::parts::{CompositeParts, FIRST_BODY_SLOT, NO_BODY, is_rigid, properties_with_force};
+use super::parts::{BODY_SLOT_FLAG, CompositeParts, NO_BODY, is_rigid, properties_with_force};
 use crate::planarise::elimination_order::visit_in_elimination_order;
 use crate::planarise::scaled_vertices::ScaledVertices;
 use crate::{Bridge, BridgeKind, Net};
@@ -88,7 +88,7 @@ impl ForceScale {
         let scale = ForceScale::Stiffness(stiffest);
         let is_weaker = |x: f64| scale.relative_force(x, unit) <= 1.0;
         let others_are =
-            forces().all(|(b, p)| is_weaker(p.tension * film_unit_length(b, unit)) && is_weaker(p.elasticity));
+            forces().all(|(b, p)| is_weaker(p.tension * length_of_film_unit(b, unit)) && is_weaker(p.elasticity));
         if others_are { scale } else { ForceScale::Largest(largest) }
     }
 
@@ -119,7 +119,7 @@ impl ForceScale {
 
 /// Returns the length by which a tension is multiplied to be a force; for films, a line has that
 /// length.
-fn film_unit_length(bridge: &Bridge, unit: f64) -> f64 {
+fn length_of_film_unit(bridge: &Bridge, unit: f64) -> f64 {
     if bridge.kind == BridgeKind::Tube { unit } else { 1.0 }
 }
 
@@ -174,7 +174,8 @@ impl CompositeBuilder<'_> {
         self.number_inner_vertices(bridge)?;
         let is_film = bridge.kind == BridgeKind::Tube;
         let line_law = if is_film { ElasticLaw { tension: 0.0, ..law } } else { law };
-        let centres = if bridge.kind == BridgeKind::Thread { self.mean_vertices_beside_ends(place) } else { [None; 2] };
+        let centres =
+            if bridge.kind == BridgeKind::Thread { self.mean_positions_adjacent_to_bridge(place) } else { [None; 2] };
         let columns = bridge.end as usize;
         for k in 0..columns {
             job.step_every(LINES_PER_REPORT, k, columns, "settle")?;
@@ -197,7 +198,7 @@ impl CompositeBuilder<'_> {
     fn scaled_elastic_law(&self, index: usize) -> Result<ElasticLaw> {
         let bridge = &self.net.bridges()[index];
         let (p, unit) = (bridge.properties, self.surface.unit);
-        let film = film_unit_length(bridge, unit);
+        let film = length_of_film_unit(bridge, unit);
         let tension = match self.scale {
             ForceScale::Largest(largest) => p.tension / largest * film,
             ForceScale::Stiffness(_) => self.scale.relative_force(p.tension * film, unit),
@@ -214,8 +215,8 @@ impl CompositeBuilder<'_> {
 
     /// Assigns the vertices of a rigid bridge to the body on both its sides.
     fn add_rigid_bridge(&mut self, place: usize, bridge: &Bridge) {
-        let body = FIRST_BODY_SLOT + self.parts.bodies[place];
-        for i in bridge.first_side_line() + 1..bridge.at {
+        let body = BODY_SLOT_FLAG + self.parts.bodies[place];
+        for i in bridge.last_line_of_first_net() + 1..bridge.at {
             for k in 0..bridge.end {
                 let v = self.vertex_at(i as usize, k as usize) as usize;
                 let slot = &mut self.composite.model.slots[v];
@@ -235,7 +236,7 @@ impl CompositeBuilder<'_> {
         if bridge.rows == 0 {
             return Ok(());
         }
-        let first = bridge.first_side_line() as usize + 1;
+        let first = bridge.last_line_of_first_net() as usize + 1;
         let size = [bridge.rows as usize, bridge.end as usize];
         visit_in_elimination_order(size, bridge.kind != BridgeKind::Ribbon, &mut |i, k| {
             let v = self.vertex_at(first + i, k);
@@ -250,7 +251,7 @@ impl CompositeBuilder<'_> {
 
     /// Returns the vertices of a line from side to side.
     fn line_vertices(&self, bridge: &Bridge, k: usize) -> Result<Vec<u32>> {
-        alloc::collect((bridge.first_side_line() as usize..bridge.at as usize + 1).map(|i| self.vertex_at(i, k)))
+        alloc::collect((bridge.last_line_of_first_net() as usize..bridge.at as usize + 1).map(|i| self.vertex_at(i, k)))
     }
 
     fn add_line(
@@ -261,10 +262,10 @@ impl CompositeBuilder<'_> {
         centres: [Option<DVec3>; 2],
     ) -> Result<()> {
         let at = |i: u32| {
-            let (i, j) = self.parts.direction.order_along_first(i as usize, k);
+            let (i, j) = self.parts.direction.swap_unless_down(i as usize, k);
             self.reference.get(i, j) / self.surface.unit
         };
-        let links = bridge.first_side_line()..bridge.at;
+        let links = bridge.last_line_of_first_net()..bridge.at;
         let rests = links.map(|i| self.rest_ratio * at(i).distance(at(i + 1)));
         let mut rests: Vec<f64> = alloc::collect(rests)?;
         let known = rests.iter().filter(|rest| rest.is_finite());
@@ -275,7 +276,7 @@ impl CompositeBuilder<'_> {
         if law.stiffness > 0.0 && h > MIN_RELATIVE_LENGTH {
             for end in 0..2 {
                 let side = points[end * (points.len() - 1)];
-                let before = centres[end].or_else(|| self.node_beside_end(place, end, k));
+                let before = centres[end].or_else(|| self.position_adjacent_to_bridge(place, end, k));
                 end_targets[end] = before.map(|before| self.add_clamp_target(side, before, h)).transpose()?.flatten();
             }
         }
@@ -283,22 +284,22 @@ impl CompositeBuilder<'_> {
     }
 
     /// Returns the row or column of a part that is adjacent to the bridge's side at an end.
-    fn row_beside_end(&self, place: usize, end: usize) -> Option<usize> {
+    fn line_adjacent_to_bridge(&self, place: usize, end: usize) -> Option<usize> {
         let rows = &self.parts.ranges[place + end];
         (rows.len() > 1).then(|| if end == 0 { rows.end - 2 } else { rows.start + 1 })
     }
 
     /// Returns the node before the start of a line, within the part.
-    fn node_beside_end(&self, place: usize, end: usize, k: usize) -> Option<DVec3> {
-        let before = self.composite.points[self.vertex_at(self.row_beside_end(place, end)?, k) as usize];
+    fn position_adjacent_to_bridge(&self, place: usize, end: usize, k: usize) -> Option<DVec3> {
+        let before = self.composite.points[self.vertex_at(self.line_adjacent_to_bridge(place, end)?, k) as usize];
         before.is_finite().then_some(before)
     }
 
     /// Returns, for a thread, the mean of the vertices adjacent to each of its ends.
-    fn mean_vertices_beside_ends(&self, place: usize) -> [Option<DVec3>; 2] {
-        let along = self.parts.direction.extents_along_and_across(self.net.shape()).1;
+    fn mean_positions_adjacent_to_bridge(&self, place: usize) -> [Option<DVec3>; 2] {
+        let along = self.parts.direction.line_count_and_length(self.net.shape()).1;
         [0, 1].map(|end| {
-            let row = self.row_beside_end(place, end)?;
+            let row = self.line_adjacent_to_bridge(place, end)?;
             let (mut sum, mut count) = (DVec3::ZERO, 0.0);
             for k in 0..along {
                 let v = self.vertex_at(row, k);
@@ -328,7 +329,7 @@ impl CompositeBuilder<'_> {
 
     fn add_film(&mut self, bridge: &Bridge, tension: f64) -> Result<()> {
         let first = self.composite.model.quads.len();
-        for i in bridge.first_side_line() as usize..bridge.at as usize {
+        for i in bridge.last_line_of_first_net() as usize..bridge.at as usize {
             for k in 0..bridge.end as usize - 1 {
                 let corners = [(i, k), (i, k + 1), (i + 1, k + 1), (i + 1, k)].map(|(i, k)| self.vertex_at(i, k));
                 if corners.iter().all(|&p| self.surface.positions[p as usize].is_finite()) {
@@ -377,8 +378,8 @@ impl CompositeBuilder<'_> {
         }
         for (point, carried) in (0u32..).zip(is_carried) {
             let slot = model.slots[point as usize];
-            let moves = (FIRST_BODY_SLOT..NO_BODY).contains(&slot)
-                && model.translations[(slot - FIRST_BODY_SLOT) as usize] != NO_BODY;
+            let moves = (BODY_SLOT_FLAG..NO_BODY).contains(&slot)
+                && model.translations[(slot - BODY_SLOT_FLAG) as usize] != NO_BODY;
             if carried && moves {
                 alloc::push(&mut model.carried, (point, self.composite.points[point as usize]))?;
             }
@@ -394,9 +395,9 @@ impl CompositeBuilder<'_> {
         let own = |part: &usize| parts.bodies[*part] == body;
         let has_held = (0..parts.ranges.len()).any(|part| own(&part) && parts.held_parts[part]);
         let leads = |part: &usize| own(part) && (parts.held_parts[*part] || !has_held);
-        let along = parts.direction.extents_along_and_across(net.shape()).1;
+        let along = parts.direction.line_count_and_length(net.shape()).1;
         let scaled = |net: &Net<'_>, (i, k): (usize, usize)| {
-            let (i, j) = parts.direction.order_along_first(i, k);
+            let (i, j) = parts.direction.swap_unless_down(i, k);
             surface.scale_position(net.get(i, j))
         };
         let nodes = |part: usize| parts.ranges[part].clone().flat_map(move |i| (0..along).map(move |k| (i, k)));
@@ -406,7 +407,7 @@ impl CompositeBuilder<'_> {
         let mut place_node = |i: usize, k: usize| {
             let v = parts.vertex_at(&surface.classes, i, k) as usize;
             let at = scaled(reference, (i, k));
-            if self.composite.model.slots[v] == FIRST_BODY_SLOT + body
+            if self.composite.model.slots[v] == BODY_SLOT_FLAG + body
                 && at.is_finite()
                 && surface.positions[v].is_finite()
             {
@@ -419,7 +420,7 @@ impl CompositeBuilder<'_> {
             }
             if let Some(&index) = parts.bridges.get(part).filter(|&&index| is_rigid(&net.bridges()[index])) {
                 let bridge = &net.bridges()[index];
-                let inner = bridge.first_side_line() as usize + 1..bridge.at as usize;
+                let inner = bridge.last_line_of_first_net() as usize + 1..bridge.at as usize;
                 inner.for_each(|i| (0..along).for_each(|k| place_node(i, k)));
             }
         }

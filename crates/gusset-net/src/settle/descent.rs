@@ -4,7 +4,7 @@ use super::anderson::AndersonAcceleration;
 use super::composite::{BridgeElements, CompositeModel};
 use super::energy::{BridgeEnergies, BridgeLine};
 use super::motion::RigidMotion;
-use super::parts::{FIRST_BODY_SLOT, NO_BODY};
+use super::parts::{BODY_SLOT_FLAG, NO_BODY};
 use super::rotate_bodies::rotate_bodies;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -109,8 +109,7 @@ fn is_gain_within_rounding(
 /// Returns the current unknowns.
 fn current_unknowns(composite: &CompositeModel) -> Result<Vec<DVec3>> {
     let mut unknowns = alloc::filled(DVec3::ZERO, composite.model.unknowns)?;
-    for (&p, &slot) in composite.points.iter().zip(&composite.model.slots).filter(|(_, slot)| **slot < FIRST_BODY_SLOT)
-    {
+    for (&p, &slot) in composite.points.iter().zip(&composite.model.slots).filter(|(_, slot)| **slot < BODY_SLOT_FLAG) {
         unknowns[slot as usize] = p;
     }
     Ok(unknowns)
@@ -142,7 +141,7 @@ fn halve_until_lower(
 
 /// Returns the largest displacement of an unknown or of a point of a body.
 fn max_displacement(composite: &CompositeModel, x: &[DVec3], motions: &[RigidMotion], next: &DescentState) -> f64 {
-    let own = composite.model.slots.iter().zip(x.iter().zip(&next.0)).filter(|(slot, _)| **slot < FIRST_BODY_SLOT);
+    let own = composite.model.slots.iter().zip(x.iter().zip(&next.0)).filter(|(slot, _)| **slot < BODY_SLOT_FLAG);
     let own = own.map(|(_, (p, q))| p.distance(*q)).fold(0.0, f64::max);
     let carried = composite.model.carried.iter().map(|&(p, _)| x[p as usize].distance(next.0[p as usize]));
     let shifts = motions.iter().zip(&next.1).map(|(a, b)| a.translation.distance(b.translation));

@@ -107,7 +107,7 @@ impl BridgeLine {
         }
     }
 
-    pub(super) fn push_terms(&self, x: &[DVec3], terms: &mut Vec<QuadraticTerm>) -> Result<()> {
+    pub(super) fn push_quadratic_terms(&self, x: &[DVec3], terms: &mut Vec<QuadraticTerm>) -> Result<()> {
         let links = self.rests.len() as f64;
         let tension = if self.law.tension > 0.0 {
             self.law.tension * links / self.line_length(x).max(MIN_RELATIVE_LENGTH)
@@ -162,7 +162,7 @@ impl FilmQuad {
         self.tension * self.quad_area(x)
     }
 
-    pub(super) fn push_terms(&self, x: &[DVec3], terms: &mut Vec<QuadraticTerm>) -> Result<()> {
+    pub(super) fn push_quadratic_terms(&self, x: &[DVec3], terms: &mut Vec<QuadraticTerm>) -> Result<()> {
         for triangle in self.triangles() {
             let at = |k: usize| x[triangle[k % 3] as usize];
             let sides = [0, 1, 2].map(|k| at(k + 2) - at(k + 1));

@@ -3,7 +3,7 @@
 
 use super::energy::{BridgeEnergies, BridgeLine, FilmQuad};
 use super::motion::RigidMotion;
-use super::parts::{FIRST_BODY_SLOT, NO_BODY};
+use super::parts::{BODY_SLOT_FLAG, NO_BODY};
 use super::quadratic_term::QuadraticTerm;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -18,7 +18,7 @@ const RELATIVE_DAMPING: f64 = 1e-11;
 /// Everything that has forces, scaled by the unit. Points are the classes of nodes, followed by the
 /// targets of clamps, which move with the bodies.
 pub(super) struct EnergyModel {
-    /// For each point the index of its unknown, or its body above [`FIRST_BODY_SLOT`].
+    /// For each point the index of its unknown, or its body above [`BODY_SLOT_FLAG`].
     pub(super) slots: Vec<u32>,
     /// The unknown that is the translation of each body; [`NO_BODY`] for bodies that stay.
     pub(super) translations: Vec<u32>,
@@ -35,7 +35,7 @@ impl EnergyModel {
         let slot = self.slots[point as usize];
         let unknown = match slot {
             NO_BODY => NO_BODY,
-            body if body >= FIRST_BODY_SLOT => self.translations[(body - FIRST_BODY_SLOT) as usize],
+            body if body >= BODY_SLOT_FLAG => self.translations[(body - BODY_SLOT_FLAG) as usize],
             own => own,
         };
         (unknown != NO_BODY).then_some(unknown as usize)
@@ -49,7 +49,7 @@ impl EnergyModel {
     /// Moves the points of moving bodies.
     pub(super) fn place_moving_bodies(&self, motions: &[RigidMotion], x: &mut [DVec3]) {
         for &(point, start) in &self.carried {
-            x[point as usize] = motions[(self.slots[point as usize] - FIRST_BODY_SLOT) as usize].apply(start);
+            x[point as usize] = motions[(self.slots[point as usize] - BODY_SLOT_FLAG) as usize].apply(start);
         }
     }
 
@@ -65,10 +65,10 @@ impl EnergyModel {
     pub(super) fn energy_terms(&self, x: &[DVec3]) -> Result<Vec<QuadraticTerm>> {
         let mut terms = Vec::new();
         for line in &self.lines {
-            line.push_terms(x, &mut terms)?;
+            line.push_quadratic_terms(x, &mut terms)?;
         }
         for quad in &self.quads {
-            quad.push_terms(x, &mut terms)?;
+            quad.push_quadratic_terms(x, &mut terms)?;
         }
         Ok(terms)
     }
@@ -144,7 +144,7 @@ impl EnergyModel {
     ) -> Result<(Vec<DVec3>, Vec<RigidMotion>)> {
         let (mut x, mut motions) = (alloc::copied(x)?, alloc::copied(motions)?);
         for (point, &slot) in x.iter_mut().zip(&self.slots) {
-            if slot < FIRST_BODY_SLOT {
+            if slot < BODY_SLOT_FLAG {
                 *point += fraction * step[slot as usize];
             }
         }

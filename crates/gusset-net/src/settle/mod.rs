@@ -47,7 +47,7 @@ use descent::descend_to_equilibrium;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use parts::{CompositeParts, FIRST_BODY_SLOT, NO_BODY};
+use parts::{BODY_SLOT_FLAG, CompositeParts, NO_BODY};
 pub use settle_options::SettleOptions;
 
 /// The result of [`settle`]. Energies are in units of force times length.
@@ -158,10 +158,10 @@ impl CompositeModel {
     fn vertex_positions(&self, count: usize) -> Result<Vec<glam::DVec3>> {
         let mut moved = alloc::copied(&self.points[..count])?;
         for ((v, &start), &slot) in moved.iter_mut().zip(&self.start).zip(&self.model.slots) {
-            if (FIRST_BODY_SLOT..NO_BODY).contains(&slot)
-                && self.model.translations[(slot - FIRST_BODY_SLOT) as usize] != NO_BODY
+            if (BODY_SLOT_FLAG..NO_BODY).contains(&slot)
+                && self.model.translations[(slot - BODY_SLOT_FLAG) as usize] != NO_BODY
             {
-                *v = self.motions[(slot - FIRST_BODY_SLOT) as usize].apply(start);
+                *v = self.motions[(slot - BODY_SLOT_FLAG) as usize].apply(start);
             }
         }
         Ok(moved)

@@ -1,7 +1,7 @@
 //! Rigid motions.
 
 use glam::{DMat3, DQuat, DVec3};
-use gusset_base::geom::rotation::best_rotation;
+use gusset_base::geom::rotation::rotation_maximising_trace;
 
 /// A rigid motion, p -> rotation p + translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ impl RigidMotion {
         let means = sums.map(|sum| sum / count);
         let mut covariance = DMat3::ZERO;
         pairs.for_each(|[p, q]| covariance += outer_product(q - means[1], p - means[0]));
-        let rotation = best_rotation(covariance);
+        let rotation = rotation_maximising_trace(covariance);
         RigidMotion { rotation, translation: means[1] - rotation * means[0] }
     }
 }

@@ -14,7 +14,7 @@ const NODES_PER_REPORT: usize = 1 << 16;
 /// Marks a vertex that does not belong to a bridge or a part.
 pub(super) const NO_BODY: u32 = u32::MAX;
 /// For vertices of bodies, the body's index is stored above this.
-pub(super) const FIRST_BODY_SLOT: u32 = 1 << 31;
+pub(super) const BODY_SLOT_FLAG: u32 = 1 << 31;
 
 /// The parts and bridges of a composite net, along one direction.
 pub(super) struct CompositeParts {
@@ -59,24 +59,24 @@ impl CompositeParts {
     /// Returns the parts between the whole bridges in the direction of the last of them.
     pub(super) fn new(net: &Net<'_>, options: &SettleOptions<'_>) -> Result<Self> {
         let all = net.bridges();
-        let whole = |bridge: &Bridge| bridge.is_whole(net.shape());
+        let whole = |bridge: &Bridge| bridge.spans_net_from_side_to_side(net.shape());
         let direction = all.iter().rfind(|bridge| whole(bridge)).map_or(Direction::Down, |bridge| bridge.direction);
         let indices = (0..all.len()).filter(|&index| whole(&all[index]) && all[index].direction == direction);
         let mut bridges = alloc::gather(indices)?;
-        sort::stable(&mut bridges, &|&i, &k| all[i].at.cmp(&all[k].at).then(i.cmp(&k)));
+        sort::sort_stable(&mut bridges, &|&i, &k| all[i].at.cmp(&all[k].at).then(i.cmp(&k)));
         let (mut ranges, mut start) = (alloc::with_capacity(bridges.len() + 1)?, 0);
         for &index in &bridges {
             check_properties(index, all[index].properties)?;
             let (at, rows) = (all[index].at, all[index].rows);
-            let is_inside = rows < at && (at as usize) < direction.extents_along_and_across(net.shape()).0;
-            if !is_inside || (all[index].first_side_line() as usize) < start {
+            let is_inside = rows < at && (at as usize) < direction.line_count_and_length(net.shape()).0;
+            if !is_inside || (all[index].last_line_of_first_net() as usize) < start {
                 // The bridge does not belong to this net, or lies within another.
                 return Err(Error::NoSuch { element: Element::Bridge, index: index as u64 });
             }
-            ranges.push(start..all[index].first_side_line() as usize + 1);
+            ranges.push(start..all[index].last_line_of_first_net() as usize + 1);
             start = all[index].at as usize;
         }
-        ranges.push(start..direction.extents_along_and_across(net.shape()).0);
+        ranges.push(start..direction.line_count_and_length(net.shape()).0);
         let (needed, given) = (ranges.len(), options.free.len());
         if given != 0 && given < needed {
             return Err(Error::ArrayTooShort { what: "free", needed: needed as u64, given: given as u64 });
@@ -89,12 +89,12 @@ impl CompositeParts {
 
     /// Returns the class of the node at place `k` of row or column `i`.
     pub(super) fn vertex_at(&self, classes: &NodeClasses, i: usize, k: usize) -> u32 {
-        let (i, j) = self.direction.order_along_first(i, k);
+        let (i, j) = self.direction.swap_unless_down(i, k);
         classes.representative(classes.shape().node(i, j))
     }
 
     /// Unites parts that are glued or joined by rigid bridges into bodies. Returns for each class
-    /// of nodes its body above [`FIRST_BODY_SLOT`], or [`NO_BODY`] if only bridges contain it.
+    /// of nodes its body above [`BODY_SLOT_FLAG`], or [`NO_BODY`] if only bridges contain it.
     pub(super) fn unite_into_bodies(
         &mut self,
         net: &Net<'_>,
@@ -102,7 +102,7 @@ impl CompositeParts {
         job: &Job<'_>,
     ) -> Result<Vec<u32>> {
         let shape = net.shape();
-        let along = self.direction.extents_along_and_across(shape).1;
+        let along = self.direction.line_count_and_length(shape).1;
         let mut slots = alloc::filled(NO_BODY, shape.node_count())?;
         let mut sets = DisjointSets::new(self.ranges.len())?;
         let mut join = |a: u32, b: u32| {
@@ -117,9 +117,9 @@ impl CompositeParts {
                     done += 1;
                     let slot = &mut slots[self.vertex_at(classes, i, k) as usize];
                     if *slot == NO_BODY {
-                        *slot = FIRST_BODY_SLOT + part;
-                    } else if *slot != FIRST_BODY_SLOT + part {
-                        join(*slot - FIRST_BODY_SLOT, part);
+                        *slot = BODY_SLOT_FLAG + part;
+                    } else if *slot != BODY_SLOT_FLAG + part {
+                        join(*slot - BODY_SLOT_FLAG, part);
                     }
                 }
             }
@@ -133,14 +133,14 @@ impl CompositeParts {
         slots
             .iter_mut()
             .filter(|slot| **slot != NO_BODY)
-            .for_each(|slot| *slot = FIRST_BODY_SLOT + self.bodies[(*slot - FIRST_BODY_SLOT) as usize]);
-        self.determine_held_bodies(net)?;
+            .for_each(|slot| *slot = BODY_SLOT_FLAG + self.bodies[(*slot - BODY_SLOT_FLAG) as usize]);
+        self.choose_fixed_bodies(net)?;
         Ok(slots)
     }
 
     /// Determines the bodies that stay: bodies with a held part, and the first of a group of bodies
     /// that bridges join if none of them is held.
-    fn determine_held_bodies(&mut self, net: &Net<'_>) -> Result<()> {
+    fn choose_fixed_bodies(&mut self, net: &Net<'_>) -> Result<()> {
         let count = self.ranges.len();
         self.held = alloc::filled(false, count)?;
         let mut sets = DisjointSets::new(count)?;

@@ -2,10 +2,10 @@
 
 use super::energy_model::EnergyModel;
 use super::motion::{RigidMotion, outer_product};
-use super::parts::{FIRST_BODY_SLOT, NO_BODY};
+use super::parts::{BODY_SLOT_FLAG, NO_BODY};
 use super::quadratic_term::QuadraticTerm;
 use glam::{DMat3, DVec3};
-use gusset_base::geom::rotation::best_rotation;
+use gusset_base::geom::rotation::rotation_maximising_trace;
 
 /// The fraction of a body's inertia that resists its rotation, so that rotations without effect are
 /// 0.
@@ -23,10 +23,10 @@ struct RotationSums {
 }
 
 /// Returns the share of one body in a term: its coefficient c, and A, the sum of c_j x_j.
-fn body_share_of_term(model: &EnergyModel, term: &QuadraticTerm, x: &[DVec3], body: u32) -> (f64, DVec3) {
+fn coefficient_and_sum_of_body(model: &EnergyModel, term: &QuadraticTerm, x: &[DVec3], body: u32) -> (f64, DVec3) {
     let mut share = (0.0, DVec3::ZERO);
     for (&point, &c) in term.points.iter().zip(&term.factors) {
-        if c != 0.0 && model.slots[point as usize] == FIRST_BODY_SLOT + body {
+        if c != 0.0 && model.slots[point as usize] == BODY_SLOT_FLAG + body {
             share = (share.0 + c, share.1 + c * x[point as usize]);
         }
     }
@@ -45,24 +45,24 @@ pub(super) fn rotate_bodies(
             continue;
         }
         let own = || {
-            terms.iter().filter(|term| (0..3).any(|j| model.slots[term.points[j] as usize] == FIRST_BODY_SLOT + body))
+            terms.iter().filter(|term| (0..3).any(|j| model.slots[term.points[j] as usize] == BODY_SLOT_FLAG + body))
         };
         let mut lever = RotationSums::default();
         for term in own() {
-            let (c, a) = body_share_of_term(model, term, x, body);
+            let (c, a) = coefficient_and_sum_of_body(model, term, x, body);
             lever.weight += term.weight * c * c;
             lever.moment += term.weight * c * a;
         }
         let about = if lever.weight > 0.0 { lever.moment / lever.weight } else { DVec3::ZERO };
         for term in own() {
-            let (c, a) = body_share_of_term(model, term, x, body);
+            let (c, a) = coefficient_and_sum_of_body(model, term, x, body);
             let a = a - c * about;
             let rest = a - term.residual(x);
             lever.covariance += outer_product(term.weight * rest, a);
             lever.inertia += term.weight.abs() * a.length_squared();
         }
         if lever.inertia > 0.0 {
-            let turn = best_rotation(
+            let turn = rotation_maximising_trace(
                 lever.covariance + DMat3::from_diagonal(DVec3::splat(RELATIVE_INERTIA_DAMPING * lever.inertia)),
             );
             motions[body as usize] = motions[body as usize].then_rotate(turn, about);

@@ -4,7 +4,7 @@ use super::bytes::{ByteReader, ByteWriter};
 use super::coder::{RangeDecoder, RangeEncoder};
 use super::header::{StreamInfo, StreamMode};
 use super::levels::{CoordinateBits, LevelMap};
-use super::predictor::{Predictor, normalised_place};
+use super::predictor::{Predictor, normalise_index};
 use super::predictor_fit::{COORDINATE_ORDERS, NodeSample};
 use super::row_coder::{NodeRow, NodeState, RowCoder};
 use crate::{NodeClasses, Shape, Topology, XyzMatrices};
@@ -53,7 +53,7 @@ impl DuplicateNodes {
     /// Returns true if duplicates equal the nodes that they repeat bit for bit.
     pub(super) fn are_bit_identical<T: CoordinateBits>(&self, planes: &XyzMatrices<'_, T>) -> bool {
         let levels = |node: u32| {
-            let (i, j) = self.shape.place(node);
+            let (i, j) = self.shape.row_and_column(node);
             planes.row(i).map(|row| row[j].to_ordered_bits())
         };
         self.pairs.iter().all(|&[node, first]| levels(node) == levels(first))
@@ -79,10 +79,10 @@ pub(super) struct BlockCoding<'a, T, L> {
 
 impl<T: CoordinateBits, L: LevelMap<T>> BlockCoding<'_, T, L> {
     /// Loads row `i`: the states of its nodes, and their levels.
-    fn load_row(&self, i: usize, row: &mut NodeRow) {
+    fn read_states_and_levels(&self, i: usize, row: &mut NodeRow) {
         let numbers = self.planes.row(i);
         for (axis, (to, from)) in row.levels.iter_mut().zip(numbers).enumerate() {
-            to.iter_mut().zip(from).for_each(|(level, &number)| *level = self.levels.level_of(axis, number));
+            to.iter_mut().zip(from).for_each(|(level, &number)| *level = self.levels.level_of_number(axis, number));
         }
         row.nodes.fill(NodeState::Coded);
         if has_non_finite(numbers) {
@@ -95,24 +95,26 @@ impl<T: CoordinateBits, L: LevelMap<T>> BlockCoding<'_, T, L> {
         self.duplicates.for_each_duplicate_in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
     }
 
-    fn sample_rows(&self, rows: Range<usize>, count: usize) -> Result<NodeSample> {
+    fn sample_nodes_of_rows(&self, rows: Range<usize>, count: usize) -> Result<NodeSample> {
         let shape = self.info.shape;
-        NodeSample::new(rows, shape.rows(), shape.columns(), count, &self.levels, |i, row| self.load_row(i, row))
+        NodeSample::new(rows, shape.rows(), shape.columns(), count, &self.levels, |i, row| {
+            self.read_states_and_levels(i, row);
+        })
     }
 
     /// Returns the best order of coordinates for the whole net.
     pub(super) fn best_coordinate_order_of_net(&self) -> Result<usize> {
-        self.sample_rows(0..self.info.shape.rows(), ORDER_SAMPLE_NODES)?
-            .best_coordinate_order(weight_fraction_bits(self.info))
+        self.sample_nodes_of_rows(0..self.info.shape.rows(), ORDER_SAMPLE_NODES)?
+            .best_coordinate_order(fraction_bits_of_weights(self.info))
     }
 
     /// Returns the bytes of a block.
     pub(super) fn encode_block(&self, block: usize) -> Result<Vec<u8>> {
         let (info, rows) = (self.info, self.info.block_rows(block));
         let order = COORDINATE_ORDERS[info.order as usize];
-        let (predictors, _) = self.sample_rows(rows.clone(), PREDICTOR_SAMPLE_NODES)?.fit_predictors(
+        let (predictors, _) = self.sample_nodes_of_rows(rows.clone(), PREDICTOR_SAMPLE_NODES)?.fit_predictors(
             order,
-            weight_fraction_bits(info),
+            fraction_bits_of_weights(info),
             3,
         )?;
         let may_miss = rows.clone().any(|i| has_non_finite(self.planes.row(i)));
@@ -120,8 +122,8 @@ impl<T: CoordinateBits, L: LevelMap<T>> BlockCoding<'_, T, L> {
         let mut state = RowCoder::new(info.shape.columns(), std::array::from_fn(|k| (order[k], predictors[k])))?;
         let mut row = NodeRow::new(info.shape.columns())?;
         for i in rows {
-            self.load_row(i, &mut row);
-            state.code_row(&mut coder, &mut row, &self.levels, may_miss, normalised_place(i, info.shape.rows()));
+            self.read_states_and_levels(i, &mut row);
+            state.code_row(&mut coder, &mut row, &self.levels, may_miss, normalise_index(i, info.shape.rows()));
         }
         let (words, bits) = coder.finish()?;
         let mut to = ByteWriter::default();
@@ -151,9 +153,9 @@ pub(super) fn decode_block<T: CoordinateBits>(
     let (columns, order) = (info.shape.columns(), COORDINATE_ORDERS[info.order as usize]);
     let start = from.error_here("the coded data do not describe a net");
     let may_miss = from.read_flag()?.ok_or(start)?;
-    let mut predictors = [(0, Predictor::new(&Predictor::PARALLELOGRAM, 1)); 3];
+    let mut predictors = [(0, Predictor::new(&Predictor::PARALLELOGRAM_WEIGHTS, 1)); 3];
     for (before, predictor) in predictors.iter_mut().enumerate() {
-        *predictor = (order[before], Predictor::read(before, weight_fraction_bits(info), &mut from)?);
+        *predictor = (order[before], Predictor::read(before, fraction_bits_of_weights(info), &mut from)?);
     }
     let words = from.read_varint()?.min(u64::MAX / 4) * 4;
     let words = from.read_bytes(usize::try_from(words).unwrap_or(usize::MAX))?;
@@ -170,9 +172,9 @@ pub(super) fn decode_block<T: CoordinateBits>(
     for (k, i) in info.block_rows(block).enumerate() {
         row.nodes.fill(NodeState::Coded);
         duplicates.for_each_duplicate_in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
-        state.code_row(&mut coder, &mut row, levels, may_miss, normalised_place(i, info.shape.rows()));
+        state.code_row(&mut coder, &mut row, levels, may_miss, normalise_index(i, info.shape.rows()));
         let mut to = to.each_mut().map(|matrix| &mut matrix[k * columns..(k + 1) * columns]);
-        if !store_row(&row, levels, &mut to) {
+        if !write_coordinates_of_row(&row, levels, &mut to) {
             return Err(start);
         }
     }
@@ -180,13 +182,17 @@ pub(super) fn decode_block<T: CoordinateBits>(
 }
 
 /// Stores the numbers of a row. Returns false if a level is out of range.
-fn store_row<T: CoordinateBits>(row: &NodeRow, levels: &impl LevelMap<T>, to: &mut [&mut [T]; 3]) -> bool {
+fn write_coordinates_of_row<T: CoordinateBits>(
+    row: &NodeRow,
+    levels: &impl LevelMap<T>,
+    to: &mut [&mut [T]; 3],
+) -> bool {
     let mut sound = true;
     for (axis, (to, from)) in to.iter_mut().zip(&row.levels).enumerate() {
         let missing = levels.missing_node()[axis];
         for ((to, &level), &node) in to.iter_mut().zip(from).zip(&row.nodes) {
             *to = match node {
-                NodeState::Coded => levels.number_at(axis, level).unwrap_or_else(|| {
+                NodeState::Coded => levels.number_of_level(axis, level).unwrap_or_else(|| {
                     sound = false;
                     missing
                 }),
@@ -198,7 +204,7 @@ fn store_row<T: CoordinateBits>(row: &NodeRow, levels: &impl LevelMap<T>, to: &m
 }
 
 /// Bits after the binary point of predictors' weights: fewer for quantised levels, which are small.
-fn weight_fraction_bits(info: &StreamInfo) -> u32 {
+fn fraction_bits_of_weights(info: &StreamInfo) -> u32 {
     match info.mode {
         StreamMode::Quantised { .. } => 11,
         _ => 24,

@@ -24,7 +24,7 @@ impl CoordinateRows {
 
     /// Advances to row `i` of a block. Margins are extrapolated linearly along rows, the left one
     /// of the new row from the two above, so that planes are predicted exactly.
-    pub(super) fn advance_to_row(&mut self, i: usize) {
+    pub(super) fn shift_rows_and_extrapolate_margins(&mut self, i: usize) {
         if i == 0 {
             return;
         }
@@ -41,8 +41,10 @@ impl CoordinateRows {
             self.north2.copy_from_slice(&self.north);
         }
         for k in 0..MARGIN_NODES_BEFORE {
-            self.here[k] =
-                sum_or_first(self.north[k], self.north[MARGIN_NODES_BEFORE] - self.north2[MARGIN_NODES_BEFORE]);
+            self.here[k] = sum_or_first_if_overflow(
+                self.north[k],
+                self.north[MARGIN_NODES_BEFORE] - self.north2[MARGIN_NODES_BEFORE],
+            );
         }
     }
 
@@ -64,11 +66,11 @@ impl CoordinateRows {
     /// Returns the weights of the neighbours. The second row lacks NN and is predicted by
     /// parallelograms.
     fn neighbour_weights(i: usize, predictor: &Predictor) -> [f64; NEIGHBOUR_COUNT] {
-        std::array::from_fn(|k| if i == 1 { Predictor::PARALLELOGRAM[k] } else { predictor.weight(k) })
+        std::array::from_fn(|k| if i == 1 { Predictor::PARALLELOGRAM_WEIGHTS[k] } else { predictor.weight(k) })
     }
 
     /// Returns the neighbours of node `j` in the order of their weights, relative to W.
-    pub(super) fn neighbours(&self, j: usize) -> [f64; NEIGHBOUR_COUNT] {
+    pub(super) fn neighbour_differences_from_west(&self, j: usize) -> [f64; NEIGHBOUR_COUNT] {
         let (at, north) = (MARGIN_NODES_BEFORE + j, &self.north);
         let all =
             [north[at], north[at - 1], north[at + 1], self.here[at - 2], self.north2[at], north[at + 2], north[at - 2]];
@@ -77,7 +79,7 @@ impl CoordinateRows {
 
     /// Returns the weights of W and WW in row `i`. The first row of a block is extrapolated
     /// linearly.
-    pub(super) fn west_weights(i: usize, predictor: &Predictor) -> [f64; 2] {
+    pub(super) fn weights_of_two_west_neighbours(i: usize, predictor: &Predictor) -> [f64; 2] {
         if i == 0 {
             return [2.0, -1.0];
         }
@@ -115,10 +117,10 @@ impl CoordinateRows {
 
 /// Linear extrapolation beyond `last`.
 fn extrapolate(last: f64, before: f64) -> f64 {
-    sum_or_first(last, last - before)
+    sum_or_first_if_overflow(last, last - before)
 }
 
 /// Returns the sum, or its first term if the sum is not finite.
-fn sum_or_first(a: f64, b: f64) -> f64 {
+fn sum_or_first_if_overflow(a: f64, b: f64) -> f64 {
     if (a + b).is_finite() { a + b } else { a }
 }

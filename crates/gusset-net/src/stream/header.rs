@@ -139,7 +139,7 @@ impl StreamInfo {
         let plain = StreamInfo::new(shape, scalar, mode, rows_per_block as usize);
         let mut info =
             StreamInfo { origin, step, folded: flags == 1, missing, order, structure_size, checksum, ..plain };
-        info.prelude_size = info.prelude_bytes().ok_or_else(|| from.error_here("a size is too large"))?;
+        info.prelude_size = info.bytes_before_first_block().ok_or_else(|| from.error_here("a size is too large"))?;
         Ok(info)
     }
 
@@ -185,7 +185,7 @@ impl StreamInfo {
     }
 
     /// Bytes of header, structure, table and padding before the first block.
-    pub(super) fn prelude_bytes(&self) -> Option<u64> {
+    pub(super) fn bytes_before_first_block(&self) -> Option<u64> {
         let size = self.structure_size.checked_add(HEADER_SIZE as u64 + self.block_table_bytes())?;
         if self.mode == StreamMode::Raw {
             size.checked_next_multiple_of(RAW_BLOCK_ALIGNMENT as u64)

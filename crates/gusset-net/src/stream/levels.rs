@@ -59,9 +59,9 @@ bits! { f32: i32, f64: i64 }
 /// A map between numbers and levels.
 pub(super) trait LevelMap<T>: Sync {
     /// Returns the level of a number.
-    fn level_of(&self, axis: usize, number: T) -> i64;
+    fn level_of_number(&self, axis: usize, number: T) -> i64;
     /// Returns the number of a level, if it is in range.
-    fn number_at(&self, axis: usize, level: i64) -> Option<T>;
+    fn number_of_level(&self, axis: usize, level: i64) -> Option<T>;
     /// Returns the value of a level for predictors, nearly linear in the number; not finite for NaN
     /// and infinities.
     fn predictor_value(&self, level: i64) -> f64;
@@ -84,12 +84,12 @@ pub(super) struct LosslessLevels<T> {
 
 impl<T: CoordinateBits> LevelMap<T> for LosslessLevels<T> {
     #[inline(always)]
-    fn level_of(&self, _: usize, number: T) -> i64 {
+    fn level_of_number(&self, _: usize, number: T) -> i64 {
         number.to_ordered_bits()
     }
 
     #[inline(always)]
-    fn number_at(&self, _: usize, level: i64) -> Option<T> {
+    fn number_of_level(&self, _: usize, level: i64) -> Option<T> {
         T::from_ordered_bits(level)
     }
 
@@ -130,14 +130,14 @@ pub(super) struct UniformLevels {
 
 impl<T: CoordinateBits> LevelMap<T> for UniformLevels {
     #[inline(always)]
-    fn level_of(&self, axis: usize, number: T) -> i64 {
+    fn level_of_number(&self, axis: usize, number: T) -> i64 {
         let value: f64 = number.into();
         let steps = (value - self.origin[axis]) / self.step[axis];
         LevelMap::<T>::nearest_level(self, axis, steps)
     }
 
     #[inline(always)]
-    fn number_at(&self, axis: usize, level: i64) -> Option<T> {
+    fn number_of_level(&self, axis: usize, level: i64) -> Option<T> {
         let in_range = (0..=self.last).contains(&level);
         in_range.then(|| T::from_f64(self.origin[axis] + level as f64 * self.step[axis]))
     }

@@ -35,7 +35,7 @@ pub(super) struct Predictor {
 
 impl Predictor {
     /// The fourth corner of a parallelogram, W + N - NW.
-    pub(super) const PARALLELOGRAM: [f64; WEIGHT_COUNT] =
+    pub(super) const PARALLELOGRAM_WEIGHTS: [f64; WEIGHT_COUNT] =
         [1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
     /// Weights rounded to `fraction` bits after the binary point, at most 24; those above
@@ -71,6 +71,6 @@ impl Predictor {
 }
 
 /// Returns a column or row normalised to -1 to 1.
-pub(super) fn normalised_place(k: usize, count: usize) -> f64 {
+pub(super) fn normalise_index(k: usize, count: usize) -> f64 {
     2.0 * k as f64 / count as f64 - 1.0
 }

@@ -8,7 +8,7 @@
 use super::coordinate_rows::CoordinateRows;
 use super::levels::LevelMap;
 use super::predictor::{
-    MARGIN_NODES_BEFORE, NEIGHBOUR_COUNT, Predictor, WEIGHT_COUNT, WEIGHTS_PER_ERROR, normalised_place,
+    MARGIN_NODES_BEFORE, NEIGHBOUR_COUNT, Predictor, WEIGHT_COUNT, WEIGHTS_PER_ERROR, normalise_index,
 };
 use super::row_coder::{NodeRow, NodeState};
 use gusset_base::alloc;
@@ -18,7 +18,7 @@ use gusset_base::error::Result;
 pub(super) const COORDINATE_ORDERS: [[usize; 3]; 6] =
     [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 /// The cost of a predictor's weight in a stream, in bits.
-const WEIGHT_COST_BITS: f64 = 14.0;
+const BITS_PER_STORED_WEIGHT: f64 = 14.0;
 
 /// A node of the sample.
 #[derive(Clone, Copy)]
@@ -76,19 +76,19 @@ impl NodeSample {
                 load(i, &mut row);
                 known.iter_mut().zip(&row.nodes).for_each(|(known, &node)| *known = node == NodeState::Coded);
                 for (line, from) in state.iter_mut().zip(&row.levels) {
-                    enter_row(line, i - first, from, &known, levels);
+                    fill_row_of_coordinate(line, i - first, from, &known, levels);
                 }
             }
             for j in (0..columns).step_by(step).filter(|&j| known[j]) {
-                let neighbours = std::array::from_fn(|axis| state[axis].neighbours(j));
+                let neighbours = std::array::from_fn(|axis| state[axis].neighbour_differences_from_west(j));
                 let own = std::array::from_fn(|axis| {
                     state[axis].here[MARGIN_NODES_BEFORE + j] - state[axis].here[MARGIN_NODES_BEFORE + j - 1]
                 });
                 points.push(SampleNode {
                     neighbours,
                     own,
-                    column: normalised_place(j, columns),
-                    row: normalised_place(at, height),
+                    column: normalise_index(j, columns),
+                    row: normalise_index(at, height),
                 });
             }
         }
@@ -124,7 +124,7 @@ impl NodeSample {
     ) -> Result<([Predictor; 3], f64)> {
         let mut fits: Vec<PredictorFit> = alloc::with_capacity(3)?;
         for axis in order {
-            let fit = self.fit_axis(axis, &fits, rounds)?;
+            let fit = self.fit_predictor_of_axis(axis, &fits, rounds)?;
             fits.push(fit);
         }
         let cost = fits.iter().map(|fit| fit.cost).sum();
@@ -133,13 +133,13 @@ impl NodeSample {
 
     /// Returns the best of three predictors: the parallelogram, with added errors of the
     /// coordinates before, and with all weights free.
-    fn fit_axis(&self, axis: usize, before: &[PredictorFit], rounds: usize) -> Result<PredictorFit> {
-        let mut best = self.evaluate_weights(axis, before, Predictor::PARALLELOGRAM)?;
+    fn fit_predictor_of_axis(&self, axis: usize, before: &[PredictorFit], rounds: usize) -> Result<PredictorFit> {
+        let mut best = self.evaluate_weights(axis, before, Predictor::PARALLELOGRAM_WEIGHTS)?;
         for free in [NEIGHBOUR_COUNT, 0] {
             if free == NEIGHBOUR_COUNT && before.is_empty() {
                 continue;
             }
-            let mut fit = self.evaluate_weights(axis, before, Predictor::PARALLELOGRAM)?;
+            let mut fit = self.evaluate_weights(axis, before, Predictor::PARALLELOGRAM_WEIGHTS)?;
             for _ in 0..rounds {
                 let weights = self.refit_weights(axis, before, &fit, free)?;
                 fit = self.evaluate_weights(axis, before, weights)?;
@@ -187,7 +187,7 @@ impl NodeSample {
             }
         }
         fit.cost += libm::log2(product);
-        fit.cost += WEIGHT_COST_BITS * used as f64 / self.nodes_per_point;
+        fit.cost += BITS_PER_STORED_WEIGHT * used as f64 / self.nodes_per_point;
         Ok(fit)
     }
 
@@ -240,8 +240,14 @@ fn scale_differences(points: &mut [SampleNode], resolution: [f64; 3]) {
 }
 
 /// Enters a row into the state of a coordinate.
-fn enter_row<T, L: LevelMap<T>>(line: &mut CoordinateRows, i: usize, row: &[i64], known: &[bool], levels: &L) {
-    line.advance_to_row(i);
+fn fill_row_of_coordinate<T, L: LevelMap<T>>(
+    line: &mut CoordinateRows,
+    i: usize,
+    row: &[i64],
+    known: &[bool],
+    levels: &L,
+) {
+    line.shift_rows_and_extrapolate_margins(i);
     let mut last = 0.0;
     for ((to, &level), &known) in line.here[MARGIN_NODES_BEFORE..].iter_mut().zip(row).zip(known) {
         let value = levels.predictor_value(level);

@@ -108,7 +108,7 @@ fn is_rounding_within_tolerance<T: CoordinateBits>(
     (0..planes.shape().rows()).all(|i| {
         planes.row(i)[axis].iter().all(|&number| {
             let value: f64 = number.into();
-            let rounded: Option<T> = grid.number_at(axis, LevelMap::<T>::level_of(grid, axis, number));
+            let rounded: Option<T> = grid.number_of_level(axis, LevelMap::<T>::level_of_number(grid, axis, number));
             !value.is_finite() || rounded.is_some_and(|rounded| (rounded.into() - value).abs() <= tolerance)
         })
     })

@@ -193,7 +193,7 @@ impl StreamDecoder {
     ///
     /// # Errors
     /// [`Error::BadStream`], [`Error::TooLarge`], [`Error::OutOfMemory`].
-    pub fn push(&mut self, bytes: &[u8]) -> Result<usize> {
+    pub fn decode_next_bytes(&mut self, bytes: &[u8]) -> Result<usize> {
         if let Some(error) = self.failed {
             return Err(error);
         }
@@ -207,7 +207,7 @@ impl StreamDecoder {
         } else {
             self.failed = done.err();
         }
-        done.map(|()| self.rows_done())
+        done.map(|()| self.complete_row_count())
     }
 
     fn append_and_decode(&mut self, bytes: &[u8]) -> Result<()> {
@@ -257,7 +257,7 @@ impl StreamDecoder {
     }
 
     /// Returns the number of complete rows.
-    pub fn rows_done(&self) -> usize {
+    pub fn complete_row_count(&self) -> usize {
         let last = self.next.checked_sub(1);
         self.info().zip(last).map_or(0, |(info, last)| info.block_rows(last).end)
     }
@@ -267,11 +267,11 @@ impl StreamDecoder {
     /// # Errors
     /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
-    pub fn preview(&self, job: &Job<'_>) -> Result<Net<'static>> {
+    pub fn net_of_complete_rows(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let Some((prelude, coordinates)) = &self.state else {
             return Err(Error::NetTooSmall { rows: 0, columns: 0 });
         };
-        let shape = Shape::new(self.rows_done(), prelude.info.shape.columns())?;
+        let shape = Shape::new(self.complete_row_count(), prelude.info.shape.columns())?;
         let whole = Rearrangement::Part { row: 0, column: 0 };
         let part = rearrange_coordinates(coordinates, shape, &whole, job)?;
         Ok(Net::new(part, Topology::from_sides(shape, Sides::SHEET)))
@@ -280,7 +280,7 @@ impl StreamDecoder {
     /// Returns the net once the stream is complete, and resets the decoder.
     ///
     /// # Errors
-    /// [`Error::BadStream`] if it is not complete, or the error of [`StreamDecoder::push`].
+    /// [`Error::BadStream`] if it is not complete, or the error of [`StreamDecoder::decode_next_bytes`].
     pub fn finish(&mut self) -> Result<Net<'static>> {
         if let Some(error) = self.failed {
             return Err(error);

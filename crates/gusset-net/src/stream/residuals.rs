@@ -21,7 +21,7 @@ const CLASS_EXTRA_BITS: [u32; MAGNITUDE_CLASSES] = [0, 0, 0, 0, 0, 0, 0, 0, 1, 1
 /// Contexts of expected magnitude: two for each power of two.
 const MAGNITUDE_CONTEXTS: usize = 64;
 /// Contexts of the ratio of observed to expected magnitude in the other coordinates of the node.
-pub(super) const RATIO_CLASS_COUNT: usize = 4;
+pub(super) const MAGNITUDE_RATIO_CLASS_COUNT: usize = 4;
 
 /// The sum of the weights of neighbouring magnitudes: expected magnitudes are in units of 1 / this.
 const EXPECTATION_DENOMINATOR: u64 = 10;
@@ -35,8 +35,8 @@ impl ResidualCoder {
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub(super) fn new() -> Result<Self> {
-        let model = |at: usize| SymbolModel::new(geometric_prior(at / RATIO_CLASS_COUNT));
-        Ok(ResidualCoder { models: alloc::collect((0..MAGNITUDE_CONTEXTS * RATIO_CLASS_COUNT).map(model))? })
+        let model = |at: usize| SymbolModel::new(geometric_prior(at / MAGNITUDE_RATIO_CLASS_COUNT));
+        Ok(ResidualCoder { models: alloc::collect((0..MAGNITUDE_CONTEXTS * MAGNITUDE_RATIO_CLASS_COUNT).map(model))? })
     }
 
     /// Codes a residual. `expected` is the expected magnitude in units of 1 /
@@ -50,9 +50,9 @@ impl ResidualCoder {
         ratio_class: usize,
     ) -> i64 {
         let level = context_of_expected_magnitude(expected);
-        let shift = uniform_low_bits(level);
-        let model = &mut self.models
-            [level.min(MAGNITUDE_CONTEXTS - 1) * RATIO_CLASS_COUNT + (ratio_class & (RATIO_CLASS_COUNT - 1))];
+        let shift = raw_low_bits_at_level(level);
+        let model = &mut self.models[level.min(MAGNITUDE_CONTEXTS - 1) * MAGNITUDE_RATIO_CLASS_COUNT
+            + (ratio_class & (MAGNITUDE_RATIO_CLASS_COUNT - 1))];
         let above = residual >> shift;
         let magnitude = (above ^ (above >> 63)) as u64;
         let range = magnitude_class(magnitude);
@@ -103,7 +103,7 @@ fn context_of_expected_magnitude(expected: u64) -> usize {
 /// Returns the number of low bits that are nearly uniform at a level: the rest has a mean of about
 /// 3 to 6.
 #[inline(always)]
-fn uniform_low_bits(level: usize) -> u32 {
+fn raw_low_bits_at_level(level: usize) -> u32 {
     ((level.max(1) - 1) as u32 / 2).saturating_sub(5)
 }
 
@@ -112,7 +112,7 @@ fn geometric_prior(level: usize) -> [f64; SYMBOL_COUNT] {
     let log = (level.max(1) - 1) as u32 / 2;
     let start = if log < 63 { (1u64 << log) as f64 } else { 9.3e18 };
     let expected = if level == 0 { 0.3 } else { start * (1.2 + 0.5 * ((level - 1) % 2) as f64) };
-    let mean = expected / EXPECTATION_DENOMINATOR as f64 / (1u64 << uniform_low_bits(level)) as f64;
+    let mean = expected / EXPECTATION_DENOMINATOR as f64 / (1u64 << raw_low_bits_at_level(level)) as f64;
     let ratio = mean / (mean + 1.0);
     let power = |k: u64| (0..k).fold(1.0, |power: f64, _| power * ratio);
     let mut weights = [0.0; SYMBOL_COUNT];
@@ -121,7 +121,7 @@ fn geometric_prior(level: usize) -> [f64; SYMBOL_COUNT] {
         let weight = power(CLASS_STARTS[range]) - end + 1e-3;
         weights[range] = weight;
         // A negative number of magnitude class m is -1 - m, one farther from 0.
-        weights[SYMBOL_COUNT - 1 - range] = weight * if uniform_low_bits(level) == 0 { ratio } else { 1.0 };
+        weights[SYMBOL_COUNT - 1 - range] = weight * if raw_low_bits_at_level(level) == 0 { ratio } else { 1.0 };
     }
     weights
 }

@@ -4,7 +4,7 @@
 use super::coder::EntropyCoder;
 use super::coordinate_rows::CoordinateRows;
 use super::levels::LevelMap;
-use super::predictor::{MARGIN_NODES_BEFORE, NEIGHBOUR_COUNT, Predictor, WEIGHTS_PER_ERROR, normalised_place};
+use super::predictor::{MARGIN_NODES_BEFORE, NEIGHBOUR_COUNT, Predictor, WEIGHTS_PER_ERROR, normalise_index};
 use super::residuals::ResidualCoder;
 use super::symbol_model::SymbolModel;
 use gusset_base::alloc;
@@ -81,7 +81,7 @@ impl RowCoder {
             gaps: [gaps()?, gaps()?, gaps()?],
             gap_models: alloc::filled(SymbolModel::new([1.0; 2]), 128)?,
             ratio_classes: alloc::zeroed(columns)?,
-            columns: alloc::collect((0..columns).map(|j| normalised_place(j, columns)))?,
+            columns: alloc::collect((0..columns).map(|j| normalise_index(j, columns)))?,
             next: 0,
         })
     }
@@ -175,7 +175,7 @@ impl CoordinateChannel {
 
     /// Computes the parts of predictions that do not depend on the row, vectorised.
     fn prepare_predictions(&mut self, i: usize, before: &[CoordinateChannel], columns: &[f64], vertical: f64) {
-        self.line.advance_to_row(i);
+        self.line.shift_rows_and_extrapolate_margins(i);
         self.line.predict_from_rows_above(i, &self.predictor, &mut self.base);
         for (p, other) in before.iter().enumerate() {
             let [own, column, row] =
@@ -205,7 +205,7 @@ impl CoordinateChannel {
         known: &[bool],
         ratio_classes: &[u8],
     ) {
-        let [west, west2] = CoordinateRows::west_weights(i, &self.predictor);
+        let [west, west2] = CoordinateRows::weights_of_two_west_neighbours(i, &self.predictor);
         // Without a row above, the nodes on the left take its weight.
         let [near, far] = if i == 0 { [8, 2] } else { [3, 1] };
         let columns = row.len();

@@ -58,7 +58,7 @@ fn count_nodes_and_pairs(topology: &Topology) -> u64 {
 
 fn write_topology(topology: &Topology, to: &mut ByteWriter) -> Result<()> {
     let reversed = if topology.is_reversed() { REVERSED_FLAG } else { 0 };
-    match topology.links() {
+    match topology.contracted_link_set() {
         ContractedLinks::Sides(sides) => to.write_u8(sides_to_bits(*sides) | reversed)?,
         ContractedLinks::Matrix(matrix) => {
             to.write_u8(MATRIX_FLAG | reversed)?;
@@ -168,7 +168,7 @@ fn read_adaptation(
 /// Returns true if the adaptation is possible for a net joined in that direction.
 fn is_adaptation_possible(adaptation: &NetAdaptation, direction: Direction) -> bool {
     let [(across, along), (old_across, old_along)] =
-        [adaptation.joined, adaptation.topology.shape()].map(|shape| direction.extents_along_and_across(shape));
+        [adaptation.joined, adaptation.topology.shape()].map(|shape| direction.line_count_and_length(shape));
     let inside = |&copy: &u32| copy > 0 && (copy as usize) < along;
     across == old_across
         && along - adaptation.copies.len().min(along) == old_along
@@ -248,7 +248,7 @@ fn read_matrix(shape: Shape, from: &mut ByteReader<'_>) -> Result<LinkMatrix> {
         let Some(last) = last.filter(|&last| count > 0 && distance > 0 && last < limit) else {
             return Err(from.error_here("a contracted link is beyond the net"));
         };
-        (0..count).for_each(|k| matrix.set((first + k * distance) as u32, true));
+        (0..count).for_each(|k| matrix.set_contracted((first + k * distance) as u32, true));
         end = last + 1;
     }
 }
@@ -317,7 +317,7 @@ fn read_bridge(shape: Shape, adaptations: &[Arc<NetAdaptation>], from: &mut Byte
     let [at, start, end, nesting] =
         [from.read_varint_u32()?, from.read_varint_u32()?, from.read_varint_u32()?, from.read_varint_u32()?];
     let rows = if byte & 64 == 0 { 0 } else { from.read_varint_u32()? };
-    let (across, along) = direction.extents_along_and_across(shape);
+    let (across, along) = direction.line_count_and_length(shape);
     let inside = (1..across).contains(&(at as usize)) && end.saturating_sub(start) > 1 && end as usize <= along;
     // Inner rows are written only if there are any, and never in a welded bridge.
     let is_possible_width = rows < at && (byte & 64 == 0) == (rows == 0) && (rows == 0 || mode != BridgeMode::Weld);

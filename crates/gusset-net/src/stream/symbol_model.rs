@@ -35,7 +35,7 @@ impl<const N: usize> SymbolModel<N> {
         let sum: f64 = weights.iter().sum();
         let counts = weights.map(|weight| (PRIOR_COUNT_PER_SYMBOL * N as f64 * weight / sum) as u16 + 1);
         let mut model = SymbolModel { lower: [0; N], counts, left: 0, interval: 4 };
-        model.renew_probabilities();
+        model.recompute_probabilities();
         model
     }
 
@@ -44,13 +44,13 @@ impl<const N: usize> SymbolModel<N> {
         self.counts[symbol] += COUNT_INCREMENT;
         self.left -= 1;
         if self.left == 0 {
-            self.renew_probabilities();
+            self.recompute_probabilities();
         }
     }
 
     /// Probabilities from counts: at least 1 each; the rounding remainder goes to the last symbol.
     #[inline(never)]
-    fn renew_probabilities(&mut self) {
+    fn recompute_probabilities(&mut self) {
         let mut total: u32 = self.counts.iter().map(|&count| u32::from(count)).sum();
         if total > MAX_COUNT_SUM {
             self.counts.iter_mut().for_each(|count| *count = count.div_ceil(2));

@@ -130,7 +130,7 @@ fn assemble_stream(net: &Net<'_>, mut info: StreamInfo, mut blocks: Vec<Vec<u8>>
     let work = stream_structure::write_structure(net, &mut body)?;
     info.structure_size = body.bytes.len() as u64;
     let overflow = Error::SizeOverflow { what: "bytes of a stream", count: info.shape.node_count() as u64 };
-    let prelude = info.prelude_bytes().and_then(|size| usize::try_from(size).ok()).ok_or(overflow)?;
+    let prelude = info.bytes_before_first_block().and_then(|size| usize::try_from(size).ok()).ok_or(overflow)?;
     // Padded to the bound of MAX_NODES_PER_BYTE.
     let size = prelude + blocks.iter().map(Vec::len).sum::<usize>();
     let min_size = work.div_ceil(MAX_NODES_PER_BYTE) as usize;

@@ -26,11 +26,11 @@ pub(super) fn find_seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<
     let mut runs = SeamRunSearch { shape, table, pieces, seen: alloc::filled(0, pairs.len())?, pairs, trial: 0 };
     let mut found = alloc::with_capacity(runs.pairs.len())?;
     for k in 0..runs.pairs.len() {
-        if runs.seen[k] != USED_PAIR {
+        if runs.seen[k] != PAIR_IS_IN_RUN {
             found.push(runs.longest_run_through(k));
         }
     }
-    sort::stable(&mut found, &|a, b| b.count.cmp(&a.count).then(a.cmp(b)));
+    sort::sort_stable(&mut found, &|a, b| b.count.cmp(&a.count).then(a.cmp(b)));
     let mut sets = DisjointSets::from_parents(alloc::copied(pieces)?);
     let mut seams = alloc::with_capacity(found.len())?;
     for seam in found {
@@ -43,7 +43,7 @@ pub(super) fn find_seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<
 }
 
 /// Marks a pair that is in a run.
-const USED_PAIR: u64 = u64::MAX;
+const PAIR_IS_IN_RUN: u64 = u64::MAX;
 
 struct SeamRunSearch<'a> {
     shape: Shape,
@@ -51,7 +51,7 @@ struct SeamRunSearch<'a> {
     pieces: &'a [u32],
     /// In order.
     pairs: Vec<[u32; 2]>,
-    /// The last trial that had the pair, or [`USED_PAIR`].
+    /// The last trial that had the pair, or [`PAIR_IS_IN_RUN`].
     seen: Vec<u64>,
     trial: u64,
 }
@@ -61,7 +61,7 @@ impl SeamRunSearch<'_> {
     /// extended.
     fn longest_run_through(&mut self, k: usize) -> Seam {
         let mut best = ([(0, 0); 2], [0, 0]);
-        for steps in step_pairs() {
+        for steps in all_step_pairs() {
             let counts = self.count_unused_pairs(k, steps);
             if counts[0] + counts[1] > best.1[0] + best.1[1] {
                 best = (steps, counts);
@@ -71,7 +71,7 @@ impl SeamRunSearch<'_> {
         let pair = self.pairs[k];
         for at in -before..=after {
             if let Some(index) = self.pair_after(pair, steps, at).and_then(|pair| self.pair_index(pair)) {
-                self.seen[index] = USED_PAIR;
+                self.seen[index] = PAIR_IS_IN_RUN;
             }
         }
         if steps != [(0, 0); 2] {
@@ -80,7 +80,7 @@ impl SeamRunSearch<'_> {
         }
         let [a, b] = self.pair_after(pair, steps, -before).unwrap_or(pair);
         let run = |node: u32, (row_step, column_step): GridStep| {
-            let (i, j) = self.shape.place(node);
+            let (i, j) = self.shape.row_and_column(node);
             SeamRun { row: i as u32, column: j as u32, row_step: row_step as i32, column_step: column_step as i32 }
         };
         Seam { a: run(a, steps[0]), b: run(b, steps[1]), count: (before + after + 1) as u32 }.canonical_spelling()
@@ -95,7 +95,7 @@ impl SeamRunSearch<'_> {
             let mut count = 0;
             while let Some(index) =
                 self.pair_after(self.pairs[k], steps, sense * (count + 1)).and_then(|pair| self.pair_index(pair))
-                && self.seen[index] != USED_PAIR
+                && self.seen[index] != PAIR_IS_IN_RUN
                 && self.seen[index] != self.trial
             {
                 self.seen[index] = self.trial;
@@ -122,7 +122,7 @@ impl SeamRunSearch<'_> {
     /// Returns the pair `count` steps from a pair.
     fn pair_after(&self, pair: [u32; 2], steps: [GridStep; 2], count: i64) -> Option<[u32; 2]> {
         let node = |k: usize| {
-            let (i, j) = self.shape.place(pair[k]);
+            let (i, j) = self.shape.row_and_column(pair[k]);
             let (i, j) = (i as i64 + count * steps[k].0, j as i64 + count * steps[k].1);
             let inside = (0..self.shape.rows() as i64).contains(&i) && (0..self.shape.columns() as i64).contains(&j);
             inside.then(|| self.shape.node(i as usize, j as usize))
@@ -136,7 +136,7 @@ impl SeamRunSearch<'_> {
 }
 
 /// Pairs of steps to neighbours, including diagonal ones; one of the two runs may stay at its node.
-fn step_pairs() -> impl Iterator<Item = [GridStep; 2]> {
+fn all_step_pairs() -> impl Iterator<Item = [GridStep; 2]> {
     let steps = || (0..9).map(|k| (k / 3 - 1, k % 3 - 1));
     steps().flat_map(move |a| steps().map(move |b| [a, b])).filter(|&steps| steps != [(0, 0); 2])
 }

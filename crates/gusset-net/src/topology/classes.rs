@@ -6,7 +6,7 @@
 //! O(nodes) with 4 bytes a node.
 
 use super::{ContractedLinks, LinkMatrix, Seam, Sides, Topology};
-use crate::shape::{Shape, corner_places};
+use crate::shape::{Shape, rows_and_columns_of_corners};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
@@ -16,11 +16,11 @@ use gusset_base::job::Job;
 #[derive(Debug, Clone)]
 pub struct NodeClasses {
     shape: Shape,
-    map: ClassMap,
+    map: RepresentativeMap,
 }
 
 #[derive(Debug, Clone)]
-enum ClassMap {
+enum RepresentativeMap {
     /// Representatives computed on demand.
     Sides(SideClasses),
     /// The representative of every node.
@@ -44,20 +44,20 @@ impl NodeClasses {
     pub fn new_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let shape = topology.shape();
         if let (ContractedLinks::Sides(sides), []) = (&topology.links, topology.seams()) {
-            return Ok(NodeClasses { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
+            return Ok(NodeClasses { shape, map: RepresentativeMap::Sides(SideClasses::new(shape, *sides)) });
         }
         let nodes = (0..shape.node_count()).map(|node| node as u32);
         let mut sets = DisjointSets::from_parents(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
         match &topology.links {
             ContractedLinks::Sides(sides) => {
-                sides.contracted_links(shape).for_each(|link| unite_ends(&mut sets, shape.ends(link)));
+                sides.contracted_links(shape).for_each(|link| unite_ends(&mut sets, shape.ends_of_link(link)));
             }
             ContractedLinks::Matrix(matrix) => unite_link_ends(&mut sets, shape, matrix, &job.part(0.3, 0.7), stage)?,
         }
-        for seam in Seam::cancellable_iter(topology.seams(), &job.part(0.7, 0.8), stage) {
+        for seam in Seam::iter_with_reports(topology.seams(), &job.part(0.7, 0.8), stage) {
             seam?.pairs(shape).for_each(|pair| unite_ends(&mut sets, pair));
         }
-        Ok(NodeClasses { shape, map: ClassMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
+        Ok(NodeClasses { shape, map: RepresentativeMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
     }
 
     /// Returns the size of the net.
@@ -69,27 +69,29 @@ impl NodeClasses {
     #[inline]
     pub fn representative(&self, node: u32) -> u32 {
         match &self.map {
-            ClassMap::Sides(sides) => {
-                let (i, j) = self.shape.place(node);
+            RepresentativeMap::Sides(sides) => {
+                let (i, j) = self.shape.row_and_column(node);
                 sides.representative(self.shape, i, j)
             }
-            ClassMap::Table(table) => table[node as usize],
+            RepresentativeMap::Table(table) => table[node as usize],
         }
     }
 
     /// Returns the representatives of the corners of the cell at (i, j).
     #[inline]
-    pub fn corners(&self, i: usize, j: usize) -> [u32; 4] {
+    pub fn representatives_of_corners(&self, i: usize, j: usize) -> [u32; 4] {
         match &self.map {
             // Row and column are known, so no division is needed.
-            ClassMap::Sides(sides) => corner_places(i, j).map(|(i, j)| sides.representative(self.shape, i, j)),
-            ClassMap::Table(table) => self.shape.corners(i, j).map(|node| table[node as usize]),
+            RepresentativeMap::Sides(sides) => {
+                rows_and_columns_of_corners(i, j).map(|(i, j)| sides.representative(self.shape, i, j))
+            }
+            RepresentativeMap::Table(table) => self.shape.corners_of_cell(i, j).map(|node| table[node as usize]),
         }
     }
 
     /// Returns true if the two ends of the link belong to one class.
     pub fn has_identified_ends(&self, link: u32) -> bool {
-        let [a, b] = self.shape.ends(link);
+        let [a, b] = self.shape.ends_of_link(link);
         self.representative(a) == self.representative(b)
     }
 
@@ -107,7 +109,7 @@ impl NodeClasses {
     /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn representatives_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
         match &self.map {
-            ClassMap::Sides(_) => {
+            RepresentativeMap::Sides(_) => {
                 let nodes = (0..self.shape.node_count()).map(|node| node as u32);
                 let mut table = alloc::collect_cancellable(nodes, job, stage)?;
                 self.for_each_glued_node(|node, representative| {
@@ -116,7 +118,7 @@ impl NodeClasses {
                 })?;
                 Ok(table)
             }
-            ClassMap::Table(table) => alloc::collect_cancellable(table.iter().copied(), job, stage),
+            RepresentativeMap::Table(table) => alloc::collect_cancellable(table.iter().copied(), job, stage),
         }
     }
 
@@ -127,12 +129,12 @@ impl NodeClasses {
         let mut visit =
             |node, representative| if representative == node { Ok(()) } else { visit(node, representative) };
         match &self.map {
-            ClassMap::Sides(sides) => {
+            RepresentativeMap::Sides(sides) => {
                 let ends = |i: usize| if i == 0 || i + 1 == h { 1 } else { w - 1 };
                 let mut places = (0..h).flat_map(|i| (0..w).step_by(ends(i)).map(move |j| (i, j)));
                 places.try_for_each(|(i, j)| visit(self.shape.node(i, j), sides.representative(self.shape, i, j)))
             }
-            ClassMap::Table(table) => {
+            RepresentativeMap::Table(table) => {
                 (0..).zip(table).try_for_each(|(node, &representative)| visit(node, representative))
             }
         }
@@ -144,7 +146,7 @@ impl NodeClasses {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn groups(&self) -> Result<NodeGroups> {
+    pub fn glued_classes(&self) -> Result<NodeGroups> {
         let mut glued = Vec::new();
         self.for_each_glued_node(|node, representative| alloc::push(&mut glued, (representative, node)))?;
         glued.sort_unstable();
@@ -273,8 +275,9 @@ fn unite_link_ends(
         let first = i * w + j;
         // Bit 2k: the link west of node k of these; bit 2k + 1: north. Closing links are done
         // last.
-        let west = if j > 0 { matrix.bits_from(2 * (first - 1)) } else { matrix.bits_from(2 * first) << 2 };
-        let north = if i > 0 { matrix.bits_from(2 * (first - w)) } else { 0 };
+        let west =
+            if j > 0 { matrix.next_64_bits_from(2 * (first - 1)) } else { matrix.next_64_bits_from(2 * first) << 2 };
+        let north = if i > 0 { matrix.next_64_bits_from(2 * (first - w)) } else { 0 };
         let here = (west & WEST_LINK_BITS) | (north & !WEST_LINK_BITS);
         let mut left = if w - j < 32 { here & ((1 << (2 * (w - j))) - 1) } else { here };
         while left != 0 {
@@ -290,6 +293,6 @@ fn unite_link_ends(
         }
     }
     let closing = (0..h).map(|i| shape.horizontal_link(i, w - 1)).chain((0..w).map(|j| shape.vertical_link(h - 1, j)));
-    closing.filter(|&link| matrix.get(link)).for_each(|link| unite_ends(sets, shape.ends(link)));
+    closing.filter(|&link| matrix.is_contracted(link)).for_each(|link| unite_ends(sets, shape.ends_of_link(link)));
     Ok(())
 }

@@ -87,15 +87,15 @@ impl Gluing {
             Gluing::Link(number) => link(number),
             Gluing::Star { node, mask } => {
                 shape.check_node(node)?;
-                let (i, j) = shape.place(node);
+                let (i, j) = shape.row_and_column(node);
                 masked(links_of_star(shape, i, j), mask)
             }
             Gluing::Cell { cell, mask } => {
-                let (i, j) = shape.checked_cell_place(cell)?;
+                let (i, j) = shape.checked_row_and_column_of_cell(cell)?;
                 masked(cell_links(shape, i, j), mask)
             }
             Gluing::CellDiagonal { cell, diagonal } => {
-                let (i, j) = shape.checked_cell_place(cell)?;
+                let (i, j) = shape.checked_row_and_column_of_cell(cell)?;
                 let corner = SeamRun::stationary;
                 seam(match diagonal {
                     CellDiagonal::Falling => Seam { a: corner(i, j), b: corner(i + 1, j + 1), count: 1 },
@@ -125,10 +125,10 @@ impl Topology {
     /// # Errors
     /// Also [`Error::Cancelled`].
     pub fn glued_cancellable(&self, gluings: &[Gluing], job: &Job<'_>, stage: &'static str) -> Result<Self> {
-        let (mut matrix, mut seams) = (self.matrix()?, alloc::copied(self.seams())?);
+        let (mut matrix, mut seams) = (self.to_link_matrix()?, alloc::copied(self.seams())?);
         for (index, gluing) in gluings.iter().enumerate() {
             let contract = |link| {
-                matrix.set(link, true);
+                matrix.set_contracted(link, true);
                 Ok(())
             };
             gluing.visit_links_and_seams(self.shape(), index, contract, |seam| alloc::push(&mut seams, seam))?;
@@ -146,18 +146,18 @@ impl Topology {
     pub fn unglued(&self, gluings: &[Gluing]) -> Result<Self> {
         let shape = self.shape();
         let mut pairs: Vec<[u32; 2]> = Vec::new();
-        let mut matrix = self.matrix()?;
+        let mut matrix = self.to_link_matrix()?;
         for (index, gluing) in gluings.iter().enumerate() {
             let mut found = Vec::new();
             let link = |link| {
-                matrix.set(link, false);
-                alloc::push(&mut pairs, sorted_pair(shape.ends(link)))
+                matrix.set_contracted(link, false);
+                alloc::push(&mut pairs, sorted_pair(shape.ends_of_link(link)))
             };
             gluing.visit_links_and_seams(shape, index, link, |seam| alloc::push(&mut found, seam))?;
             alloc::extend(&mut pairs, found.iter().flat_map(|seam| seam.pairs(shape).map(sorted_pair)))?;
         }
         sort_distinct(&mut pairs);
-        pairs.iter().flat_map(|&pair| shape.links_between(pair)).for_each(|link| matrix.set(link, false));
+        pairs.iter().flat_map(|&pair| shape.links_between(pair)).for_each(|link| matrix.set_contracted(link, false));
         let mut seams = Vec::new();
         for &seam in self.seams() {
             remove_pairs_from_seam(shape, seam, &pairs, &mut seams)?;
@@ -172,10 +172,10 @@ fn remove_pairs_from_seam(shape: Shape, seam: Seam, pairs: &[[u32; 2]], parts: &
     for (k, pair) in (0..).zip(seam.pairs(shape)) {
         if pairs.binary_search(&sorted_pair(pair)).is_ok() {
             if start < k {
-                alloc::push(parts, seam.sub_seam(start, k))?;
+                alloc::push(parts, seam.seam_of_pair_range(start, k))?;
             }
             start = k + 1;
         }
     }
-    if start < seam.count { alloc::push(parts, seam.sub_seam(start, seam.count)) } else { Ok(()) }
+    if start < seam.count { alloc::push(parts, seam.seam_of_pair_range(start, seam.count)) } else { Ok(()) }
 }

@@ -37,7 +37,7 @@ impl LinkMatrix {
     /// Creates a matrix of the given contracted links.
     pub(crate) fn from_links(shape: Shape, links: impl Iterator<Item = u32>) -> Result<Self> {
         let mut matrix = LinkMatrix::empty(shape)?;
-        links.for_each(|link| matrix.set(link, true));
+        links.for_each(|link| matrix.set_contracted(link, true));
         Ok(matrix)
     }
 
@@ -57,19 +57,19 @@ impl LinkMatrix {
             let (row, j) = (at / w, at % w);
             Error::require(byte <= 1, "characteristic matrix", byte.into())?;
             if byte == 1 {
-                matrix.set(2 * shape.node(row / 2, j) + (row % 2) as u32, true);
+                matrix.set_contracted(2 * shape.node(row / 2, j) + (row % 2) as u32, true);
             }
         }
         Ok(matrix)
     }
 
     /// Returns true if the link is contracted.
-    pub fn get(&self, link: u32) -> bool {
+    pub fn is_contracted(&self, link: u32) -> bool {
         self.words[link as usize / BITS_PER_WORD] >> (link as usize % BITS_PER_WORD) & 1 != 0
     }
 
     /// Contracts a link, or frees it.
-    pub fn set(&mut self, link: u32, contracted: bool) {
+    pub fn set_contracted(&mut self, link: u32, contracted: bool) {
         let (word, bit) = (&mut self.words[link as usize / BITS_PER_WORD], 1 << (link as usize % BITS_PER_WORD));
         if contracted { *word |= bit } else { *word &= !bit }
     }
@@ -100,12 +100,12 @@ impl LinkMatrix {
     }
 
     /// Returns the two bits of a node: 1 for its horizontal link, 2 for its vertical one.
-    pub(super) fn link_bits(&self, node: usize) -> usize {
+    pub(super) fn contracted_bits_of_node(&self, node: usize) -> usize {
         (self.words[2 * node / BITS_PER_WORD] >> (2 * node % BITS_PER_WORD)) as usize & 3
     }
 
     /// Returns the 64 bits from `from` on; zeros after the end.
-    pub(super) fn bits_from(&self, from: usize) -> u64 {
+    pub(super) fn next_64_bits_from(&self, from: usize) -> u64 {
         let (word, shift) = (from / BITS_PER_WORD, from % BITS_PER_WORD);
         let next = self.words.get(word + 1).map_or(0, |&next| next << 1 << (BITS_PER_WORD - 1 - shift));
         self.words[word] >> shift | next
@@ -128,14 +128,14 @@ impl LinkMatrix {
                     let east = if j + k + 1 < w { row[j + k + 1] } else { row[0] };
                     bits | u64::from(*here == east) << (2 * k) | u64::from(here == below) << (2 * k + 1)
                 });
-                matrix.or_bits(2 * (i * w + j), bits);
+                matrix.or_64_bits_from(2 * (i * w + j), bits);
             }
         }
         Ok(matrix)
     }
 
     /// Or-combines 64 bits into the matrix from `from` on.
-    fn or_bits(&mut self, from: usize, bits: u64) {
+    fn or_64_bits_from(&mut self, from: usize, bits: u64) {
         let (word, shift) = (from / BITS_PER_WORD, from % BITS_PER_WORD);
         self.words[word] |= bits << shift;
         if let Some(next) = self.words.get_mut(word + 1) {
@@ -155,19 +155,19 @@ impl LinkMatrix {
     pub(super) fn to_equal_sides(&self, shape: Shape) -> Option<Sides> {
         let (h, w) = (shape.rows(), shape.columns());
         let sides = Sides {
-            rows_closed: self.get(shape.horizontal_link(0, w - 1)),
-            columns_closed: self.get(shape.vertical_link(h - 1, 0)),
-            pole_top: self.get(shape.horizontal_link(0, 0)),
-            pole_bottom: self.get(shape.horizontal_link(h - 1, 0)),
-            pole_left: self.get(shape.vertical_link(0, 0)),
-            pole_right: self.get(shape.vertical_link(0, w - 1)),
+            rows_closed: self.is_contracted(shape.horizontal_link(0, w - 1)),
+            columns_closed: self.is_contracted(shape.vertical_link(h - 1, 0)),
+            pole_top: self.is_contracted(shape.horizontal_link(0, 0)),
+            pole_bottom: self.is_contracted(shape.horizontal_link(h - 1, 0)),
+            pole_left: self.is_contracted(shape.vertical_link(0, 0)),
+            pole_right: self.is_contracted(shape.vertical_link(0, w - 1)),
         };
         // All of the sides' links are set, and no others, so a second matrix is unnecessary.
         let ones: usize = self.words.iter().map(|word| word.count_ones() as usize).sum();
         let mut expected = 0;
         let all = sides.contracted_links(shape).all(|link| {
             expected += 1;
-            self.get(link)
+            self.is_contracted(link)
         });
         (all && expected == ones).then_some(sides)
     }
@@ -178,7 +178,8 @@ impl LinkMatrix {
     /// [`Error::OutOfMemory`].
     pub fn to_bytes(&self, shape: Shape) -> Result<Vec<u8>> {
         let (h, w) = (shape.rows(), shape.columns());
-        let element = |row: usize, j: usize| u8::from(self.get(2 * shape.node(row / 2, j) + (row % 2) as u32));
+        let element =
+            |row: usize, j: usize| u8::from(self.is_contracted(2 * shape.node(row / 2, j) + (row % 2) as u32));
         alloc::collect((0..2 * h * w).map(|at| element(at / w, at % w)))
     }
 }

@@ -28,27 +28,27 @@ use gusset_base::job::Job;
 pub struct GluingType(u8);
 
 /// No type, because nothing is contracted.
-const NO_TYPE: u8 = u8::MAX;
+const NOTHING_CONTRACTED: u8 = u8::MAX;
 
 /// The type of a star by its mask: east 1, south 2, west 4, north 8.
-const STAR_TYPE_BY_MASK: [u8; 16] = [NO_TYPE, 0, 1, 2, 0, 6, 3, 8, 1, 5, 7, 11, 4, 10, 9, 12];
+const STAR_TYPE_BY_MASK: [u8; 16] = [NOTHING_CONTRACTED, 0, 1, 2, 0, 6, 3, 8, 1, 5, 7, 11, 4, 10, 9, 12];
 
 /// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a
 /// corner of the node between them.
-const CELL_TYPE_BY_MASK: [u8; 16] = [NO_TYPE, 0, 1, 3, 0, 13, 4, 15, 1, 2, 14, 15, 5, 15, 15, 15];
+const CELL_TYPE_BY_MASK: [u8; 16] = [NOTHING_CONTRACTED, 0, 1, 3, 0, 13, 4, 15, 1, 2, 14, 15, 5, 15, 15, 15];
 
 impl GluingType {
     /// The number of types.
-    pub const COUNT: usize = 18;
+    pub const TYPE_COUNT: usize = 18;
 
     /// Returns the type of an entry of the tables.
     fn from_table_entry(number: u8) -> Option<Self> {
-        (number != NO_TYPE).then_some(GluingType(number))
+        (number != NOTHING_CONTRACTED).then_some(GluingType(number))
     }
 
     /// Returns the type of a number; `None` above 17.
     pub fn from_number(number: u32) -> Option<Self> {
-        u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::COUNT).map(GluingType)
+        u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::TYPE_COUNT).map(GluingType)
     }
 
     /// Returns the links of a star that form this type: see [`Gluing::Star`](super::Gluing::Star).
@@ -77,7 +77,7 @@ pub(crate) fn links_of_star(shape: Shape, i: usize, j: usize) -> [u32; 4] {
 
 /// Returns the links of the cell at (i, j): top, right, bottom, left.
 pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
-    let [a, b, _, d] = shape.corners(i, j);
+    let [a, b, _, d] = shape.corners_of_cell(i, j);
     [2 * a, 2 * b + 1, 2 * d, 2 * a + 1]
 }
 
@@ -93,7 +93,7 @@ pub fn classify_node(classes: &NodeClasses, i: usize, j: usize, cyclic: bool) ->
 
 /// Returns the type of the cell at (i, j); `None` if it is a quad.
 pub fn classify_cell(classes: &NodeClasses, i: usize, j: usize) -> Option<GluingType> {
-    let [a, b, c, d] = classes.corners(i, j);
+    let [a, b, c, d] = classes.representatives_of_corners(i, j);
     let mask = usize::from(a == b) | usize::from(b == c) << 1 | usize::from(c == d) << 2 | usize::from(d == a) << 3;
     let number = match mask {
         0 if a == c => 16,
@@ -110,9 +110,9 @@ impl Topology {
     /// # Errors
     /// [`Error::NoSuch`](gusset_base::Error::NoSuch),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn node_type(&self, node: u32, cyclic: bool, job: &Job<'_>) -> Result<Option<GluingType>> {
+    pub fn gluing_type_at_node(&self, node: u32, cyclic: bool, job: &Job<'_>) -> Result<Option<GluingType>> {
         self.shape().check_node(node)?;
-        let (i, j) = self.shape().place(node);
+        let (i, j) = self.shape().row_and_column(node);
         Ok(classify_node(&NodeClasses::new_cancellable(self, job, STAGE)?, i, j, cyclic))
     }
 
@@ -122,8 +122,8 @@ impl Topology {
     /// # Errors
     /// [`Error::NoSuch`](gusset_base::Error::NoSuch),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn cell_type(&self, cell: u32, job: &Job<'_>) -> Result<Option<GluingType>> {
-        let (i, j) = self.shape().checked_cell_place(cell)?;
+    pub fn gluing_type_at_cell(&self, cell: u32, job: &Job<'_>) -> Result<Option<GluingType>> {
+        let (i, j) = self.shape().checked_row_and_column_of_cell(cell)?;
         Ok(classify_cell(&NodeClasses::new_cancellable(self, job, STAGE)?, i, j))
     }
 }
@@ -137,9 +137,9 @@ const STAGE: &str = "types of gluings";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct GluingHistogram {
     /// Nodes whose star has the type, closing links not counted.
-    pub nodes: [u64; GluingType::COUNT],
+    pub nodes: [u64; GluingType::TYPE_COUNT],
     /// Cells that have the type.
-    pub cells: [u64; GluingType::COUNT],
+    pub cells: [u64; GluingType::TYPE_COUNT],
 }
 
 /// Counts the types of all nodes and cells. O(nodes).
@@ -154,8 +154,8 @@ pub fn gluing_histogram(topology: &Topology, job: &Job<'_>) -> Result<GluingHist
     let table = classes.representatives_cancellable(&job.part(0.4, 0.5), STAGE)?;
     let (links, job) = (LinkMatrix::from_representatives(shape, &table)?, job.part(0.5, 1.0));
     let mut histogram = GluingHistogram::default();
-    let count = |counts: &mut [u64; GluingType::COUNT], number: u8| {
-        if number != NO_TYPE {
+    let count = |counts: &mut [u64; GluingType::TYPE_COUNT], number: u8| {
+        if number != NOTHING_CONTRACTED {
             counts[usize::from(number)] += 1;
         }
     };
@@ -163,13 +163,13 @@ pub fn gluing_histogram(topology: &Topology, job: &Job<'_>) -> Result<GluingHist
         let node = i * w + j;
         job.step_every(NODES_PER_REPORT, node, h * w, STAGE)?;
         // Two bits a node: 1 for the link to the east, 2 for the link to the south.
-        let pair = |there: bool, node: usize| if there { links.link_bits(node) } else { 0 };
+        let pair = |there: bool, node: usize| if there { links.contracted_bits_of_node(node) } else { 0 };
         let (right, down) = (j + 1 < w, i + 1 < h);
-        let here = links.link_bits(node) & (usize::from(right) | usize::from(down) << 1);
+        let here = links.contracted_bits_of_node(node) & (usize::from(right) | usize::from(down) << 1);
         let (west, north) = (pair(j > 0, node.wrapping_sub(1)), pair(i > 0, node.wrapping_sub(w)));
         count(&mut histogram.nodes, STAR_TYPE_BY_MASK[here | (west & 1) << 2 | (north & 2) << 2]);
         if right && down {
-            let (east, south) = (links.link_bits(node + 1), links.link_bits(node + w));
+            let (east, south) = (links.contracted_bits_of_node(node + 1), links.contracted_bits_of_node(node + w));
             let mask = (here & 1) | (east & 2) | (south & 1) << 2 | (here & 2) << 2;
             let number = match mask {
                 0 if table[node] == table[node + w + 1] => 16,

@@ -32,7 +32,7 @@ impl Topology {
         job.step(0.0, stage)?;
         seams.iter().enumerate().try_for_each(|(index, seam)| seam.check_in_net(shape, index))?;
         let (mut links, mut kept) = (links, Vec::new());
-        for seam in Seam::cancellable_iter(seams, &job.part(0.0, 0.3), stage) {
+        for seam in Seam::iter_with_reports(seams, &job.part(0.0, 0.3), stage) {
             let seam = seam?;
             if seam.pairs(shape).all(|[a, b]| a == b) {
                 continue;
@@ -40,7 +40,7 @@ impl Topology {
             let link = |pair: [u32; 2]| shape.links_between(pair).next();
             if seam.pairs(shape).all(|pair| link(pair).is_some()) {
                 let mut matrix = links.into_matrix(shape)?;
-                seam.pairs(shape).filter_map(link).for_each(|link| matrix.set(link, true));
+                seam.pairs(shape).filter_map(link).for_each(|link| matrix.set_contracted(link, true));
                 links = ContractedLinks::Matrix(matrix);
             } else {
                 alloc::push(&mut kept, seam)?;
@@ -90,7 +90,7 @@ impl Topology {
         let classes = NodeClasses::new_cancellable(self, &job.part(0.0, 0.3), stage)?;
         let table = classes.representatives_cancellable(&job.part(0.3, 0.5), stage)?;
         let matrix = LinkMatrix::from_representatives(self.shape, &table)?;
-        let links = ContractedLinks::Matrix(matrix).normalised(self.shape);
+        let links = ContractedLinks::Matrix(matrix).into_sides_if_possible(self.shape);
         let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
         if !self.seams.is_empty() {
             let pieces = NodeClasses::new_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;

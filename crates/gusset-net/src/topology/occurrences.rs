@@ -101,7 +101,7 @@ pub fn find_gluing_occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>)
         for j in 0..w - 1 {
             let kind = classify_cell(&classes, i, j);
             if let Some((kind, signature)) = kind.and_then(|kind| Some((kind, kind.cell_signature()?))) {
-                let class_size = classes.corners(i, j).map(size).into_iter().fold(0, u32::max);
+                let class_size = classes.representatives_of_corners(i, j).map(size).into_iter().fold(0, u32::max);
                 let element = (i * (w - 1) + j) as u32;
                 alloc::push(&mut found, GluingOccurrence { on_cell: true, element, kind, signature, class_size })?;
             }

@@ -39,14 +39,14 @@ impl SeamRun {
     }
 
     /// Returns row and column of node `k`, which may lie outside the net.
-    pub(crate) fn node_place(&self, k: u32) -> (i64, i64) {
+    pub(crate) fn row_and_column_of_node(&self, k: u32) -> (i64, i64) {
         let k = i64::from(k);
         (i64::from(self.row) + k * i64::from(self.row_step), i64::from(self.column) + k * i64::from(self.column_step))
     }
 
     fn is_inside_net(&self, shape: Shape, count: u32) -> bool {
         [0, count - 1].into_iter().all(|k| {
-            let (i, j) = self.node_place(k);
+            let (i, j) = self.row_and_column_of_node(k);
             (0..shape.rows() as i64).contains(&i) && (0..shape.columns() as i64).contains(&j)
         })
     }
@@ -58,14 +58,14 @@ impl SeamRun {
 
     /// Returns the first `count` nodes in reverse order.
     fn reversed(self, count: u32) -> Self {
-        let (row, column) = self.node_place(count - 1);
+        let (row, column) = self.row_and_column_of_node(count - 1);
         let (row_step, column_step) = (-self.row_step, -self.column_step);
         SeamRun { row: row as u32, column: column as u32, row_step, column_step }
     }
 
     /// Node `k`.
-    pub(crate) fn node(&self, shape: Shape, k: u32) -> u32 {
-        let (i, j) = self.node_place(k);
+    pub(crate) fn node_index(&self, shape: Shape, k: u32) -> u32 {
+        let (i, j) = self.row_and_column_of_node(k);
         shape.node(i as usize, j as usize)
     }
 }
@@ -99,7 +99,7 @@ impl Seam {
     }
 
     /// Calls `visit` for all of `seams`, with a progress report once in [`PAIRS_PER_REPORT`] pairs.
-    pub(super) fn cancellable_iter(
+    pub(super) fn iter_with_reports(
         seams: &[Seam],
         job: &Job<'_>,
         stage: &'static str,
@@ -141,9 +141,9 @@ impl Seam {
     }
 
     /// Returns the pairs `from..to`, a non-empty range.
-    pub(super) fn sub_seam(self, from: u32, to: u32) -> Self {
+    pub(super) fn seam_of_pair_range(self, from: u32, to: u32) -> Self {
         let at = |run: SeamRun| {
-            let (row, column) = run.node_place(from);
+            let (row, column) = run.row_and_column_of_node(from);
             SeamRun { row: row as u32, column: column as u32, ..run }
         };
         Seam { a: at(self.a), b: at(self.b), count: to - from }
@@ -151,6 +151,6 @@ impl Seam {
 
     /// Returns the pairs of nodes.
     pub fn pairs(self, shape: Shape) -> impl ExactSizeIterator<Item = [u32; 2]> {
-        (0..self.count).map(move |k| [self.a.node(shape, k), self.b.node(shape, k)])
+        (0..self.count).map(move |k| [self.a.node_index(shape, k), self.b.node_index(shape, k)])
     }
 }

@@ -47,7 +47,7 @@ impl Sides {
 
     /// Returns true if the link is contracted.
     pub fn is_contracted(self, shape: Shape, link: u32) -> bool {
-        let (i, j) = shape.place(link / 2);
+        let (i, j) = shape.row_and_column(link / 2);
         let (last_row, last_column) = (i + 1 == shape.rows(), j + 1 == shape.columns());
         match (link & 1 == 0, last_column, last_row) {
             (true, true, _) => self.rows_closed,

@@ -17,7 +17,7 @@ pub enum ContractedLinks {
 
 impl ContractedLinks {
     /// Converts to sides, if sides contract the same links.
-    pub(super) fn normalised(self, shape: Shape) -> Self {
+    pub(super) fn into_sides_if_possible(self, shape: Shape) -> Self {
         match self {
             ContractedLinks::Matrix(matrix) => {
                 matrix.to_equal_sides(shape).map_or(ContractedLinks::Matrix(matrix), ContractedLinks::Sides)
@@ -79,7 +79,7 @@ impl Topology {
     ) -> Self {
         seams.iter_mut().for_each(|seam| *seam = seam.canonical_spelling());
         sort_distinct(&mut seams);
-        Topology { shape, links: links.normalised(shape), seams, reversed }
+        Topology { shape, links: links.into_sides_if_possible(shape), seams, reversed }
     }
 
     /// Returns the links that are contracted by name, in no particular order.
@@ -97,7 +97,7 @@ impl Topology {
     }
 
     /// Returns the contracted links.
-    pub fn links(&self) -> &ContractedLinks {
+    pub fn contracted_link_set(&self) -> &ContractedLinks {
         &self.links
     }
 
@@ -132,7 +132,7 @@ impl Topology {
     pub fn is_contracted(&self, link: u32) -> bool {
         match &self.links {
             ContractedLinks::Sides(sides) => sides.is_contracted(self.shape, link),
-            ContractedLinks::Matrix(matrix) => matrix.get(link),
+            ContractedLinks::Matrix(matrix) => matrix.is_contracted(link),
         }
     }
 
@@ -140,7 +140,7 @@ impl Topology {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn matrix(&self) -> Result<LinkMatrix> {
+    pub fn to_link_matrix(&self) -> Result<LinkMatrix> {
         match &self.links {
             ContractedLinks::Sides(sides) => LinkMatrix::from_sides(self.shape, *sides),
             ContractedLinks::Matrix(matrix) => matrix.copied(),

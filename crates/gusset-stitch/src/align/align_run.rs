@@ -59,7 +59,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     let trees = alloc::try_collect(scans.iter().map(|scan| scan.build_point_tree(&prepare.part(1.0, 1.0))))?;
     let count = if options.samples == 0 { DEFAULT_SAMPLES_PER_PIECE } else { options.samples } as usize;
     let samples =
-        alloc::try_collect(scans.iter().zip(&trees).map(|(scan, tree)| scan.choose_samples(tree.order(), count)))?;
+        alloc::try_collect(scans.iter().zip(&trees).map(|(scan, tree)| scan.choose_samples(tree.tree_order(), count)))?;
     let mut rims = Vec::new();
     if options.start == Start::Rims {
         let step = common_sampling_step(pieces, unit, &prepare.part(1.0, 1.0))?;
@@ -136,7 +136,7 @@ pub(crate) fn common_length_unit(pieces: &[MeshView<'_>], job: &Job<'_>) -> Resu
     let mut largest = glam::DVec3::ZERO;
     for piece in pieces {
         for f in 0..piece.faces().len() {
-            job.step_within(f, "looking at the pieces")?;
+            job.step_within_list(f, "looking at the pieces")?;
             piece.face(f).for_each(|v| largest = largest.max(piece.positions().get(v).abs()));
         }
     }

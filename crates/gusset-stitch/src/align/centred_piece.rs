@@ -46,7 +46,7 @@ impl CentredPiece {
         let at = |v: u32| mesh.positions().get(v) / unit;
         let mut is_used = BitSet::new(count)?;
         for f in 0..mesh.faces().len() {
-            job.step_within(f, STAGE)?;
+            job.step_within_list(f, STAGE)?;
             mesh.face(f).for_each(|v| is_used.insert(v));
         }
         job.step(0.0, STAGE)?;
@@ -91,7 +91,7 @@ fn smoothed_vertex_normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>)
     let mut normals = alloc::filled(DVec3::ZERO, points.len())?;
     let (mut length, mut sides) = (0.0, 0.0);
     for f in 0..mesh.faces().len() {
-        job.step_within(f, STAGE)?;
+        job.step_within_list(f, STAGE)?;
         // Newell's formula: twice the area, also for polygons.
         let mut normal = DVec3::ZERO;
         for (_, u, v) in half_edges(mesh, f) {
@@ -109,7 +109,7 @@ fn smoothed_vertex_normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>)
         let job = job.share(pass, NORMAL_SMOOTHING_PASSES);
         job.step(0.0, STAGE)?;
         for f in 0..mesh.faces().len() {
-            job.step_within(f, STAGE)?;
+            job.step_within_list(f, STAGE)?;
             let sum = mesh.face(f).map(|v| before[v as usize]).sum::<DVec3>();
             mesh.face(f).for_each(|v| normals[v as usize] += sum);
         }
@@ -129,7 +129,7 @@ fn mean_and_covariance_of_corners(
     let (mut sum, mut area) = (DVec3::ZERO, 0.0);
     let mut square = [[0.0; 3]; 3];
     for f in 0..mesh.faces().len() {
-        job.step_within(f, STAGE)?;
+        job.step_within_list(f, STAGE)?;
         let normal = half_edges(mesh, f).map(|(_, u, v)| points[u as usize].cross(points[v as usize])).sum::<DVec3>();
         let part = normal.length() / mesh.face(f).len() as f64;
         for p in mesh.face(f).map(|v| points[v as usize]) {

@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;
-use gusset_mesh::{Mesh, MeshView, Piece, PositionBuffer, Positions, concatenate};
+use gusset_mesh::{Mesh, MeshView, PieceOffsets, PositionBuffer, Positions, concatenate};
 
 const STAGE: &str = "moving the pieces";
 
@@ -20,7 +20,7 @@ impl Alignment {
     /// # Errors
     /// As for [`concatenate`]. [`Error::NotFinite`] for a vertex, counted through all pieces, whose
     /// new position overflows its type.
-    pub fn moved(&self, pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<Piece>)> {
+    pub fn moved(&self, pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<PieceOffsets>)> {
         let (mut whole, places) = concatenate(pieces, &job.part(0.0, 0.0))?;
         for (k, (piece, aligned)) in pieces.iter().zip(&self.pieces).enumerate() {
             let (pose, first) = (&aligned.pose, places[k].first_vertex as usize);
@@ -39,7 +39,7 @@ impl Alignment {
 
 /// Returns the pieces as views of the moved mesh, with their own faces.
 pub fn views_of_moved<'a>(
-    (whole, places): &'a (Mesh, Vec<Piece>),
+    (whole, places): &'a (Mesh, Vec<PieceOffsets>),
     pieces: &[MeshView<'a>],
     job: &Job<'_>,
 ) -> Result<Vec<MeshView<'a>>> {
@@ -62,7 +62,7 @@ fn move_points<T: Copy + Into<f64>>(
     round: impl Fn(f64) -> T,
     job: &Job<'_>,
 ) -> Result<()> {
-    job.ranges(STAGE, points.len(), |range| {
+    job.work_in_ranges(STAGE, points.len(), |range| {
         for v in range {
             let before = DVec3::from_array(points[v].map(Into::into));
             if before.is_finite() {

@@ -11,7 +11,7 @@ use glam::{DMat3, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;
-use gusset_base::geom::rotation::best_rotation;
+use gusset_base::geom::rotation::rotation_maximising_trace;
 use gusset_base::job::Job;
 use gusset_base::par;
 
@@ -122,6 +122,6 @@ fn best_fit_motion(onto: &SampledRims, from: &SampledRims, pairs: &[[usize; 2]])
         let (p, q) = (from.points[*k] - source, onto.points[*w] - target);
         covariance += DMat3::from_cols(p.x * q, p.y * q, p.z * q);
     }
-    let rotation = DMat3::from_quat(best_rotation(covariance));
+    let rotation = DMat3::from_quat(rotation_maximising_trace(covariance));
     Some(Pose { rotation, translation: target - rotation * source })
 }

@@ -269,7 +269,7 @@ fn list_left_loops(
             alloc::push(&mut left, LeftLoop { vertices: rim.vertices, reason, gap, allowed_gap })?;
         }
     }
-    sort::stable(&mut left, &|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));
+    sort::sort_stable(&mut left, &|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));
     Ok(left)
 }
 
@@ -325,7 +325,7 @@ fn choose_loop_pairs(
         seen.iter().for_each(|facing| taken[facing.rims[0]] = true);
         alloc::append(&mut seen, &loops.facing_search(options, &taken, excluded).find_facing_loops(job)?)?;
         let first = |found: &FacingLoops| found.arcs.map_or(0, |arcs| arcs[0].first);
-        sort::stable(&mut seen, &|x, y| {
+        sort::sort_stable(&mut seen, &|x, y| {
             x.gap.total_cmp(&y.gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y)))
         });
         alloc::append(&mut found, &seen)?;

@@ -97,7 +97,7 @@ fn match_exactly(matches: &[PossiblePair], ends: usize) -> Result<Vec<usize>> {
 fn match_greedily(matches: &[PossiblePair], ends: usize, job: &Job<'_>) -> Result<Vec<usize>> {
     const UNMATCHED: usize = usize::MAX;
     let mut order = alloc::collect(0..matches.len())?;
-    sort::stable(&mut order, &|&x, &y| matches[y].gain.total_cmp(&matches[x].gain).then(x.cmp(&y)));
+    sort::sort_stable(&mut order, &|&x, &y| matches[y].gain.total_cmp(&matches[x].gain).then(x.cmp(&y)));
     let mut partner = alloc::filled(UNMATCHED, ends)?;
     for &k in &order {
         if matches[k].ends.iter().all(|&end| partner[end as usize] == UNMATCHED) {
@@ -107,7 +107,7 @@ fn match_greedily(matches: &[PossiblePair], ends: usize, job: &Job<'_>) -> Resul
     let gain = |k: usize| if k == UNMATCHED { 0.0 } else { matches[k].gain };
     let other = |k: usize, end: u32| matches[k].ends[usize::from(matches[k].ends[0] == end)];
     let mut sorted = alloc::collect(0..matches.len())?;
-    sort::stable(&mut sorted, &|&i, &k| matches[i].ends.cmp(&matches[k].ends));
+    sort::sort_stable(&mut sorted, &|&i, &k| matches[i].ends.cmp(&matches[k].ends));
     let between = |p: u32, q: u32| {
         let ends = [p.min(q), p.max(q)];
         sorted.binary_search_by_key(&ends, |&k| matches[k].ends).map_or(UNMATCHED, |at| sorted[at])
@@ -117,7 +117,7 @@ fn match_greedily(matches: &[PossiblePair], ends: usize, job: &Job<'_>) -> Resul
         let mut changed = false;
         job.step(0.0, STAGE)?;
         for (n, &k) in order.iter().enumerate() {
-            job.step_within(n, STAGE)?;
+            job.step_within_list(n, STAGE)?;
             let [p, q] = matches[k].ends;
             let (old_p, old_q) = (partner[p as usize], partner[q as usize]);
             if old_p == k {

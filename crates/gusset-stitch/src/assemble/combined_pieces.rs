@@ -8,7 +8,7 @@ use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
 use crate::stitch::{IndexMap, Intersections};
-use crate::trim::{KeptFacesOfPieces, Remains};
+use crate::trim::{KeptFacesOfPieces, TrimmedPieces};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -34,8 +34,8 @@ impl CombinedPieces {
         job: &Job<'_>,
     ) -> Result<Self> {
         let start = &job.part(0.0, 0.0);
-        let Remains { mut mesh, places, mut vertex_map, mut face_map, faces, corners } = match trimmed {
-            Some(trimmed) => Remains::new(pieces, trimmed, start)?,
+        let TrimmedPieces { mut mesh, places, mut vertex_map, mut face_map, faces, corners } = match trimmed {
+            Some(trimmed) => TrimmedPieces::new(pieces, trimmed, start)?,
             None => place_pieces_side_by_side(pieces, start)?,
         };
         let trimmed_faces = face_map.iter().filter(|&&f| f == NONE).count() as u32;
@@ -146,9 +146,9 @@ impl CombinedPieces {
 }
 
 /// Places the pieces side by side. All faces and corners remain, so their origins are empty.
-fn place_pieces_side_by_side(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Remains> {
+fn place_pieces_side_by_side(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<TrimmedPieces> {
     let (mesh, places) = concat::concatenate(pieces, job)?;
     let vertex_map = alloc::collect(0..mesh.positions.len() as u32)?;
     let face_map = alloc::collect(0..mesh.face_count() as u32)?;
-    Ok(Remains { mesh, places, vertex_map, face_map, faces: Vec::new(), corners: Vec::new() })
+    Ok(TrimmedPieces { mesh, places, vertex_map, face_map, faces: Vec::new(), corners: Vec::new() })
 }

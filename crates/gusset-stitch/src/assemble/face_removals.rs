@@ -114,7 +114,7 @@ impl FaceRemovals {
         let unfilled = done.holes.iter().map(|hole| hole.faces.start).min().unwrap_or(mesh.face_count() as u32);
         let mut parts = DisjointSets::new(mesh.positions.len())?;
         for (k, face) in mesh.faces().take(unfilled as usize).enumerate() {
-            job.step_within(k, "putting the pieces together")?;
+            job.step_within_list(k, "putting the pieces together")?;
             face.windows(2).for_each(|side| {
                 parts.union(side[0], side[1]);
             });

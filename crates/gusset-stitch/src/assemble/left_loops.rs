@@ -51,7 +51,7 @@ impl FacingSearch<'_> {
                     seen.push((loops.owners[v as usize] as usize, squared.sqrt()));
                 }
             }
-            sort::stable(&mut seen, &|x, y| x.0.cmp(&y.0).then(x.1.total_cmp(&y.1)));
+            sort::sort_stable(&mut seen, &|x, y| x.0.cmp(&y.0).then(x.1.total_cmp(&y.1)));
             let groups = seen.chunk_by(|x, y| x.0 == y.0);
             let most = groups.rev().max_by_key(|group| group.len());
             Ok(most.map(|group| (group[0].0, group.iter().map(|seen| seen.1).sum::<f64>() / group.len() as f64)))

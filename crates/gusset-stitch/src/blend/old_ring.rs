@@ -66,14 +66,14 @@ impl OldRing {
                 edges.extend([(a, b), (b, c), (c, a)].map(|(u, v)| (u.min(v), u.max(v), normal)));
             }
         }
-        sort::stable(&mut edges, &|x, y| (x.0, x.1).cmp(&(y.0, y.1)));
+        sort::sort_stable(&mut edges, &|x, y| (x.0, x.1).cmp(&(y.0, y.1)));
         let pairs = edges.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1));
         let mut bends = alloc::gather(pairs.map(|pair| (pair[0].2.dot(pair[1].2), [pair[0].0, pair[0].1])))?;
         let mut creased = alloc::filled(false, rim)?;
         for (_, ends) in bends.iter().filter(|(cosine, _)| *cosine < MIN_SMOOTH_BEND_COSINE) {
             ends.iter().filter(|&&v| (v as usize) < rim).for_each(|&v| creased[v as usize] = true);
         }
-        sort::stable(&mut bends, &|p, q| q.0.total_cmp(&p.0));
+        sort::sort_stable(&mut bends, &|p, q| q.0.total_cmp(&p.0));
         let usual =
             bends.get(bends.len().saturating_sub(1) * USUAL_BEND_PERCENTILE / 100).map_or(1.0, |&(cosine, _)| cosine);
         Ok((usual.max(0.0), creased))

@@ -121,7 +121,7 @@ impl<'m, 'a> BorderWalker<'m, 'a> {
     ) -> Result<bool> {
         let mut dart = start;
         loop {
-            job.step_within(walk.len(), STAGE)?;
+            job.step_within_list(walk.len(), STAGE)?;
             alloc::push(walk, dart)?;
             if let Ok(i) = self.border.binary_search(&dart.half_edge) {
                 self.visited[i] = true;

@@ -10,7 +10,7 @@ use super::regular_walks::find_regular_walks;
 use super::simple_loops::{STAGE, split_into_simple_loops};
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::scale::distance;
+use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
 use gusset_mesh::{Defect, MeshView, NONE, Topology};
 use std::ops::Range;
@@ -251,10 +251,10 @@ impl Boundary {
         alloc::reserve(&mut self.edge_flags, count)?;
         let (mut length, mut end) = (0.0, NONE);
         for (k, dart) in piece.loop_edges(2 * against > count).enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             let (tail, head) = (dart.tail(mesh), dart.head(mesh));
             let (from, to) = (mesh.positions().get(tail), mesh.positions().get(head));
-            length += distance(from, to);
+            length += overflow_safe_distance(from, to);
             let singular = walker.is_some_and(|walker| walker.is_non_manifold_edge(dart.half_edge));
             flags |= (u32::from(singular) * LoopFlags::NON_MANIFOLD)
                 | (u32::from(from == to) * LoopFlags::ZERO_LENGTH)

@@ -70,9 +70,9 @@ pub(super) fn find_regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<O
     );
     let sums = BorderSums::sum_over_mesh(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
-    let parts = par::map(threads, par::ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
+    let parts = par::map(threads, par::split_into_ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
         let mut gather = CandidateCollector { sums: &sums, found: Vec::new() };
-        mesh.faces().visit(range, &mut gather)?;
+        mesh.faces().visit_faces(range, &mut gather)?;
         Ok(gather.found)
     })?;
     let mut candidates = Vec::new();
@@ -143,13 +143,13 @@ impl BorderSums {
     fn sum_over_mesh(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
         let idle: Mutex<Vec<BorderSums>> = Mutex::new(Vec::new());
         let pool = || lock(&idle);
-        let added = par::map(threads, par::ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
+        let added = par::map(threads, par::split_into_ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
             let free = pool().pop();
             let mut partial = match free {
                 Some(partial) => partial,
                 None => BorderSums { of_vertex: alloc::zeroed(mesh.positions().len())?, area: 0 },
             };
-            mesh.faces().visit(range, &mut partial)?;
+            mesh.faces().visit_faces(range, &mut partial)?;
             alloc::push(&mut pool(), partial)
         })?;
         added.into_iter().collect::<Result<()>>()?;

@@ -25,14 +25,14 @@ pub(crate) fn split_into_simple_loops<Step: Copy>(
     // place[v] is the position on the stack of the step that leaves v.
     let mut stack: Vec<Step> = alloc::with_capacity(walk.len())?;
     for (k, &step) in walk.iter().enumerate() {
-        job.step_within(k, STAGE)?;
+        job.step_within_list(k, STAGE)?;
         place[tail(step) as usize] = stack.len() as u32;
         stack.push(step);
         let at = place[head(step) as usize];
         if at != NONE {
             visit_loop(&stack[at as usize..], true)?;
             for (k, step) in stack.drain(at as usize..).enumerate() {
-                job.step_within(k, STAGE)?;
+                job.step_within_list(k, STAGE)?;
                 place[tail(step) as usize] = NONE;
             }
         }

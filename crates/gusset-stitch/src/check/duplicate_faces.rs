@@ -46,7 +46,7 @@ impl CycleStart {
     }
 
     fn vertex_cycle<'m>(&self, mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = u32> + 'm {
-        let range = mesh.faces().range(f);
+        let range = mesh.faces().corner_range(f);
         let (n, corner, backwards) = (range.len(), self.corner as usize, self.backwards);
         (0..n).map(move |i| {
             let at = if backwards { (corner + n - i) % n } else { (corner + i) % n };

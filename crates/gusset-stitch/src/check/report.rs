@@ -160,7 +160,7 @@ impl Check {
         let mut singular = Vec::new();
         for f in 0..faces.len() {
             job.step_every(FACES_PER_REPORT, f, faces.len(), "checking pieces")?;
-            for h in faces.range(f) {
+            for h in faces.corner_range(f) {
                 if topology.is_ignored(h as u32) {
                     continue;
                 }
@@ -204,7 +204,7 @@ impl Check {
         for f in 0..mesh.faces().len() {
             job.step_every(FACES_PER_REPORT, f, mesh.faces().len(), "checking areas")?;
             points.clear();
-            alloc::reserve(&mut points, mesh.faces().range(f).len())?;
+            alloc::reserve(&mut points, mesh.faces().corner_range(f).len())?;
             points.extend(mesh.face(f).map(|v| mesh.positions().get(v)));
             let unit = common_unit(&points);
             let largest = points.iter().map(|p| (*p / unit).abs().max_element()).fold(0.0, f64::max);

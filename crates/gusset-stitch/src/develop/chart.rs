@@ -58,7 +58,7 @@ impl ChartMesh {
         for (k, &f) in (0..).zip(split.faces.get(chart)) {
             job.step_every(1 << 16, k as usize, split.faces.get(chart).len(), STAGE)?;
             corners.clear();
-            let range = mesh.faces().range(f as usize);
+            let range = mesh.faces().corner_range(f as usize);
             let (start, size) = (range.start as u32, range.len() as u32);
             alloc::extend(&mut corners, split.corners[range].iter().map(|&v| v - first))?;
             triangulate_polygon(&corners, &points, &mut own, &job.part(0.0, 0.0))?;
@@ -172,7 +172,7 @@ fn triangles_across_sides(mut sides: Vec<TriangleSide>, job: &Job<'_>) -> Result
     let mut across = alloc::filled([NONE; 3], sides.len() / 3)?;
     sort(&mut sides, Ord::cmp, job, STAGE)?;
     for (k, pair) in sides.windows(2).enumerate() {
-        job.step_within(k, STAGE)?;
+        job.step_within_list(k, STAGE)?;
         if pair[0].0 == pair[1].0 {
             let [a, b] = [pair[0].1, pair[1].1];
             across[a as usize / 3][a as usize % 3] = b / 3;

@@ -29,7 +29,7 @@ pub(super) struct ChartSystem {
 struct NeighbourCoupling<'a>(&'a Buckets<u32>);
 
 impl UnknownCouplings for NeighbourCoupling<'_> {
-    fn for_each_row_of(&self, v: u32, mut visit: impl FnMut(usize)) {
+    fn for_each_row_with_unknown(&self, v: u32, mut visit: impl FnMut(usize)) {
         visit(v as usize);
     }
 
@@ -91,7 +91,7 @@ impl ChartSystem {
 
     pub(super) fn clear_equations(&mut self, job: &Job<'_>) -> Result<()> {
         let entries = &mut self.matrix.entries;
-        job.ranges(STAGE, entries.len(), |range| {
+        job.work_in_ranges(STAGE, entries.len(), |range| {
             entries[range].iter_mut().for_each(|entry| entry.1 = 0.0);
             Ok(())
         })?;

@@ -5,7 +5,7 @@ use super::develop_request::{CutKind, Cuts};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::bit_set::BitSet;
-use gusset_base::geom::scale::distance;
+use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
 use gusset_mesh::{Defect, MeshView, NONE, Opposite, Topology, half_edges};
@@ -33,7 +33,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         let count = mesh.faces().half_edge_count();
         let mut mates = alloc::filled(NONE, count)?;
         for f in 0..mesh.faces().len() {
-            job.part(0.8, 1.0).step_within(f, STAGE)?;
+            job.part(0.8, 1.0).step_within_list(f, STAGE)?;
             for (h, u, v) in half_edges(mesh, f) {
                 if let Opposite::Mate(mate) = topology.opposite(h)
                     && (mesh.faces().corner(mate), mesh.faces().corner(mesh.faces().next(mate))) == (v, u)
@@ -92,7 +92,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
                 if *vertex as usize >= count {
                     return Err(Error::LoopIndexOutOfRange { number, place, vertex: *vertex });
                 }
-                *vertex = self.mesh.faces().merge_of(*vertex);
+                *vertex = self.mesh.faces().merged_vertex(*vertex);
             }
             for (place, step) in (1..).zip(path.windows(2)) {
                 let found = search.search_nearest_target(&graph, &[step[0]], |v| v == step[1], job)?;
@@ -126,7 +126,7 @@ impl SurfaceGraph {
         let mesh = surface.mesh;
         let edge = |h: u32| {
             let [u, v] = surface.end_vertices(h).map(|v| mesh.positions().get(v));
-            (name(h), name(mesh.faces().next(h)), distance(u, v))
+            (name(h), name(mesh.faces().next(h)), overflow_safe_distance(u, v))
         };
         // An edge with two faces gets one direction from each; any other edge gets both from its
         // face.
@@ -208,7 +208,7 @@ impl PathSearch {
             if is_target(v) {
                 return Ok(Some(v));
             }
-            job.step_within_heavy(16, steps, STAGE)?;
+            job.step_within_heavy_list(16, steps, STAGE)?;
             steps += 1;
             for &(w, h, length) in graph.neighbours(v) {
                 let sum = distance + length;

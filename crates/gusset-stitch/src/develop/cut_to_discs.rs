@@ -14,7 +14,7 @@ use super::split_surface::SurfaceSplitAtCuts;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
-use gusset_base::geom::scale::distance;
+use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
 use gusset_base::sort::{Buckets, sort};
 use gusset_mesh::NONE;
@@ -116,7 +116,7 @@ impl DiscOpening<'_> {
 
     fn chart_half_edges(&self, surface: &CutSurface<'_, '_>) -> impl Iterator<Item = u32> + Clone {
         let faces = *surface.mesh.faces();
-        self.split.faces.get(self.chart).iter().flat_map(move |&f| faces.range(f as usize)).map(|h| h as u32)
+        self.split.faces.get(self.chart).iter().flat_map(move |&f| faces.corner_range(f as usize)).map(|h| h as u32)
     }
 
     /// Returns the vertices of each connected part of the chart's border, ascending, not in the
@@ -127,7 +127,7 @@ impl DiscOpening<'_> {
         let mut sets = DisjointSets::new(count)?;
         let mut on_border = alloc::filled(false, count)?;
         for (k, h) in self.chart_half_edges(surface).enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             if surface.mate_across(h) != NONE {
                 continue;
             }
@@ -162,7 +162,7 @@ impl DiscOpening<'_> {
         let faces = *surface.mesh.faces();
         let mut edges = Vec::new();
         for (k, h) in self.chart_half_edges(surface).enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             let mate = surface.mate_across(h);
             if mate == NONE || h > mate {
                 continue;
@@ -173,7 +173,7 @@ impl DiscOpening<'_> {
             if !is_of_tree {
                 let length = self.search.distances[u as usize] + self.search.distances[v as usize];
                 let [p, q] = surface.end_vertices(h).map(|v| surface.mesh.positions().get(v));
-                alloc::push(&mut edges, (length + distance(p, q), h))?;
+                alloc::push(&mut edges, (length + overflow_safe_distance(p, q), h))?;
             }
         }
         // Visit the edges of the longest loops first.
@@ -181,7 +181,7 @@ impl DiscOpening<'_> {
         let mut joined = DisjointSets::new(faces.len())?;
         let mut cuts = Vec::new();
         for (k, (_, h)) in edges.into_iter().enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             if !joined.union(faces.face_of(h), faces.face_of(surface.mate_across(h))) {
                 alloc::push(&mut cuts, h)?;
                 for v in self.ends_in_split_surface(surface, h) {

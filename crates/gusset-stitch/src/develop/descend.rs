@@ -170,7 +170,7 @@ fn assemble_proxy_system(
 fn first_fold_fraction(chart: &ChartMesh, x: &[DVec2], way: &[DVec2], job: &Job<'_>) -> Result<f64> {
     let mut first = f64::INFINITY;
     for (k, &triangle) in chart.triangles.iter().enumerate() {
-        job.step_within(k, STAGE)?;
+        job.step_within_list(k, STAGE)?;
         let [a, b, c] = triangle.map(|v| x[v as usize]);
         let [da, db, dc] = triangle.map(|v| way[v as usize]);
         let (p, q, dp, dq) = (b - a, c - a, db - da, dc - da);

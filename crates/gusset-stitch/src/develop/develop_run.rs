@@ -150,7 +150,7 @@ fn cut_dart(
     let faces = *surface.mesh.faces();
     let mut on_border = BitSet::new(split.vertex_map.len())?;
     for &f in split.faces.get(chart) {
-        for h in faces.range(f as usize).map(|h| h as u32) {
+        for h in faces.corner_range(f as usize).map(|h| h as u32) {
             if surface.mate_across(h) == NONE {
                 [h, faces.next(h)].iter().for_each(|&h| on_border.insert(split.corners[h as usize]));
             }
@@ -285,7 +285,7 @@ fn measure_flat_chart(
     let faces = chart.faces.last().map_or(0, |&last| last as usize + 1);
     let mut stretches = alloc::filled([0.0f64, f64::INFINITY], faces)?;
     for (k, ((triangle, shape), &f)) in chart.triangles.iter().zip(&chart.shapes).zip(&chart.faces).enumerate() {
-        job.step_within(k, STAGE)?;
+        job.step_within_list(k, STAGE)?;
         let [most, least] = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize])).stretch;
         let stretch = &mut stretches[f as usize];
         *stretch = [stretch[0].max(most), stretch[1].min(least)];
@@ -376,7 +376,7 @@ fn build_result(
     job.step(0.7, STAGE)?;
     let mut offsets = alloc::with_capacity(mesh.faces().len() + 1)?;
     offsets.push(0);
-    offsets.extend((0..mesh.faces().len()).map(|f| mesh.faces().range(f).end as u32));
+    offsets.extend((0..mesh.faces().len()).map(|f| mesh.faces().corner_range(f).end as u32));
     job.step(0.9, STAGE)?;
     Ok(Developed {
         mesh: Mesh::new(positions, offsets, split.corners),

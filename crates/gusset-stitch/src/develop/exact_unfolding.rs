@@ -39,7 +39,7 @@ impl<'a> EdgeLengths<'a> {
         let mut lengths = EdgeLengths { chart, mean: 0.0 };
         let mut sum = 0.0;
         for (k, [u, v]) in lengths.edge_ends().enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             sum += chart.surface_distance(u, v);
         }
         lengths.mean = sum / (3 * chart.triangles.len()) as f64;
@@ -65,7 +65,7 @@ impl<'a> EdgeLengths<'a> {
         let largest = |worst: f64, error: f64| if error > worst || error.is_nan() { error } else { worst };
         let mut worst = 0.0;
         for (k, edge) in self.edge_ends().enumerate() {
-            job.step_within(k, STAGE)?;
+            job.step_within_list(k, STAGE)?;
             worst = largest(worst, of(edge));
         }
         Ok(worst)
@@ -82,7 +82,7 @@ impl<'a> EdgeLengths<'a> {
         let job = job.part(0.0, 0.0);
         let is_long_enough = self.largest_length_error(x, &job)? <= MAX_LENGTH_ERROR;
         for t in 0..self.chart.triangles.len() {
-            job.step_within(t, STAGE)?;
+            job.step_within_list(t, STAGE)?;
             if !is_long_enough || !stands(t) {
                 return Ok(false);
             }
@@ -127,7 +127,7 @@ pub(super) fn unfold_triangles(chart: &ChartMesh, job: &Job<'_>) -> Result<Vec<D
     waiting.push_back(largest);
     let mut done = 0;
     while let Some(t) = waiting.pop_front() {
-        job.step_within(done, STAGE)?;
+        job.step_within_list(done, STAGE)?;
         done += 1;
         for k in 0..3 {
             let [a, b, c] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| chart.triangles[t][k]);

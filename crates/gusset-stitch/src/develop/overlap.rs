@@ -32,7 +32,7 @@ pub(super) fn count_border_intersections(
     sort(&mut order, |a, b| key(a).total_cmp(&key(b)).then(a.cmp(b)), job, STAGE)?;
     let (mut open, mut count) = (Vec::<u32>::new(), 0);
     for (done, &k) in order.iter().enumerate() {
-        job.step_within_heavy(64, done, STAGE)?;
+        job.step_within_heavy_list(64, done, STAGE)?;
         let edge = border[k as usize];
         let left = low(&edge);
         open.retain(|&other| high(&border[other as usize]) >= left);

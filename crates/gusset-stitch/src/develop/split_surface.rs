@@ -43,7 +43,7 @@ impl SurfaceSplitAtCuts {
         let mut same = DisjointSets::new(corner_count)?;
         let mut joined = DisjointSets::new(count)?;
         for h in 0..corner_count as u32 {
-            job.step_within(h as usize, STAGE)?;
+            job.step_within_list(h as usize, STAGE)?;
             let mate = surface.mate_across(h);
             if mate != NONE && h < mate {
                 same.union(h, faces.next(mate));
@@ -72,9 +72,9 @@ impl SurfaceSplitAtCuts {
             let first = vertex_map.len() as u32;
             let (mut sum, mut free) = (0i64, 0);
             for &f in of_charts.get(chart) {
-                job.step_within(f as usize, STAGE)?;
+                job.step_within_list(f as usize, STAGE)?;
                 sum += 1;
-                for h in faces.range(f as usize) {
+                for h in faces.corner_range(f as usize) {
                     let name = &mut names[same[h] as usize];
                     if *name == NONE {
                         *name = vertex_map.len() as u32;

@@ -86,7 +86,7 @@ impl OneRings {
             job.step_every(VERTICES_PER_REPORT, v, self.start.len(), "fairing")?;
             let to = self.start[v] as usize;
             // Sort by weight too, so that the sum does not depend on the order of the triangles.
-            sort::stable(&mut self.entries[from..to], &|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+            sort::sort_stable(&mut self.entries[from..to], &|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
             let first = kept;
             for i in from..to {
                 let (w, weight) = self.entries[i];

@@ -13,7 +13,7 @@ pub(super) struct PlateCouplings<'a> {
 }
 
 impl UnknownCouplings for PlateCouplings<'_> {
-    fn for_each_row_of(&self, v: u32, mut visit: impl FnMut(usize)) {
+    fn for_each_row_with_unknown(&self, v: u32, mut visit: impl FnMut(usize)) {
         self.rings.laplacian_rows().row(v as usize).for_each(|(row, _)| visit(row));
     }
 

@@ -6,7 +6,7 @@ use crate::stitch::{FreeEdges, check_loop_indices};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::{Aabb, scale::distance, triangle::double_area};
+use gusset_base::geom::{Aabb, scale::overflow_safe_distance, triangle::double_area};
 use gusset_mesh::{MeshView, vertex_components};
 use std::collections::HashSet;
 
@@ -198,8 +198,8 @@ fn loop_measures(mesh: &MeshView<'_>, vertices: &[u32]) -> Measures {
     let whole = Aabb::from_points((0..n).map(point));
     let centre = (0..n).map(|i| point(i) / n as f64).sum::<DVec3>();
     Measures {
-        length: (0..n).map(|i| distance(point(i), point(i + 1))).sum(),
-        diameter: distance(whole.low, whole.high),
+        length: (0..n).map(|i| overflow_safe_distance(point(i), point(i + 1))).sum(),
+        diameter: overflow_safe_distance(whole.low, whole.high),
         area: (0..n).map(|i| double_area(centre, point(i), point(i + 1)) / 2.0).sum(),
     }
 }

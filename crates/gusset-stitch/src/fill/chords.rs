@@ -78,7 +78,7 @@ impl ChordsNearTriangulation {
         let (mut from, mut count) = (0, 0);
         for k in 0..n {
             let to = start[k + 1] as usize;
-            sort::stable(&mut first[from..to], &|a, b| b.cmp(a));
+            sort::sort_stable(&mut first[from..to], &|a, b| b.cmp(a));
             let begin = count;
             for at in from..to {
                 if count == begin || first[count - 1] != first[at] {

@@ -27,7 +27,7 @@ pub(super) fn find_faces_near_boxes(mesh: &MeshView<'_>, boxes: &[Aabb], job: &J
             let around = Aabb::from_points(mesh.face(f).map(|v| mesh.positions().get(v)));
             let met = Cell::new(false);
             let enter = |_, node: &Aabb| !met.get() && node.overlaps(&around);
-            tree.descend(enter, |_| {
+            tree.visit_accepted(enter, |_| {
                 met.set(true);
                 Ok(())
             })?;
@@ -38,7 +38,8 @@ pub(super) fn find_faces_near_boxes(mesh: &MeshView<'_>, boxes: &[Aabb], job: &J
         Ok(faces_found)
     };
     let mut near = Vec::new();
-    let faces_found = par::map_cancellable(&job, STAGE, par::ranges(mesh.faces().len(), FACES_PER_TASK), chunk)?;
+    let faces_found =
+        par::map_cancellable(&job, STAGE, par::split_into_ranges(mesh.faces().len(), FACES_PER_TASK), chunk)?;
     alloc::append_all(&mut near, faces_found)?;
     Ok(near)
 }

@@ -53,8 +53,8 @@ pub(super) fn build_result(
     job.step(0.0, "putting the pieces together")?;
     let counts = made.patches.iter().map(|patch| [patch.vertices.len(), patch.triangles.len()]);
     let [points, faces] = counts.fold([0, 0], |sum, count| [sum[0] + count[0], sum[1] + count[1]]);
-    let mut whole = concat::empty_with_room(std::iter::once(mesh), [points, faces, 3 * faces])?;
-    concat::append(&mut whole, mesh, job, |_| false)?;
+    let mut whole = concat::empty_mesh_with_room(std::iter::once(mesh), [points, faces, 3 * faces])?;
+    concat::append_piece(&mut whole, mesh, job, |_| false)?;
     let (mut parents, mut weights) = (alloc::with_capacity(points)?, alloc::with_capacity(points)?);
     for patch in &made.patches {
         parents.extend(patch.parents.iter().map(|&(of, _)| of));

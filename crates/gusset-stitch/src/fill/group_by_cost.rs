@@ -189,7 +189,7 @@ impl GroupSearch<'_> {
                 alloc::push(&mut neighbours, (other, distance))?;
             }
         }
-        sort::stable(&mut neighbours, &|(i, a), (k, b)| i.cmp(k).then(compare_distances(a, b)));
+        sort::sort_stable(&mut neighbours, &|(i, a), (k, b)| i.cmp(k).then(compare_distances(a, b)));
         neighbours.dedup_by_key(|&mut (other, _)| other);
         neighbours.sort_unstable_by(compare_by_distance_then_index);
         neighbours.truncate(MAX_TRIED_NEIGHBOURS);
@@ -283,7 +283,7 @@ fn find_nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<NearbyPair>> {
     for (i, room) in rooms.iter().enumerate() {
         job.part(0.2, 1.0).step_every(LOOPS_PER_REPORT, i, rooms.len(), "triangulating holes")?;
         let mut neighbours = Vec::new();
-        tree.overlapping(room, 0.0, |leaf| {
+        tree.visit_overlapping(room, 0.0, |leaf| {
             let others = order.get(leaf).map(|&k| k as usize).filter(|&k| k != i);
             let distance = |k: usize| [boxes[i].distance(&boxes[k]), boxes[i].centre().distance(boxes[k].centre())];
             alloc::extend(&mut neighbours, others.map(|k| (k, distance(k))))

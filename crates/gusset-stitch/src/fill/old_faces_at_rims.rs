@@ -5,7 +5,7 @@ use crate::fair::Continuity;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::scale::distance;
+use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::{MeshView, NONE};
@@ -199,7 +199,7 @@ fn reverse_loop(mesh: &MeshView<'_>, vertices: &[u32]) -> Result<Vec<u32>> {
     let mut rim = alloc::collect(vertices.iter().rev().copied())?;
     let length = |i: usize| {
         let [p, q] = [i, (i + 1) % rim.len()].map(|i| mesh.positions().get(rim[i]));
-        distance(p, q)
+        overflow_safe_distance(p, q)
     };
     let by_length = |&i: &usize, &j: &usize| length(i).total_cmp(&length(j)).then(rim[j].cmp(&rim[i]));
     let last = (0..rim.len()).max_by(by_length).unwrap_or(0);

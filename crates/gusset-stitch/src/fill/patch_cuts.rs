@@ -114,7 +114,7 @@ impl OrderedBoxTree {
 
     /// Visits the boxes that overlap a box.
     fn visit_overlapping_boxes(&self, around: &Aabb, mut visit: impl FnMut(usize) -> Result<()>) -> Result<()> {
-        self.tree.overlapping(around, 0.0, |leaf| self.order.get(leaf).map_or(Ok(()), |&k| visit(k as usize)))
+        self.tree.visit_overlapping(around, 0.0, |leaf| self.order.get(leaf).map_or(Ok(()), |&k| visit(k as usize)))
     }
 }
 

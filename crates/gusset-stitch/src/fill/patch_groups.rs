@@ -20,7 +20,7 @@ pub(super) fn group_candidates_by_patch(
         (_, Together::One) => 0,
         (_, Together::Apart | Together::Cheapest) => number,
     };
-    sort::stable(&mut numbers, &|&a, &b| (group(a), a).cmp(&(group(b), b)));
+    sort::sort_stable(&mut numbers, &|&a, &b| (group(a), a).cmp(&(group(b), b)));
     let chunks = numbers.chunk_by(|&i, &k| group(i) == group(k));
     let mut groups = alloc::try_collect(chunks.map(alloc::copied))?;
     groups.sort_unstable();

@@ -77,7 +77,7 @@ impl TriangleFans {
         let fan = &self.0[node];
         fan.apex != NONE
             && sides.vertices.iter().position(|&v| v == fan.apex).is_some_and(|k| {
-                let slack = MAX_RELATIVE_ROUND_OFF * (sides.size + fan.others.max_norm());
+                let slack = MAX_RELATIVE_ROUND_OFF * (sides.size + fan.others.max_vector_length());
                 [k, (k + 2) % 3].into_iter().any(|side| {
                     let normal = sides.normals[side];
                     // The corner of the box that is least far along the normal.
@@ -153,7 +153,7 @@ mod tests {
     fn fans_intersect_as_their_triangles_do_pair_by_pair() {
         let mut random = fastrand::Rng::with_seed(3);
         let mut met = 0;
-        for case in 0..gusset_base::testing::cases(200) {
+        for case in 0..gusset_base::testing::case_count(200) {
             let n = 40;
             let rise = [0.0, 1e-12, 0.02, 0.5][case as usize % 4];
             let turns = [0.5, 1.0, 2.3][case as usize / 4 % 3];

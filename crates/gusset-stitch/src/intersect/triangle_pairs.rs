@@ -103,7 +103,7 @@ pub(crate) fn intersecting_pairs_where(
             let enter = |node: usize, b: &Aabb| {
                 b.overlaps(&query) && !turned[node].is_beside(&corners) && !fans.meets_fan_only_in_apex(node, &sides)
             };
-            tree.descend(enter, |leaf| {
+            tree.visit_accepted(enter, |leaf| {
                 leaves += 1;
                 if leaves.is_multiple_of(LEAVES_PER_REPORT) {
                     job.step(0.0, STAGE)?;
@@ -127,9 +127,10 @@ pub(crate) fn intersecting_pairs_where(
     for start in (0..total).step_by(TRIANGLES_PER_REPORT) {
         let count = TRIANGLES_PER_REPORT.min(total - start);
         let part = job.part(start as f64 / total as f64, (start + count) as f64 / total as f64);
-        let pairs_of_chunk = par::map_jobs(&part, STAGE, par::ranges(count, TRIANGLES_PER_TASK), |range, job| {
-            pairs_of(start + range.start..start + range.end, job)
-        })?;
+        let pairs_of_chunk =
+            par::map_jobs(&part, STAGE, par::split_into_ranges(count, TRIANGLES_PER_TASK), |range, job| {
+                pairs_of(start + range.start..start + range.end, job)
+            })?;
         alloc::append_all(&mut pairs, pairs_of_chunk.into_iter().map(Ok))?;
     }
     pairs.sort_unstable();

@@ -115,8 +115,8 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         }
     }
     job.step(0.9, STAGE)?;
-    let mut oriented = concat::empty_with_room(slice::from_ref(mesh).iter(), [0; 3])?;
-    concat::append(&mut oriented, mesh, &job.part(0.9, 0.9), |f| turned[f])?;
+    let mut oriented = concat::empty_mesh_with_room(slice::from_ref(mesh).iter(), [0; 3])?;
+    concat::append_piece(&mut oriented, mesh, &job.part(0.9, 0.9), |f| turned[f])?;
     job.step(1.0, STAGE)?;
     let turned_faces = turned.iter().filter(|&&t| t).count() as u32;
     Ok(Oriented { mesh: oriented, turned, turned_faces, components, inverted_components, one_sided })
@@ -226,7 +226,7 @@ impl<'m> ComponentSearch<'m> {
             self.reached += 1;
             next += 1;
             let proper = |&h: &u32| !self.topology.is_ignored(h);
-            for h in faces.range(f as usize).map(|h| h as u32).filter(proper) {
+            for h in faces.corner_range(f as usize).map(|h| h as u32).filter(proper) {
                 let Opposite::Mate(mate) = self.topology.opposite(h) else {
                     self.closed = false;
                     continue;

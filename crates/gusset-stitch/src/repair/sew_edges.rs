@@ -124,7 +124,7 @@ struct MergedVertexSets<'m> {
 
 impl MergedVertexSets<'_> {
     fn end_sets(&self, h: u32) -> [u32; 2] {
-        let range = self.mesh.faces().range(self.corners.face_of_corner(h));
+        let range = self.mesh.faces().corner_range(self.corners.face_of_corner(h));
         let after = if h as usize + 1 == range.end { range.start as u32 } else { h + 1 };
         [h, after].map(|h| self.mesh.faces().corner(h))
     }
@@ -140,7 +140,7 @@ impl MergedVertexSets<'_> {
     /// Returns the sets at the other ends of the half-edges that leave and reach corner `h`.
     fn neighbour_sets(&self, h: u32) -> impl Iterator<Item = u32> {
         let faces = self.mesh.faces();
-        let range = faces.range(self.corners.face_of_corner(h));
+        let range = faces.corner_range(self.corners.face_of_corner(h));
         let (start, end) = (range.start as u32, range.end as u32 - 1);
         let before = if h == start { end } else { h - 1 };
         let after = if h == end { start } else { h + 1 };
@@ -150,7 +150,7 @@ impl MergedVertexSets<'_> {
 
     /// Returns true if the face of corner `h` has a corner in a set.
     fn face_has_corner_in_set(&self, h: u32, label: u32) -> bool {
-        let range = self.mesh.faces().range(self.corners.face_of_corner(h));
+        let range = self.mesh.faces().corner_range(self.corners.face_of_corner(h));
         if range.len() <= self.degree[label as usize] as usize {
             return self.sets_at_face(h).any(|other| other == label);
         }

@@ -36,7 +36,7 @@ impl SplitFace {
         self.ring.clear();
         self.corners.clear();
         let mut places = places.peekable();
-        let range = mesh.faces().range(f);
+        let range = mesh.faces().corner_range(f);
         for h in range.clone() {
             let (start, end) = (h as u32, if h + 1 == range.end { range.start as u32 } else { h as u32 + 1 });
             alloc::push(&mut self.corners, self.ring.len())?;
@@ -72,7 +72,7 @@ impl SplitFace {
 /// Returns true if all parts of a triangle have its orientation; true for larger faces. Old
 /// vertices at the new places give the positions.
 pub(super) fn has_upright_parts(mesh: &MeshView<'_>, f: usize, split: &SplitFace) -> bool {
-    if mesh.faces().range(f).len() != 3 {
+    if mesh.faces().corner_range(f).len() != 3 {
         return true;
     }
     let at = |v: u32| mesh.positions().get(v);

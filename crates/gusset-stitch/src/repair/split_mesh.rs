@@ -34,7 +34,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &TJunctions, job: &Job
     let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
     check_size((vertices + splits.len()) as u64, (mesh.faces().half_edge_count() + 6 * splits.len()) as u64)?;
     let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), vertices + splits.len())?;
-    job.part(0.0, 0.0).ranges(STAGE, vertices, |range| positions.append(mesh.positions(), range))?;
+    job.part(0.0, 0.0).work_in_ranges(STAGE, vertices, |range| positions.append(mesh.positions(), range))?;
     let sources = alloc::collect(splits.iter().map(|split| split.vertex))?;
     positions.append(&PositionBuffer::gather(mesh.positions(), &sources)?.view(), 0..sources.len())?;
 
@@ -87,9 +87,9 @@ impl SplitMesh {
     /// Appends a non-empty range of unchanged faces.
     fn append_unchanged_faces(&mut self, mesh: &MeshView<'_>, range: Range<usize>) -> Result<()> {
         let given = mesh.faces();
-        let corners = given.range(range.start).start..given.range(range.end - 1).end;
+        let corners = given.corner_range(range.start).start..given.corner_range(range.end - 1).end;
         let shift = self.mesh.face_corners.len();
-        let ends = range.clone().map(|f| (given.range(f).end - corners.start + shift) as u32);
+        let ends = range.clone().map(|f| (given.corner_range(f).end - corners.start + shift) as u32);
         alloc::extend(&mut self.mesh.face_offsets, ends)?;
         alloc::extend(&mut self.mesh.face_corners, given.corners(corners.clone()))?;
         alloc::extend(&mut self.corner_origins.corners, corners.map(|h| h as u32))?;

@@ -137,11 +137,11 @@ impl FreeBorder<'_> {
         // A vertex cannot lie inside an edge of length 0.
         let has_length = |&e: &u32| ends(e)[0] != ends(e)[1];
         let mut long = Vec::new();
-        job.part(0.0, 0.0).ranges(STAGE, self.edges.len(), |range| {
+        job.part(0.0, 0.0).work_in_ranges(STAGE, self.edges.len(), |range| {
             alloc::extend(&mut long, (range.start as u32..range.end as u32).filter(has_length))
         })?;
         let mut boxes = alloc::with_capacity(long.len())?;
-        job.part(0.0, 0.0).ranges(STAGE, long.len(), |range| {
+        job.part(0.0, 0.0).work_in_ranges(STAGE, long.len(), |range| {
             boxes.extend(long[range].iter().map(|&e| Aabb::from_points(ends(e))));
             Ok(())
         })?;
@@ -162,7 +162,7 @@ impl FreeBorder<'_> {
                 continue;
             }
             let (point, reach) = (p / unit, reach.get(i).map_or(0.0, |reach| reach / unit));
-            tree.overlapping(&Aabb::from_points([point]), reach, |leaf| {
+            tree.visit_overlapping(&Aabb::from_points([point]), reach, |leaf| {
                 leaves += 1;
                 if leaves % LEAVES_PER_REPORT == 0 {
                     here.step(0.0, STAGE)?;

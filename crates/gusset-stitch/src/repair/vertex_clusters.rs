@@ -127,7 +127,7 @@ impl<'a> NearVertexSearch<'a> {
         let mut begin = alloc::filled(0u32, points.len())?;
         let mut group = 0;
         for (k, &i) in order.iter().enumerate() {
-            job.part(1.0, 1.0).step_within(k, STAGE)?;
+            job.part(1.0, 1.0).step_within_list(k, STAGE)?;
             if points[i as usize] != points[order[group] as usize] {
                 group = k;
             }
@@ -164,7 +164,7 @@ impl<'a> NearVertexSearch<'a> {
                 outcome?;
                 let nearest_first = |a: &(f64, u32), b: &(f64, u32)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
                 if out.len() < MIN_CANDIDATES_SORTED_WITH_REPORTS {
-                    sort::stable(out, &nearest_first);
+                    sort::sort_stable(out, &nearest_first);
                 } else {
                     sort(out, nearest_first, job, STAGE)?;
                 }

@@ -20,8 +20,8 @@ impl VertexCorners {
         let count = faces.half_edge_count();
         let corners = Buckets::new(vertices, 0, (0..count as u32).map(|h| (faces.corner(h) as usize, h)))?;
         let mut face = alloc::with_capacity(count)?;
-        job.ranges("corners", faces.len(), |range| {
-            range.for_each(|f| face.extend(faces.range(f).map(|_| f as u32)));
+        job.work_in_ranges("corners", faces.len(), |range| {
+            range.for_each(|f| face.extend(faces.corner_range(f).map(|_| f as u32)));
             Ok(())
         })?;
         Ok(VertexCorners { face, corners })

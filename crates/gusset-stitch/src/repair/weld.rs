@@ -178,7 +178,7 @@ fn rebuild_mesh(mesh: &MeshView<'_>, representative: &[u32], options: &Options, 
         let start = face_corners.len();
         face_corners.extend(mesh.face(f).map(|v| representative[v as usize]));
         if options.collapse {
-            left.extend(faces.range(f).map(|corner| corner as u32));
+            left.extend(faces.corner_range(f).map(|corner| corner as u32));
             if !merge_equal_corners(&mut face_corners, &mut left, start) {
                 face_corners.truncate(start);
                 left.truncate(start);

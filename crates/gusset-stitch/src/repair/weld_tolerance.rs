@@ -22,7 +22,7 @@
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
-use gusset_base::geom::scale::distance;
+use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
 use gusset_mesh::{MeshView, Scalar, half_edges};
 
@@ -262,7 +262,7 @@ fn shortest_edge_lengths(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) ->
             if shortest[u as usize].max(shortest[v as usize]) == 0.0 {
                 continue;
             }
-            let length = distance(mesh.positions().get(u), mesh.positions().get(v));
+            let length = overflow_safe_distance(mesh.positions().get(u), mesh.positions().get(v));
             if length > 0.0 {
                 for end in [u, v] {
                     shortest[end as usize] = shortest[end as usize].min(length);

@@ -173,7 +173,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
                 alloc::push(penalties, StepPenalty { to, on_b: to[0] == from[0], extra })?;
             }
         }
-        sort::stable(penalties, &|a, b| (a.to, a.on_b).cmp(&(b.to, b.on_b)));
+        sort::sort_stable(penalties, &|a, b| (a.to, a.on_b).cmp(&(b.to, b.on_b)));
         Ok(())
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn append_piece(
     job: &Job<'_>,
     turn: impl FnMut(usize) -> bool,
 ) -> Result<IndexMap> {
-    let place = concat::append(whole, piece, job, turn)?;
+    let place = concat::append_piece(whole, piece, job, turn)?;
     Ok(IndexMap {
         vertices: alloc::collect((0..piece.positions().len()).map(|v| v as u32 + place.first_vertex))?,
         faces: alloc::collect((0..piece.faces().len()).map(|f| f as u32 + place.first_face))?,
@@ -63,7 +63,7 @@ pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result
 /// Returns the strip as a separate mesh. Its vertex v is `names[v]` of `whole`.
 pub(super) fn strip_as_mesh(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<Mesh> {
     let faces = strip.faces;
-    Ok(Mesh::new(whole.positions.select(names)?, faces.offsets, faces.corners))
+    Ok(Mesh::new(whole.positions.select_vertices(names)?, faces.offsets, faces.corners))
 }
 
 /// Returns the faces from `first` as a separate mesh, with the vertices that they use in ascending
@@ -82,5 +82,5 @@ pub(crate) fn faces_as_mesh(whole: &Mesh, first: usize, job: &Job<'_>) -> Result
         face_corners.extend(part.iter().map(|v| names.partition_point(|name| name < v) as u32));
     }
     let face_offsets = alloc::collect(whole.face_offsets[first..].iter().map(|offset| offset - start))?;
-    Ok(Mesh::new(whole.positions.select(&names)?, face_offsets, face_corners))
+    Ok(Mesh::new(whole.positions.select_vertices(&names)?, face_offsets, face_corners))
 }

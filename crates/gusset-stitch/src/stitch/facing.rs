@@ -238,7 +238,7 @@ pub fn cyclic_runs<T>(values: &[T], has: impl Fn(&T) -> bool) -> Result<Vec<Arc>
             _ => alloc::push(&mut runs, Arc { first: place, count: 1 })?,
         }
     }
-    sort::stable(&mut runs, &|a, b| a.first.cmp(&b.first));
+    sort::sort_stable(&mut runs, &|a, b| a.first.cmp(&b.first));
     Ok(runs)
 }
 
@@ -254,7 +254,7 @@ fn closest_runs(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -
         points.extend(run.places(b.len()).map(|j| b[j]));
         owner.extend((0..run.count).map(|_| k));
     }
-    let tree = KdTree::with_boxes(&points, &job.part(0.0, 0.5), STAGE)?;
+    let tree = KdTree::with_range_boxes(&points, &job.part(0.0, 0.5), STAGE)?;
     let job = job.part(0.5, 1.0);
     let interval = (POINTS_PER_REPORT / total.max(1)).clamp(1, 1 << 12);
     let (mut best, mut done) = ((f64::INFINITY, [0, 0]), 0);

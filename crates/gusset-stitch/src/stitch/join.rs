@@ -72,7 +72,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     // Combine both pieces in one mesh. Only the component of rim B is turned over.
     let mut pieces = vec![request.a];
     pieces.extend(request.b);
-    let mut whole = concat::empty_with_room(pieces.iter().copied(), [0; 3])?;
+    let mut whole = concat::empty_mesh_with_room(pieces.iter().copied(), [0; 3])?;
     let mesh_b = request.b.unwrap_or(request.a);
     let mut turned_faces = if turn { faces_of_component(mesh_b, b.vertices[0])? } else { Vec::new() };
     let is_turned = |f: usize| turned_faces.binary_search(&(f as u32)).is_ok();

@@ -100,7 +100,7 @@ impl<'a> StripNeighbourhood<'a> {
     pub(super) fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool, job: &Job<'_>) -> Result<FaceTriangles> {
         let mut triangles = FaceTriangles::default();
         for (face, number) in self.whole.faces().zip(0..) {
-            job.step_within(number as usize, STAGE)?;
+            job.step_within_list(number as usize, STAGE)?;
             if wanted(face) {
                 self.append_face_triangles(face, number, &mut triangles)?;
             }

@@ -26,7 +26,7 @@ pub(super) fn find_crossing_faces(
         alloc::append(&mut points, &layer.scan.points)?;
         let kept = layer.triangles.iter().zip(&layer.faces).filter(|(_, f)| region.keeps[**f as usize]);
         for (n, (triangle, &f)) in kept.enumerate() {
-            job.part(0.0, 0.0).step_within(n, STAGE)?;
+            job.part(0.0, 0.0).step_within_list(n, STAGE)?;
             alloc::push(&mut triangles, triangle.map(|v| v + first))?;
             alloc::push(&mut owners, [k, f])?;
         }

@@ -50,8 +50,8 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
         let count = mesh.faces().len();
         let mut face_of = alloc::filled(NONE, mesh.faces().half_edge_count())?;
         for f in 0..count {
-            job.part(0.5, 0.5).step_within(f, STAGE)?;
-            face_of[mesh.faces().range(f)].fill(f as u32);
+            job.part(0.5, 0.5).step_within_list(f, STAGE)?;
+            face_of[mesh.faces().corner_range(f)].fill(f as u32);
         }
         let beyond = |h| match topology.opposite(h) {
             Opposite::Mate(mate) => face_of[mate as usize],
@@ -76,7 +76,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
 
     /// Returns the faces across the sides of a face; [`NONE`] for missing ones.
     fn faces_across_sides(&self, f: usize) -> &[u32] {
-        &self.across[self.mesh.faces().range(f)]
+        &self.across[self.mesh.faces().corner_range(f)]
     }
 
     fn is_kept(&self, f: u32) -> bool {
@@ -100,7 +100,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
         let may_keep = |f: usize| !self.lost[f] && !self.mesh.face(f).any(|v| barred[v as usize]);
         let may = alloc::collect_cancellable((0..self.keeps.len()).map(may_keep), &job.part(0.0, 0.0), STAGE)?;
         for (f, keeps) in self.keeps.iter_mut().enumerate() {
-            job.step_within(f, STAGE)?;
+            job.step_within_list(f, STAGE)?;
             *keeps = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
         }
         job.step(0.1, STAGE)?;
@@ -159,7 +159,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
         job: &Job<'_>,
     ) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
-            job.step_within(f, STAGE)?;
+            job.step_within_list(f, STAGE)?;
             for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.faces_across_sides(f)) {
                 if !self.is_kept(g) {
                     let [p, q] = [u, v].map(|v| scan.points[v as usize]);
@@ -181,7 +181,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
             job.step(pass as f64 / passes as f64, STAGE)?;
             sums.fill((0.0, 0.0));
             for f in 0..self.keeps.len() {
-                job.part(1.0, 1.0).step_within(f, STAGE)?;
+                job.part(1.0, 1.0).step_within_list(f, STAGE)?;
                 let face = self.mesh.face(f);
                 let count = face.len() as f64;
                 let sum: f64 = face.clone().map(|v| values[v as usize]).sum();
@@ -227,7 +227,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
         let count = among.len();
         let mut sets = DisjointSets::new(count)?;
         for f in (0..count).filter(|&f| among[f]) {
-            job.step_within(f, STAGE)?;
+            job.step_within_list(f, STAGE)?;
             for &g in self.faces_across_sides(f).iter().filter(|&&g| g != NONE && among[g as usize]) {
                 sets.union(f as u32, g);
             }
@@ -235,7 +235,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
         let roots = sets.into_roots(job, STAGE)?;
         let mut sums = alloc::filled([0u32; 2], count)?;
         for f in (0..count).filter(|&f| among[f]) {
-            job.part(1.0, 1.0).step_within(f, STAGE)?;
+            job.part(1.0, 1.0).step_within_list(f, STAGE)?;
             let sum = &mut sums[roots[f] as usize];
             *sum = [sum[0] + 1, sum[1] + u32::from(counted[f])];
         }
@@ -261,12 +261,12 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
         // A vertex is inside if all faces around it are kept.
         let mut inside = alloc::filled(true, count)?;
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
-            job.part(0.4, 0.4).step_within(f, STAGE)?;
+            job.part(0.4, 0.4).step_within_list(f, STAGE)?;
             self.mesh.face(f).for_each(|v| inside[v as usize] = false);
         }
         job.step(0.4, STAGE)?;
         for f in 0..self.keeps.len() {
-            job.part(0.4, 0.4).step_within(f, STAGE)?;
+            job.part(0.4, 0.4).step_within_list(f, STAGE)?;
             self.keeps[f] = self.keeps[f] && self.mesh.face(f).any(|v| inside[v as usize]);
         }
         Ok(())
@@ -277,7 +277,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
     fn remove_faces_attached_by_one_side(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut ears = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
-            job.part(0.5, 0.5).step_within(f, STAGE)?;
+            job.part(0.5, 0.5).step_within_list(f, STAGE)?;
             let (mut held, mut cut) = (0, 0);
             for &g in self.faces_across_sides(f) {
                 held += usize::from(self.is_kept(g));
@@ -296,14 +296,14 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
     fn remove_smaller_fans_at_pinches(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut touched = BitSet::new(self.mesh.positions().len())?;
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
-            job.part(0.0, 0.0).step_within(f, STAGE)?;
+            job.part(0.0, 0.0).step_within_list(f, STAGE)?;
             self.mesh.face(f).for_each(|v| touched.insert(v));
         }
         job.step(0.5, STAGE)?;
         // The faces at each of these vertices, and the faces across their two edges there.
         let mut corners: Vec<(u32, u32, [u32; 2])> = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
-            job.part(0.0, 0.0).step_within(f, STAGE)?;
+            job.part(0.0, 0.0).step_within_list(f, STAGE)?;
             let beside = self.faces_across_sides(f);
             for (k, v) in self.mesh.face(f).enumerate().filter(|&(_, v)| touched.contains(v)) {
                 let before = beside[(k + beside.len() - 1) % beside.len()];
@@ -315,7 +315,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
         for round in corners.chunk_by(|x, y| x.0 == y.0) {
             fans.reset(round.len())?;
             for (k, (_, _, beside)) in round.iter().enumerate() {
-                job.part(0.5, 0.5).step_within(k, STAGE)?;
+                job.part(0.5, 0.5).step_within_list(k, STAGE)?;
                 for g in beside {
                     if let Ok(j) = round.binary_search_by_key(g, |corner| corner.1) {
                         fans.union(k as u32, j as u32);
@@ -326,7 +326,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
             (0..round.len() as u32).for_each(|k| sizes[fans.find(k) as usize] += 1);
             let largest = (0..round.len()).fold(0, |best, k| if sizes[k] > sizes[best] { k } else { best });
             for (k, &(_, f, _)) in round.iter().enumerate() {
-                job.part(0.5, 0.5).step_within(k, STAGE)?;
+                job.part(0.5, 0.5).step_within_list(k, STAGE)?;
                 if fans.find(k as u32) as usize != largest {
                     any |= self.keeps[f as usize];
                     self.keeps[f as usize] = false;

@@ -5,18 +5,18 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::job::Job;
-use gusset_mesh::{Mesh, MeshView, NONE, Piece, concatenate};
+use gusset_mesh::{Mesh, MeshView, NONE, PieceOffsets, concatenate};
 
 const STAGE: &str = "putting the pieces together";
 
 /// The kept faces of the pieces, side by side.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Remains {
+pub struct TrimmedPieces {
     /// The kept faces and the vertices that they use, in the order of the pieces. Positions keep
     /// their bits, in the scalar type of the first piece.
     pub mesh: Mesh,
     /// The first vertex and the first face of each piece in the maps.
-    pub places: Vec<Piece>,
+    pub places: Vec<PieceOffsets>,
     /// For each vertex of all pieces, the new vertex, or [`NONE`].
     pub vertex_map: Vec<u32>,
     /// For each face of all pieces, the new face, or [`NONE`].
@@ -27,7 +27,7 @@ pub struct Remains {
     pub corners: Vec<u32>,
 }
 
-impl Remains {
+impl TrimmedPieces {
     /// Builds the mesh of the kept faces of `trimmed`. Vertices that were merged with others are
     /// kept if a kept face has them. O(size).
     ///
@@ -37,7 +37,7 @@ impl Remains {
     /// [`Error::TooLarge`](gusset_base::Error::TooLarge),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn new(pieces: &[MeshView<'_>], trimmed: &KeptFacesOfPieces, job: &Job<'_>) -> Result<Remains> {
+    pub fn new(pieces: &[MeshView<'_>], trimmed: &KeptFacesOfPieces, job: &Job<'_>) -> Result<TrimmedPieces> {
         let job = &job.part(0.0, 0.0);
         let (whole, places) = concatenate(pieces, job)?;
         let count = trimmed.kept.iter().map(Vec::len).sum();
@@ -48,12 +48,12 @@ impl Remains {
         face_offsets.push(0);
         for ((piece, place), kept) in pieces.iter().zip(&places).zip(&trimmed.kept) {
             for &f in kept {
-                job.step_within(faces.len(), STAGE)?;
+                job.step_within_list(faces.len(), STAGE)?;
                 let old = place.first_face + f;
                 face_map[old as usize] = faces.len() as u32;
                 faces.push(old);
                 let range = whole.face_offsets[old as usize]..whole.face_offsets[old as usize + 1];
-                for (corner, h) in range.clone().zip(piece.faces().range(f as usize)) {
+                for (corner, h) in range.clone().zip(piece.faces().corner_range(f as usize)) {
                     is_used.insert(whole.face_corners[corner as usize]);
                     is_used.insert(place.first_vertex + piece.faces().corner_vertex_before_merging(h as u32));
                 }
@@ -65,7 +65,7 @@ impl Remains {
         let mut vertex_map = alloc::filled(NONE, whole.positions.len())?;
         vertices.iter().zip(0..).for_each(|(&v, name)| vertex_map[v as usize] = name);
         let names = corners.iter().map(|&corner| vertex_map[whole.face_corners[corner as usize] as usize]);
-        let mesh = Mesh::new(whole.positions.select(&vertices)?, face_offsets, alloc::collect(names)?);
-        Ok(Remains { mesh, places, vertex_map, face_map, faces, corners })
+        let mesh = Mesh::new(whole.positions.select_vertices(&vertices)?, face_offsets, alloc::collect(names)?);
+        Ok(TrimmedPieces { mesh, places, vertex_map, face_map, faces, corners })
     }
 }

@@ -35,7 +35,7 @@ mod kept_meshes;
 mod trim_request;
 mod trim_run;
 
-pub use kept_meshes::Remains;
+pub use kept_meshes::TrimmedPieces;
 pub use trim_request::{KeptFacesOfPieces, Options};
 pub use trim_run::trim;
 

@@ -43,7 +43,7 @@ impl TrimPiece {
         let count = mesh.faces().half_edge_count().saturating_sub(2 * mesh.faces().len());
         let (mut triangles, mut faces) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
         for f in 0..mesh.faces().len() {
-            job.part(0.5, 0.5).step_within(f, STAGE)?;
+            job.part(0.5, 0.5).step_within_list(f, STAGE)?;
             let mut corners = mesh.face(f);
             let first = corners.next().unwrap_or(0);
             let pairs = corners.clone().zip(corners.skip(1));
@@ -71,7 +71,7 @@ impl TrimPiece {
         let parts = par::map_cancellable(
             &job.part(0.6, 1.0),
             STAGE,
-            par::ranges(scan.points.len(), VERTICES_PER_TASK),
+            par::split_into_ranges(scan.points.len(), VERTICES_PER_TASK),
             |range| alloc::collect(range.map(of)),
         )?;
         let mut confidence = alloc::with_capacity(scan.points.len())?;

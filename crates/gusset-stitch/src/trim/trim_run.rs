@@ -179,7 +179,7 @@ fn choose_kept_faces(
         let count = if layer.scan.rim.contains(v as u32) { 1 } else { 2 };
         rims.iter().zip(&trees).take(count).any(|(rims, tree)| {
             let visit = |r| if bars(rims, r) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-            tree.visit_within(points[v], gap, &mut |_, r| visit(r)).is_break()
+            tree.try_for_each_within(points[v], gap, &mut |_, r| visit(r)).is_break()
         })
     };
     let mut barred = alloc::with_capacity(points.len())?;

@@ -56,7 +56,7 @@ impl VertexCovers {
             *j != k && own.scan.bounds.is_within(&other.scan.bounds, reach) && !other.triangles.is_empty()
         };
         let near = alloc::gather((0..layers.len()).filter(is_near))?;
-        let chunks = par::ranges(own.scan.points.len(), VERTICES_PER_TASK);
+        let chunks = par::split_into_ranges(own.scan.points.len(), VERTICES_PER_TASK);
         let parts = par::map_cancellable(job, STAGE, chunks, |range| -> Result<VertexCovers> {
             let mut part = VertexCovers { ends: alloc::with_capacity(range.len())?, places: Vec::new() };
             // The triangle of the previous vertex on each piece.
@@ -135,7 +135,7 @@ fn find_cover(
     if scan.bounds.distance_squared(p) > reach * reach {
         return None;
     }
-    let place = tree.nearest_beside(p, reach * reach, *guess)?;
+    let place = tree.nearest_with_guess(p, reach * reach, *guess)?;
     *guess = Some(place.triangle);
     let corners = other.triangles[place.triangle as usize];
     let with = || corners.into_iter().zip(place.weights).filter(|&(_, weight)| weight > 0.0);

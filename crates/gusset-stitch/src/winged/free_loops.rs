@@ -92,7 +92,7 @@ pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
         let smallest = (0..steps.len()).min_by_key(|&k| steps[k].edge).unwrap_or(0);
         steps.rotate_left(smallest);
     }
-    sort::stable(&mut loops, &|a, b| a[0].edge.cmp(&b[0].edge));
+    sort::sort_stable(&mut loops, &|a, b| a[0].edge.cmp(&b[0].edge));
 
     job.step(0.0, STAGE)?;
     let total = loops.iter().map(Vec::len).sum();

@@ -114,7 +114,7 @@ impl WingedEdges {
 
     /// Assigns an edge to every half-edge of face `f`, a new one if the mate has none yet.
     fn number_edges_of_face(&mut self, mesh: &MeshView<'_>, f: usize, topology: &Topology) -> Result<()> {
-        let range = mesh.faces().range(f);
+        let range = mesh.faces().corner_range(f);
         let mut ends = mesh.face(f).cycle();
         let mut m = ends.next().unwrap_or(NONE);
         for h in range.clone() {
@@ -144,7 +144,7 @@ impl WingedEdges {
 
     /// Adds face `f` to the edges along it.
     fn fill_wings_of_face(&mut self, mesh: &MeshView<'_>, f: usize, winding: Winding) {
-        let range = mesh.faces().range(f);
+        let range = mesh.faces().corner_range(f);
         let cycle = &self.of_half_edge[range.clone()];
         for (i, v) in mesh.face(f).enumerate() {
             let before = cycle[(i + cycle.len() - 1) % cycle.len()];

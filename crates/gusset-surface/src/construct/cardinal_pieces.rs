@@ -8,7 +8,7 @@
 use crate::axis::NODES_PER_CUBIC;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::bernstein::{blossom, elevate};
 
 /// Largest ratio of intervals among five lines. If it is exceeded, slopes are computed from three
@@ -74,7 +74,7 @@ impl IntervalRow<'_> {
         let mut count = max_count;
         if max_count > 3 {
             let first = self.first_of_central_lines(line, max_count);
-            let [min, max] = range((first..first + max_count as isize - 1).map(|k| self.interval_length(k)));
+            let [min, max] = range_of_values((first..first + max_count as isize - 1).map(|k| self.interval_length(k)));
             if max > MAX_INTERVAL_LENGTH_RATIO * min {
                 count = 3;
             }

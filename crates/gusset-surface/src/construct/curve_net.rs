@@ -61,7 +61,7 @@ impl Sheet<'static> {
     /// are cut where any row has a joint, so cells may be smaller than the meshes of the net. The
     /// knots of the cardinal functions follow from the curves. S is C1 if the curves are C1 in
     /// common knots, or if the curves lack joints between nodes. Otherwise S is only nearly C1;
-    /// [`Sheet::crease`] measures it.
+    /// [`Sheet::largest_crease_angle`] measures it.
     ///
     /// O(rows x columns x log segments) for nodes, and 12 products for each control point; 384
     /// bytes for each cell up to degree 3, otherwise 1536.
@@ -146,8 +146,8 @@ impl<const N: usize> GordonSurface<N> {
                 return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
             }
             Ok::<_, Error>([
-                snap_to_joint(&rows[k], met.places[0], slack),
-                snap_to_joint(&columns[l], met.places[1], slack),
+                snap_place_to_joint(&rows[k], met.places[0], slack),
+                snap_place_to_joint(&columns[l], met.places[1], slack),
             ])
         }))?;
         GordonSurface::from_crossing_curves(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
@@ -203,8 +203,8 @@ impl<const N: usize> GordonSurface<N> {
         if self.columns.is_empty() {
             return self.compute_skin_patches(&self.rows, &self.points[0], self.closed[0], job);
         }
-        let u = LineStrips::from_curves(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
-        let v = LineStrips::from_curves(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
+        let u = StripSubdivisions::from_curves(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
+        let v = StripSubdivisions::from_curves(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
         let (blend_u, blend_v) =
             (cardinal_pieces(&u.lengths, self.closed[0])?, cardinal_pieces(&v.lengths, self.closed[1])?);
         let rows = v.refine_curves_to_cells(&self.rows, &job.part(0.2, 0.3))?;
@@ -245,7 +245,7 @@ impl<const N: usize> GordonSurface<N> {
         closed: bool,
         job: &Job<'_>,
     ) -> Result<Patches<N>> {
-        let v = LineStrips::from_curves(rows, points, &job.part(0.0, 0.2))?;
+        let v = StripSubdivisions::from_curves(rows, points, &job.part(0.0, 0.2))?;
         let refined = v.refine_curves_to_cells(rows, &job.part(0.2, 0.4))?;
         let last = rows.len() - usize::from(!closed);
         let apart = |k: usize| {
@@ -253,7 +253,7 @@ impl<const N: usize> GordonSurface<N> {
             let sum: f64 = row.iter().zip(next).map(|(a, b)| a[0].distance(b[0]) + a[N - 1].distance(b[N - 1])).sum();
             sum / (2 * row.len()) as f64
         };
-        let blend = cardinal_pieces(&fill_zero_lengths(alloc::collect((0..last).map(apart))?), closed)?;
+        let blend = cardinal_pieces(&replace_zero_lengths_by_mean(alloc::collect((0..last).map(apart))?), closed)?;
         let mut patches = patches_with_capacity(last, v.cell_count())?;
         for piece in &blend {
             let across = piece.bernstein_weights::<N>([0.0, 1.0]);
@@ -272,7 +272,7 @@ impl<const N: usize> GordonSurface<N> {
 }
 
 /// The place, or the joint of segments if it is within `max_distance`.
-fn snap_to_joint<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, max_distance: f64) -> CurvePlace {
+fn snap_place_to_joint<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, max_distance: f64) -> CurvePlace {
     let here = net_curve.point_at(at);
     let close = |t: f64| net_curve.point_at(CurvePlace { t, ..at }).distance(here) <= max_distance;
     let count = net_curve.segments.len();
@@ -337,7 +337,7 @@ fn are_places_reversed(at: &[CurvePlace]) -> bool {
 }
 
 /// The intervals between the lines of one direction, and their subdivision into cells.
-struct LineStrips {
+struct StripSubdivisions {
     /// The fraction of the parameter that each interval takes.
     lengths: Vec<f64>,
     /// The ends of each interval's cells, as fractions of the interval; the last one is 1.
@@ -346,7 +346,7 @@ struct LineStrips {
     ends: Vec<Vec<Vec<f64>>>,
 }
 
-impl LineStrips {
+impl StripSubdivisions {
     /// Computes the strips from the curves that cross them. `points` marks curves that are single
     /// points.
     fn from_curves<const N: usize>(curves: &[Vec<CurvePiece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
@@ -360,11 +360,11 @@ impl LineStrips {
         for strip in 0..count {
             job.step(strip as f64 / count as f64, PATCH_STAGE)?;
             let own = alloc::collect(curves.iter().map(|curve| &curve[strip].ends[..]))?;
-            let (breaks, ends) = merge_breaks(&own, points)?;
+            let (breaks, ends) = common_breaks_of_curves(&own, points)?;
             all_breaks.push(breaks);
             all_ends.push(ends);
         }
-        Ok(LineStrips { lengths: fill_zero_lengths(lengths), breaks: all_breaks, ends: all_ends })
+        Ok(StripSubdivisions { lengths: replace_zero_lengths_by_mean(lengths), breaks: all_breaks, ends: all_ends })
     }
 
     /// The number of cells.
@@ -400,7 +400,7 @@ impl LineStrips {
 
 /// The breaks of a strip from the segment ends of the curves' pieces, and for each piece its ends
 /// snapped to the breaks.
-fn merge_breaks(segment_ends: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
+fn common_breaks_of_curves(segment_ends: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
     let curves = || segment_ends.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
     let Some(first) = curves().next() else {
         return Ok((alloc::filled(1.0, 1)?, alloc::try_collect(segment_ends.iter().map(|_| alloc::filled(1.0, 1)))?));
@@ -418,7 +418,7 @@ fn merge_breaks(segment_ends: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, V
     for (curve, ends) in segment_ends.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
         alloc::extend(&mut all, ends[..ends.len() - 1].iter().map(|&end| (end, curve)))?;
     }
-    sort::stable(&mut all, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort::sort_stable(&mut all, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut ends: Vec<Vec<f64>> = alloc::collect(segment_ends.iter().map(|_| Vec::new()))?;
     let mut breaks: Vec<f64> = Vec::new();
     for (end, curve) in all {
@@ -435,7 +435,7 @@ fn merge_breaks(segment_ends: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, V
 }
 
 /// Replaces lengths that are (nearly) zero by the mean length.
-fn fill_zero_lengths(mut lengths: Vec<f64>) -> Vec<f64> {
+fn replace_zero_lengths_by_mean(mut lengths: Vec<f64>) -> Vec<f64> {
     let sum: f64 = lengths.iter().sum();
     let mean = if sum > 0.0 { sum / lengths.len() as f64 } else { 1.0 };
     lengths.iter_mut().filter(|length| length.is_nan() || **length <= 1e-6 * mean).for_each(|length| *length = mean);

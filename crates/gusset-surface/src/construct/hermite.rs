@@ -118,7 +118,8 @@ impl<'a> CheckedHermiteData<'a> {
     /// Adini's twist, from differences over the adjacent lines: of S_u along the row, plus of S_v
     /// along the column, minus the mixed difference of the nodes.
     fn adini_twist(&self, i: usize, j: usize) -> DVec3 {
-        let (rows, columns) = (self.adjacent_lines(0, i), self.adjacent_lines(1, j));
+        let (rows, columns) =
+            (self.neighbour_lines_and_interval_count(0, i), self.neighbour_lines_and_interval_count(1, j));
         let [height, width] = [rows, columns].map(|[_, _, span]| span as f64);
         let (given, node) = (self.given, |i: usize, j: usize| self.node_index(i, j));
         let along = (given.u[node(i, columns[1])] - given.u[node(i, columns[0])]) / width;
@@ -129,7 +130,7 @@ impl<'a> CheckedHermiteData<'a> {
     }
 
     /// The lines before and after a line, and the number of intervals between them.
-    fn adjacent_lines(&self, direction: usize, line: usize) -> [usize; 3] {
+    fn neighbour_lines_and_interval_count(&self, direction: usize, line: usize) -> [usize; 3] {
         let last = self.axes[direction].interval_count();
         if self.given.closed[direction] {
             return [(line + last - 1) % last, (line + 1) % last, 2];

@@ -132,7 +132,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
                 })
             }
             CurvePairTask::SegmentPair(parts) => {
-                self.descend_from_middles(&parts);
+                self.improve_best_by_descent(&parts);
                 if parts.depth == MAX_SUBDIVISION_DEPTH || self.splits == MAX_SPLIT_PAIRS_OF_PARTS {
                     return Ok(());
                 }
@@ -153,7 +153,7 @@ impl<const N: usize> NearestPointsSearch<'_, N> {
     }
 
     /// Improves the best places by a descent from the middle of two parts.
-    fn descend_from_middles(&mut self, parts: &SegmentPartPair<N>) {
+    fn improve_best_by_descent(&mut self, parts: &SegmentPartPair<N>) {
         let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
         let minimum = minimise_distance(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
         if minimum.1 < self.best.distance {

@@ -162,14 +162,14 @@ impl<const N: usize> NetCurve<N> {
             alloc::push(&mut piece.segments, [self.point_at(from); N])?;
             alloc::push(&mut piece.ends, 0.0)?;
         }
-        piece.spread_segment_ends();
+        piece.normalise_and_separate_segment_ends();
         Ok(piece)
     }
 }
 
 impl<const N: usize> CurvePiece<N> {
     /// Converts ends to fractions, and keeps a minimum distance between them.
-    fn spread_segment_ends(&mut self) {
+    fn normalise_and_separate_segment_ends(&mut self) {
         let min = MIN_SEGMENT_PARAMETER_FRACTION * self.length;
         let (mut before, mut total) = (0.0, 0.0);
         for end in &mut self.ends {

@@ -3,7 +3,7 @@
 use super::rational;
 use super::spline::{Spline, SplineInterval, SplineOptions, knots_at_cell_borders};
 use crate::checks::first_finite_points;
-use crate::patches::SplineKnotsAndDeviation;
+use crate::patches::SplineOrigin;
 use crate::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -69,5 +69,5 @@ fn exact_patches<const N: usize>(
         }
     }
     Ok(Patches::from_patches(patches, u.len(), v.len())
-        .with_spline_origin(SplineKnotsAndDeviation { deviation: 0.0, knots: knots_at_cell_borders(intervals)? }))
+        .with_spline_origin(SplineOrigin { deviation: 0.0, knots: knots_at_cell_borders(intervals)? }))
 }

@@ -61,7 +61,7 @@ impl SignChangeMark {
 
 /// An arc as a graph: over u (0) or v (1), with the range of the other parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct ArcAsGraph {
+pub(super) struct ArcGraphRange {
     pub(super) over: usize,
     pub(super) range: [f64; 2],
 }
@@ -72,11 +72,11 @@ pub(super) struct MarkedArc {
     pub(super) from: SignChangeMark,
     pub(super) to: SignChangeMark,
     /// The graph of the arc; `None` in unresolved parts.
-    pub(super) graph: Option<ArcAsGraph>,
+    pub(super) graph: Option<ArcGraphRange>,
 }
 
 /// A cell or part with the marks on its border.
-pub(super) struct MarkedPart<const M: usize> {
+pub(super) struct CellPartWithMarks<const M: usize> {
     field: BernsteinField<M>,
     marks: Vec<SignChangeMark>,
     /// Whether the field counts as positive at the corners 2 u + v.
@@ -86,9 +86,9 @@ pub(super) struct MarkedPart<const M: usize> {
 }
 
 /// A generator of keys for marks inside cells.
-pub(super) struct InnerMarkKeys(pub(super) u64);
+pub(super) struct InnerMarkKeyGenerator(pub(super) u64);
 
-impl InnerMarkKeys {
+impl InnerMarkKeyGenerator {
     fn next_key(&mut self) -> u64 {
         self.0 += 1;
         self.0
@@ -103,7 +103,7 @@ pub(super) fn find_cell_arcs<const M: usize>(
     marks: &mut Vec<SignChangeMark>,
     corners: [bool; 4],
     rounding_error: f64,
-    keys: &mut InnerMarkKeys,
+    keys: &mut InnerMarkKeyGenerator,
     mut add: impl FnMut(MarkedArc),
 ) -> Option<DVec2> {
     // The usual case.
@@ -111,11 +111,11 @@ pub(super) fn find_cell_arcs<const M: usize>(
         return None;
     }
     if let Some(over) = graph_parameter(field, rounding_error) {
-        link_marks_along_graph(marks, ArcAsGraph { over, range: [0.0, 1.0] }, &mut add);
+        link_marks_along_graph(marks, ArcGraphRange { over, range: [0.0, 1.0] }, &mut add);
         return None;
     }
     let marks = std::mem::take(marks);
-    let whole = MarkedPart { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0 };
+    let whole = CellPartWithMarks { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0 };
     let mut search = CellArcSearch { rounding_error, keys, add, unresolved: None };
     let limits = SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS_PER_CELL };
     let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
@@ -125,21 +125,21 @@ pub(super) fn find_cell_arcs<const M: usize>(
 /// The search in one cell.
 struct CellArcSearch<'a, F> {
     rounding_error: f64,
-    keys: &'a mut InnerMarkKeys,
+    keys: &'a mut InnerMarkKeyGenerator,
     add: F,
     /// The middle of the unresolved part with the smallest absolute value there, preceded by that
     /// value.
     unresolved: Option<(f64, DVec2)>,
 }
 
-impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for CellArcSearch<'_, F> {
+impl<F: FnMut(MarkedArc), const M: usize> Subdivision<CellPartWithMarks<M>, 4> for CellArcSearch<'_, F> {
     /// The parameter over which the zero set is a graph.
     type Solution = usize;
     type Split = ();
     type Stop = Infallible;
 
     #[inline]
-    fn classify(&mut self, part: &MarkedPart<M>) -> Result<BoxTest<usize, ()>, Infallible> {
+    fn classify_box(&mut self, part: &CellPartWithMarks<M>) -> Result<BoxTest<usize, ()>, Infallible> {
         Ok(if part.marks.is_empty() && has_one_sign(&part.field) {
             BoxTest::Empty
         } else if let Some(over) = graph_parameter(&part.field, self.rounding_error) {
@@ -151,13 +151,13 @@ impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for Cell
         })
     }
 
-    fn accept(&mut self, mut part: MarkedPart<M>, over: usize) -> Result<(), Infallible> {
+    fn record_solution(&mut self, mut part: CellPartWithMarks<M>, over: usize) -> Result<(), Infallible> {
         let low = part.from[1 - over];
-        link_marks_along_graph(&mut part.marks, ArcAsGraph { over, range: [low, low + part.size] }, &mut self.add);
+        link_marks_along_graph(&mut part.marks, ArcGraphRange { over, range: [low, low + part.size] }, &mut self.add);
         Ok(())
     }
 
-    fn give_up(&mut self, part: MarkedPart<M>, _exhausted: bool) -> Result<(), Infallible> {
+    fn record_unresolved(&mut self, part: CellPartWithMarks<M>, _exhausted: bool) -> Result<(), Infallible> {
         let middle = part.field.evaluate_jet(0.5, 0.5).value;
         if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
             self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
@@ -166,7 +166,7 @@ impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for Cell
         Ok(())
     }
 
-    fn split(&mut self, part: MarkedPart<M>, (): ()) -> [MarkedPart<M>; 4] {
+    fn split_box(&mut self, part: CellPartWithMarks<M>, (): ()) -> [CellPartWithMarks<M>; 4] {
         part.into_quarters(self.keys)
     }
 }
@@ -199,12 +199,12 @@ fn graph_parameter<const M: usize>(field: &BernsteinField<M>, rounding_error: f6
 
 /// Links marks along a graph: the k-th entry to the k-th exit.
 #[inline]
-fn link_marks_along_graph(marks: &mut [SignChangeMark], graph: ArcAsGraph, add: &mut impl FnMut(MarkedArc)) {
+fn link_marks_along_graph(marks: &mut [SignChangeMark], graph: ArcGraphRange, add: &mut impl FnMut(MarkedArc)) {
     if let [a, b] = *marks {
         let (from, to) = if a.is_entry() { (a, b) } else { (b, a) };
         return add(MarkedArc { from, to, graph: Some(graph) });
     }
-    sort::stable(marks, &|a, b| a.at[graph.over].total_cmp(&b.at[graph.over]));
+    sort::sort_stable(marks, &|a, b| a.at[graph.over].total_cmp(&b.at[graph.over]));
     let (entries, exits) = (marks.iter().filter(|mark| mark.is_entry()), marks.iter().filter(|mark| !mark.is_entry()));
     for (&from, &to) in entries.zip(exits) {
         add(MarkedArc { from, to, graph: Some(graph) });
@@ -218,7 +218,7 @@ fn link_marks_around_middle(marks: &[SignChangeMark], middle: bool, add: &mut im
     for side in 0..SIDES_PER_CELL {
         let first = round.len();
         round.extend(marks.iter().filter(|mark| mark.side == side));
-        sort::stable(&mut round[first..], &|a, b| a.parameter_on_side().total_cmp(&b.parameter_on_side()));
+        sort::sort_stable(&mut round[first..], &|a, b| a.parameter_on_side().total_cmp(&b.parameter_on_side()));
         if side >= 2 {
             round[first..].reverse();
         }
@@ -230,9 +230,9 @@ fn link_marks_around_middle(marks: &[SignChangeMark], middle: bool, add: &mut im
     }
 }
 
-impl<const M: usize> MarkedPart<M> {
+impl<const M: usize> CellPartWithMarks<M> {
     /// The four quarters: low u and low v, low u and high v, high u and low v, high u and high v.
-    fn into_quarters(self, keys: &mut InnerMarkKeys) -> [MarkedPart<M>; 4] {
+    fn into_quarters(self, keys: &mut InnerMarkKeyGenerator) -> [CellPartWithMarks<M>; 4] {
         let half = 0.5 * self.size;
         let middle = self.from + half;
         // The signs at the middles of sides: the sign at the start, changed by each mark before the
@@ -272,7 +272,7 @@ impl<const M: usize> MarkedPart<M> {
                 marks[high].push(SignChangeMark { side: (side + 2) % SIDES_PER_CELL, ..mark });
             });
         }
-        std::array::from_fn(|quarter| MarkedPart {
+        std::array::from_fn(|quarter| CellPartWithMarks {
             field: fields[quarter],
             marks: std::mem::take(&mut marks[quarter]),
             corners: corners[quarter],

@@ -71,7 +71,7 @@ mod tests {
     use crate::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
     use glam::DVec3;
     use gusset_base::Job;
-    use gusset_base::testing::cases;
+    use gusset_base::testing::case_count;
     use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
     fn random_point(random: &mut fastrand::Rng, size: f64) -> DVec3 {
@@ -146,7 +146,7 @@ mod tests {
             blunt.disable_cones(&job).unwrap();
             let directions = [DVec3::Z, DVec3::new(0.3, -0.5, 0.8), random_point(&mut random, 1.0)];
             let questions = directions.into_iter().flat_map(|d| [(d, false), (d, true)]);
-            let stride = 6 / cases(6) as usize;
+            let stride = 6 / case_count(6) as usize;
             for (direction, unsigned) in questions.skip(number % stride).step_by(stride) {
                 let max = if unsigned { FRAC_PI_2 } else { PI };
                 let angles = [0.0, 1e-3, 0.6, FRAC_PI_2, 2.0, PI];

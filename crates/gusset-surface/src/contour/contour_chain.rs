@@ -170,7 +170,7 @@ fn paths_of_level(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<Co
         let path = ContourPath { level: arcs[head].level, closed, range: [first, places.len()] };
         alloc::push(&mut paths, (lowest(min), path))?;
     }
-    sort::stable(&mut paths, &|a, b| a.0.cmp(&b.0));
+    sort::sort_stable(&mut paths, &|a, b| a.0.cmp(&b.0));
     Ok(ContourPaths { paths: alloc::collect(paths.into_iter().map(|(_, path)| path))?, places })
 }
 
@@ -221,7 +221,7 @@ fn link_arcs_across_sides(arcs: &mut [ContourArc], lattice: &ContourLattice) -> 
 
 /// Links exits to entries of the same level and group, in order. Returns the remaining ends.
 fn link_exits_to_entries(mut ends: Vec<ArcEndOnSide>, arcs: &mut [ContourArc]) -> Result<Vec<ArcEndOnSide>> {
-    sort::stable(&mut ends, &|a, b| {
+    sort::sort_stable(&mut ends, &|a, b| {
         let by = |end: &ArcEndOnSide| (end.level, end.group);
         by(a).cmp(&by(b)).then(a.t.total_cmp(&b.t)).then(a.key.cmp(&b.key))
     });

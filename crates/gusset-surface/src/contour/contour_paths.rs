@@ -40,7 +40,7 @@ impl SheetContourSet {
     pub(super) fn into_paths(self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
         let sheet_paths = EvaluatedContours::new(surface, self.sheets, job)?;
         let tolerance = surface.tolerance();
-        let after = sheet_paths.find_following_paths(tolerance)?;
+        let after = sheet_paths.link_ends_to_nearest_starts(tolerance)?;
         let mut entered = alloc::filled(false, after.len())?;
         after.iter().flatten().for_each(|&k| entered[k] = true);
         let mut used = alloc::filled(false, after.len())?;
@@ -73,7 +73,7 @@ impl SheetContourSet {
             let closed = sheet_paths.contours[first].closed || after[last] == Some(first);
             if !closed {
                 let ends = [sheet_paths.contours[first].range[0], sheet_paths.contours[last].range[1] - 1];
-                sheet_paths.report_inner_ends(surface, ends, &mut paths)?;
+                sheet_paths.list_inner_ends_as_unresolved(surface, ends, &mut paths)?;
             }
             sheet_paths.add_joined_path(&sequence, closed, tolerance, &mut paths)?;
         }
@@ -93,7 +93,7 @@ struct EvaluatedContours {
 impl EvaluatedContours {
     fn new(surface: &Surface<'_>, sheets: ContourPaths, job: &Job<'_>) -> Result<Self> {
         let ContourPaths { paths: mut contours, places } = sheets;
-        sort::stable(&mut contours, &|a, b| a.level.cmp(&b.level));
+        sort::sort_stable(&mut contours, &|a, b| a.level.cmp(&b.level));
         let count = places.len();
         let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
         let parts = places
@@ -108,13 +108,13 @@ impl EvaluatedContours {
 
     /// The successor of each path. Joins open paths whose ends are within `tolerance`, each to the
     /// nearest free one.
-    fn find_following_paths(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
+    fn link_ends_to_nearest_starts(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
         let mut after = alloc::filled(None, self.contours.len())?;
         let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
         let head = |k: usize| self.points[self.contours[k].range[0]];
         let tail = |k: usize| self.points[self.contours[k].range[1] - 1];
         let mut heads = alloc::gather(open())?;
-        sort::stable(&mut heads, &|&a, &b| {
+        sort::sort_stable(&mut heads, &|&a, &b| {
             let by = |k: usize| self.contours[k].level;
             by(a).cmp(&by(b)).then(head(a).x.total_cmp(&head(b).x)).then(a.cmp(&b))
         });
@@ -170,12 +170,12 @@ impl EvaluatedContours {
             paths.truncate_points(first);
             return Ok(());
         }
-        paths.end_path(closed, self.contours[contours[0]].level)
+        paths.finish_current_path(closed, self.contours[contours[0]].level)
     }
 
     /// Lists ends that are not on an open edge as unresolved. They occur where fields are
     /// discontinuous.
-    fn report_inner_ends(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
+    fn list_inner_ends_as_unresolved(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
         for place in ends.map(|end| self.places[end]) {
             let sheet = ContourLattice::new(surface.sheet(place.sheet as usize));
             if !sheet.is_place_on_open_edge(place.cell, [place.u, place.v]) {
@@ -191,7 +191,7 @@ impl EvaluatedContours {
 fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
     let cell = |place: &Place| (place.sheet, place.cell);
     let mut by: Vec<usize> = alloc::collect(0..places.len())?;
-    sort::stable(&mut by, &|&a, &b| (cell(&places[a]), a).cmp(&(cell(&places[b]), b)));
+    sort::sort_stable(&mut by, &|&a, &b| (cell(&places[a]), a).cmp(&(cell(&places[b]), b)));
     by.dedup_by_key(|&mut k| cell(&places[k]));
     by.sort_unstable();
     *places = alloc::collect(by.into_iter().map(|k| places[k]))?;
@@ -207,7 +207,7 @@ pub(super) fn add_point_paths(surface: &Surface<'_>, points: &[(u32, Place)], pa
     }
     let frames = alloc::collect(points.iter().map(|&(_, place)| surface.point_and_normal(place)))?;
     let mut by: Vec<usize> = alloc::collect(0..points.len())?;
-    sort::stable(&mut by, &|&a, &b| {
+    sort::sort_stable(&mut by, &|&a, &b| {
         points[a].0.cmp(&points[b].0).then(frames[a].0.x.total_cmp(&frames[b].0.x)).then(a.cmp(&b))
     });
     let mut dropped = alloc::filled(false, points.len())?;
@@ -223,7 +223,7 @@ pub(super) fn add_point_paths(surface: &Surface<'_>, points: &[(u32, Place)], pa
     }
     for k in (0..points.len()).filter(|&k| !dropped[k]) {
         paths.push_point(points[k].1, frames[k].0, frames[k].1)?;
-        paths.end_path(false, points[k].0)?;
+        paths.finish_current_path(false, points[k].0)?;
     }
     *paths = sort_paths_by_level(std::mem::take(paths))?;
     Ok(())
@@ -232,14 +232,14 @@ pub(super) fn add_point_paths(surface: &Surface<'_>, points: &[(u32, Place)], pa
 /// The paths sorted by level.
 fn sort_paths_by_level(mut given: Paths) -> Result<Paths> {
     let mut order: Vec<usize> = alloc::collect(0..given.len())?;
-    sort::stable(&mut order, &|&a, &b| (given.levels[a], a).cmp(&(given.levels[b], b)));
+    sort::sort_stable(&mut order, &|&a, &b| (given.levels[a], a).cmp(&(given.levels[b], b)));
     let unresolved = std::mem::take(&mut given.unresolved);
     let mut sorted = Paths { ends: vec![0], unresolved, ..Paths::default() };
     for k in order {
         for at in given.point_range(k) {
             sorted.push_point(given.places[at], given.points[at], given.normals[at])?;
         }
-        sorted.end_path(given.closed[k], given.levels[k])?;
+        sorted.finish_current_path(given.closed[k], given.levels[k])?;
     }
     Ok(sorted)
 }

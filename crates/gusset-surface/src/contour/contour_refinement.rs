@@ -4,7 +4,7 @@
 //!
 //! Cost: O(M^2) and a few Newton steps for each point; at most 2^12 points for an arc.
 
-use super::cell_arcs::{ArcAsGraph, MarkedArc};
+use super::cell_arcs::{ArcGraphRange, MarkedArc};
 use super::side_sign_changes::find_bracketed_root;
 use crate::Patch;
 use crate::subdivision::BernsteinField;
@@ -22,7 +22,7 @@ const MAX_SAMPLED_CHORD_FRACTION: f64 = 0.85;
 struct ArcOverPatch<'a, const N: usize, const M: usize> {
     patch: &'a Patch<N>,
     field: &'a BernsteinField<M>,
-    graph: ArcAsGraph,
+    graph: ArcGraphRange,
     chord: f64,
     /// Values up to this may be 0.
     rounding_error: f64,
@@ -112,7 +112,7 @@ pub(super) fn insert_arc_points<const N: usize, const M: usize>(
 /// an error if the field does not vanish there.
 fn middle_of_graph<const M: usize>(
     field: &BernsteinField<M>,
-    ArcAsGraph { over, range }: ArcAsGraph,
+    ArcGraphRange { over, range }: ArcGraphRange,
     [a, b]: [DVec2; 2],
     rounding_error: f64,
 ) -> Result<DVec2, DVec2> {

@@ -4,10 +4,12 @@
 //! bilinear one, exclude the level. Cost: O(1) for each cell examined, O(M^3) for each crossed cell
 //! that is not simple; memory is proportional to the number of arcs.
 
-use super::cell_arcs::{InnerMarkKeys, MarkedArc, SIDES_PER_CELL, SignChangeMark, find_cell_arcs, has_one_sign};
+use super::cell_arcs::{
+    InnerMarkKeyGenerator, MarkedArc, SIDES_PER_CELL, SignChangeMark, find_cell_arcs, has_one_sign,
+};
 use super::contour_lattice::ContourLattice;
 use super::contour_refinement::{insert_arc_points, is_arc_near_chord, is_graph_near_chord, middle_of_arc};
-use super::contour_source::{ContourSource, CornerTestData, PreparedCell, SideContinuity};
+use super::contour_source::{ContourSource, CornerTestData, LevelsAndDataOfCell, SideContinuity};
 use super::corner_crossing::{CornerCrossing, decide_crossing_by_corners, root_of_side_chord};
 use super::side_roots::compute_side_roots;
 use super::side_sign_changes::{counts_as_positive, find_sign_changes};
@@ -134,7 +136,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
             // With many levels, a single block takes long.
             let chunk = (LEVEL_BLOCKS_PER_TASK / self.source.level_count()).clamp(1, BLOCKS_PER_TASK);
-            let parts = par::map_cancellable(&part, "contours", par::ranges(blocks, chunk), |range| {
+            let parts = par::map_cancellable(&part, "contours", par::split_into_ranges(blocks, chunk), |range| {
                 let mut part = ContourArcs::default();
                 let (mut workspace, mut cache) = (ContourCellWorkspace::default(), S::BlockCache::default());
                 for k in range {
@@ -170,7 +172,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             {
                 continue;
             }
-            let PreparedCell { levels, rounding_error, data } = self.source.prepare_cell(&block, cell, cache);
+            let LevelsAndDataOfCell { levels, rounding_error, data } = self.source.prepare_cell(&block, cell, cache);
             let mut patch = None;
             for level in levels {
                 let field =
@@ -189,8 +191,10 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
                     continue;
                 }
                 let (sides, corners) = match self.source.side_continuity() {
-                    SideContinuity::UpToRounding => self.border_from_owners(&block, cell, &field, level, cache),
-                    _ => border_from_cell(&field),
+                    SideContinuity::UpToRounding => {
+                        self.side_polynomials_from_owning_cells(&block, cell, &field, level, cache)
+                    }
+                    _ => side_polynomials_of_cell(&field),
                 };
                 let deviation = self.source.bilinear_deviation(&block);
                 let cell_level = LevelInCell { cell, level, field: &field, rounding_error, deviation, sides, corners };
@@ -213,13 +217,13 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
         if self.chord.is_some_and(|chord| 4.0 * self.source.bilinear_deviation(block) > chord) {
             return Ok(false);
         }
-        let Some(CornerTestData { levels, corners, slack, rounding_error }) = self.source.corner_test(block, cell)
+        let Some(CornerTestData { levels, corners, slack, rounding_error }) = self.source.corner_test_data(block, cell)
         else {
             return Ok(false);
         };
         let (arcs, open) = (found.arcs.len(), workspace.open.len());
         for level in levels {
-            let values = corners.map(|x| x - self.source.level_value(level));
+            let values = corners.map(|x| x - self.source.value_of_level(level));
             let done = match decide_crossing_by_corners(values, slack, rounding_error) {
                 Some(CornerCrossing::Misses) => continue,
                 Some(CornerCrossing::Crosses { over, slope, .. })
@@ -296,7 +300,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
 
     /// The polynomials along a cell's sides and the signs at its corners, as computed from the
     /// cells that own them.
-    fn border_from_owners(
+    fn side_polynomials_from_owning_cells(
         &self,
         block: &S::BlockData,
         cell: [usize; 2],
@@ -304,7 +308,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
         level: usize,
         cache: &mut S::BlockCache,
     ) -> ([[f64; M]; SIDES_PER_CELL], [bool; 4]) {
-        let ([low_v, mut high_u, mut high_v, low_u], mut corners) = border_from_cell(own);
+        let ([low_v, mut high_u, mut high_v, low_u], mut corners) = side_polynomials_of_cell(own);
         for after in [[true, false], [false, true], [true, true]] {
             let (owner, ends) = self.lattice.owner_of_side_or_corner(cell, after);
             let field = if owner == cell {
@@ -338,7 +342,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
         self.find_marks(cell_level, marks);
         let cell = at.map(|k| k as u32);
         let number = (at[0] * self.lattice.counts[1] + at[1]) as u64;
-        let mut keys = InnerMarkKeys(1 << 63 | number << 24);
+        let mut keys = InnerMarkKeyGenerator(1 << 63 | number << 24);
         if let Some(place) = find_cell_arcs(field, marks, corners, rounding_error, &mut keys, |link| links.push(link)) {
             alloc::push(&mut found.unresolved, (cell, place))?;
         }
@@ -346,7 +350,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             let [from, to] = [link.from.at, link.to.at];
             // Places on the arc itself, because the midpoint of its ends may be far from it.
             let places = || [from, middle_of_arc(field, link, rounding_error).unwrap_or(from), to];
-            let keeps = self.source.keeps_arc(at, level, places);
+            let keeps = self.source.does_arc_belong_to_level(at, level, places);
             if keeps.is_none() {
                 alloc::push(&mut found.unresolved, (cell, from))?;
             }
@@ -408,7 +412,7 @@ fn snap_to_zero(x: f64, rounding_error: f64) -> f64 {
 
 /// The polynomials along the sides and the signs at the corners, computed from the cell itself.
 #[inline]
-fn border_from_cell<const M: usize>(field: &BernsteinField<M>) -> ([[f64; M]; SIDES_PER_CELL], [bool; 4]) {
+fn side_polynomials_of_cell<const M: usize>(field: &BernsteinField<M>) -> ([[f64; M]; SIDES_PER_CELL], [bool; 4]) {
     let c = &field.c;
     let sides = [c.map(|row| row[0]), c[M - 1], c.map(|row| row[M - 1]), c[0]];
     (sides, [c[0][0], c[0][M - 1], c[M - 1][0], c[M - 1][M - 1]].map(counts_as_positive))

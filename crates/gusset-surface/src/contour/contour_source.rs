@@ -4,7 +4,7 @@ use crate::axis::{GridAxis, NODES_PER_CUBIC};
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::subdivision::BernsteinField;
 use glam::{DVec2, DVec3};
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use std::ops::Range;
 
 /// How the fields of two cells agree along their common side.
@@ -37,12 +37,12 @@ pub(super) trait ContourSource<const M: usize>: Sync {
 
     /// The data to test a cell by its corners, if they bound the field closely.
     #[inline]
-    fn corner_test(&self, _block: &Self::BlockData, _cell: [usize; 2]) -> Option<CornerTestData> {
+    fn corner_test_data(&self, _block: &Self::BlockData, _cell: [usize; 2]) -> Option<CornerTestData> {
         None
     }
 
     /// The coefficients of the field along a side, bit for bit as in the cell's field. Only for
-    /// sources with [`ContourSource::corner_test`].
+    /// sources with [`ContourSource::corner_test_data`].
     #[inline]
     fn field_coefficients_on_side(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
         [0.0; 4]
@@ -50,7 +50,7 @@ pub(super) trait ContourSource<const M: usize>: Sync {
 
     /// The value that is subtracted for a level.
     #[inline]
-    fn level_value(&self, _level: usize) -> f64 {
+    fn value_of_level(&self, _level: usize) -> f64 {
         0.0
     }
 
@@ -60,7 +60,7 @@ pub(super) trait ContourSource<const M: usize>: Sync {
         block: &Self::BlockData,
         cell: [usize; 2],
         cache: &mut Self::BlockCache,
-    ) -> PreparedCell<Self::CellData>;
+    ) -> LevelsAndDataOfCell<Self::CellData>;
 
     /// The number of levels, at least 1.
     fn level_count(&self) -> usize {
@@ -72,7 +72,12 @@ pub(super) trait ContourSource<const M: usize>: Sync {
 
     /// Whether an arc of the zero set of a cell's field belongs to the level, judged at three
     /// places on it. `None` if only a part of it does.
-    fn keeps_arc(&self, _cell: [usize; 2], _level: usize, _places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
+    fn does_arc_belong_to_level(
+        &self,
+        _cell: [usize; 2],
+        _level: usize,
+        _places: impl FnOnce() -> [DVec2; 3],
+    ) -> Option<bool> {
         Some(true)
     }
 
@@ -87,7 +92,7 @@ pub(super) trait ContourSource<const M: usize>: Sync {
 }
 
 /// The data of a cell that its levels share.
-pub(super) struct PreparedCell<B> {
+pub(super) struct LevelsAndDataOfCell<B> {
     /// The levels that may cross the cell.
     pub(super) levels: Range<usize>,
     /// Values up to this may be 0.
@@ -96,11 +101,11 @@ pub(super) struct PreparedCell<B> {
     pub(super) data: B,
 }
 
-impl<const M: usize> PreparedCell<BernsteinField<M>> {
+impl<const M: usize> LevelsAndDataOfCell<BernsteinField<M>> {
     /// Prepares a field from which levels are subtracted.
     #[inline]
     fn from_field(field: BernsteinField<M>, levels: &[f64], rounding_error: f64) -> Self {
-        PreparedCell {
+        LevelsAndDataOfCell {
             levels: levels_between(levels, field.coefficient_range(), rounding_error),
             rounding_error,
             data: field,
@@ -190,7 +195,7 @@ impl ScalarWindow {
 
     /// The smallest and the largest scalar.
     fn scalar_range(&self) -> [f64; 2] {
-        range(self.values.as_flattened().iter().copied())
+        range_of_values(self.values.as_flattened().iter().copied())
     }
 
     /// The field over a cell. Sums along the rows come first, then across, so that the coefficients
@@ -220,7 +225,7 @@ impl ScalarWindow {
 }
 
 /// A block of cells with scalars at nodes.
-pub(super) struct NodalBlock {
+pub(super) struct CornerScalarsOfBlock {
     cells: [Range<usize>; 2],
     /// The scalars at the corners of cells, if the deviation is finite.
     corners: [[f64; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
@@ -232,7 +237,7 @@ pub(super) struct NodalBlock {
 /// filled when the corners of a cell do not decide.
 type CachedWindow = Option<([usize; 2], ScalarWindow)>;
 
-impl NodalBlock {
+impl CornerScalarsOfBlock {
     /// The scalars at the corners 2 u + v of a cell.
     #[inline(always)]
     fn corner_values(&self, [i, j]: [usize; 2]) -> [f64; 4] {
@@ -271,15 +276,18 @@ where
     F: Fn(usize, usize) -> f64 + Sync,
     D: Fn(usize, usize) -> f64 + Sync,
 {
-    type BlockData = NodalBlock;
+    type BlockData = CornerScalarsOfBlock;
     type CellData = BernsteinField<4>;
     type BlockCache = CachedWindow;
 
     #[inline]
-    fn prepare_block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<NodalBlock> {
+    fn prepare_block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<CornerScalarsOfBlock> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
-        let mut block =
-            NodalBlock { cells, corners: [[0.0; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1], deviation };
+        let mut block = CornerScalarsOfBlock {
+            cells,
+            corners: [[0.0; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
+            deviation,
+        };
         if deviation.is_finite() {
             let [rows, columns] = &block.cells;
             for (i, values) in (rows.start..=rows.end).zip(&mut block.corners) {
@@ -289,20 +297,20 @@ where
             }
             return Some(block);
         }
-        let [low, high] = self.cached_window(&block, cache).scalar_range();
+        let [low, high] = self.scalar_window_of_block(&block, cache).scalar_range();
         let slack = 0.5 * self.excess * (high - low) + self.rounding_error;
         (!levels_between(self.levels, [low, high], slack).is_empty()).then_some(block)
     }
 
     #[inline]
-    fn may_level_cross_cell(&self, block: &NodalBlock, cell: [usize; 2]) -> bool {
+    fn may_level_cross_cell(&self, block: &CornerScalarsOfBlock, cell: [usize; 2]) -> bool {
         !levels_between(self.levels, block.value_range(cell), self.rounding_error).is_empty()
     }
 
     /// A control point of the surface may differ by 2 deviations from the bilinear patch: see
     /// `projected_normals`.
     #[inline]
-    fn corner_test(&self, block: &NodalBlock, cell: [usize; 2]) -> Option<CornerTestData> {
+    fn corner_test_data(&self, block: &CornerScalarsOfBlock, cell: [usize; 2]) -> Option<CornerTestData> {
         block.deviation.is_finite().then(|| CornerTestData {
             levels: levels_between(self.levels, block.value_range(cell), self.rounding_error),
             corners: block.corner_values(cell),
@@ -312,7 +320,7 @@ where
     }
 
     #[inline]
-    fn level_value(&self, level: usize) -> f64 {
+    fn value_of_level(&self, level: usize) -> f64 {
         self.levels[level]
     }
 
@@ -321,7 +329,7 @@ where
         let along_u = side.is_multiple_of(2);
         let across = if along_u { j } else { i } + usize::from(side == 1 || side == 2);
         let (axis, cell) = if along_u { (self.axes[0], i) } else { (self.axes[1], j) };
-        let ((lines, weights), place) = (axis.nodes_and_weights(cell), axis.position_among_nodes(cell));
+        let ((lines, weights), place) = (axis.nodes_and_weights(cell), axis.index_of_interval_among_its_nodes(cell));
         let mut values = [0.0; NODES_PER_CUBIC];
         for (value, line) in values.iter_mut().zip(lines) {
             *value = if along_u { (self.value)(line, across) } else { (self.value)(across, line) };
@@ -337,11 +345,15 @@ where
     #[inline]
     fn prepare_cell(
         &self,
-        block: &NodalBlock,
+        block: &CornerScalarsOfBlock,
         cell: [usize; 2],
         cache: &mut CachedWindow,
-    ) -> PreparedCell<BernsteinField<4>> {
-        PreparedCell::from_field(self.cached_window(block, cache).cell_field(cell), self.levels, self.rounding_error)
+    ) -> LevelsAndDataOfCell<BernsteinField<4>> {
+        LevelsAndDataOfCell::from_field(
+            self.scalar_window_of_block(block, cache).cell_field(cell),
+            self.levels,
+            self.rounding_error,
+        )
     }
 
     fn level_count(&self) -> usize {
@@ -354,7 +366,7 @@ where
     }
 
     #[inline]
-    fn bilinear_deviation(&self, block: &NodalBlock) -> f64 {
+    fn bilinear_deviation(&self, block: &CornerScalarsOfBlock) -> f64 {
         block.deviation
     }
 
@@ -364,7 +376,11 @@ where
 }
 
 impl<F: Fn(usize, usize) -> f64, D> NodalScalarSource<'_, F, D> {
-    fn cached_window<'a>(&self, block: &NodalBlock, cache: &'a mut CachedWindow) -> &'a ScalarWindow {
+    fn scalar_window_of_block<'a>(
+        &self,
+        block: &CornerScalarsOfBlock,
+        cache: &'a mut CachedWindow,
+    ) -> &'a ScalarWindow {
         let first = [block.cells[0].start, block.cells[1].start];
         if cache.as_ref().is_some_and(|(of, _)| *of != first) {
             *cache = None;
@@ -397,11 +413,11 @@ impl<C: SheetCells<N>, const N: usize> ContourSource<N> for PlaneDistanceSource<
         Some(())
     }
 
-    fn prepare_cell(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> PreparedCell<BernsteinField<N>> {
+    fn prepare_cell(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> LevelsAndDataOfCell<BernsteinField<N>> {
         let patch = self.cells.cell_patch(i, j);
         let heights =
             BernsteinField { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
-        PreparedCell::from_field(heights, self.levels, self.rounding_error)
+        LevelsAndDataOfCell::from_field(heights, self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {

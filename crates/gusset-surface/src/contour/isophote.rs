@@ -10,7 +10,7 @@ use super::cone_culling;
 use super::contour_lattice::ContourLattice;
 use super::contour_paths::{SheetContourSet, add_point_paths};
 use super::contour_search::{ContourArcs, ContourSearch};
-use super::contour_source::{ContourSource, PreparedCell, SideContinuity, levels_between};
+use super::contour_source::{ContourSource, LevelsAndDataOfCell, SideContinuity, levels_between};
 use super::creases::find_creases_at_angles;
 use super::normal_fields::sum_of_squared_fields;
 use super::point_spacing::{PointSpacing, add_leus_points};
@@ -62,9 +62,13 @@ impl<C: SheetCells<N>, const N: usize, const M: usize> ContourSource<M> for Silh
         _: &ProjectedBlockCorners,
         cell: [usize; 2],
         (): &mut (),
-    ) -> PreparedCell<BernsteinField<M>> {
+    ) -> LevelsAndDataOfCell<BernsteinField<M>> {
         let of = self.0.hodographs(cell);
-        PreparedCell { levels: 0..1, rounding_error: self.0.normal_rounding_error(&of), data: of.normal_component(2) }
+        LevelsAndDataOfCell {
+            levels: 0..1,
+            rounding_error: self.0.normal_rounding_error(&of),
+            data: of.normal_component(2),
+        }
     }
 
     fn field_with_zeros_at_level(&self, base: &BernsteinField<M>, _: usize) -> BernsteinField<M> {
@@ -134,7 +138,7 @@ impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSo
         _: &ProjectedBlockCorners,
         cell: [usize; 2],
         (): &mut (),
-    ) -> PreparedCell<SquaredNormalFields<M>> {
+    ) -> LevelsAndDataOfCell<SquaredNormalFields<M>> {
         let of = self.normals.hodographs(cell);
         let [first, second, along]: [BernsteinField<H>; 3] = std::array::from_fn(|k| of.normal_component(k));
         let [u, v] = of.max_speeds();
@@ -143,7 +147,7 @@ impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSo
             self.normals.normal_rounding_error(&of),
         ));
         let rounding_error = 4.0 * u * v * self.normals.normal_rounding_error(&of);
-        PreparedCell {
+        LevelsAndDataOfCell {
             levels,
             rounding_error,
             data: SquaredNormalFields {
@@ -168,7 +172,12 @@ impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSo
     /// equation. The sign is constant along an arc: H and P vanish together only where the normal
     /// does not exist, as at poles, where the sign is undetermined. Close to such a place inside a
     /// cell, arcs that were linked without being resolved may have both signs.
-    fn keeps_arc(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
+    fn does_arc_belong_to_level(
+        &self,
+        cell: [usize; 2],
+        level: usize,
+        places: impl FnOnce() -> [DVec2; 3],
+    ) -> Option<bool> {
         if self.classes.unsigned {
             return Some(true);
         }
@@ -395,7 +404,7 @@ fn find_normals_along_axis<C: SheetCells<N>, const N: usize, const H: usize>(
     sign: f64,
     job: &Job<'_>,
 ) -> Result<Vec<Result<[Vec<Place>; 2]>>> {
-    par::map_cancellable(job, "contours", par::ranges(blocks.len(), BLOCKS_PER_TASK), |range| {
+    par::map_cancellable(job, "contours", par::split_into_ranges(blocks.len(), BLOCKS_PER_TASK), |range| {
         let mut found = [Vec::new(), Vec::new()];
         for &block in &blocks[range] {
             let (corners, cells) = normals.block_corners_and_cells(lattice, block);

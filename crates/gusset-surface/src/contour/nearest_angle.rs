@@ -61,7 +61,7 @@ pub struct NearestAngle {
 
 /// The given angle.
 #[derive(Clone, Copy)]
-struct AngleToFind {
+struct TargetAngle {
     angle: f64,
     unsigned: bool,
 }
@@ -80,7 +80,7 @@ struct CandidateCell {
     cell: [u32; 2],
 }
 
-impl AngleToFind {
+impl TargetAngle {
     /// The difference between the angle of a vector in the frame and the target. Infinite for a
     /// vector that vanishes within `rounding_error`.
     fn angle_deviation(&self, [x, y, z]: [f64; 3], rounding_error: f64) -> f64 {
@@ -139,12 +139,12 @@ struct NormalCellPart<const H: usize> {
 }
 
 impl<const H: usize> NormalCellPart<H> {
-    fn new(normal: [BernsteinField<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &AngleToFind) -> Self {
+    fn new(normal: [BernsteinField<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
         let deviation = goal.angle_deviation([0, 1, 2].map(|k| normal[k].evaluate_jet(0.5, 0.5).value), rounding_error);
         NormalCellPart { normal, from, size, rounding_error, deviation }
     }
 
-    fn quarters(&self, goal: &AngleToFind) -> [NormalCellPart<H>; 4] {
+    fn quarters(&self, goal: &TargetAngle) -> [NormalCellPart<H>; 4] {
         let [first, second, along] = [0, 1, 2].map(|k| self.normal[k].quarters());
         let half = 0.5 * self.size;
         [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
@@ -159,18 +159,18 @@ impl<const H: usize> NormalCellPart<H> {
 struct SheetAngleSearch<'a, C, const N: usize> {
     normals: ProjectedNormals<'a, C, N>,
     sheet: u32,
-    goal: AngleToFind,
+    goal: TargetAngle,
 }
 
 impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
-    fn new(surface: &'a Surface<'_>, k: usize, cells: &'a C, frame: [DVec3; 3], goal: AngleToFind) -> Self {
+    fn new(surface: &'a Surface<'_>, k: usize, cells: &'a C, frame: [DVec3; 3], goal: TargetAngle) -> Self {
         let normals = ProjectedNormals::new(surface, k, cells, frame, SideContinuity::Discontinuous);
         SheetAngleSearch { normals, sheet: k as u32, goal }
     }
 
     /// The blocks that may contain an angle as good as the best one. Searches the most promising
     /// blocks first, to improve the best angle.
-    fn candidate_blocks(
+    fn blocks_that_may_improve_angle(
         &self,
         cones: &ConePyramid,
         lattice: &ContourLattice,
@@ -187,7 +187,7 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
                 ))
             };
             let mut bounds: Vec<(f64, [usize; 2])> = below.filter_map(bound).collect();
-            sort::stable(&mut bounds, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            sort::sort_stable(&mut bounds, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             front = bounds.into_iter().take(BLOCKS_PER_LEVEL_FOR_FIRST_BOUND).map(|(_, at)| at).collect();
         }
         let mut shown = *best;
@@ -210,14 +210,14 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
         candidates: &mut Vec<CandidateCell>,
         job: &Job<'_>,
     ) -> Result<()> {
-        let blocks = self.candidate_blocks(cones, lattice, best)?;
+        let blocks = self.blocks_that_may_improve_angle(cones, lattice, best)?;
         let count = blocks.len();
         for first in (0..count).step_by(BLOCKS_PER_TASK * TASKS_PER_REPORT) {
             job.step(first as f64 / count as f64, "angles")?;
             let known = *best;
             let parts = par::map(
                 job.requested_threads(),
-                par::ranges((count - first).min(BLOCKS_PER_TASK * TASKS_PER_REPORT), BLOCKS_PER_TASK),
+                par::split_into_ranges((count - first).min(BLOCKS_PER_TASK * TASKS_PER_REPORT), BLOCKS_PER_TASK),
                 |range| {
                     let (mut best, mut candidates) = (known, Vec::new());
                     for &[r, c] in &blocks[first..][range] {
@@ -289,7 +289,7 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
 
 /// The search of one cell. M is the degree of squares of normals plus one.
 struct CellAngleSearch<'a, const M: usize> {
-    goal: &'a AngleToFind,
+    goal: &'a TargetAngle,
     sheet: u32,
     cell: [u32; 2],
     best: &'a mut BestAngle,
@@ -302,7 +302,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalCellPart<H>, 4> for CellA
     type Split = ();
     type Stop = Infallible;
 
-    fn classify(&mut self, part: &NormalCellPart<H>) -> Result<BoxTest<Infallible, ()>, Infallible> {
+    fn classify_box(&mut self, part: &NormalCellPart<H>) -> Result<BoxTest<Infallible, ()>, Infallible> {
         if part.deviation < self.best.deviation {
             let at = part.from + 0.5 * part.size;
             let place = Place { sheet: self.sheet, cell: self.cell, u: at.x, v: at.y };
@@ -322,20 +322,20 @@ impl<const H: usize, const M: usize> Subdivision<NormalCellPart<H>, 4> for CellA
         Ok(BoxTest::Undecided(()))
     }
 
-    fn accept(&mut self, _: NormalCellPart<H>, solution: Infallible) -> Result<(), Infallible> {
+    fn record_solution(&mut self, _: NormalCellPart<H>, solution: Infallible) -> Result<(), Infallible> {
         Err(solution)
     }
 
-    fn give_up(&mut self, part: NormalCellPart<H>, _exhausted: bool) -> Result<(), Infallible> {
+    fn record_unresolved(&mut self, part: NormalCellPart<H>, _exhausted: bool) -> Result<(), Infallible> {
         let ranges = part.normal.map(|field| field.coefficient_range());
         self.bound = self.bound.min(self.goal.deviation_bound(angle_range_to_third_axis(&ranges, 0.0)));
         Ok(())
     }
 
     /// Sorts the most promising part last, so that it is taken first.
-    fn split(&mut self, part: NormalCellPart<H>, (): ()) -> [NormalCellPart<H>; 4] {
+    fn split_box(&mut self, part: NormalCellPart<H>, (): ()) -> [NormalCellPart<H>; 4] {
         let mut quarters = part.quarters(self.goal);
-        sort::stable(&mut quarters, &|a, b| b.deviation.total_cmp(&a.deviation));
+        sort::sort_stable(&mut quarters, &|a, b| b.deviation.total_cmp(&a.deviation));
         quarters
     }
 }
@@ -362,7 +362,7 @@ impl Surface<'_> {
         let axis = unit_vector(axis, "direction")?;
         let max = if unsigned { 0.5 * PI } else { PI };
         Error::require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
-        let (goal, frame) = (AngleToFind { angle, unsigned }, frame_with_third_axis(axis));
+        let (goal, frame) = (TargetAngle { angle, unsigned }, frame_with_third_axis(axis));
         let mut best = BestAngle { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();
         for k in 0..self.len() {
@@ -374,7 +374,7 @@ impl Surface<'_> {
             })?;
         }
         let order = |candidate: &CandidateCell| (candidate.sheet, candidate.cell);
-        sort::stable(&mut candidates, &|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
+        sort::sort_stable(&mut candidates, &|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
         let (last, mut bound) = (job.part(0.9, 1.0), f64::INFINITY);
         for (k, candidate) in candidates.iter().enumerate() {
             last.step_every(16, k, candidates.len(), "angles")?;
@@ -398,7 +398,7 @@ impl Surface<'_> {
         Ok(best.place.map(|place| {
             let (point, normal) = self.point_and_normal(place);
             let projected_normals = frame.map(|axis| normal.dot(axis));
-            let found = AngleToFind { angle: 0.0, unsigned }.angle_deviation(projected_normals, 0.0);
+            let found = TargetAngle { angle: 0.0, unsigned }.angle_deviation(projected_normals, 0.0);
             let deviation = goal.angle_deviation(projected_normals, 0.0);
             NearestAngle {
                 place,

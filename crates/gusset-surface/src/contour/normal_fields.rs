@@ -8,7 +8,7 @@ use crate::Patch;
 use crate::ranges::cross_product_ranges;
 use crate::subdivision::BernsteinField;
 use glam::DVec3;
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::bernstein::binomial_row;
 
 /// Coefficients times their binomials.
@@ -32,7 +32,7 @@ fn add_scaled_product<const A: usize, const M: usize>(
 }
 
 /// The field with the given scaled coefficients of degree M - 1.
-fn field_from_scaled<const M: usize>(scaled: &ScaledCoefficients<M>) -> BernsteinField<M> {
+fn field_from_scaled_coefficients<const M: usize>(scaled: &ScaledCoefficients<M>) -> BernsteinField<M> {
     let by = const { binomial_row::<M>(M - 1) };
     let mut c = *scaled;
     for (row, a) in c.iter_mut().zip(by) {
@@ -84,7 +84,7 @@ impl<const N: usize> Hodographs<N> {
     /// Ranges of the three components of N, from the ranges of the components of S_u and S_v.
     pub(super) fn normal_component_ranges(&self) -> [[f64; 2]; 3] {
         let part = |of: &[[f64; N]; N], rows: usize, columns: usize| {
-            range(of[..rows].iter().flat_map(|row| &row[..columns]).copied())
+            range_of_values(of[..rows].iter().flat_map(|row| &row[..columns]).copied())
         };
         cross_product_ranges(
             self.u.each_ref().map(|of| part(of, N - 1, N)),
@@ -110,7 +110,7 @@ impl<const N: usize> Hodographs<N> {
         let mut sum = [[0.0; M]; M];
         add_derivative_product(&uk, &vl, 1.0, &mut sum);
         add_derivative_product(&ul, &vk, -1.0, &mut sum);
-        field_from_scaled(&sum)
+        field_from_scaled_coefficients(&sum)
     }
 }
 
@@ -143,7 +143,7 @@ pub(super) fn sum_of_squared_fields<const H: usize, const M: usize>(fields: &[Be
         let scaled = scale_coefficients(&field.c, &by, &by);
         add_scaled_product(&scaled, &scaled, &mut sum);
     }
-    field_from_scaled(&sum)
+    field_from_scaled_coefficients(&sum)
 }
 
 #[cfg(test)]

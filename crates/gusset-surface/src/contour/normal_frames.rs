@@ -33,7 +33,7 @@ impl Grid<'_> {
         let [across, along] = self.axes();
         let ((rows, [by_u, slopes_u]), (columns, [by_v, slopes_v])) =
             (node_weights_at(across, i, u), node_weights_at(along, j, v));
-        let node = self.nodes().four_number_reader();
+        let node = self.nodes().reader_of_four_numbers();
         // Most places are on a line of the surface, where the other lines have weight 0.
         if v == 0.0 || v == 1.0 {
             let [point, along_v, along_u] =

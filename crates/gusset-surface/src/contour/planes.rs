@@ -40,14 +40,16 @@ pub(super) fn blocks_crossed_by_planes(
             continue;
         }
         let below = &levels[level - 1];
-        let ranges = below.child_boxes(row, column).ranges_along(normal);
+        let ranges = below.child_boxes(row, column).product_ranges_with_direction(normal);
         // Pushed in reverse, so that blocks are popped in their order.
         for (child, range) in ranges.into_iter().enumerate().rev() {
             let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
             let there = (row << (level - 1)) < counts[0] && (column << (level - 1)) < counts[1];
             if there
                 && crossed(range)
-                && below.oriented_box(row, column).is_none_or(|oriented| crossed(oriented.range_along(normal)))
+                && below
+                    .oriented_box(row, column)
+                    .is_none_or(|oriented| crossed(oriented.product_range_with_direction(normal)))
             {
                 waiting.push((level - 1, row, column));
             }

@@ -73,7 +73,7 @@ pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Pat
                 )?;
             }
         }
-        made.end_path(closed, given.levels[k])?;
+        made.finish_current_path(closed, given.levels[k])?;
     }
     made.unresolved = given.unresolved;
     Ok(made)

@@ -72,8 +72,10 @@ impl<'a, C: SheetCells<N>, const N: usize> ProjectedNormals<'a, C, N> {
     /// the absolute values of its weights. L' is at most 1.42 L, so a control point is off by at
     /// most 2 deviations.
     pub(super) fn project_block_corners(&self, [rows, columns]: &[Range<usize>; 2]) -> ProjectedBlockCorners {
-        let deviation =
-            self.index.block_deviation(rows.start / CELLS_PER_BLOCK_SIDE, columns.start / CELLS_PER_BLOCK_SIDE);
+        let deviation = self.index.distance_bound_from_bilinear_patches(
+            rows.start / CELLS_PER_BLOCK_SIDE,
+            columns.start / CELLS_PER_BLOCK_SIDE,
+        );
         let mut at = [[DVec3::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1];
         let origin = self.index.origin();
         for (r, row) in at.iter_mut().enumerate().take(rows.len() + 1) {

@@ -64,7 +64,8 @@ impl Surface<'_> {
                     // The normal is a unit vector, so the deviation of the surface bounds the
                     // deviation of the product.
                     let deviation = |i: usize, j: usize| {
-                        index.block_deviation(i / CELLS_PER_BLOCK_SIDE, j / CELLS_PER_BLOCK_SIDE) + rounding_error
+                        index.distance_bound_from_bilinear_patches(i / CELLS_PER_BLOCK_SIDE, j / CELLS_PER_BLOCK_SIDE)
+                            + rounding_error
                     };
                     let source =
                         NodalScalarSource { axes, value, levels: planes.levels, rounding_error, excess, deviation };

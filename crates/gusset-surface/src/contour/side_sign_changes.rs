@@ -6,7 +6,9 @@
 //! one simple root. Otherwise the interval is halved. The results always agree with the signs at
 //! the ends, even with rounding, so callers may rely on parity.
 
-use gusset_base::geom::bernstein::{bisect, sign_changes, value_and_slope_by_differences as value_and_slope};
+use gusset_base::geom::bernstein::{
+    sign_changes, value_and_slope_by_differences as value_and_slope, visit_by_bisection,
+};
 
 /// Intervals of this length are not halved: roots closer to each other count as one, or none.
 const MIN_HALVED_INTERVAL: f64 = 1.0 / (1_u64 << 44) as f64;
@@ -42,7 +44,7 @@ pub(super) fn find_sign_changes<const M: usize>(c: &[f64; M], ends: [bool; 2], m
 /// Finds the sign changes in the interior.
 #[inline]
 fn find_inner_sign_changes<const M: usize>(c: &[f64; M], found: &mut impl FnMut(SideSignChange)) {
-    bisect(&mut c.clone(), [0.0, 1.0], &mut |c, [from, to]| {
+    visit_by_bisection(&mut c.clone(), [0.0, 1.0], &mut |c, [from, to]| {
         let rising = counts_as_positive(c[M - 1]);
         match sign_changes(c.iter().map(|&x| counts_as_positive(x))) {
             0 => return false,

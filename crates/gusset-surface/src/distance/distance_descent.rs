@@ -39,7 +39,7 @@ pub(super) struct NetPair<'a> {
 
 impl NetPair<'_> {
     /// Which parameters exist.
-    fn has_parameters(&self) -> [bool; 4] {
+    fn which_parameters_vary(&self) -> [bool; 4] {
         let [a, b] = [self.a.shape, self.b.shape].map(|shape| shape.map(|count| count > 1));
         [a[0], a[1], b[0], b[1]]
     }
@@ -53,7 +53,7 @@ impl NetPair<'_> {
 
     /// Descends to a local minimum in at most `max_steps` steps.
     pub(super) fn minimise_distance(&self, start: DistanceJet, max_steps: usize) -> DistanceJet {
-        let exist = self.has_parameters();
+        let exist = self.which_parameters_vary();
         let mut best = start;
         for _ in 0..max_steps {
             let gradient = best.gradient();
@@ -85,18 +85,18 @@ impl NetPair<'_> {
 
     /// True if f is proven to be convex.
     pub(super) fn is_distance_convex(&self, balls: [&DerivativeBalls; 2]) -> bool {
-        is_hessian_positive_definite(self.has_parameters(), balls)
+        is_hessian_positive_definite(self.which_parameters_vary(), balls)
     }
 }
 
 impl DistanceJet {
     /// The derivatives of the difference.
-    fn difference_tangents(&self) -> [DVec3; 4] {
+    fn tangents_of_difference(&self) -> [DVec3; 4] {
         [self.a.u, self.a.v, -self.b.u, -self.b.v]
     }
 
     /// A lower bound of the distance, if f is convex.
-    pub(super) fn distance_bound_if_convex(&self) -> f64 {
+    pub(super) fn min_distance_if_convex(&self) -> f64 {
         let gradient = self.gradient();
         // The smallest value of the tangent plane over the box.
         let fall: f64 = gradient.iter().zip(self.at).map(|(&slope, at)| (slope * at).max(slope * (at - 1.0))).sum();
@@ -104,7 +104,7 @@ impl DistanceJet {
     }
 
     fn gradient(&self) -> PairParameters {
-        self.difference_tangents().map(|tangent| tangent.dot(self.difference))
+        self.tangents_of_difference().map(|tangent| tangent.dot(self.difference))
     }
 
     /// Returns the squared length of the gradient in the parameters that exist, without components
@@ -118,7 +118,7 @@ impl DistanceJet {
     /// The Newton step in the free parameters, or a Gauss-Newton step if Newton's would not go
     /// down.
     fn descent_step(&self, gradient: &PairParameters, free: [bool; 4]) -> Option<PairParameters> {
-        let tangents = self.difference_tangents();
+        let tangents = self.tangents_of_difference();
         let mut first: MatrixOfParameters =
             std::array::from_fn(|i| std::array::from_fn(|k| tangents[i].dot(tangents[k])));
         let mut hessian = first;

@@ -177,7 +177,7 @@ impl<'a> DistanceSearch<'a> {
         let is_fresh = self.a.is_whole_cell_or_segment(pair.a) && self.b.is_whole_cell_or_segment(pair.b);
         let (value, proven) = if nets.is_distance_convex([&balls[0], &balls[1]]) {
             let value = nets.minimise_distance(start, MAX_DESCENT_STEPS);
-            (value, value.distance_bound_if_convex() - self.rounding)
+            (value, value.min_distance_if_convex() - self.rounding)
         } else if is_fresh || start.distance < self.best_distance() {
             (nets.minimise_distance(start, MAX_DESCENT_STEPS_WITHOUT_PROOF), 0.0)
         } else {
@@ -189,7 +189,8 @@ impl<'a> DistanceSearch<'a> {
 
     /// Selects the piece to divide (true for A), and the parameter to divide it along.
     fn choose_division(&mut self, pair: &PiecePair) -> (bool, usize) {
-        let (of_a, of_b) = (self.a.gain_of_division(pair.a), self.b.gain_of_division(pair.b));
+        let (of_a, of_b) =
+            (self.a.gain_and_parameter_of_division(pair.a), self.b.gain_and_parameter_of_division(pair.b));
         if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
             return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
         }
@@ -197,7 +198,10 @@ impl<'a> DistanceSearch<'a> {
         if has_net.contains(&false) {
             return (!has_net[0], 0);
         }
-        let (of_a, of_b) = (self.a.flat_net_length(pair.a), self.b.flat_net_length(pair.b));
+        let (of_a, of_b) = (
+            self.a.length_and_longer_parameter_of_flat_net(pair.a),
+            self.b.length_and_longer_parameter_of_flat_net(pair.b),
+        );
         if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) }
     }
 }

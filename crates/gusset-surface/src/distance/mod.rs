@@ -64,7 +64,7 @@ struct DistanceOutcome {
 }
 
 impl DistanceOutcome {
-    fn to_approach<T>(&self, surface: &Surface<'_>, other: T, other_point: DVec3) -> NearestPoints<T> {
+    fn to_nearest_points<T>(&self, surface: &Surface<'_>, other: T, other_point: DVec3) -> NearestPoints<T> {
         let DistanceOutcome { distance, bound, proven, meets, .. } = *self;
         let place = place_of_position(&self.a);
         let point = surface.jet(place).point;
@@ -120,7 +120,13 @@ impl Surface<'_> {
             // surface.
             let points = ends.map(at);
             let view = CurveView::new(&points, &[0, 1], false)?;
-            self.search_distance_in_view(DistanceSide::Curve(&view), self.unprojected_view(), &points, tolerance, job)?
+            self.search_distance_in_view(
+                DistanceSide::Curve(&view),
+                self.middle_and_identity_axes(),
+                &points,
+                tolerance,
+                job,
+            )?
         } else {
             let (u, v) = along.any_orthonormal_pair();
             let near = at(0.5 * (ends[0] + ends[1]));
@@ -128,7 +134,7 @@ impl Surface<'_> {
             self.search_distance_in_view(DistanceSide::Point, (near, across), &[near], tolerance, job)?
         };
         let t = if is_cut { ends[0] + (ends[1] - ends[0]) * found.b.at[0] } else { 0.0 };
-        let mut approach = found.to_approach(self, t, at(t));
+        let mut approach = found.to_nearest_points(self, t, at(t));
         if !is_cut {
             approach.other = parameter(approach.point);
             approach.other_point = at(approach.other);
@@ -155,7 +161,7 @@ impl Surface<'_> {
         let normal = unit_vector(normal, "normal")?;
         let across = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, normal).transpose();
         let nearest = self.search_distance_in_view(DistanceSide::Point, (point, across), &[point], tolerance, job)?;
-        let mut approach = nearest.to_approach(self, 0.0, DVec3::ZERO);
+        let mut approach = nearest.to_nearest_points(self, 0.0, DVec3::ZERO);
         let height = normal.dot(approach.point - point);
         approach.other_point = approach.point - height * normal;
         approach.other = nearest.distance.copysign(height);
@@ -180,13 +186,13 @@ impl Surface<'_> {
         curve.points().iter().try_for_each(|&point| check_coordinate_size(point, "curve"))?;
         let nearest = self.search_distance_in_view(
             DistanceSide::Curve(curve),
-            self.unprojected_view(),
+            self.middle_and_identity_axes(),
             curve.points(),
             tolerance,
             job,
         )?;
         let at = CurvePlace { segment: nearest.b.number as u32, t: nearest.b.at[0] };
-        Ok(nearest.to_approach(self, at, curve.point(at)?))
+        Ok(nearest.to_nearest_points(self, at, curve.point(at)?))
     }
 
     /// Finds the nearest points of two surfaces. The default tolerance is the larger of the two.
@@ -205,13 +211,13 @@ impl Surface<'_> {
         let source = DistanceSide::Surface(other);
         let nearest = self.search_distance_in_view(
             source,
-            self.unprojected_view(),
+            self.middle_and_identity_axes(),
             &other.bounding_box_corners(),
             Some(tolerance),
             job,
         )?;
         let at = place_of_position(&nearest.b);
-        Ok(nearest.to_approach(self, at, other.jet(at).point))
+        Ok(nearest.to_nearest_points(self, at, other.jet(at).point))
     }
 
     /// The corners of the bounding box.
@@ -220,7 +226,7 @@ impl Surface<'_> {
     }
 
     /// The view without projection, with its origin in the middle of the surface.
-    fn unprojected_view(&self) -> (DVec3, DMat3) {
+    fn middle_and_identity_axes(&self) -> (DVec3, DMat3) {
         let [low, high] = self.bounds();
         (0.5 * (low + high), DMat3::IDENTITY)
     }

@@ -171,7 +171,7 @@ impl<'a> SidePieces<'a> {
 
     /// How much dividing a piece may gain, and along which parameter: the size of a box, or the
     /// deviation of a net from flatness.
-    pub(super) fn gain_of_division(&mut self, piece: usize) -> (f64, usize) {
+    pub(super) fn gain_and_parameter_of_division(&mut self, piece: usize) -> (f64, usize) {
         let [u, v] = match self.pieces[piece].kind {
             PieceKind::ControlNet => self.net_balls(piece).flatness_gain_by_split(),
             _ => [self.pieces[piece].bounds.diagonal(), 0.0],
@@ -180,7 +180,7 @@ impl<'a> SidePieces<'a> {
     }
 
     /// The length of a net that is practically flat, and the longer parameter.
-    pub(super) fn flat_net_length(&mut self, piece: usize) -> (f64, usize) {
+    pub(super) fn length_and_longer_parameter_of_flat_net(&mut self, piece: usize) -> (f64, usize) {
         let [u, v] = self.net_balls(piece).max_extents();
         if u >= v { (u, 0) } else { (v, 1) }
     }

@@ -70,7 +70,7 @@ impl ChildBoxes {
     /// The range of the products of points of each box with a nonzero direction. For an empty box,
     /// the smallest product is infinite.
     #[inline(always)]
-    pub(crate) fn ranges_along(&self, direction: DVec3) -> [[f64; 2]; 4] {
+    pub(crate) fn product_ranges_with_direction(&self, direction: DVec3) -> [[f64; 2]; 4] {
         let mut ranges = [[0.0; 2]; 4];
         for (axis, by) in direction.to_array().into_iter().enumerate().filter(|&(_, by)| by != 0.0) {
             let (low, high) = (&self.low[axis], &self.high[axis]);
@@ -198,7 +198,7 @@ impl OrientedBox {
 
     /// The range of the products of points of the box with a direction.
     #[inline(always)]
-    pub(crate) fn range_along(&self, direction: DVec3) -> [f64; 2] {
+    pub(crate) fn product_range_with_direction(&self, direction: DVec3) -> [f64; 2] {
         let half = to_double_precision(self.half);
         let middle = to_double_precision(self.centre).dot(direction);
         // The axes are orthonormal to 1e-7, so the box may extend slightly farther.

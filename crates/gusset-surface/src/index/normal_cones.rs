@@ -74,7 +74,7 @@ impl PackedCone {
     }
 
     /// A cone that contains other cones.
-    fn enclosing(cones: &[PackedCone]) -> PackedCone {
+    fn cone_around_cones(cones: &[PackedCone]) -> PackedCone {
         if let &[cone] = cones {
             return cone;
         }
@@ -169,7 +169,7 @@ impl ConePyramid {
 
     /// Replaces every cone by the cone of all directions, so that cones exclude nothing.
     #[cfg(test)]
-    pub(super) fn exclude_nothing(&mut self) {
+    pub(super) fn replace_all_by_full_cones(&mut self) {
         self.levels.iter_mut().for_each(|level| level.cones.fill(PackedCone::ALL_DIRECTIONS));
     }
 }
@@ -186,7 +186,7 @@ impl ConeLevel {
                     count += 1;
                 }
             }
-            cones.push(PackedCone::enclosing(&four[..count]));
+            cones.push(PackedCone::cone_around_cones(&four[..count]));
         }
         Ok(ConeLevel { columns, cones })
     }
@@ -210,7 +210,7 @@ mod tests {
             assert!(held >= angle && held < angle + 1e-4, "{angle} {held}");
             assert_eq!(axis, direction);
             let other = PackedCone::new(PackedCone::pack_axis(direction_of(k + 1)).unwrap().0, 0.1);
-            let both = PackedCone::enclosing(&[cone, other]).unpack();
+            let both = PackedCone::cone_around_cones(&[cone, other]).unpack();
             for one in [cone, other] {
                 let one = one.unpack();
                 assert!(both.angle == PI || both.angle >= one.angle + one.angle_to(both.axis), "{k}");

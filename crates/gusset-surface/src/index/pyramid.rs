@@ -36,7 +36,7 @@ struct PackedDisplacementBox {
 impl PackedDisplacementBox {
     /// Packs a box, rounding outwards.
     fn new(bounds: Aabb) -> PackedDisplacementBox {
-        let max_length = (bounds.max_norm() as f32).next_up();
+        let max_length = (bounds.max_vector_length() as f32).next_up();
         let unit = f64::from(max_length) / 127.0;
         // No vector is longer than `max_length`, so quotients are within -127 to 127, except for
         // rounding.
@@ -138,7 +138,7 @@ impl BoxPyramid {
     /// An upper bound of the distance between the surface and the bilinear patches of the cells of
     /// block (r, c), at equal parameters.
     #[inline(always)]
-    pub(crate) fn block_deviation(&self, r: usize, c: usize) -> f64 {
+    pub(crate) fn distance_bound_from_bilinear_patches(&self, r: usize, c: usize) -> f64 {
         self.displacements[r * self.levels[0].columns + c].max_length.into()
     }
 
@@ -163,7 +163,7 @@ impl BoxPyramid {
 
     /// The cones, built at the first call. Two threads may build them at once, with equal bits. A
     /// thread does not wait for the other one, which may be its own caller.
-    pub(crate) fn cones_or_build<const N: usize>(
+    pub(crate) fn get_or_build_cones<const N: usize>(
         &self,
         cells: &impl SheetCells<N>,
         job: &Job<'_>,
@@ -185,8 +185,8 @@ impl BoxPyramid {
 
     /// Makes the cones exclude nothing, for comparisons in tests.
     #[cfg(test)]
-    pub(crate) fn make_cones_exclude_nothing(&mut self) {
-        self.cones.get_mut().into_iter().for_each(ConePyramid::exclude_nothing);
+    pub(crate) fn replace_cones_by_full_cones(&mut self) {
+        self.cones.get_mut().into_iter().for_each(ConePyramid::replace_all_by_full_cones);
     }
 }
 
@@ -295,7 +295,10 @@ mod tests {
             let bounds = Aabb::from_points([a, b]);
             let packed = PackedDisplacementBox::new(bounds);
             let (held, length) = (packed.unpack(), f64::from(packed.max_length));
-            assert!(length >= bounds.max_norm() && length <= bounds.max_norm() * (1.0 + 1e-6), "{bounds:?}");
+            assert!(
+                length >= bounds.max_vector_length() && length <= bounds.max_vector_length() * (1.0 + 1e-6),
+                "{bounds:?}"
+            );
             let off = (bounds.low - held.low).min(held.high - bounds.high);
             assert!(off.min_element() >= 0.0, "{bounds:?} {held:?}");
             let off = (bounds.low - held.low).max(held.high - bounds.high);

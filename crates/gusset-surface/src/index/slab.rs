@@ -36,7 +36,7 @@ impl LineSlabTest {
     /// The parameters, within `from` to `to`, at which the line enters and leaves each box. If the
     /// entry is greater than the exit, the line misses the box.
     #[inline(always)]
-    pub(crate) fn entries_and_exits(&self, boxes: &ChildBoxes, from: f64, to: f64) -> [[f64; 4]; 2] {
+    pub(crate) fn entries_and_exits_of_boxes(&self, boxes: &ChildBoxes, from: f64, to: f64) -> [[f64; 4]; 2] {
         let (mut near, mut far) = ([from; 4], [to; 4]);
         for axis in 0..3 {
             let (low, high) = (&boxes.low[axis], &boxes.high[axis]);

@@ -49,10 +49,10 @@ impl Surface<'_> {
         let mut numbers = curve.points().iter().flat_map(DVec3::to_array);
         numbers.try_for_each(|x| Error::require(x.abs() <= MAX_LINE_COORDINATE, "curve", x))?;
         let finds = self.find_on_all_segments(curve, selection, job)?;
-        let mut hits = self.hits_from_finds(curve, finds)?;
+        let mut hits = self.merge_and_classify_finds(curve, finds)?;
         if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {
             // The unresolved part may continue in later segments.
-            hits = self.hits_from_finds(curve, self.find_on_all_segments(curve, HitSelection::All, job)?)?;
+            hits = self.merge_and_classify_finds(curve, self.find_on_all_segments(curve, HitSelection::All, job)?)?;
         }
         if selection != HitSelection::All {
             hits.truncate(1);
@@ -74,13 +74,15 @@ impl Surface<'_> {
         for from in (0..count).step_by(round) {
             job.step(from as f64 / count as f64, "curve and surface")?;
             let to = count.min(from + round);
-            for part in par::map(job.requested_threads(), par::ranges(to - from, SEGMENTS_PER_TASK), |range| {
-                let mut finder = SegmentFinder::default();
-                for k in range {
-                    self.find_on_segment(from + k, curve.segment(from + k), &mut finder)?;
-                }
-                Ok(finder.finds)
-            })? {
+            for part in
+                par::map(job.requested_threads(), par::split_into_ranges(to - from, SEGMENTS_PER_TASK), |range| {
+                    let mut finder = SegmentFinder::default();
+                    for k in range {
+                        self.find_on_segment(from + k, curve.segment(from + k), &mut finder)?;
+                    }
+                    Ok(finder.finds)
+                })?
+            {
                 alloc::append(&mut finds, &part?)?;
             }
             if selection != HitSelection::All && !finds.is_empty() {
@@ -143,7 +145,11 @@ impl Surface<'_> {
     }
 
     /// Converts finds to hits: each once, in the order of the curve.
-    fn hits_from_finds(&self, curve: &CurveView<'_>, mut finds: Vec<CurvePointInCell>) -> Result<Vec<CurveHit>> {
+    fn merge_and_classify_finds(
+        &self,
+        curve: &CurveView<'_>,
+        mut finds: Vec<CurvePointInCell>,
+    ) -> Result<Vec<CurveHit>> {
         let merge_distance = self.hit_merge_distance();
         merge_overlapping(&mut finds, merge_distance);
         for find in finds.iter_mut().filter(|find| find.tangent) {
@@ -152,7 +158,7 @@ impl Surface<'_> {
                 || self.is_crossing_direction(find.place, curve_direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
-        sort::stable(&mut finds, &compare_curve_finds);
+        sort::sort_stable(&mut finds, &compare_curve_finds);
         let mut kept: Vec<CurvePointInCell> = alloc::with_capacity(finds.len())?;
         for find in finds {
             let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= MAX_SAME_CURVE_PARAMETER_GAP);
@@ -215,9 +221,9 @@ fn merge_overlapping(finds: &mut Vec<CurvePointInCell>, merge_distance: f64) {
     let by_span = |a: &CurvePointInCell, b: &CurvePointInCell| {
         a.span[0].total_cmp(&b.span[0]).then_with(|| compare_curve_finds(a, b))
     };
-    sort::stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
+    sort::sort_stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
     finds.dedup_by(|next, all| {
-        let joins = all.tangent && next.tangent && overlaps_along_curve(all, next, merge_distance);
+        let joins = all.tangent && next.tangent && begins_within_or_at_end_of(all, next, merge_distance);
         if joins {
             all.length += next.length;
             if next.span[1] > all.span[1] {
@@ -232,7 +238,7 @@ fn merge_overlapping(finds: &mut Vec<CurvePointInCell>, merge_distance: f64) {
 }
 
 /// True if an unresolved find begins within another one, or at its end.
-fn overlaps_along_curve(first: &CurvePointInCell, next: &CurvePointInCell, merge_distance: f64) -> bool {
+fn begins_within_or_at_end_of(first: &CurvePointInCell, next: &CurvePointInCell, merge_distance: f64) -> bool {
     let near = next.span[0] - first.span[1] <= 1e-3 && first.ends[1].distance(next.ends[0]) <= 2.0 * merge_distance;
     next.span[0] <= first.span[1] || near
 }

@@ -59,7 +59,7 @@ impl<const M: usize> CurveSegmentPart<M> {
 }
 
 /// A part of a segment and a block of cells. `diagonal` is the diagonal of the block's box.
-struct CurvePartAndBlock<const M: usize> {
+struct CurvePartBlockPair<const M: usize> {
     part: CurveSegmentPart<M>,
     diagonal: f64,
     level: usize,
@@ -94,12 +94,12 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
         let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let diagonal = bounds.diagonal();
         let rounding_error =
-            (8.0 * f64::EPSILON * (bounds.max_norm() + farthest)).min(MAX_RELATIVE_LINE_ROUNDING * diagonal);
+            (8.0 * f64::EPSILON * (bounds.max_vector_length() + farthest)).min(MAX_RELATIVE_LINE_ROUNDING * diagonal);
         let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
-        let mut waiting = vec![CurvePartAndBlock { part, diagonal, level: levels.len(), row: 0, column: 0 }];
+        let mut waiting = vec![CurvePartBlockPair { part, diagonal, level: levels.len(), row: 0, column: 0 }];
         let mut solver = CurveSolverWorkspace { rounding_error, ..CurveSolverWorkspace::default() };
         while let Some(entry) = waiting.pop() {
-            let CurvePartAndBlock { part, diagonal, level, row, column } = entry;
+            let CurvePartBlockPair { part, diagonal, level, row, column } = entry;
             let bounds = part.bounding_box().inflated(rounding_error);
             if bounds.diagonal() > 2.0 * diagonal && part.size > MIN_HALVED_PART_SIZE {
                 for (half, points) in halves(&part.points).into_iter().enumerate() {
@@ -111,7 +111,7 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
                         self.may_part_touch_block(&part, rounding_error, level, row, column)
                     };
                     if near {
-                        waiting.push(CurvePartAndBlock { part, diagonal, level, row, column });
+                        waiting.push(CurvePartBlockPair { part, diagonal, level, row, column });
                     }
                 }
             } else if level == 0 {
@@ -121,7 +121,13 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
                     let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
                     if self.may_part_touch_block(&part, rounding_error, level - 1, row, column) {
                         let diagonal = levels[level - 1].child_boxes(row / 2, column / 2).child_box(child).diagonal();
-                        waiting.push(CurvePartAndBlock { part: part.clone(), diagonal, level: level - 1, row, column });
+                        waiting.push(CurvePartBlockPair {
+                            part: part.clone(),
+                            diagonal,
+                            level: level - 1,
+                            row,
+                            column,
+                        });
                     }
                 }
             }
@@ -153,7 +159,7 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
         solver: &mut CurveSolverWorkspace<M, N>,
         finds: &mut Vec<CurvePointInCell>,
     ) -> Result<()> {
-        let deviation = self.index.block_deviation(block[0], block[1]) + solver.rounding_error;
+        let deviation = self.index.distance_bound_from_bilinear_patches(block[0], block[1]) + solver.rounding_error;
         let along = part.bounding_box();
         for [i, j] in cells_of_block(block, self.cells.cell_counts()) {
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];

@@ -50,7 +50,7 @@ impl Surface<'_> {
         if hits.iter().any(|hit| hit.tangent) {
             self.merge_overlapping_hits(line, hits);
         }
-        sort::stable(hits, &compare_line_hits);
+        sort::sort_stable(hits, &compare_line_hits);
         let slack = LineRounding::new(self, line);
         // Duplicates, each with the index of the hit that represents it.
         let mut others: Vec<(usize, Hit)> = Vec::new();
@@ -115,7 +115,7 @@ impl Surface<'_> {
     /// come first afterwards.
     fn merge_overlapping_hits(&self, line: &Line, hits: &mut Vec<Hit>) {
         let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| compare_line_hits(a, b));
-        sort::stable(hits, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
+        sort::sort_stable(hits, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
         let (along, length) = line.direction_and_length();
         let slack = 2.0 * self.hit_merge_distance() / length;
         let miss = |hit: &Hit| (hit.point - line.origin).cross(along).length_squared();

@@ -8,7 +8,7 @@ use crate::{Patch, Place};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::subdivision::UnresolvedCluster;
 
 /// Memory that searches of patches of degree N - 1 reuse.
@@ -34,7 +34,7 @@ pub(super) const MAX_RELATIVE_LINE_ROUNDING: f64 = 1e-6;
 
 /// A line relative to a sheet, parametrised by the distance from its foot: the point nearest to the
 /// index's origin.
-struct LineInSheet {
+struct LineFromFoot {
     line: Line,
     /// The foot, relative to the index's origin, and in space.
     local: DVec3,
@@ -49,15 +49,15 @@ struct LineInSheet {
     rounding_error: f64,
 }
 
-impl LineInSheet {
-    fn new(line: &Line, index: &BoxPyramid) -> LineInSheet {
+impl LineFromFoot {
+    fn new(line: &Line, index: &BoxPyramid) -> LineFromFoot {
         let (along, length) = line.direction_and_length();
         let from = line.origin - index.origin();
         let distance = -from.dot(along);
         let local = from + distance * along;
         let (first, second) = along.any_orthonormal_pair();
         let bounds = index.bounding_box();
-        LineInSheet {
+        LineFromFoot {
             line: *line,
             local,
             foot: local + index.origin(),
@@ -119,7 +119,7 @@ impl SheetLineSearch<'_> {
         hits: &mut Vec<Hit>,
     ) -> Result<()> {
         let SheetLineSearch { index, sheet, line, selection, tolerance } = *self;
-        let ray = LineInSheet::new(line, index);
+        let ray = LineFromFoot::new(line, index);
         let slack = ray.rounding_error;
         let slab = LineSlabTest::new(ray.local, ray.along, slack);
         let (from, to) = (ray.distance_from_foot(line.from) - slack, ray.distance_from_foot(line.to) + slack);
@@ -128,7 +128,7 @@ impl SheetLineSearch<'_> {
         let mut stack = [WaitingLineBlock::default(); MAX_WAITING_BLOCKS];
         let mut count = 1;
         stack[0] = WaitingLineBlock { enters: from, level: levels.len() as u32, row: 0, column: 0 };
-        let mut farthest = self.search_limit_after_hits(&ray, to, hits);
+        let mut farthest = self.farthest_mergeable_distance(&ray, to, hits);
         while count > 0 {
             count -= 1;
             let WaitingLineBlock { enters, level, row, column } = stack[count];
@@ -143,12 +143,12 @@ impl SheetLineSearch<'_> {
                     if selection == HitSelection::Any {
                         return Ok(());
                     }
-                    farthest = self.search_limit_after_hits(&ray, farthest, &hits[known..]);
+                    farthest = self.farthest_mergeable_distance(&ray, farthest, &hits[known..]);
                 }
                 continue;
             }
             let level_below = &levels[level as usize - 1];
-            let [near, far] = slab.entries_and_exits(level_below.child_boxes(row, column), from, farthest);
+            let [near, far] = slab.entries_and_exits_of_boxes(level_below.child_boxes(row, column), from, farthest);
             let waiting = count;
             for child in 0..4 {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
@@ -172,7 +172,7 @@ impl SheetLineSearch<'_> {
 
     /// The distance along the ray beyond which nothing matters after some hits: beyond all hits
     /// that may be merged with the first one.
-    fn search_limit_after_hits(&self, ray: &LineInSheet, known: f64, hits: &[Hit]) -> f64 {
+    fn farthest_mergeable_distance(&self, ray: &LineFromFoot, known: f64, hits: &[Hit]) -> f64 {
         if self.selection != HitSelection::First {
             return known;
         }
@@ -186,7 +186,7 @@ struct LineBlockSearch<'a, C, const N: usize> {
     cells: &'a C,
     index: &'a BoxPyramid,
     sheet: u32,
-    ray: &'a LineInSheet,
+    ray: &'a LineFromFoot,
     tolerance: f64,
     solver: &'a mut PatchRootWorkspace<N>,
 }
@@ -196,7 +196,7 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
         let [rows, columns] = self.cells.cell_counts();
         let (first, last) = (row * CELLS_PER_BLOCK_SIDE, rows.min((row + 1) * CELLS_PER_BLOCK_SIDE));
         let (left, right) = (column * CELLS_PER_BLOCK_SIDE, columns.min((column + 1) * CELLS_PER_BLOCK_SIDE));
-        let deviation = self.index.block_deviation(row, column) + self.ray.rounding_error;
+        let deviation = self.index.distance_bound_from_bilinear_patches(row, column) + self.ray.rounding_error;
         let mut corners = [[DVec2::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1];
         for i in first..=last {
             for j in left..=right {
@@ -216,9 +216,9 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
     }
 
     fn search_cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
-        let fields = self.cells.coordinates_along(i, j, self.ray.foot, self.ray.across);
+        let fields = self.cells.patch_coordinates_along(i, j, self.ray.foot, self.ray.across);
         if !find_simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
-            return self.search_as_curve(i, j, hits);
+            return self.search_line_part_as_curve(i, j, hits);
         }
         let roots = &self.solver.roots.simple;
         if roots.is_empty() {
@@ -230,7 +230,7 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
 
     /// Searches a cell in which the fields do not decide: treats the part of the line in the cell's
     /// box as a curve.
-    fn search_as_curve(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
+    fn search_line_part_as_curve(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let patch = self.cells.cell_patch(i, j);
         let Some(segment) = self.segment_beside_patch(&patch) else { return Ok(()) };
         let [start, end] = segment;
@@ -250,7 +250,7 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
     fn segment_beside_patch(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
         let ray = self.ray;
         let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
-        let [low, high] = range(along);
+        let [low, high] = range_of_values(along);
         let slack = ray.rounding_error + self.tolerance;
         let from = (low - slack).max(ray.distance_from_foot(ray.line.from) - ray.rounding_error);
         let to = (high + slack).min(ray.distance_from_foot(ray.line.to) + ray.rounding_error);

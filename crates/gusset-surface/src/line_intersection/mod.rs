@@ -30,7 +30,7 @@ pub use line_batch::Lines;
 
 use super::{Sheet, Surface};
 use gusset_base::geom::Aabb;
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_curve::ops::{NearMiss, NearMisses};
 use gusset_curve::{CurveView, Place as CurvePlace};
 use line_search::{LineWorkspace, SheetLineSearch};
@@ -87,7 +87,12 @@ impl Line {
     ///
     /// # Errors
     /// The errors of [`near_misses`](Self::near_misses).
-    pub fn meetings(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
+    pub fn intersections_or_near_misses(
+        &self,
+        curve: &CurveView<'_>,
+        within: f64,
+        job: &Job<'_>,
+    ) -> Result<NearMisses> {
         self.check_finite_with_direction()?;
         if within == 0.0 {
             match curve.intersect_line(self.origin, self.direction, &job.part(0.0, 0.5)) {
@@ -130,7 +135,7 @@ impl Line {
         // The part of the line beside the curve, and a little more.
         let (along, length) = self.direction_and_length();
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));
-        let [low, high] = range(parameters);
+        let [low, high] = range_of_values(parameters);
         // A curve perpendicular to the line lacks extent along it.
         let size = Aabb::from_points(curve.points()).size().max_element();
         let slack = within + 1e-6 * size;

@@ -17,7 +17,7 @@ use gusset_base::job::Job;
 
 /// The cells of a surface within a distance of a point.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Region {
+pub struct CellsInBall {
     /// Sheet, row and column of each cell, in ascending order.
     pub cells: Vec<[u32; 3]>,
     /// For each cell of the list, whether the whole cell is within the distance.
@@ -29,7 +29,7 @@ pub struct Region {
     pub first: Vec<u64>,
 }
 
-impl Region {
+impl CellsInBall {
     /// True if a cell is in the region.
     ///
     /// # Panics
@@ -49,10 +49,10 @@ impl Surface<'_> {
     /// [`NotFinite`](gusset_base::Error::NotFinite),
     /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
-    pub fn region(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<Region> {
+    pub fn cells_in_ball(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<CellsInBall> {
         check_query_and_distance("radius", query, radius)?;
         job.step(0.0, PROGRESS_STAGE)?;
-        let mut region = Region { first: alloc::with_capacity(self.len() + 1)?, ..Region::default() };
+        let mut region = CellsInBall { first: alloc::with_capacity(self.len() + 1)?, ..CellsInBall::default() };
         let mut bits = 0_u64;
         for k in 0..self.len() {
             region.first.push(bits);

@@ -28,13 +28,13 @@ impl CentredDisplacementBox {
             high: high.to_array(),
             middle,
             half,
-            max_length: bounds.max_norm(),
+            max_length: bounds.max_vector_length(),
         }
     }
 
     /// How far the surface extends beyond the bilinear patches in a direction.
     #[inline(always)]
-    pub(super) fn extent_along(&self, direction: DVec3) -> f64 {
+    pub(super) fn max_displacement_along(&self, direction: DVec3) -> f64 {
         self.middle.dot(direction) + self.half.dot(direction.abs())
     }
 }
@@ -70,7 +70,7 @@ impl BlockCorners {
         let mut axes = [[[0.0; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1]; 3];
         let [xs, ys, zs] = &mut axes;
         for (r, ((xs, ys), zs)) in xs.iter_mut().zip(ys).zip(zs).enumerate() {
-            let line = cells.corner_row(top + r.min(rows), left, columns);
+            let line = cells.corner_points_of_row(top + r.min(rows), left, columns);
             for (c, [x, y, z]) in line.into_iter().enumerate() {
                 (xs[c], ys[c], zs[c]) = (x - query.x, y - query.y, z - query.z);
             }
@@ -87,7 +87,7 @@ impl BlockCorners {
 
     /// The distance from the first corner to the last.
     #[inline(always)]
-    pub(super) fn corner_extent(&self) -> f64 {
+    pub(super) fn distance_between_extreme_corners(&self) -> f64 {
         let [x, y, z] = self.axes.each_ref().map(|axis| axis[CELLS_PER_BLOCK_SIDE][CELLS_PER_BLOCK_SIDE] - axis[0][0]);
         (x * x + y * y + z * z).sqrt()
     }
@@ -96,7 +96,7 @@ impl BlockCorners {
     /// towards the query. `displacement` bounds how far the surface extends beyond the bilinear
     /// patches along it.
     #[inline(always)]
-    pub(super) fn half_space_bounds(
+    pub(super) fn cell_distance_bounds_by_half_spaces(
         &self,
         direction: DVec3,
         displacement: f64,
@@ -201,7 +201,7 @@ mod tests {
             let t = f64::from(k);
             let direction = DVec3::new(t.sin(), (2.0 * t).cos(), (3.0 * t).sin());
             let reach = (0..8).map(|k| corner(k).dot(direction)).fold(f64::NEG_INFINITY, f64::max);
-            assert!((displacement.extent_along(direction) - reach).abs() < 1e-12, "{direction}");
+            assert!((displacement.max_displacement_along(direction) - reach).abs() < 1e-12, "{direction}");
         }
         assert_eq!(displacement.max_length, DVec3::new(1.0, 2.0, 3.0).length());
     }

@@ -9,21 +9,21 @@ use glam::DVec3;
 
 /// A block of any level, with a lower bound of its distance.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct BoundedBlock {
+pub(super) struct BlockWithDistanceBound {
     pub(super) bound: f64,
     pub(super) level: usize,
     pub(super) row: usize,
     pub(super) column: usize,
 }
 
-impl BoundedBlock {
+impl BlockWithDistanceBound {
     /// The whole sheet.
-    pub(super) fn whole_sheet(index: &BoxPyramid) -> BoundedBlock {
-        BoundedBlock { bound: 0.0, level: index.levels().len(), row: 0, column: 0 }
+    pub(super) fn whole_sheet(index: &BoxPyramid) -> BlockWithDistanceBound {
+        BlockWithDistanceBound { bound: 0.0, level: index.levels().len(), row: 0, column: 0 }
     }
 
     /// The four child blocks, with their bounds; `None` for children beyond the edge of the sheet.
-    pub(super) fn child_blocks(&self, index: &BoxPyramid, query: DVec3) -> [Option<BoundedBlock>; 4] {
+    pub(super) fn child_blocks(&self, index: &BoxPyramid, query: DVec3) -> [Option<BlockWithDistanceBound>; 4] {
         let (level, local) = (&index.levels()[self.level - 1], query - index.origin());
         let distances = level.child_boxes(self.row, self.column).distances_squared(local);
         std::array::from_fn(|child| {
@@ -32,7 +32,7 @@ impl BoundedBlock {
             let exists = boxed < f64::INFINITY;
             exists.then(|| {
                 let oriented = level.oriented_box(row, column).map_or(0.0, |oriented| oriented.distance_squared(local));
-                BoundedBlock { bound: boxed.max(oriented).sqrt(), level: self.level - 1, row, column }
+                BlockWithDistanceBound { bound: boxed.max(oriented).sqrt(), level: self.level - 1, row, column }
             })
         })
     }
@@ -54,8 +54,12 @@ impl BoundedBlock {
 }
 
 /// The blocks of the lowest level whose bounds are within a fixed limit, depth first.
-pub(super) fn lowest_blocks_within(index: &BoxPyramid, query: DVec3, limit: f64) -> impl Iterator<Item = BoundedBlock> {
-    let mut stack = vec![BoundedBlock::whole_sheet(index)];
+pub(super) fn lowest_blocks_within(
+    index: &BoxPyramid,
+    query: DVec3,
+    limit: f64,
+) -> impl Iterator<Item = BlockWithDistanceBound> {
+    let mut stack = vec![BlockWithDistanceBound::whole_sheet(index)];
     std::iter::from_fn(move || {
         while let Some(block) = stack.pop() {
             if block.level == 0 {

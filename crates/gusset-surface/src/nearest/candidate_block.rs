@@ -47,16 +47,17 @@ impl<C: SheetCells<N>, const N: usize> CandidateBlock<'_, C, N> {
         let (top, left) = (self.row * CELLS_PER_BLOCK_SIDE, self.column * CELLS_PER_BLOCK_SIDE);
         let (rows, columns) = (CELLS_PER_BLOCK_SIDE.min(rows - top), CELLS_PER_BLOCK_SIDE.min(columns - left));
         let corners = BlockCorners::from_cells(self.cells, [top, left], [rows, columns], query);
-        upper.lower_to(corners.min_squared_corner_distance().sqrt());
+        upper.lower_to_distance(corners.min_squared_corner_distance().sqrt());
         let displacement = CentredDisplacementBox::new(self.index.displacement_box(self.row, self.column));
         let max_examined_distance = upper.max_examined_distance();
         // The half-space through the nearest answer.
         let mut bounds = [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE];
         if direction != DVec3::ZERO {
-            bounds = corners.half_space_bounds(direction, displacement.extent_along(direction));
+            bounds =
+                corners.cell_distance_bounds_by_half_spaces(direction, displacement.max_displacement_along(direction));
             let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, min_ignoring_nan);
             if least > max_examined_distance {
-                return corners.corner_extent();
+                return corners.distance_between_extreme_corners();
             }
         }
         let squares = corners.squared_box_distances(&displacement);
@@ -88,16 +89,16 @@ impl<C: SheetCells<N>, const N: usize> CandidateBlock<'_, C, N> {
                 continue;
             }
             let NearestOnBilinear { distance, direction, start } = nearest_on_bilinear(&quad);
-            upper.lower_to(distance + displacement.max_length);
+            upper.lower_to_distance(distance + displacement.max_length);
             // The hull of the corners contains the bilinear patch.
             let along = quad.map(|corner| -corner.dot(direction)).into_iter().fold(f64::INFINITY, min_ignoring_nan);
-            let bound = along - displacement.extent_along(direction);
+            let bound = along - displacement.max_displacement_along(direction);
             if bound > upper.max_examined_distance() {
                 continue;
             }
             candidates.push(CellCandidate { bound, direction, start, cell: [(top + r) as u32, (left + c) as u32] });
         }
-        corners.corner_extent()
+        corners.distance_between_extreme_corners()
     }
 }
 
@@ -174,7 +175,7 @@ mod tests {
     use super::*;
     use crate::{Grid, Nodes, Scheme};
     use gusset_base::job::Job;
-    use gusset_base::testing::cases;
+    use gusset_base::testing::case_count;
 
     /// A block of 4 x 3 cells through rough nodes.
     fn rough_grid(seed: u32) -> Grid<'static> {
@@ -204,7 +205,7 @@ mod tests {
     #[test]
     fn cells_with_nearer_points_are_never_excluded() {
         let (mut candidates, mut asked, mut excluded) = (Vec::new(), 0, 0);
-        for (seed, query) in (0..cases(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
+        for (seed, query) in (0..case_count(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
             let grid = rough_grid(seed);
             let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
             let all: Vec<[usize; 2]> = (0..12).map(|k| [k / 3, k % 3]).collect();
@@ -238,13 +239,14 @@ mod tests {
     /// Tests each bound of all cells of a block separately, on a surface with large displacements.
     #[test]
     fn bounds_of_blocks_hold() {
-        for (seed, query) in (0..cases(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
+        for (seed, query) in (0..case_count(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
             let grid = rough_grid(seed);
             let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
             let displacement = CentredDisplacementBox::new(index.displacement_box(0, 0));
             let corners = BlockCorners::from_cells(&grid, [0, 0], [4, 3], query);
             let direction = (query - grid.patch(2, 1).point(0.5, 0.5)).normalize();
-            let spaces = corners.half_space_bounds(direction, displacement.extent_along(direction));
+            let spaces =
+                corners.cell_distance_bounds_by_half_spaces(direction, displacement.max_displacement_along(direction));
             let squares = corners.squared_box_distances(&displacement);
             for [i, j] in (0..12).map(|k| [k / 3, k % 3]) {
                 let truth = nearest_by_sampling(&grid, [i, j], query);
@@ -277,7 +279,12 @@ mod tests {
             let direction = (query - corner) / truth;
             assert!((corners.squared_box_distances(&displacement)[i][j].sqrt() - truth).abs() < 1e-9);
             assert!(
-                (corners.half_space_bounds(direction, displacement.extent_along(direction))[i][j] - truth).abs() < 1e-9
+                (corners
+                    .cell_distance_bounds_by_half_spaces(direction, displacement.max_displacement_along(direction))[i]
+                    [j]
+                    - truth)
+                    .abs()
+                    < 1e-9
             );
             assert!((nearest_on_bilinear(&corners.cell_corners(i, j)).distance - truth).abs() < 1e-9);
         }

@@ -14,7 +14,7 @@ const MAX_KEPT_ANSWERS: usize = 64;
 
 /// A point of the surface that may be the nearest one.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct NearestAnswer {
+pub(super) struct NearestPointCandidate {
     pub(super) point: DVec3,
     /// The unit normal; zero where the patch is not regular.
     pub(super) normal: DVec3,
@@ -24,10 +24,10 @@ pub(super) struct NearestAnswer {
     pub(super) parameters: DVec2,
 }
 
-impl NearestAnswer {
+impl NearestPointCandidate {
     /// Whether this answer is closer, or at equal distance comes first.
-    fn is_preferred_to(&self, other: &NearestAnswer) -> bool {
-        let key = |answer: &NearestAnswer| (answer.distance, answer.sheet, answer.cell);
+    fn is_preferred_to(&self, other: &NearestPointCandidate) -> bool {
+        let key = |answer: &NearestPointCandidate| (answer.distance, answer.sheet, answer.cell);
         key(self) < key(other)
     }
 
@@ -57,7 +57,7 @@ impl DistanceUpperBound {
 
     /// Lowers the bound to the distance of a point.
     #[inline(always)]
-    pub(super) fn lower_to(&mut self, distance: f64) {
+    pub(super) fn lower_to_distance(&mut self, distance: f64) {
         self.distance = self.distance.min(distance);
     }
 }
@@ -70,9 +70,9 @@ pub(super) struct IncumbentAnswers {
     pub(super) tolerance: f64,
     pub(super) upper: DistanceUpperBound,
     /// The nearest answer so far.
-    pub(super) best: Option<NearestAnswer>,
+    pub(super) best: Option<NearestPointCandidate>,
     /// Answers within the tolerance of the nearest one, and a few that are slightly farther.
-    ties: Vec<NearestAnswer>,
+    ties: Vec<NearestPointCandidate>,
     /// The unit vector from the nearest answer to the query; zero without an answer.
     pub(super) direction: DVec3,
 }
@@ -91,14 +91,14 @@ impl IncumbentAnswers {
     }
 
     /// True if an answer at this distance would be notably closer.
-    pub(super) fn is_notable_gain(&self, distance: f64) -> bool {
+    pub(super) fn is_notably_closer(&self, distance: f64) -> bool {
         distance < self.nearest_distance() * (1.0 - MIN_RELATIVE_DISTANCE_GAIN)
     }
 
     /// Adds a point of the surface.
-    pub(super) fn add_answer(&mut self, answer: NearestAnswer) {
+    pub(super) fn add_answer(&mut self, answer: NearestPointCandidate) {
         let distance = self.nearest_distance();
-        self.upper.lower_to(answer.distance);
+        self.upper.lower_to_distance(answer.distance);
         if self.best.is_none_or(|best| answer.is_preferred_to(&best)) {
             self.best = Some(answer);
             self.direction = (self.query - answer.point).normalize_or_zero();
@@ -108,7 +108,7 @@ impl IncumbentAnswers {
         }
         if answer.distance <= self.upper.max_examined_distance() && self.ties.len() < MAX_KEPT_ANSWERS {
             // A pole belongs to many cells, and one answer for it suffices.
-            let same = 0.1 * self.distinct_point_distance();
+            let same = 0.1 * self.min_distance_of_distinct_points();
             if self.ties.iter().all(|other| other.point.distance(answer.point) > same) {
                 self.ties.push(answer);
             }
@@ -116,7 +116,7 @@ impl IncumbentAnswers {
     }
 
     /// The distance beyond which two nearest points count as different.
-    fn distinct_point_distance(&self) -> f64 {
+    fn min_distance_of_distinct_points(&self) -> f64 {
         let distance = self.nearest_distance();
         // On a plane, all points within this distance of the nearest point are equally close.
         let alike = (2.0 * distance * self.tolerance).sqrt();
@@ -124,9 +124,9 @@ impl IncumbentAnswers {
     }
 
     /// True if an answer at another place is equally close.
-    pub(super) fn is_ambiguous(&self, best: &NearestAnswer) -> bool {
+    pub(super) fn is_ambiguous(&self, best: &NearestPointCandidate) -> bool {
         let within = best.distance + self.tolerance;
         let mut ties = self.ties.iter().filter(|other| other.distance <= within);
-        ties.any(|other| other.point.distance(best.point) > self.distinct_point_distance())
+        ties.any(|other| other.point.distance(best.point) > self.min_distance_of_distinct_points())
     }
 }

@@ -5,7 +5,7 @@
 //! side or at a corner counts if no cell that meets the point has a descent direction there.
 //! Invariant: a missing minimum is at least as far as the bound at which the search ended.
 
-use super::bounded_block::{BoundedBlock, lowest_blocks_within};
+use super::bounded_block::{BlockWithDistanceBound, lowest_blocks_within};
 use super::closest::Closest;
 use super::descent_direction::{MAX_DISTANCE_ON_SIDE, has_descent_direction};
 use super::nearest_search::cells_around;
@@ -78,7 +78,7 @@ impl Surface<'_> {
             job,
         };
         for sheet in 0..self.len() {
-            search.push_block(sheet, BoundedBlock::whole_sheet(self.sheet_and_index(sheet).1))?;
+            search.push_block(sheet, BlockWithDistanceBound::whole_sheet(self.sheet_and_index(sheet).1))?;
         }
         let bound = search.search_best_first()?.unwrap_or(limit);
         search.into_minima(bound, self.closest(query, limit))
@@ -95,18 +95,18 @@ struct MinimaSearch<'a> {
     undecided: Vec<FoundMinimum>,
     /// Equal bounds are ordered by sheet, level, row and column, so that the result does not depend
     /// on the queue.
-    frontier: Frontier<(usize, BoundedBlock), [usize; 4]>,
+    frontier: Frontier<(usize, BlockWithDistanceBound), [usize; 4]>,
     /// The number of blocks and cells examined.
     looked_at: usize,
     job: &'a Job<'a>,
 }
 
 impl BranchAndBound for MinimaSearch<'_> {
-    type SearchTask = (usize, BoundedBlock);
+    type SearchTask = (usize, BlockWithDistanceBound);
     type TieBreakKey = [usize; 4];
     type StopReason = Error;
 
-    fn frontier(&mut self) -> &mut Frontier<(usize, BoundedBlock), [usize; 4]> {
+    fn frontier(&mut self) -> &mut Frontier<(usize, BlockWithDistanceBound), [usize; 4]> {
         &mut self.frontier
     }
 
@@ -114,8 +114,8 @@ impl BranchAndBound for MinimaSearch<'_> {
         bound <= self.max_examined_distance() && self.undecided.len() <= MAX_UNDECIDED_CELLS
     }
 
-    fn branch_task(&mut self, _: f64, (sheet, block): (usize, BoundedBlock)) -> Result<()> {
-        self.count_and_report()?;
+    fn branch_task(&mut self, _: f64, (sheet, block): (usize, BlockWithDistanceBound)) -> Result<()> {
+        self.count_cell_and_report()?;
         let (cells, index) = self.surface.sheet_and_index(sheet);
         if block.level == 0 {
             return each_sheet!(cells, cells => self.search_block(cells, &block, sheet));
@@ -128,12 +128,12 @@ impl BranchAndBound for MinimaSearch<'_> {
 impl MinimaSearch<'_> {
     /// Counts a block or a cell, and reports progress.
     #[inline(never)]
-    fn count_and_report(&mut self) -> Result<()> {
+    fn count_cell_and_report(&mut self) -> Result<()> {
         self.looked_at += 1;
         if self.looked_at.is_multiple_of(CELLS_PER_REPORT) { self.job.step(0.0, PROGRESS_STAGE) } else { Ok(()) }
     }
 
-    fn push_block(&mut self, sheet: usize, block: BoundedBlock) -> Result<()> {
+    fn push_block(&mut self, sheet: usize, block: BlockWithDistanceBound) -> Result<()> {
         self.frontier.push(block.bound, [sheet, block.level, block.row, block.column], (sheet, block))
     }
 
@@ -150,18 +150,18 @@ impl MinimaSearch<'_> {
     fn search_block<const N: usize>(
         &mut self,
         cells: &impl SheetCells<N>,
-        block: &BoundedBlock,
+        block: &BlockWithDistanceBound,
         sheet: usize,
     ) -> Result<()> {
         for cell in block.cells_of_block(cells) {
-            self.count_and_report()?;
+            self.count_cell_and_report()?;
             let patch = cells.cell_patch(cell[0], cell[1]);
             if patch.distance_bound_by_box(self.query) > self.limit {
                 continue;
             }
             let mut minima = Vec::new();
             find_interior_minima(&patch, self.query, self.tolerance, |minimum| minima.push(minimum));
-            if !cells.is_smooth_around_cell(cell[0], cell[1]) {
+            if !cells.are_tangents_continuous_across_sides(cell[0], cell[1]) {
                 find_side_minima(&patch, self.query, |minimum| minima.push(minimum));
             }
             for minimum in minima {
@@ -203,7 +203,7 @@ impl MinimaSearch<'_> {
     fn is_minimum_in_block<const N: usize>(
         &self,
         cells: &impl SheetCells<N>,
-        block: &BoundedBlock,
+        block: &BlockWithDistanceBound,
         minimum: &LocalMinimum,
     ) -> bool {
         let mut workspace = PartFrontier::default();
@@ -246,7 +246,7 @@ impl MinimaSearch<'_> {
         if let Some(nearest) = nearest.filter(|nearest| !points.iter().any(|point| reached(point, nearest))) {
             points.push(nearest);
         }
-        sort::stable(points.as_mut_slice(), &|a, b| {
+        sort::sort_stable(points.as_mut_slice(), &|a, b| {
             let place = |c: &Closest| (c.place.sheet, c.place.cell);
             a.distance.total_cmp(&b.distance).then_with(|| place(a).cmp(&place(b)))
         });
@@ -272,7 +272,7 @@ fn merge_coincident_minima(points: &mut Vec<Closest>, max_distance: f64) -> Resu
         }
     }
     // A proven point may be slightly farther than the point that it replaced.
-    sort::stable(&mut kept, &|a, b| a.distance.total_cmp(&b.distance));
+    sort::sort_stable(&mut kept, &|a, b| a.distance.total_cmp(&b.distance));
     *points = kept;
     Ok(())
 }
@@ -280,7 +280,7 @@ fn merge_coincident_minima(points: &mut Vec<Closest>, max_distance: f64) -> Resu
 /// Keeps the nearest of all undecided minima in cells of a sheet that touch, also across seams of
 /// grids.
 fn merge_adjacent_undecided(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> Result<()> {
-    sort::stable(undecided.as_mut_slice(), &|a, b| (a.sheet, a.cell).cmp(&(b.sheet, b.cell)));
+    sort::sort_stable(undecided.as_mut_slice(), &|a, b| (a.sheet, a.cell).cmp(&(b.sheet, b.cell)));
     let mut groups = DisjointSets::new(undecided.len())?;
     for k in 0..undecided.len() {
         let FoundMinimum { sheet, cell, .. } = undecided[k];

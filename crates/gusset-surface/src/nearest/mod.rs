@@ -34,6 +34,6 @@ mod patch_minima;
 mod patch_search;
 mod query_checks;
 
-pub use ball_region::Region;
+pub use ball_region::CellsInBall;
 pub use closest::Closest;
 pub use minima::Minima;

@@ -13,11 +13,11 @@
 //! after [`MIN_EXAMINED_PARTS`] if the last gain is long past and little is left to gain. Memory:
 //! O(patches examined).
 
-use super::bounded_block::BoundedBlock;
+use super::bounded_block::BlockWithDistanceBound;
 use super::candidate_block::{CandidateBlock, CellCandidate};
 use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
-use super::incumbent::{IncumbentAnswers, NearestAnswer};
-use super::patch_bounds::patch_distance_bound;
+use super::incumbent::{IncumbentAnswers, NearestPointCandidate};
+use super::patch_bounds::best_distance_bound_of_patch;
 use super::patch_part::PatchPart;
 use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
@@ -91,7 +91,7 @@ impl SinglePrecisionQuery {
 /// A waiting task of a sheet.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum NearestTask {
-    Block(BoundedBlock),
+    Block(BlockWithDistanceBound),
     /// A cell, and parameters close to its nearest point.
     Cell {
         cell: [u32; 2],
@@ -171,7 +171,7 @@ impl NearestPointSearch {
             let (row, column) = (block.row as usize, block.column as usize);
             if self.evaluations >= MAX_DEPTH_FIRST_PATCHES || self.blocks >= MAX_DEPTH_FIRST_BLOCKS {
                 let (bound, level) = (query.distance_from_squared_bound(block.bound), block.level as usize);
-                self.push_task(bound, sheet, NearestTask::Block(BoundedBlock { bound, level, row, column }));
+                self.push_task(bound, sheet, NearestTask::Block(BlockWithDistanceBound { bound, level, row, column }));
                 continue;
             }
             if block.level == 0 {
@@ -258,7 +258,7 @@ impl NearestPointSearch {
         self.evaluations += 1;
         let (query, tolerance) = (self.incumbent.query, self.incumbent.tolerance);
         let foot = descend_to_foot(at.patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
-        let bound = patch_distance_bound(at.patch, query, &foot, 0.0, tolerance);
+        let bound = best_distance_bound_of_patch(at.patch, query, &foot, 0.0, tolerance);
         if bound > self.max_examined_distance() {
             return;
         }
@@ -281,7 +281,7 @@ impl NearestPointSearch {
             // Evaluated on the whole patch, because the part's control points are rounded.
             self.add_answer(at, &FootPoint::from_place(at.patch, query, part.place_in_patch(local.place)));
         }
-        let bound = patch_distance_bound(&part.patch, query, &local, part.bound, tolerance);
+        let bound = best_distance_bound_of_patch(&part.patch, query, &local, part.bound, tolerance);
         if bound >= self.incumbent.nearest_distance() - tolerance || part.is_too_small_to_split() {
             self.record_lower_bound(bound);
         } else {
@@ -292,12 +292,19 @@ impl NearestPointSearch {
     /// Adds an answer.
     fn add_answer<const N: usize>(&mut self, at: &CellAndPatch<'_, N>, foot: &FootPoint) {
         let FootPoint { place, jet, distance } = *foot;
-        if self.incumbent.is_notable_gain(distance) {
+        if self.incumbent.is_notably_closer(distance) {
             self.evaluations_at_gain = self.evaluations;
         }
         let normal = jet.unit_normal_if_regular(at.patch.derivative_noise()).unwrap_or_default();
         let (sheet, cell) = (at.sheet, at.cell);
-        self.incumbent.add_answer(NearestAnswer { point: jet.point, normal, distance, sheet, cell, parameters: place });
+        self.incumbent.add_answer(NearestPointCandidate {
+            point: jet.point,
+            normal,
+            distance,
+            sheet,
+            cell,
+            parameters: place,
+        });
     }
 
     /// True if the search may end although some points may be as close as `bound`.
@@ -310,7 +317,7 @@ impl NearestPointSearch {
     }
 
     /// Opens a task of a sheet. Its parts may become waiting tasks.
-    fn open_task<const N: usize>(
+    fn examine_or_split_task<const N: usize>(
         &mut self,
         cells: &impl SheetCells<N>,
         index: &BoxPyramid,
@@ -320,11 +327,11 @@ impl NearestPointSearch {
     ) {
         let query = self.incumbent.query;
         match task {
-            NearestTask::Block(BoundedBlock { level: 0, row, column, .. }) => {
+            NearestTask::Block(BlockWithDistanceBound { level: 0, row, column, .. }) => {
                 let before = self.incumbent.upper.distance;
                 self.collect_block_candidates(&CandidateBlock { cells, index, row, column });
                 let upper = self.incumbent.upper.distance;
-                if upper < before && self.incumbent.is_notable_gain(upper) {
+                if upper < before && self.incumbent.is_notably_closer(upper) {
                     self.examine_candidates(cells, sheet);
                 }
                 while let Some(CellCandidate { bound, start, cell, .. }) = self.candidates.pop() {
@@ -335,7 +342,7 @@ impl NearestPointSearch {
                 for child in block.child_blocks(index, query).into_iter().flatten() {
                     self.push_task(child.bound.max(bound), sheet, NearestTask::Block(child));
                     let cell = child.middle_cell(cells);
-                    if self.incumbent.is_notable_gain(cells.corner_point(cell[0], cell[1]).distance(query)) {
+                    if self.incumbent.is_notably_closer(cells.corner_point(cell[0], cell[1]).distance(query)) {
                         self.examine_cell(cells, sheet, cell, DVec2::ZERO);
                     }
                 }
@@ -345,7 +352,7 @@ impl NearestPointSearch {
                 let patch = cells.cell_patch(cell[0] as usize, cell[1] as usize);
                 let at = CellAndPatch { patch: &patch, sheet, cell };
                 let part = PatchPart::from_range(&patch, from, size, bound);
-                part.split_part(|part| self.examine_part(&at, &part.with_bounds_without_descent(query)));
+                part.split_part(|part| self.examine_part(&at, &part.with_cheap_distance_bounds(query)));
             }
         }
     }
@@ -420,7 +427,7 @@ impl BranchAndBound for NearestSurfaceSearch<'_> {
     fn branch_task(&mut self, bound: f64, (sheet, task): (u32, NearestTask)) -> Result<(), Infallible> {
         self.search.evaluations += 1;
         let (cells, index) = self.surface.sheet_and_index(sheet as usize);
-        each_sheet!(cells, cells => self.search.open_task(cells, index, sheet, bound, task));
+        each_sheet!(cells, cells => self.search.examine_or_split_task(cells, index, sheet, bound, task));
         Ok(())
     }
 }

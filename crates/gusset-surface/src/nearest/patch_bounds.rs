@@ -17,7 +17,7 @@ use gusset_base::geom::aabb::Aabb;
 
 /// A lower bound of the distance of a patch, at least `known_bound`. Uses the half-space at the
 /// foot, and the more expensive convexity if that proves too little for the tolerance.
-pub(super) fn patch_distance_bound<const N: usize>(
+pub(super) fn best_distance_bound_of_patch<const N: usize>(
     patch: &Patch<N>,
     query: DVec3,
     foot: &FootPoint,
@@ -168,7 +168,7 @@ impl DotProductRange {
 mod tests {
     use super::super::foot_point::{MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
     use super::*;
-    use gusset_base::testing::cases;
+    use gusset_base::testing::case_count;
 
     /// A patch through control points z(a, b) over a square grid.
     fn graph_patch(z: impl Fn(usize, usize) -> f64) -> Patch<4> {
@@ -195,7 +195,9 @@ mod tests {
     /// the upper one.
     #[test]
     fn bounds_contain_sampled_distances() {
-        for (seed, query) in (0..cases(20) as usize).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
+        for (seed, query) in
+            (0..case_count(20) as usize).flat_map(|seed| sample_queries().map(move |query| (seed, query)))
+        {
             let patch = rough_patch(seed);
             let distances = || sample_places().map(|place| patch.point(place.x, place.y).distance(query));
             let (min, max) = distances().fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
@@ -208,8 +210,8 @@ mod tests {
                 let foot = descend_to_foot(&patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
                 // The foot may be in another valley, because the bound holds for the whole patch.
                 assert!(patch.distance_bound_by_convexity(query, &foot) <= min + 1e-12, "{seed} {query}");
-                assert!(patch_distance_bound(&patch, query, &foot, 0.0, 0.0) <= min + 1e-12, "{seed} {query}");
-                assert!(patch_distance_bound(&patch, query, &foot, 0.25 * min, 0.0) >= 0.25 * min);
+                assert!(best_distance_bound_of_patch(&patch, query, &foot, 0.0, 0.0) <= min + 1e-12, "{seed} {query}");
+                assert!(best_distance_bound_of_patch(&patch, query, &foot, 0.25 * min, 0.0) >= 0.25 * min);
             }
         }
     }
@@ -230,7 +232,7 @@ mod tests {
             assert!((patch.distance_bound_by_box(query) - truth).abs() < 1e-12);
             assert!((patch.distance_bound_by_half_space(query, (query - nearest).normalize()) - truth).abs() < 1e-12);
             assert!((patch.distance_bound_by_convexity(query, &foot) - truth).abs() < 1e-12);
-            assert!((patch_distance_bound(&patch, query, &foot, 0.0, 1e-9) - truth).abs() <= 1e-9);
+            assert!((best_distance_bound_of_patch(&patch, query, &foot, 0.0, 1e-9) - truth).abs() <= 1e-9);
         }
         assert!((patch.max_control_distance(DVec3::ZERO) - 2.0_f64.sqrt()).abs() < 1e-12);
         // A bowl seen from within: only convexity proves that its bottom is the nearest point.
@@ -240,7 +242,7 @@ mod tests {
         let foot = descend_to_foot(&bowl, query, DVec2::new(0.2, 0.9), MAX_NEWTON_STEPS_ON_PATCH);
         let direction = (query - foot.jet.point).normalize();
         assert!(bowl.distance_bound_by_half_space(query, direction) < foot.distance - 0.04);
-        assert!(patch_distance_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
+        assert!(best_distance_bound_of_patch(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
     }
 
     /// Waves seen from the side: the Hessian is indefinite, and only the half-space bound proves
@@ -251,7 +253,7 @@ mod tests {
         let query = DVec3::new(-10.0, 0.5, 0.0);
         let foot = FootPoint::from_place(&patch, query, DVec2::new(0.0, 0.5));
         assert_eq!(patch.distance_bound_by_convexity(query, &foot), 0.0);
-        assert!((patch_distance_bound(&patch, query, &foot, 0.0, 0.0) - 10.0).abs() < 1e-12);
+        assert!((best_distance_bound_of_patch(&patch, query, &foot, 0.0, 0.0) - 10.0).abs() < 1e-12);
     }
 
     /// Away from the nearest point, where the second derivatives are 1 and 100. The smaller one
@@ -283,7 +285,7 @@ mod tests {
             [hessian.x_axis.x, hessian.x_axis.y, hessian.y_axis.y]
         };
         let mut widest = [0.0_f64; 3];
-        let all = sheets.into_iter().chain((0..cases(20) as usize).map(rough_patch)).enumerate();
+        let all = sheets.into_iter().chain((0..case_count(20) as usize).map(rough_patch)).enumerate();
         for (k, patch) in all {
             for (query, from) in sample_queries().flat_map(|query| [0.0, 0.5, 1.0].map(|t| (query, DVec2::splat(t)))) {
                 let range = patch.hessian_entry_ranges(query, &FootPoint::from_place(&patch, query, from));

@@ -16,7 +16,7 @@ use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot, g
 use super::patch_part::{MAX_PARTS_PER_PATCH, PatchPart};
 use crate::Patch;
 use glam::{DVec2, DVec3};
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::bernstein::halves;
 
 /// Number of parts examined of a patch without area. The Hessian of a line is never definite, so
@@ -199,7 +199,7 @@ fn find_minima_along_curve<const N: usize>(points: &[DVec3; N], query: DVec3, mu
         let from_query = middle - query;
         let steps = || points.windows(2).map(|pair| degree * (pair[1] - pair[0]));
         let longest = steps().map(DVec3::length).fold(0.0, f64::max);
-        let [low, high] = range(steps().map(|step| from_query.dot(step)));
+        let [low, high] = range_of_values(steps().map(|step| from_query.dot(step)));
         if low > radius * longest || high < -radius * longest {
             continue;
         }

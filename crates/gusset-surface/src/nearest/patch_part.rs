@@ -64,7 +64,7 @@ impl<const N: usize> PatchPart<N> {
 
     /// Raises the bound to the bounds that need no descent: the distance of the box, and of the
     /// half-space through the middle.
-    pub(super) fn with_bounds_without_descent(mut self, query: DVec3) -> PatchPart<N> {
+    pub(super) fn with_cheap_distance_bounds(mut self, query: DVec3) -> PatchPart<N> {
         let [[a, b], [c, d]] = self.patch.corner_points();
         let direction = (4.0 * query - (a + b + c + d)).normalize_or_zero();
         let bound =

@@ -5,7 +5,7 @@
 //! [`MAX_PARTS_PER_PATCH`] parts.
 
 use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
-use super::patch_bounds::patch_distance_bound;
+use super::patch_bounds::best_distance_bound_of_patch;
 use super::patch_part::{MAX_PARTS_PER_PATCH, PatchPart};
 use crate::Patch;
 use crate::frontier::{BranchAndBound, Frontier};
@@ -44,7 +44,7 @@ pub(super) fn nearest_on_patch<const N: usize>(
     frontier: &mut PartFrontier<N>,
 ) -> Option<NearestPlaceOnPatch> {
     let best = descend_to_foot(patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
-    let bound = patch_distance_bound(patch, query, &best, 0.0, tolerance);
+    let bound = best_distance_bound_of_patch(patch, query, &best, 0.0, tolerance);
     if bound > limit {
         return None;
     }
@@ -81,7 +81,7 @@ impl<const N: usize> PatchSearch<'_, N> {
 
     fn split_part(&mut self, part: &PatchPart<N>) {
         part.split_part(|part| {
-            let part = part.with_bounds_without_descent(self.query);
+            let part = part.with_cheap_distance_bounds(self.query);
             let bound = part.bound;
             if self.frontier.push(bound, self.added, part).is_err() {
                 self.proven = self.proven.min(bound);
@@ -116,7 +116,7 @@ impl<const N: usize> BranchAndBound for PatchSearch<'_, N> {
                 self.best = foot;
             }
         }
-        let bound = patch_distance_bound(&part.patch, self.query, &local, bound, self.tolerance);
+        let bound = best_distance_bound_of_patch(&part.patch, self.query, &local, bound, self.tolerance);
         if bound >= self.best.distance - self.tolerance || part.is_too_small_to_split() {
             self.proven = self.proven.min(bound);
         } else {

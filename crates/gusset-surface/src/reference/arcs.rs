@@ -9,7 +9,7 @@
 //! neighbours compute them.
 
 use super::cell_grid_shape::CellGridShape;
-use super::cell_sizes::{BOUND_ROUNDING_FACTOR, Sizes};
+use super::cell_sizes::{BOUND_ROUNDING_FACTOR, CellSizeBounds};
 use super::figure::Figure;
 use super::normal_variation::AngleTarget;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
@@ -29,16 +29,16 @@ const MAX_ANGLE_ROUNDING_RADIANS: f64 = 1e-9;
 
 /// The points of a curve, and bounds of the arcs between them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Arcs {
+pub struct CurveArcs {
     /// Bounds of the lengths of arcs.
-    pub lengths: Sizes,
+    pub lengths: CellSizeBounds,
     /// Bounds of the angles between tangents of an arc; pi if no bound is known.
-    pub variation: Sizes,
+    pub variation: CellSizeBounds,
     points: Vec<DVec3>,
     tangents: Vec<DVec3>,
 }
 
-impl Arcs {
+impl CurveArcs {
     /// Divides each segment of a curve into `parts` arcs of equal length in the parameter. Arc k is
     /// part k % parts of segment k / parts. O(arcs), with O(degree^2) for each.
     ///
@@ -76,7 +76,12 @@ impl Arcs {
             lengths.push((polygon + gap) * BOUND_ROUNDING_FACTOR);
             variation.push(max_tangent_turn(&controls, [tangents[k], tangents[(k + 1) % lattice.lines()[1]]]));
         }
-        Ok(Arcs { lengths: Sizes::new(lattice, lengths), variation: Sizes::new(lattice, variation), points, tangents })
+        Ok(CurveArcs {
+            lengths: CellSizeBounds::new(lattice, lengths),
+            variation: CellSizeBounds::new(lattice, variation),
+            points,
+            tangents,
+        })
     }
 
     /// The lattice of the arcs: a row of cells, whose nodes are the points of the curve.
@@ -88,8 +93,13 @@ impl Arcs {
     /// the corrected search.
     ///
     /// # Errors
-    /// The errors of [`super::figure_incidence`].
-    pub fn incidence(&self, figure: Figure<'_>, options: &SearchOptions, job: &Job<'_>) -> Result<SearchOutcome> {
+    /// The errors of [`super::find_cells_near_figure`].
+    pub fn find_arcs_near_figure(
+        &self,
+        figure: Figure<'_>,
+        options: &SearchOptions,
+        job: &Job<'_>,
+    ) -> Result<SearchOutcome> {
         figure.search_cells(&self.lengths, &|[_, k]| self.points[k], options, job)
     }
 
@@ -97,7 +107,7 @@ impl Arcs {
     ///
     /// # Errors
     /// The errors of [`AngleTarget::normalized`] and [`search`].
-    pub fn angle_incidence(
+    pub fn find_cells_with_angle(
         &self,
         target: AngleTarget,
         options: &SearchOptions,

@@ -13,7 +13,7 @@ use gusset_base::error::{Error, Result};
 /// most the sum of the J bounds: J d, or R_J(A), the sum over k of the largest bound in the k-th
 /// ring of cells around A.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sizes {
+pub struct CellSizeBounds {
     lattice: CellGridShape,
     sizes: Vec<f64>,
     greatest: f64,
@@ -21,7 +21,7 @@ pub struct Sizes {
 
 /// How bounds of cells are summed over a block of 2 J x 2 J cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Sum {
+pub enum CellBoundSum {
     /// J d, as in the paper. O(1).
     #[default]
     Greatest,
@@ -33,11 +33,11 @@ pub enum Sum {
 /// Factor that covers the rounding of bounds and of their sums.
 pub(super) const BOUND_ROUNDING_FACTOR: f64 = 1.0 + 1e-14;
 
-impl Sizes {
+impl CellSizeBounds {
     /// Creates sizes from one bound for each cell, row by row. Bounds are neither NaN nor negative.
     pub(super) fn new(lattice: CellGridShape, sizes: Vec<f64>) -> Self {
         let greatest = sizes.iter().copied().fold(0.0, f64::max);
-        Sizes { lattice, sizes, greatest }
+        CellSizeBounds { lattice, sizes, greatest }
     }
 
     /// The lattice of the cells.
@@ -56,18 +56,18 @@ impl Sizes {
     }
 
     /// The largest bound, d.
-    pub fn greatest(&self) -> f64 {
+    pub fn largest_bound(&self) -> f64 {
         self.greatest
     }
 
     /// The largest J for which the block of 2 J x 2 J cells around a node stays closer to the node
     /// than `limit`, and the bound of its reach. J is at most the larger number of rows and
     /// columns, because longer chains are unnecessary (6).
-    pub fn steps(&self, node: [usize; 2], limit: f64, sum: Sum) -> (usize, f64) {
+    pub fn max_steps_within_distance(&self, node: [usize; 2], limit: f64, sum: CellBoundSum) -> (usize, f64) {
         let [rows, columns] = self.lattice.cells;
         let most = rows.max(columns);
         match sum {
-            Sum::Greatest => {
+            CellBoundSum::Greatest => {
                 let reach = |steps: usize| steps as f64 * self.greatest * BOUND_ROUNDING_FACTOR;
                 if self.greatest == 0.0 {
                     return if limit > 0.0 { (most, 0.0) } else { (0, 0.0) };
@@ -80,7 +80,7 @@ impl Sizes {
                 }
                 (steps, reach(steps))
             }
-            Sum::Rings => {
+            CellBoundSum::Rings => {
                 let (mut steps, mut reach) = (0, 0.0);
                 while steps < most {
                     let next = reach + self.max_bound_in_ring(node, steps + 1) * BOUND_ROUNDING_FACTOR;
@@ -95,7 +95,7 @@ impl Sizes {
     }
 
     /// R_J: a bound of the distance from a node within the block of 2 J x 2 J cells around it.
-    pub fn ring_sum(&self, node: [usize; 2], steps: usize) -> f64 {
+    pub fn sum_of_largest_ring_bounds(&self, node: [usize; 2], steps: usize) -> f64 {
         (1..=steps).map(|k| self.max_bound_in_ring(node, k)).sum::<f64>() * BOUND_ROUNDING_FACTOR
     }
 

@@ -6,7 +6,7 @@
 //! singular value of the mean of (S_u, S_v), less the deviation of both from their means.
 //! Parameters are scaled so that the means have length 1.
 
-use crate::cells::{SheetCells, compute_by_cell};
+use crate::cells::{SheetCells, compute_cell_values};
 use crate::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::error::Result;
@@ -26,7 +26,7 @@ pub fn curvature_bound(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<f64> {
             SheetCells::cell_patch(cells, i, j).patch_curvature_bound(MAX_CELL_HALVINGS)
         })
     };
-    Ok(compute_by_cell(sheet.cells(), "cells", job, of_cell)?.into_iter().fold(0.0, f64::max))
+    Ok(compute_cell_values(sheet.cells(), "cells", job, of_cell)?.into_iter().fold(0.0, f64::max))
 }
 
 impl<const N: usize> Patch<N> {

@@ -12,8 +12,8 @@
 //! curvature requires the intrinsic one.
 
 use super::cell_grid_shape::CellGridShape;
-use super::cell_sizes::{BOUND_ROUNDING_FACTOR, Sizes};
-use crate::cells::{SheetCells, compute_by_cell};
+use super::cell_sizes::{BOUND_ROUNDING_FACTOR, CellSizeBounds};
+use crate::cells::{SheetCells, compute_cell_values};
 use crate::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -24,9 +24,9 @@ use gusset_base::job::Job;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diameters {
     /// Bounds of distances in space.
-    pub euclidean: Sizes,
+    pub euclidean: CellSizeBounds,
     /// Bounds of the lengths of shortest curves within the cell.
-    pub intrinsic: Sizes,
+    pub intrinsic: CellSizeBounds,
 }
 
 impl Diameters {
@@ -36,14 +36,17 @@ impl Diameters {
     /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
     pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
         let lattice = CellGridShape::new(sheet);
-        let both = compute_by_cell(
+        let both = compute_cell_values(
             lattice.cells,
             "cells",
             job,
             |cell| each_sheet!(sheet, cells => cell_diameters(cells, lattice, cell)),
         )?;
         let part = |k: usize| alloc::collect(both.iter().map(|pair: &[f64; 2]| pair[k]));
-        Ok(Diameters { euclidean: Sizes::new(lattice, part(0)?), intrinsic: Sizes::new(lattice, part(1)?) })
+        Ok(Diameters {
+            euclidean: CellSizeBounds::new(lattice, part(0)?),
+            intrinsic: CellSizeBounds::new(lattice, part(1)?),
+        })
     }
 }
 

@@ -1,10 +1,10 @@
 //! Figures from which distances are measured: points, planes and lines, curves, and surfaces. The
 //! search for the cells of a sheet that are close to a figure (tasks a, c, d and e of the paper).
 
-use super::cell_sizes::Sizes;
+use super::cell_sizes::CellSizeBounds;
 use super::diameter::Diameters;
-use super::object::{Object, Target};
-use super::reference_search::{SearchOptions, SearchOutcome, search_at_cost};
+use super::object::{OrthonormalBox, PointPlaneOrLine};
+use super::reference_search::{SearchOptions, SearchOutcome, search_with_node_cost};
 use crate::{Sheet, Surface};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -17,7 +17,7 @@ use gusset_curve::ops::CurveSearch;
 #[derive(Debug, Clone, Copy)]
 pub enum Figure<'a> {
     /// A point, plane or line.
-    Object(Object),
+    Object(PointPlaneOrLine),
     /// A curve.
     Curve(CurveView<'a>),
     /// A surface.
@@ -29,8 +29,8 @@ pub enum Figure<'a> {
 const MAX_RELATIVE_CURVE_ROUNDING: f64 = 1e-9;
 
 /// Computes distances from a figure, rounded down.
-enum DistanceMeasure<'a> {
-    Object(Target),
+enum FigureDistance<'a> {
+    Object(OrthonormalBox),
     Curve { search: CurveSearch<'a>, size: f64 },
     Surface(&'a Surface<'a>),
 }
@@ -39,16 +39,16 @@ impl<'a> Figure<'a> {
     /// Prepares the measurement of distances.
     ///
     /// # Errors
-    /// The errors of [`Object::target`]; [`Error::EmptyCurve`], [`Error::OutOfMemory`].
-    fn prepare_distance_measure(&self) -> Result<DistanceMeasure<'a>> {
+    /// The errors of [`PointPlaneOrLine::as_orthonormal_box`]; [`Error::EmptyCurve`], [`Error::OutOfMemory`].
+    fn prepare_distance_measure(&self) -> Result<FigureDistance<'a>> {
         Ok(match *self {
-            Figure::Object(object) => DistanceMeasure::Object(object.target()?),
+            Figure::Object(object) => FigureDistance::Object(object.as_orthonormal_box()?),
             Figure::Curve(curve) if curve.is_empty() => return Err(Error::EmptyCurve),
-            Figure::Curve(curve) => DistanceMeasure::Curve {
+            Figure::Curve(curve) => FigureDistance::Curve {
                 search: CurveSearch::new(&curve)?,
                 size: Aabb::from_points(curve.points()).diagonal(),
             },
-            Figure::Surface(surface) => DistanceMeasure::Surface(surface),
+            Figure::Surface(surface) => FigureDistance::Surface(surface),
         })
     }
 }
@@ -61,31 +61,31 @@ impl Figure<'_> {
     /// Runs the corrected search, with nodes at the given points.
     pub(super) fn search_cells(
         &self,
-        sizes: &Sizes,
+        sizes: &CellSizeBounds,
         node: &dyn Fn([usize; 2]) -> DVec3,
         options: &SearchOptions,
         job: &Job<'_>,
     ) -> Result<SearchOutcome> {
         let measure = self.prepare_distance_measure()?;
         let cost = match measure {
-            DistanceMeasure::Object(_) => 0,
-            DistanceMeasure::Curve { .. } => CURVE_DISTANCE_COST_IN_WORDS,
-            DistanceMeasure::Surface(_) => SURFACE_DISTANCE_COST_IN_WORDS,
+            FigureDistance::Object(_) => 0,
+            FigureDistance::Curve { .. } => CURVE_DISTANCE_COST_IN_WORDS,
+            FigureDistance::Surface(_) => SURFACE_DISTANCE_COST_IN_WORDS,
         };
-        search_at_cost(sizes, cost, &mut |at| measure.distance_lower_bound(node(at)), options, job)
+        search_with_node_cost(sizes, cost, &mut |at| measure.distance_lower_bound(node(at)), options, job)
     }
 }
 
-impl DistanceMeasure<'_> {
+impl FigureDistance<'_> {
     /// A lower bound of the distance of a point from the figure.
     fn distance_lower_bound(&self, from: DVec3) -> f64 {
         match self {
-            DistanceMeasure::Object(target) => target.distance(from),
-            DistanceMeasure::Curve { search, size } => {
+            FigureDistance::Object(target) => target.distance(from),
+            FigureDistance::Curve { search, size } => {
                 let distance = search.nearest(from, &Job::default()).map_or(0.0, |found| found.distance);
                 (distance - MAX_RELATIVE_CURVE_ROUNDING * (size + distance)).max(0.0)
             }
-            DistanceMeasure::Surface(surface) => surface.closest(from, f64::INFINITY).map_or(0.0, |found| found.bound),
+            FigureDistance::Surface(surface) => surface.closest(from, f64::INFINITY).map_or(0.0, |found| found.bound),
         }
     }
 }
@@ -94,8 +94,8 @@ impl DistanceMeasure<'_> {
 /// corrected search.
 ///
 /// # Errors
-/// The errors of [`Object::target`] and [`super::search`]; [`Error::EmptyCurve`].
-pub fn figure_incidence(
+/// The errors of [`PointPlaneOrLine::as_orthonormal_box`] and [`super::search`]; [`Error::EmptyCurve`].
+pub fn find_cells_near_figure(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
     figure: Figure<'_>,

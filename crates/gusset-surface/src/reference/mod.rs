@@ -20,7 +20,7 @@
 //! - *T4, angles.* Replace points by normals: |angle(N, direction) - alpha| is 1-Lipschitz in N,
 //!   and the variation of a cell's normals takes the place of its diameter.
 //! - *Curves.* All theorems hold for curves: their points are the nodes, their arcs the cells, and
-//!   lengths of arcs the diameters. See [`Arcs`]. Distances are also measured from curves and
+//!   lengths of arcs the diameters. See [`CurveArcs`]. Distances are also measured from curves and
 //!   surfaces: see [`Figure`].
 //! - *T5, hierarchy.* A block may be excluded by any set that contains it. Balls of radius J d
 //!   around nodes are one choice; the index uses boxes.
@@ -54,15 +54,17 @@ mod reference_search;
 mod section_normal;
 mod cell_sizes;
 
-pub use arcs::{Arcs, MAX_ARCS};
+pub use arcs::{CurveArcs, MAX_ARCS};
 pub use cell_chains::{chain, euler_characteristic, integer_diameter};
 pub use cell_grid_shape::CellGridShape;
 pub use cell_mask::CellMask;
-pub use cell_sizes::{Sizes, Sum};
+pub use cell_sizes::{CellBoundSum, CellSizeBounds};
 pub use curvature::curvature_bound;
 pub use diameter::Diameters;
-pub use figure::{Figure, figure_incidence};
-pub use normal_variation::{AngleTarget, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature};
-pub use object::{Object, Target, incidence};
-pub use reference_search::{Goal, SearchOptions, SearchOutcome, search};
+pub use figure::{Figure, find_cells_near_figure};
+pub use normal_variation::{
+    AngleTarget, find_cells_with_angle, normal_variation_by_cones, normal_variation_by_curvature,
+};
+pub use object::{OrthonormalBox, PointPlaneOrLine, find_cells_near_object};
+pub use reference_search::{SearchGoal, SearchOptions, SearchOutcome, search};
 pub use section_normal::normal_by_sections;

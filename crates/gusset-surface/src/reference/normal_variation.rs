@@ -9,10 +9,10 @@
 //! - or by the cell's normal cone, which is tighter and does not need K.
 
 use super::cell_grid_shape::CellGridShape;
-use super::cell_sizes::Sizes;
+use super::cell_sizes::CellSizeBounds;
 use super::diameter::Diameters;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
-use crate::cells::{SheetCells, compute_by_cell};
+use crate::cells::{SheetCells, compute_cell_values};
 use crate::normal::angle_between_unit_vectors;
 use crate::{MAX_DEGREE, Patch, Sheet, each_sheet};
 use glam::DVec3;
@@ -29,7 +29,7 @@ const MAX_ANGLE_ROUNDING_RADIANS: f64 = 1e-13;
 ///
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
+pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<CellSizeBounds> {
     let lattice = CellGridShape::new(sheet);
     let cone = |cell: [usize; 2]| {
         let (axis, half) = each_sheet!(sheet, cells => normal_cone_of_cell(cells, cell))?;
@@ -39,9 +39,9 @@ pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Siz
             lattice.corner_nodes(cell).map(|node| reach(normal_at_node(sheet, node))).into_iter().fold(0.0, f64::max);
         Some(2.0 * half.max(corners) + MAX_ANGLE_ROUNDING_RADIANS)
     };
-    Ok(Sizes::new(
+    Ok(CellSizeBounds::new(
         lattice,
-        compute_by_cell(lattice.cells, "cells", job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?,
+        compute_cell_values(lattice.cells, "cells", job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?,
     ))
 }
 
@@ -57,7 +57,7 @@ pub fn normal_variation_by_curvature(
     diameters: &Diameters,
     curvature: f64,
     job: &Job<'_>,
-) -> Result<Sizes> {
+) -> Result<CellSizeBounds> {
     Error::require(curvature >= 0.0, "curvature", curvature)?;
     let lattice = CellGridShape::new(sheet);
     let variation = |cell: [usize; 2]| {
@@ -68,7 +68,7 @@ pub fn normal_variation_by_curvature(
         let turn = curvature * diameters.intrinsic.get(cell) + 2.0 * jump + MAX_ANGLE_ROUNDING_RADIANS;
         if regular { turn.min(PI) } else { PI }
     };
-    Ok(Sizes::new(lattice, compute_by_cell(lattice.cells, "cells", job, variation)?))
+    Ok(CellSizeBounds::new(lattice, compute_cell_values(lattice.cells, "cells", job, variation)?))
 }
 
 /// The unit normal at a node, from the cell that begins there, or from the last cell; zero if no
@@ -120,9 +120,9 @@ impl AngleTarget {
 ///
 /// # Errors
 /// The errors of [`AngleTarget::normalized`] and [`search`].
-pub fn angle_incidence(
+pub fn find_cells_with_angle(
     sheet: &Sheet<'_>,
-    variation: &Sizes,
+    variation: &CellSizeBounds,
     target: AngleTarget,
     options: &SearchOptions,
     job: &Job<'_>,

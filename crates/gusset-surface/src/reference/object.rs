@@ -10,7 +10,7 @@ use gusset_base::job::Job;
 
 /// A point, a plane or a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Object {
+pub enum PointPlaneOrLine {
     /// A point.
     Point(DVec3),
     /// The plane through a point, perpendicular to a direction.
@@ -27,7 +27,7 @@ pub enum Object {
 /// An object as a box in orthonormal axes, which may be infinite: all points whose coordinates
 /// along the axes are within the intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Target {
+pub struct OrthonormalBox {
     origin: DVec3,
     axes: [DVec3; 3],
     /// The smallest and the largest coordinate along each axis.
@@ -36,23 +36,23 @@ pub struct Target {
     count: usize,
 }
 
-impl Object {
+impl PointPlaneOrLine {
     /// Returns the object as a box in its own axes.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the object is not finite, or lacks a direction.
-    pub fn target(&self) -> Result<Target> {
+    pub fn as_orthonormal_box(&self) -> Result<OrthonormalBox> {
         let bad = |option, value| Error::OptionOutOfRange { option, value };
         let finite = |x: DVec3, option| if x.is_finite() { Ok(x) } else { Err(bad(option, f64::NAN)) };
         let unit = |x: DVec3, option| finite(x, option)?.try_normalize().ok_or(bad(option, x.length()));
         let (origin, axes, along, count) = match *self {
-            Object::Point(point) => (finite(point, "point")?, [DVec3::X, DVec3::Y, DVec3::Z], [0.0; 2], 3),
-            Object::Plane { point, normal } => {
+            PointPlaneOrLine::Point(point) => (finite(point, "point")?, [DVec3::X, DVec3::Y, DVec3::Z], [0.0; 2], 3),
+            PointPlaneOrLine::Plane { point, normal } => {
                 let normal = unit(normal, "normal")?;
                 let (u, v) = normal.any_orthonormal_pair();
                 (finite(point, "point")?, [normal, u, v], [0.0; 2], 1)
             }
-            Object::Line(Line { origin, direction, from, to }) => {
+            PointPlaneOrLine::Line(Line { origin, direction, from, to }) => {
                 let unit = unit(direction, "direction")?;
                 if from.is_nan() || to.is_nan() || from > to {
                     return Err(bad("from", from));
@@ -61,11 +61,11 @@ impl Object {
                 (finite(origin, "origin")?, [u, v, unit], [from, to].map(|t| t * direction.length()), 3)
             }
         };
-        Ok(Target { origin, axes, intervals: [[0.0; 2], [0.0; 2], along], count })
+        Ok(OrthonormalBox { origin, axes, intervals: [[0.0; 2], [0.0; 2], along], count })
     }
 }
 
-impl Target {
+impl OrthonormalBox {
     /// A lower bound of the squared distance of points with coordinates within `ranges`.
     fn squared_distance_bound(&self, ranges: &[[f64; 2]; 3]) -> f64 {
         let gap = |k: usize| (ranges[k][0] - self.intervals[k][1]).max(self.intervals[k][0] - ranges[k][1]).max(0.0);
@@ -93,14 +93,14 @@ impl Target {
 /// corrected search.
 ///
 /// # Errors
-/// The errors of [`Object::target`] and [`search`].
-pub fn incidence(
+/// The errors of [`PointPlaneOrLine::as_orthonormal_box`] and [`search`].
+pub fn find_cells_near_object(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
-    object: Object,
+    object: PointPlaneOrLine,
     options: &SearchOptions,
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
-    let target = object.target()?;
+    let target = object.as_orthonormal_box()?;
     search(&diameters.euclidean, |[i, j]| target.distance(sheet.corner(i, j)), options, job)
 }

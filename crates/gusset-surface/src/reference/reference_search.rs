@@ -6,13 +6,13 @@
 
 use super::cell_grid_shape::{CellGridShape, CyclicSpan};
 use super::cell_mask::CellMask;
-use super::cell_sizes::{Sizes, Sum};
+use super::cell_sizes::{CellBoundSum, CellSizeBounds};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
 /// The goal of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Goal {
+pub enum SearchGoal {
     /// All cells with a point at most this far (theorem T2).
     Within(f64),
     /// The nearest points. Cells farther than the nearest node so far are excluded (theorem T3).
@@ -24,9 +24,9 @@ pub enum Goal {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchOptions {
     /// The goal.
-    pub goal: Goal,
+    pub goal: SearchGoal,
     /// How sizes of cells are summed.
-    pub sum: Sum,
+    pub sum: CellBoundSum,
     /// If true, evaluates all nodes row by row, as in the paper. If false, begins with a few
     /// distant nodes, then evaluates nodes between them, which needs fewer evaluations.
     pub by_rows: bool,
@@ -38,8 +38,8 @@ pub struct SearchOptions {
 
 impl SearchOptions {
     /// Returns the defaults: few nodes first, J d as the sum, lines dropped.
-    pub fn new(goal: Goal) -> Self {
-        SearchOptions { goal, sum: Sum::Greatest, by_rows: false, drop_lines: true }
+    pub fn new(goal: SearchGoal) -> Self {
+        SearchOptions { goal, sum: CellBoundSum::Greatest, by_rows: false, drop_lines: true }
     }
 }
 
@@ -66,28 +66,28 @@ pub struct SearchOutcome {
 /// [`Error::OptionOutOfRange`] if the goal is NaN or negative, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn search(
-    sizes: &Sizes,
+    sizes: &CellSizeBounds,
     mut measure: impl FnMut([usize; 2]) -> f64,
     options: &SearchOptions,
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
-    search_at_cost(sizes, 0, &mut measure, options, job)
+    search_with_node_cost(sizes, 0, &mut measure, options, job)
 }
 
 /// Runs [`search`] with the cost of evaluating a node, in words of the mask.
-pub(super) fn search_at_cost(
-    sizes: &Sizes,
+pub(super) fn search_with_node_cost(
+    sizes: &CellSizeBounds,
     node_cost: usize,
     measure: &mut dyn FnMut([usize; 2]) -> f64,
     options: &SearchOptions,
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
-    if let Goal::Within(within) = options.goal {
+    if let SearchGoal::Within(within) = options.goal {
         Error::require(within >= 0.0, "within", within)?;
     }
     let lattice = sizes.lattice();
     let mut window =
-        RemainingCells { lattice, spans: lattice.cells.map(CyclicSpan::all_intervals), rings: lattice.closed };
+        SpansNotYetDropped { lattice, spans: lattice.cells.map(CyclicSpan::all_intervals), rings: lattice.closed };
     let least = ([0, 0], f64::INFINITY);
     let mut outcome = SearchOutcome { mask: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
     let [lines_u, lines_v] = lattice.lines();
@@ -132,8 +132,8 @@ pub(super) fn search_at_cost(
 /// done.
 fn exclude_cells_around_node(
     found: &mut SearchOutcome,
-    window: &mut RemainingCells,
-    sizes: &Sizes,
+    window: &mut SpansNotYetDropped,
+    sizes: &CellSizeBounds,
     node: [usize; 2],
     distance: f64,
     options: &SearchOptions,
@@ -143,12 +143,12 @@ fn exclude_cells_around_node(
         found.least = (node, distance);
     }
     let within = match options.goal {
-        Goal::Within(within) => within,
-        Goal::Least => found.least.1,
+        SearchGoal::Within(within) => within,
+        SearchGoal::Least => found.least.1,
     };
     // Points at most `within` away must remain. With the paper's rule, the block may touch them
     // (erratum E2).
-    let (steps, _) = sizes.steps(node, distance - within, options.sum);
+    let (steps, _) = sizes.max_steps_within_distance(node, distance - within, options.sum);
     let lattice = sizes.lattice();
     if steps == 0 {
         for cell in lattice.cells_at_node(node) {
@@ -162,10 +162,10 @@ fn exclude_cells_around_node(
     found.mask.clear_block(block);
     found.blocks += 1;
     if options.drop_lines {
-        found.dropped += window.drop_covered_edge_lines(block) as u64;
+        found.dropped += window.drop_edge_lines_covered_by(block) as u64;
     }
     let cleared = block[0].len * (block[1].len / 64 + 1);
-    if options.sum == Sum::Rings { cleared + block[0].len * block[1].len } else { cleared }
+    if options.sum == CellBoundSum::Rings { cleared + block[0].len * block[1].len } else { cleared }
 }
 
 /// True if the bits of all cells at the nodes j to j + 61 of line i are 0, and these cells are
@@ -184,21 +184,21 @@ fn are_cells_of_nodes_excluded(mask: &CellMask, i: usize, j: usize) -> bool {
 }
 
 /// The part of the surface that remains after lines were dropped, which is again a surface.
-struct RemainingCells {
+struct SpansNotYetDropped {
     lattice: CellGridShape,
     spans: [CyclicSpan; 2],
     /// Closed directions without dropped lines, which do not have an edge yet.
     rings: [bool; 2],
 }
 
-impl RemainingCells {
+impl SpansNotYetDropped {
     fn is_empty(&self) -> bool {
         self.spans.iter().any(|span| span.len == 0)
     }
 
     /// Drops lines of cells at the edge that a block covers from side to side. Returns their
     /// number.
-    fn drop_covered_edge_lines(&mut self, block: [CyclicSpan; 2]) -> usize {
+    fn drop_edge_lines_covered_by(&mut self, block: [CyclicSpan; 2]) -> usize {
         (0..2)
             .map(
                 |k| if block[1 - k].covers_span(self.spans[1 - k]) { self.remove_part_at_edge(k, block[k]) } else { 0 },

@@ -19,7 +19,7 @@ use crate::Patch;
 use glam::{DMat3, DVec2, DVec3};
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::bernstein::{evaluate, evaluate_with_slope, halves};
 use gusset_base::geom::subdivision::{
     BoxStack, BoxTest, Subdivision, SubdivisionLimits, UnresolvedBox, UnresolvedCluster, cluster_touching_boxes,
@@ -62,7 +62,7 @@ pub(crate) struct CurvePatchCrossings {
 
 /// A part of the curve and a part of the patch.
 #[derive(Clone)]
-struct CurvePatchPair<const M: usize, const N: usize> {
+struct CurvePartPatchPartPair<const M: usize, const N: usize> {
     curve: [DVec3; M],
     patch: Patch<N>,
     /// The smallest t, u and v of the pair, and the lengths of their ranges.
@@ -73,13 +73,13 @@ struct CurvePatchPair<const M: usize, const N: usize> {
 /// Memory that searches reuse.
 #[derive(Default)]
 pub(crate) struct CrossingWorkspace<const M: usize, const N: usize> {
-    stack: BoxStack<CurvePatchPair<M, N>>,
+    stack: BoxStack<CurvePartPatchPartPair<M, N>>,
     boxes: Vec<UnresolvedBox>,
 }
 
 /// The search for common points of one curve and one patch.
 struct CurvePatchSearch<'a, const M: usize, const N: usize> {
-    whole: CurvePatchPair<M, N>,
+    whole: CurvePartPatchPartPair<M, N>,
     rounding_error: f64,
     tolerance: f64,
     simple: &'a mut Vec<CurvePatchCrossing>,
@@ -104,7 +104,7 @@ pub(crate) fn find_crossings<const M: usize, const N: usize>(
     let radius = patch.points.as_flattened().iter().map(|point| point.length_squared()).fold(0.0, f64::max).sqrt();
     let rounding_error = rounding_error + 8.0 * f64::EPSILON * radius;
     let tolerance = tolerance.max(4.0 * rounding_error);
-    let whole = CurvePatchPair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE };
+    let whole = CurvePartPatchPartPair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE };
     let CrossingWorkspace { stack, boxes } = workspace;
     boxes.clear();
     found.simple.clear();
@@ -118,17 +118,24 @@ pub(crate) fn find_crossings<const M: usize, const N: usize>(
     Ok(())
 }
 
-impl<const M: usize, const N: usize> Subdivision<CurvePatchPair<M, N>, 2> for CurvePatchSearch<'_, M, N> {
+impl<const M: usize, const N: usize> Subdivision<CurvePartPatchPartPair<M, N>, 2> for CurvePatchSearch<'_, M, N> {
     type Solution = CurvePatchCrossing;
     type Split = ();
     type Stop = Infallible;
 
     #[inline]
-    fn classify(&mut self, pair: &CurvePatchPair<M, N>) -> Result<BoxTest<CurvePatchCrossing, ()>, Infallible> {
+    fn classify_box(
+        &mut self,
+        pair: &CurvePartPatchPartPair<M, N>,
+    ) -> Result<BoxTest<CurvePatchCrossing, ()>, Infallible> {
         Ok(pair.classify_pair(&self.whole, self.rounding_error, self.tolerance))
     }
 
-    fn accept(&mut self, _: CurvePatchPair<M, N>, crossing: CurvePatchCrossing) -> Result<(), Infallible> {
+    fn record_solution(
+        &mut self,
+        _: CurvePartPatchPartPair<M, N>,
+        crossing: CurvePatchCrossing,
+    ) -> Result<(), Infallible> {
         let is_same = |other: &CurvePatchCrossing| {
             let apart = (other.place - crossing.place).abs().max_element().max((other.t - crossing.t).abs());
             apart <= 2.0 * (other.slack + crossing.slack)
@@ -139,14 +146,14 @@ impl<const M: usize, const N: usize> Subdivision<CurvePatchPair<M, N>, 2> for Cu
         Ok(())
     }
 
-    fn give_up(&mut self, pair: CurvePatchPair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
+    fn record_unresolved(&mut self, pair: CurvePartPatchPartPair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
         let residual = (evaluate(&pair.curve, 0.5) - pair.patch.surface_point(0.5, 0.5)).length_squared();
         let half = 0.5 * pair.size;
         self.boxes.push(UnresolvedBox { middle: pair.from + half, half, residual });
         Ok(())
     }
 
-    fn split(&mut self, pair: CurvePatchPair<M, N>, (): ()) -> [CurvePatchPair<M, N>; 2] {
+    fn split_box(&mut self, pair: CurvePartPatchPartPair<M, N>, (): ()) -> [CurvePartPatchPartPair<M, N>; 2] {
         pair.halve_longest()
     }
 }
@@ -156,10 +163,10 @@ fn max_abs_components(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
     vectors.fold(DVec3::ZERO, |max, vector| max.max(vector.abs()))
 }
 
-impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
+impl<const M: usize, const N: usize> CurvePartPatchPartPair<M, N> {
     fn classify_pair(&self, whole: &Self, rounding_error: f64, tolerance: f64) -> BoxTest<CurvePatchCrossing, ()> {
         let (along, across) = (Aabb::from_points(self.curve), Aabb::from_points(self.patch.points.as_flattened()));
-        let gap = along.separation(&across);
+        let gap = along.axis_gaps(&across);
         if gap.max_element() > rounding_error {
             return BoxTest::Empty;
         }
@@ -171,7 +178,7 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
                 if self.is_separated_along(normal, rounding_error) {
                     return BoxTest::Empty;
                 }
-                let heights = |points: &[DVec3]| range(points.iter().map(|point| point.dot(normal)));
+                let heights = |points: &[DVec3]| range_of_values(points.iter().map(|point| point.dot(normal)));
                 let [one, other] = [heights(&self.curve), heights(self.patch.points.as_flattened())];
                 one[1].max(other[1]) - one[0].min(other[0]) <= tolerance
             }
@@ -196,8 +203,8 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
 
     /// True if a direction separates the two.
     fn is_separated_along(&self, direction: DVec3, rounding_error: f64) -> bool {
-        let [low, high] = range(self.curve.iter().map(|point| point.dot(direction)));
-        let [from, to] = range(self.patch.points.as_flattened().iter().map(|point| point.dot(direction)));
+        let [low, high] = range_of_values(self.curve.iter().map(|point| point.dot(direction)));
+        let [from, to] = range_of_values(self.patch.points.as_flattened().iter().map(|point| point.dot(direction)));
         low > to + rounding_error || from > high + rounding_error
     }
 
@@ -215,7 +222,7 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
         let rows = inverse.transpose();
         let slack = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) * rounding_error;
         let (along, across) = (Aabb::from_points(curve), Aabb::from_points(patch.points.as_flattened()));
-        if (along.separation(&across) - slack).max_element() > 0.0 {
+        if (along.axis_gaps(&across) - slack).max_element() > 0.0 {
             return Some(BoxTest::Empty);
         }
         // All values of a derivative lie within the range of its control points.

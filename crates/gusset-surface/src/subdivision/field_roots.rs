@@ -113,7 +113,7 @@ impl<const N: usize> Subdivision<FieldPairPart<N>, 4> for FieldRootSearch<'_> {
     type Stop = NotSimpleRoot;
 
     #[inline]
-    fn classify(&mut self, part: &FieldPairPart<N>) -> Result<BoxTest<[DVec2; 2], ()>, NotSimpleRoot> {
+    fn classify_box(&mut self, part: &FieldPairPart<N>) -> Result<BoxTest<[DVec2; 2], ()>, NotSimpleRoot> {
         if part.fields.iter().any(|field| is_field_nonzero(field, self.rounding_error)) {
             return Ok(BoxTest::Empty);
         }
@@ -127,7 +127,7 @@ impl<const N: usize> Subdivision<FieldPairPart<N>, 4> for FieldRootSearch<'_> {
         Ok(if unresolved { BoxTest::Unresolved } else { test })
     }
 
-    fn accept(&mut self, part: FieldPairPart<N>, [place, margin]: [DVec2; 2]) -> Result<(), NotSimpleRoot> {
+    fn record_solution(&mut self, part: FieldPairPart<N>, [place, margin]: [DVec2; 2]) -> Result<(), NotSimpleRoot> {
         let place = part.from + part.size * place;
         // A part on the other side of a border may have found the same root.
         let near = 2.0 * part.size * margin.max_element() + 1e-11;
@@ -137,7 +137,7 @@ impl<const N: usize> Subdivision<FieldPairPart<N>, 4> for FieldRootSearch<'_> {
         Ok(())
     }
 
-    fn give_up(&mut self, part: FieldPairPart<N>, _exhausted: bool) -> Result<(), NotSimpleRoot> {
+    fn record_unresolved(&mut self, part: FieldPairPart<N>, _exhausted: bool) -> Result<(), NotSimpleRoot> {
         if self.simple_only {
             return Err(NotSimpleRoot);
         }
@@ -147,7 +147,7 @@ impl<const N: usize> Subdivision<FieldPairPart<N>, 4> for FieldRootSearch<'_> {
         Ok(())
     }
 
-    fn split(&mut self, part: FieldPairPart<N>, (): ()) -> [FieldPairPart<N>; 4] {
+    fn split_box(&mut self, part: FieldPairPart<N>, (): ()) -> [FieldPairPart<N>; 4] {
         let size = 0.5 * part.size;
         let [f, g] = part.fields.map(|field| field.quarters());
         let corners = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];

@@ -19,7 +19,7 @@
 
 use super::cell_joints::{CellJoint, CellPartRelation, SheetJoints};
 use super::coordinate_net::CoordinateNet;
-use super::pair_search::{CellPairSearch, CellPairTask, FoundArcs, SearchStop};
+use super::pair_search::{CellPairSearch, CellPairTask, FoundArcsAndBalls, SearchStop};
 use super::solution_chart::ParameterBox;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -48,16 +48,16 @@ impl AdjacentCellPair<'_> {
     pub(super) fn solve_pair<const N: usize>(
         &self,
         whole: &ParameterBox<N, N>,
-        pieces: &mut FoundArcs,
+        pieces: &mut FoundArcsAndBalls,
         job: &Job<'_>,
     ) -> Result<()> {
         let mut search = self.task.begin_search(&whole.nets, pieces, job);
-        let outcome = self.descend_level_by_level(&mut search, whole);
+        let outcome = self.examine_parts_level_by_level(&mut search, whole);
         search.finish_pair(outcome, whole)
     }
 
     /// Processes the parts level by level.
-    fn descend_level_by_level<const N: usize>(
+    fn examine_parts_level_by_level<const N: usize>(
         &self,
         search: &mut CellPairSearch<'_, N, N>,
         whole: &ParameterBox<N, N>,
@@ -85,7 +85,7 @@ impl AdjacentCellPair<'_> {
             let is_last = left.len() > MAX_UNPROVEN_PART_PAIRS;
             parts = Vec::new();
             for part in left {
-                if is_last || self.are_parts_within_line(&part) {
+                if is_last || self.are_parts_near_one_line(&part) {
                     search.report_ball(&part, false);
                 } else {
                     self.split_into_quarter_pairs(&part, &mut parts)?;
@@ -97,7 +97,7 @@ impl AdjacentCellPair<'_> {
 
     /// True if both parts are within half the resolution of one line. All parts so close to a pinch
     /// point, of any size, are within the resolution of each other.
-    fn are_parts_within_line<const N: usize>(&self, part: &ParameterBox<N, N>) -> bool {
+    fn are_parts_near_one_line<const N: usize>(&self, part: &ParameterBox<N, N>) -> bool {
         let [centre, u, v] = part.nets.a.point_and_tangents(0.5, 0.5);
         let longer = if u.length_squared() >= v.length_squared() { u } else { v };
         let axis = longer.normalize_or_zero();

@@ -36,13 +36,13 @@ impl ArcLinks {
 
     /// Joins the end of an arc to the start of another, if both are free.
     pub(super) fn join_arcs(&mut self, end: u32, start: u32) {
-        if self.are_ends_free(end, start) {
+        if self.can_arc_follow(end, start) {
             (self.after[end as usize], self.before[start as usize]) = (start, end);
         }
     }
 
     /// Whether arc `end` lacks a successor, and arc `start` a predecessor.
-    pub(super) fn are_ends_free(&self, end: u32, start: u32) -> bool {
+    pub(super) fn can_arc_follow(&self, end: u32, start: u32) -> bool {
         self.after[end as usize] == NO_LINKED_ARC && self.before[start as usize] == NO_LINKED_ARC
     }
 

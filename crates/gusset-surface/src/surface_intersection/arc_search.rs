@@ -9,9 +9,9 @@
 //! Cost: a few Newton steps for each exit, O(N^2 + M^2) each.
 
 use super::intersection_equation::{DifferenceFrame, IntersectionEquation};
-use super::solution_chart::{GRAPH_MARGIN_FRACTION, ParameterBox, SolutionChart};
+use super::solution_chart::{GRAPH_MARGIN_FRACTION, ParameterBox, SolutionGraphProof};
 use glam::{DVec3, DVec4};
-use gusset_base::geom::aabb::range;
+use gusset_base::geom::aabb::range_of_values;
 use gusset_base::geom::subdivision::BoxTest;
 
 /// Rounding of the parameter at which a curve crosses a side, as a fraction of the cell.
@@ -61,7 +61,7 @@ pub(super) type ArcBoxTest = BoxTest<[ArcEnd; 2], Option<usize>>;
 /// The search for the arc in a box.
 pub(super) struct ArcBoxSearch<'a, const N: usize, const M: usize> {
     pub(super) equation: &'a IntersectionEquation<N, M>,
-    pub(super) chart: &'a SolutionChart,
+    pub(super) chart: &'a SolutionGraphProof,
     low: DVec4,
     high: DVec4,
     margin: DVec4,
@@ -78,7 +78,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     pub(super) fn new(
         equation: &'a IntersectionEquation<N, M>,
         part: &ParameterBox<N, M>,
-        chart: &'a SolutionChart,
+        chart: &'a SolutionGraphProof,
         [resolution, shortest]: [f64; 2],
         rounding_error: f64,
     ) -> Self {
@@ -101,7 +101,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// Finds the arc if the line of the middle leads to its ends, which is the usual case. `middle`
     /// holds the derivatives in the middle of the box.
     pub(super) fn find_arc_along_line(&self, middle: &DifferenceFrame) -> Option<ArcBoxTest> {
-        let SolutionChart { free, base, line, .. } = *self.chart;
+        let SolutionGraphProof { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_range_inside_box();
         if to - from < MIN_LINE_FRACTION_IN_BOX * (self.high[free] - self.low[free]) {
             return None;
@@ -156,7 +156,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// [`ArcBoxSearch::close`] as a distance in parameter k. Larger where the surfaces are nearly
     /// parallel, and rounding is larger.
     fn close_distance_in_parameter(&self, frame: &DifferenceFrame, k: usize) -> f64 {
-        let rounding = self.rounding_error * frame.sensitivity_to_miss(k, self.chart.free);
+        let rounding = self.rounding_error * frame.parameter_change_per_miss(k, self.chart.free);
         (self.close / frame.columns[k].length()).max(MIN_SIDE_DISTANCE_IN_ROUNDINGS * rounding).min(1e-3)
     }
 
@@ -201,7 +201,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// The range of the free parameter, relative to its middle, in which the line of the middle is
     /// inside the box. If it is empty, the first bound is the greater one.
     fn line_range_inside_box(&self) -> [f64; 2] {
-        let SolutionChart { free, base, line, .. } = *self.chart;
+        let SolutionGraphProof { free, base, line, .. } = *self.chart;
         let (mut from, mut to) = (self.low[free] - base[free], self.high[free] - base[free]);
         for k in (0..4).filter(|&k| k != free && line[k].abs() > 1e-6) {
             let ends = [self.low[k] - base[k], self.high[k] - base[k]].map(|x| x / line[k]);
@@ -213,7 +213,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// Returns the point of `chart.line`, the tangent line of the solution curve, at the middle of
     /// its part inside the box. If the line misses the box, returns its point near the box.
     fn middle_of_line_in_box(&self) -> DVec4 {
-        let SolutionChart { free, base, line, .. } = *self.chart;
+        let SolutionGraphProof { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_range_inside_box();
         let step = (0.5 * (from + to)).clamp(self.low[free] - base[free], self.high[free] - base[free]);
         base + step * line
@@ -334,7 +334,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// lines are close together, such a curve may be close to the side for several resolutions.
     fn classify_course_beside_side(&self, k: usize, samples: &[DVec4; 5], frame: &DifferenceFrame) -> ParameterCourse {
         let close = self.close_distance_in_parameter(frame, k);
-        let [min, max] = range(samples.map(|x| x[k]));
+        let [min, max] = range_of_values(samples.map(|x| x[k]));
         // Halving across k does not bring a curve in the middle that hardly moves in k closer to
         // the sides. Shorter pieces of it have narrower bounds.
         let room = (min - self.low[k]).min(self.high[k] - max);
@@ -380,7 +380,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
         if rise <= MIN_PROVABLE_SLOPE_FRACTION * (high - low) * (last[free] - first[free]) {
             return false;
         }
-        let rounding = self.rounding_error * frame.sensitivity_to_miss(k, free);
+        let rounding = self.rounding_error * frame.parameter_change_per_miss(k, free);
         let beyond = |x: &DVec4| outwards * (x[k] - side) - rounding;
         let run = |pair: &[DVec4]| {
             let [from, to] = [0, 1].map(|n| beyond(&pair[n]));

@@ -17,7 +17,7 @@ use gusset_base::job::Job;
 
 /// How two opposite borders of a sheet are joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum BorderSeam {
+enum JoinOfOppositeBorders {
     Open,
     Straight,
     Reversed,
@@ -35,7 +35,7 @@ pub(super) struct CellJoint {
 #[derive(Debug)]
 pub(super) struct SheetJoints {
     cells: [i64; 2],
-    seams: [BorderSeam; 2],
+    seams: [JoinOfOppositeBorders; 2],
     /// By direction and side: the pole at that border.
     poles: [[Option<BorderPole>; 2]; 2],
 }
@@ -82,8 +82,11 @@ impl SheetJoints {
         job: &Job<'_>,
     ) -> Result<Self> {
         let counts = cells.cell_counts();
-        let mut joints =
-            SheetJoints { cells: counts.map(|n| n as i64), seams: [BorderSeam::Open; 2], poles: [[None; 2]; 2] };
+        let mut joints = SheetJoints {
+            cells: counts.map(|n| n as i64),
+            seams: [JoinOfOppositeBorders::Open; 2],
+            poles: [[None; 2]; 2],
+        };
         let near = |p: &DVec3, q: &DVec3| p.distance(*q) <= noise;
         let is_pole = [0, 1].map(|d| {
             [0, 1].map(|s| {
@@ -104,16 +107,17 @@ impl SheetJoints {
                 border_control_points(cells, d, 0, k).iter().zip(other.iter().rev()).all(|(p, q)| near(p, q))
             };
             joints.seams[d] = match () {
-                () if closed[d] => BorderSeam::Straight,
-                () if is_pole[d] != [false; 2] => BorderSeam::Open,
-                () if (0..n).all(same) => BorderSeam::Straight,
-                () if (0..n).all(reversed) => BorderSeam::Reversed,
-                () => BorderSeam::Open,
+                () if closed[d] => JoinOfOppositeBorders::Straight,
+                () if is_pole[d] != [false; 2] => JoinOfOppositeBorders::Open,
+                () if (0..n).all(same) => JoinOfOppositeBorders::Straight,
+                () if (0..n).all(reversed) => JoinOfOppositeBorders::Reversed,
+                () => JoinOfOppositeBorders::Open,
             };
         }
         for (d, s) in [(0, 0), (0, 1), (1, 0), (1, 1)].into_iter().filter(|&(d, s)| is_pole[d][s]) {
-            let is_ring = joints.seams[1 - d] == BorderSeam::Straight;
-            joints.poles[d][s] = Some(BorderPole { band: poles::find_injective_band(cells, d, s, is_ring, job)? });
+            let is_ring = joints.seams[1 - d] == JoinOfOppositeBorders::Straight;
+            joints.poles[d][s] =
+                Some(BorderPole { band: poles::halvings_until_injective_at_pole(cells, d, s, is_ring, job)? });
         }
         Ok(joints)
     }
@@ -149,9 +153,9 @@ impl SheetJoints {
             }
             at[d] = at[d].rem_euclid(n);
             match self.seams[d] {
-                BorderSeam::Open => return None,
-                BorderSeam::Straight => {}
-                BorderSeam::Reversed => {
+                JoinOfOppositeBorders::Open => return None,
+                JoinOfOppositeBorders::Straight => {}
+                JoinOfOppositeBorders::Reversed => {
                     at[1 - d] = self.cells[1 - d] - 1 - at[1 - d];
                     flips[1 - d] = !flips[1 - d];
                 }

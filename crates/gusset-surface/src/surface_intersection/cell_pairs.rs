@@ -205,7 +205,7 @@ impl CellQuadrilateral {
 }
 
 /// The corners of the cells of a block, and the cells that may meet another block.
-struct BlockCells {
+struct BlockQuadrilaterals {
     at: [usize; 2],
     corners: [[DVec3; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
     /// Bound of the distance between the surface and the cells' quadrilaterals.
@@ -213,8 +213,8 @@ struct BlockCells {
     quads: Vec<CellQuadrilateral>,
 }
 
-impl BlockCells {
-    const NO_BLOCK: BlockCells = BlockCells {
+impl BlockQuadrilaterals {
+    const NO_BLOCK: BlockQuadrilaterals = BlockQuadrilaterals {
         at: [usize::MAX; 2],
         corners: [[DVec3::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
         deviation: 0.0,
@@ -227,7 +227,7 @@ impl BlockCells {
             return;
         }
         self.at = [node.row, node.column];
-        self.deviation = sheet.index.block_deviation(node.row, node.column);
+        self.deviation = sheet.index.distance_bound_from_bilinear_patches(node.row, node.column);
         let [rows, columns] = sheet.sheet.cells();
         let [first, left] = self.at.map(|at| at * CELLS_PER_BLOCK_SIDE);
         each_sheet!(sheet.sheet, cells => {
@@ -262,7 +262,7 @@ impl Surface<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the distance is negative or not finite; [`Error::TooLarge`]
     /// above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
-    pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
+    pub fn candidate_cell_pairs(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
         let sheet_pairs = (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| [k, n]));
         self.candidate_pairs_among(sheet_pairs, other, (within, &|_| true), job)
     }
@@ -272,7 +272,7 @@ impl Surface<'_> {
     /// its cells.
     ///
     /// # Errors
-    /// The errors of [`Surface::candidates`].
+    /// The errors of [`Surface::candidate_cell_pairs`].
     pub(super) fn candidate_pairs_of_itself(
         &self,
         within: f64,
@@ -324,7 +324,7 @@ fn add_pairs_of_sheets(
     });
     let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
     let before = found.len();
-    let blocks = [BlockCells::NO_BLOCK; 2];
+    let blocks = [BlockQuadrilaterals::NO_BLOCK; 2];
     let mut descent = PyramidPairDescent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
     descent.visit_block_pair(
         &PyramidBlock::whole_sheet(a.index, DVec3::ZERO),
@@ -348,7 +348,7 @@ struct PyramidPairDescent<'a> {
     /// Tells which pairs of cells are wanted.
     wanted: &'a dyn Fn(&CellPair) -> bool,
     /// The most recent blocks of A and of B.
-    blocks: [BlockCells; 2],
+    blocks: [BlockQuadrilaterals; 2],
     /// Number of pairs since the last progress report.
     unheard: usize,
     found: &'a mut Vec<CellPair>,

@@ -8,7 +8,7 @@
 
 use super::arc_links::{ArcChain, ArcLinks, NO_LINKED_ARC};
 use super::contact::CriticalPoint;
-use super::pair_search::{FoundArcs, IntersectionArc, UnresolvedBall};
+use super::pair_search::{FoundArcsAndBalls, IntersectionArc, UnresolvedBall};
 use glam::DVec3;
 use glam::DVec4;
 use gusset_base::alloc;
@@ -61,8 +61,8 @@ pub(super) struct JoinedCrossings {
 }
 
 /// Joins chains of arcs across unresolved balls.
-pub(super) struct ChainBridges<'a, S> {
-    pub(super) pieces: &'a FoundArcs,
+pub(super) struct ChainsWithBalls<'a, S> {
+    pub(super) pieces: &'a FoundArcsAndBalls,
     pub(super) surroundings: &'a S,
     pub(super) tolerance: f64,
     /// Accuracy of ends.
@@ -78,7 +78,7 @@ fn positive_radius(length: f64) -> ScaledRadius {
     ScaledRadius::new(length.max(f64::MIN_POSITIVE))
 }
 
-impl<S: IntersectedSurfaces> ChainBridges<'_, S> {
+impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
     /// The radius within which a ball may have ended a chain. It includes arcs shorter than the
     /// resolution, which may be lost beside the ball.
     fn chain_end_radius(&self, ball: &UnresolvedBall) -> f64 {
@@ -250,7 +250,7 @@ impl<S: IntersectedSurfaces> ChainBridges<'_, S> {
                     let is_one = others[last] == start;
                     from.dot(to) + if is_one { 4.0 } else { 0.0 }
                 } else {
-                    point.passing_side_of_branches() * from.cross(to).dot(point.normal)
+                    point.side_on_which_branches_pass() * from.cross(to).dot(point.normal)
                 }
             };
             let straight = score(lasts[0], starts[0]) + score(lasts[1], starts[1]);
@@ -296,10 +296,10 @@ impl<S: IntersectedSurfaces> ChainBridges<'_, S> {
                 alloc::push(&mut bridges, (-straightness, end, start, is_point))?;
             }
         }
-        sort::stable(&mut bridges, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        sort::sort_stable(&mut bridges, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         for (_, end, start, is_point) in bridges {
             let (from, to) = (ends[end as usize], ends[start as usize]);
-            if links.are_ends_free(from.arc, to.arc)
+            if links.can_arc_follow(from.arc, to.arc)
                 && (is_point || self.surroundings.is_chord_near_surfaces([from.point, to.point]))
             {
                 links.join_arcs(from.arc, to.arc);
@@ -350,7 +350,7 @@ impl<S: IntersectedSurfaces> ChainBridges<'_, S> {
 
     /// For each ball, whether a joint explains it. An explained ball is hardly larger than the
     /// resolution, and a chain passes through it, as at poles.
-    pub(super) fn balls_explained_by_joints(&self, links: &ArcLinks) -> Result<Vec<bool>> {
+    pub(super) fn which_balls_a_joint_explains(&self, links: &ArcLinks) -> Result<Vec<bool>> {
         let followed = self.pieces.arcs.iter().zip(&links.after).filter(|(_, after)| **after != NO_LINKED_ARC);
         let limit = MAX_SAME_POINT_DISTANCE_IN_RESOLUTIONS * self.resolution;
         let is_small = |ball: &UnresolvedBall| ball.radius <= limit;

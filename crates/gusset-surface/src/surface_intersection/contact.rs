@@ -19,7 +19,7 @@
 //! Cost: O(n log n) for n balls, O(N^3) for each ball, and a few evaluations for each cluster.
 
 use super::cell_pairs::CellPair;
-use super::height_graph::{FormDefiniteness, HeightGraph, Interval};
+use super::height_graph::{FormDefiniteness, HeightDerivativeIntervals, Interval};
 use super::pair_search::UnresolvedBall;
 use crate::{Place, Surface, each_sheet};
 use glam::{DMat2, DMat3, DVec4};
@@ -71,7 +71,7 @@ impl CriticalPoint {
     /// left.
     ///
     /// Along N_A x N_B, A is above B on the right, or below it if the normals are opposite.
-    pub(super) fn passing_side_of_branches(&self) -> f64 {
+    pub(super) fn side_on_which_branches_pass(&self) -> f64 {
         if self.is_opposed { -self.gap.signum() } else { self.gap.signum() }
     }
 }
@@ -135,13 +135,13 @@ impl ContactSearch<'_> {
                 alloc::push(&mut critical.points, point)?;
             }
         }
-        self.assign_rim_balls(&mut critical);
+        self.assign_balls_on_contact_rims(&mut critical);
         Ok(critical)
     }
 
     /// Assigns remaining balls within a contact to it. They lie on the rim of a lens thinner than
     /// the tolerance. Arcs on the rim are removed too.
-    fn assign_rim_balls(&self, found: &mut CriticalPoints) {
+    fn assign_balls_on_contact_rims(&self, found: &mut CriticalPoints) {
         for (ball, number) in
             self.balls.iter().zip(&mut found.explanations).filter(|(_, number)| **number == NOT_EXPLAINED)
         {
@@ -205,7 +205,7 @@ impl ContactSearch<'_> {
         let mut order: Vec<&UnresolvedBall> = alloc::collect(cluster.iter().map(ball)).ok()?;
         order.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.pair.cmp(&b.pair)));
         let found = self.critical_point_among(&order)?;
-        let mut forms = cluster.iter().map(|k| self.relative_form_over_ball(ball(k), &frame_with_normal(found.normal)));
+        let mut forms = cluster.iter().map(|k| self.definiteness_over_ball(ball(k), &frame_with_normal(found.normal)));
         let form = forms.next()??;
         if form == FormDefiniteness::Unknown || forms.any(|other| other != Some(form)) {
             return None;
@@ -254,16 +254,19 @@ impl ContactSearch<'_> {
             let [a, b] = self.places_of_pair(ball.pair, x);
             let (jets, normal) = ([self.surfaces[0].jet(a), self.surfaces[1].jet(b)], self.surfaces[0].normal(a));
             let frame = frame_with_normal(normal.try_normalize()?);
-            let [one, other] = [HeightGraph::from_jet(&jets[0], &frame)?, HeightGraph::from_jet(&jets[1], &frame)?];
+            let [one, other] = [
+                HeightDerivativeIntervals::from_jet(&jets[0], &frame)?,
+                HeightDerivativeIntervals::from_jet(&jets[1], &frame)?,
+            ];
             let away = (frame.transpose() * (jets[0].point - jets[1].point)).truncate();
-            let second = |graph: &HeightGraph| {
+            let second = |graph: &HeightDerivativeIntervals| {
                 let [xx, xy, yy] = graph.second.map(Interval::middle);
                 DMat2::from_cols(DVec2::new(xx, xy), DVec2::new(xy, yy))
             };
-            let slopes = |graph: &HeightGraph| DVec2::from_array(graph.slopes.map(Interval::middle));
+            let slopes = |graph: &HeightDerivativeIntervals| DVec2::from_array(graph.slopes.map(Interval::middle));
             let (g, h) = (second(&one), second(&other));
             let in_plane = (g - h).inverse() * (slopes(&other) - slopes(&one) + h * away);
-            let by_parameters = |graph: &HeightGraph, step: DVec2| {
+            let by_parameters = |graph: &HeightDerivativeIntervals, step: DVec2| {
                 graph.inverse.map(|[x, y]| x.middle() * step.x + y.middle() * step.y)
             };
             let ([s, t], [u, v]) = (by_parameters(&one, in_plane), by_parameters(&other, in_plane + away));
@@ -316,7 +319,7 @@ impl ContactSearch<'_> {
     }
 
     /// Definiteness of the relative second form over the box of a ball.
-    fn relative_form_over_ball(&self, ball: &UnresolvedBall, frame: &DMat3) -> Option<FormDefiniteness> {
+    fn definiteness_over_ball(&self, ball: &UnresolvedBall, frame: &DMat3) -> Option<FormDefiniteness> {
         let places = self.places_of_pair(ball.pair, ball.low);
         let size = ball.high - ball.low;
         let over = |k: usize, size: [f64; 2]| {
@@ -324,7 +327,7 @@ impl ContactSearch<'_> {
             let part = [[u, u + size[0]], [v, v + size[1]]].map(|[from, to]| [from, to.min(1.0)]);
             each_sheet!(self.surfaces[k].sheet(sheet as usize), cells => {
                 let patch = crate::cells::SheetCells::cell_patch(cells, i as usize, j as usize);
-                HeightGraph::from_patch(&patch, part, frame)
+                HeightDerivativeIntervals::from_patch(&patch, part, frame)
             })
         };
         Some(FormDefiniteness::from_difference(&over(0, [size.x, size.y])?, &over(1, [size.z, size.w])?))

@@ -4,7 +4,7 @@
 use crate::Patch;
 use crate::subdivision::BernsteinField;
 use glam::DVec3;
-use gusset_base::geom::bernstein::basis_with_slopes;
+use gusset_base::geom::bernstein::bernstein_values_and_slopes;
 
 /// The fields of x, y and z.
 #[derive(Debug, Clone)]
@@ -51,7 +51,7 @@ impl<const N: usize> CoordinateNet<N> {
     /// Evaluates the point at (u, v).
     #[inline]
     pub(super) fn point_at(&self, u: f64, v: f64) -> DVec3 {
-        let ([of_u, _], [of_v, _]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
+        let ([of_u, _], [of_v, _]) = (bernstein_values_and_slopes::<N>(u), bernstein_values_and_slopes::<N>(v));
         let [x, y, z] = &self.0;
         DVec3::from_array([x, y, z].map(|field| dot(&weighted_row_sum(&field.c, &of_u), &of_v)))
     }
@@ -59,7 +59,8 @@ impl<const N: usize> CoordinateNet<N> {
     /// Evaluates the point and the first derivatives.
     #[inline(always)]
     pub(super) fn point_and_tangents(&self, u: f64, v: f64) -> [DVec3; 3] {
-        let ([of_u, slope_u], [of_v, slope_v]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
+        let ([of_u, slope_u], [of_v, slope_v]) =
+            (bernstein_values_and_slopes::<N>(u), bernstein_values_and_slopes::<N>(v));
         let mut jet = [DVec3::ZERO; 3];
         for (k, field) in self.0.iter().enumerate() {
             let (values, slopes) = (weighted_row_sum(&field.c, &of_u), weighted_row_sum(&field.c, &slope_u));

@@ -68,7 +68,7 @@ impl Mul for Interval {
 
 /// The height of a piece of a surface over the plane of a frame's first two axes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct HeightGraph {
+pub(super) struct HeightDerivativeIntervals {
     /// The derivatives of u and of v with respect to x and y.
     pub(super) inverse: [[Interval; 2]; 2],
     /// h_x and h_y.
@@ -77,10 +77,10 @@ pub(super) struct HeightGraph {
     pub(super) second: [Interval; 3],
 }
 
-impl HeightGraph {
+impl HeightDerivativeIntervals {
     /// Creates the graph from S_u and S_v, and from S_uu, S_uv and S_vv, in coordinates of the
     /// frame. Returns `None` if the piece may not be a graph.
-    fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<HeightGraph> {
+    fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<HeightDerivativeIntervals> {
         let [[xu, yu, zu], [xv, yv, zv]] = first;
         let factor = (xu * yv - xv * yu).reciprocal()?;
         let minus = Interval::single_number(-1.0) * factor;
@@ -91,13 +91,13 @@ impl HeightGraph {
             let ([uk, un], [vk, vn]) = ([inverse[0][k], inverse[0][n]], [inverse[1][k], inverse[1][n]]);
             uu * uk * un + uv * (uk * vn + vk * un) + vv * vk * vn
         };
-        Some(HeightGraph { inverse, slopes, second: [along(0, 0), along(0, 1), along(1, 1)] })
+        Some(HeightDerivativeIntervals { inverse, slopes, second: [along(0, 0), along(0, 1), along(1, 1)] })
     }
 
     /// The graph at a point.
-    pub(super) fn from_jet(jet: &Jet, frame: &DMat3) -> Option<HeightGraph> {
+    pub(super) fn from_jet(jet: &Jet, frame: &DMat3) -> Option<HeightDerivativeIntervals> {
         let along = |vector: DVec3| (frame.transpose() * vector).to_array().map(Interval::single_number);
-        HeightGraph::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
+        HeightDerivativeIntervals::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
     }
 
     /// The graph over a part of a patch. Control points give the bounds.
@@ -105,7 +105,7 @@ impl HeightGraph {
         patch: &Patch<N>,
         part: [[f64; 2]; 2],
         frame: &DMat3,
-    ) -> Option<HeightGraph> {
+    ) -> Option<HeightDerivativeIntervals> {
         let mut points = patch.points.map(|row| row.map(|point| frame.transpose() * point));
         restrict_patch_rows(&mut points, part[0]);
         let mut turned = Patch { points }.transposed();
@@ -142,7 +142,7 @@ impl HeightGraph {
         }
         // The second derivatives of degree 1 vanish.
         let all = |range: [Option<Interval>; 3]| range.map(|range| range.unwrap_or(Interval::single_number(0.0)));
-        HeightGraph::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
+        HeightDerivativeIntervals::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
     }
 }
 
@@ -176,7 +176,10 @@ pub(super) enum FormDefiniteness {
 
 impl FormDefiniteness {
     /// The definiteness of the second derivatives of the difference of two graphs.
-    pub(super) fn from_difference(one: &HeightGraph, other: &HeightGraph) -> FormDefiniteness {
+    pub(super) fn from_difference(
+        one: &HeightDerivativeIntervals,
+        other: &HeightDerivativeIntervals,
+    ) -> FormDefiniteness {
         let [xx, xy, yy] = [0, 1, 2].map(|k| one.second[k] - other.second[k]);
         let Interval { low, high } = xx * yy;
         let square = xy.low.abs().max(xy.high.abs()).powi(2);

@@ -3,9 +3,9 @@
 //! Cost: O(n log n) for n arcs.
 
 use super::arc_links::{ArcChain, ArcLinks};
-use super::chain_bridges::{ChainBridges, IntersectedSurfaces, JoinedCrossings};
+use super::chain_bridges::{ChainsWithBalls, IntersectedSurfaces, JoinedCrossings};
 use super::contact::{CriticalPoints, EXPLAINED_AS_APART, NOT_EXPLAINED};
-use super::pair_search::{FoundArcs, IntersectionArc};
+use super::pair_search::{FoundArcsAndBalls, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -33,7 +33,7 @@ pub(super) fn find_near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> R
     // Not an axis, because surfaces are often parallel to axes.
     let direction = DVec3::new(0.540_302, 0.612_372, 0.577_35);
     let mut order = alloc::collect(points.iter().enumerate().map(|(k, p)| (p.dot(direction), k as u32)))?;
-    sort::stable(&mut order, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort::sort_stable(&mut order, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut pairs = Vec::new();
     // Sort keys are rounded, so the limit is wider.
     let mut compared = 0;
@@ -73,7 +73,7 @@ fn add_near_pairs_by_tree(
     for (at, &(_, k)) in run.iter().enumerate() {
         job.step_every(ENDS_PER_REPORT, at, run.len(), "paths")?;
         let (mut result, mut seen) = (Ok(()), 0);
-        let _ = tree.visit_within(own[at], reach, &mut |_, n| {
+        let _ = tree.try_for_each_within(own[at], reach, &mut |_, n| {
             seen += 1;
             if n as usize > at {
                 let distance = own[at].distance(own[n as usize]);
@@ -108,7 +108,7 @@ pub(super) struct ChainedArcs {
 /// `tolerance`. `resolution` is the accuracy of ends, and the length of arcs that may be lost
 /// between them.
 pub(super) fn chain_arcs(
-    pieces: &FoundArcs,
+    pieces: &FoundArcsAndBalls,
     critical: &CriticalPoints,
     surroundings: &impl IntersectedSurfaces,
     [tolerance, resolution]: [f64; 2],
@@ -128,8 +128,8 @@ pub(super) fn chain_arcs(
         }
     }
     // The closest pairs first.
-    sort::stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    let bridges = ChainBridges { pieces, surroundings, tolerance, resolution };
+    sort::sort_stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let bridges = ChainsWithBalls { pieces, surroundings, tolerance, resolution };
     let mut links = ArcLinks::from_joints(&joints, &dropped)?;
     let mut chains = links.build_chains(&dropped)?;
     // An arc that was removed may have taken the place of another one.
@@ -151,7 +151,7 @@ pub(super) fn chain_arcs(
     Ok(ChainedArcs {
         chains: links.build_chains(&dropped)?,
         crossings,
-        passed: bridges.balls_explained_by_joints(&links)?,
+        passed: bridges.which_balls_a_joint_explains(&links)?,
     })
 }
 

@@ -77,7 +77,7 @@ impl DifferenceFrame {
     }
 
     /// Returns the change of parameter k per length of A - B if parameter `fixed` is constant.
-    pub(super) fn sensitivity_to_miss(&self, k: usize, fixed: usize) -> f64 {
+    pub(super) fn parameter_change_per_miss(&self, k: usize, fixed: usize) -> f64 {
         let rows = self.inverse_with_fixed_parameter(fixed);
         OTHER_PARAMETERS[fixed].iter().zip(rows).find(|(other, _)| **other == k).map_or(0.0, |(_, row)| row.length())
     }

@@ -59,7 +59,7 @@ use glam::{DVec3, DVec4};
 use intersection_chain::{ChainedArcs, chain_arcs};
 use overlapping_arcs::OverlappingArcs;
 use pair_places::PairPlaces;
-use pair_search::{CellPairTask, FoundArcs, IntersectionArc};
+use pair_search::{CellPairTask, FoundArcsAndBalls, IntersectionArc};
 use solution_chart::ParameterBox;
 use std::ops::Range;
 
@@ -138,7 +138,7 @@ impl Surface<'_> {
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
         let rounding = net_rounding_error(self.box_diagonal().max(other.box_diagonal()));
         let resolution = tolerance.min(self.tolerance().min(other.tolerance())).max(8.0 * rounding);
-        let pairs = self.candidates(other, tolerance, &job.part(0.0, 0.2))?;
+        let pairs = self.candidate_cell_pairs(other, tolerance, &job.part(0.0, 0.2))?;
         let origin = 0.5 * (self.bounds()[0] + self.bounds()[1]);
         let intersection = SurfaceIntersection {
             places: PairPlaces { surfaces: [self, other], pairs: &pairs, origin },
@@ -177,7 +177,7 @@ impl Surface<'_> {
         }
         alloc::extend(&mut paths.unresolved, intersection.loose_path_ends(&pieces, &chained))?;
         let cell = |place: &Place| (place.sheet, place.cell);
-        sort::stable(&mut paths.unresolved, &|a, b| cell(a).cmp(&cell(b)));
+        sort::sort_stable(&mut paths.unresolved, &|a, b| cell(a).cmp(&cell(b)));
         paths.unresolved.dedup_by_key(|place| cell(place));
         for point in critical.points.iter().filter(|point| point.gap.abs() <= tolerance) {
             alloc::push(&mut paths.contacts, intersection.contact_at(point))?;
@@ -234,16 +234,16 @@ impl IntersectedSurfaces for SurfaceIntersection<'_> {
 
 impl SurfaceIntersection<'_> {
     /// Finds the arcs of some pairs of cells, in the order of the pairs.
-    fn solve_pairs(&self, pairs: &[u32], job: &Job<'_>) -> Result<FoundArcs> {
-        let mut pieces = FoundArcs::default();
+    fn solve_pairs(&self, pairs: &[u32], job: &Job<'_>) -> Result<FoundArcsAndBalls> {
+        let mut pieces = FoundArcsAndBalls::default();
         self.solve_pairs_within_box_limit(pairs, MAX_BOXES_BEFORE_POSTPONING, false, &mut pieces, &job.part(0.0, 0.8))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
             let max_boxes =
                 (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
             self.solve_pairs_within_box_limit(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
-            sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
-            sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
+            sort::sort_stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
+            sort::sort_stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         }
         Ok(pieces)
     }
@@ -254,7 +254,7 @@ impl SurfaceIntersection<'_> {
         pairs: &[u32],
         max_boxes_per_pair: usize,
         is_last_round: bool,
-        pieces: &mut FoundArcs,
+        pieces: &mut FoundArcsAndBalls,
         job: &Job<'_>,
     ) -> Result<()> {
         let chunk = if is_last_round { 1 } else { PAIRS_PER_CHUNK };
@@ -262,9 +262,9 @@ impl SurfaceIntersection<'_> {
         let batch = if is_last_round { BOXES_PER_REPORT.div_ceil(max_boxes_per_pair) } else { BOXES_PER_REPORT / 16 };
         for (k, part) in pairs.chunks(batch).enumerate() {
             let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / pairs.len() as f64).min(1.0));
-            let ranges = par::ranges(part.len(), chunk);
+            let ranges = par::split_into_ranges(part.len(), chunk);
             let parts_found = par::map_jobs(&job.part(from, to), "intersection", ranges, |range, job| {
-                self.solve_chunk(&part[range], max_boxes_per_pair, is_last_round, job)
+                self.find_arcs_of_pairs(&part[range], max_boxes_per_pair, is_last_round, job)
             })?;
             parts_found.iter().try_for_each(|part| pieces.append_arcs(part))?;
         }
@@ -272,8 +272,14 @@ impl SurfaceIntersection<'_> {
     }
 
     /// Finds the arcs of some pairs of any sheets.
-    fn solve_chunk(&self, pairs: &[u32], max_boxes: usize, last: bool, job: &Job<'_>) -> Result<FoundArcs> {
-        let mut pieces = FoundArcs::default();
+    fn find_arcs_of_pairs(
+        &self,
+        pairs: &[u32],
+        max_boxes: usize,
+        last: bool,
+        job: &Job<'_>,
+    ) -> Result<FoundArcsAndBalls> {
+        let mut pieces = FoundArcsAndBalls::default();
         let sheets = |&k: &u32| self.places.pairs[k as usize].sheets;
         for run in pairs.chunk_by(|k, n| sheets(k) == sheets(n)) {
             let [a, b] = sheets(&run[0]);
@@ -309,7 +315,7 @@ impl SurfaceIntersection<'_> {
         b: &impl SheetCells<M>,
         pairs: &[u32],
         task: &impl Fn(u32, f64) -> CellPairTask,
-        pieces: &mut FoundArcs,
+        pieces: &mut FoundArcsAndBalls,
         job: &Job<'_>,
     ) -> Result<()> {
         let mut whole = ParameterBox::<N, M>::WHOLE_PATCHES;
@@ -332,13 +338,13 @@ impl SurfaceIntersection<'_> {
 
     /// Cuts arcs along sides where other arcs on the same side end. Returns `None` if nothing was
     /// cut.
-    fn cut_overlapping_arcs(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Option<FoundArcs>> {
+    fn cut_overlapping_arcs(&self, pieces: &FoundArcsAndBalls, job: &Job<'_>) -> Result<Option<FoundArcsAndBalls>> {
         let (resolution, chord) = (self.resolution, self.chord);
         OverlappingArcs { pieces, places: &self.places, resolution, chord }.cut_arcs_along_sides(job)
     }
 
     /// The ends of paths that are not at the border of a sheet. Something is unresolved there.
-    fn loose_path_ends(&self, pieces: &FoundArcs, chained: &ChainedArcs) -> impl Iterator<Item = Place> {
+    fn loose_path_ends(&self, pieces: &FoundArcsAndBalls, chained: &ChainedArcs) -> impl Iterator<Item = Place> {
         let open = chained.chains.iter().filter(|chain| !chain.closed);
         let ends = open.flat_map(|chain| [(chain.arcs[0], 0), (chain.arcs[chain.arcs.len() - 1], 1)]);
         ends.filter_map(|(arc, k)| {
@@ -368,7 +374,7 @@ impl SurfaceIntersection<'_> {
     /// Converts chains of arcs to paths, with the critical points they pass through.
     fn build_paths(
         &self,
-        pieces: &FoundArcs,
+        pieces: &FoundArcsAndBalls,
         chained: &ChainedArcs,
         critical: &[CriticalPoint],
         job: &Job<'_>,
@@ -400,7 +406,7 @@ impl SurfaceIntersection<'_> {
                 let ends_here = node.is_some() || n + 1 == chain.arcs.len() && !chain.closed;
                 let points: Range<usize> = arc.from as usize + skips..arc.to as usize - usize::from(!ends_here);
                 for &x in &pieces.points[points] {
-                    let [place, other] = self.places.places_inside(arc.pair, x);
+                    let [place, other] = self.places.places_clamped_into_cells(arc.pair, x);
                     alloc::push(&mut paths.places, place)?;
                     alloc::push(&mut paths.others, other)?;
                 }

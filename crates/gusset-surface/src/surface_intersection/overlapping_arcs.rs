@@ -8,7 +8,7 @@
 //! Cost: O(log n) for each arc along a side, and a few evaluations for each close end.
 
 use super::pair_places::{IntersectionCurvePoint, PairPlaces};
-use super::pair_search::{FoundArcs, IntersectionArc};
+use super::pair_search::{FoundArcsAndBalls, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -35,7 +35,7 @@ struct ArcCut {
 
 /// Cuts the arcs of all pairs of cells.
 pub(super) struct OverlappingArcs<'a> {
-    pub(super) pieces: &'a FoundArcs,
+    pub(super) pieces: &'a FoundArcsAndBalls,
     pub(super) places: &'a PairPlaces<'a>,
     /// Accuracy of ends.
     pub(super) resolution: f64,
@@ -44,7 +44,7 @@ pub(super) struct OverlappingArcs<'a> {
 
 impl OverlappingArcs<'_> {
     /// Cuts the arcs along sides. Returns `None` if no cut was needed.
-    pub(super) fn cut_arcs_along_sides(&self, job: &Job<'_>) -> Result<Option<FoundArcs>> {
+    pub(super) fn cut_arcs_along_sides(&self, job: &Job<'_>) -> Result<Option<FoundArcsAndBalls>> {
         let along = || self.pieces.arcs.iter().filter(|arc| arc.is_along_side);
         let ends = alloc::gather(along().flat_map(|arc| arc.ends))?;
         if ends.len() < 4 {
@@ -57,13 +57,13 @@ impl OverlappingArcs<'_> {
             job.part(0.1, 1.0).step_every(ARCS_PER_REPORT, k, arcs.len(), "paths")?;
             self.add_cuts_of_arc(k as u32, arc, &ends, &tree, &mut cuts)?;
         }
-        sort::stable(&mut cuts, &|a, b| (a.arc, a.behind).cmp(&(b.arc, b.behind)).then(a.way.total_cmp(&b.way)));
+        sort::sort_stable(&mut cuts, &|a, b| (a.arc, a.behind).cmp(&(b.arc, b.behind)).then(a.way.total_cmp(&b.way)));
         if cuts.is_empty() { Ok(None) } else { self.apply_cuts(&cuts).map(Some) }
     }
 
     /// The distance up to which an end of another arc counts as one of this arc's ends. For short
     /// arcs, as beside poles, it is a fraction of their length.
-    fn own_end_tolerance(&self, arc: &IntersectionArc) -> f64 {
+    fn max_distance_of_own_end(&self, arc: &IntersectionArc) -> f64 {
         let length = arc.ends[0].distance(arc.ends[1]);
         self.resolution
             * (MAX_OWN_END_DISTANCE_FRACTION * length / self.resolution)
@@ -80,7 +80,7 @@ impl OverlappingArcs<'_> {
         cuts: &mut Vec<ArcCut>,
     ) -> Result<()> {
         let points = &self.pieces.points[arc.from as usize..arc.to as usize];
-        let within = self.own_end_tolerance(arc);
+        let within = self.max_distance_of_own_end(arc);
         let mut from = self.places.point_of_first_surface(arc.pair, points[0]);
         for (n, pair) in points.windows(2).enumerate() {
             let to = self.places.point_of_first_surface(arc.pair, pair[1]);
@@ -108,8 +108,8 @@ impl OverlappingArcs<'_> {
     }
 
     /// Applies the cuts, which are sorted.
-    fn apply_cuts(&self, cuts: &[ArcCut]) -> Result<FoundArcs> {
-        let mut made = FoundArcs {
+    fn apply_cuts(&self, cuts: &[ArcCut]) -> Result<FoundArcsAndBalls> {
+        let mut made = FoundArcsAndBalls {
             points: alloc::copied(&self.pieces.points)?,
             arcs: alloc::with_capacity(self.pieces.arcs.len() + cuts.len())?,
             balls: alloc::copied(&self.pieces.balls)?,
@@ -123,7 +123,7 @@ impl OverlappingArcs<'_> {
             for cut in own {
                 // The ends of several other arcs may nearly coincide.
                 let before = last.map_or(arc.ends[0], |cut: &ArcCut| cut.at.point);
-                if before.distance(cut.at.point) > self.own_end_tolerance(arc) {
+                if before.distance(cut.at.point) > self.max_distance_of_own_end(arc) {
                     self.add_part_of_arc(arc, [last, Some(cut)], &mut made)?;
                     last = Some(cut);
                 }
@@ -134,7 +134,12 @@ impl OverlappingArcs<'_> {
     }
 
     /// Adds the part of an arc between two cuts. `None` means the arc's own end.
-    fn add_part_of_arc(&self, arc: &IntersectionArc, cuts: [Option<&ArcCut>; 2], made: &mut FoundArcs) -> Result<()> {
+    fn add_part_of_arc(
+        &self,
+        arc: &IntersectionArc,
+        cuts: [Option<&ArcCut>; 2],
+        made: &mut FoundArcsAndBalls,
+    ) -> Result<()> {
         let [from, to] = cuts.map(|cut| cut.map(|cut| arc.from + cut.behind + 1));
         let inner = from.unwrap_or(arc.from) as usize..to.unwrap_or(arc.to) as usize;
         let mut part = IntersectionArc { from: made.points.len() as u32, ..*arc };

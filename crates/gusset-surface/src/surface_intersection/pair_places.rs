@@ -55,7 +55,7 @@ impl PairPlaces<'_> {
     /// The places of a solution that may be slightly outside its cells. This happens for a curve
     /// along a side where the surfaces are nearly parallel. Clamps the parameters of one surface,
     /// and moves the other surface's place nearest to the clamped point.
-    pub(super) fn places_inside(&self, pair: u32, x: DVec4) -> [Place; 2] {
+    pub(super) fn places_clamped_into_cells(&self, pair: u32, x: DVec4) -> [Place; 2] {
         let mut inside = x.clamp(DVec4::ZERO, DVec4::ONE);
         let off = (inside - x).abs();
         if off.max_element() > MAX_CLAMPED_PARAMETER_ROUNDING {

@@ -52,7 +52,7 @@ const MAX_BALLS_PER_PAIR: usize = 64;
 pub(super) struct IntersectionArc {
     /// The index of the pair.
     pub(super) pair: u32,
-    /// The range of its points in [`FoundArcs`].
+    /// The range of its points in [`FoundArcsAndBalls`].
     pub(super) from: u32,
     pub(super) to: u32,
     /// The first and the last point, and the directions at them.
@@ -93,7 +93,7 @@ pub(super) struct UnresolvedBall {
 
 /// The arcs and the unresolved balls of some pairs.
 #[derive(Debug, Default)]
-pub(super) struct FoundArcs {
+pub(super) struct FoundArcsAndBalls {
     pub(super) points: Vec<DVec4>,
     pub(super) arcs: Vec<IntersectionArc>,
     pub(super) balls: Vec<UnresolvedBall>,
@@ -101,7 +101,7 @@ pub(super) struct FoundArcs {
     pub(super) exhausted: Vec<u32>,
 }
 
-impl FoundArcs {
+impl FoundArcsAndBalls {
     /// The numbers of points, arcs and balls.
     fn item_counts(&self) -> [usize; 3] {
         [self.points.len(), self.arcs.len(), self.balls.len()]
@@ -115,7 +115,7 @@ impl FoundArcs {
     }
 
     /// Adds the arcs and balls of other pairs.
-    pub(super) fn append_arcs(&mut self, other: &FoundArcs) -> Result<()> {
+    pub(super) fn append_arcs(&mut self, other: &FoundArcsAndBalls) -> Result<()> {
         let before = self.points.len() as u32;
         alloc::append(&mut self.points, &other.points)?;
         let moved = |arc: &IntersectionArc| IntersectionArc { from: arc.from + before, to: arc.to + before, ..*arc };
@@ -168,7 +168,7 @@ impl CellPairTask {
     pub(super) fn solve_pair<const N: usize, const M: usize>(
         &self,
         whole: &ParameterBox<N, M>,
-        pieces: &mut FoundArcs,
+        pieces: &mut FoundArcsAndBalls,
         job: &Job<'_>,
     ) -> Result<()> {
         let mut search = self.begin_search(&whole.nets, pieces, job);
@@ -181,7 +181,7 @@ impl CellPairTask {
     pub(super) fn begin_search<'a, const N: usize, const M: usize>(
         &'a self,
         equation: &'a IntersectionEquation<N, M>,
-        pieces: &'a mut FoundArcs,
+        pieces: &'a mut FoundArcsAndBalls,
         job: &'a Job<'a>,
     ) -> CellPairSearch<'a, N, M> {
         CellPairSearch { task: self, equation, before: pieces.item_counts(), examined: 0, is_near: false, pieces, job }
@@ -202,7 +202,7 @@ pub(super) struct CellPairSearch<'a, const N: usize, const M: usize> {
     examined: usize,
     /// Whether boxes are split across the widest range instead of the longest side.
     is_near: bool,
-    pieces: &'a mut FoundArcs,
+    pieces: &'a mut FoundArcsAndBalls,
     job: &'a Job<'a>,
 }
 
@@ -228,7 +228,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
     type Split = usize;
     type Stop = SearchStop;
 
-    fn classify(
+    fn classify_box(
         &mut self,
         part: &Cow<'a, ParameterBox<N, M>>,
     ) -> Result<BoxTest<([ArcEnd; 2], usize), usize>, SearchStop> {
@@ -300,7 +300,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
     }
 
     /// Adds an arc, unless it is short enough to be dropped.
-    fn accept(
+    fn record_solution(
         &mut self,
         part: Cow<'a, ParameterBox<N, M>>,
         (ends, free): ([ArcEnd; 2], usize),
@@ -351,12 +351,12 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         Ok(alloc::push(&mut self.pieces.arcs, arc)?)
     }
 
-    fn give_up(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), SearchStop> {
+    fn record_unresolved(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), SearchStop> {
         self.report_ball(&part, false);
         Ok(())
     }
 
-    fn split(&mut self, part: Cow<'a, ParameterBox<N, M>>, longest: usize) -> [Cow<'a, ParameterBox<N, M>>; 2] {
+    fn split_box(&mut self, part: Cow<'a, ParameterBox<N, M>>, longest: usize) -> [Cow<'a, ParameterBox<N, M>>; 2] {
         let [low, high] = part.halve_by_parameter(longest);
         [Cow::Owned(high), Cow::Owned(low)]
     }

@@ -62,7 +62,7 @@ fn pole_quotient_patch<const N: usize>(patch: &Patch<N>) -> Patch<N> {
 }
 
 /// Bounds over pieces.
-struct QuotientBounds {
+struct InjectivityBoundsAtPole {
     /// The smallest r_s / r, and the smallest a_v.
     least: [f64; 2],
     /// The largest |r_v / r|, and the largest |a_s|.
@@ -72,7 +72,7 @@ struct QuotientBounds {
     spread: f64,
 }
 
-impl QuotientBounds {
+impl InjectivityBoundsAtPole {
     /// Adds a piece. Returns `None` if its derivatives cannot be bounded. `normal` is the normal of
     /// the plane.
     fn add_piece<const N: usize>(&mut self, piece: &Patch<N>, normal: DVec3) -> Option<()> {
@@ -127,7 +127,7 @@ impl QuotientBounds {
 
 /// The smallest number of halvings towards a pole after which the sheet is proven injective there.
 /// `is_ring` tells whether the last cell around the pole is followed by the first.
-pub(super) fn find_injective_band<const N: usize>(
+pub(super) fn halvings_until_injective_at_pole<const N: usize>(
     cells: &impl SheetCells<N>,
     direction: usize,
     side: usize,
@@ -151,7 +151,7 @@ fn are_quotients_injective<const N: usize>(quotients: &[Patch<N>], is_ring: bool
     let Some(normal) = quotients.iter().map(fan).sum::<DVec3>().try_normalize() else {
         return Ok(false);
     };
-    let mut bounds = QuotientBounds { least: [f64::INFINITY; 2], greatest: [0.0; 2], turn: 0.0, spread: 0.0 };
+    let mut bounds = InjectivityBoundsAtPole { least: [f64::INFINITY; 2], greatest: [0.0; 2], turn: 0.0, spread: 0.0 };
     let pieces = |patch: &Patch<N>| {
         let eighths = |half: Patch<N>| half.halves().map(|quarter| quarter.halves());
         patch.transposed().halves().map(eighths)

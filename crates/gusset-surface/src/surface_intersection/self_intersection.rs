@@ -8,10 +8,10 @@ use super::adjacent_cells::AdjacentCellPair;
 use super::arc_links::ArcChain;
 use super::cell_joints::SheetJoints;
 use super::cell_pairs::CellPair;
-use super::chain_bridges::ChainBridges;
+use super::chain_bridges::ChainsWithBalls;
 use super::coordinate_net::CoordinateNet;
 use super::pair_places::PairPlaces;
-use super::pair_search::FoundArcs;
+use super::pair_search::FoundArcsAndBalls;
 use super::solution_chart::ParameterBox;
 use super::trails::{ArcTrail, TrailBuilder, TrailStep};
 use super::{Options, SurfaceIntersection, net_rounding_error, positive_or_default};
@@ -121,7 +121,7 @@ impl SurfaceIntersection<'_> {
         &self,
         pairs: &[u32],
         joints: &[SheetJoints],
-        pieces: &mut FoundArcs,
+        pieces: &mut FoundArcsAndBalls,
         job: &Job<'_>,
     ) -> Result<()> {
         self.solve_adjacent_pairs_with_limit(
@@ -138,8 +138,8 @@ impl SurfaceIntersection<'_> {
                 (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
             self.solve_adjacent_pairs_with_limit(&again, joints, max_boxes, true, pieces, &job.part(0.5, 1.0))?;
         }
-        sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
-        sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
+        sort::sort_stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
+        sort::sort_stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         Ok(())
     }
 
@@ -151,12 +151,12 @@ impl SurfaceIntersection<'_> {
         joints: &[SheetJoints],
         max_boxes: usize,
         last: bool,
-        pieces: &mut FoundArcs,
+        pieces: &mut FoundArcsAndBalls,
         job: &Job<'_>,
     ) -> Result<()> {
         let together = if last { 1 } else { 16 };
         let found = par::map_jobs(job, "intersection", pairs.chunks(together), |part, job| {
-            let mut found = FoundArcs::default();
+            let mut found = FoundArcsAndBalls::default();
             for &k in part {
                 let number = self.places.pairs[k as usize].sheets[0] as usize;
                 each_sheet!(self.places.surfaces[0].sheet(number), cells => {
@@ -175,7 +175,7 @@ impl SurfaceIntersection<'_> {
         k: u32,
         joints: &SheetJoints,
         (max_boxes, last): (usize, bool),
-        found: &mut FoundArcs,
+        found: &mut FoundArcsAndBalls,
         job: &Job<'_>,
     ) -> Result<()> {
         let cells = self.places.pairs[k as usize].cells;
@@ -188,7 +188,7 @@ impl SurfaceIntersection<'_> {
     }
 
     /// Joins the arcs to trails.
-    fn build_trails(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Vec<ArcTrail>> {
+    fn build_trails(&self, pieces: &FoundArcsAndBalls, job: &Job<'_>) -> Result<Vec<ArcTrail>> {
         let count = 2 * pieces.arcs.len();
         let normals = alloc::try_collect::<_, Error>((0..count).map(|k| {
             job.part(0.0, 0.5).step_every(ARCS_PER_REPORT, k, count, "paths")?;
@@ -207,14 +207,14 @@ impl SurfaceIntersection<'_> {
         }))?;
         let mut dropped = alloc::filled(false, pieces.arcs.len())?;
         let bridges =
-            ChainBridges { pieces, surroundings: self, tolerance: self.tolerance, resolution: self.resolution };
+            ChainsWithBalls { pieces, surroundings: self, tolerance: self.tolerance, resolution: self.resolution };
         bridges.drop_repeated_chains(&chains, &mut dropped)?;
         trails.retain(|trail| !dropped[trail.steps[0].arc as usize]);
         Ok(trails)
     }
 
     /// Whether all ends of a trail lie in unresolved balls of their pairs of cells.
-    fn is_scrap_trail(&self, pieces: &FoundArcs, trail: &ArcTrail) -> bool {
+    fn is_scrap_trail(&self, pieces: &FoundArcsAndBalls, trail: &ArcTrail) -> bool {
         trail.steps.iter().all(|step| {
             let arc = pieces.arcs[step.arc as usize];
             let first = pieces.balls.partition_point(|ball| ball.pair < arc.pair);
@@ -224,7 +224,7 @@ impl SurfaceIntersection<'_> {
     }
 
     /// Converts trails to paths, and lists the unresolved cells.
-    fn build_trail_paths(&self, pieces: &FoundArcs, trails: &[ArcTrail], job: &Job<'_>) -> Result<Paths> {
+    fn build_trail_paths(&self, pieces: &FoundArcsAndBalls, trails: &[ArcTrail], job: &Job<'_>) -> Result<Paths> {
         let mut paths = Paths { ends: alloc::filled(0, 1)?, ..Paths::default() };
         for (k, trail) in trails.iter().enumerate() {
             job.step_every(1 << 10, k, trails.len(), "paths")?;
@@ -234,14 +234,14 @@ impl SurfaceIntersection<'_> {
         let key = |place: &Place| (place.sheet, place.cell);
         paths.unresolved =
             alloc::gather(pieces.balls.iter().flat_map(|ball| self.places.clamped_places(ball.pair, ball.x)))?;
-        sort::stable(&mut paths.unresolved, &|a, b| key(a).cmp(&key(b)));
+        sort::sort_stable(&mut paths.unresolved, &|a, b| key(a).cmp(&key(b)));
         paths.unresolved.dedup_by_key(|place| key(place));
         Ok(paths)
     }
 
     /// Adds the points of a trail. A long trail omits joints within a pair of cells, where boxes
     /// were halved, if they are closer together than the chord tolerance.
-    fn add_trail_path(&self, pieces: &FoundArcs, trail: &ArcTrail, paths: &mut Paths) -> Result<()> {
+    fn add_trail_path(&self, pieces: &FoundArcsAndBalls, trail: &ArcTrail, paths: &mut Paths) -> Result<()> {
         let arc = |step: &TrailStep| &pieces.arcs[step.arc as usize];
         let is_long =
             trail.steps.len() > 8 && trail.steps.iter().any(|step| arc(step).pair != arc(&trail.steps[0]).pair);

@@ -38,7 +38,7 @@ pub(super) struct ParameterBox<const N: usize, const M: usize> {
 
 /// A proof that the solutions in a box, and within [`GRAPH_MARGIN_FRACTION`] of it, are a graph.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct SolutionChart {
+pub(super) struct SolutionGraphProof {
     /// The parameter on which the other three depend.
     pub(super) free: usize,
     /// The point of the line of the middle at the middle of the free parameter.
@@ -50,7 +50,7 @@ pub(super) struct SolutionChart {
 }
 
 /// A proof that a box is empty, or that its solutions form a graph.
-pub(super) type ChartTest = BoxTest<SolutionChart, ()>;
+pub(super) type ChartTest = BoxTest<SolutionGraphProof, ()>;
 
 /// Factor by which the range of the coefficients of a polynomial of total degree `degree` may grow
 /// if its box grows by [`GRAPH_MARGIN_FRACTION`] on each side. The weights of extrapolation sum to
@@ -140,7 +140,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         if is_apart {
             return BoxTest::Empty;
         }
-        let mut chart = SolutionChart { free, base: self.middle_point(), line: DVec4::ONE, slopes: [[1.0; 2]; 4] };
+        let mut chart = SolutionGraphProof { free, base: self.middle_point(), line: DVec4::ONE, slopes: [[1.0; 2]; 4] };
         for (k, &other) in others.iter().enumerate() {
             // From fractions of the box to parameters of the cells.
             let scale = self.size[other] / self.size[free];
@@ -195,7 +195,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     /// nets, times their number.
     pub(super) fn piece_extents(&self) -> [f64; 4] {
         let ([s, t], [u, v]) =
-            (longest_leg_lengths(&self.nets.a.to_patch()), longest_leg_lengths(&self.nets.b.to_patch()));
+            (derivative_bounds_by_legs(&self.nets.a.to_patch()), derivative_bounds_by_legs(&self.nets.b.to_patch()));
         [s, t, u, v]
     }
 
@@ -223,7 +223,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
 }
 
 /// The length of the longest leg of a net times the number of legs, in u and in v.
-fn longest_leg_lengths<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
+fn derivative_bounds_by_legs<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
     let points = &patch.points;
     let mut longest = [0.0_f64; 2];
     for a in 0..N {

@@ -56,7 +56,7 @@ pub(super) struct TrailBuilder<'a> {
 impl TrailBuilder<'_> {
     /// Returns the paths, ordered by their first arcs.
     pub(super) fn build_trails(&self, job: &Job<'_>) -> Result<Vec<ArcTrail>> {
-        let (mates, dropped) = self.match_arc_ends(job)?;
+        let (mates, dropped) = self.pair_arc_ends_and_find_duplicates(job)?;
         let mut used = dropped;
         let mut trails = Vec::new();
         // Open paths first, starting at an end.
@@ -69,7 +69,7 @@ impl TrailBuilder<'_> {
                 alloc::push(&mut trails, self.trail_from(2 * k + first.unwrap_or(0), &mates, &mut used)?)?;
             }
         }
-        sort::stable(&mut trails, &|a, b| a.steps[0].arc.cmp(&b.steps[0].arc));
+        sort::sort_stable(&mut trails, &|a, b| a.steps[0].arc.cmp(&b.steps[0].arc));
         Ok(trails)
     }
 
@@ -92,7 +92,7 @@ impl TrailBuilder<'_> {
     }
 
     /// For each end, the end that it is joined to, and for each arc, whether it is a duplicate.
-    fn match_arc_ends(&self, job: &Job<'_>) -> Result<(Vec<u32>, Vec<bool>)> {
+    fn pair_arc_ends_and_find_duplicates(&self, job: &Job<'_>) -> Result<(Vec<u32>, Vec<bool>)> {
         let arcs = self.arcs;
         let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
         let near = find_near_pairs(&ends, MAX_JOINT_GAP_IN_RESOLUTIONS * self.resolution, job)?;
@@ -113,7 +113,7 @@ impl TrailBuilder<'_> {
                 alloc::push(&mut joints, (cost, p, q))?;
             }
         }
-        sort::stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        sort::sort_stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         let mut mates = alloc::filled(NO_LINKED_ARC, 2 * arcs.len())?;
         for (_, p, q) in joints {
             if mates[p as usize] == NO_LINKED_ARC && mates[q as usize] == NO_LINKED_ARC {

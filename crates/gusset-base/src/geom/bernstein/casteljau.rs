@@ -181,7 +181,7 @@ pub fn blossom<T: Coefficient, const N: usize>(c: &[T; N], arguments: impl IntoI
 
 /// Computes the values at t of the Bernstein polynomials whose degree fills `values`.
 #[inline(always)]
-pub fn basis(values: &mut [f64], t: f64) {
+pub fn bernstein_values(values: &mut [f64], t: f64) {
     values[0] = 1.0;
     for degree in 1..values.len() {
         values[degree] = 0.0;
@@ -200,9 +200,9 @@ fn raise_basis_degree(values: &mut [f64], t: f64) {
 
 /// Returns the Bernstein polynomials of degree N - 1 >= 1 at t, and their derivatives.
 #[inline(always)]
-pub fn basis_with_slopes<const N: usize>(t: f64) -> [[f64; N]; 2] {
+pub fn bernstein_values_and_slopes<const N: usize>(t: f64) -> [[f64; N]; 2] {
     let (mut values, mut slopes) = ([0.0; N], [0.0; N]);
-    basis(&mut values[..N - 1], t);
+    bernstein_values(&mut values[..N - 1], t);
     for k in 0..N {
         let before = if k > 0 { values[k - 1] } else { 0.0 };
         slopes[k] = (N - 1) as f64 * (before - values[k]);
@@ -245,7 +245,7 @@ mod tests {
                 prop_assert!(near(value, truth) && near(derivative, slope));
             }
             prop_assert!(near(blossom(&c, [t; 5]), truth));
-            let [values, slopes] = basis_with_slopes::<6>(t);
+            let [values, slopes] = bernstein_values_and_slopes::<6>(t);
             let sum = |weights: [f64; 6]| weights.iter().zip(c).map(|(w, c)| w * c).sum::<f64>();
             prop_assert!(near(sum(values), truth) && near(sum(slopes), slope));
             let mut derived = c;

@@ -47,7 +47,7 @@ impl Roots {
 
 /// Visits a polynomial over `from` to `to`. If `visit` returns true, it visits the halves
 /// recursively, from left to right. O(n^2) for each halving.
-pub fn bisect<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
+pub fn visit_by_bisection<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
     c: &mut A,
     [from, to]: [f64; 2],
     visit: &mut impl FnMut(&A, [f64; 2]) -> bool,
@@ -56,8 +56,8 @@ pub fn bisect<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
         let mut before = c.clone();
         halve(c.as_mut(), before.as_mut());
         let middle = 0.5 * (from + to);
-        bisect(&mut before, [from, middle], visit);
-        bisect(c, [middle, to], visit);
+        visit_by_bisection(&mut before, [from, middle], visit);
+        visit_by_bisection(c, [middle, to], visit);
     }
 }
 
@@ -137,7 +137,7 @@ pub fn roots(c: &[f64], noise: f64) -> Roots {
         len: 0,
         halvings_left: MAX_INTERVAL_HALVINGS,
     };
-    bisect(&mut CoefficientBuffer::from_slice(c), [0.0, 1.0], &mut |part, interval| {
+    visit_by_bisection(&mut CoefficientBuffer::from_slice(c), [0.0, 1.0], &mut |part, interval| {
         search.isolate_roots(part.as_ref(), interval)
     });
     for &(low, high) in &search.clusters[..search.len] {

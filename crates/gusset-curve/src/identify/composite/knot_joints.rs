@@ -27,7 +27,7 @@ const MAX_POINT_MISS_DISTANCE: f64 = 1e-14;
 const MAX_FALLBACK_ROUNDS: u32 = 3;
 
 /// Finds the curve with joints by knots.
-pub(super) fn solve_by_knots(
+pub(super) fn solve_with_knot_joints(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
     out: &mut SubcurveOutput<'_>,
@@ -47,27 +47,31 @@ pub(super) fn solve_by_knots(
             workspace.solution.beta[i] = here / (here + there);
         }
     }
-    solve_resetting_runaway_joints(sub, workspace, out).map(|_| ())
+    solve_and_reset_bad_joints(sub, workspace, out).map(|_| ())
 }
 
 /// Finds the curve for the current joint parameters. Where it runs away, they fall back to 1/2.
 /// Returns false if only the lock by parameters has a solution.
-pub(super) fn solve_resetting_runaway_joints(
+pub(super) fn solve_and_reset_bad_joints(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
     out: &mut SubcurveOutput<'_>,
 ) -> Result<bool> {
-    let none_runs_away = |solution: &CompositeSolution| !sub.section_indices().any(|i| has_run_away(sub, solution, i));
+    let none_runs_away = |solution: &CompositeSolution| {
+        !sub.section_indices().any(|i| is_control_too_far_or_point_missed(sub, solution, i))
+    };
     for round in 0..=MAX_FALLBACK_ROUNDS {
         let regular = control_equations::solve_control_points(sub, &mut workspace.solution)
             && none_runs_away(&workspace.solution)
-            && lock::solve_lock(sub, workspace, out)?;
+            && lock::solve_with_lock(sub, workspace, out)?;
         if regular && none_runs_away(&workspace.solution) {
             return Ok(true);
         }
         let solution = &mut workspace.solution;
         let (n, all) = (sub.len(), !regular && round + 1 >= MAX_FALLBACK_ROUNDS);
-        let fallen = alloc::gather(sub.section_indices().filter(|&i| all || has_run_away(sub, solution, i)))?;
+        let fallen = alloc::gather(
+            sub.section_indices().filter(|&i| all || is_control_too_far_or_point_missed(sub, solution, i)),
+        )?;
         for i in fallen {
             out.results[i].flag_status(PointStatus::JointFellBack);
             solution.beta[i] = 0.5;
@@ -83,7 +87,7 @@ pub(super) fn solve_resetting_runaway_joints(
 
 /// Returns true if the control point of a section is farther away than middle joints allow, or the
 /// section misses its point. Elimination may lose digits if rows are not dominant.
-fn has_run_away(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> bool {
+fn is_control_too_far_or_point_missed(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> bool {
     let (p, b) = (sub.points[i], solution.controls[i]);
     let section = [solution.joint_point(sub, sub.previous_index(i)), b, solution.joint_point(sub, i)];
     let (away, miss) = (b.distance(p), segment::point_at(&section, solution.t[i]).distance(p));
@@ -113,7 +117,7 @@ mod tests {
         workspace.solution.reset_joint_parameters(9).unwrap();
         workspace.solution.beta[4] = f64::NAN;
         let mut out = SubcurveOutput { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
-        solve_resetting_runaway_joints(&sub, &mut workspace, &mut out).unwrap();
+        solve_and_reset_bad_joints(&sub, &mut workspace, &mut out).unwrap();
         assert_eq!(workspace.solution.controls, halves);
         assert!(results.iter().all(|result| result.status == PointStatus::JointFellBack));
         // A runaway before the equations are solved is harmless.
@@ -121,8 +125,10 @@ mod tests {
         let mut out = SubcurveOutput { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
         workspace.solution.controls[4] = DVec3::splat(1e3);
         // Its neighbours then miss their points.
-        assert!((0..9).all(|i| has_run_away(&sub, &workspace.solution, i) == (3..6).contains(&i)));
-        solve_resetting_runaway_joints(&sub, &mut workspace, &mut out).unwrap();
+        assert!(
+            (0..9).all(|i| is_control_too_far_or_point_missed(&sub, &workspace.solution, i) == (3..6).contains(&i))
+        );
+        solve_and_reset_bad_joints(&sub, &mut workspace, &mut out).unwrap();
         assert!(results.iter().all(|result| result.status == PointStatus::Ok));
     }
 }

@@ -18,7 +18,7 @@ pub(in crate::identify) struct LockWorkspace {
 
 /// Finds parameters and control points, starting from control points that solve the linear
 /// equations. Returns false if the equations are singular.
-pub(super) fn solve_lock(
+pub(super) fn solve_with_lock(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
     out: &mut SubcurveOutput<'_>,

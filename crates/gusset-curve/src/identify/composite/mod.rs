@@ -85,8 +85,8 @@ pub(super) fn solve_composite_curve(
     }
     solution.data_t[..n].copy_from_slice(&solution.t[..n]);
     match options.joint {
-        JointParameter::Half => lock::solve_lock(sub, workspace, out).map(|_| ()),
-        JointParameter::Knot => knot_joints::solve_by_knots(sub, workspace, out),
+        JointParameter::Half => lock::solve_with_lock(sub, workspace, out).map(|_| ()),
+        JointParameter::Knot => knot_joints::solve_with_knot_joints(sub, workspace, out),
         JointParameter::G2 => curvature::solve_with_continuous_curvature(sub, workspace, joints, out),
     }
 }

@@ -154,7 +154,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
             report.record_cycle(farthest / sub.size)?;
             if farthest <= MAX_RELATIVE_LAST_STEP * sub.size {
                 solution.save_controls();
-                apply_fixed_point_map(sub, solution);
+                update_parameters_and_controls(sub, solution);
                 let moves = sub.section_indices().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
                 report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.size;
                 if report.last_move * sub.size <= tolerance {
@@ -163,7 +163,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
                 smallest = f64::INFINITY;
             }
         }
-        apply_fixed_point_map(sub, solution);
+        update_parameters_and_controls(sub, solution);
         Ok(false)
     }
 
@@ -185,12 +185,12 @@ impl<const D: usize> SelfConsistentNewton<D> {
             self.rows[i] = NewtonRow {
                 factors: control_equations::control_point_coefficients(t, before, after),
                 gradients: [
-                    truncate_to_dimension(gradients[0] * (1.0 - before)),
-                    truncate_to_dimension(gradients[0] * before + gradients[1] * (1.0 - after)),
-                    truncate_to_dimension(gradients[1] * after),
+                    first_coordinates(gradients[0] * (1.0 - before)),
+                    first_coordinates(gradients[0] * before + gradients[1] * (1.0 - after)),
+                    first_coordinates(gradients[1] * after),
                 ],
-                derivative: truncate_to_dimension(((b - u) * s + (v - b) * t) * 2.0),
-                value: truncate_to_dimension(value),
+                derivative: first_coordinates(((b - u) * s + (v - b) * t) * 2.0),
+                value: first_coordinates(value),
             };
         }
         Ok(sum)
@@ -269,7 +269,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
 }
 
 /// Reads off the parameters and solves for the control points: the fixed-point map.
-fn apply_fixed_point_map(sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
+fn update_parameters_and_controls(sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
     for i in sub.section_indices() {
         solution.t[i] = parameter_on_section(sub, solution, i);
     }
@@ -320,7 +320,7 @@ pub(super) fn parameter_and_gradients(options: &Options, u: DVec3, v: DVec3) -> 
 }
 
 #[inline]
-fn truncate_to_dimension<const D: usize>(v: DVec3) -> [f64; D] {
+fn first_coordinates<const D: usize>(v: DVec3) -> [f64; D] {
     let all = v.to_array();
     std::array::from_fn(|k| all[k])
 }

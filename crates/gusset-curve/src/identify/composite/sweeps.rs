@@ -52,7 +52,7 @@ pub(super) fn solve_by_sweeps(
     solution: &mut CompositeSolution,
     out: &mut SubcurveOutput<'_>,
 ) -> Result<bool> {
-    start_sweeps(sub, solution, out.results)?;
+    move_controls_to_sweep_start(sub, solution, out.results)?;
     let lock = sub.options.lock;
     for round in 0..=MAX_FALLBACK_ROUNDS {
         let rests = sweep_until_converged(sub, solution, out, max_iterations_of_round(sub, out.report, round))?;
@@ -90,7 +90,11 @@ pub(super) fn solve_by_sweeps(
 }
 
 /// Moves the control points to the start of the sweeps.
-fn start_sweeps(sub: &Subcurve<'_>, solution: &mut CompositeSolution, results: &mut [PointResult]) -> Result<()> {
+fn move_controls_to_sweep_start(
+    sub: &Subcurve<'_>,
+    solution: &mut CompositeSolution,
+    results: &mut [PointResult],
+) -> Result<()> {
     if sub.options.lock == Lock::DataGuide {
         find_guide_directions(sub, solution, results)?;
         for i in sub.section_indices() {
@@ -162,7 +166,7 @@ fn place_control_point(
         _ if solution.fell_back[i] => solution.data_t[i],
         Lock::Parameter => solution.data_t[i],
         Lock::SelfConsistent => self_consistent::parameter_and_gradients(sub.options, u, v).0,
-        Lock::DataGuide => match guide_crossing_parameter(sub, solution, i) {
+        Lock::DataGuide => match parameter_where_section_crosses_guide(sub, solution, i) {
             Some(t) => {
                 guide = Some(solution.guides[i]);
                 solution.missed_guide[i] = false;
@@ -188,7 +192,7 @@ fn place_control_point(
         Solver::Step => {
             let direction = guide.unwrap_or_else(|| left.normalize_or_zero());
             let deviation = |x: f64| direction.dot(left) - slope * x;
-            match stepping::step_to_zero_deviation(sub.options, sub.size, deviation, &mut report.steps, job)? {
+            match stepping::step_until_deviation_is_zero(sub.options, sub.size, deviation, &mut report.steps, job)? {
                 Some(along) => start + direction * along,
                 None => return Ok(false),
             }
@@ -202,7 +206,7 @@ fn place_control_point(
 
 /// Returns the parameter at which the section crosses the guide of its point; `None` if it does
 /// not.
-fn guide_crossing_parameter(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> Option<f64> {
+fn parameter_where_section_crosses_guide(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> Option<f64> {
     let guide = solution.guides[i];
     let (before, after) = (sub.previous_index(i), sub.next_index(i));
     let p = sub.points[i];

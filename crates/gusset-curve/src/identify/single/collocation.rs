@@ -41,7 +41,7 @@ pub(in crate::identify) struct Collocation {
 }
 
 impl Collocation {
-    pub(super) fn begin_subcurve(&mut self, sub: &Subcurve<'_>, degree: usize) -> Result<()> {
+    pub(super) fn reset_for_subcurve(&mut self, sub: &Subcurve<'_>, degree: usize) -> Result<()> {
         let count = sub.len() + usize::from(sub.closed);
         self.points.clear();
         alloc::extend(&mut self.points, sub.points.iter().copied().chain(sub.closed.then_some(sub.points[0])))?;
@@ -118,7 +118,7 @@ impl Collocation {
     }
 
     /// Puts the control points on their points, where the paper starts.
-    pub(super) fn set_controls_to_points(&mut self) {
+    pub(super) fn start_controls_at_points(&mut self) {
         let (inner_range, inner) = (self.inner_control_range(), self.inner_point_count());
         self.controls[inner_range].copy_from_slice(&self.points[1..=inner]);
     }
@@ -129,11 +129,11 @@ impl Collocation {
         self.controls[inner_range.clone()].fill(DVec3::ZERO);
         self.matrix.resize(inner)?;
         for i in 1..=inner {
-            bernstein::basis(&mut self.basis, self.t[i]);
+            bernstein::bernstein_values(&mut self.basis, self.t[i]);
             self.matrix.row(i - 1).copy_from_slice(&self.basis[inner_range.clone()]);
         }
         if !self.matrix.factor() {
-            self.set_controls_to_points();
+            self.start_controls_at_points();
             return Ok(());
         }
         // Iterative refinement: the first round leaves rounding errors, and the next removes most

@@ -44,7 +44,7 @@ impl Collocation {
     /// Finds the control points for the current parameters.
     pub(super) fn solve_for_parameters(&mut self, sub: &Subcurve<'_>, out: &mut SubcurveOutput<'_>) -> Result<()> {
         if sub.options.solver == Solver::Step {
-            self.set_controls_to_points();
+            self.start_controls_at_points();
             let left = sub.options.max_sweeps.saturating_sub(out.report.iterations);
             if !self.run_sweeps(sub, None, left, out)? {
                 flag_unconverged(out);
@@ -60,7 +60,7 @@ impl Collocation {
         normal: DVec3,
         out: &mut SubcurveOutput<'_>,
     ) -> Result<bool> {
-        self.set_controls_to_points();
+        self.start_controls_at_points();
         if sub.options.solver == Solver::Fast {
             self.run_sweeps(sub, Some(normal), MAX_SWEEPS_BEFORE_NEWTON.min(sub.options.max_sweeps), out)?;
             // The sweeps are the start of Newton's method, not part of it.
@@ -110,7 +110,7 @@ impl Collocation {
                         self.t[i] = t;
                     }
                 }
-                bernstein::basis(&mut self.basis, self.t[i]);
+                bernstein::bernstein_values(&mut self.basis, self.t[i]);
                 let slope = self.basis[own];
                 let left = p - segment::point_at(&self.controls, self.t[i]);
                 let direction = if normal.is_some() { self.guides[i] } else { left.normalize_or_zero() };
@@ -118,8 +118,14 @@ impl Collocation {
                     Solver::Fast => direction.dot(left) / slope,
                     Solver::Step => {
                         let deviation = |x: f64| direction.dot(left) - slope * x;
-                        stepping::step_to_zero_deviation(sub.options, sub.size, deviation, &mut report.steps, job)?
-                            .unwrap_or(f64::NAN)
+                        stepping::step_until_deviation_is_zero(
+                            sub.options,
+                            sub.size,
+                            deviation,
+                            &mut report.steps,
+                            job,
+                        )?
+                        .unwrap_or(f64::NAN)
                     }
                 };
                 // The sweeps diverged or the steps are used up. Newton's method or the lock by
@@ -212,7 +218,7 @@ impl Collocation {
             let slope = segment::point_at(&self.slopes[..degree], self.t[i]);
             let across = normal.cross(slope);
             let left = self.points[i] - segment::point_at(&self.controls, self.t[i]);
-            bernstein::basis(&mut self.basis, self.t[i]);
+            bernstein::bernstein_values(&mut self.basis, self.t[i]);
             let row = self.matrix.row(i - 1);
             for j in 1..=inner {
                 row[j - 1] = self.basis[first + j - 1] * across.dot(self.guides[j]);
@@ -301,7 +307,7 @@ mod tests {
     fn basis_functions_are_exact() {
         let mut basis = [0.0; 21];
         for t in [0.0, 0.1, 0.5, 0.97, 1.0] {
-            bernstein::basis(&mut basis, t);
+            bernstein::bernstein_values(&mut basis, t);
             assert!((basis.iter().sum::<f64>() - 1.0).abs() < 1e-14);
             let wanted = 1140.0 * t * t * t * (1.0f64 - t).powi(17);
             assert!((basis[3] - wanted).abs() < 1e-15, "{t}");

@@ -69,7 +69,7 @@ fn solve_single_curve(
     if degree > MAX_DEGREE {
         return Ok(Some(FitStatus::DegreeTooHigh));
     }
-    collocation.begin_subcurve(sub, degree)?;
+    collocation.reset_for_subcurve(sub, degree)?;
     let normal = if sub.options.lock == Lock::Parameter { None } else { subcurve_plane_normal(sub) };
     if sub.options.lock != Lock::Parameter && normal.is_none() {
         out.flag_all_points(PointStatus::OutOfPlane);

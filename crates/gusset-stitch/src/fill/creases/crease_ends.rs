@@ -257,6 +257,6 @@ fn drop_creases_with_shared_vertices(
     along_rim.iter().flat_map(|crease| crease.rim_vertices(count)).for_each(|v| uses[v] += 1);
     ends.retain(|end| end.rim_vertices(count).all(|v| uses[v] == 1));
     along_rim.retain(|crease| crease.rim_vertices(count).all(|v| uses[v] == 1));
-    sort::stable(&mut ends, &|x, y| x.tip.cmp(&y.tip));
+    sort::sort_stable(&mut ends, &|x, y| x.tip.cmp(&y.tip));
     Ok((ends, along_rim))
 }

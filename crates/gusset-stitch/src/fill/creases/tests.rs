@@ -3,7 +3,7 @@
 use super::super::patch_rim::{OldFaces, PatchRim};
 use super::{DividedHole, divide_along_creases};
 use glam::DVec3;
-use gusset_base::testing::cases;
+use gusset_base::testing::case_count;
 
 const GRID_CELLS: u32 = 9;
 const HOLE_CELL_RANGE: std::ops::RangeInclusive<u32> = 2..=6;
@@ -71,7 +71,7 @@ fn a_ridge_that_touches_the_rim_hides_what_is_beyond() {
 
 #[test]
 fn noise_has_no_creases() {
-    let count = u64::from(cases(1000));
+    let count = u64::from(case_count(1000));
     let rough = |&seed: &u64| {
         let mut random = fastrand::Rng::with_seed(seed);
         let noise = 0.4 * random.f64();

@@ -52,7 +52,7 @@ impl SortedBridges {
         let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
         let mut sorted = alloc::gather(pairs.filter(|&[u, v]| task.rims.joins_two_loops(u, v) && !(task.taken)(u, v)))?;
         let squared = |[u, v]: [u32; 2]| task.rims.squared_distance(u, v);
-        sort::stable(&mut sorted, &|&x, &y| squared(x).total_cmp(&squared(y)).then(x.cmp(&y)));
+        sort::sort_stable(&mut sorted, &|&x, &y| squared(x).total_cmp(&squared(y)).then(x.cmp(&y)));
         let mut rank = alloc::filled(0, (n * n) as usize)?;
         for (&[u, v], at) in sorted.iter().zip(0..) {
             rank[(u * n + v) as usize] = at;
@@ -156,7 +156,7 @@ impl BridgeTreeSearch<'_> {
         let places = branch.opened.order.iter().enumerate();
         let mut next = alloc::gather(others.flat_map(|v| places.clone().map(move |(place, &u)| (u, v, place))))?;
         next.retain(|&(u, v, _)| !(self.task.taken)(u, v) && self.bridges.rank_of_bridge(rims, u, v) > least(u, v));
-        sort::stable(&mut next, &|x, y| {
+        sort::sort_stable(&mut next, &|x, y| {
             let key = |&(u, v, place): &(u32, u32, usize)| (self.bridges.rank_of_bridge(rims, u, v), place);
             key(x).cmp(&key(y))
         });

@@ -149,7 +149,7 @@ impl ClosingTask<'_> {
         let mut each = Buckets::new(rims.vertex_count(), (0, DVec3::ZERO), each)?;
         for u in 0..rims.vertex_count() as u32 {
             let sides = each.get_mut(u as usize);
-            sort::stable(sides, &|x, y| x.0.cmp(&y.0));
+            sort::sort_stable(sides, &|x, y| x.0.cmp(&y.0));
             for pair in sides.chunk_by(|a, b| a.0 == b.0) {
                 let (v, normal) = pair[0];
                 let from = if rims.next_vertex(u) == v { u } else { v };

@@ -91,7 +91,7 @@ pub(super) fn farthest_spanning_tree(
     let sides = sides.filter(|&[u, v]| u < v && rims.joins_two_loops(u, v));
     let far = |[u, v]: [u32; 2]| distances[u as usize] + distances[v as usize];
     let mut sides = alloc::gather(sides.map(|ends| (far(ends), ends)))?;
-    sort::stable(&mut sides, &|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    sort::sort_stable(&mut sides, &|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     spanning_tree(rims, sides.iter().map(|&(_, ends)| ends))
 }
 

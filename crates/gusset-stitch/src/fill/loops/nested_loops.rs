@@ -92,7 +92,7 @@ fn join_nested_loops(
         |ring: usize| rims.loop_vertices(ring).min_by(|&u, &v| compare_points(flat[u as usize], flat[v as usize]));
     let inner = (0..rims.loop_count()).filter(|&ring| ring != outer);
     let mut inner = alloc::gather(inner.filter_map(|ring| leftmost(ring).map(|v| (v, ring))))?;
-    sort::stable(&mut inner, &|&(u, _), &(v, _)| compare_points(flat[u as usize], flat[v as usize]));
+    sort::sort_stable(&mut inner, &|&(u, _), &(v, _)| compare_points(flat[u as usize], flat[v as usize]));
     let count = inner.len();
     for (done, (v, ring)) in inner.into_iter().enumerate() {
         job.step(done as f64 / count as f64, "triangulating holes")?;

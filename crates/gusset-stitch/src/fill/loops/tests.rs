@@ -10,7 +10,7 @@ use crate::fill::Weight;
 use crate::fill::triangulation_cost::Polygon;
 use glam::DVec3;
 use gusset_base::Job;
-use gusset_base::testing::cases;
+use gusset_base::testing::case_count;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -130,7 +130,7 @@ fn compare_areas_with_enumeration(count: u32, lengths: impl Fn(u32) -> Vec<usize
 
 #[test]
 fn area_of_two_loops_is_the_least() {
-    let count = cases(1500);
+    let count = case_count(1500);
     let closed =
         compare_areas_with_enumeration(count, |case| [[3, 3], [4, 3], [3, 4], [4, 4]][case as usize % 4].to_vec());
     assert!(closed > count * 3 / 4 && closed < count, "{closed}");
@@ -138,14 +138,14 @@ fn area_of_two_loops_is_the_least() {
 
 #[test]
 fn area_of_three_loops_is_the_least() {
-    let count = cases(100);
+    let count = case_count(100);
     let closed = compare_areas_with_enumeration(count, |_| vec![3; 3]);
     assert!(closed > count * 3 / 4, "{closed}");
 }
 
 #[test]
 fn area_of_one_loop_is_the_least() {
-    compare_areas_with_enumeration(cases(200), |case| vec![4 + case as usize % 3]);
+    compare_areas_with_enumeration(case_count(200), |case| vec![4 + case as usize % 3]);
 }
 
 /// Returns the median ratio of the cost to the enumerated minimum.
@@ -170,10 +170,10 @@ fn median_cost_ratio(weight: Weight, lengths: &[usize], count: u32) -> f64 {
 #[test]
 fn bends_are_near_the_least() {
     for weight in [Weight::Continuation, Weight::AreaAndBend] {
-        assert!(median_cost_ratio(weight, &[3, 3], cases(300)) <= 1.05);
-        assert!(median_cost_ratio(weight, &[4, 4], cases(100)) <= 1.05);
+        assert!(median_cost_ratio(weight, &[3, 3], case_count(300)) <= 1.05);
+        assert!(median_cost_ratio(weight, &[4, 4], case_count(100)) <= 1.05);
     }
-    assert!(median_cost_ratio(Weight::Continuation, &[3, 3, 3], cases(50)) <= 1.05);
+    assert!(median_cost_ratio(Weight::Continuation, &[3, 3, 3], case_count(50)) <= 1.05);
 }
 
 #[test]

@@ -47,7 +47,7 @@ pub(crate) fn meridians_by_index_rule(n: u32, m: u32) -> Result<Vec<MeridianEnds
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gusset_base::testing::cases;
+    use gusset_base::testing::case_count;
 
     /// Returns the j with the least |m i - n j| by enumeration, the later of equals.
     fn nearest_index_by_enumeration(n: u64, m: u64, i: u64) -> u64 {
@@ -57,7 +57,7 @@ mod tests {
     #[test]
     fn index_rule_equals_the_least_distance_up_to_200() {
         // The counts 0..=200 cover the open rule up to 201 vertices, and the closed rule up to 200.
-        for n in (0..=200u32).rev().step_by(200 / cases(200) as usize) {
+        for n in (0..=200u32).rev().step_by(200 / case_count(200) as usize) {
             for m in 0..=n {
                 let expected = (0..=n).map(|i| nearest_index_by_enumeration(n.into(), m.into(), i.into()) as u32);
                 assert!(index_rule(n, m).eq(expected), "{n} {m}");

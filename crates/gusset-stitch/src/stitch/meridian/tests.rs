@@ -5,7 +5,7 @@ use super::index_rule::meridians_by_index_rule;
 use super::step_metric::strip_area;
 use super::*;
 use glam::DVec3;
-use gusset_base::testing::cases;
+use gusset_base::testing::case_count;
 use proptest::prelude::*;
 
 /// Returns the edges that a path uses. The end of a closed polyline is identified with its start.
@@ -213,7 +213,7 @@ fn polyline_of_integers(coordinates: &[(i8, i8, i8)]) -> Vec<DVec3> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(cases(256)))]
+    #![proptest_config(ProptestConfig::with_cases(case_count(256)))]
 
     #[test]
     fn meridians_equal_brute_force(
@@ -349,7 +349,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(cases(16)))]
+    #![proptest_config(ProptestConfig::with_cases(case_count(16)))]
 
     /// Compares a long wavy rim from coarse to fine with the exact result.
     #[test]

@@ -59,25 +59,25 @@ impl HomogeneousDifference {
 
     /// A bound of |N| / w, close enough to decide whether |N| / w is within the target.
     pub(super) fn distance_bound(&self, target: f64) -> f64 {
-        let rough = self.max_control_ratio();
+        let rough = self.max_ratio_of_control_vectors_to_weights();
         // Rounding in quarters and divisions is far below this relative margin.
         (1.0 + 1e-12)
             * if rough > MAX_IMPROVABLE_BOUND_IN_TOLERANCES * target {
                 rough
             } else {
-                self.bound_by_quartering(rough, target, MAX_QUARTERINGS)
+                self.tighten_bound_by_quartering(rough, target, MAX_QUARTERINGS)
             }
     }
 
     /// The largest |N_ij| / W_ij.
-    fn max_control_ratio(&self) -> f64 {
+    fn max_ratio_of_control_vectors_to_weights(&self) -> f64 {
         let values = self.net[..self.counts[0]].iter().flat_map(|row| &row[..self.counts[1]]);
         let ratios = values.map(|value| value.truncate().length() / value.w);
         // NaN proves nothing.
         ratios.map(|ratio| if ratio.is_nan() { f64::INFINITY } else { ratio }).fold(0.0, f64::max)
     }
 
-    fn bound_by_quartering(&self, bound: f64, target: f64, depth: usize) -> f64 {
+    fn tighten_bound_by_quartering(&self, bound: f64, target: f64, depth: usize) -> f64 {
         if bound <= target || depth == 0 {
             return bound;
         }
@@ -86,7 +86,9 @@ impl HomogeneousDifference {
         quarters
             .as_flattened()
             .iter()
-            .map(|part| part.bound_by_quartering(part.max_control_ratio(), target, depth - 1))
+            .map(|part| {
+                part.tighten_bound_by_quartering(part.max_ratio_of_control_vectors_to_weights(), target, depth - 1)
+            })
             .fold(0.0, f64::max)
     }
 

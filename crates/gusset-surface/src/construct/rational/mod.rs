@@ -9,9 +9,9 @@ mod difference_bound;
 mod piece_fit;
 
 use self::difference_bound::HomogeneousDifference;
-use self::piece_fit::{ExactBorderPoints, FitFactors};
+use self::piece_fit::{ExactBorderPoints, FitMatrices};
 use super::spline::{PieceNet, Spline, SplineInterval, SplineOptions, SplinePiece, knots_at_cell_borders};
-use crate::patches::SplineKnotsAndDeviation;
+use crate::patches::SplineOrigin;
 use crate::{Patch, Patches};
 use glam::DVec3;
 use glam::DVec4;
@@ -73,7 +73,7 @@ struct ScaledRationalSpline<'a> {
     middle: DVec3,
     /// Homogeneous coordinates w x, w y, w z and w of the control points.
     homogeneous: Vec<DVec4>,
-    fit: FitFactors,
+    fit: FitMatrices,
     /// Largest permitted bound of a cell, in this scale.
     target: f64,
     /// Rounding to add to the bounds.
@@ -160,7 +160,7 @@ pub(super) fn fit_patches(
         deviation = deviation.max(cell.bound);
         patches.push(cell.patch);
     }
-    let origin = SplineKnotsAndDeviation {
+    let origin = SplineOrigin {
         deviation: (deviation + rational.rounding) * rational.unit,
         knots: knots_at_cell_borders(&intervals)?,
     };
@@ -233,7 +233,7 @@ impl<'a> ScaledRationalSpline<'a> {
             unit,
             middle,
             homogeneous,
-            fit: FitFactors::new(degrees)?,
+            fit: FitMatrices::new(degrees)?,
             target,
             rounding,
             radius,
@@ -249,7 +249,7 @@ impl<'a> ScaledRationalSpline<'a> {
         let bound = HomogeneousDifference::new(&piece.points, &homogeneous, degrees).distance_bound(self.target);
         let mut parts = [1, 1];
         if bound > self.target {
-            parts = self.cell_part_counts(self.fit.max_errors_by_direction(&piece, &homogeneous));
+            parts = self.parts_to_meet_tolerance(self.fit.max_errors_by_direction(&piece, &homogeneous));
         }
         let mut patch = Patch { points: piece.points.map(|row| row.map(|point| (point + self.middle) * self.unit)) };
         exact.overwrite_exact_points(&mut patch.points);
@@ -258,7 +258,7 @@ impl<'a> ScaledRationalSpline<'a> {
 
     /// Number of parts to cut a cell with these errors in u and in v into, so that each error is at
     /// most 5/13 of the target. The bound is up to 1.3 times the sum of both errors.
-    fn cell_part_counts(&self, errors: [f64; 2]) -> [u8; 2] {
+    fn parts_to_meet_tolerance(&self, errors: [f64; 2]) -> [u8; 2] {
         let parts = errors.map(|error| match 2.6 * error / self.target {
             // Errors this large do not yet decrease with the eighth power.
             _ if error >= 1e-3 * self.radius => 2,

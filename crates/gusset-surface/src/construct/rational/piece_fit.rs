@@ -15,7 +15,7 @@ use crate::MAX_DEGREE;
 use glam::DVec3;
 use glam::DVec4;
 use gusset_base::error::Result;
-use gusset_base::geom::bernstein::{basis, evaluate};
+use gusset_base::geom::bernstein::{bernstein_values, evaluate};
 use gusset_base::geom::linear::dense::DenseMatrix;
 
 /// Number of data in each direction: the value and derivative at 0, inner values, the derivative
@@ -28,7 +28,7 @@ const INNER_PARAMETERS: [f64; 4] =
     [0.186_438_771_685_935_4, 0.390_291_999_860_562_7, 0.609_708_000_139_437_3, 0.813_561_228_314_064_6];
 
 /// The parameters of these extrema.
-const EXTREMAL_PARAMETERS: [f64; 5] = [0.0983, 0.2846, 0.5, 0.7154, 0.9017];
+const PARAMETERS_OF_EXTREME_ERROR: [f64; 5] = [0.0983, 0.2846, 0.5, 0.7154, 0.9017];
 
 /// The indices of the data that are values.
 const DATA_INDICES_OF_VALUES: [usize; 6] = [0, 2, 3, 4, 5, 7];
@@ -72,11 +72,11 @@ impl ExactBorderPoints {
 }
 
 /// The factors that all pieces of two degrees share.
-pub(super) struct FitFactors {
+pub(super) struct FitMatrices {
     degrees: [usize; 2],
     /// Factors that compute the data from control points, in u and in v.
     data: [DataMatrix<DATA_PER_DIRECTION>; 2],
-    /// Factors that compute the values at [`EXTREMAL_PARAMETERS`].
+    /// Factors that compute the values at [`PARAMETERS_OF_EXTREME_ERROR`].
     between: [DataMatrix<5>; 2],
     /// Factors that compute the control points of degree 7 from data.
     control: DataMatrix<DATA_PER_DIRECTION>,
@@ -95,7 +95,7 @@ fn data_from_controls(degree: usize) -> DataMatrix<DATA_PER_DIRECTION> {
     rows[0][0] = 1.0;
     (rows[1][0], rows[1][1]) = (-n, n);
     for (row, t) in rows[2..].iter_mut().zip(INNER_PARAMETERS) {
-        basis(&mut row[..=degree], t);
+        bernstein_values(&mut row[..=degree], t);
     }
     (rows[6][degree - 1], rows[6][degree]) = (-n, n);
     rows[7][degree] = 1.0;
@@ -110,7 +110,7 @@ fn weighted_sum_of_values<T: Default + std::ops::Add<Output = T> + std::ops::Mul
     factors.iter().enumerate().map(|(k, &factor)| value(k) * factor).fold(T::default(), |sum, term| sum + term)
 }
 
-impl FitFactors {
+impl FitMatrices {
     pub(super) fn new(degrees: [usize; 2]) -> Result<Self> {
         let mut system = DenseMatrix::default();
         system.resize(DATA_PER_DIRECTION)?;
@@ -125,13 +125,13 @@ impl FitFactors {
             control.iter_mut().zip(column).for_each(|(row, x)| row[datum] = x.x);
         }
         let between = degrees.map(|degree| {
-            EXTREMAL_PARAMETERS.map(|t| {
+            PARAMETERS_OF_EXTREME_ERROR.map(|t| {
                 let mut row = [0.0; DATA_PER_DIRECTION];
-                basis(&mut row[..=degree], t);
+                bernstein_values(&mut row[..=degree], t);
                 row
             })
         });
-        Ok(FitFactors { degrees, data: degrees.map(data_from_controls), between, control })
+        Ok(FitMatrices { degrees, data: degrees.map(data_from_controls), between, control })
     }
 
     /// Fits a rational piece with the given homogeneous control points: w x, w y, w z and w.
@@ -210,7 +210,7 @@ impl FitFactors {
                     if d == 0 { piece.data[k][l] } else { piece.data[l][k] }
                 }));
                 let row = &self.data[1 - d][l][..=self.degrees[1 - d]];
-                for (t, between) in EXTREMAL_PARAMETERS.into_iter().zip(&self.between[d]) {
+                for (t, between) in PARAMETERS_OF_EXTREME_ERROR.into_iter().zip(&self.between[d]) {
                     let at = |k: usize| {
                         weighted_sum_of_values(row, |m| if d == 0 { homogeneous[k][m] } else { homogeneous[m][k] })
                     };

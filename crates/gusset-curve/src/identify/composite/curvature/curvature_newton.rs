@@ -16,7 +16,7 @@
 //! for each step, in time and memory: about 1,100 bytes a point.
 
 use super::curvature_system::{
-    EQUATIONS_PER_POINT, EquationDerivatives, GivenPointQuantities, LockEquation, POINTS_PER_EQUATION, PointUnknowns,
+    EQUATIONS_PER_POINT, EquationDerivatives, FixedPointQuantities, LockEquation, POINTS_PER_EQUATION, PointUnknowns,
     UNKNOWNS_PER_POINT, differentiate_equations, evaluate_equations,
 };
 use crate::identify::subcurve::Subcurve;
@@ -92,7 +92,7 @@ impl LeastNormNewton {
     pub(super) fn take_damped_step(
         &mut self,
         sub: &Subcurve<'_>,
-        known: &[GivenPointQuantities],
+        known: &[FixedPointQuantities],
         nodes: &mut [PointUnknowns],
         job: &Job<'_>,
     ) -> Result<f64> {
@@ -158,7 +158,7 @@ impl LeastNormNewton {
     fn solve_least_norm_step(
         &mut self,
         sub: &Subcurve<'_>,
-        known: &[GivenPointQuantities],
+        known: &[FixedPointQuantities],
         nodes: &[PointUnknowns],
         job: &Job<'_>,
     ) -> Result<()> {
@@ -231,7 +231,7 @@ impl LeastNormNewton {
 }
 
 /// Returns the units of the unknowns of a point; 0 for fixed ones.
-fn unknown_step_units(known: &GivenPointQuantities, node: &PointUnknowns) -> [f64; UNKNOWNS_PER_POINT] {
+fn unknown_step_units(known: &FixedPointQuantities, node: &PointUnknowns) -> [f64; UNKNOWNS_PER_POINT] {
     let control = if known.fixed { 0.0 } else { CONTROL_POINT_STEP_UNIT * known.spacing };
     let t = if known.lock_equation == LockEquation::GivenParameter { 0.0 } else { 1.0 };
     let [beta, lambda, mu] = known.free;

@@ -55,7 +55,7 @@ pub(super) enum LockEquation {
 
 /// The given quantities of a point.
 #[derive(Clone, Copy)]
-pub(super) struct GivenPointQuantities {
+pub(super) struct FixedPointQuantities {
     pub(super) lock_equation: LockEquation,
     /// The unit of length: the distance between its neighbours.
     pub(super) spacing: f64,
@@ -91,13 +91,13 @@ fn joint_parameter_after(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) 
 /// Returns the equations of point `i`; missing ones are 0.
 pub(super) fn evaluate_equations(
     sub: &Subcurve<'_>,
-    known: &[GivenPointQuantities],
+    known: &[FixedPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
 ) -> [f64; EQUATIONS_PER_POINT] {
     let mut values = [0.0; EQUATIONS_PER_POINT];
     if sub.section_indices().contains(&i) {
-        let section = RelativeSection::new(sub, nodes, i);
+        let section = SectionRelativeToPoint::new(sub, nodes, i);
         let miss = section.offset_from_point(&nodes[i]) / known[i].spacing;
         values[..3].copy_from_slice(&miss.to_array());
         values[3] = match known[i].lock_equation {
@@ -118,7 +118,7 @@ pub(super) fn evaluate_equations(
 /// Returns log (2/3 kappa |e_i|^3) at the end of section `i`; NaN if the polygon has an inflection.
 fn log_scaled_curvature_at_end(
     sub: &Subcurve<'_>,
-    known: &[GivenPointQuantities],
+    known: &[FixedPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
 ) -> f64 {
@@ -130,7 +130,7 @@ fn log_scaled_curvature_at_end(
 /// Returns the logarithm at the start of section `i`, with |e_(i-1)|^3.
 fn log_scaled_curvature_at_start(
     sub: &Subcurve<'_>,
-    known: &[GivenPointQuantities],
+    known: &[FixedPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
 ) -> f64 {
@@ -140,14 +140,14 @@ fn log_scaled_curvature_at_start(
 }
 
 /// E_i; negative if the polygon has an inflection.
-fn doubled_triangle_area(sub: &Subcurve<'_>, known: &[GivenPointQuantities], nodes: &[PointUnknowns], i: usize) -> f64 {
+fn doubled_triangle_area(sub: &Subcurve<'_>, known: &[FixedPointQuantities], nodes: &[PointUnknowns], i: usize) -> f64 {
     let [before, after] = legs_at_control_point(sub, nodes, i);
     let across = before.cross(after);
     across.length().copysign(across.dot(known[i].normal))
 }
 
 /// A section relative to its point.
-struct RelativeSection {
+struct SectionRelativeToPoint {
     /// Its control point, and its ends.
     b: DVec3,
     u: DVec3,
@@ -158,12 +158,18 @@ struct RelativeSection {
     betas: [f64; 2],
 }
 
-impl RelativeSection {
+impl SectionRelativeToPoint {
     fn new(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> Self {
         let b = nodes[i].control - sub.points[i];
         let [before, after] = legs_at_control_point(sub, nodes, i);
         let betas = [joint_parameter_before(sub, nodes, i), nodes[i].beta];
-        RelativeSection { b, u: b - before * (1.0 - betas[0]), v: b + after * betas[1], legs: [before, after], betas }
+        SectionRelativeToPoint {
+            b,
+            u: b - before * (1.0 - betas[0]),
+            v: b + after * betas[1],
+            legs: [before, after],
+            betas,
+        }
     }
 
     fn offset_from_point(&self, node: &PointUnknowns) -> DVec3 {
@@ -176,7 +182,7 @@ impl RelativeSection {
 /// points, beginning with the previous point.
 pub(super) fn differentiate_equations(
     sub: &Subcurve<'_>,
-    known: &[GivenPointQuantities],
+    known: &[FixedPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
 ) -> EquationDerivatives {
@@ -194,12 +200,12 @@ pub(super) fn differentiate_equations(
 
 fn differentiate_section_equations(
     sub: &Subcurve<'_>,
-    known: &GivenPointQuantities,
+    known: &FixedPointQuantities,
     nodes: &[PointUnknowns],
     i: usize,
     rows: &mut EquationDerivatives,
 ) {
-    let (section, node) = (RelativeSection::new(sub, nodes, i), &nodes[i]);
+    let (section, node) = (SectionRelativeToPoint::new(sub, nodes, i), &nodes[i]);
     let (t, s, [lambda, mu]) = (node.t, 1.0 - node.t, node.handles);
     let shares = control_equations::cubic_section_weights(t, node.handles);
     let factors = control_equations::coefficients_from_weights(shares, section.betas[0], section.betas[1]);
@@ -210,7 +216,7 @@ fn differentiate_section_equations(
     let mut enter = |point: usize, unknown: usize, derivative: DVec3| {
         (0..3).for_each(|axis| rows[axis][point][unknown] = derivative[axis] * unit);
     };
-    let RelativeSection { b, u, v, legs, betas } = section;
+    let SectionRelativeToPoint { b, u, v, legs, betas } = section;
     // w_0' + w_1' + w_2' = 0.
     let first = -3.0 * s * s + 3.0 * s * (s - 2.0 * t) * (1.0 - lambda);
     let last = 3.0 * t * t + 3.0 * t * (2.0 * s - t) * (1.0 - mu);
@@ -240,7 +246,7 @@ fn differentiate_section_equations(
 /// if `sign` is 1, otherwise at its start. The row begins at the point before the joint.
 fn differentiate_log_end_curvature(
     sub: &Subcurve<'_>,
-    known: &[GivenPointQuantities],
+    known: &[FixedPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
     sign: f64,

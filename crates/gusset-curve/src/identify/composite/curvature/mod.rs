@@ -30,7 +30,7 @@ mod curvature_newton;
 mod curvature_system;
 
 use super::control_equations;
-use super::knot_joints::solve_resetting_runaway_joints;
+use super::knot_joints::solve_and_reset_bad_joints;
 use super::lock::LockWorkspace;
 use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::guide::subcurve_plane_normal;
@@ -39,7 +39,7 @@ use crate::identify::report::{FitStatus, PointStatus};
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use curvature_newton::{LeastNormNewton, POINTS_PER_REPORT, PROGRESS_STAGE};
 use curvature_system::{
-    EQUATIONS_PER_POINT, GivenPointQuantities, LockEquation, PointUnknowns, evaluate_equations, legs_at_control_point,
+    EQUATIONS_PER_POINT, FixedPointQuantities, LockEquation, PointUnknowns, evaluate_equations, legs_at_control_point,
 };
 use glam::DVec3;
 use gusset_base::alloc;
@@ -48,7 +48,7 @@ use gusset_base::job::Job;
 use std::ops::Range;
 
 /// The handles of a quadratic.
-const QUADRATIC_HANDLES: [f64; 2] = [2.0 / 3.0; 2];
+const HANDLE_FRACTIONS_OF_QUADRATIC: [f64; 2] = [2.0 / 3.0; 2];
 
 /// The number of iterations after which the worst equations are given up.
 const MAX_ITERATIONS_PER_ROUND: u32 = 12;
@@ -85,7 +85,7 @@ const MAX_PLANE_SINE: f64 = 1e-7;
 #[derive(Default)]
 pub(super) struct ContinuousCurvatureSolver {
     nodes: Vec<PointUnknowns>,
-    known: Vec<GivenPointQuantities>,
+    known: Vec<FixedPointQuantities>,
     values: Vec<[f64; EQUATIONS_PER_POINT]>,
     /// Joints with zero curvature, and those among them whose equations were given up.
     flat: Vec<bool>,
@@ -103,7 +103,7 @@ pub(super) fn solve_with_continuous_curvature(
     out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
     workspace.solution.reset_joint_parameters(sub.len())?;
-    let locked = solve_resetting_runaway_joints(sub, workspace, out)?;
+    let locked = solve_and_reset_bad_joints(sub, workspace, out)?;
     let solution = &mut workspace.solution;
     if inner_joints(sub).is_empty() {
         return Ok(());
@@ -139,7 +139,7 @@ impl ContinuousCurvatureSolver {
         locked: bool,
     ) -> Result<()> {
         let n = sub.len();
-        alloc::reset(&mut solution.handles, n, QUADRATIC_HANDLES)?;
+        alloc::reset(&mut solution.handles, n, HANDLE_FRACTIONS_OF_QUADRATIC)?;
         alloc::reset(&mut self.nodes, n, PointUnknowns::default())?;
         alloc::reset(&mut self.values, n, [0.0; EQUATIONS_PER_POINT])?;
         for list in [&mut self.flat, &mut self.given_up, &mut self.in_trouble] {
@@ -159,7 +159,7 @@ impl ContinuousCurvatureSolver {
             };
             let [a, p, c] = sub.point_and_neighbours(i);
             let spacing = if inner { 0.5 * (a.distance(p) + p.distance(c)) } else { sub.size };
-            GivenPointQuantities {
+            FixedPointQuantities {
                 lock_equation,
                 spacing,
                 normal: DVec3::ZERO,
@@ -172,7 +172,12 @@ impl ContinuousCurvatureSolver {
         alloc::extend(&mut self.known, known)?;
         for (i, node) in self.nodes.iter_mut().enumerate() {
             let beta = CompositeSolution::joint_parameter(sub, &solution.beta, i);
-            *node = PointUnknowns { control: solution.controls[i], t: solution.t[i], beta, handles: QUADRATIC_HANDLES };
+            *node = PointUnknowns {
+                control: solution.controls[i],
+                t: solution.t[i],
+                beta,
+                handles: HANDLE_FRACTIONS_OF_QUADRATIC,
+            };
         }
         Ok(())
     }
@@ -187,7 +192,7 @@ impl ContinuousCurvatureSolver {
             }
             self.solve_control_points_again(sub, solution);
         }
-        self.choose_unknowns(sub);
+        self.choose_equations_and_unknowns(sub);
     }
 
     /// Sets the curvature to 0 at joints followed by an inflection or a straight part of
@@ -237,7 +242,7 @@ impl ContinuousCurvatureSolver {
             self.given_up[i] |= !self.flat[i];
             self.set_curvature_to_zero(sub, i);
         }
-        self.choose_unknowns(sub);
+        self.choose_equations_and_unknowns(sub);
         self.solve_control_points_again(sub, solution);
     }
 
@@ -250,7 +255,7 @@ impl ContinuousCurvatureSolver {
     }
 
     /// Determines which joints have equations, and which unknowns they contain.
-    fn choose_unknowns(&mut self, sub: &Subcurve<'_>) {
+    fn choose_equations_and_unknowns(&mut self, sub: &Subcurve<'_>) {
         let joints = inner_joints(sub);
         let curved = |joint: usize| joints.contains(&joint) && !self.flat[joint];
         for (i, known) in self.known.iter_mut().enumerate() {
@@ -311,7 +316,7 @@ impl ContinuousCurvatureSolver {
     fn evaluate_equations(&mut self, sub: &Subcurve<'_>, job: &Job<'_>) -> Result<bool> {
         self.find_turn_normals(sub);
         if self.set_inflections_to_zero_curvature(sub) {
-            self.choose_unknowns(sub);
+            self.choose_equations_and_unknowns(sub);
         }
         let (mut all, n) = (true, self.nodes.len());
         for i in 0..n {
@@ -375,7 +380,7 @@ impl ContinuousCurvatureSolver {
                 }
             }
         }
-        self.choose_unknowns(sub);
+        self.choose_equations_and_unknowns(sub);
     }
 
     /// Sets the statuses of the points next to joints that differ from the requested ones.
