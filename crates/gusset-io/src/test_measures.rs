@@ -21,7 +21,7 @@ pub(crate) fn triangulated(mesh: &Mesh) -> Mesh {
     let mut made = Mesh { positions: mesh.positions.clone(), ..Mesh::default() };
     let mut triangles = Vec::new();
     for face in 0..mesh.face_count() {
-        triangulate_face(mesh, face, &mut triangles);
+        triangulate_face(mesh, face, &mut triangles).unwrap();
         assert_eq!(triangles.len(), mesh.face(face).len().saturating_sub(2));
         for triangle in &triangles {
             made.corners.extend(triangle.map(|place| mesh.face(face)[place as usize]));

@@ -5,8 +5,8 @@
 
 use crate::mesh::Mesh;
 use crate::polygons::triangulate_face;
-use std::collections::TryReserveError;
 use std::fmt::Write;
+use std::io;
 
 /// Triangles of a primitive.
 #[derive(Default)]
@@ -21,7 +21,7 @@ pub(super) struct Triangles {
 
 impl Triangles {
     /// Appends a face of at least 3 corners. `corners` are the vertices of the file.
-    pub(super) fn push_face(&mut self, mesh: &Mesh, face: usize, corners: &[u32]) -> Result<(), TryReserveError> {
+    pub(super) fn push_face(&mut self, mesh: &Mesh, face: usize, corners: &[u32]) -> io::Result<()> {
         self.indices.try_reserve(3 * (corners.len() - 2))?;
         match fan_start(mesh, face, corners, self.last_first) {
             Some(start) => {
@@ -38,9 +38,9 @@ impl Triangles {
     }
 
     /// Appends a polygon that no fan covers.
-    fn push_and_list_polygon(&mut self, mesh: &Mesh, face: usize, corners: &[u32]) -> Result<(), TryReserveError> {
+    fn push_and_list_polygon(&mut self, mesh: &Mesh, face: usize, corners: &[u32]) -> io::Result<()> {
         let mut triangles = std::mem::take(&mut self.triangles);
-        triangulate_face(mesh, face, &mut triangles);
+        triangulate_face(mesh, face, &mut triangles)?;
         if triangles.is_empty() {
             triangles.extend((1..corners.len() as u32 - 1).map(|place| [0, place, place + 1]));
         }

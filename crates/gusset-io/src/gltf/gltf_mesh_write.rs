@@ -258,7 +258,7 @@ fn write_faces(
     faces: &[u32],
     has_polygons: bool,
     binary: &mut Binary,
-) -> Result<String, TryReserveError> {
+) -> Result<String, WriteError> {
     let mut triangles = Triangles::default();
     triangles.indices.try_reserve(3 * faces.len())?;
     for &face in faces {

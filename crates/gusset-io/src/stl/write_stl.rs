@@ -72,7 +72,7 @@ fn for_each_triangle(
             write_corners([0, 1, 2])?;
             continue;
         }
-        triangulate_face(mesh, face, &mut triangles);
+        triangulate_face(mesh, face, &mut triangles)?;
         triangles.iter().try_for_each(|&places| write_corners(places))?;
     }
     Ok(())

@@ -281,7 +281,7 @@ impl<'w> ModelWriter<'w> {
                 3 => triangles.push([0, 1, 2]),
                 _ => {
                     self.losses.polygons += 1;
-                    triangulate_face(mesh, face, &mut triangles);
+                    triangulate_face(mesh, face, &mut triangles)?;
                 }
             }
             for triangle in &triangles {
