@@ -30,14 +30,16 @@ add_test(NAME guides/c COMMAND ${guide_programs}/start_c)
 set_tests_properties(guides/c PROPERTIES PASS_REGULAR_EXPRESSION "a loop of 4 vertices.*; 0 loops left.*the first new vertex has the normal")
 add_test(NAME guides/cpp COMMAND ${guide_programs}/start_cpp)
 set_tests_properties(guides/cpp PROPERTIES PASS_REGULAR_EXPRESSION
-                     "0 loops left.*corner 2\n.*cancelled.*joined\n0 loops left.*M.*proved.*a ring of.*quads, closed: 1")
+                     "0 loops left.*corner 2\n.*cancelled.*joined\n0 loops left.*2 and 3 triangles on 5 points.*M.*proved.*a ring of.*quads, closed: 1")
 add_test(NAME guides/openmesh COMMAND ${guide_programs}/with_openmesh left.obj right.obj WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/generated)
 set_tests_properties(guides/openmesh PROPERTIES FIXTURES_REQUIRED generated)
 add_test(NAME guides/cgal COMMAND ${guide_programs}/with_cgal)
+add_test(NAME guides/eigen COMMAND ${guide_programs}/with_eigen)
+set_tests_properties(guides/eigen PROPERTIES PASS_REGULAR_EXPRESSION "^5 vertices, 6 faces")
 # A host links nothing of ours.
 add_test(NAME guides/plugin COMMAND ${guide_programs}/plugin_host ${GUSSET_PREFIX}/lib/libgusset.so)
 set_tests_properties(guides/plugin PROPERTIES PASS_REGULAR_EXPRESSION "weld: .*4 vertices are left of 6")
-foreach(name c cpp openmesh cgal plugin)
+foreach(name c cpp openmesh cgal eigen plugin)
   set_property(TEST guides/${name} APPEND PROPERTY FIXTURES_REQUIRED guide_programs)
 endforeach()
 

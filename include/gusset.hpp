@@ -2,9 +2,7 @@
 /// gusset: joins surfaces that come in pieces. The C++17 face of gusset.h: RAII, ranges, exceptions.
 /// Header only.
 ///
-/// * Every failure of the library is a gusset::Error with the status, the sentence and the report.
-/// Mistakes that the wrapper detects throw std::logic_error: std::invalid_argument if arrays do not fit together,
-/// std::out_of_range if an element does not exist.
+/// * Every failure is a gusset::Error with the status, the sentence and the report, also if the wrapper detects it.
 /// * A callback may throw: the call is cancelled, and the exception comes out of it.
 /// * Results own their memory. Spans and views of a result are valid as long as it lives. The pointer of an empty
 /// span is null. Results are immutable and may be read from many threads. A Context serves one

@@ -4,7 +4,8 @@
 #   headers.sh PREFIX C_COMPILER C++_COMPILER [parts]
 set -euo pipefail
 include=$1/include cc=$2 cxx=$3 parts=${4:-}
-strict=(-fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror "-I$include")
+read -ra eigen <<<"$(pkg-config --cflags eigen3 | sed 's/-I/-isystem /g')"
+strict=(-fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror "-I$include" "${eigen[@]}")
 
 # One compilation a line: compiler, language, standard, header. Headers of other libraries lie in system folders,
 # where compilers do not warn.
@@ -14,11 +15,11 @@ jobs=$(
     for standard in c99 c11 c17 c2x; do echo "$cc c $standard $header"; done
     echo "$cxx c++ c++11 $header"
   done
-  for header in *.hpp gusset/openmesh.hpp gusset/cgal.hpp; do
+  for header in *.hpp gusset/openmesh.hpp gusset/cgal.hpp gusset/eigen.hpp; do
     for standard in c++17 c++20; do echo "$cxx c++ $standard $header"; done
   done
   for header in ${parts:+gusset/*.hpp}; do
-    case $header in */openmesh.hpp | */cgal.hpp) ;; *) echo "$cxx c++ c++17 $header" ;; esac
+    case $header in */openmesh.hpp | */cgal.hpp | */eigen.hpp) ;; *) echo "$cxx c++ c++17 $header" ;; esac
   done
 )
 one() { # The words of a line, then the flags.

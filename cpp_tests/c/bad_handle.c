@@ -36,7 +36,7 @@ static void wrong_operations(void) {
     static const double a[2][3] = {{0, 0, 0}, {1, 0, 0}}, b[2][3] = {{0, 1, 0}, {1, 1, 0}};
     static const double nodes[2][2][3] = {{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}}};
     const double heights[4] = {0, 0, 0, 0};
-    enum { OPERATIONS = 10 };
+    enum { OPERATIONS = 11, REPORTS = 10 };
     const gusset_mesh_view mesh = pyramid(pyramid_up), pieces[2] = {mesh, pyramid(pyramid_down)};
     const gusset_nodes given = {.struct_size = sizeof given, .nodes = nodes, .rows = 2, .columns = 2, .scalar = GUSSET_F64};
     const gusset_heights flat = {
@@ -56,6 +56,8 @@ static void wrong_operations(void) {
     EXPECT(GUSSET_OK, gusset_develop(context, &mesh, NULL, &results[7]));
     EXPECT(GUSSET_OK, gusset_net_to_mesh(context, net, NULL, &results[8]));
     EXPECT(GUSSET_OK, gusset_sheet_to_mesh(context, sheet, NULL, &results[9]));
+    /* It has no report. */
+    EXPECT(GUSSET_OK, gusset_triangulate(context, &mesh, &results[10]));
     gusset_net_destroy(net);
     gusset_sheet_destroy(sheet);
     for (int made = 0; made < OPERATIONS; ++made) {
@@ -73,14 +75,14 @@ static void wrong_operations(void) {
         gusset_mesh_view view = {.struct_size = sizeof view}, alone = view;
         gusset_origins *origins = NULL;
         const gusset_result *const result = results[made];
-        const gusset_status found[OPERATIONS] = {
+        const gusset_status found[REPORTS] = {
             gusset_result_get_join(result, &join), gusset_result_get_stitch(result, &stitch),
             gusset_result_get_strip(result, &strip), gusset_result_get_fill(result, &fill),
             gusset_result_get_weld(result, &weld), gusset_result_get_sew(result, &sew),
             gusset_result_get_orient(result, &orient), gusset_result_get_develop(result, &develop),
             gusset_result_get_net_mesh(result, &net_mesh), gusset_result_get_sheet_mesh(result, &sheet_mesh)};
         const gusset_status none = GUSSET_ERROR_WRONG_HANDLE;
-        for (int asked = 0; asked < OPERATIONS; ++asked) {
+        for (int asked = 0; asked < REPORTS; ++asked) {
             CHECK(found[asked] == (asked == made ? GUSSET_OK : none));
         }
         CHECK(gusset_result_get_quality(result, &quality) == (made == 1 || made == 3 ? GUSSET_OK : none));

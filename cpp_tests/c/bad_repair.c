@@ -149,6 +149,37 @@ static void sew(void) {
     gusset_result_destroy(NULL);
 }
 
+static void triangulate(void) {
+    /* A dart: the diagonal from its first corner lies outside. */
+    static const double dart[4][3] = {{0, 0, 0}, {2, -1, 0}, {1, 0, 0}, {2, 1, 0}};
+    static const uint32_t corners[4] = {1, 2, 3, 0};
+    gusset_mesh_view mesh = {.struct_size = sizeof mesh, .positions = dart, .vertex_count = 4, .scalar = GUSSET_F64,
+                             .face_corners = corners, .face_count = 1, .face_size = 4},
+                     view = {.struct_size = sizeof view};
+    gusset_result *triangles = (gusset_result *)misaligned();
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_triangulate(context, NULL, &triangles));
+    CHECK(triangles == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_triangulate(context, &mesh, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_triangulate(misaligned(), &mesh, &triangles));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_triangulate(context, misaligned(), &triangles));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_triangulate(context, &mesh, misaligned()));
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_triangulate(context, &mesh, &triangles));
+    gusset_context_reset(context);
+    CHECK(triangles == NULL);
+
+    EXPECT(GUSSET_OK, gusset_triangulate(context, &mesh, &triangles));
+    EXPECT(GUSSET_OK, gusset_result_get_mesh(triangles, &view));
+    /* Both triangles have the corner inside, vertex 2, and the tip, vertex 0. */
+    CHECK(view.vertex_count == 4 && view.face_count == 2);
+    for (int f = 0; f < 2; ++f) {
+        const uint32_t *face = (const uint32_t *)view.face_corners + 3 * f;
+        CHECK((face[0] == 2) + (face[1] == 2) + (face[2] == 2) == 1 && (face[0] == 0) + (face[1] == 0) + (face[2] == 0) == 1);
+    }
+    gusset_result_destroy(triangles);
+}
+
 static void orient(void) {
     /* Both triangles on the same vertices, run the same way along the common side. */
     static const uint32_t shared[6] = {0, 1, 2, 1, 2, 5};
@@ -206,6 +237,7 @@ int main(void) {
     CHECK(other.vertex_count == 5);
     weld();
     sew();
+    triangulate();
     orient();
     gusset_context_destroy(context);
     return failures != 0;

@@ -15,7 +15,7 @@ struct Soup {
 
     std::size_t face_count() const { return offsets.size() - 1; }
     void add_face(const std::vector<uint32_t> &face);
-    gusset::MeshView view() const { return gusset::MeshView::polygons(points, offsets, corners); }
+    gusset::MeshView view() const { return gusset::MeshView::polygons(points, gusset::Offsets(offsets), gusset::Corners(corners)); }
 };
 
 /// The mesh in an OFF, OBJ, PLY or STL file, as CGAL reads it; points of an STL file that are

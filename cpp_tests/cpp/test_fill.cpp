@@ -130,7 +130,7 @@ TEST_CASE("loops closed together") {
     cheapest.together = gusset::FillTogether::cheapest;
     CHECK(check_closed(gusset::Fill(soup.view(), cheapest), soup).euler == 2);
     options.groups = {groups[0], groups[1], groups[2]};
-    CHECK_THROWS_AS(gusset::Fill(soup.view(), loops, options), std::invalid_argument);
+    CHECK_THROWS_AS(gusset::Fill(soup.view(), loops, options), gusset::Error);
     CHECK_THROWS_AS(gusset::Fill(soup.view(), options), gusset::Error);
 }
 

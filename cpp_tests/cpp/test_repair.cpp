@@ -264,6 +264,40 @@ TEST_CASE("maps, lists and flags tell what became of the old mesh") {
     CHECK(orient.one_sided_half_edges().empty());
 }
 
+TEST_CASE("triangles of concave faces do not intersect") {
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> share(0.2, 1.0);
+        // A prism over a star, or over a comb whose teeth have random lengths.
+        const uint32_t n = 8 + 2 * (random() % 16);
+        std::vector<std::array<double, 2>> outline;
+        for (uint32_t k = 0; k < n; ++k) {
+            const double angle = 6.283185307179586 * k / n, radius = share(random);
+            outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+        }
+        for (uint32_t k = 0; seed % 2 == 1 && k < n; ++k) {
+            outline[k] = k < 2 ? std::array<double, 2>{k * (n + 1.0), -1} : std::array<double, 2>{double(n + 1 - k), k % 2 ? 0 : 9 * share(random)};
+        }
+        Soup prism;
+        std::vector<uint32_t> top, base;
+        for (uint32_t k = 0; k < n; ++k) {
+            prism.points.push_back({outline[k][0], outline[k][1], 0});
+            prism.points.push_back({outline[k][0], outline[k][1], 1});
+            top.push_back(2 * k + 1);
+            base.push_back(2 * (n - 1 - k));
+            prism.add_face({2 * k, 2 * ((k + 1) % n), 2 * ((k + 1) % n) + 1, 2 * k + 1});
+        }
+        prism.add_face(top);
+        prism.add_face(base);
+        const gusset::Triangulation triangulation(prism.view());
+        CHECK(triangulation.mesh().face_count() == 4 * n - 4);
+        const Verdict verdict = judge(triangulation.mesh());
+        CHECK(verdict.bounds_a_volume);
+        CHECK(verdict.self_intersections == 0);
+    }
+}
+
 TEST_SUITE_BEGIN("real meshes");
 
 TEST_CASE("boeing: 122 sheets, some inside out, become one closed manifold") {

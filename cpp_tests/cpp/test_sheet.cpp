@@ -96,7 +96,7 @@ TEST_CASE("nodes in any memory make the same sheet") {
     const double other = largest_gap(expected, sampled(Sheet::from_nodes(10, 13, nodes, options)));
     CHECK(other > 1e-5);
     CHECK(other < 1e-2);
-    CHECK_THROWS_AS(Sheet::from_nodes(10, 12, nodes), std::invalid_argument);
+    CHECK_THROWS_AS(Sheet::from_nodes(10, 12, nodes), gusset::Error);
 }
 
 TEST_CASE("tangents, patches and splines") {
@@ -127,7 +127,7 @@ TEST_CASE("tangents, patches and splines") {
     CHECK(worst(Sheet::from_tangents(view, u, v, gusset::Twists::zero)) < 5e-3);
     CHECK(worst(Sheet::from_nodes(view)) < 1e-4);
     u.pop_back();
-    CHECK_THROWS_AS(Sheet::from_tangents(view, u, v), std::invalid_argument);
+    CHECK_THROWS_AS(Sheet::from_tangents(view, u, v), gusset::Error);
 
     // A saddle z = x y, as a patch and as a spline of one span.
     const std::vector<Point3> corners{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}};
@@ -140,8 +140,8 @@ TEST_CASE("tangents, patches and splines") {
     CHECK(largest_gap(sampled(patch, 0.125), sampled(spline, 0.125)) < 1e-15);
     CHECK(patch.report().is_grid == 0);
     CHECK(spline.crease() < 1e-7);
-    CHECK_THROWS_AS(Sheet::from_patches(corners, 1, 1, 2, 1), std::invalid_argument);
-    CHECK_THROWS_AS(Sheet::from_spline(corners, {2, 1, knots}, {3, 1, knots}), std::invalid_argument);
+    CHECK_THROWS_AS(Sheet::from_patches(corners, 1, 1, 2, 1), gusset::Error);
+    CHECK_THROWS_AS(Sheet::from_spline(corners, {2, 1, knots}, {3, 1, knots}), gusset::Error);
     CHECK(spline.knots(false).size() == 2);
     CHECK(patch.knots(true).empty());
 }
@@ -167,7 +167,7 @@ TEST_CASE("rational splines") {
         CHECK(sheet.knots(true)[sheet.columns()] == 1);
     }
     CHECK_THROWS_AS(Sheet::from_spline(points, arc, v, u), gusset::Error);
-    CHECK_THROWS_AS(Sheet::from_spline(points, line, u, v), std::invalid_argument);
+    CHECK_THROWS_AS(Sheet::from_spline(points, line, u, v), gusset::Error);
     gusset::SplineOptions few;
     few.tolerance = 1e-9;
     few.max_cells = 1;
@@ -371,8 +371,8 @@ TEST_CASE("estimates, and the paper's search") {
     // Masks of other shapes, be they larger, smaller or turned.
     for (const std::array<std::size_t, 2> &shape : {std::array<std::size_t, 2>{48, 80}, {12, 20}, {40, 24}, {24, 41}}) {
         const gusset::CellMask other = gusset::CellMask::all(shape[0], shape[1]);
-        CHECK_THROWS_AS(sheet.mask_measure(other), std::invalid_argument);
-        CHECK_THROWS_AS(sheet.mask_chain(other, {3, 2}, {3, 12}), std::invalid_argument);
+        CHECK_THROWS_AS(sheet.mask_measure(other), gusset::Error);
+        CHECK_THROWS_AS(sheet.mask_chain(other, {3, 2}, {3, 12}), gusset::Error);
     }
 
     const std::vector<gusset::SurfacePlace> places{gusset::surface_place(0, 4, 5, 0.3, 0.6), gusset::surface_place(0, 20, 33, 0.9, 0.1)};
@@ -393,8 +393,8 @@ TEST_CASE("masks are made by name") {
     CHECK(CellMask::all(8, 16).count() == 8 * 16);
     CHECK(CellMask::none(9, 13).count() == 0);
     CHECK(CellMask::all(0, 5).count() == 0);
-    CHECK_THROWS_AS(CellMask::from_words(9, 13, {1}), std::invalid_argument);
-    CHECK_THROWS_AS(CellMask::all(std::size_t{1} << 40, std::size_t{1} << 40), std::length_error);
+    CHECK_THROWS_AS(CellMask::from_words(9, 13, {1}), gusset::Error);
+    CHECK_THROWS_AS(CellMask::all(std::size_t{1} << 40, std::size_t{1} << 40), gusset::Error);
     CellMask mask = CellMask::none(3, 50);
     mask.set(2, 49, true);
     CHECK(mask(2, 49));

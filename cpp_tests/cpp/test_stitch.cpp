@@ -152,7 +152,7 @@ TEST_CASE("the strip goes into the host's own mesh") {
     CHECK(mesh.n_vertices() == 28 * 3);
     CHECK(walks(mesh).size() == 2);
     CHECK_THROWS_AS(gusset::openmesh::append_strip(mesh, gusset::stitch(low.view(), high.view())),
-                    std::invalid_argument);
+                    gusset::Error);
 }
 
 TEST_SUITE_BEGIN("real meshes");

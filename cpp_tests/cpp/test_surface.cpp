@@ -158,7 +158,7 @@ TEST_CASE("limits, minima, regions") {
     CHECK(torus.minima(query, options).size() == 1);
 
     CHECK(torus.minima(query, options)[0].distance == minima[0].distance);
-    CHECK_THROWS_AS(minima[minima.size()], std::out_of_range);
+    CHECK_THROWS_AS(minima[minima.size()], gusset::Error);
     CHECK(minima.begin()->distance == minima.points()[0].distance);
 
     const double radius = 0.5;
@@ -177,7 +177,7 @@ TEST_CASE("limits, minima, regions") {
     CHECK(region.whole().size() == region.size());
     CHECK(region.others().empty());
     CHECK(region[0].row == region.begin()->row);
-    CHECK_THROWS_AS(region[region.size()], std::out_of_range);
+    CHECK_THROWS_AS(region[region.size()], gusset::Error);
     CHECK_FALSE(region.contains(1, region[0].row, region[0].column));
     CHECK_FALSE(region.contains(0, 24, 0));
     CHECK_FALSE(region.contains(0, 0, 40));

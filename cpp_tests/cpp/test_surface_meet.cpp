@@ -88,7 +88,7 @@ TEST_CASE("which hits, and what they are") {
     CHECK(hits[0].t == all[0][0].t);
     CHECK(hits[1].hit_kind() == gusset::HitKind::none);
     CHECK_FALSE(hits[1].is_found());
-    CHECK_THROWS_AS(all[1], std::out_of_range);
+    CHECK_THROWS_AS(all[1], gusset::Error);
 
     // The plane z = 0 of a flat sheet, and a line in it.
     const Surface flat(Sheet::from_nodes(4, 4, shapes::nodes(3, 3, false, false, [](double u, double v) { return Point3{u, v, 0}; })));
@@ -153,7 +153,7 @@ TEST_CASE("stacks of planes, contours, angles") {
             CHECK(std::abs(std::abs(std::hypot(p[0], p[1]) - 1) - half) < 2e-4);
         }
     }
-    CHECK_THROWS_AS(stack[6], std::out_of_range);
+    CHECK_THROWS_AS(stack[6], gusset::Error);
     CHECK(stack.points().size() > 100);
     gusset::ContourOptions edges, leus;
     edges.spacing = gusset::SpacingRule::cell_edges;
@@ -256,7 +256,7 @@ TEST_CASE("surfaces meet in the curves of formulas") {
         ++counted;
     }
     CHECK(counted == pairs.size());
-    CHECK_THROWS_AS(pairs[counted], std::out_of_range);
+    CHECK_THROWS_AS(pairs[counted], gusset::Error);
     const Surface away(Sheet::from_nodes(2, 2, std::vector<Point3>{{-2, -2, 1}, {-2, 2, 1}, {2, -2, 1}, {2, 2, 1}}));
     CHECK(torus.cell_pairs(away).size() == 0);
     CHECK(torus.cell_pairs(away).empty());

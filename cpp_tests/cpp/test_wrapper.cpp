@@ -337,9 +337,9 @@ TEST_CASE("views of any point type") {
     const float raw[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     CHECK(gusset::Boundary(gusset::MeshView::triangles(raw, corners))[0].vertices.size() == 3);
     CHECK(gusset::MeshView::triangles(gusset::Span<const Vertex>(points), corners).vertex_count() == 3);
-    CHECK_THROWS_AS(gusset::MeshView::uniform(gusset::Span<const Vertex>(points), corners, 2), std::invalid_argument);
+    CHECK_THROWS_AS(gusset::MeshView::uniform(gusset::Span<const Vertex>(points), corners, 2), gusset::Error);
     const std::vector<uint32_t> wrong_offsets{0, 4};
-    CHECK_THROWS_AS(gusset::MeshView::polygons(points, wrong_offsets, corners), std::invalid_argument);
+    CHECK_THROWS_AS(gusset::MeshView::polygons(points, gusset::Offsets(wrong_offsets), gusset::Corners(corners)), gusset::Error);
 }
 
 } // namespace wrapper_tests

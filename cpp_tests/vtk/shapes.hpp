@@ -152,7 +152,9 @@ struct Soup {
         }
     }
     gusset::MeshView view() const {
-        return is_single ? gusset::MeshView::polygons(single, offsets, corners) : gusset::MeshView::polygons(points, offsets, corners);
+        const gusset::Offsets first(offsets);
+        const gusset::Corners vertices(corners);
+        return is_single ? gusset::MeshView::polygons(single, first, vertices) : gusset::MeshView::polygons(points, first, vertices);
     }
 };
 

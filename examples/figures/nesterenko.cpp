@@ -15,7 +15,7 @@ std::string winged_edge(const std::string &file) {
                                      {3.2, 1.75, 0}, {5, 1.7, 0},    {0.1, 3.1, 0}, {2.2, 3.4, 0},  {4.3, 3.1, 0}};
     const std::vector<uint32_t> offsets{0, 4, 8, 11, 15, 19},
         corners{0, 1, 4, 3, 1, 2, 5, 4, 2, 6, 5, 3, 4, 8, 7, 4, 5, 9, 8};
-    const auto mesh = gusset::MeshView::polygons(points, offsets, corners);
+    const auto mesh = gusset::MeshView::polygons(points, gusset::Offsets(offsets), gusset::Corners(corners));
     const gusset::Winged table(mesh);
     const auto edges = table.edges();
     // The first edge that has neighbours all round.

@@ -124,6 +124,22 @@ static void curves() {
     //! [outline]
 }
 
+static void containers() {
+    const std::vector<Point> points = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 3, 0}};
+    //! [containers]
+    const std::vector<std::array<int, 3>> rows = {{0, 1, 2}, {0, 2, 3}}; // or std::vector<int>, or std::span<const uint32_t>
+    const auto triangles = gusset::MeshView::triangles(points, rows);
+    // A quad and a triangle. Both arrays have one type, and so they are named.
+    const std::vector<int> offsets = {0, 4, 7}, corners = {0, 1, 2, 3, 3, 2, 4};
+    const auto polygons = gusset::MeshView::polygons(points, gusset::Offsets(offsets), gusset::Corners(corners));
+    // The arrays of a result, without a copy.
+    const gusset::Triangulation split(polygons);
+    const gusset::Span<const Point> positions = split.mesh().positions();
+    const gusset::Indices vertices = split.mesh().corners(); // three for each triangle
+    //! [containers]
+    std::cout << triangles.face_count() << " and " << vertices.size() / 3 << " triangles on " << positions.size() << " points\n";
+}
+
 static void surfaces() {
     //! [surface]
     // Nodes of a vase, closed in its second direction: the last column repeats the first.
@@ -159,6 +175,7 @@ int main() {
     stitching(left, right);
     steering(left, right);
     many_pieces(left, right);
+    containers();
     curves();
     surfaces();
     nets();

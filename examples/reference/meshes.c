@@ -215,6 +215,28 @@ static void a_face_turned_over(void) {
 }
 //! [orient]
 
+//! [triangulate]
+static void a_u_in_triangles(void) {
+    const double outline[8][3] = {{0, 0, 0}, {5, 0, 0}, {5, 4, 0}, {4, 4, 0}, {4, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
+    const uint32_t face[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const gusset_mesh_view u = {.struct_size = sizeof u, .positions = outline, .vertex_count = 8, .scalar = GUSSET_F64,
+                                .face_corners = face, .face_count = 1, .face_size = 8};
+    gusset_mesh_view view = {.struct_size = sizeof view};
+    gusset_result *triangles = NULL;
+    double area = 0;
+
+    MUST(gusset_triangulate(NULL, &u, &triangles));
+    MUST(gusset_result_get_mesh(triangles, &view));
+    for (size_t f = 0; f < view.face_count; ++f) {
+        const uint32_t *of = (const uint32_t *)view.face_corners + 3 * f;
+        const double *a = outline[of[0]], *b = outline[of[1]], *c = outline[of[2]];
+        area += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    }
+    HOLDS(view.face_count == 6 && area == 11);
+    gusset_result_destroy(triangles);
+}
+//! [triangulate]
+
 int main(void) {
     what_is_loaded();
     a_context();
@@ -225,5 +247,6 @@ int main(void) {
     a_soup_of_triangles();
     borders_that_do_not_match();
     a_face_turned_over();
+    a_u_in_triangles();
     return 0;
 }

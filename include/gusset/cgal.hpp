@@ -176,7 +176,7 @@ std::vector<uint32_t> append(CGAL::Surface_mesh<Point> &mesh, const MeshView &re
 template <class Point>
 std::vector<uint32_t> append_strip(CGAL::Surface_mesh<Point> &mesh, const Stitch &stitch) {
     if (stitch.turned() || !stitch.vertex_map(1).empty()) {
-        throw std::invalid_argument("gusset: the strip does not fit: the stitch is of two meshes, or turned one over");
+        gusset::detail::refuse(GUSSET_ERROR_ORIENTATION_CONFLICT, "the strip does not fit: the stitch is of two meshes, or turned one over");
     }
     std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index> vertices;
     // The vertices of the mesh keep their numbers; the strip's own vertices follow the vertices of its rims.

@@ -1,5 +1,5 @@
 /// @file
-/// Errors, handles, and the context of calls. Include gusset.hpp, not this.
+/// Handles, and the context of calls. Include gusset.hpp, not this.
 #ifndef GUSSET_CONTEXT_HPP
 #define GUSSET_CONTEXT_HPP
 
@@ -11,25 +11,10 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 
 namespace gusset {
-
-/// The failure of a call. what() is a sentence.
-class Error : public std::runtime_error {
-public:
-    /// A sentence for people, and the report for programs.
-    Error(const char *sentence, const gusset_error_report &report) : std::runtime_error(sentence), report_(report) {}
-    /// GUSSET_ERROR_...
-    int32_t status() const noexcept { return report_.status; }
-    /// The element that the error is about, and its value.
-    const gusset_error_report &report() const noexcept { return report_; }
-
-private:
-    gusset_error_report report_;
-};
 
 namespace detail {
 /// The owner of a handle.

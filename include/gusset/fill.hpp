@@ -14,12 +14,12 @@ public:
     explicit Fill(const MeshView &mesh, const FillOptions &options = {}, const Context &context = Context()) {
         create(mesh, nullptr, 0, options, context);
     }
-    /// The given loops: vertices in order, in either direction. Throws std::invalid_argument if there are
+    /// The given loops: vertices in order, in either direction. Throws an Error if there are
     /// groups, but not one for each loop.
     Fill(const MeshView &mesh, Span<const Indices> loops, const FillOptions &options = {},
          const Context &context = Context()) {
         if (!options.groups.empty() && options.groups.size() != loops.size()) {
-            throw std::invalid_argument("gusset: there is not one group for each loop");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "there is not one group for each loop");
         }
         std::vector<gusset_indices> given;
         for (const Indices &loop : loops) {

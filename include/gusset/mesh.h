@@ -588,8 +588,8 @@ typedef struct gusset_stitch_report {
     /// 1 if searched for. @flag
     uint32_t intersections_known;
     /// Pairs of intersecting faces: first a strip face, the larger one if both are. Any contact counts, by an exact
-    /// test, except at shared or coincident vertices and edges. Quads are split by their shorter diagonals, other
-    /// polygons into fans from their first corners. A self-intersecting polygon is paired with itself.
+    /// test, except at shared or coincident vertices and edges. Faces are split as by gusset_triangulate. A
+    /// self-intersecting polygon is paired with itself.
     struct gusset_indices intersections;
     /// Times that fairing of rows, or of the kept blend, was moved back.
     uint32_t back_off_count;
@@ -1067,6 +1067,23 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_orient(const struct gusset_conte
 /// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_orient(const struct gusset_result *result,
     struct gusset_orient_report *report);
+
+/* ---- Triangulation: Splits faces into triangles. */
+
+/// Splits all faces into triangles of their own corners, in the order of the faces.
+/// A face of n corners becomes n - 2 triangles that use all its corners: a closed mesh stays closed. Vertices keep
+/// their indices and bits.
+/// - A quad is split by its shorter diagonal, or by the diagonal inside if it is concave.
+/// - A larger face becomes a fan from its first corner if this corner sees all others, as in a convex face. Otherwise
+///   its ears are cut off, in projection along a coordinate axis. Edges that the face passes twice, to reach a hole,
+///   are allowed.
+/// - If triangles of a face of at most 40 corners overlap, because the face is warped or crosses itself, the split with
+///   the least overlap replaces them.
+/// gusset_result_origins_create gives the old face and corners of each triangle.
+/// @errors as gusset_mesh_view
+/// @complexity O(H); for a face of n corners that is not convex O(n log n), and at most 1000 tests a corner.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_triangulate(const struct gusset_context *context,
+    const struct gusset_mesh_view *mesh, struct gusset_result **result);
 
 /* ---- Alignment: Finds the rigid poses at which overlapping pieces fit. */
 

@@ -137,9 +137,8 @@ public:
     /// Node (i, j), as doubles for any scalar type.
     Point3 at(std::size_t i, std::size_t j) const {
         const gusset_net_view arrays = view();
-        if (i >= arrays.rows || j >= arrays.columns) {
-            throw std::out_of_range("gusset: no such node");
-        }
+        detail::require_element(i, arrays.rows, "row");
+        detail::require_element(j, arrays.columns, "column");
         const std::size_t offset = i * arrays.row_stride + j * arrays.column_stride;
         Point3 node{};
         const void *from[3] = {arrays.x, arrays.y, arrays.z};
@@ -172,7 +171,7 @@ public:
                    other.stride() == out.x.stride();
         };
         if (!like_x(out.y) || !like_x(out.z)) {
-            throw std::invalid_argument("gusset: matrices of different sizes");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "matrices of different sizes");
         }
         gusset_net_view arrays = detail::net_view<T>(out.x.rows(), out.x.columns(), out.x.data(), out.y.data(),
                                                      out.z.data(), out.x.stride());

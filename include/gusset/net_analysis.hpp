@@ -46,12 +46,10 @@ public:
         return {found.contracted, found.contracted_count};
     }
     Indices contracted() const && = delete;
-    /// The type of the star of the first node of contracted link `i`; throws std::out_of_range.
+    /// The type of the star of the first node of contracted link `i`; throws an Error if it does not exist.
     GluingType star(std::size_t i) const {
         const gusset_net_analysis_view found = view();
-        if (i >= found.contracted_count) {
-            throw std::out_of_range("gusset: no such contracted link");
-        }
+        detail::require_element(i, found.contracted_count, "contracted link");
         return static_cast<GluingType>(found.stars[i]);
     }
     /// The glued links whose ends have come apart.

@@ -95,7 +95,7 @@ gusset_net_view net_view(std::size_t rows, std::size_t columns, const Container 
     using Point = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(points))>>;
     using T = typename PointTraits3<Point>::Scalar;
     if (columns != 0 && (rows > std::size(points) / columns || rows * columns != std::size(points))) {
-        throw std::invalid_argument("gusset: the number of points is not rows * columns");
+        detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the number of points is not rows * columns");
     }
     const T *data = reinterpret_cast<const T *>(std::data(points));
     gusset_net_view view = net_view(rows, columns, data, data + 1, data + 2);
@@ -105,7 +105,7 @@ gusset_net_view net_view(std::size_t rows, std::size_t columns, const Container 
 template <class T>
 void require_scalar(const gusset_net_view &view) {
     if (view.scalar != scalar_of<T>) {
-        throw std::invalid_argument("gusset: the net has coordinates of the other type");
+        detail::refuse(GUSSET_ERROR_UNKNOWN_VALUE, "the net has coordinates of the other type");
     }
 }
 /// The matrices of a view, whose coordinates must be of T.

@@ -140,7 +140,7 @@ public:
             wanted *= fits ? count : 1;
         }
         if (fits && wanted != offsets.size()) {
-            throw std::invalid_argument("gusset: the number of offsets is not that of the control points");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the number of offsets is not that of the control points");
         }
         Field made(GUSSET_FIELD_LATTICE, low, high);
         made.offsets_ = std::move(offsets);

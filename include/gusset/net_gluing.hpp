@@ -54,7 +54,7 @@ namespace detail {
 inline gusset_net_gluing as_c(const Gluing &gluing, const gusset_net_view &view) {
     const std::size_t bytes = gluing.matrix.size();
     if (bytes != 0 && (view.columns == 0 || bytes / 2 / view.columns < view.rows)) {
-        throw std::invalid_argument("gusset: the characteristic matrix has 2 * rows * columns bytes");
+        detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the characteristic matrix has 2 * rows * columns bytes");
     }
     auto given = sized<gusset_net_gluing>();
     given.matrix = gluing.matrix.empty() ? nullptr : gluing.matrix.data();

@@ -36,12 +36,10 @@ public:
     /// The number of chains of boundary edges.
     std::size_t boundary_count() const { return view().boundary_offsets.count - 1; }
     /// The vertices of chain `i` of boundary edges, each by its smallest node; throws
-    /// std::out_of_range.
+    /// an Error if it does not exist.
     Indices boundary(std::size_t i) const & {
         const gusset_net_complex_view found = view();
-        if (i + 1 >= found.boundary_offsets.count) {
-            throw std::out_of_range("gusset: no such boundary");
-        }
+        detail::require_element(i, boundary_count(), "boundary");
         const uint32_t *ends = found.boundary_offsets.data + i;
         return {found.boundary_nodes.data + ends[0], ends[1] - ends[0]};
     }
@@ -76,12 +74,10 @@ public:
     std::size_t size() const { return offsets().size() - 1; }
     /// True if the range is empty.
     bool empty() const { return size() == 0; }
-    /// The nodes of group `i`, in order; throws std::out_of_range.
+    /// The nodes of group `i`, in order; throws an Error if it does not exist.
     Indices operator[](std::size_t i) const {
         const gusset_net_groups_view found = view();
-        if (i + 1 >= found.offsets.count) {
-            throw std::out_of_range("gusset: no such group");
-        }
+        detail::require_element(i, size(), "group");
         const uint32_t *ends = found.offsets.data + i;
         return {found.members.data + ends[0], ends[1] - ends[0]};
     }

@@ -45,7 +45,7 @@ public:
     /// The mesh as the library reads it.
     MeshView view() const {
         const Span<const typename Mesh::Point> points(mesh_->points(), mesh_->n_vertices());
-        return MeshView::polygons(points, offsets_, corners_);
+        return MeshView::polygons(points, Offsets(offsets_), Corners(corners_));
     }
 
     /// The face of the host that face `f` of the view is.
@@ -159,7 +159,7 @@ std::vector<uint32_t> append(Mesh &mesh, const MeshView &result, const Origins &
 template <class Mesh>
 std::vector<uint32_t> append_strip(Mesh &mesh, const Stitch &stitch) {
     if (stitch.turned() || !stitch.vertex_map(1).empty()) {
-        throw std::invalid_argument("gusset: the strip does not fit: the stitch is of two meshes, or turned one over");
+        gusset::detail::refuse(GUSSET_ERROR_ORIENTATION_CONFLICT, "the strip does not fit: the stitch is of two meshes, or turned one over");
     }
     // The vertices of the mesh keep their numbers; the strip's own vertices follow the vertices of its rims.
     std::vector<OpenMesh::VertexHandle> vertices;

@@ -85,7 +85,7 @@ public:
         CellMask made(rows, columns);
         const std::size_t needed = word_count(rows, columns);
         if (words.size() < needed) {
-            throw std::invalid_argument("gusset: fewer words than the cells need");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "fewer words than the cells need");
         }
         words.resize(needed);
         made.words_ = std::move(words);
@@ -130,7 +130,7 @@ private:
     }
     static std::size_t word_count(std::size_t rows, std::size_t columns) {
         if (columns != 0 && rows > (~std::size_t{0} - 63) / columns) {
-            throw std::length_error("gusset: too many cells");
+            detail::refuse(GUSSET_ERROR_TOO_LARGE, "too many cells");
         }
         return (rows * columns + 63) / 64;
     }

@@ -1,5 +1,5 @@
 /// @file
-/// Welding, sewing and orienting. Include gusset.hpp, not this.
+/// Welding, sewing, orienting and triangulating. Include gusset.hpp, not this.
 #ifndef GUSSET_REPAIR_HPP
 #define GUSSET_REPAIR_HPP
 
@@ -115,6 +115,16 @@ public:
 
 private:
     gusset_orient_report report() const { return detail::lent(gusset_result_get_orient, get()); }
+};
+
+/// A mesh whose faces were split into triangles of their own corners, concave ones too; see ::gusset_triangulate. origins()
+/// gives the face of each triangle.
+class Triangulation : public Result {
+public:
+    /// See ::gusset_triangulate.
+    explicit Triangulation(const MeshView &mesh, const Context &context = Context()) {
+        take(context.result(gusset_triangulate, &mesh.get()));
+    }
 };
 
 } // namespace gusset

@@ -21,7 +21,7 @@ public:
         using Point = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(points))>>;
         using T = typename detail::PointTraits3<Point>::Scalar;
         if (columns != 0 && (rows > std::size(points) / columns || rows * columns != std::size(points))) {
-            throw std::invalid_argument("gusset: the number of points is not rows * columns");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the number of points is not rows * columns");
         }
         fill<T>(rows, columns, std::data(points), options);
         nodes_.column_stride = sizeof(Point);
@@ -152,7 +152,7 @@ public:
             const std::size_t patches = points.size() / each;
             const bool fits = columns != 0 ? patches / columns == rows && patches % columns == 0 : patches == 0;
             if (points.size() % each != 0 || !fits) {
-                throw std::invalid_argument("gusset: the number of control points is not that of the patches");
+                detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the number of control points is not that of the patches");
             }
         }
         return Sheet(context.result(gusset_sheet_from_patches_create, detail::numbers(points.data()), degree_u,
@@ -168,7 +168,7 @@ public:
     static Sheet from_spline(Points points, Span<const double> weights, const SplineAxis &u, const SplineAxis &v,
                              const SplineOptions &options = {}, const Context &context = Context()) {
         if (weights.size() != points.size()) {
-            throw std::invalid_argument("gusset: the number of weights is not that of control points");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the number of weights is not that of control points");
         }
         return spline(points, weights, u, v, options, context);
     }
@@ -334,7 +334,7 @@ private:
     void check_shape(const CellMask &mask) const {
         const gusset_sheet_report size = report();
         if (mask.rows() != size.rows || mask.columns() != size.columns) {
-            throw std::invalid_argument("gusset: the mask has not as many rows and columns as the sheet");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the mask has not as many rows and columns as the sheet");
         }
     }
     static Sheet through(const NodesView &nodes, const gusset_tangents *tangents, uint32_t borrow,
@@ -344,7 +344,7 @@ private:
     static Sheet spline(Points points, Span<const double> weights, const SplineAxis &u, const SplineAxis &v,
                         const SplineOptions &options, const Context &context) {
         if (v.count != 0 && (u.count > points.size() / v.count || u.count * v.count != points.size())) {
-            throw std::invalid_argument("gusset: the number of control points is not u.count * v.count");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "the number of control points is not u.count * v.count");
         }
         gusset_spline given = detail::as_c(options);
         given.points = detail::numbers(points.data());
@@ -369,7 +369,7 @@ private:
                                 : vectors.size() / columns == nodes.get().rows && vectors.size() % columns == 0;
         };
         if (!fits(u) || !fits(v) || (kind == GUSSET_TWISTS_GIVEN && !fits(twists))) {
-            throw std::invalid_argument("gusset: not as many tangents as nodes");
+            detail::refuse(GUSSET_ERROR_COUNT_DIFFERS, "not as many tangents as nodes");
         }
         auto given = detail::sized<gusset_tangents>();
         given.u = detail::numbers(u.data());

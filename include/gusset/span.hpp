@@ -4,6 +4,7 @@
 #define GUSSET_SPAN_HPP
 
 #include <gusset/choices.hpp>
+#include <gusset/error.hpp>
 
 #include <algorithm>
 #include <array>
@@ -124,8 +125,31 @@ private:
     Span<const Data> data_;
 };
 
-/// Vertex, face or half-edge indices.
-using Indices = Span<const uint32_t>;
+/// Vertex, face or half-edge indices in memory that belongs to someone else. Any container of 32-bit integers that keeps
+/// its elements side by side becomes one without a copy: std::vector<uint32_t>, std::vector<int>, std::span, a C array.
+class Indices : public Span<const uint32_t> {
+public:
+    using Span::Span;
+    /// Signed indices. Throws an Error for the first negative one.
+    template <class Container, std::enable_if_t<std::is_convertible_v<decltype(std::data(std::declval<Container &>())),
+                                                                      const int32_t *>, int> = 0>
+    Indices(Container &&container)
+        : Span(reinterpret_cast<const uint32_t *>(std::data(container)), std::size(container)) {
+        require_signs(GUSSET_ELEMENT_NONE, "index");
+    }
+
+protected:
+    /// Throws an Error if an index is negative as a signed number. `name`: the element that has the index.
+    void require_signs(gusset_element element, const char *name) const {
+        for (std::size_t k = 0; k < size(); ++k) {
+            const auto value = static_cast<int32_t>((*this)[k]);
+            if (value < 0) {
+                detail::refuse(GUSSET_ERROR_INDEX_OUT_OF_RANGE,
+                               std::string(name) + ' ' + std::to_string(k) + " is negative: " + std::to_string(value), k, element, value);
+            }
+        }
+    }
+};
 /// x, y, z.
 using Point3 = std::array<double, 3>;
 /// Points side by side.
@@ -139,18 +163,71 @@ struct IsSpan<Span<T>> : std::true_type {};
 template <class T>
 inline constexpr bool is_span = IsSpan<std::remove_cv_t<T>>::value;
 
+/// The type of a row's elements; void if it has none.
+template <class Row, class = void>
+struct ElementOf {
+    using Type = void;
+};
+template <class Row>
+struct ElementOf<Row, std::void_t<decltype(std::declval<const Row &>()[0])>> {
+    using Type = std::decay_t<decltype(std::declval<const Row &>()[0])>;
+};
+template <class T>
+inline constexpr std::size_t size_of = sizeof(T);
+template <>
+inline constexpr std::size_t size_of<void> = 0;
+/// Whether a row has its elements in itself, unlike a std::vector.
+template <class Row>
+inline constexpr bool holds_elements = std::is_trivially_destructible_v<Row> && !is_span<Row> && !std::is_pointer_v<Row>;
+
+/// The type of the elements of a container; void if it does not keep them side by side.
+template <class Container, class = void>
+struct ValueOf {
+    using Type = void;
+};
+template <class Container>
+struct ValueOf<Container, std::void_t<decltype(std::data(std::declval<const Container &>()))>> {
+    using Type = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(std::declval<const Container &>()))>>;
+};
+/// Whether a container is a matrix of Eigen's.
+template <class Container, class = void>
+struct IsMatrix : std::false_type {};
+template <class Container>
+struct IsMatrix<Container, std::void_t<decltype(Container::RowsAtCompileTime)>> : std::true_type {};
+/// The elements of a container that a view can borrow.
+template <class Container>
+struct Elements {
+    using Type = typename ValueOf<Container>::Type;
+    static_assert(!IsMatrix<Container>::value, "matrices of Eigen: include gusset/eigen.hpp and use gusset::eigen::Input");
+    static_assert(IsMatrix<Container>::value || !std::is_void_v<Type>,
+                  "a view borrows a container whose elements are side by side, such as std::vector, std::array, std::span or a C array");
+};
+
 /// The type of the coordinates of a host's point. They must be its first bytes, which excludes points that own
 /// memory, such as std::vector<double>.
 template <class Point>
 struct PointTraits {
-    using Scalar = std::decay_t<decltype(std::declval<const Point &>()[0])>;
-    static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>, "points of float or double");
-    static_assert(std::is_trivially_destructible_v<Point> && !is_span<Point>, "points that hold their coordinates");
+    using Scalar = typename ElementOf<Point>::Type;
+    static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>,
+                  "points of float or double, each with an operator[], such as std::array<double, 3>");
+    static_assert(holds_elements<Point>, "points that hold their coordinates, such as std::array<double, 3>, unlike std::vector");
 };
 /// The same for points in space.
 template <class Point>
 struct PointTraits3 : PointTraits<Point> {
-    static_assert(sizeof(Point) >= 3 * sizeof(typename PointTraits<Point>::Scalar), "three coordinates");
+    static_assert(sizeof(Point) >= 3 * size_of<typename PointTraits<Point>::Scalar>, "three coordinates in each point");
+};
+
+/// Elements of a list of indices: 32-bit integers, or rows of them.
+template <class Element>
+struct IndexTraits {
+    using Number = std::conditional_t<std::is_arithmetic_v<Element>, Element, typename ElementOf<Element>::Type>;
+    static_assert(std::is_integral_v<Number> && size_of<Number> == 4,
+                  "indices are 32-bit integers, such as uint32_t or int: copy others into a std::vector<uint32_t>");
+    static_assert(holds_elements<Element>, "rows that hold their indices, such as std::array<int, 3>: copy a std::vector of std::vector "
+                                           "into offsets and corners for MeshView::polygons");
+    /// The number of indices in an element.
+    static constexpr std::size_t count = sizeof(Element) / 4;
 };
 
 /// Whether an argument is a container that is gone with the expression.

@@ -63,12 +63,10 @@ public:
 
     /// The number of lines; 1 for a curve.
     std::size_t size() const { return view().query_count; }
-    /// The hits of line `i`, by increasing t; throws std::out_of_range.
+    /// The hits of line `i`, by increasing t; throws an Error if it does not exist.
     Hits operator[](std::size_t i) const & {
         const gusset_surface_hits_view all = view();
-        if (i >= all.query_count) {
-            throw std::out_of_range("gusset: no such line");
-        }
+        detail::require_element(i, all.query_count, "line");
         const auto from = static_cast<std::size_t>(all.ends[i]);
         return {all.hits + from, static_cast<std::size_t>(all.ends[i + 1]) - from};
     }

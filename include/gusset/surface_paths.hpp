@@ -51,12 +51,10 @@ public:
     std::size_t size() const { return view().path_count; }
     /// True if the range has no elements.
     bool empty() const { return size() == 0; }
-    /// Path `i`; throws std::out_of_range.
+    /// Path `i`; throws an Error if it does not exist.
     SurfacePath operator[](std::size_t i) const & {
         const gusset_surface_paths_view all = view();
-        if (i >= all.path_count) {
-            throw std::out_of_range("gusset: no such path");
-        }
+        detail::require_element(i, all.path_count, "path");
         const std::size_t from = all.ends.data[i], count = all.ends.data[i + 1] - from;
         return {detail::points(all.points + 3 * from, count),
                 detail::points(all.normals + 3 * from, count),

@@ -64,12 +64,10 @@ public:
     /// The end of the range.
     iterator end() const & { return all().end(); }
     iterator end() const && = delete;
-    /// Point `i`; throws std::out_of_range.
+    /// Point `i`; throws an Error if it does not exist.
     NearestPoint operator[](std::size_t i) const {
         const NearestPoints found = all();
-        if (i >= found.size()) {
-            throw std::out_of_range("gusset: no such point");
-        }
+        detail::require_element(i, found.size(), "point");
         return found[i];
     }
     /// No minimum nearer than this is missing.
@@ -106,12 +104,10 @@ public:
     std::size_t size() const { return view().cell_count; }
     /// True if the range has no elements.
     bool empty() const { return size() == 0; }
-    /// Cell `i`; throws std::out_of_range.
+    /// Cell `i`; throws an Error if it does not exist.
     SurfaceCell operator[](std::size_t i) const {
         const gusset_surface_cells_view all = view();
-        if (i >= all.cell_count) {
-            throw std::out_of_range("gusset: no such cell");
-        }
+        detail::require_element(i, all.cell_count, "cell");
         return all.cells[i];
     }
     /// The first element.

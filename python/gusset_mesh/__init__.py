@@ -43,8 +43,8 @@ from .files import read, save
 from .frame import Frame
 from .gluing import Gluing, LocalGluing, NetGroups, seam
 from .joining import (
-    Alignment, Boundary, Check, Development, Fill, Join, Orient, Sew, Stitch, Trim, Weld, align, boundary_loops, check, develop, fill,
-    join, orient, sew, stitch, trim, weld,
+    Alignment, Boundary, Check, Development, Fill, Join, Orient, Sew, Stitch, Triangulation, Trim, Weld, align, boundary_loops, check,
+    develop, fill, join, orient, sew, stitch, triangulate, trim, weld,
 )
 from .loops import Facing, Strip, facing, find_merge, meridians_index, strip
 from .mesh import Mesh, MeshLike, as_mesh
@@ -70,9 +70,9 @@ __all__ = [
     "PlaceArray", "Places", "PlacesView", "QualityReport", "Record", "RecordArray", "Result", "Sew", "SewReport", "Sheet", "SheetMesh",
     "SheetMeshOptions", "SheetMeshReport", "SheetReport", "Stitch", "StitchOptions", "StitchReport", "Surface", "SurfaceHit",
     "SurfaceHitArray", "SurfaceHits", "SurfaceHitsView", "SurfaceNearestPoint", "SurfaceNearestPointArray", "SurfaceOptions",
-    "SurfacePaths", "SurfacePathsView", "SurfacePlace", "SurfacePlaceArray", "SurfacePoint", "SurfacePointArray", "SurfaceReport", "Trim",
-    "TrimOptions", "TrimView", "TrimmedPiece", "Weld", "WeldOptions", "WeldReport", "align", "as_mesh", "boundary_loops", "check",
-    "choices", "develop", "fill", "filters", "join", "orient", "sew", "stitch", "trim", "weld",
+    "SurfacePaths", "SurfacePathsView", "SurfacePlace", "SurfacePlaceArray", "SurfacePoint", "SurfacePointArray", "SurfaceReport",
+    "Triangulation", "Trim", "TrimOptions", "TrimView", "TrimmedPiece", "Weld", "WeldOptions", "WeldReport", "align", "as_mesh",
+    "boundary_loops", "check", "choices", "develop", "fill", "filters", "join", "orient", "sew", "stitch", "triangulate", "trim", "weld",
 ]
 __all__ += [
     "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "DecimatedNet", "DistanceReport", "Document", "Facing", "FacingOptions",

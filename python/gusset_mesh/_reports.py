@@ -771,8 +771,8 @@ class StitchReport(Record):
     @property
     def intersections(self) -> NDArray[np.uint32]:
         """Pairs of intersecting faces: first a strip face, the larger one if both are. Any contact counts, by an
-        exact test, except at shared or coincident vertices and edges. Quads are split by their shorter diagonals,
-        other polygons into fans from their first corners. A self-intersecting polygon is paired with itself.
+        exact test, except at shared or coincident vertices and edges. Faces are split as by gusset_triangulate. A
+        self-intersecting polygon is paired with itself.
         """
         return self._array('intersections', -1, 2)
 

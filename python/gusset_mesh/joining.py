@@ -21,8 +21,8 @@ from ._reports import (AlignmentView, BoundaryView, CheckView, DevelopReport, Fi
                        QualityReport, SewReport, StitchReport, TrimView, WeldReport)
 from .mesh import Mesh, MeshLike, as_mesh, of_one_precision, view_of, views_of
 
-__all__ = ["Alignment", "Boundary", "Check", "Development", "Fill", "Join", "Orient", "Sew", "Stitch", "Trim", "Weld",
-           "align", "boundary_loops", "check", "develop", "fill", "join", "orient", "sew", "stitch", "trim", "weld"]
+__all__ = ["Alignment", "Boundary", "Check", "Development", "Fill", "Join", "Orient", "Sew", "Stitch", "Triangulation", "Trim", "Weld",
+           "align", "boundary_loops", "check", "develop", "fill", "join", "orient", "sew", "stitch", "triangulate", "trim", "weld"]
 
 
 def _create(kind: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
@@ -36,7 +36,7 @@ def _result(function: str, meshes: Sequence[Mesh], *arguments: Any, threads: int
 
 
 #: Functions of linear time. On a small mesh they end before a signal could stop them.
-_QUICK = {"boundary", "check", "weld", "sew", "orient"}
+_QUICK = {"boundary", "check", "weld", "sew", "orient", "triangulate"}
 
 
 def _are_small(meshes: Sequence[Mesh]) -> bool:
@@ -165,6 +165,20 @@ def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = N
     1
     """
     return Orient(_result("orient", [as_mesh(mesh)], structs("orient_options", options), threads=threads, progress=progress))
+
+
+class Triangulation(Result[Any]):
+    """A mesh whose faces were split into triangles. It has no report."""
+
+
+def triangulate(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None) -> Triangulation:
+    """Splits faces into triangles of their own corners. Concave faces keep their area.
+
+    >>> dart = [[0, 0, 0], [2, -1, 0], [1, 0, 0], [2, 1, 0]]
+    >>> triangulate((dart, [[1, 2, 3, 0]])).mesh.face_count
+    2
+    """
+    return Triangulation(_result("triangulate", [as_mesh(mesh)], threads=threads, progress=progress))
 
 
 def _loops(loops: Iterable[Any]) -> Any:

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import SCALARS, indices_of, pointer, points_of
-from ._library import F32, ffi, holding
+from ._call import call
+from ._library import F32, ffi, holding, lib
 from ._polydata import polygons_of, surface_of
 from ._records import lent
 
@@ -102,15 +103,19 @@ class Mesh:
         return np.split(self.corners, self.offsets[1:-1]) if sizes.size else []
 
     def triangles(self) -> NDArray[np.uint32]:
-        """(m, 3): the faces, with polygons cut into fans from their first corners."""
+        """(m, 3): the faces, with polygons split into triangles of their own corners. Concave polygons keep their area."""
         if self.offsets is None and self.face_size == 3:
             return self.corners.reshape(-1, 3)
-        offsets = self.offsets if self.offsets is not None else np.arange(self.face_count + 1, dtype=np.uint32) * self.face_size
-        parts = np.diff(offsets).astype(np.int64) - 2
-        face = np.repeat(np.arange(len(parts)), parts)
-        place = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
-        first = offsets[:-1].astype(np.int64)[face]
-        return np.stack([self.corners[first], self.corners[first + place + 1], self.corners[first + place + 2]], axis=1)
+        if self.face_count == 0:
+            return np.empty((0, 3), np.uint32)
+        made = ffi.new("struct gusset_result **")
+        call(lib.gusset_triangulate, view_of(self), made)
+        result = ffi.gc(made[0], lib.gusset_result_destroy)
+        view = ffi.new("struct gusset_mesh_view *")
+        view.struct_size = ffi.sizeof("struct gusset_mesh_view")
+        status = lib.gusset_result_get_mesh(result, view)
+        assert status == 0
+        return lent_mesh(view, result).corners.reshape(-1, 3).copy()
 
     def with_points(self, points: ArrayLike) -> Mesh:
         """A mesh with the same faces and other points."""

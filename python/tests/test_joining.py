@@ -132,3 +132,29 @@ def test_origins():
         made.carry([None])
     with pytest.raises(gm.InputError):
         made.carry(np.zeros(3))
+
+
+def _prism(outline, polygon, height):
+    """A closed prism; edges that the polygon passes both ways have no side."""
+    n = len(outline)
+    points = [[x, y, z] for z in (0.0, height) for x, y in outline]
+    edges = list(zip(polygon, polygon[1:] + polygon[:1]))
+    sides = [[u, v, v + n, u + n] for u, v in edges if (v, u) not in edges]
+    return points, [polygon[::-1], [v + n for v in polygon], *sides]
+
+
+@pytest.mark.parametrize("outline, polygon, height, area, volume", [
+    # A U; a wall with a window, which a bridge reaches from corner 0.
+    ([(0, 0), (5, 0), (5, 4), (4, 4), (4, 1), (1, 1), (1, 4), (0, 4)], list(range(8)), 1.0, 46.0, 11.0),
+    ([(0, 0), (6, 0), (6, 4), (0, 4), (1, 1), (1, 2), (3, 2), (3, 1)], [0, 1, 2, 3, 0, 4, 5, 6, 7, 4], 0.5, 57.0, 11.0),
+])
+def test_concave_polygons_keep_area_and_volume(outline, polygon, height, area, volume):
+    mesh = gm.as_mesh(_prism(outline, polygon, height))
+    solid = to_trimesh(mesh)
+    assert solid.is_watertight and solid.is_winding_consistent
+    assert solid.area == pytest.approx(area) and solid.volume == pytest.approx(volume)
+    split = gm.triangulate(mesh)
+    assert np.array_equal(split.mesh.corners.reshape(-1, 3), mesh.triangles())
+    # Each triangle has the corners of its face.
+    for face, triangle in zip(split.carry(np.arange(mesh.face_count), "faces"), mesh.triangles()):
+        assert set(triangle) <= set(mesh.faces[face])

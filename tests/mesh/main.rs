@@ -30,6 +30,7 @@ mod rows;
 mod seams;
 mod stitch;
 mod together;
+mod triangulate;
 mod trim;
 mod weld;
 mod winged;

@@ -13,7 +13,7 @@
 //! | [`rims`](self) | where new faces adjoin old ones |
 //! | [`continuation`](self) | texture coordinates across new faces |
 //! | [`joined`](self) | results that keep all faces: stitched, filled, oriented, side by side |
-//! | [`repaired`](self) | results of welding, sewing, assembling, trimming |
+//! | [`repaired`](self) | results of welding, sewing, assembling, trimming, triangulating |
 //! | [`grids`](self) | meshes of nets and sheets |
 //! | [`splits`](self) | vertices that stay split because of their values |
 //! | [`values`](self) | types of values, and the output of a result |

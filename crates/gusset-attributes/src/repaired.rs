@@ -1,5 +1,5 @@
 //! Origins of meshes in which some vertices and faces were merged or removed: welded, sewn,
-//! assembled and trimmed meshes.
+//! assembled, trimmed and triangulated meshes.
 
 use super::domain::Counts;
 use super::joined::corners_before_turning;
@@ -8,7 +8,7 @@ use super::table::{STAGE, SourceTable};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::{Mesh, MeshView, NONE};
+use gusset_mesh::{Mesh, MeshView, NONE, TriangulatedMesh};
 use gusset_stitch::assemble::Assembly;
 use gusset_stitch::repair::corner_origins::{CornerOnEdge, CornerOrigins};
 use gusset_stitch::repair::sew::Sew;
@@ -80,6 +80,23 @@ impl Origins {
         let kept = repaired.kept_elements(counts, map.into_iter(), origin, is_turned, &job.part(0.0, 0.3))?;
         let new = history.parents.iter().copied().zip(history.weights.iter().copied());
         Origins::new(mesh, kept, new, &job.part(0.3, 0.9))?.with_turned_faces(mesh, is_turned, &job.part(0.9, 1.0))
+    }
+
+    /// The origins of a mesh whose faces were split into triangles.
+    ///
+    /// # Errors
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_triangulated(split: &TriangulatedMesh, job: &Job<'_>) -> Result<Origins> {
+        let (vertices, triangles) = (split.mesh.positions.len(), split.faces.len());
+        let faces = split.faces.last().map_or(0, |&face| face as usize + 1);
+        // A face of n corners has n - 2 triangles.
+        let counts = Counts { vertices, corners: triangles + 2 * faces, faces };
+        Origins::from_kept(KeptElements {
+            inputs: vec![counts],
+            vertices: SourceTable::from_single_sources(0..vertices as u32, &job.part(0.0, 0.3))?,
+            corners: SourceTable::from_single_sources(split.corners.iter().copied(), &job.part(0.3, 0.8))?,
+            faces: SourceTable::from_single_sources(split.faces.iter().copied(), &job.part(0.8, 1.0))?,
+        })
     }
 
     /// The origins of the remains of trimmed pieces. The pieces are the inputs.

@@ -28,7 +28,7 @@ pub fn bytes_drawn_since_start() -> u64 {
 #[inline]
 pub fn holds_blocks() -> bool {
     #[cfg(feature = "reserve")]
-    return drawn_bytes() > 0 && arenas::RESERVE_ARENAS.holds_blocks();
+    return bytes_drawn_since_start() > 0 && arenas::RESERVE_ARENAS.holds_blocks();
     #[cfg(not(feature = "reserve"))]
     false
 }

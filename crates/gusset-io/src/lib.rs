@@ -8,7 +8,7 @@
 //! the line or element. Each reader takes time linear in the file, and memory of at most [`MEMORY_MULTIPLE`] times its size.
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
-//! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
+//! and words; `polygons` splits polygons into triangles; `precision` tells what single precision
 //! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions. `files` reads and writes paths,
 //! `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
@@ -16,7 +16,6 @@ mod budget;
 mod colour_steps;
 mod dispatch;
 mod document;
-mod ear_clipping;
 mod error;
 #[cfg(not(target_family = "wasm"))]
 mod files;
@@ -26,7 +25,6 @@ mod foreign_files;
 mod format;
 mod json_tape;
 mod json_text;
-mod least_overlap;
 mod material;
 mod memory_file;
 mod merging;

@@ -6,6 +6,7 @@
 //!   no checks.
 //! - [`Mesh`] owns its arrays; the algorithms return it.
 //! - [`concatenate`] puts many meshes into one.
+//! - [`triangulate()`] splits faces into triangles.
 //! - [`merge`] finds vertices that coincide but are kept apart for the values that they carry.
 //! - [`Topology`] tells which half-edges share an edge.
 //!
@@ -15,6 +16,7 @@
 #[doc(hidden)]
 pub mod concat;
 mod defect;
+mod face_triangles;
 mod half_edge_pairing;
 pub mod merge;
 mod owned;
@@ -24,6 +26,7 @@ mod view;
 
 pub use concat::{PieceOffsets, concatenate};
 pub use defect::Defect;
+pub use face_triangles::{FaceTriangles, TriangulatedMesh, triangulate};
 pub use gusset_base::NONE;
 pub use half_edge_pairing::Topology;
 pub use owned::{Mesh, PositionBuffer};

@@ -14,7 +14,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::gusset_surface_place;
 use crate::error::Error;
 use crate::job::Job;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, TriangulatedMesh};
 use crate::net::convert::NetMesh;
 use crate::repair::orient::Oriented;
 use crate::repair::sew::Sew;
@@ -40,6 +40,7 @@ pub(crate) enum OperationResult {
     /// With a face and a half-edge of each component that cannot be oriented.
     Orient(Oriented, [Vec<u32>; 2]),
     Develop(DevelopedSurface),
+    Triangulate(TriangulatedMesh),
     NetMesh(NetMesh),
     /// With the place of each vertex.
     SheetMesh(SurfaceMesh, Vec<gusset_surface_place>),
@@ -57,6 +58,7 @@ impl OperationResult {
             OperationResult::Sew(_) => "gusset_sew",
             OperationResult::Orient(..) => "gusset_orient",
             OperationResult::Develop(_) => "gusset_develop",
+            OperationResult::Triangulate(_) => "gusset_triangulate",
             OperationResult::NetMesh(_) => "gusset_net_to_mesh",
             OperationResult::SheetMesh(..) => "gusset_sheet_to_mesh",
         }
@@ -78,6 +80,7 @@ impl OperationResult {
             OperationResult::Sew(sew) => &sew.mesh,
             OperationResult::Orient(orient, _) => &orient.mesh,
             OperationResult::Develop(development) => &development.done.mesh,
+            OperationResult::Triangulate(split) => &split.mesh,
             OperationResult::NetMesh(net) => &net.mesh,
             OperationResult::SheetMesh(sheet, _) => &sheet.mesh,
         }
@@ -93,6 +96,7 @@ impl OperationResult {
             OperationResult::Sew(sew) => Origins::from_sew(sew, job),
             OperationResult::Orient(orient, _) => Origins::from_oriented(orient, job),
             OperationResult::Develop(development) => Origins::from_developed(&development.done, job),
+            OperationResult::Triangulate(split) => Origins::from_triangulated(split, job),
             OperationResult::NetMesh(net) => Origins::from_net_mesh(net, job),
             OperationResult::SheetMesh(sheet, _) => Origins::from_surface_mesh(sheet, job),
         }

@@ -62,9 +62,8 @@ pub struct gusset_stitch_report {
     /// @flag
     pub intersections_known: u32,
     /// Pairs of intersecting faces: first a strip face, the larger one if both are. Any contact
-    /// counts, by an exact test, except at shared or coincident vertices and edges. Quads are split
-    /// by their shorter diagonals, other polygons into fans from their first corners. A
-    /// self-intersecting polygon is paired with itself.
+    /// counts, by an exact test, except at shared or coincident vertices and edges. Faces are split
+    /// as by gusset_triangulate. A self-intersecting polygon is paired with itself.
     /// @shape * 2
     pub intersections: gusset_indices,
     /// Times that fairing of rows, or of the kept blend, was moved back.

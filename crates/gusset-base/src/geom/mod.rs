@@ -8,6 +8,7 @@
 //! - [`hull_distance`]: a lower bound of the distance between two convex hulls.
 //! - [`node_normals`]: normals of a surface at a grid of nodes.
 //! - [`oriented_box`]: boxes aligned with the triangles inside.
+//! - [`polygon`]: polygons as triangles.
 //! - [`rotation`]: the rotation that best maps points to other points.
 //! - [`subdivision`]: all solutions of equations over a box of parameters, with proofs, and
 //!   clusters of the undecided boxes.
@@ -27,6 +28,7 @@ pub mod kd_tree;
 pub mod linear;
 pub mod node_normals;
 pub mod oriented_box;
+pub mod polygon;
 pub mod rotation;
 pub mod scale;
 pub mod strided;

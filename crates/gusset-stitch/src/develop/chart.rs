@@ -3,10 +3,10 @@
 use super::STAGE;
 use super::cut_edges::CutSurface;
 use super::split_surface::SurfaceSplitAtCuts;
-use crate::fill::clip_ears;
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
+use gusset_base::geom::polygon::triangulate_polygon;
 use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use gusset_mesh::{NONE, unordered};
@@ -54,14 +54,17 @@ impl ChartMesh {
         let at = |v: u32| mesh.positions().get(split.vertex_map[v as usize]) / unit;
         let points = alloc::collect_cancellable(vertices.map(at), &job.part(0.0, 0.0), STAGE)?;
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
-        let (mut corners, mut own, mut sides) = (Vec::new(), Vec::new(), Vec::<TriangleSide>::new());
+        let (mut corners, mut places, mut own) = (Vec::new(), Vec::new(), Vec::new());
+        let mut sides = Vec::<TriangleSide>::new();
         for (k, &f) in (0..).zip(split.faces.get(chart)) {
             job.step_every(1 << 16, k as usize, split.faces.get(chart).len(), STAGE)?;
             corners.clear();
             let range = mesh.faces().corner_range(f as usize);
             let (start, size) = (range.start as u32, range.len() as u32);
             alloc::extend(&mut corners, split.corners[range].iter().map(|&v| v - first))?;
-            triangulate_polygon(&corners, &points, &mut own, &job.part(0.0, 0.0))?;
+            places.clear();
+            alloc::extend(&mut places, corners.iter().map(|&v: &u32| points[v as usize]))?;
+            triangulate_polygon(&places, &mut own, &job.part(0.0, 0.0))?;
             for &triangle in &own {
                 for i in 0..3 {
                     let [a, b] = [triangle[i], triangle[(i + 1) % 3]];
@@ -115,35 +118,6 @@ impl ChartMesh {
     pub(super) fn count_folded_triangles(&self, x: &[DVec2]) -> u32 {
         let stands = |t: usize| self.signed_double_area(t, x) > 0.0;
         (0..self.triangles.len()).filter(|&t| !stands(t)).count() as u32
-    }
-}
-
-/// Triangulates a polygon, as indices of its corners. A quad is split by its shorter diagonal, or
-/// by the other one if the shorter leaves the quad.
-fn triangulate_polygon(corners: &[u32], points: &[DVec3], triangles: &mut Vec<[u32; 3]>, job: &Job<'_>) -> Result<()> {
-    let at = |k: usize| points[corners[k] as usize];
-    triangles.clear();
-    match corners.len() {
-        3 => alloc::push(triangles, [0, 1, 2]),
-        4 => {
-            let normal = (at(2) - at(0)).cross(at(3) - at(1));
-            let is_inside = |k: usize| {
-                let [a, b, c, d] = [k, k + 1, (k + 2) % 4, (k + 3) % 4].map(at);
-                let [one, other] = [(b - a).cross(c - a), (c - a).cross(d - a)];
-                one.dot(normal) > 0.0 && other.dot(normal) > 0.0
-            };
-            let shorter = usize::from(at(3).distance(at(1)) < at(2).distance(at(0)));
-            let start = if is_inside(shorter) || !is_inside(1 - shorter) { shorter } else { 1 - shorter };
-            let [a, b, c, d] = [start, start + 1, (start + 2) % 4, (start + 3) % 4].map(|k| k as u32);
-            alloc::append(triangles, &[[a, b, c], [a, c, d]])
-        }
-        n => {
-            let own = alloc::collect(corners.iter().map(|&v| points[v as usize]))?;
-            match clip_ears(&own, &|_, _| false, job)? {
-                Some(ears) => alloc::append(triangles, &ears),
-                None => alloc::extend(triangles, (1..n as u32 - 1).map(|k| [0, k, k + 1])),
-            }
-        }
     }
 }
 

@@ -17,7 +17,7 @@
 //! | [`chords`](self) | the chords of a triangulation |
 //! | [`triangulation_search`](self) | the triangulation of least cost |
 //! | [`loops`](self) | several loops closed by one patch |
-//! | [`ear_clipping`](self) | ear clipping of long planar loops |
+//! | [`planar_loops`](self) | ear clipping of long planar loops |
 //! | [`creases`](self) | creases continued across a hole |
 //! | [`patch`](self) | the attempts to fill one rim |
 //! | [`placed_patch`](self) | patches in the mesh |
@@ -31,7 +31,7 @@
 mod group_by_cost;
 mod candidate_loops;
 mod chords;
-mod ear_clipping;
+mod planar_loops;
 mod creases;
 mod fill_request;
 mod hole_filling;
@@ -48,7 +48,6 @@ mod triangulation_search;
 mod old_faces_at_rims;
 mod triangulation_cost;
 
-pub(crate) use ear_clipping::clip_ears;
 pub use fill_request::{
     Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, LoopSelection, Measures, Options, Refinement,
     Together, Weight,

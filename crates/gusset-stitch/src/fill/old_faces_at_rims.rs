@@ -8,7 +8,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
-use gusset_mesh::{MeshView, NONE};
+use gusset_mesh::{FaceTriangles, MeshView, NONE};
 
 /// The old faces that touch the rims of all holes.
 pub(super) struct OldFacesAtRims<'a> {
@@ -110,7 +110,7 @@ impl<'a> OldFacesAtRims<'a> {
         }
         sort_distinct(&mut faces);
 
-        let mut around = Vec::new();
+        let mut around = FaceTriangles::default();
         let mut sides = Vec::new();
         let mut across = alloc::filled(DVec3::ZERO, n)?;
         let mut own = Vec::new();
@@ -119,7 +119,7 @@ impl<'a> OldFacesAtRims<'a> {
             self.number_corners(f, &mut names, &mut own)?;
             let point = |name: u32| mesh.positions().get(names[name as usize]);
             let area = unit_normal(&own, point);
-            alloc::extend(&mut around, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
+            append_face(&mut around, &own, point, f, &job)?;
             for (&u, &v) in own.iter().zip(own.iter().cycle().skip(1)) {
                 alloc::push(&mut sides, (u, v))?;
                 // The old face runs along its rim edge in the direction opposite to the new faces.
@@ -131,16 +131,17 @@ impl<'a> OldFacesAtRims<'a> {
         let next_to = names[n..].iter().flat_map(|&v| corners_at_vertex(&self.beyond, v));
         let mut next_to = alloc::gather(next_to.map(|&(_, face)| face))?;
         sort_distinct(&mut next_to);
-        let mut beyond = Vec::new();
+        let mut beyond = FaceTriangles::default();
         for (k, &f) in next_to.iter().enumerate() {
             report_within_long_list(k, &job)?;
             self.number_corners(f, &mut names, &mut own)?;
-            alloc::extend(&mut beyond, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
+            append_face(&mut beyond, &own, |name| mesh.positions().get(names[name as usize]), f, &job)?;
         }
         let points = alloc::collect_cancellable(names.iter().map(|&v| mesh.positions().get(v)), &job, STAGE)?;
         let whole = alloc::collect(rim.iter().map(|&v| self.loops_through_vertex[v as usize] == 1))?;
         names.iter().for_each(|&v| self.names[v as usize] = NONE);
-        Ok(Some((PatchRim::new(&points, lengths, OldFaces { around, beyond, sides }, across, whole)?, rim)))
+        let old = OldFaces { around: around.corners, beyond: beyond.corners, sides };
+        Ok(Some((PatchRim::new(&points, lengths, old, across, whole)?, rim)))
     }
 }
 
@@ -206,6 +207,22 @@ fn reverse_loop(mesh: &MeshView<'_>, vertices: &[u32]) -> Result<Vec<u32>> {
     let first = (last + 1) % rim.len();
     rim.rotate_left(first);
     Ok(rim)
+}
+
+/// Appends the triangles of a face. The diagonals of quads begin at their first corners: in a
+/// regular grid they are parallel, and the fairing depends on it.
+fn append_face(
+    triangles: &mut FaceTriangles,
+    face: &[u32],
+    point: impl Fn(u32) -> DVec3,
+    number: u32,
+    job: &Job<'_>,
+) -> Result<()> {
+    if let [a, b, c, d] = *face {
+        alloc::extend(&mut triangles.faces, [number; 2])?;
+        return alloc::extend(&mut triangles.corners, [[a, b, c], [a, c, d]]);
+    }
+    triangles.append_face(face.len(), |k| point(face[k]), |k| face[k], number, job)
 }
 
 /// Returns the unit normal of a face by Newell's formula. Coordinates are relative to the first

@@ -2,10 +2,10 @@
 //! of attempts.
 
 use super::creases::{DividedHole, divide_along_creases};
-use super::ear_clipping::{clip_ears, is_planar, mean_normal};
 use super::fill_request::{Fairing, Finish, Options, Refinement, Weight};
 use super::loops::triangulate_loops_together;
 use super::patch_rim::PatchRim;
+use super::planar_loops::{clip_ears, is_planar, mean_normal};
 use super::triangulation_search::{MAX_EXACT_VERTICES, minimum_weight_triangulation};
 use crate::blend::{self, BlendFairing, NewVertexLimits};
 use crate::remesh::PatchMesh;

@@ -8,36 +8,24 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::box_tree::{BoxTree, spatial_order};
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
-use gusset_mesh::MeshView;
+use gusset_mesh::{FaceTriangles, MeshView};
 
 /// Faces between two progress reports.
 const FACES_PER_REPORT: usize = 1 << 16;
 
 /// The old faces near the holes, as triangles.
-pub(super) struct OldTriangles {
-    corners: Vec<[u32; 3]>,
-    faces: Vec<u32>,
-}
+pub(super) struct OldTriangles(FaceTriangles);
 
 impl OldTriangles {
-    /// Splits quads along the shorter diagonal, and other polygons as fans from their first
-    /// corners.
     pub(super) fn new(mesh: &MeshView<'_>, near: &[u32], job: &Job<'_>) -> Result<OldTriangles> {
-        let at = |v: u32| mesh.positions().get(v);
-        let (mut corners, mut faces, mut face) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut triangles, mut face) = (FaceTriangles::default(), Vec::new());
         for (k, &f) in near.iter().enumerate() {
             job.step_every(FACES_PER_REPORT, k, near.len(), "looking for intersections")?;
             face.clear();
             alloc::extend(&mut face, mesh.face(f as usize))?;
-            let squared = |p: usize, q: usize| at(face[p]).distance_squared(at(face[q]));
-            let first = usize::from(face.len() == 4 && squared(0, 2) > squared(1, 3));
-            let corner = |k: usize| face[(first + k) % face.len()];
-            for k in 1..face.len() - 1 {
-                alloc::push(&mut corners, [corner(0), corner(k), corner(k + 1)])?;
-                alloc::push(&mut faces, f)?;
-            }
+            triangles.append_face(face.len(), |k| mesh.positions().get(face[k]), |k| face[k], f, job)?;
         }
-        Ok(OldTriangles { corners, faces })
+        Ok(OldTriangles(triangles))
     }
 
     /// Converts pairs of triangles to pairs of faces of the result. The triangles of `patches` are
@@ -51,7 +39,7 @@ impl OldTriangles {
     ) -> Result<Vec<[u32; 2]>> {
         let count: usize = patches.iter().map(|patch| patch.triangles.len()).sum();
         let face = |t: u32| match (t as usize).checked_sub(count) {
-            Some(k) => self.faces[k],
+            Some(k) => self.0.faces[k],
             None => first_new + t,
         };
         let mut faces = alloc::collect(pairs.iter().map(|pair| {
@@ -73,7 +61,7 @@ pub(super) fn find_patch_intersections(
 ) -> Result<Vec<[u32; 2]>> {
     let mut new = alloc::with_capacity(patches.iter().map(|patch| patch.triangles.len()).sum())?;
     patches.iter().for_each(|patch| new.extend_from_slice(&patch.triangles));
-    intersecting_pairs(&TriangleSoup { at: |v| vertices.scaled_position(v), new: &new, old: &old.corners }, job)
+    intersecting_pairs(&TriangleSoup { at: |v| vertices.scaled_position(v), new: &new, old: &old.0.corners }, job)
 }
 
 /// Returns the patches with triangles among pairs of [`find_patch_intersections`], ascending.
@@ -127,7 +115,7 @@ impl<'a> IntersectionCounter<'a> {
         rooms: &[Aabb],
         job: &Job<'_>,
     ) -> Result<Self> {
-        let boxes = old.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| vertices.position(v))));
+        let boxes = old.0.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| vertices.position(v))));
         let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), "looking for intersections")?;
         Ok(IntersectionCounter {
             old,
@@ -149,7 +137,7 @@ impl<'a> IntersectionCounter<'a> {
         // Enlarge the box: scaling by the unit, a power of two, may round tiny coordinates to 0.
         let around = patch.around.inflated(f64::MIN_POSITIVE * vertices.unit);
         let mut others = Vec::new();
-        self.triangles.visit_overlapping_boxes(&around, |t| alloc::push(&mut others, self.old.corners[t]))?;
+        self.triangles.visit_overlapping_boxes(&around, |t| alloc::push(&mut others, self.old.0.corners[t]))?;
         self.rooms.visit_overlapping_boxes(&around, |j| {
             let other = &patches[j];
             if j != k && other.around.overlaps(&around) { alloc::append(&mut others, &other.triangles) } else { Ok(()) }

@@ -192,7 +192,7 @@ impl StripNeighbourhood<'_> {
 
     /// Moves the new vertices to the minimum of the thin plate's energy.
     fn fair_new_vertices(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
-        let mut triangles = self.strip_triangles()?.corners;
+        let mut triangles = self.strip_triangles(&job.part(0.0, 0.0))?.corners;
         let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.contains(v)), job)?.corners;
         alloc::append(&mut triangles, &round)?;
         // Number the vertices of the patch consecutively.

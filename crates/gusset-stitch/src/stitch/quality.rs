@@ -1,7 +1,9 @@
 //! Quality of a stitched mesh: angles, aspect ratios, areas, and remaining defects.
 
 use crate::boundary::{self, boundary_loops};
+use gusset_base::alloc;
 use gusset_base::error::Result;
+use gusset_base::geom::polygon::triangulate_polygon;
 use gusset_base::geom::{scale::common_unit, triangle};
 use gusset_base::job::Job;
 use gusset_mesh::{Defect, Mesh};
@@ -53,19 +55,20 @@ impl Quality {
 
     fn measure_strip(&mut self, strip: &Mesh, job: &Job<'_>) -> Result<()> {
         job.step(0.0, "measuring new faces")?;
-        let points = gusset_base::alloc::collect((0..strip.positions.len()).map(|v| strip.positions.get(v as u32)))?;
+        let points = alloc::collect((0..strip.positions.len()).map(|v| strip.positions.get(v as u32)))?;
         let unit = common_unit(&points);
         let (mut longest, mut double_area): (f64, f64) = (0.0, 0.0);
+        let (mut corners, mut triangles) = (Vec::new(), Vec::new());
         for (f, w) in strip.face_offsets.windows(2).enumerate() {
             job.step_every(FACES_PER_REPORT, f, strip.face_offsets.len(), "measuring new faces")?;
             let face = &strip.face_corners[w[0] as usize..w[1] as usize];
             let p = |k: usize| points[face[k % face.len()] as usize] / unit;
             longest = (0..face.len()).map(|k| p(k).distance(p(k + 1))).fold(longest, f64::max);
-            // Split a quad by its shorter diagonal.
-            let other = face.len() == 4 && p(0).distance_squared(p(2)) > p(1).distance_squared(p(3));
-            let first = usize::from(other);
-            for k in first + 1..first + face.len() - 1 {
-                let [a, b, c] = [p(first), p(k), p(k + 1)];
+            corners.clear();
+            alloc::extend(&mut corners, (0..face.len()).map(p))?;
+            triangulate_polygon(&corners, &mut triangles, job)?;
+            for &triangle in &triangles {
+                let [a, b, c] = triangle.map(|k| corners[k as usize]);
                 let area = triangle::double_area(a, b, c);
                 self.min_angle = self.min_angle.min(triangle::min_angle(a, b, c));
                 self.max_aspect = self.max_aspect.max(triangle::aspect(a, b, c));

@@ -248,8 +248,8 @@ pub struct Stitch {
     /// Pairs of intersecting faces of [`Stitch::mesh`], in ascending order; `None` if they were not
     /// looked for.
     ///
-    /// In each pair the first face belongs to the strip, and is the larger one if both do. Quads
-    /// are split by their shorter diagonals, and other polygons as fans. A polygon that intersects
+    /// In each pair the first face belongs to the strip, and is the larger one if both do. Faces
+    /// are split as [`FaceTriangles`](gusset_mesh::FaceTriangles) does. A polygon that intersects
     /// itself is paired with itself.
     pub intersections: Option<Vec<[u32; 2]>>,
     /// The resulting surface. It is the strip if a requested blend was not possible.

@@ -8,16 +8,9 @@ use gusset_base::error::Result;
 use gusset_base::geom::{Aabb, bit_set::BitSet};
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
-use gusset_mesh::{Mesh, Scalar};
+use gusset_mesh::{FaceTriangles, Mesh, Scalar};
 
 const STAGE: &str = "looking for intersections";
-
-/// Triangles, and the face of each.
-#[derive(Default)]
-pub(super) struct FaceTriangles {
-    pub(super) corners: Vec<[u32; 3]>,
-    pub(super) faces: Vec<u32>,
-}
 
 /// The strip and its surroundings, numbered as in the result: old vertices and faces, then new
 /// ones.
@@ -75,23 +68,21 @@ impl<'a> StripNeighbourhood<'a> {
         }
     }
 
-    /// Adds the triangles of a face: a quad is split by its shorter diagonal, any other polygon as
-    /// a fan from its first corner.
-    pub(super) fn append_face_triangles(&self, face: &[u32], number: u32, into: &mut FaceTriangles) -> Result<()> {
-        let squared = |p: usize, q: usize| self.position(face[p]).distance_squared(self.position(face[q]));
-        let first = usize::from(face.len() == 4 && squared(0, 2) > squared(1, 3));
-        let corner = |k: usize| face[(first + k) % face.len()];
-        for k in 1..face.len() - 1 {
-            alloc::push(&mut into.corners, [corner(0), corner(k), corner(k + 1)])?;
-            alloc::push(&mut into.faces, number)?;
-        }
-        Ok(())
+    /// Adds the triangles of a face.
+    pub(super) fn append_face_triangles(
+        &self,
+        face: &[u32],
+        number: u32,
+        into: &mut FaceTriangles,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        into.append_face(face.len(), |k| self.position(face[k]), |k| face[k], number, job)
     }
 
-    pub(super) fn strip_triangles(&self) -> Result<FaceTriangles> {
+    pub(super) fn strip_triangles(&self, job: &Job<'_>) -> Result<FaceTriangles> {
         let mut triangles = FaceTriangles::default();
         for (face, number) in self.offsets.windows(2).zip(self.whole.face_count() as u32..) {
-            self.append_face_triangles(&self.strip[face[0] as usize..face[1] as usize], number, &mut triangles)?;
+            self.append_face_triangles(&self.strip[face[0] as usize..face[1] as usize], number, &mut triangles, job)?;
         }
         Ok(triangles)
     }
@@ -102,7 +93,7 @@ impl<'a> StripNeighbourhood<'a> {
         for (face, number) in self.whole.faces().zip(0..) {
             job.step_within_list(number as usize, STAGE)?;
             if wanted(face) {
-                self.append_face_triangles(face, number, &mut triangles)?;
+                self.append_face_triangles(face, number, &mut triangles, job)?;
             }
         }
         Ok(triangles)
@@ -124,7 +115,7 @@ impl<'a> StripNeighbourhood<'a> {
 
     /// Returns the pairs of intersecting triangles, and the strip's triangles that they index.
     pub(super) fn find_intersections(&self, old: &FaceTriangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
-        let strip = self.strip_triangles()?;
+        let strip = self.strip_triangles(&job.part(0.0, 0.0))?;
         let soup = TriangleSoup { at: |v| self.position(v), new: &strip.corners, old: &old.corners };
         Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
     }

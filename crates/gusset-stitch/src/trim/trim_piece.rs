@@ -9,7 +9,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;
 use gusset_base::job::Job;
 use gusset_base::par;
-use gusset_mesh::MeshView;
+use gusset_mesh::{FaceTriangles, MeshView};
 
 const STAGE: &str = "looking at the pieces";
 const VERTICES_PER_TASK: usize = 1 << 10;
@@ -21,7 +21,7 @@ const MIN_GRAZING_FACTOR: f64 = 0.1;
 /// A prepared piece.
 pub(super) struct TrimPiece {
     pub(super) scan: CentredPiece,
-    /// The faces as triangles; polygons are fans from their first corners.
+    /// The faces as triangles.
     pub(super) triangles: Vec<[u32; 3]>,
     /// The face of each triangle.
     pub(super) faces: Vec<u32>,
@@ -40,18 +40,7 @@ impl TrimPiece {
         job: &Job<'_>,
     ) -> Result<TrimPiece> {
         let scan = CentredPiece::new(mesh, unit, Some(origin), &job.part(0.0, 0.5))?;
-        let count = mesh.faces().half_edge_count().saturating_sub(2 * mesh.faces().len());
-        let (mut triangles, mut faces) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
-        for f in 0..mesh.faces().len() {
-            job.part(0.5, 0.5).step_within_list(f, STAGE)?;
-            let mut corners = mesh.face(f);
-            let first = corners.next().unwrap_or(0);
-            let pairs = corners.clone().zip(corners.skip(1));
-            for (u, v) in pairs {
-                triangles.push([first, u, v]);
-                faces.push(f as u32);
-            }
-        }
+        let FaceTriangles { corners: triangles, faces, .. } = FaceTriangles::from_mesh(mesh, &job.part(0.5, 0.5))?;
         let borders = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.5, 0.6))?;
         let mut rim = Vec::new();
         for border in borders.iter().filter(|border| border.vertices.len() >= MIN_BORDER_VERTICES) {

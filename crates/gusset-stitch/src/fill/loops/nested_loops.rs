@@ -5,7 +5,7 @@
 //! leftmost vertex. It leads to an end of the nearest edge on the left, or to a vertex inside the
 //! triangle between them, whichever is visible (D. Eberly, *Triangulation by ear clipping*, 2002).
 
-use super::super::ear_clipping::{clip_ears, is_planar};
+use super::super::planar_loops::{clip_ears, is_planar};
 use super::closing_task::ClosingTask;
 use super::numbered_rims::NumberedRims;
 use super::opened_loops::OpenedLoops;

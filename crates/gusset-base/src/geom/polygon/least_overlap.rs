@@ -1,14 +1,16 @@
 //! The split of a small polygon whose triangles overlap least.
 //!
-//! Dynamic programming over all splits (Klincsek, 1980): the best split between two corners is the best triangle on them with the best
-//! splits on its sides. Splits are compared by the area that is turned over, then by their flat triangles, then by the length of
-//! diagonals.
+//! Dynamic programming over all splits (Klincsek, *Minimal triangulations of polygonal domains*,
+//! 1980): the best split between two corners is the best triangle on them with the best splits on
+//! its sides. Splits are compared by the area that is turned over, then by their flat triangles,
+//! then by the length of diagonals.
 
-use crate::error::ReadError;
-use gusset_base::alloc;
+use crate::alloc;
+use crate::error::Result;
+use glam::DVec2;
 
 /// Most corners of a polygon that is searched: the time grows with their cube.
-pub(crate) const MAX_SEARCH_CORNERS: usize = 40;
+pub(super) const MAX_SEARCH_CORNERS: usize = 40;
 /// Triangles are flat up to this area, relative to the square of the polygon's extent.
 const MAX_FLAT_AREA: f64 = 1e-12;
 
@@ -30,24 +32,21 @@ impl Cost {
     }
 }
 
-/// Replaces triangles of a polygon by the split that overlaps least. `projected` are its points in the plane, anticlockwise.
-pub(crate) fn split_with_least_overlap(
-    points: &[[f64; 3]],
-    projected: &[[f64; 2]],
-    triangles: &mut Vec<[u32; 3]>,
-) -> Result<(), ReadError> {
-    let count = points.len();
-    let extent = projected.iter().flatten().fold(0.0_f64, |most, part| most.max(part.abs()));
+/// Replaces triangles of a polygon by the split that overlaps least. `flat` are its points in the
+/// plane, anticlockwise.
+pub(super) fn split_with_least_overlap(flat: &[DVec2], triangles: &mut Vec<[u32; 3]>) -> Result<()> {
+    let count = flat.len();
+    let extent = flat.iter().fold(0.0_f64, |most, point| most.max(point.abs().max_element()));
     let max_flat = MAX_FLAT_AREA * extent * extent;
     // For each pair of corners: the cost of the best split between them, and the third corner of its triangle.
     let mut best = alloc::filled((Cost::default(), 0_usize), count * count)?;
     for span in 2..count {
         for start in 0..count - span {
             let end = start + span;
-            let diagonal = if span + 1 < count { distance(points[start], points[end]) } else { 0.0 };
+            let diagonal = if span + 1 < count { flat[start].distance(flat[end]) } else { 0.0 };
             let mut least: Option<(Cost, usize)> = None;
             for middle in start + 1..end {
-                let triangle = triangle_cost([start, middle, end].map(|corner| projected[corner]), max_flat, diagonal);
+                let triangle = triangle_cost([start, middle, end].map(|corner| flat[corner]), max_flat, diagonal);
                 let cost = best[start * count + middle].0.plus(best[middle * count + end].0).plus(triangle);
                 if least.is_none_or(|(old, _)| cost < old) {
                     least = Some((cost, middle));
@@ -62,22 +61,18 @@ pub(crate) fn split_with_least_overlap(
     while let Some((start, end)) = open.pop() {
         if end - start >= 2 {
             let middle = best[start * count + end].1;
-            triangles.push([start, middle, end].map(|corner| corner as u32));
-            open.extend([(start, middle), (middle, end)]);
+            alloc::push(triangles, [start, middle, end].map(|corner| corner as u32))?;
+            alloc::append(&mut open, &[(start, middle), (middle, end)])?;
         }
     }
     Ok(())
 }
 
-fn triangle_cost([a, b, c]: [[f64; 2]; 3], max_flat: f64, diagonal: f64) -> Cost {
-    let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+fn triangle_cost([a, b, c]: [DVec2; 3], max_flat: f64, diagonal: f64) -> Cost {
+    let area = (b - a).perp_dot(c - a);
     Cost {
         turned_area: if area < -max_flat { -area } else { 0.0 },
         flat_count: f64::from(u8::from(area.abs() <= max_flat)),
         diagonals: diagonal,
     }
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum::<f64>().sqrt()
 }

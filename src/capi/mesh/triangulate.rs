@@ -1,0 +1,40 @@
+//! Triangulation: Splits faces into triangles.
+//!
+//! @source G. Meisters, Polygons have ears, 1975; G. Klincsek, Minimal triangulations of polygonal
+//!     domains, 1980.
+
+use crate::capi::context::{create, gusset_context};
+use crate::capi::mesh::result::{OperationResult, gusset_result};
+use crate::capi::mesh::{self, gusset_mesh_view};
+use crate::capi::status::gusset_status;
+use crate::mesh::triangulate;
+
+/// Splits all faces into triangles of their own corners, in the order of the faces.
+///
+/// A face of n corners becomes n - 2 triangles that use all its corners: a closed mesh stays
+/// closed. Vertices keep their indices and bits.
+/// - A quad is split by its shorter diagonal, or by the diagonal inside if it is concave.
+/// - A larger face becomes a fan from its first corner if this corner sees all others, as in a
+///   convex face. Otherwise its ears are cut off, in projection along a coordinate axis. Edges that
+///   the face passes twice, to reach a hole, are allowed.
+/// - If triangles of a face of at most 40 corners overlap, because the face is warped or crosses
+///   itself, the split with the least overlap replaces them.
+///
+/// gusset_result_origins_create gives the old face and corners of each triangle.
+///
+/// @errors as gusset_mesh_view
+/// @complexity O(H); for a face of n corners that is not convex O(n log n), and at most 1000 tests a
+///     corner.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_triangulate(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    result: *mut *mut gusset_result,
+) -> gusset_status {
+    create(context, result, "result", |job| {
+        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let done = triangulate(&given_mesh.mesh_view(), &job.part(0.2, 1.0))?;
+        Ok(gusset_result(OperationResult::Triangulate(done)))
+    })
+}
