@@ -75,7 +75,7 @@ class LoopPair(Structure):
 class JoinOptions(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("weld", c_uint32), ("orientation", c_uint32), ("gap", c_uint32),
-        ("whole_loops_only", c_uint32), ("within_components", c_uint32), ("fill", c_uint32), ("max_gap", c_double),
+        ("extent", c_uint32), ("within_components", c_uint32), ("fill", c_uint32), ("max_gap", c_double),
         ("pairs", POINTER(LoopPair)), ("pair_count", c_size_t), ("excluded", c_void_p), ("excluded_count", c_size_t),
         ("weld_options", c_void_p), ("strip_options", POINTER(StitchOptions)), ("fill_options", c_void_p),
         ("outward", c_uint32), ("overlaps", c_uint32), ("trim_options", c_void_p)]

@@ -259,10 +259,10 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
     options.struct_size = sizeof options;
     for (int field = 0; field < 8; ++field) {
-        static const uint32_t unknown[8] = {3, GUSSET_ORIENTATION_REFUSE, 2, 2, 2, 2, 3, 2};
+        static const uint32_t unknown[8] = {3, GUSSET_ORIENTATION_REFUSE, 2, 3, 2, 2, 3, 2};
         uint32_t *fields[8];
         fields[0] = &options.weld, fields[1] = &options.orientation, fields[2] = &options.gap;
-        fields[3] = &options.whole_loops_only, fields[4] = &options.within_components, fields[5] = &options.fill;
+        fields[3] = &options.extent, fields[4] = &options.within_components, fields[5] = &options.fill;
         fields[6] = &options.outward, fields[7] = &options.overlaps;
         *fields[field] = unknown[field];
         FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));

@@ -428,7 +428,7 @@ TEST_CASE("body and hand: what is joined is valid, what is left has its reason")
     // The gap is wider than the wrist: joined if it may be that wide. Mouth and eyes stay.
     gusset::JoinOptions options;
     options.max_gap = 0.4;
-    options.whole_loops_only = true;
+    options.extent = gusset::JoinExtent::whole_loops;
     if (const auto found = assembled({pair + "body_741_no_left_hand.obj", pair + "hand_hires.obj"}, options)) {
         REQUIRE(found->first.joints().size() == 1);
         CHECK(found->first.joints()[0].side[0].count == 6);

@@ -220,7 +220,9 @@ void assembled(Case &test) {
     options.strip_options.twist = 0;
     options.strip_options.cells = random.one_in(2) ? gusset::StripCells::quads : gusset::StripCells::triangles;
     options.weld = random.one_in(3) ? gusset::Welding::edge_to_edge : gusset::Welding::sew;
-    options.whole_loops_only = random.one_in(3);
+    const gusset::JoinExtent extents[] = {gusset::JoinExtent::loops_and_parts, gusset::JoinExtent::whole_loops,
+                                          gusset::JoinExtent::parts};
+    options.extent = extents[random.below(3)];
     options.within_components = random.one_in(3);
     options.outward = random.one_in(3) ? gusset::Outward::keep : gusset::Outward::closed;
     if (random.one_in(2)) {

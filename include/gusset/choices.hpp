@@ -134,6 +134,13 @@ enum class Welding : uint32_t {
 /// Widest gap to close. See ::gusset_gap.
 enum class Gap : uint32_t { automatic = GUSSET_GAP_AUTO, given = GUSSET_GAP_GIVEN };
 
+/// Parts of loops that are joined. See ::gusset_join_extent.
+enum class JoinExtent : uint32_t {
+    loops_and_parts = GUSSET_JOIN_LOOPS_AND_PARTS,
+    whole_loops = GUSSET_JOIN_WHOLE_LOOPS,
+    parts = GUSSET_JOIN_PARTS
+};
+
 /// Treatment of overlapping pieces. See ::gusset_overlaps.
 enum class Overlaps : uint32_t { keep = GUSSET_OVERLAPS_KEEP, trim = GUSSET_OVERLAPS_TRIM };
 
@@ -602,6 +609,9 @@ enum class StreamMode : uint32_t {
     raw = GUSSET_STREAM_RAW
 };
 
+/// Choice of the levels that coordinates are rounded to. See ::gusset_stream_levels.
+enum class StreamLevels : uint32_t { automatic = GUSSET_LEVELS_AUTO, given = GUSSET_LEVELS_GIVEN };
+
 /// How two surfaces touch. See ::gusset_contact_kind.
 enum class ContactKind : uint32_t { point = GUSSET_CONTACT_POINT, crossing = GUSSET_CONTACT_CROSSING };
 
@@ -681,6 +691,7 @@ constexpr const char *choice_name(Scalar) { return "gusset_scalar"; }
 constexpr const char *choice_name(Index) { return "gusset_index"; }
 constexpr const char *choice_name(Welding) { return "gusset_welding"; }
 constexpr const char *choice_name(Gap) { return "gusset_gap"; }
+constexpr const char *choice_name(JoinExtent) { return "gusset_join_extent"; }
 constexpr const char *choice_name(Overlaps) { return "gusset_overlaps"; }
 constexpr const char *choice_name(JointOutcome) { return "gusset_joint_outcome"; }
 constexpr const char *choice_name(LeftReason) { return "gusset_left_reason"; }
@@ -746,6 +757,7 @@ constexpr const char *choice_name(SceneEntryKind) { return "gusset_scene_entry_k
 constexpr const char *choice_name(Visibility) { return "gusset_visibility"; }
 constexpr const char *choice_name(Element) { return "gusset_element"; }
 constexpr const char *choice_name(StreamMode) { return "gusset_stream_mode"; }
+constexpr const char *choice_name(StreamLevels) { return "gusset_stream_levels"; }
 constexpr const char *choice_name(ContactKind) { return "gusset_contact_kind"; }
 constexpr const char *choice_name(Scheme) { return "gusset_scheme"; }
 constexpr const char *choice_name(Twists) { return "gusset_twists"; }

@@ -355,13 +355,24 @@ typedef uint32_t gusset_welding;
 typedef uint32_t gusset_gap;
 /// The width of a gap is the larger mean distance from either loop to the nearest points of the other.
 /// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean radius (mean distance
-///   from the loop's centre) if more. The only two loops, on two pieces, are always joined.
+///   from the loop's centre) if more. The only two loops, on two pieces, are joined at any distance, unless they lie
+///   beside each other.
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
-/// - Slits: half the mean radius, and at most one mean edge.
+/// - Slits: one mean edge, and half the mean radius unless the slit is narrow.
+/// - Gaps between borders that share vertices: the longest edge.
 /// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 #define GUSSET_GAP_AUTO 0
 /// max_gap.
 #define GUSSET_GAP_GIVEN 1
+
+/// Parts of loops that are joined.
+typedef uint32_t gusset_join_extent;
+/// Whole loops, and parts of the other loops.
+#define GUSSET_JOIN_LOOPS_AND_PARTS 0
+/// Whole loops only.
+#define GUSSET_JOIN_WHOLE_LOOPS 1
+/// Runs of loops and slits only. Two sheets side by side never become a closed pocket.
+#define GUSSET_JOIN_PARTS 2
 
 /// Treatment of overlapping pieces.
 typedef uint32_t gusset_overlaps;
@@ -394,8 +405,8 @@ typedef struct gusset_join_options {
     /// @values GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP
     gusset_orientation orientation;
     gusset_gap gap;
-    /// 1 joins whole loops only, not runs and slits. @flag
-    uint32_t whole_loops_only;
+    /// Parts of loops to join.
+    gusset_join_extent extent;
     /// 1 also joins loops of one component that pairs does not name. @flag
     uint32_t within_components;
     /// 1 fills the remaining holes. @flag
@@ -549,7 +560,10 @@ typedef struct gusset_join_report {
     uint32_t near_loops_left;
     /// Faces removed from overlaps.
     uint32_t trimmed_faces;
-    uint32_t reserved;
+    /// Pairs of boundary edges that coincide only within near_tolerance, and are not sewn.
+    uint32_t near_edge_pairs;
+    /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
+    double near_tolerance;
 } gusset_join_report;
 
 /* ---- Stitching: Joins two loops by a strip of new faces. */
@@ -951,9 +965,12 @@ typedef struct gusset_weld_report {
     uint32_t sewn_edges;
     /// Dropped faces.
     uint32_t dropped_faces;
-    uint32_t reserved;
+    /// Pairs of boundary edges that coincide only within near_tolerance, and are not sewn.
+    uint32_t near_edge_pairs;
     /// Largest distance at which vertices coincide, except at short edges; 0 for equal positions.
     double tolerance;
+    /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
+    double near_tolerance;
 } gusset_weld_report;
 
 /// Merges coincident vertices.
@@ -999,9 +1016,12 @@ typedef struct gusset_sew_report {
     uint32_t split_faces;
     /// Dropped old faces.
     uint32_t dropped_faces;
-    uint32_t reserved;
+    /// Pairs of boundary edges that coincide only within near_tolerance, and are not sewn.
+    uint32_t near_edge_pairs;
     /// Largest distance at which elements coincide, except at short edges; 0 for equal positions.
     double tolerance;
+    /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
+    double near_tolerance;
 } gusset_sew_report;
 
 /// Sews coincident borders.

@@ -135,8 +135,8 @@ struct JoinOptions {
     /// face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward. Takes GUSSET_ORIENTATION_FIX,
     /// GUSSET_ORIENTATION_KEEP only.
     Orientation orientation = Orientation::fix;
-    /// 1 joins whole loops only, not runs and slits.
-    bool whole_loops_only = false;
+    /// Parts of loops to join.
+    JoinExtent extent = JoinExtent::loops_and_parts;
     /// 1 also joins loops of one component that pairs does not name.
     bool within_components = false;
     /// 1 fills the remaining holes.
@@ -336,7 +336,7 @@ inline gusset_join_options as_c(const JoinOptions &options, JoinOptionsNested &n
     auto given = sized<gusset_join_options>();
     given.weld = static_cast<gusset_welding>(options.weld);
     given.orientation = static_cast<gusset_orientation>(options.orientation);
-    given.whole_loops_only = options.whole_loops_only ? 1 : 0;
+    given.extent = static_cast<gusset_join_extent>(options.extent);
     given.within_components = options.within_components ? 1 : 0;
     given.fill = options.fill ? 1 : 0;
     given.pairs = first(options.pairs);

@@ -21,6 +21,14 @@ typedef uint32_t gusset_stream_mode;
 /// Uncompressed little-endian matrices, aligned to 64 bytes.
 #define GUSSET_STREAM_RAW 2
 
+/// Choice of the levels that coordinates are rounded to.
+typedef uint32_t gusset_stream_levels;
+/// Those of the net's bounding box, or a coarser step that its coordinates already have.
+#define GUSSET_LEVELS_AUTO 0
+/// Those of the box from low to high. Tiles that are encoded apart, with equal boxes, stay equal in the nodes that they
+/// share.
+#define GUSSET_LEVELS_GIVEN 1
+
 /// Options of gusset_net_encode_create.
 typedef struct gusset_stream_options {
     size_t struct_size;
@@ -31,7 +39,18 @@ typedef struct gusset_stream_options {
     uint32_t bits;
     /// QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0. @flag
     uint32_t per_axis;
-    uint32_t reserved;
+    /// QUANTISED: choice of the levels. Else 0.
+    gusset_stream_levels levels;
+    /// Smallest coordinates of all tiles, finite: level 0.
+    /// @when levels GUSSET_LEVELS_GIVEN
+    double low[3];
+    /// Largest coordinates of all tiles, at least low.
+    /// @when levels GUSSET_LEVELS_GIVEN
+    double high[3];
+    /// Distance of levels on all axes, above 0; bits becomes the least number that reaches across the box, and must be
+    /// 0. 0: the distance follows from bits.
+    /// @when levels GUSSET_LEVELS_GIVEN
+    double step;
 } gusset_stream_options;
 
 /// Header of a stream.
@@ -76,7 +95,8 @@ typedef struct gusset_stream_decoder gusset_stream_decoder;
 /// - QUANTISED and LOSSLESS store one node of each glued point, whose bits decoding repeats; LOSSLESS stores all if
 ///   bits differ.
 /// - QUANTISED replaces missing nodes by three NaN.
-/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double)
+/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double; low, high or step; a node
+///     outside the box)
 /// @complexity O(nodes), parallel by blocks.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_encode_create(const struct gusset_context *context,
     const struct gusset_net *net, const struct gusset_stream_options *options, struct gusset_stream **stream);

@@ -18,6 +18,16 @@ struct StreamOptions {
     uint32_t bits = 0;
     /// QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
     bool per_axis = false;
+    /// Smallest coordinates of all tiles, finite: level 0. A value sets levels of C to GUSSET_LEVELS_GIVEN; empty:
+    /// GUSSET_LEVELS_AUTO.
+    std::optional<Point3> low;
+    /// Largest coordinates of all tiles, at least low. A value sets levels of C to GUSSET_LEVELS_GIVEN; empty:
+    /// GUSSET_LEVELS_AUTO.
+    std::optional<Point3> high;
+    /// Distance of levels on all axes, above 0; bits becomes the least number that reaches across the box, and must be
+    /// 0. 0: the distance follows from bits. A value sets levels of C to GUSSET_LEVELS_GIVEN; empty:
+    /// GUSSET_LEVELS_AUTO.
+    std::optional<double> step;
 };
 
 namespace detail {
@@ -27,6 +37,18 @@ inline gusset_stream_options as_c(const StreamOptions &options) {
     given.mode = static_cast<gusset_stream_mode>(options.mode);
     given.bits = options.bits;
     given.per_axis = options.per_axis ? 1 : 0;
+    if (options.low) {
+        std::copy(options.low->begin(), options.low->end(), given.low);
+        given.levels = GUSSET_LEVELS_GIVEN;
+    }
+    if (options.high) {
+        std::copy(options.high->begin(), options.high->end(), given.high);
+        given.levels = GUSSET_LEVELS_GIVEN;
+    }
+    if (options.step) {
+        given.step = *options.step;
+        given.levels = GUSSET_LEVELS_GIVEN;
+    }
     return given;
 }
 } // namespace detail

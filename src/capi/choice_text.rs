@@ -125,6 +125,11 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (0, c"The width of a gap is the larger mean distance from either loop to the nearest points of the other."),
         (1, c"max_gap."),
     ]),
+    ("gusset_join_extent", &[
+        (0, c"Whole loops, and parts of the other loops."),
+        (1, c"Whole loops only."),
+        (2, c"Runs of loops and slits only."),
+    ]),
     ("gusset_overlaps", &[
         (0, c"Overlapping pieces stay unchanged."),
         (1, c"One piece of each overlap is kept, as by gusset_trim_create, and gaps are closed."),
@@ -589,6 +594,10 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (0, c"Compressed, rounded to a number of bits."),
         (1, c"Compressed bit for bit, including NaN."),
         (2, c"Uncompressed little-endian matrices, aligned to 64 bytes."),
+    ]),
+    ("gusset_stream_levels", &[
+        (0, c"Those of the net's bounding box, or a coarser step that its coordinates already have."),
+        (1, c"Those of the box from low to high."),
     ]),
     ("gusset_contact_kind", &[
         (1, c"They touch in a point."),

@@ -367,6 +367,7 @@ impl From<Error> for Failure {
             SceneCycle { entry } => at(GUSSET_ERROR_SCENE_CYCLE, GUSSET_ELEMENT_ENTRY, entry, 0.0),
             EmptyScene => plain(GUSSET_ERROR_EMPTY_SCENE, 0.0),
             FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node, 0.0),
+            NodeOutsideBox { node } => at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, node, 0.0),
             GluedInside => plain(GUSSET_ERROR_GLUED_INSIDE, 0.0),
             BadWings { edge, .. } => Failure::with_element(GUSSET_ERROR_BAD_WINGS, GUSSET_ELEMENT_EDGE, edge, 0.0),
             GluingsDiffer { node } => at(GUSSET_ERROR_GLUINGS_DIFFER, GUSSET_ELEMENT_NODE, node, 0.0),

@@ -3,7 +3,7 @@
 
 use crate::common::{Soup, Steady, edge_counts, euler, faces_of, sheet, torus, volume};
 use crate::pieces::{around, cube, cut, shrunk, sphere};
-use gusset::assemble::{Assembly, MaxGap, Options, Outcome, Reason, Selector, assemble};
+use gusset::assemble::{Assembly, Extent, MaxGap, Options, Outcome, Reason, Selector, assemble};
 use gusset::check::check;
 use gusset::fill;
 use gusset::mesh::{Mesh, MeshView, NONE};
@@ -267,7 +267,7 @@ fn exclusions_and_pairs_are_minded() {
     assert!(measured > 0.6 && measured < 0.9, "{measured}");
     for (factor, joined) in [(0.99, false), (1.01, true)] {
         let max_gap = MaxGap::Given(measured * factor);
-        let done = run(&pieces, &Options { max_gap, whole_loops_only: true, ..Options::default() });
+        let done = run(&pieces, &Options { max_gap, extent: Extent::WholeLoops, ..Options::default() });
         assert_eq!(done.joints.len(), if joined { 3 } else { 0 }, "{factor}");
     }
 

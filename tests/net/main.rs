@@ -31,6 +31,7 @@ mod settle;
 mod space;
 mod stream;
 mod stream_damage;
+mod stream_tiles;
 mod topology;
 mod transform;
 mod triangles;

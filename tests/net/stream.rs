@@ -372,7 +372,7 @@ proptest! {
             DVec3::new(number(0), number(1), number(2))
         }).unwrap();
         for mode in [StreamMode::Raw, StreamMode::Lossless, StreamMode::Quantised { bits: levels }] {
-            let options = StreamOptions { mode, per_axis, rows_per_block };
+            let options = StreamOptions { mode, per_axis, rows_per_block, levels: None };
             let stream = encode(&net, &options, &job()).unwrap();
             let back = decode(&stream, &job()).unwrap();
             match mode {

@@ -312,6 +312,12 @@ pub enum Error {
         "the net has bridges or is glued elsewhere than along whole sides, so rows and columns cannot be added or removed"
     )]
     GluedInside,
+    /// A node lies outside the box that is given for the levels of a stream.
+    #[error("node {node} lies outside the box of the levels")]
+    NodeOutsideBox {
+        /// The first such node.
+        node: u32,
+    },
     /// Two nets must be glued in the same way and are not.
     #[error("the nets are glued differently, first at node {node}")]
     GluingsDiffer {

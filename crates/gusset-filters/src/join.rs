@@ -6,13 +6,13 @@ use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, ReportValue, count
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::stitch::{FAIRING, FINISH, MERIDIANS};
 use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
-use super::weld::TOLERANCE;
+use super::weld::{TOLERANCE, push_hint};
 use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
 use gusset_stitch::align::{self, Alignment, align};
-use gusset_stitch::assemble::{Assembly, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
+use gusset_stitch::assemble::{Assembly, Extent, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
 use gusset_stitch::fill;
 use gusset_stitch::repair::orient::Outward;
 use gusset_stitch::repair::weld;
@@ -40,7 +40,7 @@ params! {
         "The largest mean width of a gap that is closed. 0 closes none; -1 decides by the size of the loops.",
         NON_NEGATIVE_OR_AUTO_RANGE, &[-1.0],
     ).none_if_negative();
-    extent: bool = Param::choice("Join", "The parts of the loops that are joined.", EXTENTS);
+    extent: Extent = Param::choice("Join", "The parts of the loops that are joined.", EXTENTS);
     meridians: Meridians = MERIDIANS;
     rows: Rows = Param::choice("Rows", "The rows of new vertices between the rims.", ROWS);
     fairing: Fairing = FAIRING;
@@ -65,10 +65,10 @@ choices! {
 }
 
 choices! {
-    /// Whether only whole loops are joined.
-    EXTENTS: bool =
-        false => "Loops and parts of them", "Whole loops, and arcs of vertices that face each other.";
-        true => "Whole loops", "Only whole loops.";
+    EXTENTS: Extent =
+        Extent::LoopsAndParts => "Loops and parts of them", "Whole loops, and arcs of vertices that face each other.";
+        Extent::WholeLoops => "Whole loops", "Only whole loops.";
+        Extent::Parts => "Parts", "Only arcs of vertices that face each other, and slits along seams.";
 }
 
 choices! {
@@ -104,7 +104,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         edge_to_edge: values.weld == Some(true),
         max_gap: values.max_gap.map_or(MaxGap::Auto, MaxGap::Given),
         outward: if values.outward { Outward::Closed } else { Outward::Keep },
-        whole_loops_only: values.extent,
+        extent: values.extent,
         strip: stitch::Options {
             meridians: values.meridians,
             rows: values.rows,
@@ -153,6 +153,7 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
         push_line!(text, "{} trimmed from overlaps", count_with_noun(done.trimmed_faces, FACE));
     }
     push_line!(text, "{} sewn", count_with_noun(done.sewn_edges, EDGE));
+    push_hint(&done.near, &mut text);
     for joint in &done.joints {
         let [n, m] = joint.sides.each_ref().map(Vec::len);
         let parts = if joint.whole { "loops" } else { "arcs" };
@@ -202,6 +203,8 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
     let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined)).count();
     let mut values = vec![
         ("sewn_edges", ReportValue::count(done.sewn_edges)),
+        ("near_edge_pairs", ReportValue::count(done.near.edge_pairs)),
+        ("near_tolerance", ReportValue::length(done.near.tolerance)),
         ("joins", ReportValue::count(joined)),
         ("refused_joins", ReportValue::count(done.joints.len() - joined)),
         ("filled_holes", ReportValue::count(filled)),

@@ -3,7 +3,7 @@ use super::filter::{Filter, FilterBody};
 use super::report::{EDGE, FACE, Report, ReportValue, VERTEX, count_with_noun};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{ParamValues, params};
-use super::weld::{DROP_UNUSED_VERTICES, TOLERANCE};
+use super::weld::{DROP_UNUSED_VERTICES, TOLERANCE, push_hint};
 use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -38,7 +38,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 }
 
 fn report(done: &Sew) -> Report {
-    let text = format!(
+    let mut text = format!(
         "{} welded, {} sewn, {} split at {}\nnot welded: {} that lie on other vertices or on edges\n",
         count_with_noun(done.welded_vertices, VERTEX),
         count_with_noun(done.sewn_edges, EDGE),
@@ -46,6 +46,7 @@ fn report(done: &Sew) -> Report {
         count_with_noun(done.splits, ["point", "points"]),
         count_with_noun(done.left_vertices.len(), VERTEX)
     );
+    push_hint(&done.near, &mut text);
     let values = [
         ("welded_vertices", ReportValue::count(done.welded_vertices)),
         ("tolerance", ReportValue::length(done.tolerance)),
@@ -53,6 +54,8 @@ fn report(done: &Sew) -> Report {
         ("splits", ReportValue::count(done.splits)),
         ("split_faces", ReportValue::count(done.split_faces)),
         ("left_vertices", ReportValue::count(done.left_vertices.len())),
+        ("near_edge_pairs", ReportValue::count(done.near.edge_pairs)),
+        ("near_tolerance", ReportValue::length(done.near.tolerance)),
     ];
     Report::new(text, &values)
 }

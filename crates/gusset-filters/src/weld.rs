@@ -1,12 +1,13 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, ReportValue, VERTEX, count_with_noun};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, ReportValue, VERTEX, count_with_noun, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
+use gusset_stitch::repair::near_borders::NearBorders;
 use gusset_stitch::repair::weld::{Options, Vertices, Weld, weld};
 
 pub(super) const FILTER: Filter = Filter {
@@ -26,6 +27,13 @@ params! {
     tolerance: Option<f64> = TOLERANCE;
     collapse: bool = Param::choice("Short edges", "The treatment of coincident corners of one face.", COLLAPSE);
     unused: bool = DROP_UNUSED_VERTICES;
+}
+
+/// Appends the hint which tolerance sews further borders.
+pub(super) fn push_hint(near: &NearBorders, text: &mut String) {
+    if let Some(hint) = near.hint() {
+        push_line!(text, "not sewn: {hint}");
+    }
 }
 
 /// The distance up to which vertices coincide; `None` takes the rounding of the positions.
@@ -79,12 +87,13 @@ fn report(done: &Weld) -> Report {
             count_with_noun(vertices, VERTEX)
         ),
     };
-    let text = format!(
+    let mut text = format!(
         "{} welded, {} sewn, {} dropped\n{left}\n",
         count_with_noun(done.welded_vertices, VERTEX),
         count_with_noun(done.sewn_edges, EDGE),
         count_with_noun(done.dropped_faces, FACE)
     );
+    push_hint(&done.near, &mut text);
     let values = [
         ("welded_vertices", ReportValue::count(done.welded_vertices)),
         ("tolerance", ReportValue::length(done.tolerance)),
@@ -92,6 +101,8 @@ fn report(done: &Weld) -> Report {
         ("dropped_faces", ReportValue::count(done.dropped_faces)),
         ("coincident_boundary_edges", ReportValue::count(edges)),
         ("coincident_vertices", ReportValue::count(vertices)),
+        ("near_edge_pairs", ReportValue::count(done.near.edge_pairs)),
+        ("near_tolerance", ReportValue::length(done.near.tolerance)),
     ];
     Report::new(text, &values)
 }

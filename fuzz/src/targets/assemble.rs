@@ -3,7 +3,7 @@
 use crate::agree::agreed;
 use crate::input::{self, Soup};
 use gusset::Job;
-use gusset::assemble::{Options, assemble};
+use gusset::assemble::{Extent, Options, assemble};
 use gusset::check::check;
 use gusset::mesh::MeshView;
 use gusset::repair::orient::Outward;
@@ -31,7 +31,7 @@ fn put_together(pieces: &[MeshView<'_>], [_, flags, choice]: [u8; 3]) {
         edge_to_edge: flag(1),
         keep_orientation: flag(2),
         outward: if flag(3) { Outward::Keep } else { Outward::Closed },
-        whole_loops_only: flag(4),
+        extent: [Extent::LoopsAndParts, Extent::WholeLoops, Extent::Parts][usize::from(flag(4)) + usize::from(flag(7))],
         within_components: flag(5),
         fill: flag(6).then(gusset::fill::Options::default),
         ..Options::default()

@@ -1,6 +1,6 @@
 //! Options of joining: Which borders are joined.
 
-use crate::assemble::{MaxGap, Options, Overlaps, Selector};
+use crate::assemble::{Extent, MaxGap, Options, Overlaps, Selector};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input::{self, flag};
 use crate::capi::mesh::fill::gusset_fill_options;
@@ -33,14 +33,24 @@ pub type gusset_gap = u32;
 /// other.
 /// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean
 ///   radius (mean distance from the loop's centre) if more. The only two loops, on two pieces, are
-///   always joined.
+///   joined at any distance, unless they lie beside each other.
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
-/// - Slits: half the mean radius, and at most one mean edge.
+/// - Slits: one mean edge, and half the mean radius unless the slit is narrow.
+/// - Gaps between borders that share vertices: the longest edge.
 /// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 pub const GUSSET_GAP_AUTO: gusset_gap = 0;
 
 /// max_gap.
 pub const GUSSET_GAP_GIVEN: gusset_gap = 1;
+
+/// Parts of loops that are joined.
+pub type gusset_join_extent = u32;
+/// Whole loops, and parts of the other loops.
+pub const GUSSET_JOIN_LOOPS_AND_PARTS: gusset_join_extent = 0;
+/// Whole loops only.
+pub const GUSSET_JOIN_WHOLE_LOOPS: gusset_join_extent = 1;
+/// Runs of loops and slits only. Two sheets side by side never become a closed pocket.
+pub const GUSSET_JOIN_PARTS: gusset_join_extent = 2;
 
 /// Treatment of overlapping pieces.
 pub type gusset_overlaps = u32;
@@ -75,9 +85,8 @@ pub struct gusset_join_options {
     pub orientation: gusset_orientation,
     /// Widest gap to close.
     pub gap: gusset_gap,
-    /// 1 joins whole loops only, not runs and slits.
-    /// @flag
-    pub whole_loops_only: u32,
+    /// Parts of loops to join.
+    pub extent: gusset_join_extent,
     /// 1 also joins loops of one component that pairs does not name.
     /// @flag
     pub within_components: u32,
@@ -155,6 +164,12 @@ impl gusset_join_options {
             GUSSET_GAP_GIVEN => MaxGap::Given(self.max_gap),
             other => return Err(Failure::unknown_value("gap", other.into())),
         };
+        let extent = match self.extent {
+            GUSSET_JOIN_LOOPS_AND_PARTS => Extent::LoopsAndParts,
+            GUSSET_JOIN_WHOLE_LOOPS => Extent::WholeLoops,
+            GUSSET_JOIN_PARTS => Extent::Parts,
+            other => return Err(Failure::unknown_value("extent", other.into())),
+        };
         let overlaps = match self.overlaps {
             GUSSET_OVERLAPS_KEEP => Overlaps::Keep,
             GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(viewpoints)),
@@ -168,7 +183,7 @@ impl gusset_join_options {
             keep_orientation,
             outward: to_outward(self.outward, Outward::Closed)?,
             max_gap,
-            whole_loops_only: flag(self.whole_loops_only, "whole_loops_only")?,
+            extent,
             within_components: flag(self.within_components, "within_components")?,
             pairs,
             excluded,

@@ -170,8 +170,10 @@ pub struct gusset_join_report {
     pub near_loops_left: u32,
     /// Faces removed from overlaps.
     pub trimmed_faces: u32,
-    /// 0.
-    pub reserved: u32,
+    /// Pairs of boundary edges that coincide only within near_tolerance, and are not sewn.
+    pub near_edge_pairs: u32,
+    /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
+    pub near_tolerance: f64,
 }
 
 /// Joined pieces, and the reports on them.
@@ -184,7 +186,7 @@ pub(crate) struct JoinResult {
     turned: Vec<u32>,
 }
 
-versioned! { gusset_join_report: 168 reserved }
+versioned! { gusset_join_report: 176 }
 
 fixed! { gusset_joint: 104, gusset_left_loop: 40 }
 
@@ -271,7 +273,8 @@ impl JoinResult {
             splits: self.done.splits,
             near_loops_left: self.done.near_loops_left,
             trimmed_faces: self.done.trimmed_faces,
-            reserved: 0,
+            near_edge_pairs: self.done.near.edge_pairs,
+            near_tolerance: self.done.near.tolerance,
         }
     }
 }

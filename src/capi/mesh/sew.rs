@@ -34,13 +34,15 @@ pub struct gusset_sew_report {
     pub split_faces: u32,
     /// Dropped old faces.
     pub dropped_faces: u32,
-    /// 0.
-    pub reserved: u32,
+    /// Pairs of boundary edges that coincide only within near_tolerance, and are not sewn.
+    pub near_edge_pairs: u32,
     /// Largest distance at which elements coincide, except at short edges; 0 for equal positions.
     pub tolerance: f64,
+    /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
+    pub near_tolerance: f64,
 }
 
-versioned! { gusset_sew_report: 104 }
+versioned! { gusset_sew_report: 112 }
 
 /// Sews coincident borders.
 /// - Vertices are welded as by gusset_weld.
@@ -96,7 +98,8 @@ pub unsafe extern "C" fn gusset_result_get_sew(
         splits: done.splits,
         split_faces: done.split_faces,
         dropped_faces: done.dropped_faces,
-        reserved: 0,
+        near_edge_pairs: done.near.edge_pairs,
         tolerance: done.tolerance,
+        near_tolerance: done.near.tolerance,
     })
 }

@@ -79,13 +79,15 @@ pub struct gusset_weld_report {
     pub sewn_edges: u32,
     /// Dropped faces.
     pub dropped_faces: u32,
-    /// 0.
-    pub reserved: u32,
+    /// Pairs of boundary edges that coincide only within near_tolerance, and are not sewn.
+    pub near_edge_pairs: u32,
     /// Largest distance at which vertices coincide, except at short edges; 0 for equal positions.
     pub tolerance: f64,
+    /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
+    pub near_tolerance: f64,
 }
 
-versioned! { gusset_weld_options: 32, gusset_weld_report: 96 }
+versioned! { gusset_weld_options: 32, gusset_weld_report: 104 }
 
 c_enum! { vertices: Vertices { GUSSET_WELD_BOUNDARY => Boundary, GUSSET_WELD_ALL => All } }
 
@@ -151,7 +153,8 @@ pub unsafe extern "C" fn gusset_result_get_weld(
         welded_vertices: done.welded_vertices,
         sewn_edges: done.sewn_edges,
         dropped_faces: done.dropped_faces,
-        reserved: 0,
+        near_edge_pairs: done.near.edge_pairs,
         tolerance: done.tolerance,
+        near_tolerance: done.near.tolerance,
     })
 }

@@ -8,7 +8,7 @@ use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::MAX_NODES;
-use crate::net::stream::{StreamDecoder, StreamInfo, StreamMode, StreamOptions, decode_within, encode};
+use crate::net::stream::{LevelBox, StreamDecoder, StreamInfo, StreamMode, StreamOptions, decode_within, encode};
 use std::ffi::c_void;
 use std::ptr;
 
@@ -20,6 +20,14 @@ pub const GUSSET_STREAM_QUANTISED: gusset_stream_mode = 0;
 pub const GUSSET_STREAM_LOSSLESS: gusset_stream_mode = 1;
 /// Uncompressed little-endian matrices, aligned to 64 bytes.
 pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
+
+/// Choice of the levels that coordinates are rounded to.
+pub type gusset_stream_levels = u32;
+/// Those of the net's bounding box, or a coarser step that its coordinates already have.
+pub const GUSSET_LEVELS_AUTO: gusset_stream_levels = 0;
+/// Those of the box from low to high. Tiles that are encoded apart, with equal boxes, stay equal in
+/// the nodes that they share.
+pub const GUSSET_LEVELS_GIVEN: gusset_stream_levels = 1;
 
 /// Options of gusset_net_encode_create.
 #[repr(C)]
@@ -36,8 +44,18 @@ pub struct gusset_stream_options {
     /// QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
     /// @flag
     pub per_axis: u32,
-    /// 0.
-    pub reserved: u32,
+    /// QUANTISED: choice of the levels. Else 0.
+    pub levels: gusset_stream_levels,
+    /// Smallest coordinates of all tiles, finite: level 0.
+    /// @when levels GUSSET_LEVELS_GIVEN
+    pub low: [f64; 3],
+    /// Largest coordinates of all tiles, at least low.
+    /// @when levels GUSSET_LEVELS_GIVEN
+    pub high: [f64; 3],
+    /// Distance of levels on all axes, above 0; bits becomes the least number that reaches across
+    /// the box, and must be 0. 0: the distance follows from bits.
+    /// @when levels GUSSET_LEVELS_GIVEN
+    pub step: f64,
 }
 
 /// Header of a stream.
@@ -91,7 +109,7 @@ pub struct gusset_stream_decoder(StreamDecoder);
 
 handle! { gusset_stream_decoder }
 
-versioned! { gusset_stream_options: 32 reserved, gusset_stream_report: 104, gusset_stream_view: 24 }
+versioned! { gusset_stream_options: 88, gusset_stream_report: 104, gusset_stream_view: 24 }
 
 impl gusset_stream_options {
     fn checked(self) -> Result<StreamOptions, Failure> {
@@ -109,7 +127,21 @@ impl gusset_stream_options {
         if per_axis && !matches!(mode, StreamMode::Quantised { .. }) {
             return Err(Failure::unknown_value("per_axis", self.per_axis.into()));
         }
-        Ok(StreamOptions { mode, per_axis, rows_per_block: self.rows_per_block })
+        let levels = match self.levels {
+            GUSSET_LEVELS_AUTO => None,
+            GUSSET_LEVELS_GIVEN if matches!(mode, StreamMode::Quantised { .. }) => {
+                let step = (self.step != 0.0).then_some(self.step);
+                if step.is_some() && self.bits != 0 {
+                    return Err(Failure::unknown_value("bits", self.bits.into()));
+                }
+                if step.is_some() && per_axis {
+                    return Err(Failure::unknown_value("per_axis", self.per_axis.into()));
+                }
+                Some(LevelBox { low: self.low, high: self.high, step })
+            }
+            other => return Err(Failure::unknown_value("levels", other.into())),
+        };
+        Ok(StreamOptions { mode, per_axis, rows_per_block: self.rows_per_block, levels })
     }
 }
 
@@ -119,7 +151,8 @@ impl gusset_stream_options {
 ///   LOSSLESS stores all if bits differ.
 /// - QUANTISED replaces missing nodes by three NaN.
 ///
-/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double)
+/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double; low, high
+///     or step; a node outside the box)
 /// @complexity O(nodes), parallel by blocks.
 #[unsafe(no_mangle)]
 #[must_use]

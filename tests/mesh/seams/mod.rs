@@ -4,4 +4,6 @@
 mod pairing;
 mod sew;
 mod slits;
+mod touching;
+mod wide_tolerance;
 mod weld_tolerance;

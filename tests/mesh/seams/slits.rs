@@ -2,7 +2,7 @@
 
 use crate::common::{Soup, cap, edge_counts, euler, faces_of};
 use gusset::Job;
-use gusset::assemble::{Assembly, MaxGap, Options, Outcome, Reason, Selector, assemble};
+use gusset::assemble::{Assembly, Extent, MaxGap, Options, Outcome, Reason, Selector, assemble};
 use gusset::mesh::MeshView;
 use gusset::stitch::Finish;
 
@@ -157,7 +157,7 @@ fn gaps_pairs_and_exclusions_are_minded() {
     assert!((0.03..0.051).contains(&gap) && (allowed - 0.01).abs() < 1e-12, "{gap} {allowed}");
     let none = Options { max_gap: MaxGap::Given(0.0), ..sewing() };
     assert_eq!(run(&pieces, &none).joints.len(), 0);
-    let whole = Options { whole_loops_only: true, ..sewing() };
+    let whole = Options { extent: Extent::WholeLoops, ..sewing() };
     assert_eq!(run(&pieces, &whole).joints.len(), 0);
     let excluded = [[Selector::piece(0), Selector::piece(1)]];
     let done = run(&pieces, &Options { excluded: &excluded, ..sewing() });

@@ -16,7 +16,8 @@
 //!   computes exactly that number in double precision, by one multiplication and one addition, and
 //!   rounds it to the scalar type. The step is the extent of the bounding box (its longest side, or
 //!   each axis's own) over the number of levels minus one. If the coordinates have a larger
-//!   intrinsic step, that one is used. Missing nodes become three quiet NaN.
+//!   intrinsic step, that one is used. The caller may give the levels instead, so that tiles coded
+//!   apart stay equal where they meet ([`LevelBox`]). Missing nodes become three quiet NaN.
 //! - [`StreamMode::Lossless`]: every bit is restored, including NaN payloads.
 //!
 //! The last two modes store only the smallest node of each class. Decoding copies it bit for bit
@@ -45,4 +46,4 @@ mod write;
 
 pub use header::{HEADER_SIZE, StreamInfo, StreamMode};
 pub use read::{StreamDecoder, decode, decode_within};
-pub use write::{StreamOptions, encode};
+pub use write::{LevelBox, StreamOptions, encode};

@@ -3,8 +3,12 @@
 //! The step follows from the number of bits and the bounding box. Scanners often have an intrinsic
 //! step. If the coordinates of an axis already lie in equal steps larger than the requested one,
 //! the intrinsic step is used, which is more accurate and takes fewer bits. O(nodes).
+//!
+//! Tiles of one net that are coded apart need common levels: then nodes that tiles share stay equal.
+//! The caller gives these levels by a box around all tiles.
 
 use super::levels::{CoordinateBits, LevelMap, UniformLevels};
+use super::write::LevelBox;
 use crate::XyzMatrices;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -28,11 +32,7 @@ pub(super) fn quantisation_levels<T: CoordinateBits>(
     Error::require(largest <= f64::MAX / 4.0, "coordinates", largest)?;
     let extents: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
     let whole = extents.iter().fold(0.0, |whole: f64, &extent| whole.max(extent));
-    let step = |axis: usize| {
-        let step = if per_axis { extents[axis] } else { whole } / last as f64;
-        // Subnormal quotients are not exact.
-        if step > 0.0 { step.max(1e-290) } else { 1.0 }
-    };
+    let step = |axis: usize| step_of_extent(if per_axis { extents[axis] } else { whole }, last);
     let mut grid = UniformLevels { origin: low, step: std::array::from_fn(step), last };
     for axis in 0..3 {
         if let Some((origin, step)) = intrinsic_step(planes, axis, grid.step[axis])? {
@@ -44,6 +44,57 @@ pub(super) fn quantisation_levels<T: CoordinateBits>(
         }
     }
     Ok(grid)
+}
+
+/// Returns the step of levels 0 to `last` over an extent.
+fn step_of_extent(extent: f64, last: i64) -> f64 {
+    let step = extent / last as f64;
+    // Subnormal quotients are not exact.
+    if step > 0.0 { step.max(1e-290) } else { 1.0 }
+}
+
+/// Returns the levels of a given box, and their bits.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for a box that is empty or too large, or a step for which 24 bits do
+/// not suffice. [`Error::NodeOutsideBox`].
+pub(super) fn levels_of_box<T: CoordinateBits>(
+    planes: &XyzMatrices<'_, T>,
+    bits: u32,
+    per_axis: bool,
+    given: &LevelBox,
+) -> Result<(UniformLevels, u32)> {
+    for axis in 0..3 {
+        let [low, high] = [given.low[axis], given.high[axis]];
+        Error::require(low.abs() <= f64::MAX / 4.0, "low", low)?;
+        Error::require(high.abs() <= f64::MAX / 4.0 && low <= high, "high", high)?;
+    }
+    let extents: [f64; 3] = std::array::from_fn(|axis| given.high[axis] - given.low[axis]);
+    let whole = extents.iter().fold(0.0, |whole: f64, &extent| whole.max(extent));
+    let (bits, step) = match given.step {
+        Some(step) => {
+            let reaches = |bits: &u32| step * ((1i64 << bits) - 1) as f64 >= whole;
+            let bits = Some(step).filter(|step| step.is_normal() && *step > 0.0).and_then(|_| (8..=24).find(reaches));
+            (bits.ok_or(Error::OptionOutOfRange { option: "step", value: step })?, [step; 3])
+        }
+        None => {
+            let last = (1i64 << bits) - 1;
+            let extent = |axis: usize| if per_axis { extents[axis] } else { whole };
+            (bits, std::array::from_fn(|axis| step_of_extent(extent(axis), last)))
+        }
+    };
+    let columns = planes.shape().columns();
+    for i in 0..planes.shape().rows() {
+        let rows = planes.row(i);
+        for j in 0..columns {
+            let node: [f64; 3] = rows.map(|row| row[j].into());
+            let is_outside = |axis: usize| !(given.low[axis]..=given.high[axis]).contains(&node[axis]);
+            if node.iter().all(|x| x.is_finite()) && (0..3).any(is_outside) {
+                return Err(Error::NodeOutsideBox { node: (i * columns + j) as u32 });
+            }
+        }
+    }
+    Ok((UniformLevels { origin: given.low, step, last: (1 << bits) - 1 }, bits))
 }
 
 /// Returns the bounding box of the existing nodes; zeros if there are none.

@@ -25,12 +25,27 @@ pub struct StreamOptions {
     /// Rows in a block, which is coded independently; 0 for one block of a raw stream, and about
     /// 2^17 nodes a block otherwise.
     pub rows_per_block: usize,
+    /// For [`StreamMode::Quantised`]: the levels. `None` takes the bounding box of the net.
+    pub levels: Option<LevelBox>,
+}
+
+/// Levels for all tiles of a large net. Tiles that are coded apart, with equal boxes, stay equal in
+/// the nodes that they share.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LevelBox {
+    /// The smallest coordinates of all tiles: level 0.
+    pub low: [f64; 3],
+    /// The largest coordinates of all tiles.
+    pub high: [f64; 3],
+    /// The distance of levels on all axes, instead of the one by the bits. The stream then has the
+    /// least number of bits from 8 to 24 that reaches across the box.
+    pub step: Option<f64>,
 }
 
 impl StreamOptions {
     /// Returns the defaults of a mode.
     pub fn new(mode: StreamMode) -> Self {
-        StreamOptions { mode, per_axis: false, rows_per_block: 0 }
+        StreamOptions { mode, per_axis: false, rows_per_block: 0, levels: None }
     }
 
     fn rows_per_block(&self, rows: usize, columns: usize) -> usize {
@@ -49,7 +64,8 @@ impl StreamOptions {
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] (bits; coordinates above a quarter of the largest number, if
-/// quantised), [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// quantised; a box or step that is empty or out of range), [`Error::NodeOutsideBox`],
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn encode(net: &Net<'_>, options: &StreamOptions, job: &Job<'_>) -> Result<Vec<u8>> {
     if let StreamMode::Quantised { bits } = options.mode {
         Error::require((8..=24).contains(&bits), "bits", bits.into())?;
@@ -77,7 +93,11 @@ fn encode_coordinates<T: CoordinateBits>(
     let rest = job.part(0.1, 1.0);
     let blocks = match info.mode {
         StreamMode::Quantised { bits } => {
-            let levels = quantise::quantisation_levels(planes, bits, options.per_axis)?;
+            let (levels, bits) = match &options.levels {
+                None => (quantise::quantisation_levels(planes, bits, options.per_axis)?, bits),
+                Some(given) => quantise::levels_of_box(planes, bits, options.per_axis, given)?,
+            };
+            info.mode = StreamMode::Quantised { bits };
             (info.folded, info.origin, info.step) = (true, levels.origin, levels.step);
             compress_blocks(&mut info, planes, &all, levels, &rest)?
         }

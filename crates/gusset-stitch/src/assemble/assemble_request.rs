@@ -1,6 +1,7 @@
 //! Options, results, and the report on every joint and every loop left.
 
 use super::origin_history::History;
+use crate::repair::near_borders::NearBorders;
 use crate::repair::orient::Outward;
 use crate::stitch::{self, IndexMap};
 use crate::{fill, repair, trim};
@@ -18,14 +19,26 @@ pub enum MaxGap {
     ///   The only two loops, of two pieces, are joined at any distance.
     /// * Runs of loops: half the smaller radius, and at most four edges of the loop with longer
     ///   edges.
-    /// * Slits that sewing left between two borders: half the loop's radius, and at most one mean
-    ///   edge.
+    /// * Slits that sewing left between two borders: one mean edge, and half the loop's radius unless
+    ///   the slit is narrow.
     /// * Trimmed pieces: two and a half mean edges of the coarsest piece, or four if a part would
     ///   stay unjoined.
     #[default]
     Auto,
     /// This limit in the unit of the positions, finite and at least 0; 0 leaves all gaps open.
     Given(f64),
+}
+
+/// The parts of loops that are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Extent {
+    /// Whole loops, and parts of the other loops.
+    #[default]
+    LoopsAndParts,
+    /// Whole loops only: runs of loops, and slits that sewing left, stay open.
+    WholeLoops,
+    /// Parts only: runs of loops, and slits that sewing left.
+    Parts,
 }
 
 /// Selects loops of the input: the loop through a vertex of a piece, or all loops with a vertex of
@@ -74,8 +87,8 @@ pub struct Options<'a> {
     pub outward: Outward,
     /// The widest gap that is closed.
     pub max_gap: MaxGap,
-    /// If true, only whole loops are joined: runs of loops, and slits that sewing left, stay open.
-    pub whole_loops_only: bool,
+    /// The parts of loops that are joined.
+    pub extent: Extent,
     /// If true, loops of one component may be joined. Otherwise only given pairs may lie on one
     /// component.
     pub within_components: bool,
@@ -99,7 +112,7 @@ impl Default for Options<'_> {
             keep_orientation: false,
             outward: Outward::Closed,
             max_gap: MaxGap::default(),
-            whole_loops_only: false,
+            extent: Extent::default(),
             within_components: false,
             pairs: &[],
             excluded: &[],
@@ -116,7 +129,7 @@ pub enum Outcome {
     Joined,
     /// A strip would create a one-sided surface.
     OrientationConflict,
-    /// They share a vertex.
+    /// They share a vertex, or have vertices that coincide.
     ShareVertex,
     /// Every strip would repeat an existing edge of the mesh.
     NoStrip,
@@ -212,6 +225,8 @@ pub struct Assembly {
     pub sewn_edges: u32,
     /// The number of points at which free edges were split to match other borders.
     pub splits: u32,
+    /// Free edges that coincide with others beyond the tolerance of sewing.
+    pub near: NearBorders,
     /// One face of each component that is not orientable.
     pub one_sided: Vec<u32>,
     /// One face of each closed component of the result without volume, for example of a piece that

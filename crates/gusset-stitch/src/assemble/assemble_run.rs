@@ -9,7 +9,7 @@ use super::piece_loops::PieceLoops;
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::loop_pairing::mean_gap;
-use crate::stitch::stitch_rim::shared_vertex;
+use crate::stitch::stitch_rim::{have_coincident_vertices, shared_vertex};
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, Finish, Rows};
 use crate::trim::{KeptFacesOfPieces, trim};
@@ -145,7 +145,7 @@ fn join_trimmed_pieces(
         }
     }
     match cuts {
-        IntersectingStripTreatment::Listed(cuts) if !cuts.is_empty() => Ok((base.assembly, cuts)),
+        IntersectingStripTreatment::Listed(cuts) if !cuts.is_empty() => Ok((base.into_joined(), cuts)),
         _ => fill_and_turn_joined(base, options, &job.part(0.8, 1.0)),
     }
 }
@@ -195,7 +195,8 @@ fn join_facing_loops(
         let part = job.part(0.4, 1.0).share(k, found.len());
         let sides = loops.facing_sides(facing)?;
         facing.rims.iter().for_each(|&r| tried[r] = true);
-        let shared = shared_vertex(&sides[0], &sides[1])?.is_some();
+        let shared = shared_vertex(&sides[0], &sides[1])?.is_some()
+            || have_coincident_vertices(&sides[0], &sides[1], base.tolerance / loops.unit, &part.part(0.0, 0.0))?;
         let outcome = if outcome == Outcome::Joined && shared { Outcome::ShareVertex } else { outcome };
         let whole = joined_wholly[k];
         let mut joint = Joint {

@@ -1,5 +1,6 @@
 //! Properties of the loops among which the search looks for pairs that face each other.
 
+use super::assemble_request::Extent;
 use crate::stitch::facing::Arc;
 use crate::stitch::stitch_rim::Rim;
 use glam::DVec3;
@@ -50,7 +51,9 @@ pub(super) struct SlitLoop {
     pub(super) arcs: [Arc; 2],
     /// The mean distance from the vertices of a side to the other side, the larger of both.
     pub(super) gap: f64,
-    /// True if the sides face each other, or are near.
+    /// True if the sides are near each other relative to their length.
+    pub(super) is_narrow: bool,
+    /// True if the sides face each other, are near, or bound surfaces that continue each other.
     pub(super) closes: bool,
 }
 
@@ -64,7 +67,7 @@ pub(super) struct FacingSearch<'a> {
     /// Excluded pairs (smaller, larger), in ascending order.
     pub(super) excluded: &'a [[u32; 2]],
     pub(super) within_components: bool,
-    pub(super) arcs: bool,
+    pub(super) extent: Extent,
     /// The limit in the rims' unit; `None` for [`MaxGap::Auto`](super::MaxGap::Auto).
     pub(super) max_gap: Option<f64>,
 }

@@ -1,9 +1,11 @@
 //! The combined pieces: welded, oriented, and finally filled and turned outwards.
 
-use super::assemble_request::{Assembly, Options};
+use super::assemble_request::{Assembly, Options, Selector};
 use super::origin_history::History;
+use super::touching_borders::close_touching_borders;
 use crate::boundary::{self, boundary_loops};
 use crate::fill::{self, LoopSelection, fill_holes};
+use crate::repair::near_borders::NearBorders;
 use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
@@ -13,14 +15,19 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::{Defect, MeshView, NONE, concat};
+use std::slice;
 
 /// The combined pieces, welded and oriented.
 pub(super) struct CombinedPieces {
     pub(super) assembly: Assembly,
     /// For each vertex of the mesh, the first piece that it comes from.
     pub(super) piece: Vec<u32>,
+    /// The number of faces of the pieces. Faces of strips follow.
+    pub(super) piece_faces: usize,
     /// The vertices that sewing merged from several, ascending.
     pub(super) seam: Vec<u32>,
+    /// The largest distance between coincident vertices; 0 if borders are not sewn.
+    pub(super) tolerance: f64,
     /// Pairs of overlapping pieces, which agree in orientation.
     pub(super) alike: Vec<[u32; 2]>,
 }
@@ -39,16 +46,30 @@ impl CombinedPieces {
             None => place_pieces_side_by_side(pieces, start)?,
         };
         let trimmed_faces = face_map.iter().filter(|&&f| f == NONE).count() as u32;
-        let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
-        let mut seam = Vec::new();
+        let (mut welded_vertices, mut sewn_edges, mut splits, mut tolerance) = (0, 0, 0, 0.0);
+        let mut near = NearBorders::default();
+        let (mut seam, mut joints) = (Vec::new(), Vec::new());
         let mut history = History::new(pieces)?;
         if let Some(how) = &options.weld {
             let (view, part) = (mesh.view(&job.part(0.0, 0.1))?, job.part(0.1, 0.5));
-            let sewn = match options.edge_to_edge {
-                true => Sew::from_weld(weld(&view, how, &part)?)?,
-                false => sew(&view, how, &part)?,
+            let mut sewn = match options.edge_to_edge {
+                true => Sew::from_weld(weld(&view, how, &part.part(0.0, 0.8))?)?,
+                false => sew(&view, how, &part.part(0.0, 0.8))?,
             };
-            (welded_vertices, sewn_edges, splits) = (sewn.welded_vertices, sewn.sewn_edges, sewn.splits);
+            let vertices_of = |sewn_map: &[u32], selector: Selector| {
+                let Some(place) = places.get(selector.piece as usize) else { return Ok(Vec::new()) };
+                let of_piece = &vertex_map[place.first_vertex as usize..];
+                let of_piece = &of_piece[..pieces[selector.piece as usize].positions().len()];
+                let named = match selector.vertex {
+                    NONE => of_piece,
+                    vertex => of_piece.get(vertex as usize).map(slice::from_ref).unwrap_or_default(),
+                };
+                alloc::gather(named.iter().filter(|&&v| v != NONE).map(|&v| sewn_map[v as usize]))
+            };
+            near = sewn.near;
+            joints = close_touching_borders(&mut sewn, options, vertices_of, &part.part(0.8, 1.0))?;
+            (welded_vertices, sewn_edges, splits, tolerance) =
+                (sewn.welded_vertices, sewn.sewn_edges, sewn.splits, sewn.tolerance);
             let through = |before: &mut [u32], after: &[u32]| {
                 before.iter_mut().filter(|v| **v != NONE).for_each(|v| *v = after[*v as usize]);
             };
@@ -79,6 +100,7 @@ impl CombinedPieces {
             }
             maps.push(IndexMap { vertices: alloc::copied(vertices)?, faces: alloc::copied(faces)? });
         }
+        let piece_faces = history.face_origin.as_ref().map_or(mesh.face_count(), Vec::len);
         let done = Assembly {
             mesh,
             maps,
@@ -87,9 +109,10 @@ impl CombinedPieces {
             welded_vertices,
             sewn_edges,
             splits,
+            near,
             one_sided,
             zero_volume: Vec::new(),
-            joints: Vec::new(),
+            joints,
             left: Vec::new(),
             holes: Vec::new(),
             hole_rims: Vec::new(),
@@ -99,13 +122,20 @@ impl CombinedPieces {
             non_manifold_edges: 0,
         };
         let alike = trimmed.map_or(Ok(Vec::new()), |trimmed| alloc::copied(&trimmed.pairs))?;
-        Ok(CombinedPieces { assembly: done, piece, seam, alike })
+        Ok(CombinedPieces { assembly: done, piece, piece_faces, seam, tolerance, alike })
+    }
+
+    /// Ends joining: the list of turned faces keeps the faces of the pieces.
+    pub(super) fn into_joined(self) -> Assembly {
+        let mut assembly = self.assembly;
+        assembly.turned.truncate(self.piece_faces);
+        assembly
     }
 
     /// Fills and turns, as the options request. Also returns the pairs of faces that patches
     /// intersect.
     pub(super) fn fill_and_turn(self, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
-        let mut assembly = self.assembly;
+        let mut assembly = self.into_joined();
         let mut cuts = Vec::new();
         if assembly.mesh.face_count() == 0 {
             return Ok((assembly, cuts));

@@ -3,10 +3,12 @@
 //! Whole loops that face each other are joined first (`whole_loops`). On the other loops, arcs are
 //! runs of neighbouring vertices whose nearest vertices lie on one loop, and conversely. They occur
 //! at the border of two scans that overlap others elsewhere. The only two loops, of two pieces, are
-//! always joined, like in [`stitch()`](crate::stitch::stitch()).
+//! joined at any distance, like in [`stitch()`](crate::stitch::stitch()), unless they lie beside
+//! each other: a strip would then close a pocket between two sheets.
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops. The criteria are our own.
 
+use super::assemble_request::Extent;
 use super::candidates::{FacingLoops, FacingSearch, LoopVertices, LoopVisitCounter, STAGE};
 use super::whole_loops::{NearestLoopShare, add_nearest_loop_shares, rim_conormals};
 use crate::stitch::facing::{Arc, cyclic_runs};
@@ -54,13 +56,16 @@ impl FacingSearch<'_> {
     /// O(V log V) for V vertices on loops that have others near them.
     pub(super) fn find_facing_loops(&self, job: &Job<'_>) -> Result<Vec<FacingLoops>> {
         let nearest_vertices = self.find_nearest_loop_vertices(&job.part(0.0, 0.3))?;
-        let mut found = self.pair_whole_loops(&shares_of_nearest_loops(&nearest_vertices)?, &job.part(0.3, 1.0))?;
+        let mut found = match self.extent {
+            Extent::Parts => Vec::new(),
+            _ => self.pair_whole_loops(&shares_of_nearest_loops(&nearest_vertices)?, &job.part(0.3, 1.0))?,
+        };
         let mut whole = alloc::filled(false, self.rims.len())?;
         found.iter().flat_map(|facing| facing.rims).for_each(|r| whole[r] = true);
-        if self.arcs {
+        if self.extent != Extent::WholeLoops {
             self.add_facing_arcs(&nearest_vertices, &whole, &mut found)?;
         }
-        if found.is_empty() {
+        if found.is_empty() && self.extent != Extent::Parts {
             alloc::extend(&mut found, self.pair_only_two_loops(&job.part(1.0, 1.0))?)?;
         }
         Ok(found)
@@ -71,6 +76,9 @@ impl FacingSearch<'_> {
     fn pair_only_two_loops(&self, job: &Job<'_>) -> Result<Option<FacingLoops>> {
         let of_two_pieces = self.rims.len() == 2 && self.candidates[0].piece != self.candidates[1].piece;
         if !of_two_pieces || self.max_gap.is_some() || self.used[0] || !self.may_join_loops(0, 1) {
+            return Ok(None);
+        }
+        if self.lie_beside_each_other(0, 1, job)? {
             return Ok(None);
         }
         Ok(Some(FacingLoops { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1], job)? }))

@@ -6,6 +6,7 @@ use crate::stitch::strip::Strip;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::sort::sort_distinct;
+use gusset_mesh::Mesh;
 
 /// Edges between vertices of loops, each listed from both ends. The rims of an edge are looked up
 /// on demand: an edge between two vertices of many loops would join each pair of them.
@@ -17,6 +18,23 @@ pub(super) struct LoopEdges {
 }
 
 impl LoopEdges {
+    /// Collects the edges of `mesh` between the vertices of `places`, which are ascending.
+    pub(super) fn new(mesh: &Mesh, places: Vec<(u32, u32)>) -> Result<Self> {
+        let mut on_rim = alloc::filled(false, mesh.positions.len())?;
+        places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
+        let mut edges = LoopEdges { edges: Vec::new(), places };
+        for face in mesh.faces() {
+            for (k, &u) in face.iter().enumerate() {
+                let v = face[(k + 1) % face.len()];
+                if on_rim[u as usize] && on_rim[v as usize] {
+                    edges.add_edge(u, v)?;
+                }
+            }
+        }
+        sort_distinct(&mut edges.edges);
+        Ok(edges)
+    }
+
     /// Appends an edge from both ends.
     pub(super) fn add_edge(&mut self, u: u32, v: u32) -> Result<()> {
         alloc::extend(&mut self.edges, [(u, v), (v, u)])

@@ -3,7 +3,8 @@
 //! The stages in order:
 //!
 //! 1. The pieces are concatenated. Overlaps are trimmed on request (`face_removals`), and
-//!    coincident borders are sewn ([`sew`](crate::repair::sew)).
+//!    coincident borders are sewn ([`sew`](crate::repair::sew)). Borders that share vertices but not
+//!    edges are joined between these (`touching_borders`).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
 //! 3. Slits that sewing left between two borders are joined with themselves (`slit`).
 //! 4. Loops of different components that face each other across a gap are paired (`facing_loops`).
@@ -29,10 +30,12 @@ mod given_pair;
 mod origin_history;
 mod left_loops;
 mod piece_loops;
+mod side_facing;
 mod slit;
+mod touching_borders;
 mod face_removals;
 mod whole_loops;
 
-pub use assemble_request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector};
+pub use assemble_request::{Assembly, Extent, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector};
 pub use assemble_run::assemble;
 pub use origin_history::History;

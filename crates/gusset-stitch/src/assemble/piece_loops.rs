@@ -104,20 +104,7 @@ impl PieceLoops {
 
     /// Returns the mesh's edges between vertices of rims. A vertex may lie on several rims.
     pub(super) fn edges_between_rims(&self, mesh: &Mesh) -> Result<LoopEdges> {
-        let places = self.vertex_loop_pairs()?;
-        let mut on_rim = alloc::filled(false, mesh.positions.len())?;
-        places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
-        let mut edges = LoopEdges { edges: Vec::new(), places };
-        for face in mesh.faces() {
-            for (k, &u) in face.iter().enumerate() {
-                let v = face[(k + 1) % face.len()];
-                if on_rim[u as usize] && on_rim[v as usize] {
-                    edges.add_edge(u, v)?;
-                }
-            }
-        }
-        sort_distinct(&mut edges.edges);
-        Ok(edges)
+        LoopEdges::new(mesh, self.vertex_loop_pairs()?)
     }
 
     pub(super) fn facing_search<'a>(
@@ -137,7 +124,7 @@ impl PieceLoops {
             slits: &self.slits,
             excluded,
             within_components: options.within_components,
-            arcs: !options.whole_loops_only,
+            extent: options.extent,
             max_gap,
         }
     }

@@ -171,6 +171,17 @@ impl FacingSearch<'_> {
         }))
     }
 
+    /// Returns true if the loops lie beside each other, like the outlines of two sheets on a table.
+    pub(super) fn lie_beside_each_other(&self, first: usize, second: usize, job: &Job<'_>) -> Result<bool> {
+        let is_beside = |r: usize, k: usize| -> Result<bool> {
+            let (from, to) = (&self.rims[r], &self.rims[k]);
+            let tree = KdTree::new(&to.points, job, STAGE)?;
+            let lengths = polyline::lengths(&to.points, true)?;
+            Ok(measure_loop_facing(from, &rim_conormals(from)?, to, &lengths, &tree)?.beside)
+        };
+        Ok(is_beside(first, second)? && is_beside(second, first)?)
+    }
+
     /// Returns the nearest loop ahead for some vertices of each loop.
     fn find_loops_ahead(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Vec<LoopAhead>>> {
         let loops = self.collect_loop_vertices()?;
@@ -237,15 +248,17 @@ fn nearest_share_of_pair(seen: &[NearestLoopShare], rims: [u32; 2]) -> f64 {
     seen.binary_search_by_key(&rims, |seen| seen.rims).map_or(0.0, |at| seen[at].share)
 }
 
+/// Returns the conormal of edge `i` of a loop. The surface is on the left.
+pub(super) fn edge_conormal(rim: &Rim, i: usize) -> DVec3 {
+    let along = rim.points[(i + 1) % rim.points.len()] - rim.points[i];
+    along.normalize_or_zero().cross(rim.normals[i])
+}
+
 /// Returns the conormals at a loop's vertices: perpendicular to the border, in the surface,
 /// pointing off it.
 pub(super) fn rim_conormals(rim: &Rim) -> Result<Vec<DVec3>> {
     let n = rim.points.len();
-    let of_edge = |i: usize| {
-        let along = (rim.points[(i + 1) % n] - rim.points[i]).normalize_or_zero();
-        // The surface is on the left: conormal = along x normal.
-        along.cross(rim.normals[i])
-    };
+    let of_edge = |i: usize| edge_conormal(rim, i);
     alloc::collect((0..n).map(|i| (of_edge((i + n - 1) % n) + of_edge(i)).normalize_or_zero()))
 }
 
@@ -288,8 +301,7 @@ fn measure_loop_facing(
     let spacing = sum / 2.0 / distances.len().max(1) as f64;
     let alike = low.zip(high).is_some_and(|(low, high)| *high <= MAX_SIMILAR_DISTANCE_RATIO * low.max(spacing));
     let one_way = if sum > 0.0 { one_way.length() / sum } else { 0.0 };
-    let beside =
-        !winds && one_way > MIN_MEAN_DIRECTION_LENGTH && cosine.abs() < MAX_BESIDE_COSINE_RATIO * one_way * sum;
+    let beside = !winds && one_way > MIN_MEAN_DIRECTION_LENGTH && cosine < MAX_BESIDE_COSINE_RATIO * one_way * sum;
     let round = alike || winds;
     Ok(if sum > 0.0 {
         FacingMeasures { gap: gap / sum, cosine: cosine / sum, round, beside }

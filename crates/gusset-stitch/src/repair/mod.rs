@@ -14,11 +14,15 @@
 mod vertex_clusters;
 pub mod corner_origins;
 mod vertex_corners;
+mod cluster_across;
+pub mod near_borders;
 mod t_junctions;
 pub mod orient;
-mod sew_edges;
+pub(crate) mod sew_edges;
 pub mod sew;
 mod split_face;
 mod split_mesh;
 mod weld_tolerance;
 pub mod weld;
+
+pub(crate) use vertex_clusters::border_clusters;

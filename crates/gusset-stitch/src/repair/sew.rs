@@ -7,9 +7,10 @@
 //! each free edge has one face and is split in one way. Vertices of the input do not move.
 
 use super::corner_origins::CornerOrigins;
+use super::near_borders::NearBorders;
 use super::split_mesh::{SplitMesh, split_edges};
 use super::t_junctions::TJunctions;
-use super::weld::{Options, Vertices, Weld, weld, weld_within};
+use super::weld::{Options, Vertices, Weld, rebuild_mesh, weld_within};
 use super::weld_tolerance::ToleranceSource;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -55,6 +56,8 @@ pub struct Sew {
     pub dropped_faces: u32,
     /// The largest allowed distance between coincident vertices; less at short edges.
     pub tolerance: f64,
+    /// Free edges that coincide with others beyond the tolerance.
+    pub near: NearBorders,
 }
 
 /// Sews a mesh. With [`Vertices::All`] all vertices are welded before edges are split, and borders
@@ -64,10 +67,11 @@ pub struct Sew {
 /// As for [`weld`], and [`Error::TooLarge`](gusset_base::Error::TooLarge) if the result has too
 /// many elements.
 pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew> {
-    let first = weld(mesh, options, &job.part(0.0, 0.4))?;
-    let source = match options.tolerance {
-        Some(tolerance) => ToleranceSource::Given(tolerance),
-        None => ToleranceSource::Earlier(first.tolerance),
+    let given = ToleranceSource::from_options(options)?;
+    let first = weld_within(mesh, options, given, &job.part(0.0, 0.4))?;
+    let source = match given {
+        ToleranceSource::Data => ToleranceSource::Earlier(first.tolerance),
+        given => given,
     };
     let mut sewn = Sew::from_weld(first)?;
     if sewn.mesh.face_count() == 0 {
@@ -93,6 +97,7 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
     if let Some(second) = second {
         sewn.follow_second_weld(split, second)?;
     }
+    sewn.near.note_hint(job);
     job.step(1.0, STAGE)?;
     Ok(sewn)
 }
@@ -119,6 +124,7 @@ impl Sew {
             split_faces: 0,
             dropped_faces: weld.dropped_faces,
             tolerance: weld.tolerance,
+            near: weld.near,
         })
     }
 
@@ -171,6 +177,7 @@ impl Sew {
         self.mesh = weld.mesh;
         self.split_faces = split.split_faces;
         self.sewn_edges += weld.sewn_edges;
+        self.near = weld.near;
         self.count_welded_vertices()
     }
 
@@ -186,6 +193,29 @@ impl Sew {
             }
         }
         Ok(())
+    }
+
+    /// Merges further vertices of the mesh. `representative` has the smallest vertex of the merged
+    /// set of each vertex. No face may have two vertices of a set. Returns the new vertex of each.
+    pub(crate) fn merge_vertices(&mut self, representative: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
+        let view = self.mesh.view(&job.part(0.0, 0.5))?;
+        let welded = rebuild_mesh(&view, representative, &Options::default(), &job.part(0.5, 1.0))?;
+        let mut sources = alloc::filled(0u8, welded.mesh.positions.len())?;
+        let before = |v: usize| 1 + u8::from(self.seam_vertices.binary_search(&(v as u32)).is_ok());
+        count_sources_saturating(&welded.vertex_map, before, &mut sources);
+        self.seam_vertices = vertices_with_several_sources(&sources)?;
+        let mut is_new =
+            (self.mesh.positions.len() - self.new_vertices.len()..).map(|v| representative[v] as usize == v);
+        self.new_vertices.retain(|_| is_new.next() == Some(true));
+        self.new_vertices.iter_mut().flat_map(|(ends, _)| ends).for_each(|v| *v = welded.vertex_map[*v as usize]);
+        for new in self.vertex_map.iter_mut().filter(|new| **new != NONE) {
+            *new = welded.vertex_map[*new as usize];
+        }
+        let (seam, map) = (&self.seam_vertices, &self.vertex_map);
+        self.left_vertices.retain(|&old| seam.binary_search(&map[old as usize]).is_err());
+        self.mesh = welded.mesh;
+        self.count_welded_vertices()?;
+        Ok(welded.vertex_map)
     }
 
     fn count_welded_vertices(&mut self) -> Result<()> {

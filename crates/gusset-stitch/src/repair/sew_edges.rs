@@ -56,12 +56,7 @@ pub(super) fn sew_coincident_edges(
 ) -> Result<Vec<u32>> {
     let pairs = pairs_to_sew(mesh, topology, clusters, &job.part(0.0, 0.3))?;
     let job = job.part(0.3, 1.0);
-    let corners = VertexCorners::new(mesh, &job.part(0.0, 0.0))?;
-    job.step(0.0, STAGE)?;
-    let degree = alloc::collect((0..clusters.len()).map(|v| corners.corners_at_vertex(v as u32).len() as u32))?;
-    let identity = || alloc::collect((0..clusters.len()).map(|v| v as u32));
-    let mut sets =
-        MergedVertexSets { mesh, topology, corners, collapse, label: identity()?, next: identity()?, degree };
+    let mut sets = MergedVertexSets::new(mesh, topology, collapse, &job.part(0.0, 0.0))?;
     for (i, &[g, h]) in pairs.iter().enumerate() {
         job.step_every(PAIRS_PER_REPORT, i, pairs.len(), STAGE)?;
         let ([u, v], [a, b]) = (sets.end_sets(g), sets.end_sets(h));
@@ -73,6 +68,31 @@ pub(super) fn sew_coincident_edges(
         }
     }
     sets.smallest_vertices()
+}
+
+/// Two pairs of coincident vertices: the ends of two runs of border edges.
+pub(crate) type RunEnds = [[u32; 2]; 2];
+
+/// Merges the pairs of each entry of `runs` in order, unless that would do harm. Returns for each
+/// entry whether it was merged, and for each vertex the smallest vertex of its merged set.
+pub(crate) fn merge_run_ends(
+    mesh: &MeshView<'_>,
+    topology: &Topology,
+    runs: &[RunEnds],
+    job: &Job<'_>,
+) -> Result<(Vec<bool>, Vec<u32>)> {
+    let mut sets = MergedVertexSets::new(mesh, topology, false, &job.part(0.0, 0.5))?;
+    let mut merged = alloc::with_capacity(runs.len())?;
+    for (i, pairs) in runs.iter().enumerate() {
+        job.part(0.5, 1.0).step_every(PAIRS_PER_REPORT, i, runs.len(), STAGE)?;
+        let seam = Seam(pairs.map(|pair| pair.map(|v| sets.label[v as usize])));
+        let harmless = sets.can_sew_without_harm(&seam);
+        if harmless {
+            pairs.iter().for_each(|&[a, b]| sets.merge_sets(sets.label[a as usize], sets.label[b as usize]));
+        }
+        merged.push(harmless);
+    }
+    Ok((merged, sets.smallest_vertices()?))
 }
 
 /// Returns the pairs of free edges that coincide with each other and with no third edge, by their
@@ -122,7 +142,17 @@ struct MergedVertexSets<'m> {
     degree: Vec<u32>,
 }
 
-impl MergedVertexSets<'_> {
+impl<'m> MergedVertexSets<'m> {
+    /// Creates sets of one vertex each.
+    fn new(mesh: &'m MeshView<'m>, topology: &'m Topology, collapse: bool, job: &Job<'_>) -> Result<Self> {
+        let corners = VertexCorners::new(mesh, job)?;
+        job.step(1.0, STAGE)?;
+        let count = mesh.positions().len();
+        let degree = alloc::collect((0..count).map(|v| corners.corners_at_vertex(v as u32).len() as u32))?;
+        let identity = || alloc::collect((0..count).map(|v| v as u32));
+        Ok(MergedVertexSets { mesh, topology, corners, collapse, label: identity()?, next: identity()?, degree })
+    }
+
     fn end_sets(&self, h: u32) -> [u32; 2] {
         let range = self.mesh.faces().corner_range(self.corners.face_of_corner(h));
         let after = if h as usize + 1 == range.end { range.start as u32 } else { h + 1 };

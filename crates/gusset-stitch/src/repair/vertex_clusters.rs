@@ -8,7 +8,9 @@
 //! representatives are apart, so that a point is within reach of few of them. If corners of one
 //! face are kept apart, each coincident corner becomes a representative in turn.
 
+use super::sew_edges::free_vertices;
 use super::vertex_corners::VertexCorners;
+use super::weld_tolerance::{ToleranceSource, WeldDistances};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -16,7 +18,7 @@ use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_base::sort::sort;
-use gusset_mesh::{MeshView, NONE};
+use gusset_mesh::{MeshView, NONE, Topology};
 
 /// A partition of the vertices into clusters.
 pub(super) struct VertexClusters {
@@ -37,6 +39,17 @@ const CANDIDATES_PER_REPORT: usize = 1 << 18;
 const MIN_CANDIDATES_SORTED_WITH_REPORTS: usize = 1 << 14;
 
 const STAGE: &str = "clustering vertices";
+
+/// Returns for each vertex the smallest border vertex that coincides with it; the vertex itself if
+/// none does. `tolerance` is limited at short edges.
+pub(crate) fn border_clusters(mesh: &MeshView<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<u32>> {
+    let topology = Topology::new(mesh, &job.part(0.0, 0.4))?;
+    let members = free_vertices(mesh, &topology)?;
+    let source = ToleranceSource::Earlier(tolerance);
+    let distances = WeldDistances::find_for_members(mesh, &members, source, &job.part(0.4, 0.5))?;
+    let clusters = VertexClusters::cluster_members(mesh, &members, &distances.reach, None, &job.part(0.5, 1.0))?;
+    Ok(clusters.representative)
+}
 
 impl VertexClusters {
     /// Clusters `members`, which are ascending and have finite positions.

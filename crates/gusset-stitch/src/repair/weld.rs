@@ -13,13 +13,14 @@
 //! tolerance covers the rounding of the coordinates, and keeps the ends of every edge apart: see
 //! `tolerance`.
 
+use super::near_borders::NearBorders;
 use super::sew_edges::{free_vertices, is_free, sew_coincident_edges};
 use super::vertex_clusters::VertexClusters;
 use super::vertex_corners::VertexCorners;
 use super::weld_tolerance::{ToleranceSource, WeldDistances};
 use gusset_base::alloc;
 use gusset_base::choices;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use gusset_mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges, unordered};
@@ -92,6 +93,8 @@ pub struct Weld {
     pub left_edges: Vec<u32>,
     /// Vertices that coincide with another vertex but were not merged with it.
     pub left_vertices: Vec<u32>,
+    /// Free edges that coincide with others beyond the tolerance.
+    pub near: NearBorders,
 }
 
 /// Welds a mesh. O(n log n) for meshes of bounded degree; linear extra memory.
@@ -100,9 +103,9 @@ pub struct Weld {
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite,
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
-    let given = options.tolerance.unwrap_or(0.0);
-    Error::require((0.0..f64::INFINITY).contains(&given), "tolerance", given)?;
-    weld_within(mesh, options, options.tolerance.map_or(ToleranceSource::Data, ToleranceSource::Given), job)
+    let welded = weld_within(mesh, options, ToleranceSource::from_options(options)?, job)?;
+    welded.near.note_hint(job);
+    Ok(welded)
 }
 
 /// Welds with a tolerance from another source than the options.
@@ -119,8 +122,13 @@ pub(super) fn weld_within(
     let tolerance = WeldDistances::find_for_members(mesh, &members, source, &job.part(0.2, 0.3))?;
     job.step(0.3, STAGE)?;
     let corners = if sewing || options.collapse { None } else { Some(VertexCorners::new(mesh, &job.part(0.3, 0.3))?) };
-    let mut clusters =
-        VertexClusters::cluster_members(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
+    let part = job.part(0.3, 0.6);
+    let mut clusters = match source {
+        ToleranceSource::Given(length) if length > 0.0 && sewing && !options.collapse => {
+            VertexClusters::cluster_across_borders(mesh, &members, length, &part)?
+        }
+        _ => VertexClusters::cluster_members(mesh, &members, &tolerance.reach, corners.as_ref(), &part)?,
+    };
     let representative = match sewing {
         true => sew_coincident_edges(mesh, &topology, &clusters.representative, options.collapse, &job.part(0.6, 0.9))?,
         false => alloc::copied(&clusters.representative)?,
@@ -128,7 +136,10 @@ pub(super) fn weld_within(
     let mut welded = rebuild_mesh(mesh, &representative, options, &job.part(0.9, 0.95))?;
     welded.tolerance = tolerance.length;
     let places = [&clusters.representative[..], &representative];
-    welded.count_sewn_edges(mesh, &topology, places, sewing, &job.part(0.95, 1.0))?;
+    welded.count_sewn_edges(mesh, &topology, places, sewing, &job.part(0.95, 0.97))?;
+    if sewing {
+        welded.near = NearBorders::find(mesh, &topology, &members, &clusters.representative, &job.part(0.97, 1.0))?;
+    }
     clusters.add_unmerged_members(&members, &representative, &job.part(1.0, 1.0))?;
     welded.left_vertices = clusters.kept_apart;
     job.step(1.0, STAGE)?;
@@ -165,7 +176,12 @@ impl VertexClusters {
 }
 
 /// Returns the mesh with each vertex replaced by its representative, and the maps.
-fn rebuild_mesh(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: &Job<'_>) -> Result<Weld> {
+pub(super) fn rebuild_mesh(
+    mesh: &MeshView<'_>,
+    representative: &[u32],
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Weld> {
     job.step(0.0, STAGE)?;
     let faces = mesh.faces();
     let mut face_map = alloc::with_capacity(faces.len())?;
@@ -227,6 +243,7 @@ fn rebuild_mesh(mesh: &MeshView<'_>, representative: &[u32], options: &Options, 
         sewn_edges: 0,
         left_edges: Vec::new(),
         left_vertices: Vec::new(),
+        near: NearBorders::default(),
     })
 }
 

@@ -19,8 +19,9 @@
 //! [`MAX_REACH_TO_EDGE_RATIO`] of the shortest edge at the vertex. Vertices within mutual reach are
 //! at most half that edge apart. O(V + H) time.
 
+use super::weld::Options;
 use gusset_base::alloc;
-use gusset_base::error::Result;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
 use gusset_base::geom::scale::overflow_safe_distance;
 use gusset_base::job::Job;
@@ -68,6 +69,18 @@ pub(super) enum ToleranceSource {
     Given(f64),
 }
 
+impl ToleranceSource {
+    /// Returns the given tolerance, or the one by the data.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite.
+    pub(super) fn from_options(options: &Options) -> Result<Self> {
+        let given = options.tolerance.unwrap_or(0.0);
+        Error::require((0.0..f64::INFINITY).contains(&given), "tolerance", given)?;
+        Ok(options.tolerance.map_or(ToleranceSource::Data, ToleranceSource::Given))
+    }
+}
+
 /// The largest distance between coincident vertices.
 pub(super) struct WeldDistances {
     /// The largest distance; 0 for equal positions.
@@ -92,12 +105,17 @@ impl WeldDistances {
             _ if length == 0.0 => Vec::new(),
             ToleranceSource::Given(_) => alloc::filled(length, members.len())?,
             ToleranceSource::Data | ToleranceSource::Earlier(_) => {
-                let edges = shortest_edge_lengths(mesh, members, &job.part(0.5, 1.0))?;
-                alloc::collect(members.iter().map(|&v| length.min(MAX_REACH_TO_EDGE_RATIO * edges[v as usize])))?
+                limited_reach(mesh, members, length, &job.part(0.5, 1.0))?
             }
         };
         Ok(WeldDistances { length, reach })
     }
+}
+
+/// Returns the reach of each member, limited at short edges.
+pub(super) fn limited_reach(mesh: &MeshView<'_>, members: &[u32], length: f64, job: &Job<'_>) -> Result<Vec<f64>> {
+    let edges = shortest_edge_lengths(mesh, members, job)?;
+    alloc::collect(members.iter().map(|&v| length.min(MAX_REACH_TO_EDGE_RATIO * edges[v as usize])))
 }
 
 /// Returns the largest distance between two copies of one vertex.
@@ -252,7 +270,7 @@ fn decade_exponent(x: f64) -> Option<i32> {
 
 /// Returns for each vertex the length of the shortest edge at it with positive length. It is
 /// infinite without such edges, and 0 for vertices that are not members.
-fn shortest_edge_lengths(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<Vec<f64>> {
+pub(super) fn shortest_edge_lengths(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<Vec<f64>> {
     let mut shortest: Vec<f64> = alloc::filled(0.0, mesh.positions().len())?;
     members.iter().for_each(|&v| shortest[v as usize] = f64::INFINITY);
     let faces = mesh.faces().len();

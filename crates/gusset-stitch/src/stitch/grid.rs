@@ -28,7 +28,7 @@ pub(crate) struct MeridianGrid {
     /// (rows + 2) x columns.
     pub(super) matrix: Vec<u32>,
     /// The positions of all vertices, in the rims' unit.
-    pub(super) points: Vec<DVec3>,
+    pub(crate) points: Vec<DVec3>,
     /// For each new vertex, its column, and its fraction of the way from A to B.
     pub(super) new: Vec<(usize, f64)>,
 }

@@ -5,6 +5,8 @@ use crate::boundary::{Boundary, EdgeFlags, Loop, LoopFlags};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result, Side};
+use gusset_base::geom::kd_tree::KdTree;
+use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 
 /// A closed loop of free edges that passes each vertex once, with the surface on the left, or an
@@ -146,6 +148,20 @@ impl Rim {
         Ok(())
     }
 
+    /// Returns the run of `count` vertices from place `first` on. `count` may exceed the number of
+    /// vertices by one; the first vertex then comes last again.
+    pub(crate) fn arc_of_run(&self, first: usize, count: usize) -> Result<Rim> {
+        let n = self.vertices.len();
+        let place = |k: usize| (first + k) % n;
+        Ok(Rim {
+            closed: false,
+            vertices: alloc::collect((0..count).map(|k| self.vertices[place(k)]))?,
+            points: alloc::collect((0..count).map(|k| self.points[place(k)]))?,
+            normals: alloc::collect((0..count.saturating_sub(1)).map(|k| self.normals[place(k)]))?,
+            ..*self
+        })
+    }
+
     pub(crate) fn reverse(&mut self) {
         self.vertices.reverse();
         self.points.reverse();
@@ -201,6 +217,20 @@ pub fn shared_vertex(a: &Rim, b: &Rim) -> Result<Option<u32>> {
     let mut sorted = alloc::copied(&a.vertices)?;
     sorted.sort_unstable();
     Ok(b.vertices.iter().copied().filter(|v| sorted.binary_search(v).is_ok()).min())
+}
+
+/// Returns true if a vertex of `a` is at most `tolerance` from a vertex of `b`. O((n + m) log m).
+pub(crate) fn have_coincident_vertices(a: &Rim, b: &Rim, tolerance: f64, job: &Job<'_>) -> Result<bool> {
+    const STAGE: &str = "comparing loops";
+    let tree = KdTree::new(&b.points, &job.part(0.0, 0.5), STAGE)?;
+    let job = job.part(0.5, 1.0);
+    for (k, &p) in a.points.iter().enumerate() {
+        job.step_within_list(k, STAGE)?;
+        if tree.nearest(p, f64::INFINITY, |_| true).is_some_and(|(squared, _)| squared.sqrt() <= tolerance) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 /// Checks that a mesh has all vertices of the caller's loop `number`. Fails with

@@ -1,0 +1,171 @@
+//! How one side of a narrow opening sees the other side.
+
+use super::candidates::STAGE;
+use super::whole_loops::edge_conormal;
+use crate::boundary::Loop;
+use crate::stitch::facing::Arc;
+use crate::stitch::polyline::nearest_point_on_adjacent_edges;
+use crate::stitch::stitch_rim::Rim;
+use glam::DVec3;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::kd_tree::KdTree;
+use gusset_base::job::Job;
+use gusset_mesh::MeshView;
+
+/// Sides are near if their distance is at most this fraction of the depth of the faces along them,
+/// or of shorter edges.
+const MAX_NEAR_GAP_TO_DEPTH_RATIO: f64 = 0.25;
+
+/// Smallest sum of the sides' looks at each other.
+const MIN_FACING_COSINE_SUM: f64 = 0.3;
+
+/// Smallest sum of the looks of sides whose surfaces continue each other. It is near 0 where the
+/// opening lies across the surface, like a step.
+const MIN_FACING_COSINE_SUM_OF_STEP: f64 = -0.3;
+
+/// Largest distance between the sides of a narrow opening, relative to the shorter side.
+const MAX_WIDTH_TO_LENGTH_RATIO: f64 = 0.3;
+
+/// A run of vertices of a rim.
+#[derive(Clone, Copy)]
+pub(super) struct RimRun<'a> {
+    pub(super) rim: &'a Rim,
+    pub(super) arc: Arc,
+}
+
+/// How the vertices of one run see another run: means weighted by length.
+#[derive(Clone, Copy)]
+pub(super) struct SideFacing {
+    /// The mean distance to the other run.
+    pub(super) gap: f64,
+    /// The largest distance to the other run.
+    pub(super) width: f64,
+    /// The mean cosine between conormals and directions to the other run.
+    pub(super) cosine: f64,
+    /// The mean cosine between conormals of both runs.
+    pub(super) agreement: f64,
+    /// The length of the shorter run.
+    pub(super) length: f64,
+}
+
+impl RimRun<'_> {
+    /// Returns the lengths of the run's edges.
+    pub(super) fn edge_lengths(&self) -> impl Iterator<Item = f64> + '_ {
+        let (points, n) = (&self.rim.points, self.rim.points.len());
+        let places = (self.arc.first..self.arc.first + self.arc.count - 1).map(move |i| [i % n, (i + 1) % n]);
+        places.map(|[i, j]| points[i].distance(points[j]))
+    }
+
+    /// Returns the conormal at vertex `k` of the run, by the edges of the run alone.
+    fn conormal_at(&self, k: usize) -> DVec3 {
+        let n = self.rim.points.len();
+        let edges = k.saturating_sub(1)..(k + 1).min(self.arc.count - 1);
+        edges.map(|k| edge_conormal(self.rim, (self.arc.first + k) % n)).sum::<DVec3>().normalize_or_zero()
+    }
+
+    /// Measures how the inner vertices of this run see the run `other`; `None` without inner
+    /// vertices.
+    ///
+    /// O((n + m) log m) for n and m vertices.
+    pub(super) fn measure_facing(&self, other: &RimRun<'_>, job: &Job<'_>) -> Result<Option<SideFacing>> {
+        let places = |run: &RimRun<'_>| run.arc.places(run.rim.points.len());
+        let line = alloc::collect(places(other).map(|k| other.rim.points[k]))?;
+        let tree = KdTree::new(&line, &job.part(0.0, 0.5), STAGE)?;
+        let (points, n) = (&self.rim.points, self.rim.points.len());
+        let side = |i: usize| points[i].distance(points[(i + 1) % n]);
+        let mut sum = 0.0;
+        let mut all = SideFacing { gap: 0.0, width: 0.0, cosine: 0.0, agreement: 0.0, length: 0.0 };
+        for (k, i) in places(self).enumerate().take(self.arc.count - 1).skip(1) {
+            job.part(0.5, 1.0).step_every(1 << 12, k, self.arc.count, STAGE)?;
+            let p = points[i];
+            let Some((_, v)) = tree.nearest(p, f64::INFINITY, |_| true) else {
+                continue;
+            };
+            let way = nearest_point_on_adjacent_edges(&line, false, v as usize, p) - p;
+            let (weight, distance) = (side((i + n - 1) % n) + side(i), way.length());
+            let conormal = self.conormal_at(k);
+            sum += weight;
+            all.gap += weight * distance;
+            all.width = all.width.max(distance);
+            all.cosine += weight * if distance > 0.0 { way.dot(conormal) / distance } else { 1.0 };
+            all.agreement += weight * conormal.dot(other.conormal_at(v as usize));
+        }
+        let mean = |total: f64| total / sum;
+        Ok((sum > 0.0).then(|| SideFacing {
+            gap: mean(all.gap),
+            width: all.width,
+            cosine: mean(all.cosine),
+            agreement: mean(all.agreement),
+            length: self.edge_lengths().sum::<f64>().min(other.edge_lengths().sum()),
+        }))
+    }
+}
+
+impl SideFacing {
+    /// Returns true if the opening between the sides may be closed. `is_near` tells that the gap is
+    /// small relative to the faces.
+    ///
+    /// The sides face each other, or the surfaces along them continue each other: their conormals
+    /// are opposite, unlike those of two pages of a book.
+    pub(super) fn may_close(&self, is_near: bool) -> bool {
+        let continues = self.agreement < 0.0 && self.cosine >= MIN_FACING_COSINE_SUM_OF_STEP;
+        is_near || continues || self.cosine >= MIN_FACING_COSINE_SUM
+    }
+
+    /// Returns true if the opening is narrow relative to its length.
+    pub(super) fn is_narrow(&self) -> bool {
+        self.width <= MAX_WIDTH_TO_LENGTH_RATIO * self.length
+    }
+
+    /// Measures how two runs see each other: the larger distances, and the sums of the cosines. A
+    /// side without inner vertices sees what the other sees.
+    pub(super) fn between(first: &RimRun<'_>, second: &RimRun<'_>, job: &Job<'_>) -> Result<Option<Self>> {
+        let (there, back) = (first.measure_facing(second, job)?, second.measure_facing(first, job)?);
+        let sum = |(x, y): (Self, Self)| SideFacing {
+            gap: x.gap.max(y.gap),
+            width: x.width.max(y.width),
+            cosine: x.cosine + y.cosine,
+            agreement: x.agreement + y.agreement,
+            length: x.length,
+        };
+        Ok(there.or(back).zip(back.or(there)).map(sum))
+    }
+}
+
+/// For each edge of a rim: its length, and the depth of the face along it, or the length if that is
+/// smaller.
+pub(super) struct EdgeDepths(Vec<[f64; 2]>);
+
+impl EdgeDepths {
+    /// Measures the faces along the loop `found`, whose rim has points in `unit`.
+    pub(super) fn measure(mesh: &MeshView<'_>, found: &Loop<'_>, rim: &Rim, unit: f64) -> Result<Self> {
+        let n = rim.points.len();
+        let of_edge = |i: usize| {
+            let (p, q) = (rim.points[i], rim.points[(i + 1) % n]);
+            let length = p.distance(q);
+            [length, face_depth(mesh, found.faces[i], p, q, unit).min(length)]
+        };
+        alloc::collect((0..n).map(of_edge)).map(EdgeDepths)
+    }
+
+    /// Returns true if a gap along the given edges is small relative to the faces.
+    pub(super) fn is_near_gap(&self, gap: f64, edges: impl Iterator<Item = usize>) -> bool {
+        let (length, area) = edges
+            .map(|i| self.0[i])
+            .fold((0.0, 0.0), |(length, area), [edge, depth]| (length + edge, area + edge * depth));
+        gap * length <= MAX_NEAR_GAP_TO_DEPTH_RATIO * area
+    }
+
+    /// Returns the number of edges.
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+}
+
+/// Returns the depth of face `f` from its edge from `p` to `q`, in `unit`.
+fn face_depth(mesh: &MeshView<'_>, f: u32, p: DVec3, q: DVec3, unit: f64) -> f64 {
+    let along = (q - p).normalize_or_zero();
+    let off = |v: u32| (mesh.positions().get(v) / unit - p).reject_from_normalized(along).length();
+    mesh.face(f as usize).map(off).fold(0.0, f64::max)
+}
