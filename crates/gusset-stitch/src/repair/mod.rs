@@ -3,6 +3,7 @@
 //! * [`weld`]: merges coincident vertices; on borders, by sewing edge to edge.
 //! * [`sew`]: welds borders that do not match vertex by vertex, by splitting edges.
 //! * [`orient`]: turns faces over until neighbours agree, and turns closed surfaces outwards.
+//! * [`nesting`](self): the closed components that enclose others.
 //! * [`corner_origins`]: origins of the corners of a repaired mesh.
 //! * [`vertex_clusters`](self): clusters of coincident vertices.
 //! * [`sew_edges`](self): pairs of edges that can be sewn without harm.
@@ -14,6 +15,7 @@
 mod vertex_clusters;
 pub mod corner_origins;
 mod vertex_corners;
+mod nesting;
 mod t_junctions;
 pub mod orient;
 mod sew_edges;
@@ -22,3 +24,5 @@ mod split_face;
 mod split_mesh;
 mod weld_tolerance;
 pub mod weld;
+
+pub(crate) use weld_tolerance::coordinate_round_off;

@@ -100,8 +100,8 @@ impl WeldDistances {
     }
 }
 
-/// Returns the largest distance between two copies of one vertex.
-fn coordinate_round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64> {
+/// Returns the largest distance between two copies of one vertex that rounding can explain.
+pub(crate) fn coordinate_round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64> {
     let at = |v: u32| mesh.positions().get(v);
     let whole = Aabb::from_points(members.iter().map(|&v| at(v)));
     if whole.is_empty() {
