@@ -56,7 +56,7 @@ def fill(
     = ..., ignore_creases: bool = ..., outward: bool = ..., finish: Union[int, Literal['strip', 'blend']] = ..., sew: Union[int,
     Literal['sew', 'leave']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay. Only borders that coincide with others are first sewn, as the filter join does."""
+    """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay. Before that, borders that coincide with others are sewn, as the filter join does."""
 
 
 def join(

@@ -176,7 +176,7 @@ fn count_open_loops(faces: &[Vec<u32>]) -> usize {
 
 /// Returns the fault of the default result, if any.
 fn fault_of(case: &Case) -> Option<String> {
-    let outputs = editor::run_on("fill", &[case.soup.clone()], &[]).unwrap();
+    let outputs = editor::run_on("fill", std::slice::from_ref(&case.soup), &[]).unwrap();
     let (points, faces) = editor::mesh(&outputs[0]);
     let Output::Text(report) = &outputs[1] else { panic!("no report") };
     let text: &str = report;

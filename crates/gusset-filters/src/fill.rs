@@ -70,8 +70,8 @@ pub(super) const FILTER: Filter = Filter {
     name: "Fill holes",
     category: "Boundary",
     help: "Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the \
-           density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay. Only borders \
-           that coincide with others are first sewn, as the filter join does.",
+           density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay. Before that, \
+           borders that coincide with others are sewn, as the filter join does.",
     reference: "P. Liepa, Filling holes in meshes (2003); G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron \
                 (1995)",
     replaces: true,
