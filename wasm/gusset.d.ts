@@ -525,8 +525,8 @@ export interface StitchParams extends RunOptions {
    */
   intersections?: "automatic" | "ignore" | "report" | number;
   /**
-   * Turn outwards. Reverses the faces of closed components that are inside out. Each component is judged by its own volume, even inside
-   * another one.
+   * Turn outwards. Reverses the faces of closed components that face the wrong side. Components face outwards; the walls of cavities face
+   * into the cavities.
    */
   outward?: boolean;
 }
@@ -581,7 +581,7 @@ export interface FillParams extends RunOptions {
   /**
    * Keep open. The loops that are not holes.
    */
-  keep?: "none" | "the_longest" | "borders" | number;
+  keep?: "automatic" | "none" | "the_longest" | "borders" | number;
   /**
    * Patches. The loops that share a patch.
    */
@@ -612,10 +612,18 @@ export interface FillParams extends RunOptions {
    */
   ignore_creases?: boolean;
   /**
-   * Turn outwards. Reverses the faces of closed components that are inside out. Each component is judged by its own volume, even inside
-   * another one.
+   * Turn outwards. Reverses the faces of closed components that face the wrong side. Components face outwards; the walls of cavities face
+   * into the cavities.
    */
   outward?: boolean;
+  /**
+   * Finish. The surface of the patches. A blend is refined and fair, whatever is chosen for the inside of the holes.
+   */
+  finish?: "strip" | "blend" | number;
+  /**
+   * Coincident borders. Borders that coincide with others.
+   */
+  sew?: "sew" | "leave" | number;
 }
 
 /** Parameters of `join`; what is not given is what suits the inputs. */
@@ -659,8 +667,8 @@ export interface JoinParams extends RunOptions {
    */
   holes?: "leave" | "fill" | "fill_refined_and_fair" | number;
   /**
-   * Turn outwards. Reverses the faces of closed components that are inside out. Each component is judged by its own volume, even inside
-   * another one.
+   * Turn outwards. Reverses the faces of closed components that face the wrong side. Components face outwards; the walls of cavities face
+   * into the cavities.
    */
   outward?: boolean;
   /**
@@ -674,7 +682,7 @@ export interface JoinParams extends RunOptions {
   /**
    * Keep open. The remaining loops that are not holes, if holes are filled.
    */
-  keep?: "none" | "the_longest" | "borders" | number;
+  keep?: "automatic" | "none" | "the_longest" | "borders" | number;
 }
 
 /** Parameters of `outline`; what is not given is what suits the inputs. */
@@ -1504,8 +1512,9 @@ export interface Filters {
   readonly orient: Filter<[MeshLike], [Mesh, Report], OrientParams>;
   /**
    * Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the
-   * surrounding mesh and faired. All vertices keep their positions, and all faces stay. Source: P. Liepa, Filling holes in meshes (2003);
-   * G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron (1995)
+   * surrounding mesh and faired. All vertices keep their positions, and all faces stay. Before that, borders that coincide with others
+   * are sewn, as the filter join does. Source: P. Liepa, Filling holes in meshes (2003); G. Barequet, M. Sharir, Filling gaps in the
+   * boundary of a polyhedron (1995)
    */
   readonly fill: Filter<[MeshLike], [Mesh, Report], FillParams>;
   /**

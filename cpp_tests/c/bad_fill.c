@@ -32,7 +32,7 @@ static void options_and_arguments(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill(context, &mesh, NULL, 0, &options, &fill));
     options.refine = GUSSET_REFINE_RIM_DENSITY, options.fairing = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill(context, &mesh, NULL, 0, &options, &fill));
-    options.fairing = GUSSET_FAIRING_THIN_PLATE, options.keep = 3;
+    options.fairing = GUSSET_FAIRING_THIN_PLATE, options.keep = 4;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill(context, &mesh, NULL, 0, &options, &fill));
     options.keep = GUSSET_KEEP_LONGEST, options.intersections = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill(context, &mesh, NULL, 0, &options, &fill));

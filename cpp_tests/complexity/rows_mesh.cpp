@@ -119,10 +119,13 @@ std::vector<Row> mesh_rows() {
         return gusset::Development(mesh, options, context);
     };
     const auto fill = [](const MeshView &mesh, const Context &context) {
-        return gusset::Fill(mesh, gusset::FillOptions(), context);
+        gusset::FillOptions options;
+        options.keep = gusset::FillKeep::none;
+        return gusset::Fill(mesh, options, context);
     };
     const auto fill_together = [](const MeshView &mesh, const Context &context) {
         gusset::FillOptions options;
+        options.keep = gusset::FillKeep::none;
         options.together = gusset::FillTogether::one;
         options.refine = gusset::FillRefinement::rim_density;
         options.fairing = gusset::Fairing::thin_plate;

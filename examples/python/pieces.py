@@ -63,9 +63,9 @@ print(f"{(made.report.holes.status == 'filled').sum()} holes filled, {made.repor
 hills = pv.ParametricRandomHills(random_seed=4, u_res=60, v_res=60).triangulate()
 middles, top = hills.cell_centers().points, hills.points[hills.points[:, 2].argmax()]
 torn = hills.extract_cells(np.flatnonzero(np.linalg.norm(middles - top, axis=1) > 3)).extract_surface(algorithm="dataset_surface")
-plain = torn.gusset.fill(keep="borders")
-fair = torn.gusset.fill(keep="borders", refine="rim_density", fairing="thin_plate")
-print(gm.filters.fill(torn, keep="borders", plan_only=True)[1].splitlines()[0])
+plain = torn.gusset.fill()  # the outer border of a sheet is not a hole
+fair = torn.gusset.fill(finish="blend")
+print(gm.filters.fill(torn, plan_only=True)[1].splitlines()[0])
 #! [filters]
 for filled in (plain, fair):
     filled.cell_data["new"] = np.arange(filled.n_cells) >= torn.n_cells

@@ -258,8 +258,9 @@ static void split_vertices_are_no_border(void) {
     HOLDS(loops.loop_count == 1);
     gusset_boundary_destroy(boundary);
 
-    /* Old faces keep their vertices, and the result has a merge map, too. */
-    MUST(gusset_fill(NULL, &mesh, NULL, 0, NULL, &fill));
+    /* Old faces keep their vertices, and the result has a merge map, too. By default, loose faces stay open. */
+    const gusset_fill_options every = {.struct_size = sizeof every, .keep = GUSSET_KEEP_NONE};
+    MUST(gusset_fill(NULL, &mesh, NULL, 0, &every, &fill));
     MUST(gusset_result_get_mesh(fill, &whole));
     HOLDS(whole.face_count == 4 && memcmp(whole.face_corners, corners, sizeof corners) == 0);
     HOLDS(((const uint32_t *)whole.merge)[5] == 2);

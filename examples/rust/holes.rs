@@ -1,8 +1,9 @@
 //! Fills the holes of a mesh, and says what became of each.
 
 use gusset::check::check;
-use gusset::fill::{Fairing, HoleStatus, Limits, LoopSelection, Options, Refinement, fill_holes};
+use gusset::fill::{HoleStatus, Limits, LoopSelection, Options, fill_holes};
 use gusset::mesh::{Faces, MeshView, Positions};
+use gusset::stitch::Finish;
 use gusset::{Job, Result};
 
 fn main() -> Result<()> {
@@ -17,9 +18,8 @@ fn main() -> Result<()> {
     let mesh = MeshView::new(Positions::from(&corners[..]), faces, &job)?;
 
     let options = Options {
-        // New vertices as dense as those round the hole, on a smooth surface.
-        refinement: Refinement::RimDensity(0),
-        fairing: Fairing::ThinPlate,
+        // New vertices as dense as those around the hole, on a smooth surface.
+        finish: Finish::Blend,
         limits: Limits { edges: Some(1000), ..Limits::default() },
         ..Options::default()
     };

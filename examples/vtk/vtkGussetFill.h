@@ -44,14 +44,15 @@ public:
     vtkBooleanMacro(Fair, vtkTypeBool);
     ///@}
 
-    enum KeepLoops { KEEP_NONE = 0, KEEP_LONGEST = 1, KEEP_BORDERS = 2 };
+    enum KeepLoops { KEEP_AUTO = 0, KEEP_NONE = 1, KEEP_LONGEST = 2, KEEP_BORDERS = 3 };
     ///@{
     /**
-     * The loops that stay open: none; the longest, as the outline of an open sheet; or the outer border of each
-     * sheet. KEEP_NONE by default.
+     * The loops that stay open: outer borders of sheets and of loose faces; none; the longest; or outer borders of
+     * sheets and shallow bowls. KEEP_AUTO by default.
      */
-    vtkSetClampMacro(Keep, int, KEEP_NONE, KEEP_BORDERS);
+    vtkSetClampMacro(Keep, int, KEEP_AUTO, KEEP_BORDERS);
     vtkGetMacro(Keep, int);
+    void SetKeepToAuto() { this->SetKeep(KEEP_AUTO); }
     void SetKeepToNone() { this->SetKeep(KEEP_NONE); }
     void SetKeepToLongest() { this->SetKeep(KEEP_LONGEST); }
     void SetKeepToBorders() { this->SetKeep(KEEP_BORDERS); }
@@ -108,7 +109,7 @@ protected:
 
     vtkTypeBool Refine = 0;
     vtkTypeBool Fair = 0;
-    int Keep = KEEP_NONE;
+    int Keep = KEEP_AUTO;
     int MaxEdges = 0;
     double MaxDiameter = 0.0;
     vtkTypeBool OrientOutwards = 0;

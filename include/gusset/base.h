@@ -238,7 +238,7 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
 /// Receives remarks that are not errors, under the rules of gusset_progress_fn. Sentences may change; programs read
 /// results. Stitching, filling and joining remark that
 /// - the second piece or component of a stitch was turned over to agree with the first;
-/// - a closed component was inside out, and was turned over;
+/// - a closed component faced the wrong side, and was turned over;
 /// - fairing was requested without new vertices;
 /// - rows, cells or fairing were requested with a blend;
 /// - a strip replaces a blend;

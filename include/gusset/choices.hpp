@@ -225,7 +225,7 @@ enum class RowRule : uint32_t { none = GUSSET_ROWS_NONE, mean_edge = GUSSET_ROWS
 /// Faces of the strip. See ::gusset_strip_cells.
 enum class StripCells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
 
-/// Surface between the rims. See ::gusset_finish.
+/// Surface between the rims, or in a hole. See ::gusset_finish.
 enum class Finish : uint32_t { strip = GUSSET_FINISH_STRIP, blend = GUSSET_FINISH_BLEND };
 
 /// Source of the tolerance. See ::gusset_tolerance_mode.
@@ -244,6 +244,7 @@ enum class Outward : uint32_t {
 
 /// Loops that are not holes. See ::gusset_fill_keep.
 enum class FillKeep : uint32_t {
+    automatic = GUSSET_KEEP_AUTO,
     none = GUSSET_KEEP_NONE,
     longest = GUSSET_KEEP_LONGEST,
     borders = GUSSET_KEEP_BORDERS
@@ -287,7 +288,9 @@ enum class HoleStatus : uint32_t {
     not_oriented = GUSSET_HOLE_NOT_ORIENTED,
     not_simple = GUSSET_HOLE_NOT_SIMPLE,
     not_free = GUSSET_HOLE_NOT_FREE,
-    no_triangulation = GUSSET_HOLE_NO_TRIANGULATION
+    no_triangulation = GUSSET_HOLE_NO_TRIANGULATION,
+    loose = GUSSET_HOLE_LOOSE,
+    unsewn = GUSSET_HOLE_UNSEWN
 };
 
 /// Vertices that are welded. See ::gusset_weld_vertices.

@@ -271,14 +271,17 @@ typedef uint32_t gusset_strip_cells;
 /// Quads, and triangles where a rim repeats a vertex.
 #define GUSSET_CELLS_QUADS 1
 
-/// Surface between the rims.
+/// Surface between the rims, or in a hole. One word for the best-looking result: BLEND.
 typedef uint32_t gusset_finish;
-/// Strip of meridians, with interior rows.
+/// Strip of meridians, with interior rows. In a hole: the patch that the other options describe.
 #define GUSSET_FINISH_STRIP 0
 /// Smooth joint, tangent to both pieces. Triangles are about as fine as along the rims, graded between, without sharp
 /// angles where the rims allow. It smooths the ridges of a strip without rows. A tube closes a gap in a tube, within
 /// some per cent of the radius across a few radii. Meridians and matrix describe the strip, not edges of the result.
-/// Ignores rows, cells and fairing.
+/// Ignores rows, cells and fairing. In a hole: a patch with new vertices as dense as those around it, faired. In a
+/// join, for strips and holes.
+/// - Not for machined parts and flat walls: it rounds what should be straight. Not for CAD tolerances, printing, or
+///   volumes alone: a strip has far fewer faces.
 /// The strip is kept if every blend intersects more, or exceeds about 50,000 new vertices, or 16 a rim vertex if more.
 /// To meet that limit, edges grow up to twice as long.
 #define GUSSET_FINISH_BLEND 1
@@ -299,9 +302,10 @@ typedef uint32_t gusset_outward;
 #define GUSSET_OUTWARD_AUTO 0
 /// Closed components stay unchanged; gusset_orient chooses the original side of most faces.
 #define GUSSET_OUTWARD_KEEP 1
-/// Closed components face outwards, each by its own volume; walls of cavities are reversed too. If the volume is 0 up
-/// to rounding, GUSSET_OUTWARD_KEEP applies. Except in gusset_orient, only components that are closed (two faces at
-/// every edge), consistently oriented and inside out are reversed.
+/// Closed components face outwards, and walls of cavities face into the cavities. A component is the wall of a cavity
+/// if an odd number of closed components enclose it. Components that cross, or touch in more than vertices and edges,
+/// do not enclose each other. If the volume is 0 up to rounding, GUSSET_OUTWARD_KEEP applies. Except in gusset_orient,
+/// only components that are closed (two faces at every edge) and consistently oriented are reversed.
 #define GUSSET_OUTWARD_CLOSED 2
 
 /// Options of gusset_stitch.
@@ -336,6 +340,7 @@ typedef struct gusset_stitch_options {
     gusset_intersections intersections;
     gusset_centres centres;
     gusset_outward outward;
+    /// Surface between the rims.
     gusset_finish finish;
     uint32_t reserved;
 } gusset_stitch_options;
@@ -517,7 +522,8 @@ typedef struct gusset_left_loop {
     /// Largest gap that could be joined; 0 without another loop.
     double allowed_gap;
     gusset_left_reason reason;
-    uint32_t reserved;
+    /// 1 if hole filling closed the loop. @flag
+    uint32_t filled;
 } gusset_left_loop;
 
 struct gusset_hole;
@@ -556,7 +562,7 @@ typedef struct gusset_join_report {
     uint32_t non_manifold_edges;
     /// Points at which boundary edges were split.
     uint32_t splits;
-    /// Loops left by GUSSET_LEFT_LOOKS_AWAY, GUSSET_LEFT_TAKEN or GUSSET_LEFT_NOT_JOINED.
+    /// Loops left open by GUSSET_LEFT_LOOKS_AWAY, GUSSET_LEFT_TAKEN or GUSSET_LEFT_NOT_JOINED.
     uint32_t near_loops_left;
     /// Faces removed from overlaps.
     uint32_t trimmed_faces;
@@ -676,7 +682,7 @@ typedef uint32_t gusset_patch_finish;
 typedef uint32_t gusset_hole_status;
 /// Filled; with plan_only, to be filled.
 #define GUSSET_HOLE_FILLED 0
-/// Left open: keep excludes it.
+/// Left open: the outer border of a sheet, or the longest loop; see keep.
 #define GUSSET_HOLE_KEPT 1
 /// Left open: it exceeds max_edges, max_length, max_diameter or max_area.
 #define GUSSET_HOLE_TOO_LARGE 2
@@ -692,6 +698,11 @@ typedef uint32_t gusset_hole_status;
 #define GUSSET_HOLE_NOT_FREE 7
 /// Left open: every triangulation joins two vertices of one old face, or no shared patch was found.
 #define GUSSET_HOLE_NO_TRIANGULATION 8
+/// Left open: loose faces; the loop passes all vertices of its component. See GUSSET_KEEP_AUTO.
+#define GUSSET_HOLE_LOOSE 9
+/// Left open: an edge coincides with another boundary edge, up to the rounding of positions. A patch would have no area
+/// there, or lie on another. GUSSET_KEEP_NONE fills the loop.
+#define GUSSET_HOLE_UNSEWN 10
 
 /// Report on one loop.
 typedef struct gusset_hole {
@@ -740,20 +751,27 @@ typedef struct gusset_fill_report {
     struct gusset_indices turned_outwards;
     /// 1 if searched for. @flag
     uint32_t intersections_known;
-    uint32_t reserved;
+    /// Boundary edges of the input that coincide with another. 0, and not looked for, for given loops.
+    uint32_t coincident_edges;
 } gusset_fill_report;
 
 /* ---- Holes: Closes holes by new triangles. */
 
-/// Loops that are not holes.
+/// Loops that are not holes. Except with GUSSET_KEEP_NONE, a loop also stays open along a border that coincides with
+/// another; see GUSSET_HOLE_UNSEWN.
 typedef uint32_t gusset_fill_keep;
+/// Outer borders of sheets, and borders of loose faces.
+/// - A component is a sheet if the length of its area vector is at least 3/4 of its area. Its outer border is the loop
+///   whose area vector reaches farthest along the component's. A bowl is not a sheet: a hemisphere has 1/2.
+/// - A component is loose if one loop passes all its vertices, like a single face.
+#define GUSSET_KEEP_AUTO 0
 /// All loops are holes.
-#define GUSSET_KEEP_NONE 0
+#define GUSSET_KEEP_NONE 1
 /// The longest loop (the first of equals).
-#define GUSSET_KEEP_LONGEST 1
-/// Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot product with their
+#define GUSSET_KEEP_LONGEST 2
+/// Outer borders of sheets and shallow bowls: loops whose area vector has a positive dot product with their
 /// component's, and a length of at least half the component's area.
-#define GUSSET_KEEP_BORDERS 2
+#define GUSSET_KEEP_BORDERS 3
 
 /// Loops that share a patch.
 typedef uint32_t gusset_fill_together;
@@ -783,7 +801,7 @@ typedef uint32_t gusset_fill_continuity;
 /// with their noise, determine the curvature.
 #define GUSSET_CONTINUITY_C2 1
 
-/// Options of gusset_fill. Default: all holes, without new vertices.
+/// Options of gusset_fill. Default: all holes, without new vertices. Outer borders of sheets are not holes.
 typedef struct gusset_fill_options {
     size_t struct_size;
     gusset_fill_weight weight;
@@ -818,11 +836,16 @@ typedef struct gusset_fill_options {
     gusset_fill_continuity continuity;
     /// 1: creases of the old surface end at the rim. @flag
     uint32_t ignore_creases;
+    /// GUSSET_FINISH_BLEND: patches with new vertices as dense as those around the hole, faired, regardless of refine
+    /// and fairing.
+    gusset_finish finish;
+    uint32_t reserved;
 } gusset_fill_options;
 
 /// Fills holes: closes boundary loops by triangles, oriented like the surrounding surface.
-/// Loops that cannot be filled stay open; see gusset_hole_status. The result has the old vertices, bit for bit, then
-/// new ones; the old faces, then new triangles, hole by hole.
+/// Loops that cannot be filled stay open, and so do outer borders of sheets; see gusset_hole_status. The result has the
+/// old vertices, bit for bit, then new ones; the old faces, then new triangles, hole by hole. gusset_join with fill 1
+/// and max_gap 0 sews coincident borders first.
 /// - No new edge joins two vertices of an old face: a closed result stays closed if its polygons are triangulated.
 /// - With the default weight or GUSSET_WEIGHT_AREA, planar holes whose rims do not cross, even with islands, get no
 ///   overlapping triangles.

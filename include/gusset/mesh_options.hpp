@@ -84,7 +84,7 @@ struct FillOptions {
     /// Fairing; ignored without new vertices.
     Fairing fairing = Fairing::none;
     /// Loops that stay open, if all loops are selected.
-    FillKeep keep = FillKeep::none;
+    FillKeep keep = FillKeep::automatic;
     /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE ignores them.
     Intersections intersections = Intersections::automatic;
     /// 1: changes nothing, but reports which loops would be filled, by which weight and finish. Failed triangulations
@@ -112,6 +112,9 @@ struct FillOptions {
     FillContinuity continuity = FillContinuity::c1;
     /// 1: creases of the old surface end at the rim.
     bool ignore_creases = false;
+    /// GUSSET_FINISH_BLEND: patches with new vertices as dense as those around the hole, faired, regardless of refine
+    /// and fairing.
+    Finish finish = Finish::strip;
 };
 
 /// Options of gusset_trim_create. See ::gusset_trim_options.
@@ -310,6 +313,7 @@ inline gusset_fill_options as_c(const FillOptions &options) {
     given.groups = first(options.groups);
     given.continuity = static_cast<gusset_fill_continuity>(options.continuity);
     given.ignore_creases = options.ignore_creases ? 1 : 0;
+    given.finish = static_cast<gusset_finish>(options.finish);
     return given;
 }
 gusset_fill_options as_c(const FillOptions &&) = delete;

@@ -156,6 +156,9 @@ class FillOptions(TypedDict, total=False):
     continuity: choices.FillContinuity
     #: 1: creases of the old surface end at the rim.
     ignore_creases: bool
+    #: GUSSET_FINISH_BLEND: patches with new vertices as dense as those around the hole, faired, regardless of refine
+    #: and fairing.
+    finish: choices.Finish
 
 
 class StripOptions(TypedDict, total=False):
@@ -656,6 +659,7 @@ FIELDS: dict[str, dict[str, Keyword]] = {
         "groups": Keyword('array', shape=('loop_count',)),
         "continuity": Keyword('choice', choices.NUMBERS['gusset_fill_continuity']),
         "ignore_creases": Keyword('flag'),
+        "finish": Keyword('choice', choices.NUMBERS['gusset_finish']),
     },
     "gusset_strip_options": {
         "meridians": Keyword('choice', choices.NUMBERS['gusset_meridians']),

@@ -601,6 +601,11 @@ class LeftLoop(Record):
         """Reason for the lack of a strip."""
         return word(self._struct.reason, 'gusset_left_reason')
 
+    @property
+    def filled(self) -> bool:
+        """1 if hole filling closed the loop."""
+        return bool(self._struct.filled)
+
 
 class JoinReport(Record):
     """Report of a join."""
@@ -680,7 +685,7 @@ class JoinReport(Record):
 
     @property
     def near_loops_left(self) -> int:
-        """Loops left by GUSSET_LEFT_LOOKS_AWAY, GUSSET_LEFT_TAKEN or GUSSET_LEFT_NOT_JOINED."""
+        """Loops left open by GUSSET_LEFT_LOOKS_AWAY, GUSSET_LEFT_TAKEN or GUSSET_LEFT_NOT_JOINED."""
         return self._struct.near_loops_left
 
     @property
@@ -991,6 +996,11 @@ class FillReport(Record):
     def intersections_known(self) -> bool:
         """1 if searched for."""
         return bool(self._struct.intersections_known)
+
+    @property
+    def coincident_edges(self) -> int:
+        """Boundary edges of the input that coincide with another. 0, and not looked for, for given loops."""
+        return self._struct.coincident_edges
 
 
 class StripReport(Record):

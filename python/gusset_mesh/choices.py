@@ -103,7 +103,7 @@ RowRule = Literal['none', 'mean_edge', 'count']
 #: Faces of the strip.
 StripCells = Literal['triangles', 'quads']
 
-#: Surface between the rims.
+#: Surface between the rims, or in a hole.
 Finish = Literal['strip', 'blend']
 
 #: Source of the tolerance.
@@ -113,7 +113,7 @@ ToleranceMode = Literal['auto', 'given', 'exact']
 Outward = Literal['auto', 'keep', 'closed']
 
 #: Loops that are not holes.
-FillKeep = Literal['none', 'longest', 'borders']
+FillKeep = Literal['auto', 'none', 'longest', 'borders']
 
 #: Loops that share a patch.
 FillTogether = Literal['apart', 'one', 'cheapest']
@@ -132,7 +132,7 @@ PatchFinish = Literal['plain', 'refined', 'faired']
 
 #: Outcome for one loop.
 HoleStatus = Literal['filled', 'kept', 'too_large', 'open', 'non_manifold', 'not_oriented', 'not_simple',
-    'not_free', 'no_triangulation']
+    'not_free', 'no_triangulation', 'loose', 'unsewn']
 
 #: Vertices that are welded.
 WeldVertices = Literal['boundary', 'all']
@@ -373,14 +373,14 @@ NUMBERS: dict[str, dict[str, int]] = {
     'gusset_finish': {'strip': 0, 'blend': 1},
     'gusset_tolerance_mode': {'auto': 0, 'given': 1, 'exact': 2},
     'gusset_outward': {'auto': 0, 'keep': 1, 'closed': 2},
-    'gusset_fill_keep': {'none': 0, 'longest': 1, 'borders': 2},
+    'gusset_fill_keep': {'auto': 0, 'none': 1, 'longest': 2, 'borders': 3},
     'gusset_fill_together': {'apart': 0, 'one': 1, 'cheapest': 2},
     'gusset_fill_refinement': {'none': 0, 'rim_density': 1},
     'gusset_fill_continuity': {'c1': 0, 'c2': 1},
     'gusset_fill_weight': {'continuation': 0, 'area_and_bend': 1, 'bend_then_area': 2, 'area': 3},
     'gusset_patch_finish': {'plain': 0, 'refined': 1, 'faired': 2},
     'gusset_hole_status': {'filled': 0, 'kept': 1, 'too_large': 2, 'open': 3, 'non_manifold': 4, 'not_oriented': 5,
-    'not_simple': 6, 'not_free': 7, 'no_triangulation': 8},
+    'not_simple': 6, 'not_free': 7, 'no_triangulation': 8, 'loose': 9, 'unsewn': 10},
     'gusset_weld_vertices': {'boundary': 0, 'all': 1},
     'gusset_collapse': {'never': 0, 'allow': 1},
     'gusset_unused': {'keep': 0, 'remove': 1},

@@ -50,12 +50,13 @@ def orient(
 def fill(
     input_0: MeshLike, /, *, inside: Union[int, Literal['rim_only', 'refined', 'refined_and_fair']] = ..., weight: Union[int,
     Literal['best_continuation', 'area_and_bend', 'largest_bend', 'area']] = ..., max_edges: int = ..., max_length: float = ...,
-    keep: Union[int, Literal['none', 'the_longest', 'borders']] = ..., together: Union[int, Literal['each_by_itself',
+    keep: Union[int, Literal['automatic', 'none', 'the_longest', 'borders']] = ..., together: Union[int, Literal['each_by_itself',
     'all_by_one_patch', 'where_it_costs_less']] = ..., max_diameter: float = ..., max_area: float = ..., intersections: Union[int,
     Literal['automatic', 'ignore', 'report']] = ..., plan_only: bool = ..., continuity: Union[int, Literal['tangents', 'curvature']]
-    = ..., ignore_creases: bool = ..., outward: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
+    = ..., ignore_creases: bool = ..., outward: bool = ..., finish: Union[int, Literal['strip', 'blend']] = ..., sew: Union[int,
+    Literal['sew', 'leave']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay."""
+    """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay. Before that, borders that coincide with others are sewn, as the filter join does."""
 
 
 def join(
@@ -64,8 +65,8 @@ def join(
     Literal['continuation', 'least_area', 'by_index', 'by_arc_length', 'greedy', 'shortest_meridians', 'least_bend', 'quads']] =
     ..., rows: Union[int, Literal['none', 'by_mean_edge']] = ..., fairing: Union[int, Literal['straight', 'fair']] = ..., finish:
     Union[int, Literal['strip', 'blend']] = ..., holes: Union[int, Literal['leave', 'fill', 'fill_refined_and_fair']] = ...,
-    outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., keep: Union[int, Literal['none',
-    'the_longest', 'borders']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
+    outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., keep: Union[int,
+    Literal['automatic', 'none', 'the_longest', 'borders']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are made consistent, and loops that face each other across a gap are stitched. Holes are filled on request, and closed results are turned outwards. Loops that face no other loop stay as they are."""
 

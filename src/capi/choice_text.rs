@@ -220,12 +220,13 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_outward", &[
         (0, c"GUSSET_OUTWARD_CLOSED in gusset_join, else GUSSET_OUTWARD_KEEP."),
         (1, c"Closed components stay unchanged; gusset_orient chooses the original side of most faces."),
-        (2, c"Closed components face outwards, each by its own volume; walls of cavities are reversed too."),
+        (2, c"Closed components face outwards, and walls of cavities face into the cavities."),
     ]),
     ("gusset_fill_keep", &[
-        (0, c"All loops are holes."),
-        (1, c"The longest loop (the first of equals)."),
-        (2, c"Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot product with their component's, and a length of at least half the component's area."),
+        (0, c"Outer borders of sheets, and borders of loose faces."),
+        (1, c"All loops are holes."),
+        (2, c"The longest loop (the first of equals)."),
+        (3, c"Outer borders of sheets and shallow bowls: loops whose area vector has a positive dot product with their component's, and a length of at least half the component's area."),
     ]),
     ("gusset_fill_together", &[
         (0, c"Each loop gets its own patch."),
@@ -253,7 +254,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_hole_status", &[
         (0, c"Filled; with plan_only, to be filled."),
-        (1, c"Left open: keep excludes it."),
+        (1, c"Left open: the outer border of a sheet, or the longest loop; see keep."),
         (2, c"Left open: it exceeds max_edges, max_length, max_diameter or max_area."),
         (3, c"Left open: it is an open chain."),
         (4, c"Left open: it runs along a non-manifold edge."),
@@ -261,6 +262,8 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (6, c"Left open: a given loop has fewer than three vertices, or passes a vertex twice."),
         (7, c"Left open: an edge of a given loop is not a boundary edge, or belongs to an earlier loop."),
         (8, c"Left open: every triangulation joins two vertices of one old face, or no shared patch was found."),
+        (9, c"Left open: loose faces; the loop passes all vertices of its component."),
+        (10, c"Left open: an edge coincides with another boundary edge, up to the rounding of positions."),
     ]),
     ("gusset_weld_vertices", &[
         (0, c"Ends of boundary edges: sews coincident borders edge to edge."),

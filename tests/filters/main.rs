@@ -6,6 +6,7 @@ mod common;
 mod cancel;
 mod curve;
 mod editor;
+mod holes;
 mod mesh;
 mod moving;
 mod net;

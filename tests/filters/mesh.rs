@@ -51,7 +51,7 @@ fn fill_closes_what_it_may() {
     let both = soups[0].and(&soups[1]);
     // Refined and fair; then the second rim is too long, or is the longest.
     for (values, filled) in
-        [(&[2.0][..], 2), (&[0.0, 2.0, 10.0], 1), (&[1.0, 0.0, 0.0, 6.05], 1), (&[0.0, 0.0, 0.0, 0.0, 1.0], 1)]
+        [(&[2.0][..], 2), (&[0.0, 2.0, 10.0], 1), (&[1.0, 0.0, 0.0, 6.05], 1), (&[0.0, 0.0, 0.0, 0.0, 2.0], 1)]
     {
         let outputs = filter.run(&[Input::Mesh(both.view())], values, &Job::default()).unwrap();
         let [Output::Mesh(mesh, _), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
@@ -76,7 +76,7 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
     let turned: Vec<Soup> = caps().iter().map(Soup::turned).collect();
     let faces: usize = turned.iter().map(|soup| soup.faces().count()).sum();
     for (id, soups, later, default) in
-        [("stitch", &turned[..], 0, 0.0), ("fill", &turned[..1], 0, 0.0), ("join", &turned[..], 3, 1.0)]
+        [("stitch", &turned[..], 0, 0.0), ("fill", &turned[..1], 2, 0.0), ("join", &turned[..], 3, 1.0)]
     {
         let params = Filter::find(id).unwrap().params;
         let place = params.iter().position(|param| param.id == "outward").unwrap();
@@ -150,7 +150,7 @@ fn check_finds_intersections_on_request() {
 }
 
 #[test]
-fn join_keeps_outlines_open_on_request() {
+fn join_keeps_outlines_open_unless_every_loop_is_a_hole() {
     // A sheet with a hole, and a part beside it.
     let whole = sheet(5, 5);
     let part = |wanted: fn(usize) -> bool| {
@@ -159,7 +159,7 @@ fn join_keeps_outlines_open_on_request() {
         soup
     };
     let pieces = [part(|f| f % 5 < 3 && f != 11), part(|f| f % 5 >= 3)];
-    for (keep, filled, loops) in [(0.0, 2.0, 0.0), (1.0, 1.0, 1.0), (2.0, 1.0, 1.0)] {
+    for (keep, filled, loops) in [(0.0, 1.0, 1.0), (1.0, 2.0, 0.0), (2.0, 1.0, 1.0), (3.0, 1.0, 1.0)] {
         let inputs = inputs(&pieces);
         let values = values("join", &inputs, &[("holes", &[1.0]), ("keep", &[keep])]);
         let done = Filter::find("join").unwrap().run(&inputs, &values, &Job::default()).unwrap();

@@ -62,9 +62,9 @@ fn a_field_of_options_within_options_is_named_by_its_path() {
     let strips = gusset_stitch_options { reserved: 1, ..sized() };
     let options = gusset_join_options { strip_options: &raw const strips, ..plain };
     assert_eq!(join_message(&options), "strip_options.reserved has the unknown value 1");
-    let fill = gusset_fill_options { keep: 3, ..sized() };
+    let fill = gusset_fill_options { keep: 4, ..sized() };
     let options = gusset_join_options { fill_options: &raw const fill, ..plain };
-    assert_eq!(join_message(&options), "fill_options.keep has the unknown value 3");
+    assert_eq!(join_message(&options), "fill_options.keep has the unknown value 4");
     // Its own fields have no path.
     assert_eq!(join_message(&gusset_join_options { orientation: 9, ..plain }), "orientation has the unknown value 9");
 }

@@ -2,19 +2,21 @@
 //! Euler's formula.
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet, volume};
+use gusset::assemble::{self, assemble};
 use gusset::fill::{
-    Continuity, Fairing, Filled, HoleStatus, Keep, Limits, LoopSelection, Options, Refinement, Together, Weight,
-    fill_holes,
+    Continuity, Fairing, Filled, Finish, HoleStatus, Keep, Limits, LoopSelection, Options, Refinement, Together,
+    Weight, fill_holes,
 };
 use gusset::mesh::Mesh;
 use gusset::repair::orient::Outward;
-use gusset::stitch::Intersections;
+use gusset::stitch::{self, Intersections};
 use gusset::{Error, Job};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
 const AREA: Options = Options {
     weight: Weight::Area,
+    finish: stitch::Finish::Strip,
     refinement: Refinement::None,
     fairing: Fairing::None,
     continuity: Continuity::C1,
@@ -26,6 +28,11 @@ const AREA: Options = Options {
     plan_only: false,
     outward: Outward::Keep,
 };
+/// The defaults, but every loop is a hole.
+fn every_loop() -> Options {
+    Options { keep: Keep::None, ..Options::default() }
+}
+
 const REFINED: Options = Options { weight: Weight::AreaAndBend, refinement: Refinement::RimDensity(0), ..AREA };
 const LIEPA: Options = Options { weight: Weight::BendThenArea, ..AREA };
 const FAIR: Options = Options { fairing: Fairing::ThinPlate, ..REFINED };
@@ -149,7 +156,7 @@ fn planar_concave_holes_have_no_overlaps() {
     for teeth in [1, 5, 60, 400] {
         let (points, exact) = comb(teeth);
         let soup = cone(&points, [0.3, 0.2, -50.0]);
-        for options in [AREA, LIEPA, Options::default(), REFINED] {
+        for options in [AREA, LIEPA, every_loop(), REFINED] {
             let filled = fill(&soup, &options);
             assert_closed(&soup, &filled);
             let (area, signed) = area_of(&filled, [0.0, 0.0, 1.0]);
@@ -168,7 +175,7 @@ fn a_square_in_a_sheet_with_points_on_its_sides() {
         .enumerate()
         .filter(|(f, _)| !(3..6).contains(&(f % 9)) || !(3..6).contains(&(f / 9)))
         .for_each(|(_, face)| soup.face(face));
-    for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
+    for options in [AREA, LIEPA, every_loop(), REFINED, FAIR] {
         let filled = fill(&soup, &Options { keep: Keep::Longest, ..options });
         let statuses = statuses(&filled);
         assert_eq!(statuses.iter().filter(|&&s| s == HoleStatus::Kept).count(), 1);
@@ -236,7 +243,7 @@ proptest! {
         };
         let tip = [0.4, -0.3, 3.0];
         let renumbered: Vec<_> = (0..n).map(|i| moved(points[(i + start) % n])).collect();
-        for options in [AREA, LIEPA, Options::default(), FAIR] {
+        for options in [AREA, LIEPA, every_loop(), FAIR] {
             let (a, b) = (fill(&cone(&points, tip), &options), fill(&cone(&renumbered, moved(tip)), &options));
             let area = b.quality.area / (scale * scale);
             prop_assert!((area / a.quality.area - 1.0).abs() < 1e-6, "{} {}", area, a.quality.area);
@@ -271,7 +278,7 @@ fn a_saddle_rim() {
         })
         .collect();
     let soup = cone(&points, [0.0, 0.0, -4.0]);
-    for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
+    for options in [AREA, LIEPA, every_loop(), REFINED, FAIR] {
         let filled = fill(&soup, &options);
         assert_closed(&soup, &filled);
         assert_eq!(euler(faces(&filled.mesh)), 2);
@@ -290,7 +297,7 @@ fn no_edge_is_repeated() {
     // already.
     let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let soup = Soup::new(corners.clone(), &[&[0, 2, 1], &[0, 1, 3]]);
-    for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
+    for options in [AREA, LIEPA, every_loop(), REFINED, FAIR] {
         let filled = fill(&soup, &options);
         assert_closed(&soup, &filled);
         assert_eq!(euler(faces(&filled.mesh)), 2);
@@ -315,7 +322,7 @@ fn no_edge_is_repeated() {
     for (rim, tip) in [(a, 6), (b, 7)] {
         (0..4).for_each(|i| soup.face(&[rim[(i + 1) % 4], rim[i], tip]));
     }
-    for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
+    for options in [AREA, LIEPA, every_loop(), REFINED, FAIR] {
         let filled = fill(&soup, &options);
         assert_eq!(statuses(&filled), [HoleStatus::Filled; 2]);
         assert_closed(&soup, &filled);
@@ -337,7 +344,7 @@ fn holes_that_touch() {
     for missing in [vec![14, 21], vec![14, 21, 15], vec![7, 8, 14, 21, 22]] {
         let mut soup = Soup { points: all.points.clone(), offsets: vec![0], ..Soup::default() };
         all.faces().enumerate().filter(|(f, _)| !missing.contains(f)).for_each(|(_, face)| soup.face(face));
-        for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
+        for options in [AREA, LIEPA, every_loop(), REFINED, FAIR] {
             let filled = fill(&soup, &Options { keep: Keep::Longest, ..options });
             let (area, signed) = area_of(&filled, [0.0, 0.0, 1.0]);
             assert!((area - missing.len() as f64).abs() < 1e-9 && (signed - area).abs() < 1e-9, "{area}");
@@ -347,9 +354,25 @@ fn holes_that_touch() {
 }
 
 #[test]
+fn a_blend_is_refined_and_faired() {
+    let soup = cap(24, 6, -0.3, 1.0);
+    let blend = Options { finish: stitch::Finish::Blend, ..every_loop() };
+    let fair = Options { refinement: Refinement::RimDensity(0), fairing: Fairing::ThinPlate, ..every_loop() };
+    assert_eq!(fill(&soup, &blend), fill(&soup, &fair));
+    assert!(!fill(&soup, &blend).parents.is_empty());
+    // In a join, the finish of the strips is the finish of the patches.
+    for finish in [stitch::Finish::Strip, stitch::Finish::Blend] {
+        let strip = stitch::Options { finish, ..stitch::Options::default() };
+        let options = assemble::Options { strip, fill: Some(every_loop()), ..assemble::Options::default() };
+        let done = assemble(&[soup.view()], &options, &Job::default()).unwrap();
+        assert_eq!(done.holes[0].finish == Finish::Faired, finish == stitch::Finish::Blend);
+    }
+}
+
+#[test]
 fn loops_that_are_left_say_why() {
     let soup = cap(12, 3, 0.5, 1.0).and(&cap(24, 3, 0.5, -1.0));
-    let limited = |limits: Limits| statuses(&fill(&soup, &Options { limits, ..Options::default() }));
+    let limited = |limits: Limits| statuses(&fill(&soup, &Options { limits, ..every_loop() }));
     use HoleStatus::{Filled, TooLarge};
     assert_eq!(limited(Limits { edges: Some(12), ..Limits::default() }), [Filled, TooLarge]);
     assert_eq!(limited(Limits { edges: Some(11), ..Limits::default() }), [TooLarge, TooLarge]);
@@ -405,7 +428,7 @@ fn sizes_and_degenerate_rims_do_no_harm() {
     for scale in [0.0, 1e-200, 1e200] {
         let mut soup = cap(12, 3, 0.5, 1.0);
         soup.points.iter_mut().flatten().for_each(|x| *x *= scale);
-        for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
+        for options in [AREA, LIEPA, every_loop(), REFINED, FAIR] {
             let filled = fill(&soup, &options);
             assert_closed(&soup, &filled);
             for v in 0..filled.mesh.positions.len() as u32 {
@@ -418,7 +441,7 @@ fn sizes_and_degenerate_rims_do_no_harm() {
         let mut soup = cap(12, 3, 0.5, 1.0);
         let rim = soup.points.len() - 12;
         soup.points[rim..].iter_mut().for_each(|p| *p = [p[0] * flatten[0], p[1] * flatten[1], 0.5]);
-        for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
+        for options in [AREA, LIEPA, every_loop(), REFINED, FAIR] {
             assert_closed(&soup, &fill(&soup, &options));
         }
     }

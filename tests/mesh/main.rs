@@ -21,6 +21,7 @@ mod develop_steps;
 mod errata;
 mod facing;
 mod fill;
+mod nesting;
 mod orient;
 mod outwards;
 mod patches;

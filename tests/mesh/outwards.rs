@@ -107,21 +107,6 @@ fn whole_closed_consistent_components_are_turned_and_no_others() {
     }
 }
 
-#[test]
-fn each_shell_is_turned_by_its_own_volume() {
-    // A thick shell: the wall of its cavity faces into the cavity, and is turned over.
-    let mut wall = torus(6, 5).turned();
-    wall.points.iter_mut().for_each(|p| {
-        let r = (p[0] * p[0] + p[1] * p[1]).sqrt();
-        *p = [p[0] / r * (1.0 + r / 2.0), p[1] / r * (1.0 + r / 2.0), p[2] / 2.0];
-    });
-    let before = mesh_of(&torus(6, 5).and(&wall));
-    let mut mesh = before.clone();
-    let cavity: Vec<u32> = (30..60).collect();
-    assert_eq!(turn_outwards(&mut mesh, &Job::default()).unwrap().turned, cavity);
-    assert!(volume_of(&mesh) > volume_of(&before));
-}
-
 fn assembled(pieces: &[Soup], options: &assemble::Options<'_>) -> Assembly {
     let views: Vec<MeshView<'_>> = pieces.iter().map(Soup::view).collect();
     assemble(&views, options, &Job::default()).unwrap()

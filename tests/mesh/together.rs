@@ -3,7 +3,7 @@
 use crate::common::{Silent, Soup, cap, edge_counts, euler, faces_of, some_of, volume};
 use gusset::Job;
 use gusset::fill::{
-    Fairing, Filled, Finish, HoleStatus, Limits, LoopSelection, Options, Refinement, Together, Weight, fill_holes,
+    Fairing, Filled, Finish, HoleStatus, Keep, Limits, LoopSelection, Options, Refinement, Together, Weight, fill_holes,
 };
 use gusset::mesh::NONE;
 use std::f64::consts::{PI, TAU};
@@ -351,7 +351,7 @@ fn loops_that_are_left_do_not_count() {
 
     let soup = cap(24, 6, 0.3, 1.0).and(&cap(24, 6, 0.3, -1.0)).and(&cap(40, 6, 0.6, -1.0));
     let limits = Limits { edges: Some(30), ..Limits::default() };
-    let filled = fill(&soup, &Options { limits, ..one() });
+    let filled = fill(&soup, &Options { limits, keep: Keep::None, ..one() });
     let mut status: Vec<_> = filled.holes.iter().map(|hole| (hole.rim.len(), hole.status, hole.patch)).collect();
     status.sort_by_key(|&(length, ..)| length);
     assert_eq!(status, [(24, Filled, 0), (24, Filled, 0), (40, TooLarge, NONE)]);

@@ -130,7 +130,7 @@ fn sheet_at(s: f64, t: f64) -> DVec3 {
 
 fn joined(pieces: &[Soup], shape: Shape) -> Assembly {
     let views: Vec<MeshView<'_>> = pieces.iter().map(Soup::view).collect();
-    let keep = if shape == Shape::Sheet { Keep::OuterBorders } else { Keep::default() };
+    let keep = if shape == Shape::Sheet { Keep::OuterBorders } else { Keep::None };
     let options = assemble::Options {
         overlaps: Overlaps::Trim(trim::Options::default()),
         fill: Some(fill::Options { keep, ..fill::Options::default() }),

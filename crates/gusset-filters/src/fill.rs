@@ -1,6 +1,8 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, FACE, Report, ReportValue, count_with_noun, format_short};
+use super::report::{
+    BOUNDARY_EDGE, BOUNDARY_LOOP, EDGE, FACE, Report, ReportValue, count_with_noun, format_short, push_line,
+};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_RANGE, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplitVertices, Origins};
@@ -8,10 +10,15 @@ use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
+use gusset_stitch::assemble::{self, Assembly, MaxGap, assemble};
 use gusset_stitch::fill::{
-    Continuity, Fairing, Filled, HoleStatus, Keep, Limits, LoopSelection, Options, Refinement, Together, Weight,
+    Continuity, Fairing, Filled, Hole, HoleStatus, Keep, Limits, LoopSelection, Options, Refinement, Together, Weight,
     fill_holes,
 };
+use gusset_stitch::repair::orient::Outward;
+use gusset_stitch::repair::weld;
+use gusset_stitch::stitch::{Finish, Intersections};
+use std::ops::Range;
 
 params! {
     inside: (Refinement, Fairing) = Param::choice("Inside the holes", "The interior of the patches.", INTERIORS);
@@ -50,16 +57,21 @@ params! {
     );
     ignore_creases: bool = Param::flag("Ignore creases", "Ends creases of the surface at the rims of patches.");
     outward: bool = OUTWARD;
+    finish: Finish = Param::choice(
+        "Finish",
+        "The surface of the patches. A blend is refined and fair, whatever is chosen for the inside of the holes.",
+        Finish::CHOICES,
+    );
+    sew: bool = Param::choice("Coincident borders", "Borders that coincide with others.", SEWING);
 }
-use gusset_stitch::repair::orient::Outward;
-use gusset_stitch::stitch::Intersections;
 
 pub(super) const FILTER: Filter = Filter {
     id: "fill",
     name: "Fill holes",
     category: "Boundary",
     help: "Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the \
-           density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay.",
+           density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay. Before that, \
+           borders that coincide with others are sewn, as the filter join does.",
     reference: "P. Liepa, Filling holes in meshes (2003); G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron \
                 (1995)",
     replaces: true,
@@ -74,8 +86,8 @@ pub(super) const KEEP_OPEN: TypedParam<Keep> =
 /// Turns closed components of a result outwards.
 pub(super) const OUTWARD: TypedParam<bool> = Param::flag(
     "Turn outwards",
-    "Reverses the faces of closed components that are inside out. Each component is judged by its own volume, even inside \
-     another one.",
+    "Reverses the faces of closed components that face the wrong side. Components face outwards; the walls of cavities face \
+     into the cavities.",
 );
 
 choices! {
@@ -93,10 +105,18 @@ choices! {
         Intersections::Report => "Report", "They are found and counted, but not avoided.";
 }
 
+choices! {
+    /// True if coincident borders are sewn before holes are filled.
+    SEWING: bool =
+        true => "Sew", "They are sewn and oriented consistently before holes are filled.";
+        false => "Leave", "The loops along them stay open.";
+}
+
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (refinement, fairing) = values.inside;
     let options = Options {
         weight: values.weight,
+        finish: values.finish,
         refinement,
         fairing,
         continuity: values.continuity,
@@ -114,10 +134,34 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         outward: if values.outward { Outward::Closed } else { Outward::Keep },
     };
     let old = inputs[0].mesh()?;
-    let mut done = fill_holes(old, LoopSelection::All, &options, job)?;
+    let mut done = fill_holes(old, LoopSelection::All, &options, &job.part(0.0, 0.5))?;
+    if values.sew && !options.plan_only && done.coincident_edges > 0 {
+        return sew_and_fill(old, &options, values, &job.part(0.5, 1.0));
+    }
     done.keep_split_vertices(&[old], &job.part(1.0, 1.0))?;
-    let report = report(old, &done, options.plan_only);
+    let report = report(old, &done, &options);
     let origins = values.trace_origins(|| Origins::from_filled(&done, &job.part(1.0, 1.0)))?;
+    Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
+}
+
+/// Sews coincident borders, then fills holes.
+fn sew_and_fill(
+    old: &MeshView<'_>,
+    options: &Options,
+    values: &ParamValues<Params>,
+    job: &Job<'_>,
+) -> Result<Vec<Output>> {
+    let how = assemble::Options {
+        weld: Some(weld::Options::default()),
+        max_gap: MaxGap::Given(0.0),
+        fill: Some(*options),
+        outward: options.outward,
+        ..assemble::Options::default()
+    };
+    let mut done = assemble(&[*old], &how, job)?;
+    done.keep_split_vertices(&[old], &job.part(1.0, 1.0))?;
+    let report = report_after_sewing(&done);
+    let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
@@ -129,46 +173,121 @@ pub(super) fn turned_outwards_line(faces: &[u32]) -> String {
     }
 }
 
-fn report(old: &MeshView<'_>, done: &Filled, plan_only: bool) -> Report {
-    let filled = done.holes.iter().filter(|hole| hole.status == HoleStatus::Filled);
-    let count = filled.clone().count();
-    let patches = if plan_only { count } else { filled.map(|hole| hole.patch as usize + 1).max().unwrap_or(0) };
-    let joined = if patches < count {
-        format!(" with {}", count_with_noun(patches, ["patch", "patches"]))
-    } else {
-        String::new()
+/// The reasons why loops stay open: the name of their number in a report, and a line for people.
+const OPEN_LOOPS: [(HoleStatus, &str, &str); 10] = [
+    (HoleStatus::Kept, "loops_kept", "an outline is no hole"),
+    (HoleStatus::Loose, "loops_of_loose_faces", "loose faces: nothing lies behind the loop"),
+    (HoleStatus::Unsewn, "loops_unsewn", "an edge coincides with another border, so sewing comes first"),
+    (HoleStatus::TooLarge, "loops_too_large", "larger than the limits"),
+    (HoleStatus::Open, "loops_not_closed", "a chain that does not close"),
+    (HoleStatus::NonManifold, "loops_non_manifold", "an edge has three or more faces"),
+    (HoleStatus::NotOriented, "loops_not_oriented", "the faces along the loop disagree in orientation"),
+    (HoleStatus::NotSimple, "loops_not_simple", "fewer than three vertices, or one of them twice"),
+    (HoleStatus::NotFree, "loops_not_free", "an edge is not a boundary edge, or is used twice"),
+    (
+        HoleStatus::NoTriangulation,
+        "loops_without_triangulation",
+        "every triangulation would use an edge of the mesh again",
+    ),
+];
+
+/// Largest number of loops whose lengths a line lists.
+const MAX_LISTED_LOOPS: usize = 8;
+
+/// Appends a line for each reason why loops stay open, and the number of loops under its name.
+pub(super) fn push_open_loops(holes: &[Hole], text: &mut String, values: &mut Vec<(&'static str, ReportValue)>) {
+    for (status, name, why) in OPEN_LOOPS {
+        let left = holes.iter().filter(|hole| hole.status == status);
+        let count = left.clone().count();
+        if count == 0 {
+            continue;
+        }
+        let lengths = left.take(MAX_LISTED_LOOPS).map(|hole| hole.rim.len().to_string());
+        let lengths = lengths.collect::<Vec<_>>().join(", ");
+        let more = if count > MAX_LISTED_LOOPS { ", ..." } else { "" };
+        push_line!(text, "{} left open, of {lengths}{more} edges: {why}", count_with_noun(count, BOUNDARY_LOOP));
+        values.push((name, ReportValue::count(count)));
+    }
+}
+
+/// The numbers of filled loops, patches, and the patches' faces and vertices.
+fn count_filled(holes: &[Hole]) -> [usize; 4] {
+    let filled = || holes.iter().filter(|hole| hole.status == HoleStatus::Filled);
+    let patches = filled().map(|hole| hole.patch as usize + 1).max().unwrap_or(0);
+    let end = |of: fn(&Hole) -> &Range<u32>| {
+        let starts = filled().map(|hole| of(hole).start).min().unwrap_or(0);
+        filled().map(|hole| of(hole).end).max().unwrap_or(0).saturating_sub(starts) as usize
     };
-    let faces = done.mesh.face_count() - old.faces().len();
-    let vertices = done.parents.len();
-    let (area, angle) = (done.quality.area, done.quality.min_angle.to_degrees());
-    let measures = match faces {
-        0 => String::new(),
-        _ => format!("area {}, smallest angle {angle:.2} degrees\n", format_short(area)),
+    [filled().count(), patches, end(|hole| &hole.faces), end(|hole| &hole.vertices)]
+}
+
+/// The first line of a report, and its numbers.
+fn filled_line(verb: &str, holes: &[Hole], patches: usize) -> (String, Vec<(&'static str, ReportValue)>) {
+    let [count, _, faces, vertices] = count_filled(holes);
+    let joined = match patches < count {
+        true => format!(" with {}", count_with_noun(patches, ["patch", "patches"])),
+        false => String::new(),
     };
-    let turned = turned_outwards_line(&done.turned_outwards);
-    let verb = if plan_only { "would fill" } else { "filled" };
-    let cuts = intersections_line(done.intersections.as_deref());
     let text = format!(
-        "{verb} {count} of {}{joined} by {} and {}\n{measures}{cuts}{turned}{} left\n",
-        count_with_noun(done.holes.len(), BOUNDARY_LOOP),
+        "{verb} {count} of {}{joined} by {} and {}\n",
+        count_with_noun(holes.len(), BOUNDARY_LOOP),
         count_with_noun(faces, FACE),
         count_with_noun(vertices, ["new vertex", "new vertices"]),
-        count_with_noun(done.quality.loops_left, BOUNDARY_LOOP)
     );
-    let mut values = vec![
+    let values = vec![
         ("filled_loops", ReportValue::count(count)),
         ("patches", ReportValue::count(patches)),
-        ("boundary_loops_before", ReportValue::count(done.holes.len())),
+        ("boundary_loops_before", ReportValue::count(holes.len())),
         ("new_faces", ReportValue::count(faces)),
         ("new_vertices", ReportValue::count(vertices)),
+    ];
+    (text, values)
+}
+
+fn report(old: &MeshView<'_>, done: &Filled, options: &Options) -> Report {
+    let [count, patches, ..] = count_filled(&done.holes);
+    let verb = if options.plan_only { "would fill" } else { "filled" };
+    let (mut text, mut values) = filled_line(verb, &done.holes, if options.plan_only { count } else { patches });
+    let (area, angle) = (done.quality.area, done.quality.min_angle.to_degrees());
+    if done.mesh.face_count() > old.faces().len() {
+        push_line!(text, "area {}, smallest angle {angle:.2} degrees", format_short(area));
+    }
+    text += &intersections_line(done.intersections.as_deref());
+    text += &turned_outwards_line(&done.turned_outwards);
+    push_line!(text, "{} left", count_with_noun(done.quality.loops_left, BOUNDARY_LOOP));
+    values.extend([
         ("area", ReportValue::area(area)),
         ("smallest_angle", ReportValue::angle(done.quality.min_angle)),
         ("turned_outwards", ReportValue::count(done.turned_outwards.len())),
         ("boundary_loops", ReportValue::count(done.quality.loops_left)),
-    ];
+    ]);
+    push_open_loops(&done.holes, &mut text, &mut values);
+    if done.coincident_edges > 0 {
+        push_line!(text, "{} coincide with others", count_with_noun(done.coincident_edges, BOUNDARY_EDGE));
+        values.push(("coincident_edges", ReportValue::count(done.coincident_edges)));
+    }
     if let Some(pairs) = &done.intersections {
         values.push(("intersections", ReportValue::count(pairs.len())));
     }
+    Report::new(text, &values)
+}
+
+/// The report if coincident borders were sewn first.
+fn report_after_sewing(done: &Assembly) -> Report {
+    let mut text = format!("{} sewn first\n", count_with_noun(done.sewn_edges, EDGE));
+    let (line, mut values) = filled_line("filled", &done.holes, count_filled(&done.holes)[1]);
+    text += &line;
+    let turned = done.turned.iter().filter(|&&turned| turned).count();
+    if turned > 0 {
+        push_line!(text, "{} reversed", count_with_noun(turned, FACE));
+    }
+    push_line!(text, "{} left", count_with_noun(done.loops_left, BOUNDARY_LOOP));
+    values.extend([
+        ("sewn_edges", ReportValue::count(done.sewn_edges)),
+        ("turned_faces", ReportValue::count(turned)),
+        ("boundary_loops", ReportValue::count(done.loops_left)),
+    ]);
+    push_open_loops(&done.holes, &mut text, &mut values);
     Report::new(text, &values)
 }
 

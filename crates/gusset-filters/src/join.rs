@@ -1,6 +1,6 @@
 use super::align::explain_untrusted_pose;
 use super::data::{Input, Output};
-use super::fill::{KEEP_OPEN, OUTWARD};
+use super::fill::{KEEP_OPEN, OUTWARD, push_open_loops};
 use super::filter::{Filter, FilterBody};
 use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, ReportValue, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
@@ -173,7 +173,7 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
         count_with_noun(filled, ["hole", "holes"]),
         count_with_noun(done.loops_left, BOUNDARY_LOOP)
     );
-    for left in &done.left {
+    for left in done.left.iter().filter(|left| !left.filled) {
         let why = match left.reason {
             Reason::Alone => "there is no other loop".to_owned(),
             Reason::TooFar => {
@@ -191,8 +191,10 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
             Reason::TooShort => "it has fewer than three vertices".to_owned(),
             Reason::NotJoined => "no strip was possible".to_owned(),
         };
-        text += &format!("loop of {} vertices left: {why}\n", left.vertices.len());
+        push_line!(text, "loop of {} vertices not joined: {why}", left.vertices.len());
     }
+    let mut reasons = Vec::new();
+    push_open_loops(&done.holes, &mut text, &mut reasons);
     let turned = done.turned.iter().filter(|&&turned| turned).count();
     if turned > 0 {
         push_line!(text, "{} of the pieces reversed", count_with_noun(turned, FACE));
@@ -215,6 +217,7 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
         ("trimmed_faces", ReportValue::count(done.trimmed_faces)),
         ("blends", ReportValue::count(done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count())),
     ];
+    values.extend(reasons);
     if aligned.is_some() {
         values.push(("trusted_pieces", ReportValue::count(trusted)));
     }

@@ -9,7 +9,8 @@ use crate::capi::input::{self, choice, flag};
 use crate::capi::mesh::fill_report::{FillResult, gusset_fill_report, gusset_fill_weight};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{
-    GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE, gusset_fairing, gusset_intersections, gusset_outward, to_outward,
+    GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE, GUSSET_FINISH_STRIP, gusset_fairing, gusset_finish,
+    gusset_intersections, gusset_outward, to_outward,
 };
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status::GUSSET_ERROR_NULL_ARGUMENT;
@@ -20,15 +21,22 @@ use crate::mesh::MAX_ELEMENTS;
 use crate::repair::orient::Outward;
 use gusset_base::alloc;
 
-/// Loops that are not holes.
+/// Loops that are not holes. Except with GUSSET_KEEP_NONE, a loop also stays open along a border
+/// that coincides with another; see GUSSET_HOLE_UNSEWN.
 pub type gusset_fill_keep = u32;
+/// Outer borders of sheets, and borders of loose faces.
+/// - A component is a sheet if the length of its area vector is at least 3/4 of its area. Its outer
+///   border is the loop whose area vector reaches farthest along the component's. A bowl is not a
+///   sheet: a hemisphere has 1/2.
+/// - A component is loose if one loop passes all its vertices, like a single face.
+pub const GUSSET_KEEP_AUTO: gusset_fill_keep = 0;
 /// All loops are holes.
-pub const GUSSET_KEEP_NONE: gusset_fill_keep = 0;
+pub const GUSSET_KEEP_NONE: gusset_fill_keep = 1;
 /// The longest loop (the first of equals).
-pub const GUSSET_KEEP_LONGEST: gusset_fill_keep = 1;
-/// Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot
-/// product with their component's, and a length of at least half the component's area.
-pub const GUSSET_KEEP_BORDERS: gusset_fill_keep = 2;
+pub const GUSSET_KEEP_LONGEST: gusset_fill_keep = 2;
+/// Outer borders of sheets and shallow bowls: loops whose area vector has a positive dot product
+/// with their component's, and a length of at least half the component's area.
+pub const GUSSET_KEEP_BORDERS: gusset_fill_keep = 3;
 
 /// Loops that share a patch.
 pub type gusset_fill_together = u32;
@@ -58,7 +66,8 @@ pub const GUSSET_CONTINUITY_C1: gusset_fill_continuity = 0;
 /// faces at the rim, with their noise, determine the curvature.
 pub const GUSSET_CONTINUITY_C2: gusset_fill_continuity = 1;
 
-/// Options of gusset_fill. Default: all holes, without new vertices.
+/// Options of gusset_fill. Default: all holes, without new vertices. Outer borders of sheets are not
+/// holes.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_fill_options {
@@ -103,14 +112,20 @@ pub struct gusset_fill_options {
     /// 1: creases of the old surface end at the rim.
     /// @flag
     pub ignore_creases: u32,
+    /// GUSSET_FINISH_BLEND: patches with new vertices as dense as those around the hole, faired,
+    /// regardless of refine and fairing.
+    pub finish: gusset_finish,
+    /// 0.
+    pub reserved: u32,
 }
 
-versioned! { gusset_fill_options: 72 }
+versioned! { gusset_fill_options: 72 reserved }
 
 c_enum! {
     fairing: Fairing { GUSSET_FAIRING_NONE => None, GUSSET_FAIRING_THIN_PLATE => ThinPlate }
     continuity: Continuity { GUSSET_CONTINUITY_C1 => C1, GUSSET_CONTINUITY_C2 => C2 }
     keep: Keep {
+        GUSSET_KEEP_AUTO => Auto,
         GUSSET_KEEP_NONE => None,
         GUSSET_KEEP_LONGEST => Longest,
         GUSSET_KEEP_BORDERS => OuterBorders,
@@ -125,8 +140,8 @@ c_enum! {
 impl gusset_fill_options {
     pub(crate) fn checked(self) -> Result<Options, Failure> {
         let refinement = match self.refine {
-            GUSSET_REFINE_NONE => Refinement::None,
-            GUSSET_REFINE_RIM_DENSITY => Refinement::RimDensity(self.max_new_vertices),
+            GUSSET_REFINE_NONE if self.finish == GUSSET_FINISH_STRIP => Refinement::None,
+            GUSSET_REFINE_NONE | GUSSET_REFINE_RIM_DENSITY => Refinement::RimDensity(self.max_new_vertices),
             other => return Err(Failure::unknown_value("refine", other.into())),
         };
         let limits = Limits {
@@ -137,6 +152,7 @@ impl gusset_fill_options {
         };
         Ok(Options {
             weight: choice(self.weight)?,
+            finish: choice(self.finish)?,
             refinement,
             fairing: choice(self.fairing)?,
             continuity: choice(self.continuity)?,
@@ -177,8 +193,9 @@ fn read_loops(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<V
 
 /// Fills holes: closes boundary loops by triangles, oriented like the surrounding surface.
 ///
-/// Loops that cannot be filled stay open; see gusset_hole_status. The result has the old vertices,
-/// bit for bit, then new ones; the old faces, then new triangles, hole by hole.
+/// Loops that cannot be filled stay open, and so do outer borders of sheets; see gusset_hole_status.
+/// The result has the old vertices, bit for bit, then new ones; the old faces, then new triangles,
+/// hole by hole. gusset_join with fill 1 and max_gap 0 sews coincident borders first.
 /// - No new edge joins two vertices of an old face: a closed result stays closed if its polygons
 ///   are triangulated.
 /// - With the default weight or GUSSET_WEIGHT_AREA, planar holes whose rims do not cross, even with

@@ -35,7 +35,7 @@ pub const GUSSET_PATCH_FAIRED: gusset_patch_finish = 2;
 pub type gusset_hole_status = u32;
 /// Filled; with plan_only, to be filled.
 pub const GUSSET_HOLE_FILLED: gusset_hole_status = 0;
-/// Left open: keep excludes it.
+/// Left open: the outer border of a sheet, or the longest loop; see keep.
 pub const GUSSET_HOLE_KEPT: gusset_hole_status = 1;
 /// Left open: it exceeds max_edges, max_length, max_diameter or max_area.
 pub const GUSSET_HOLE_TOO_LARGE: gusset_hole_status = 2;
@@ -51,6 +51,11 @@ pub const GUSSET_HOLE_NOT_SIMPLE: gusset_hole_status = 6;
 pub const GUSSET_HOLE_NOT_FREE: gusset_hole_status = 7;
 /// Left open: every triangulation joins two vertices of one old face, or no shared patch was found.
 pub const GUSSET_HOLE_NO_TRIANGULATION: gusset_hole_status = 8;
+/// Left open: loose faces; the loop passes all vertices of its component. See GUSSET_KEEP_AUTO.
+pub const GUSSET_HOLE_LOOSE: gusset_hole_status = 9;
+/// Left open: an edge coincides with another boundary edge, up to the rounding of positions. A patch
+/// would have no area there, or lie on another. GUSSET_KEEP_NONE fills the loop.
+pub const GUSSET_HOLE_UNSEWN: gusset_hole_status = 10;
 
 /// Report on one loop.
 #[repr(C)]
@@ -117,8 +122,9 @@ pub struct gusset_fill_report {
     /// 1 if searched for.
     /// @flag
     pub intersections_known: u32,
-    /// 0.
-    pub reserved: u32,
+    /// Boundary edges of the input that coincide with another. 0, and not looked for, for given
+    /// loops.
+    pub coincident_edges: u32,
 }
 
 versioned! { gusset_fill_report: 104 }
@@ -146,6 +152,8 @@ c_enum! {
         GUSSET_HOLE_NOT_SIMPLE => NotSimple,
         GUSSET_HOLE_NOT_FREE => NotFree,
         GUSSET_HOLE_NO_TRIANGULATION => NoTriangulation,
+        GUSSET_HOLE_LOOSE => Loose,
+        GUSSET_HOLE_UNSEWN => Unsewn,
     }
 }
 
@@ -195,7 +203,7 @@ impl FillResult {
             ),
             intersections_known: u32::from(done.intersections.is_some()),
             turned_outwards: gusset_indices::lend_indices(&done.turned_outwards),
-            reserved: 0,
+            coincident_edges: done.coincident_edges,
         }
     }
 }

@@ -116,8 +116,9 @@ pub struct gusset_left_loop {
     pub allowed_gap: f64,
     /// Reason for the lack of a strip.
     pub reason: gusset_left_reason,
-    /// 0.
-    pub reserved: u32,
+    /// 1 if hole filling closed the loop.
+    /// @flag
+    pub filled: u32,
 }
 
 /// Report of a join.
@@ -166,7 +167,7 @@ pub struct gusset_join_report {
     pub non_manifold_edges: u32,
     /// Points at which boundary edges were split.
     pub splits: u32,
-    /// Loops left by GUSSET_LEFT_LOOKS_AWAY, GUSSET_LEFT_TAKEN or GUSSET_LEFT_NOT_JOINED.
+    /// Loops left open by GUSSET_LEFT_LOOKS_AWAY, GUSSET_LEFT_TAKEN or GUSSET_LEFT_NOT_JOINED.
     pub near_loops_left: u32,
     /// Faces removed from overlaps.
     pub trimmed_faces: u32,
@@ -237,7 +238,7 @@ impl JoinResult {
             gap: left.gap,
             allowed_gap: left.allowed_gap,
             reason: left.reason.number(),
-            reserved: 0,
+            filled: left.filled.into(),
         };
         let turned = alloc::gather((0u32..).zip(&done.turned).filter(|&(_, &turned)| turned).map(|(f, _)| f))?;
         // The lists behind these pointers lie on the heap and do not move.

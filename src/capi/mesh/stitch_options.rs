@@ -130,15 +130,18 @@ pub const GUSSET_CELLS_TRIANGLES: gusset_strip_cells = 0;
 /// Quads, and triangles where a rim repeats a vertex.
 pub const GUSSET_CELLS_QUADS: gusset_strip_cells = 1;
 
-/// Surface between the rims.
+/// Surface between the rims, or in a hole. One word for the best-looking result: BLEND.
 pub type gusset_finish = u32;
-/// Strip of meridians, with interior rows.
+/// Strip of meridians, with interior rows. In a hole: the patch that the other options describe.
 pub const GUSSET_FINISH_STRIP: gusset_finish = 0;
 /// Smooth joint, tangent to both pieces. Triangles are about as fine as along the rims, graded
 /// between, without sharp angles where the rims allow. It smooths the ridges of a strip without
 /// rows. A tube closes a gap in a tube, within some per cent of the radius across a few radii.
 /// Meridians and matrix describe the strip, not edges of the result. Ignores rows, cells and
-/// fairing.
+/// fairing. In a hole: a patch with new vertices as dense as those around it, faired. In a join, for
+/// strips and holes.
+/// - Not for machined parts and flat walls: it rounds what should be straight. Not for CAD tolerances,
+///   printing, or volumes alone: a strip has far fewer faces.
 ///
 /// The strip is kept if every blend intersects more, or exceeds about 50,000 new vertices, or 16 a
 /// rim vertex if more. To meet that limit, edges grow up to twice as long.
@@ -160,10 +163,11 @@ pub type gusset_outward = u32;
 pub const GUSSET_OUTWARD_AUTO: gusset_outward = 0;
 /// Closed components stay unchanged; gusset_orient chooses the original side of most faces.
 pub const GUSSET_OUTWARD_KEEP: gusset_outward = 1;
-/// Closed components face outwards, each by its own volume; walls of cavities are reversed too. If
-/// the volume is 0 up to rounding, GUSSET_OUTWARD_KEEP applies. Except in gusset_orient, only
-/// components that are closed (two faces at every edge), consistently oriented and inside out are
-/// reversed.
+/// Closed components face outwards, and walls of cavities face into the cavities. A component is the
+/// wall of a cavity if an odd number of closed components enclose it. Components that cross, or
+/// touch in more than vertices and edges, do not enclose each other. If the volume is 0 up to
+/// rounding, GUSSET_OUTWARD_KEEP applies. Except in gusset_orient, only components that are closed
+/// (two faces at every edge) and consistently oriented are reversed.
 pub const GUSSET_OUTWARD_CLOSED: gusset_outward = 2;
 
 /// Options of gusset_stitch.

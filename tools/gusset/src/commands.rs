@@ -46,7 +46,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         filters: &["fill"],
         about: "Closes the holes of a mesh",
         example: "gusset fill scan.obj --keep the-longest -o filled.obj",
-        smooth: &["inside=refined-and-fair"],
+        smooth: &["finish=blend"],
     },
     FilterCommand {
         name: "weld",

@@ -99,7 +99,8 @@ pub struct Options<'a> {
     /// Options of the strips: meridians, search, start, rows, cells, fairing and intersections. The
     /// other fields are not read.
     pub strip: stitch::Options,
-    /// How remaining holes are filled; `None` disables filling. Its `outward` is not read.
+    /// How remaining holes are filled; `None` disables filling. Its `outward` is not read. If the
+    /// strips are blends, so are the patches.
     pub fill: Option<fill::Options>,
 }
 
@@ -202,6 +203,8 @@ pub struct LeftLoop {
     pub gap: f64,
     /// The largest gap at which that loop, or that side, would be joined; 0 if there is none.
     pub allowed_gap: f64,
+    /// True if hole filling closed the loop afterwards.
+    pub filled: bool,
 }
 
 /// The assembled mesh and its report.
@@ -244,7 +247,7 @@ pub struct Assembly {
     pub history: History,
     /// The number of boundary loops of the result.
     pub loops_left: u32,
-    /// The number of loops that were left although another loop is within the allowed gap: their
+    /// The number of loops that stayed open although another loop is within the allowed gap: their
     /// reason is [`Reason::LooksAway`], [`Reason::Taken`] or [`Reason::NotJoined`].
     pub near_loops_left: u32,
     /// The number of edges of the result with three or more faces.

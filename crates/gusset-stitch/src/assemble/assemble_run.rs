@@ -56,7 +56,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         let mut base = CombinedPieces::new(pieces, None, options, &job.part(0.0, 0.3))?;
         base.assembly.left =
             join_facing_loops(&mut base, options, &mut IntersectingStripTreatment::Kept, &job.part(0.3, 0.8))?;
-        return fill_and_turn_joined(base, options, &job.part(0.8, 1.0)).map(|(assembly, _)| assembly);
+        return base.fill_and_turn(options, &job.part(0.8, 1.0)).map(|(assembly, _)| assembly);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
     // Pieces that were cut along an overlap are near each other, so the gap is narrow unless parts
@@ -146,22 +146,8 @@ fn join_trimmed_pieces(
     }
     match cuts {
         IntersectingStripTreatment::Listed(cuts) if !cuts.is_empty() => Ok((base.into_joined(), cuts)),
-        _ => fill_and_turn_joined(base, options, &job.part(0.8, 1.0)),
+        _ => base.fill_and_turn(options, &job.part(0.8, 1.0)),
     }
-}
-
-/// Fills and turns the joined pieces. Also returns the pairs of faces that patches intersect.
-fn fill_and_turn_joined(
-    mut base: CombinedPieces,
-    options: &Options<'_>,
-    job: &Job<'_>,
-) -> Result<(Assembly, Vec<[u32; 2]>)> {
-    let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
-    base.assembly.near_loops_left = base.assembly.left.iter().filter(is_near).count() as u32;
-    if base.assembly.near_loops_left > 0 {
-        job.note("loops are left although others are near: the report of the assembly gives the reasons");
-    }
-    base.fill_and_turn(options, job)
 }
 
 /// Joins the loops that face each other, as the options request, and returns the loops that are
@@ -267,7 +253,7 @@ fn list_left_loops(
         if let Some(found) = found {
             let reason = if tried[r] { Reason::NotJoined } else { found.reason };
             let [gap, allowed_gap] = [found.gap, found.allowed].map(|length| length * loops.unit);
-            alloc::push(&mut left, LeftLoop { vertices: rim.vertices, reason, gap, allowed_gap })?;
+            alloc::push(&mut left, LeftLoop { vertices: rim.vertices, reason, gap, allowed_gap, filled: false })?;
         }
     }
     sort::sort_stable(&mut left, &|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));

@@ -1,20 +1,21 @@
 //! The combined pieces: welded, oriented, and finally filled and turned outwards.
 
-use super::assemble_request::{Assembly, Options, Selector};
+use super::assemble_request::{Assembly, LeftLoop, Options, Reason, Selector};
 use super::origin_history::History;
 use super::touching_borders::close_touching_borders;
 use crate::boundary::{self, boundary_loops};
-use crate::fill::{self, LoopSelection, fill_holes};
+use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
 use crate::repair::near_borders::NearBorders;
 use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
-use crate::stitch::{IndexMap, Intersections};
+use crate::stitch::{Finish, IndexMap, Intersections};
 use crate::trim::{KeptFacesOfPieces, TrimmedPieces};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::{Defect, MeshView, NONE, concat};
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::{Defect, MeshView, NONE, concat, unordered};
 use std::slice;
 
 /// The combined pieces, welded and oriented.
@@ -146,12 +147,22 @@ impl CombinedPieces {
                 Intersections::Report => Intersections::Ignore,
                 other => other,
             };
-            let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, ..*how };
+            let finish = match options.strip.finish {
+                Finish::Blend => Finish::Blend,
+                Finish::Strip => how.finish,
+            };
+            let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, finish, ..*how };
             let filled =
                 fill_holes(&assembly.mesh.view(&job.part(0.0, 0.1))?, LoopSelection::All, &how, &job.part(0.1, 0.4))?;
             (assembly.mesh, assembly.holes, assembly.hole_rims) = (filled.mesh, filled.holes, filled.rims);
             cuts = filled.intersections.unwrap_or_default();
+            mark_filled_loops(&mut assembly)?;
             assembly.history.add_parents(filled.parents.into_iter().zip(filled.weights))?;
+        }
+        let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
+        assembly.near_loops_left = assembly.left.iter().filter(|left| !left.filled).filter(is_near).count() as u32;
+        if assembly.near_loops_left > 0 {
+            job.note("loops are left although others are near: the report of the assembly gives the reasons");
         }
         if options.outward == Outward::Closed && !options.keep_orientation {
             let outwards = turn_outwards(&mut assembly.mesh, &job.part(0.4, 0.6))?;
@@ -173,6 +184,23 @@ impl CombinedPieces {
         assembly.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
         Ok((assembly, cuts))
     }
+}
+
+/// Marks the left loops all of whose edges are edges of filled holes.
+fn mark_filled_loops(assembly: &mut Assembly) -> Result<()> {
+    let edges = |vertices: &[u32]| {
+        let next = vertices.iter().copied().cycle().skip(1);
+        alloc::gather(vertices.iter().copied().zip(next).map(|(u, v)| unordered([u, v])))
+    };
+    let mut filled = Vec::new();
+    for hole in assembly.holes.iter().filter(|hole| hole.status == HoleStatus::Filled) {
+        alloc::append(&mut filled, &edges(&assembly.hole_rims[hole.rim.clone()])?)?;
+    }
+    sort_distinct(&mut filled);
+    for left in &mut assembly.left {
+        left.filled = edges(&left.vertices)?.iter().all(|edge| filled.binary_search(edge).is_ok());
+    }
+    Ok(())
 }
 
 /// Places the pieces side by side. All faces and corners remain, so their origins are empty.

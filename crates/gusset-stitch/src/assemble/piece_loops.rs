@@ -59,7 +59,13 @@ impl PieceLoops {
                 let reason = if found.vertices.len() < 3 { Reason::TooShort } else { Reason::NotSimple };
                 alloc::push(
                     &mut loops.others,
-                    LeftLoop { vertices: alloc::copied(found.vertices)?, reason, gap: f64::INFINITY, allowed_gap: 0.0 },
+                    LeftLoop {
+                        vertices: alloc::copied(found.vertices)?,
+                        reason,
+                        gap: f64::INFINITY,
+                        allowed_gap: 0.0,
+                        filled: false,
+                    },
                 )?;
             }
         }

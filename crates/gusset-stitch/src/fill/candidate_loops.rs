@@ -1,7 +1,7 @@
 //! Selects the loops to fill, and gives the reason for each loop that is left.
 
 use super::fill_request::{HoleStatus, Keep, Limits, LoopSelection, Measures, Options};
-use crate::boundary::{Boundary, Loop, LoopFlags};
+use crate::boundary::{Boundary, LoopFlags};
 use crate::stitch::{FreeEdges, check_loop_indices};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -18,15 +18,17 @@ pub(super) struct CandidateLoop {
     pub(super) measures: Measures,
 }
 
-/// Returns the loops of a selection.
+/// Returns the loops of a selection. `unsewn` marks loops of the boundary that stay open unless
+/// every loop is a hole.
 pub(super) fn choose_loops(
     mesh: &MeshView<'_>,
     boundary: &Boundary,
     selection: LoopSelection<'_>,
+    unsewn: &[bool],
     options: &Options,
 ) -> Result<Vec<CandidateLoop>> {
     match selection {
-        LoopSelection::All => candidates_of_all_loops(mesh, boundary, options),
+        LoopSelection::All => candidates_of_all_loops(mesh, boundary, unsewn, options),
         LoopSelection::Loops(loops) => {
             candidates_of_given_loops(mesh, boundary, loops.iter().copied(), &options.limits)
         }
@@ -36,13 +38,23 @@ pub(super) fn choose_loops(
     }
 }
 
-fn candidates_of_all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Result<Vec<CandidateLoop>> {
-    let kept = which_loops_are_kept_open(mesh, boundary, options.keep)?;
+fn candidates_of_all_loops(
+    mesh: &MeshView<'_>,
+    boundary: &Boundary,
+    unsewn: &[bool],
+    options: &Options,
+) -> Result<Vec<CandidateLoop>> {
+    let mut usable = alloc::collect(boundary.iter().map(|found| status_of_flags(found.flags)))?;
+    usable.iter_mut().zip(unsewn).for_each(|(status, &unsewn)| {
+        if unsewn && options.keep != Keep::None && *status == HoleStatus::Filled {
+            *status = HoleStatus::Unsewn;
+        }
+    });
+    leave_open(mesh, boundary, options.keep, &mut usable)?;
     let mut candidates = alloc::with_capacity(boundary.len())?;
-    for (found, kept) in boundary.iter().zip(kept) {
+    for (found, status) in boundary.iter().zip(usable) {
         let measures = loop_measures(mesh, found.vertices);
-        let status = match status_of_flags(found.flags) {
-            HoleStatus::Filled if kept => HoleStatus::Kept,
+        let status = match status {
             HoleStatus::Filled => status_of_size(found.vertices, &measures, &options.limits),
             status => status,
         };
@@ -51,27 +63,42 @@ fn candidates_of_all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &O
     Ok(candidates)
 }
 
-/// Tells for each loop whether [`Keep`] leaves it open.
-fn which_loops_are_kept_open(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Vec<bool>> {
-    let mut kept = alloc::filled(false, boundary.len())?;
-    let usable = |found: &Loop<'_>| status_of_flags(found.flags) == HoleStatus::Filled;
+/// Changes the status of the loops that [`Keep`] leaves open.
+fn leave_open(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep, statuses: &mut [HoleStatus]) -> Result<()> {
+    let usable = alloc::gather((0..boundary.len()).filter(|&i| statuses[i] == HoleStatus::Filled))?;
+    let loops = || usable.iter().filter_map(|&i| Some((i, boundary.get(i)?)));
     match keep {
         Keep::None => {}
         Keep::Longest => {
-            let usable = boundary.iter().enumerate().filter(|(_, found)| usable(found));
             // The first of equally long loops.
-            let longest = usable.max_by(|(i, a), (j, b)| a.length.total_cmp(&b.length).then(j.cmp(i)));
-            longest.into_iter().for_each(|(i, _)| kept[i] = true);
+            let longest = loops().max_by(|(i, a), (j, b)| a.length.total_cmp(&b.length).then(j.cmp(i)));
+            longest.into_iter().for_each(|(i, _)| statuses[i] = HoleStatus::Kept);
         }
         Keep::OuterBorders => {
             let sheets = MeshComponents::new(mesh)?;
-            for (kept, found) in kept.iter_mut().zip(boundary.iter()).filter(|(_, found)| usable(found)) {
-                *kept = sheets.is_outer_border(mesh, found.vertices);
+            let outer = loops().filter(|(_, found)| sheets.is_outer_border(mesh, found.vertices));
+            outer.for_each(|(i, _)| statuses[i] = HoleStatus::Kept);
+        }
+        Keep::Auto => {
+            let sheets = MeshComponents::new(mesh)?;
+            // For each component, its outermost loop, and how far that reaches.
+            let mut outermost = alloc::filled((0.0, usize::MAX), sheets.areas.len())?;
+            for (i, found) in loops() {
+                if sheets.is_loose(found.vertices) {
+                    statuses[i] = HoleStatus::Loose;
+                } else if let Some(reach) = sheets.reach_in_sheet(mesh, found.vertices) {
+                    let most = &mut outermost[sheets.component[found.vertices[0] as usize] as usize];
+                    *most = if reach > most.0 { (reach, i) } else { *most };
+                }
             }
+            outermost.iter().filter(|most| most.1 != usize::MAX).for_each(|most| statuses[most.1] = HoleStatus::Kept);
         }
     }
-    Ok(kept)
+    Ok(())
 }
+
+/// Smallest ratio of a sheet's area vector to its area.
+const MIN_SHEET_FLATNESS: f64 = 0.75;
 
 /// The components of a mesh.
 struct MeshComponents {
@@ -79,10 +106,12 @@ struct MeshComponents {
     component: Vec<u32>,
     /// Area and area vector of each component.
     areas: Vec<(f64, DVec3)>,
+    /// The number of vertices of each component.
+    sizes: Vec<u32>,
 }
 
 impl MeshComponents {
-    /// O(H) for H half-edges; extra memory: 44 bytes per vertex.
+    /// O(H) for H half-edges; extra memory: 48 bytes per vertex.
     fn new(mesh: &MeshView<'_>) -> Result<MeshComponents> {
         let mut sets = vertex_components(mesh)?;
         let component = alloc::collect((0..mesh.positions().len() as u32).map(|v| sets.find(v)))?;
@@ -98,18 +127,36 @@ impl MeshComponents {
                 *vector += (p - first).cross(q - first) / 2.0;
             }
         }
-        Ok(MeshComponents { component, areas })
+        let mut sizes = alloc::filled(0, component.len())?;
+        component.iter().for_each(|&c| sizes[c as usize] += 1);
+        Ok(MeshComponents { component, areas, sizes })
+    }
+
+    /// Returns true if a simple loop passes all vertices of its component.
+    fn is_loose(&self, vertices: &[u32]) -> bool {
+        self.sizes[self.component[vertices[0] as usize] as usize] as usize == vertices.len()
+    }
+
+    /// Returns how far the loop's area vector reaches along the area vector of its component;
+    /// `None` unless the component is a sheet.
+    fn reach_in_sheet(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> Option<f64> {
+        let (area, own) = self.areas[self.component[vertices[0] as usize] as usize];
+        (own.length() >= MIN_SHEET_FLATNESS * area).then(|| area_vector(mesh, vertices).dot(own.normalize_or_zero()))
     }
 
     /// Returns true if the loop runs around the outside of its sheet; see [`Keep::OuterBorders`].
     fn is_outer_border(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> bool {
         let (area, own) = self.areas[self.component[vertices[0] as usize] as usize];
-        let origin = mesh.positions().get(vertices[0]);
-        let at = |v: &u32| mesh.positions().get(*v) - origin;
-        let sides = vertices.iter().zip(vertices.iter().cycle().skip(1));
-        let vector: DVec3 = sides.map(|(u, v)| at(u).cross(at(v)) / 2.0).sum();
+        let vector = area_vector(mesh, vertices);
         vector.dot(own) > 0.0 && vector.length() >= 0.5 * area
     }
+}
+
+/// Returns the area vector of a loop.
+fn area_vector(mesh: &MeshView<'_>, vertices: &[u32]) -> DVec3 {
+    let origin = mesh.positions().get(vertices[0]);
+    let at = |v: &u32| mesh.positions().get(*v) - origin;
+    vertices.iter().zip(vertices.iter().cycle().skip(1)).map(|(u, v)| at(u).cross(at(v)) / 2.0).sum()
 }
 
 fn status_of_flags(flags: LoopFlags) -> HoleStatus {

@@ -2,7 +2,7 @@
 
 pub use crate::fair::Continuity;
 use crate::repair::orient::Outward;
-use crate::stitch::{Intersections, Quality};
+use crate::stitch::{self, Intersections, Quality};
 use gusset_base::choices;
 use gusset_mesh::Mesh;
 use std::ops::Range;
@@ -86,24 +86,35 @@ pub struct Measures {
 }
 
 /// Which loops are not holes. Read only with [`LoopSelection::All`].
+///
+/// Except with [`Keep::None`], a loop also stays open if it runs along a border that coincides with
+/// another one; see [`HoleStatus::Unsewn`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Keep {
-    /// Fills every loop.
+    /// Leaves the outer border of each sheet open, and the borders of loose faces.
+    ///
+    /// A component is a sheet if its faces look the same way: its area vector is at least three
+    /// quarters as long as its area. Its outer border is the loop whose area vector reaches
+    /// farthest along the component's. A bowl is not a sheet: a hemisphere has a ratio of 1/2. A
+    /// component is loose if one loop passes all its vertices, like a single face.
     #[default]
+    Auto,
+    /// Fills every loop.
     None,
     /// Leaves the longest loop open.
     Longest,
     /// Leaves the outer border of each sheet open, because filling it would cover the sheet.
     ///
     /// The area vector of an outer border points along the sheet's own area vector, and its length is
-    /// at least half the sheet's area.
+    /// at least half the sheet's area. Shallow bowls count as sheets.
     OuterBorders,
 }
 
 choices! { for Keep:
+    Auto => "Automatic", "Outer borders of sheets and of loose faces stay open. Bowls are filled.";
     None => "None", "All loops are holes.";
     Longest => "The longest", "The longest loop is the outline of a sheet, and stays open.";
-    OuterBorders => "Borders", "Loops around a sheet stay open. Loops around holes in it are filled.";
+    OuterBorders => "Borders", "Loops around a sheet or a shallow bowl stay open. Loops around holes in it are filled.";
 }
 
 /// Which loops share a patch.
@@ -142,6 +153,9 @@ pub enum LoopSelection<'a> {
 pub struct Options {
     /// The criterion for the best triangulation.
     pub weight: Weight,
+    /// [`Blend`](stitch::Finish::Blend) refines and fairs the patches; it overrides `refinement`
+    /// [`None`](Refinement::None) and `fairing`.
+    pub finish: stitch::Finish,
     /// New vertices inside the holes.
     pub refinement: Refinement,
     /// How new vertices are placed. Without new vertices a note reports that this is not read.
@@ -170,13 +184,32 @@ pub struct Options {
     pub outward: Outward,
 }
 
+impl Options {
+    /// Returns the options with the refinement and fairing that the finish asks for.
+    pub(super) fn with_finish(mut self) -> Options {
+        if self.finish == stitch::Finish::Blend {
+            self.fairing = Fairing::ThinPlate;
+            if self.refinement == Refinement::None {
+                self.refinement = Refinement::RimDensity(0);
+            }
+        }
+        self
+    }
+}
+
 /// The outcome for one loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HoleStatus {
     /// Filled; in a plan, to be filled.
     Filled,
-    /// Left open by [`Options::keep`].
+    /// The outer border of a sheet, or the longest loop, which [`Options::keep`] leaves open.
     Kept,
+    /// The border of loose faces, which [`Keep::Auto`] leaves open: the loop passes all vertices of
+    /// its component.
+    Loose,
+    /// An edge of the loop coincides with another boundary edge. Sewing closes the gap between them;
+    /// a patch would have no area there, or lie on another. [`Keep::None`] fills the loop.
+    Unsewn,
     /// Larger than one of the [`Limits`].
     TooLarge,
     /// An open chain instead of a closed loop.
@@ -251,6 +284,9 @@ pub struct Filled {
     /// looked for. In each pair the first number is larger, and is a new face. Shared vertices and
     /// edges, and coincident ones, do not count.
     pub intersections: Option<Vec<[u32; 2]>>,
+    /// The number of boundary edges of the input that coincide with another one. Not looked for, and
+    /// 0, for given loops.
+    pub coincident_edges: u32,
     /// The faces of the result that [`Options::outward`] turned over, old and new, ascending. A
     /// turned face keeps its first corner, and the order of its other corners is reversed.
     pub turned_outwards: Vec<u32>,

@@ -71,7 +71,17 @@ pub(super) fn build_result(
         Outward::Closed => turn_outwards(&mut whole, &job.part(measured, 1.0))?.turned,
     };
     let intersections = made.intersections;
-    Ok(Filled { mesh: whole, holes, rims, parents, weights, intersections, turned_outwards, quality })
+    Ok(Filled {
+        mesh: whole,
+        holes,
+        rims,
+        parents,
+        weights,
+        intersections,
+        coincident_edges: 0,
+        turned_outwards,
+        quality,
+    })
 }
 
 /// Reports on each loop, and lists the vertices of all loops. Appends each patch with its first

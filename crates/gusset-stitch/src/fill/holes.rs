@@ -6,6 +6,7 @@ use super::fill_result::{FinishedPatches, build_result};
 use super::group_by_cost::group_by_cost;
 use super::hole_filling::HoleFilling;
 use super::patch_groups::group_candidates_by_patch;
+use super::unsewn_loops::UnsewnLoops;
 use crate::boundary::{self, Survey, boundary_loops};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -18,7 +19,8 @@ use gusset_mesh::MeshView;
 /// Given loops list their vertices in order, in either direction. Consecutive vertices, and the
 /// last with the first, must span an edge with exactly one face. With [`LoopSelection::All`],
 /// boundaries that touch themselves are cut into simple loops. A loop that cannot be filled is not
-/// an error: its report gives the reason.
+/// an error: its report gives the reason. By default the outer borders of sheets stay open, and so
+/// do loops along borders that coincide; see [`Keep`].
 ///
 /// **Several loops** share one patch, a surface of genus 0 between them, if the caller asks for it,
 /// or if [`Together::Cheapest`] finds that it costs less. Loops of a group that cannot be filled do
@@ -61,20 +63,32 @@ pub fn fill_holes(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Filled> {
-    let limits = &options.limits;
+    let limits = options.limits;
     let named = [("max_length", limits.length), ("max_diameter", limits.diameter), ("max_area", limits.area)];
     for (option, limit) in named {
         let limit = limit.unwrap_or(0.0);
         Error::require(limit >= 0.0, option, limit)?;
     }
+    let options = &options.with_finish();
     if options.fairing == Fairing::ThinPlate && options.refinement == Refinement::None {
         job.note("fairing moves the new vertices inside holes, and none were asked for: it does nothing");
     }
     let survey = boundary::Options { survey: Survey::BoundaryOnly, ..boundary::Options::default() };
     let boundary = boundary_loops(mesh, &survey, &job.part(0.0, 0.2))?;
-    let candidates = choose_loops(mesh, &boundary, selection, options)?;
+    let unsewn = match selection {
+        LoopSelection::All => UnsewnLoops::find(mesh, &boundary, &job.part(0.2, 0.25))?,
+        _ => UnsewnLoops::default(),
+    };
+    if unsewn.edges > 0 {
+        job.note("boundary edges coincide with others: sew them first, as a join does");
+    }
+    let candidates = choose_loops(mesh, &boundary, selection, &unsewn.is_unsewn, options)?;
+    let built = |made, job: &Job<'_>| {
+        let filled = build_result(made, &candidates, options, job)?;
+        Ok(Filled { coincident_edges: unsewn.edges, ..filled })
+    };
     if options.plan_only {
-        return build_result(FinishedPatches::empty(mesh), &candidates, options, &job.part(0.2, 1.0));
+        return built(FinishedPatches::empty(mesh), &job.part(0.25, 1.0));
     }
     let mut loops_through_vertex = alloc::filled(0u8, mesh.positions().len())?;
     for found in boundary.iter() {
@@ -85,10 +99,11 @@ pub fn fill_holes(
     }
     let mut groups = group_candidates_by_patch(&candidates, selection, options.together)?;
     if options.together == Together::Cheapest && !matches!(selection, LoopSelection::Groups(_)) {
-        groups = group_by_cost(mesh, &loops_through_vertex, &candidates, &groups, options.weight, &job.part(0.2, 0.4))?;
+        groups =
+            group_by_cost(mesh, &loops_through_vertex, &candidates, &groups, options.weight, &job.part(0.25, 0.4))?;
     }
     let mut filling =
         HoleFilling::new(mesh, &candidates, &groups, &loops_through_vertex, options, &job.part(0.4, 0.45))?;
     filling.build_patches(&job.part(0.45, 0.8))?;
-    build_result(filling.made, &candidates, options, &job.part(0.8, 1.0))
+    built(filling.made, &job.part(0.8, 1.0))
 }

@@ -10,6 +10,7 @@
 //! |---|---|
 //! | [`fill_request`](self) | options, results, status of each hole |
 //! | [`candidate_loops`](self) | selection of the loops to fill |
+//! | [`unsewn_loops`](self) | the loops along borders that coincide |
 //! | [`faces_near_boxes`](self) | the old faces near the holes |
 //! | [`old_faces_at_rims`](self) | the old faces that touch the rims |
 //! | [`patch_rim`](self) | the loops of one patch with their own vertex numbers |
@@ -47,6 +48,7 @@ mod fill_result;
 mod triangulation_search;
 mod old_faces_at_rims;
 mod triangulation_cost;
+mod unsewn_loops;
 
 pub use fill_request::{
     Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, LoopSelection, Measures, Options, Refinement,

@@ -20,6 +20,11 @@ fn six_fold_signed_volume(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
 struct AxisProjection(usize);
 
 impl AxisProjection {
+    /// Returns the axis that becomes the second axis of the projection.
+    fn second_axis(self) -> usize {
+        (self.0 + 2) % 3
+    }
+
     fn projected_double_area(self, p: DVec3, q: DVec3, r: DVec3) -> f64 {
         let (x, y) = [(1, 2), (2, 0), (0, 1)][self.0];
         let at = |v: DVec3| Coord { x: v[x], y: v[y] };
@@ -95,6 +100,24 @@ fn segments_meet(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> bool {
 /// Returns true if p lies on the closed segment rs.
 fn is_on_segment(p: DVec3, r: DVec3, s: DVec3) -> bool {
     segments_meet(p, p, r, s)
+}
+
+/// Returns true if p lies on the closed triangle.
+pub(crate) fn is_on_triangle(p: DVec3, triangle: [DVec3; 3]) -> bool {
+    segment_meets(p, p, triangle)
+}
+
+/// Returns true if a ray from p in the positive direction of an axis meets the triangle. The ray is
+/// moved sideways by an infinitesimal, so it never meets an edge. p must not lie on the triangle.
+pub(crate) fn ray_meets_triangle(p: DVec3, axis: usize, [a, b, c]: [DVec3; 3]) -> bool {
+    let along = AxisProjection(axis);
+    let up = along.second_axis();
+    let has_on_left = |r: DVec3, s: DVec3| {
+        let [low, high] = if r[up] <= s[up] { [r, s] } else { [s, r] };
+        low[up] <= p[up] && p[up] < high[up] && along.projected_double_area(low, high, p) > 0.0
+    };
+    let is_inside = has_on_left(a, b) ^ has_on_left(b, c) ^ has_on_left(c, a);
+    is_inside && have_same_sign(along.projected_double_area(a, b, c), six_fold_signed_volume(a, b, c, p))
 }
 
 /// Returns true if the triangles with vertices `v` and `w` intersect.

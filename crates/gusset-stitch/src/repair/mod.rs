@@ -3,6 +3,7 @@
 //! * [`weld`]: merges coincident vertices; on borders, by sewing edge to edge.
 //! * [`sew`]: welds borders that do not match vertex by vertex, by splitting edges.
 //! * [`orient`]: turns faces over until neighbours agree, and turns closed surfaces outwards.
+//! * [`nesting`](self): the closed components that enclose others.
 //! * [`corner_origins`]: origins of the corners of a repaired mesh.
 //! * [`vertex_clusters`](self): clusters of coincident vertices.
 //! * [`sew_edges`](self): pairs of edges that can be sewn without harm.
@@ -16,6 +17,7 @@ pub mod corner_origins;
 mod vertex_corners;
 mod cluster_across;
 pub mod near_borders;
+mod nesting;
 mod t_junctions;
 pub mod orient;
 pub(crate) mod sew_edges;
@@ -26,3 +28,4 @@ mod weld_tolerance;
 pub mod weld;
 
 pub(crate) use vertex_clusters::border_clusters;
+pub(crate) use weld_tolerance::coordinate_round_off;

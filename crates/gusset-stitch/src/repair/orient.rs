@@ -10,6 +10,7 @@
 //! O(H log d) for H half-edges and at most d edges at a vertex, to pair the half-edges; the rest is
 //! linear.
 
+use super::nesting::ClosedComponents;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::choices;
@@ -26,13 +27,16 @@ pub enum Outward {
     /// The side that most of the faces already face.
     #[default]
     Keep,
-    /// Outwards, each component by its own volume, also inside other components.
+    /// Away from the solid that the closed components bound. A component that an even number of
+    /// others encloses faces outwards. A component that an odd number encloses bounds a cavity, and
+    /// faces inwards. Components that cross, or touch in more than vertices and edges, do not
+    /// enclose each other.
     Closed,
 }
 
 choices! { for Outward:
     Keep => "Majority", "The orientation of most of their faces.";
-    Closed => "Outwards", "Outwards, each by its own volume, even inside others.";
+    Closed => "Outwards", "Outwards; the walls of cavities face into the cavities.";
 }
 
 /// Options of [`orient`].
@@ -65,8 +69,7 @@ pub struct Oriented {
     /// The number of components: sets of faces connected by edges with two faces. A degenerate face
     /// is its own component.
     pub components: u32,
-    /// The number of closed components that face outwards only because [`Outward::Closed`]
-    /// overrules the majority.
+    /// The number of closed components in which [`Outward::Closed`] overruled the majority.
     pub inverted_components: u32,
     /// The components that are not orientable, by their smallest faces.
     pub one_sided: Vec<OneSided>,
@@ -89,7 +92,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
     let count = mesh.faces().len();
     let mut turned = alloc::filled(false, count)?;
     let mut search = ComponentSearch::new(mesh, &topology)?;
-    let (mut components, mut inverted_components, mut one_sided) = (0, 0, Vec::new());
+    let (mut components, mut one_sided, mut closed) = (0, Vec::new(), ClosedComponents::default());
     for f in 0..count as u32 {
         if search.seen[f as usize] {
             continue;
@@ -103,16 +106,17 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
             continue;
         }
         let against = component.iter().filter(|&&g| turned[g as usize]).count();
-        let mut invert = 2 * against > component.len();
-        if options.outward == Outward::Closed && search.closed {
-            // Invert the component if it faces inwards after the search.
-            let inward = is_inside_out(mesh, component, &turned, &job.part(0.9, 0.9))?.unwrap_or(invert);
-            inverted_components += u32::from(inward != invert);
-            invert = inward;
-        }
-        if invert {
+        if 2 * against > component.len() {
             component.iter().for_each(|&g| turned[g as usize] ^= true);
         }
+        if options.outward == Outward::Closed && search.closed {
+            closed.push(component)?;
+        }
+    }
+    let facing = Facing::new(mesh, &closed, &turned, &job.part(0.9, 0.9))?;
+    let inverted_components = facing.inward.len() as u32;
+    for face in facing.inward.iter().flat_map(|&k| closed.faces(k)) {
+        turned[*face as usize] ^= true;
     }
     job.step(0.9, STAGE)?;
     let mut oriented = concat::empty_mesh_with_room(slice::from_ref(mesh).iter(), [0; 3])?;
@@ -123,14 +127,16 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
 }
 
 /// Turns over, each as a whole, the closed and consistently oriented components of `mesh` that face
-/// inwards.
+/// the wrong side; see [`Outward::Closed`].
 ///
-/// A component faces inwards if its volume is negative beyond rounding. Every other component stays
-/// unchanged: open ones, ones with an edge of three or more faces, and ones whose faces disagree.
-/// Each of several nested shells then faces outwards, including the walls of cavities. A note to
-/// the host reports it if a component is turned.
+/// The sign of its volume tells the side that a component faces. Every other component stays
+/// unchanged: open ones, ones with an edge of three or more faces, ones whose faces disagree, and
+/// ones whose volume is 0 up to rounding. Open components enclose nothing. A note to the host
+/// reports it if a component is turned.
 ///
-/// O(H log d) time, and about 20 bytes per half-edge, like [`orient`].
+/// O(H log d) time, and about 20 bytes per half-edge, like [`orient`]. If the box of one component
+/// contains the box of another, O(n log n) for their n faces, plus the faces that one ray from each
+/// component meets.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -139,19 +145,19 @@ pub fn turn_outwards(mesh: &mut Mesh, job: &Job<'_>) -> Result<Outwards> {
     if mesh.face_count() == 0 {
         return Ok(Outwards::default());
     }
-    let mut found = find_inward_components(&mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.95))?;
+    let mut found = find_wrong_components(&mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.95))?;
     job.step(0.95, STAGE)?;
     sort(&mut found.turned, Ord::cmp, &job.part(0.95, 1.0), STAGE)?;
     for &f in &found.turned {
         mesh.turn_face(f as usize);
     }
     if !found.turned.is_empty() {
-        job.note("closed components that were inside out have been turned over");
+        job.note("closed components that faced the wrong side have been turned over");
     }
     Ok(found)
 }
 
-/// The closed, consistently oriented components that do not face outwards.
+/// The closed, consistently oriented components that were turned over or have no volume.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Outwards {
     /// The faces that were turned over, ascending.
@@ -160,28 +166,50 @@ pub struct Outwards {
     pub zero_volume: Vec<u32>,
 }
 
-/// Finds the components that face inwards, and those without volume.
-fn find_inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
+/// Finds the components that face the wrong side, and those without volume.
+fn find_wrong_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.6))?;
     let mut against = alloc::filled(false, mesh.faces().len())?;
     let mut search = ComponentSearch::new(mesh, &topology)?;
-    let mut outwards = Outwards::default();
+    let mut closed = ClosedComponents::default();
     for f in 0..mesh.faces().len() as u32 {
         if search.seen[f as usize] {
             continue;
         }
-        search.find_component(f, &mut against, &job.part(0.6, 1.0))?;
+        search.find_component(f, &mut against, &job.part(0.6, 0.8))?;
         let component = &search.found;
         let consistent = search.half_edge == NONE && !component.iter().any(|&g| against[g as usize]);
         if search.closed && consistent {
-            match is_inside_out(mesh, component, &against, &job.part(1.0, 1.0))? {
-                Some(true) => alloc::append(&mut outwards.turned, component)?,
-                Some(false) => {}
-                None => alloc::push(&mut outwards.zero_volume, f)?,
-            }
+            closed.push(component)?;
         }
     }
-    Ok(outwards)
+    let facing = Facing::new(mesh, &closed, &against, &job.part(0.8, 1.0))?;
+    let turned = alloc::gather(facing.inward.iter().flat_map(|&k| closed.faces(k)).copied())?;
+    let zero_volume = alloc::collect(facing.zero_volume.iter().map(|&k| closed.faces(k)[0]))?;
+    Ok(Outwards { turned, zero_volume })
+}
+
+/// The closed components that face the wrong side, and those without volume; ascending.
+struct Facing {
+    inward: Vec<usize>,
+    zero_volume: Vec<usize>,
+}
+
+impl Facing {
+    /// Judges each component by its volume and by the components that enclose it. `turned` marks
+    /// faces that are turned over.
+    fn new(mesh: &MeshView<'_>, closed: &ClosedComponents, turned: &[bool], job: &Job<'_>) -> Result<Self> {
+        let depths = closed.depths(mesh, &job.part(0.0, 0.9))?;
+        let mut facing = Facing { inward: Vec::new(), zero_volume: Vec::new() };
+        for (k, depth) in depths.iter().enumerate() {
+            match is_inside_out(mesh, closed.faces(k), turned, &job.part(0.9, 1.0))? {
+                Some(inside_out) if inside_out != (depth % 2 == 1) => alloc::push(&mut facing.inward, k)?,
+                Some(_) => {}
+                None => alloc::push(&mut facing.zero_volume, k)?,
+            }
+        }
+        Ok(facing)
+    }
 }
 
 /// The breadth-first search through one component after another.

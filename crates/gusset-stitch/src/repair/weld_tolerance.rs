@@ -118,8 +118,8 @@ pub(super) fn limited_reach(mesh: &MeshView<'_>, members: &[u32], length: f64, j
     alloc::collect(members.iter().map(|&v| length.min(MAX_REACH_TO_EDGE_RATIO * edges[v as usize])))
 }
 
-/// Returns the largest distance between two copies of one vertex.
-fn coordinate_round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64> {
+/// Returns the largest distance between two copies of one vertex that rounding can explain.
+pub(crate) fn coordinate_round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64> {
     let at = |v: u32| mesh.positions().get(v);
     let whole = Aabb::from_points(members.iter().map(|&v| at(v)));
     if whole.is_empty() {

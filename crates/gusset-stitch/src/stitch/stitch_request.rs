@@ -74,10 +74,10 @@ choices! { for Fairing:
     ThinPlate => "Fair", "The strip bends as a thin plate and joins both pieces smoothly.";
 }
 
-/// The surface between the rims.
+/// The surface between the rims, or in a hole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Finish {
-    /// The strip of meridians, with its rows.
+    /// The strip of meridians, with its rows. In a hole: the patch that the other options describe.
     #[default]
     Strip,
     /// The best-looking joint: triangles about as fine as those around the rims, graded between
@@ -88,12 +88,14 @@ pub enum Finish {
     /// are not edges of the result. Rows, cells and fairing are not read. The strip stays, and a
     /// note reports it, if every blend would have more intersections than the strip, or would need
     /// too many vertices. Time and memory grow with the number of new triangles.
+    ///
+    /// In a hole: a patch with new vertices as dense as those around it, faired.
     Blend,
 }
 
 choices! { for Finish:
-    Strip => "Strip", "The strip of meridians, with its rows.";
-    Blend => "Blend", "Triangles as fine as the faces around them, on a smooth surface: the best-looking joint.";
+    Strip => "Strip", "The strip of meridians, with its rows; in holes, the patches that the other parameters describe.";
+    Blend => "Blend", "Triangles as fine as the faces around them, on a smooth surface: the best-looking result.";
 }
 
 /// Whether intersecting faces of the strip are looked for. Shared vertices and edges, and
