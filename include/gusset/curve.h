@@ -187,7 +187,7 @@ typedef uint32_t gusset_point_status;
 typedef uint32_t gusset_fit_status;
 /// All demands are met.
 #define GUSSET_FIT_OK 0
-/// Some points have a status other than OK, merged, clamped or crowded.
+/// Some points have a status other than OK, merged, clamped, looped or crowded.
 #define GUSSET_FIT_PARTIAL 1
 /// The iteration did not converge.
 #define GUSSET_FIT_NOT_CONVERGED 2

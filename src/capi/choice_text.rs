@@ -76,7 +76,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_fit_status", &[
         (0, c"All demands are met."),
-        (1, c"Some points have a status other than OK, merged, clamped or crowded."),
+        (1, c"Some points have a status other than OK, merged, clamped, looped or crowded."),
         (2, c"The iteration did not converge."),
         (3, c"The iteration diverged, or control points overflow."),
         (4, c"The equations are nearly singular; control points lie far outside the outline."),
