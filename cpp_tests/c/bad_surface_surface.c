@@ -282,8 +282,8 @@ static void from_frame(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_from_frame_create(context, NULL, GUSSET_FRAME_NODES, &sheet));
     CHECK(sheet == NULL);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_from_frame_create(context, frame, GUSSET_FRAME_NODES, NULL));
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_from_frame_create(context, frame, 2, &sheet));
-    for (kind = GUSSET_FRAME_NODES; kind <= GUSSET_FRAME_CURVES; ++kind) {
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_from_frame_create(context, frame, 3, &sheet));
+    for (kind = GUSSET_FRAME_SECTIONS; kind <= GUSSET_FRAME_CURVES; ++kind) {
         EXPECT(GUSSET_OK, gusset_sheet_from_frame_create(context, frame, kind, &sheet));
         memset(&parts, 0, sizeof parts), parts.struct_size = sizeof parts;
         EXPECT(GUSSET_OK, gusset_sheet_get_report(sheet, &parts));

@@ -79,7 +79,9 @@ enum class PointStatus : uint32_t {
     missed = GUSSET_POINT_MISSED,
     joint_fell_back = GUSSET_POINT_JOINT_FELL_BACK,
     composite_instead = GUSSET_POINT_COMPOSITE_INSTEAD,
-    cusp = GUSSET_POINT_CUSP
+    cusp = GUSSET_POINT_CUSP,
+    looped = GUSSET_POINT_LOOPED,
+    crowded = GUSSET_POINT_CROWDED
 };
 
 /// Outcome of an outline. See ::gusset_fit_status.
@@ -671,7 +673,11 @@ enum class TargetKind : uint32_t {
 };
 
 /// How a surface is made from a frame. See ::gusset_frame_surface.
-enum class FrameSurface : uint32_t { nodes = GUSSET_FRAME_NODES, curves = GUSSET_FRAME_CURVES };
+enum class FrameSurface : uint32_t {
+    sections = GUSSET_FRAME_SECTIONS,
+    nodes = GUSSET_FRAME_NODES,
+    curves = GUSSET_FRAME_CURVES
+};
 
 /// Direction of a coordinate curve of a sheet. See ::gusset_sheet_direction.
 enum class SheetDirection : uint32_t { rows = GUSSET_ALONG_ROWS, columns = GUSSET_ALONG_COLUMNS };

@@ -176,12 +176,18 @@ typedef uint32_t gusset_point_status;
 #define GUSSET_POINT_COMPOSITE_INSTEAD 17
 /// A blended curve has a cusp here.
 #define GUSSET_POINT_CUSP 18
+/// The curve crosses itself near the point, between consecutive points: a loop that the points lack. The bisector
+/// method avoids it.
+#define GUSSET_POINT_LOOPED 19
+/// Below a hundredth of the distances of both neighbours from their other neighbours away from a neighbour, or below a
+/// ten-thousandth of one. `repeat_tolerance` merges such points.
+#define GUSSET_POINT_CROWDED 20
 
 /// Outcome of an outline.
 typedef uint32_t gusset_fit_status;
 /// All demands are met.
 #define GUSSET_FIT_OK 0
-/// Some points have a status other than OK, merged or clamped.
+/// Some points have a status other than OK, merged, clamped, looped or crowded.
 #define GUSSET_FIT_PARTIAL 1
 /// The iteration did not converge.
 #define GUSSET_FIT_NOT_CONVERGED 2
@@ -658,8 +664,9 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_form_get_view(const struct
 typedef uint32_t gusset_correspondence_rule;
 /// By index; all sections have the same number of points.
 #define GUSSET_CORRESPONDENCE_GIVEN 0
-/// Equal arc lengths of each section, or between corners common to all. Closed sections start where the twist is least,
-/// and are reversed if opposite to the first; open ones run from first to last point.
+/// Equal arc lengths of each section, or between corners. A corner of one section has a node on all sections. Closed
+/// sections start where the twist is least, and are reversed if opposite to the previous one; open ones run from first
+/// to last point.
 #define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
 /// Half-planes at equal angles round the axis; the farthest of several crossings.
 #define GUSSET_CORRESPONDENCE_ANGLE 2
@@ -681,15 +688,18 @@ typedef uint32_t gusset_offset_direction;
 typedef struct gusset_frame_options {
     size_t struct_size;
     gusset_correspondence_rule correspondence;
-    /// ARC_LENGTH, ANGLE: nodes in each section. LANDMARKS: parts between two landmarks.
+    /// ARC_LENGTH, ANGLE: nodes in each section; with ARC_LENGTH, more if the sections have more corners. LANDMARKS:
+    /// parts between two landmarks.
     uint32_t columns;
     /// 1: the first section follows the last. @flag
     uint32_t ring;
-    /// ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after the first section's
-    /// first point. @flag
+    /// ARC_LENGTH. 1: closed sections start at their first points, or at the corner after the first section's first
+    /// point. @flag
     uint32_t given_starts;
-    /// 1: only constraints make corners. 0: corners are also points where the polygon turns by 40 degrees and far more
-    /// than usual, or by `corner_angle` of `across` if less than pi. @flag
+    /// 1: only constraints make corners. 0: sections also have corners where they turn by more than `corner_angle` of
+    /// `across`. If this is pi, all points of a polygon are corners, and points that turn by 40 degrees and far more
+    /// than usual. Polygons are closed sections of at most 6 points, and sections whose points turn by more than 54 or
+    /// less than 6 degrees. Not with ANGLE unless `corner_angle` is below pi. @flag
     uint32_t smooth_corners;
     uint32_t reserved;
     /// ANGLE: a point of the axis.
@@ -748,12 +758,13 @@ typedef struct gusset_frame_view {
 } gusset_frame_view;
 
 /// Makes the frame of consecutive sections.
+/// A section of one point, or of coincident points, is a pole: all its nodes are there.
 /// @param sections at least 2, for a ring 3.
 /// @errors as gusset_outline_create, OUT_OF_RANGE (sections, columns, landmarks, axis; missing points without GIVEN),
 ///     NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (section and column: half-plane misses the section; no
 ///     curve; no node before or after a missing one)
-/// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3); with more, none is
-///     common.
+/// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3); with more, all are
+///     smooth.
 /// @source Nadopta, introduction.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_frame_create(const struct gusset_context *context,
     const struct gusset_outlines *sections, const struct gusset_frame_options *options, struct gusset_frame **frame);

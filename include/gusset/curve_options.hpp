@@ -52,15 +52,18 @@ struct OffsetOptions {
 struct FrameOptions {
     /// Correspondence of points between sections.
     CorrespondenceRule correspondence = CorrespondenceRule::given;
-    /// ARC_LENGTH, ANGLE: nodes in each section. LANDMARKS: parts between two landmarks.
+    /// ARC_LENGTH, ANGLE: nodes in each section; with ARC_LENGTH, more if the sections have more corners. LANDMARKS:
+    /// parts between two landmarks.
     uint32_t columns = 0;
     /// 1: the first section follows the last.
     bool ring = false;
-    /// ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after the first section's
-    /// first point.
+    /// ARC_LENGTH. 1: closed sections start at their first points, or at the corner after the first section's first
+    /// point.
     bool given_starts = false;
-    /// 1: only constraints make corners. 0: corners are also points where the polygon turns by 40 degrees and far more
-    /// than usual, or by `corner_angle` of `across` if less than pi.
+    /// 1: only constraints make corners. 0: sections also have corners where they turn by more than `corner_angle` of
+    /// `across`. If this is pi, all points of a polygon are corners, and points that turn by 40 degrees and far more
+    /// than usual. Polygons are closed sections of at most 6 points, and sections whose points turn by more than 54 or
+    /// less than 6 degrees. Not with ANGLE unless `corner_angle` is below pi.
     bool smooth_corners = false;
     /// ANGLE: a point of the axis.
     Point3 axis_point{};

@@ -958,7 +958,8 @@ typedef struct gusset_weld_options {
     /// Distance at which vertices coincide.
     /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
     /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate, or, if more, twice
-    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge.
+    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge; with
+    ///   GUSSET_COLLAPSE_ALLOW, edges within the first limit are not counted.
     /// - Last decimal place: let D be the largest power of ten up to the longest side of the vertices' box. The place
     ///   is the largest of 1e-5 D, 1e-6 D, ... that divides a third of certain numbers: coordinates of the largest
     ///   order of magnitude, or differences between consecutive vertices. Multiples of 1e-4 D are left out; at least

@@ -192,7 +192,7 @@ public:
         return Sheet(context.result(gusset_sheet_from_curves_create, &given));
     }
     /// From the frame of an outline.
-    static Sheet from_frame(const Frame &frame, FrameSurface kind = FrameSurface::nodes,
+    static Sheet from_frame(const Frame &frame, FrameSurface kind = FrameSurface::sections,
                             const Context &context = Context()) {
         return Sheet(context.result(gusset_sheet_from_frame_create, frame.get(), static_cast<uint32_t>(kind)));
     }

@@ -723,10 +723,12 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_get_report(const struct 
 
 /// How a surface is made from a frame.
 typedef uint32_t gusset_frame_surface;
+/// The curves across. Between two equal sections, one straight behind the other, the surface is their cylinder.
+#define GUSSET_FRAME_SECTIONS 0
 /// A grid through the frame's nodes, or GUSSET_FRAME_CURVES if its curves have corners.
-#define GUSSET_FRAME_NODES 0
+#define GUSSET_FRAME_NODES 1
 /// Gordon's surface, which contains all curves of the frame.
-#define GUSSET_FRAME_CURVES 1
+#define GUSSET_FRAME_CURVES 2
 
 /// A tensor-product B-spline, rational (NURBS) if its weights differ.
 /// Knots are finite and do not decrease. Inner knots may repeat degree times.

@@ -187,10 +187,11 @@ class WeldOptions(TypedDict, total=False):
     vertices: choices.WeldVertices
     #: Distance at which vertices coincide. - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0. - GUSSET_TOLERANCE_AUTO: at most
     #: 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate, or, if more, twice the last decimal place that
-    #: positions show. At each vertex at most a quarter of the shortest edge. - Last decimal place: let D be the
-    #: largest power of ten up to the longest side of the vertices' box. The place is the largest of 1e-5 D, 1e-6 D,
-    #: ... that divides a third of certain numbers: coordinates of the largest order of magnitude, or differences
-    #: between consecutive vertices. Multiples of 1e-4 D are left out; at least eight other numbers are needed.
+    #: positions show. At each vertex at most a quarter of the shortest edge; with GUSSET_COLLAPSE_ALLOW, edges within
+    #: the first limit are not counted. - Last decimal place: let D be the largest power of ten up to the longest side
+    #: of the vertices' box. The place is the largest of 1e-5 D, 1e-6 D, ... that divides a third of certain numbers:
+    #: coordinates of the largest order of magnitude, or differences between consecutive vertices. Multiples of 1e-4 D
+    #: are left out; at least eight other numbers are needed.
     tolerance_mode: choices.ToleranceMode
     #: Largest distance of coincident vertices, finite, at least 0.
     tolerance: float
@@ -529,15 +530,18 @@ class FrameOptions(TypedDict, total=False):
 
     #: Correspondence of points between sections.
     correspondence: choices.CorrespondenceRule
-    #: ARC_LENGTH, ANGLE: nodes in each section. LANDMARKS: parts between two landmarks.
+    #: ARC_LENGTH, ANGLE: nodes in each section; with ARC_LENGTH, more if the sections have more corners. LANDMARKS:
+    #: parts between two landmarks.
     columns: int
     #: 1: the first section follows the last.
     ring: bool
-    #: ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after the first section's
-    #: first point.
+    #: ARC_LENGTH. 1: closed sections start at their first points, or at the corner after the first section's first
+    #: point.
     given_starts: bool
-    #: 1: only constraints make corners. 0: corners are also points where the polygon turns by 40 degrees and far more
-    #: than usual, or by `corner_angle` of `across` if less than pi.
+    #: 1: only constraints make corners. 0: sections also have corners where they turn by more than `corner_angle` of
+    #: `across`. If this is pi, all points of a polygon are corners, and points that turn by 40 degrees and far more
+    #: than usual. Polygons are closed sections of at most 6 points, and sections whose points turn by more than 54 or
+    #: less than 6 degrees. Not with ANGLE unless `corner_angle` is below pi.
     smooth_corners: bool
     #: ANGLE: a point of the axis.
     axis_point: Sequence[float]

@@ -27,7 +27,8 @@ OutlineEnds = Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upr
 #: Outcome at a point of an outline.
 PointStatus = Literal['ok', 'clamped_parameter', 'merged', 'repeated', 'collinear', 'normal_outside',
     'right_angle', 'no_crossing', 'tangent_separates', 'tangent_backward', 'tangent_beyond', 'out_of_plane',
-    'no_tangent', 'fell_back', 'not_converged', 'missed', 'joint_fell_back', 'composite_instead', 'cusp']
+    'no_tangent', 'fell_back', 'not_converged', 'missed', 'joint_fell_back', 'composite_instead', 'cusp', 'looped',
+    'crowded']
 
 #: Outcome of an outline.
 FitStatus = Literal['ok', 'partial', 'not_converged', 'diverged', 'ill_conditioned', 'too_few_points',
@@ -321,7 +322,7 @@ TargetKind = Literal['line', 'plane', 'curve', 'surface']
 DistanceFlags = Literal['proven', 'meets']
 
 #: How a surface is made from a frame.
-FrameSurface = Literal['nodes', 'curves']
+FrameSurface = Literal['sections', 'nodes', 'curves']
 
 #: Fields of gusset_sheet_measures to compute. Several words may be combined.
 SheetMeasureFlags = Literal['diameters', 'curvature', 'crease']
@@ -341,7 +342,7 @@ NUMBERS: dict[str, dict[str, int]] = {
     'gusset_point_status': {'ok': 0, 'clamped_parameter': 1, 'merged': 2, 'repeated': 3, 'collinear': 4,
     'normal_outside': 5, 'right_angle': 6, 'no_crossing': 7, 'tangent_separates': 8, 'tangent_backward': 9,
     'tangent_beyond': 10, 'out_of_plane': 11, 'no_tangent': 12, 'fell_back': 13, 'not_converged': 14, 'missed': 15,
-    'joint_fell_back': 16, 'composite_instead': 17, 'cusp': 18},
+    'joint_fell_back': 16, 'composite_instead': 17, 'cusp': 18, 'looped': 19, 'crowded': 20},
     'gusset_fit_status': {'ok': 0, 'partial': 1, 'not_converged': 2, 'diverged': 3, 'ill_conditioned': 4,
     'too_few_points': 5, 'degree_too_high': 6},
     'gusset_curve_measure_flags': {'length': 1, 'bounds': 2, 'centre': 4, 'area': 8, 'moments': 16},
@@ -455,7 +456,7 @@ NUMBERS: dict[str, dict[str, int]] = {
     'gusset_contour_kind': {'height': 0, 'values': 1, 'angle': 2},
     'gusset_target_kind': {'line': 0, 'plane': 1, 'curve': 2, 'surface': 3},
     'gusset_distance_flags': {'proven': 1, 'meets': 2},
-    'gusset_frame_surface': {'nodes': 0, 'curves': 1},
+    'gusset_frame_surface': {'sections': 0, 'nodes': 1, 'curves': 2},
     'gusset_sheet_measure_flags': {'diameters': 1, 'curvature': 2, 'crease': 4},
     'gusset_sheet_direction': {'rows': 0, 'columns': 1},
 }

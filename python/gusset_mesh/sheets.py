@@ -122,7 +122,7 @@ class SheetMaking(Reported[SheetReport]):
 
     @classmethod
     def from_frame(
-        cls, frame: Frame, kind: FrameSurface = "nodes", *, threads: int = 0, progress: Optional[Progress] = None
+        cls, frame: Frame, kind: FrameSurface = "sections", *, threads: int = 0, progress: Optional[Progress] = None
     ) -> Self:
         """Makes the surface of a frame, through its nodes or its curves. u runs along the body, v round it."""
         which = number_of("gusset_frame_surface", "kind", kind)

@@ -71,10 +71,12 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (16, c"An adjacent joint has the midpoint of its control points, or curvature 0 with GUSSET_JOINT_PARAMETER_G2."),
         (17, c"The single curve failed; a composite curve was used."),
         (18, c"A blended curve has a cusp here."),
+        (19, c"The curve crosses itself near the point, between consecutive points: a loop that the points lack."),
+        (20, c"Below a hundredth of the distances of both neighbours from their other neighbours away from a neighbour, or below a ten-thousandth of one."),
     ]),
     ("gusset_fit_status", &[
         (0, c"All demands are met."),
-        (1, c"Some points have a status other than OK, merged or clamped."),
+        (1, c"Some points have a status other than OK, merged, clamped, looped or crowded."),
         (2, c"The iteration did not converge."),
         (3, c"The iteration diverged, or control points overflow."),
         (4, c"The equations are nearly singular; control points lie far outside the outline."),
@@ -100,7 +102,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_correspondence_rule", &[
         (0, c"By index; all sections have the same number of points."),
-        (1, c"Equal arc lengths of each section, or between corners common to all."),
+        (1, c"Equal arc lengths of each section, or between corners."),
         (2, c"Half-planes at equal angles round the axis; the farthest of several crossings."),
         (3, c"Landmarks of each section, and equal arc lengths between them."),
     ]),
@@ -659,8 +661,9 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (2, c"Surface and target meet up to rounding; the distance is 0."),
     ]),
     ("gusset_frame_surface", &[
-        (0, c"A grid through the frame's nodes, or GUSSET_FRAME_CURVES if its curves have corners."),
-        (1, c"Gordon's surface, which contains all curves of the frame."),
+        (0, c"The curves across."),
+        (1, c"A grid through the frame's nodes, or GUSSET_FRAME_CURVES if its curves have corners."),
+        (2, c"Gordon's surface, which contains all curves of the frame."),
     ]),
     ("gusset_sheet_measure_flags", &[
         (1, c"`diameter` and `intrinsic_diameter`."),

@@ -19,6 +19,7 @@ mod outline_data;
 mod outline_export;
 mod outline_frame;
 mod outline_limits;
+mod outline_loops;
 mod outline_memory;
 mod outline_single;
 mod outline_solvers;

@@ -251,9 +251,13 @@ fn what_makes_no_frame_is_refused() {
     let none = Sections::from_sections([]);
     assert!(none.make(true, &options(Correspondence::Given)).is_err());
     let point = Sections::from_sections([vec![[0.0; 3]; 5], circle(1.0, 5, 0.0, false)]);
-    let error = point.make(true, &options(Correspondence::ArcLength { columns: 5 })).unwrap_err();
+    let points = Sections::from_sections([vec![[0.0; 3]; 5], vec![[0.0, 0.0, 1.0]]]);
+    let error = points.make(true, &options(Correspondence::ArcLength { columns: 5 })).unwrap_err();
     assert_eq!(error, Error::NoNode { section: 0, column: 0 });
-    // A pole is a section like others when it is given.
+    // A pole is a section like others.
+    let made = point.make(true, &options(Correspondence::ArcLength { columns: 5 })).unwrap();
+    assert!(made.grid.nodes[..5].iter().all(|&node| node == DVec3::ZERO));
+    assert_eq!((made.grid.columns, made.grid.max_gap), (5, 0.0));
     let made = point.make(true, &options(Correspondence::Given)).unwrap();
     assert_eq!(made.grid.max_gap, 0.0);
     // NaN in the plane of a cut.

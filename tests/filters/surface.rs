@@ -182,15 +182,27 @@ fn parallels(count: u32, points: u32) -> Curves {
 #[test]
 fn surfaces_through_sections_are_those_that_were_cut() {
     let sections = parallels(13, 40);
-    for (nodes, through) in [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (1.0, 1.0)] {
+    for (nodes, through) in [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 2.0)] {
         let set: &[(&str, &[f64])] = &[("nodes", &[nodes]), ("through", &[through]), ("columns", &[40.0])];
         let outputs = run("loft", &[Input::Curves(&sections)], set).unwrap();
         let (points, faces) = mesh(&outputs[0]);
         assert_eq!(common::euler(faces.iter().copied()), 0, "a tube");
         let off = points.iter().map(|p| (radius(p) - 1.0).abs()).fold(0.0, f64::max);
         // Quadratic segments along the body miss a little more at its ends.
-        assert!(off < if through == 0.0 { 5e-3 } else { 1e-2 }, "{nodes} {through}: {off}");
+        assert!(off < if through == 1.0 { 5e-3 } else { 1e-2 }, "{nodes} {through}: {off}");
         assert!(text(&outputs[1]).contains("13 sections of 40 nodes"), "{}", text(&outputs[1]));
+    }
+    // Squares with a point behind them are a pyramid: exact, with a closed tip. Smooth corners make it fuller.
+    let square = |half: f64, z: f64| {
+        ([[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[x, y]| [half * x, half * y, z]).to_vec(), true)
+    };
+    let pyramid = polylines(&[square(1.0, 0.0), square(0.5, 1.0), (vec![[0.0, 0.0, 2.0]], false)]);
+    for (corner_angle, exact) in [(-1.0, true), (PI, false)] {
+        let outputs = run("loft", &[Input::Curves(&pyramid)], &[("corner_angle", &[corner_angle])]).unwrap();
+        let (points, faces) = mesh(&outputs[0]);
+        assert_eq!(common::euler(faces.iter().copied()), 1, "open at the base only");
+        let off = points.iter().map(|p| (p[0].abs().max(p[1].abs()) - 1.0 + 0.5 * p[2]).abs()).fold(0.0, f64::max);
+        assert_eq!(off < 1e-9, exact, "{corner_angle}: {off}");
     }
     // A ring of sections round the z axis is a torus.
     let turned = (0..24).map(|k| {

@@ -127,7 +127,7 @@ fn patches_of_mixed_degrees() {
 }
 
 /// A curve through points: Bézier segments of degree 3, C2.
-fn through(points: &[DVec3], closed: bool) -> Curve {
+pub(crate) fn through(points: &[DVec3], closed: bool) -> Curve {
     let rows: Vec<[f64; 3]> = points.iter().map(DVec3::to_array).collect();
     let outlines = Outlines { points: Points::from(&rows[..]), offsets: None, closed, constraints: &[] };
     let options = Options { mode: Mode::CubicC2, ..Options::default() };
@@ -135,7 +135,7 @@ fn through(points: &[DVec3], closed: bool) -> Curve {
 }
 
 /// The largest distance of a curve's points, 4 a segment, from the nearest point of the sheet.
-fn distance_from(sheet: &Sheet<'static>, curve: CurveView<'_>) -> f64 {
+pub(crate) fn distance_from(sheet: &Sheet<'static>, curve: CurveView<'_>) -> f64 {
     let surface = gusset::surface::Surface::new(vec![sheet.clone()], None, &Job::default()).unwrap();
     let mut worst = 0.0_f64;
     for segment in 0..curve.len() {
@@ -272,6 +272,13 @@ fn coons_patches_poles_and_skins() {
     for &view in &views {
         assert!(distance_from(&skin, view) < 1e-13);
     }
+    // Stations that run backwards are turned.
+    let backwards: Vec<Curve> = views.iter().map(|view| view.reversed(&job).unwrap()).collect();
+    let mixed: Vec<_> = (0..9).map(|k| if k % 3 == 1 { backwards[k].view() } else { views[k] }).collect();
+    let mixed = Sheet::from_curves(&CurveNet { rows: &mixed, ..net }, &job).unwrap();
+    for (i, j) in (0..8).flat_map(|i| (0..skin.cells()[1]).map(move |j| (i, j))) {
+        assert!(mixed.jet(i, j, 0.4, 0.7).point.distance(skin.jet(i, j, 0.4, 0.7).point) < 1e-12);
+    }
 }
 
 #[test]
@@ -292,7 +299,9 @@ fn nets_that_are_none() {
     let met = Sheet::from_curves(&CurveNet { columns: &apart, tolerance: Some(0.6), ..net }, &job).unwrap();
     assert!(met.corner(1, 1).distance(DVec3::new(1.0, 1.0, 0.25)) < 1e-15);
     let mixed = [rows[0], rows[2], rows[1]];
-    assert!(matches!(kind(CurveNet { rows: &mixed, ..net }), Error::CurvesOutOfOrder { .. }));
+    let sorted = Sheet::from_curves(&net, &job).unwrap();
+    let mixed = Sheet::from_curves(&CurveNet { rows: &mixed, ..net }, &job).unwrap();
+    assert_eq!(mixed.jet(1, 0, 0.5, 0.25), sorted.jet(1, 0, 0.5, 0.25));
     assert!(matches!(kind(CurveNet { rows: &rows[..1], ..net }), Error::NetTooSmall { rows: 1, columns: 3 }));
     assert!(matches!(kind(CurveNet { rows: &[], columns: &[], ..net }), Error::NetTooSmall { .. }));
     assert_eq!(kind(CurveNet { closed: [true, false], ..net }), Error::CurveNotClosed);

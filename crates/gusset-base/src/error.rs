@@ -271,12 +271,14 @@ pub enum Error {
         /// The smallest distance between the two curves.
         distance: f64,
     },
-    /// A curve of a net meets the crossing curves in a different order than they are listed.
-    #[error("row {row} and column {column} of the net meet out of order")]
+    /// A curve of a net meets the crossing curves in a different order than other curves do.
+    #[error("row {row} and column {column} of the net meet out of order: the {curve} differs from the other {curve}s")]
     CurvesOutOfOrder {
         /// The row at the first crossing that is out of order.
         row: u32,
         column: u32,
+        /// The curve that breaks the order: "row" or "column".
+        curve: &'static str,
     },
     /// Two nets cannot be joined because their faces have opposite orientations.
     #[error("the second net is oriented against the first: flip it")]

@@ -1,5 +1,5 @@
 use super::curve::REFERENCE;
-use super::data::{Input, Output};
+use super::data::{Input, Output, Polyline};
 use super::filter::{Filter, FilterBody};
 use super::report::{Report, count_with_noun};
 use super::signatures::{CURVES_ONLY, TO_MESH_TEXT};
@@ -14,13 +14,14 @@ use gusset_curve::frame::{Axis, Correspondence, Frame, FrameOptions, frame};
 use gusset_curve::{Outlines, Points};
 use gusset_surface::construct::FrameSurface;
 use gusset_surface::{Sheet, Surface};
+use std::f64::consts::PI;
 
 pub(super) const FILTER: Filter = Filter {
     id: "loft",
     name: "Loft through sections",
     category: CATEGORY,
-    help: "Draws a smooth surface through consecutive sections of a body, all closed or all open. Nodes are placed on the \
-           sections, curves are drawn along the body, and a surface through both is returned as a mesh.",
+    help: "Draws a smooth surface through consecutive sections of a body, all closed or all open. A section of one point is a \
+           tip. Corners of sections stay sharp. Between two equal sections, the surface is their cylinder.",
     reference: REFERENCE,
     ..Filter::new(CURVES_ONLY, TO_MESH_TEXT, &FilterBody(run))
 };
@@ -30,9 +31,16 @@ params! {
         Param::choice("Nodes", "The rule by which points of the sections correspond.", CORRESPONDENCES);
     columns: u32 = Param::int(
         "Columns",
-        "The number of nodes on each section. Ignored if the nodes are the given points.",
+        "The number of nodes on each section; more if there are more corners. Ignored if the nodes are the given points.",
         [2.0, 100_000.0], &[32.0],
     );
+    corner_angle: Option<f64> = Param::angle(
+        "Corners",
+        "Points where a section turns by more than this angle are corners; pi makes all of them smooth. If negative, closed \
+         sections of up to 6 points are polygons. So are sections whose points turn by more than 54 or less than 6 degrees. \
+         Other corners turn by 40 degrees and far more than usual.",
+        [-1.0, PI], &[-1.0],
+    ).none_if_negative();
     through: FrameSurface = Param::choice("Through", "The elements that the surface contains.", FrameSurface::CHOICES);
     ring: bool = Param::flag("Ring", "The first section follows the last one.");
     point: DVec3 = Param::point(
@@ -80,8 +88,10 @@ fn direction_from_first_to_last(inputs: &[Input<'_>], extent: &Aabb) -> Option<D
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
     let sections = given.polylines()?;
-    let closed = sections.first().is_some_and(|section| section.1);
-    if sections.iter().any(|section| section.1 != closed) {
+    // A section of one point is a tip, and counts as either.
+    let has_extent = |section: &&Polyline<'_>| section.0.iter().any(|point| *point != section.0[0]);
+    let closed = sections.iter().find(has_extent).is_some_and(|section| section.1);
+    if sections.iter().filter(has_extent).any(|section| section.1 != closed) {
         return Err(Error::InputUnfit { input: 0, why: "all curves must be closed, or all open" });
     }
     let offsets = alloc::copied(&given.offsets)?;
@@ -91,7 +101,10 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     if sections.is_empty() {
         return Err(too_few);
     }
-    let options = FrameOptions { ring: values.ring, ..FrameOptions::new((values.nodes)(values)) };
+    let mut options = FrameOptions { ring: values.ring, ..FrameOptions::new((values.nodes)(values)) };
+    if let Some(angle) = values.corner_angle {
+        (options.across.corner_angle, options.smooth_corners) = (angle, angle >= PI);
+    }
     let made = frame(&outlines, &options, &job.part(0.0, 0.4)).map_err(|error| match error {
         Error::OptionOutOfRange { option: "sections", .. } => too_few,
         error => error,
@@ -109,9 +122,10 @@ const NODE_NOUN: [&str; 2] = ["node", "nodes"];
 fn report(made: &Frame) -> String {
     let turned = made.grid.turned.iter().filter(|&&turned| turned != 0).count();
     format!(
-        "{} of {}, {turned} of them reversed, {} ambiguous; twist at most {:.1} degrees\n",
+        "{} of {}, {turned} of them reversed, {}, {} ambiguous; twist at most {:.1} degrees\n",
         count_with_noun(made.grid.rows, ["section", "sections"]),
         count_with_noun(made.grid.columns, NODE_NOUN),
+        count_with_noun(made.grid.corners.len(), ["corner", "corners"]),
         count_with_noun(made.grid.ambiguous.len(), NODE_NOUN),
         made.grid.max_twist.to_degrees()
     )

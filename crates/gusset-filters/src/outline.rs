@@ -23,6 +23,12 @@ params! {
         "Points where the polyline turns by more than this angle remain corners; pi makes all of them smooth.",
         [0.0, PI], &[PI],
     );
+    merge: f64 = Param::real(
+        "Merge",
+        "Neighbouring points closer than this become one, relative to the size of their polyline. The report counts crowded \
+         points, which almost repeat a neighbour, and points in loops that the polyline lacks.",
+        [0.0, 0.5], &[1e-12],
+    );
     chord_error: f64 = CHORD_ERROR
         .with_help("The largest distance of the polyline from the curve, relative to the size of the curve.");
 }
@@ -47,6 +53,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         joint: values.joint,
         ends: values.ends,
         corner_angle: values.corner_angle,
+        repeat_tolerance: values.merge,
         ..Options::default()
     };
     let (mut drawn, mut text) = (Curves::without_curves(), String::new());
@@ -74,13 +81,16 @@ fn report(done: &Fit) -> String {
         FitStatus::TooFewPoints => "too few points",
         FitStatus::DegreeTooHigh => "too many points for a single curve",
     };
-    let missed = done.statuses().iter().filter(|&&status| status == PointStatus::Missed).count();
+    let count = |status: PointStatus| done.statuses().iter().filter(|&&own| own == status).count();
     format!(
-        "{}, {}, {what}; {} with a status of {} own, {missed} missed; largest miss {:.1e} of the size",
+        "{}, {}, {what}; {} with a status of {} own, {} missed, {} in loops, {} crowded; largest miss {:.1e} of the size",
         count_with_noun(done.statuses().len(), POINT),
         count_with_noun(done.curve(0).len(), ["segment", "segments"]),
         count_with_noun(account.not_ok, POINT),
         if account.not_ok == 1 { "its" } else { "their" },
+        count(PointStatus::Missed),
+        count(PointStatus::Looped),
+        count(PointStatus::Crowded),
         account.max_residual
     )
 }

@@ -20,9 +20,9 @@ use gusset_base::alloc;
 pub type gusset_correspondence_rule = u32;
 /// By index; all sections have the same number of points.
 pub const GUSSET_CORRESPONDENCE_GIVEN: gusset_correspondence_rule = 0;
-/// Equal arc lengths of each section, or between corners common to all. Closed sections start where
-/// the twist is least, and are reversed if opposite to the first; open ones run from first to last
-/// point.
+/// Equal arc lengths of each section, or between corners. A corner of one section has a node on all
+/// sections. Closed sections start where the twist is least, and are reversed if opposite to the
+/// previous one; open ones run from first to last point.
 pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: gusset_correspondence_rule = 1;
 /// Half-planes at equal angles round the axis; the farthest of several crossings.
 pub const GUSSET_CORRESPONDENCE_ANGLE: gusset_correspondence_rule = 2;
@@ -63,17 +63,21 @@ pub struct gusset_frame_options {
     pub struct_size: usize,
     /// Correspondence of points between sections.
     pub correspondence: gusset_correspondence_rule,
-    /// ARC_LENGTH, ANGLE: nodes in each section. LANDMARKS: parts between two landmarks.
+    /// ARC_LENGTH, ANGLE: nodes in each section; with ARC_LENGTH, more if the sections have more
+    /// corners. LANDMARKS: parts between two landmarks.
     pub columns: u32,
     /// 1: the first section follows the last.
     /// @flag
     pub ring: u32,
-    /// ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after
-    /// the first section's first point.
+    /// ARC_LENGTH. 1: closed sections start at their first points, or at the corner after the first
+    /// section's first point.
     /// @flag
     pub given_starts: u32,
-    /// 1: only constraints make corners. 0: corners are also points where the polygon turns by 40
-    /// degrees and far more than usual, or by `corner_angle` of `across` if less than pi.
+    /// 1: only constraints make corners. 0: sections also have corners where they turn by more than
+    /// `corner_angle` of `across`. If this is pi, all points of a polygon are corners, and points
+    /// that turn by 40 degrees and far more than usual. Polygons are closed sections of at most 6
+    /// points, and sections whose points turn by more than 54 or less than 6 degrees. Not with ANGLE
+    /// unless `corner_angle` is below pi.
     /// @flag
     pub smooth_corners: u32,
     /// 0.
@@ -182,12 +186,14 @@ impl gusset_frame_options {
 
 /// Makes the frame of consecutive sections.
 ///
+/// A section of one point, or of coincident points, is a pole: all its nodes are there.
+///
 /// @param sections at least 2, for a ring 3.
 /// @errors as gusset_outline_create, OUT_OF_RANGE (sections, columns, landmarks, axis; missing
 ///     points without GIVEN), NO_SUCH_ELEMENT (missing point), SECTIONS_DIFFER, NO_NODE (section
 ///     and column: half-plane misses the section; no curve; no node before or after a missing one)
 /// @complexity O(points), with ANGLE O(columns x points). Sections of n <= 128 corners take O(n^3);
-///     with more, none is common.
+///     with more, all are smooth.
 /// @source Nadopta, introduction.
 #[unsafe(no_mangle)]
 #[must_use]

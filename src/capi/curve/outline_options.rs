@@ -130,12 +130,18 @@ pub const GUSSET_POINT_JOINT_FELL_BACK: gusset_point_status = 16;
 pub const GUSSET_POINT_COMPOSITE_INSTEAD: gusset_point_status = 17;
 /// A blended curve has a cusp here.
 pub const GUSSET_POINT_CUSP: gusset_point_status = 18;
+/// The curve crosses itself near the point, between consecutive points: a loop that the points lack.
+/// The bisector method avoids it.
+pub const GUSSET_POINT_LOOPED: gusset_point_status = 19;
+/// Below a hundredth of the distances of both neighbours from their other neighbours away from a
+/// neighbour, or below a ten-thousandth of one. `repeat_tolerance` merges such points.
+pub const GUSSET_POINT_CROWDED: gusset_point_status = 20;
 
 /// Outcome of an outline.
 pub type gusset_fit_status = u32;
 /// All demands are met.
 pub const GUSSET_FIT_OK: gusset_fit_status = 0;
-/// Some points have a status other than OK, merged or clamped.
+/// Some points have a status other than OK, merged, clamped, looped or crowded.
 pub const GUSSET_FIT_PARTIAL: gusset_fit_status = 1;
 /// The iteration did not converge.
 pub const GUSSET_FIT_NOT_CONVERGED: gusset_fit_status = 2;

@@ -18,10 +18,13 @@ use gusset_base::alloc;
 
 /// How a surface is made from a frame.
 pub type gusset_frame_surface = u32;
+/// The curves across. Between two equal sections, one straight behind the other, the surface is
+/// their cylinder.
+pub const GUSSET_FRAME_SECTIONS: gusset_frame_surface = 0;
 /// A grid through the frame's nodes, or GUSSET_FRAME_CURVES if its curves have corners.
-pub const GUSSET_FRAME_NODES: gusset_frame_surface = 0;
+pub const GUSSET_FRAME_NODES: gusset_frame_surface = 1;
 /// Gordon's surface, which contains all curves of the frame.
-pub const GUSSET_FRAME_CURVES: gusset_frame_surface = 1;
+pub const GUSSET_FRAME_CURVES: gusset_frame_surface = 2;
 
 /// A tensor-product B-spline, rational (NURBS) if its weights differ.
 ///
@@ -101,7 +104,9 @@ pub struct gusset_curve_net {
 
 versioned! { gusset_spline: 80, gusset_curve_net: 56 }
 
-c_enum! { kind: FrameSurface { GUSSET_FRAME_NODES => Nodes, GUSSET_FRAME_CURVES => Curves } }
+c_enum! { kind: FrameSurface {
+    GUSSET_FRAME_SECTIONS => Sections, GUSSET_FRAME_NODES => Nodes, GUSSET_FRAME_CURVES => Curves
+} }
 
 /// Borrows the caller's curves.
 fn curves_of_handles<'a>(

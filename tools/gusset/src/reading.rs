@@ -86,11 +86,17 @@ impl Reading {
     pub(crate) fn curves(&self, file: &FileName) -> Result<Curves, Failure> {
         let shown = file.shown();
         let document = self.document(file)?;
-        let notes: Vec<String> = document.notes.into_iter().map(|note| note.text).collect();
-        tell_notes(&shown, &notes);
+        let ignored = [(document.points.positions.len(), "point"), (face_count(&document), "face")];
+        let mut notes: Vec<String> = document.notes.into_iter().map(|note| note.text).collect();
         if document.curves.closed.is_empty() {
+            tell_notes(&shown, &notes);
             return Err(Failure::file(format!("{shown}: it has no polylines")));
         }
+        let ignored = ignored.into_iter().filter(|&(count, _)| count > 0);
+        notes.extend(
+            ignored.map(|(count, what)| format!("{} ignored, because polylines are needed", counted(count, what))),
+        );
+        tell_notes(&shown, &notes);
         Ok(document.curves)
     }
 }

@@ -6,14 +6,15 @@ use glam::DVec3;
 /// The rule that makes points of neighbouring sections correspond.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Correspondence<'a> {
-    /// Points with the same index correspond. All sections have the same number of points.
+    /// Points with the same index correspond. All sections have the same number of points, except for
+    /// poles of one point.
     Given,
-    /// Equal parts of the arc length of each section, or of the lengths between corners that all
-    /// sections share. Closed sections start where they are twisted least, regardless of their
-    /// first points. A section that runs against the first one is reversed. Open sections run from
-    /// their first points to their last.
+    /// Equal parts of the arc length of each section, or of the lengths between corners. A corner of
+    /// one section has a node on all sections. Closed sections start where they are twisted least,
+    /// regardless of their first points. A section that runs against the previous one is reversed.
+    /// Open sections run from their first points to their last.
     ArcLength {
-        /// The number of nodes in a section.
+        /// The number of nodes in a section, or more if the sections have more corners.
         columns: usize,
     },
     /// Equal angles around an axis. Half-planes from the axis intersect each section in its nodes;
@@ -67,10 +68,11 @@ pub struct FrameOptions<'a> {
     /// Starts closed sections at their first points, or at the corner after the first section's
     /// first point. Only [`Correspondence::ArcLength`] reads it.
     pub given_starts: bool,
-    /// Draws detected corners of the points' polygon smooth. If false, a point is a corner where
-    /// the polygon turns by at least 40 degrees and much more than usual. If
-    /// [`Options::corner_angle`] is less than pi, that angle decides instead. Curves across turn
-    /// sharply at corners.
+    /// Draws detected corners of the points' polygon smooth. If false, all points of a polygon are
+    /// corners. Polygons are closed sections of at most 6 points, and sections whose points turn by
+    /// more than 54 or less than 6 degrees. In other sections, a point is a corner if the section
+    /// turns there by at least 40 degrees and much more than usual. If [`Options::corner_angle`] is
+    /// less than pi, that angle decides instead. Curves across turn sharply at corners.
     pub smooth_corners: bool,
     /// The missing points, counted over all sections, in any order. Their coordinates are not read.
     /// Only with [`Correspondence::Given`]: they are interpolated along the body.

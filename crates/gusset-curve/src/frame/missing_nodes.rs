@@ -58,7 +58,10 @@ pub(super) fn fill_missing(sections: &Outlines<'_>, options: &FrameOptions<'_>) 
 impl SectionRows {
     fn new(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Result<Self> {
         let rows = sections.check_offsets_and_constraints()?;
-        let columns = sections.points_per_outline(rows)?;
+        let columns = sections.points_per_section(rows)?;
+        if let Some(pole) = (0..rows).find(|&k| sections.point_range(k).len() != columns) {
+            return Err(Error::SectionsDiffer { section: pole as u32, count: 1, expected: columns as u32 });
+        }
         let mut is_missing = alloc::filled(false, sections.points.len())?;
         for &point in options.missing {
             let Some(mark) = is_missing.get_mut(point as usize) else {

@@ -10,7 +10,8 @@
 //! - axis: the axis for correspondence by angle.
 //! - missing: missing nodes of sections.
 //! - frame_offset: the offset of a frame.
-//! - corners: the corners of sections and their correspondence.
+//! - section_corners: the corners of sections.
+//! - section_landmarks: the correspondence of corners.
 //! - [`frame`](frame()): the curves through the nodes.
 //! - slice: new sections, and girth and area along the body.
 //!
@@ -22,6 +23,7 @@
 mod section_alignment;
 mod axis;
 mod section_corners;
+mod section_landmarks;
 mod section_nodes;
 mod frame_offset;
 mod frame_options;
@@ -83,15 +85,16 @@ pub struct Frame {
     pub along: Fit,
 }
 
-/// Makes the frame of sections, closed or open, one behind another.
+/// Makes the frame of sections, closed or open, one behind another. A section of one point, or of
+/// coincident points, is a pole: all its nodes are there.
 ///
 /// # Errors
 /// - [`Error::OptionOutOfRange`]: fewer than 2 sections, or than 3 in a ring; fewer than 2 columns,
 ///   or than 3 for closed sections; landmarks that differ in number or are not in order; a bad axis
 ///   or reference.
 /// - [`Error::SectionsDiffer`].
-/// - [`Error::NoNode`]: a half-plane does not meet a section, or the section is not a curve; a
-///   missing node lacks a node of its column before or behind it.
+/// - [`Error::NoNode`]: a half-plane does not meet a section; all sections are points, or one with
+///   landmarks is; a missing node lacks a node of its column before or behind it.
 /// - [`Error::NoSuch`]: a missing point does not exist.
 /// - The errors of [`fit`](super::fit()).
 ///

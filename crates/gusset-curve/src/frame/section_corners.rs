@@ -1,9 +1,10 @@
 //! The corners of sections, such as the edges of a deck, and their correspondence along a body.
 //!
-//! A point is a corner if the polygon of its section turns sharply there. The turn must be much
-//! sharper than the section's usual turn and than the turns at neighbouring points, so that a
-//! smooth section of few points does not have corners. Corners that all sections share are
-//! landmarks: each gets a node, and the curves across turn sharply there.
+//! A section is a polygon if it is closed and has at most 6 points, or if each point turns either
+//! sharply or hardly. All points of a polygon that turn are corners. In other sections, a corner
+//! turns much more sharply than usual and than its neighbours. A smooth section of few points
+//! therefore lacks corners. Each corner is a landmark: it gets a node, and the curve across turns
+//! sharply there.
 
 use super::frame_options::FrameOptions;
 use crate::identify::{Constraint, Options, Outlines, PointConstraint};
@@ -11,7 +12,6 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::{Aabb, scale::overflow_safe_distance};
-use gusset_base::job::Job;
 use gusset_base::sort;
 use std::f64::consts::PI;
 
@@ -24,8 +24,16 @@ const MIN_TURN_TO_NEIGHBOUR_RATIO: f64 = 2.0;
 /// From this turn on only the smaller of the neighbours' turns counts, because two edges of a deck
 /// may be adjacent points.
 const MIN_SHARP_TURN_RADIANS: f64 = 1.2;
-/// A section with more corners than this is jagged and shares none of them.
-const MAX_SHARED_CORNERS_PER_SECTION: usize = 128;
+/// A closed section of at most this many points is a polygon. Regular polygons of up to 6 sides keep
+/// their corners; 7 points on a circle make a round section.
+const MAX_POINTS_OF_POLYGON: usize = 6;
+/// The smallest turn of a polygon's corners, in radians, if it has more points. The turn of a regular
+/// hexagon is 1.05, of a heptagon 0.9.
+const MIN_POLYGON_CORNER_RADIANS: f64 = 0.95;
+/// The largest turn of points on the sides of a polygon, in radians.
+const MAX_POLYGON_SIDE_RADIANS: f64 = 0.1;
+/// A section with more corners than this is jagged, and all its corners are drawn smooth.
+pub(super) const MAX_CORNERS_PER_SECTION: usize = 128;
 /// The resolution of one part when parts are apportioned.
 const APPORTIONING_STEPS_PER_PART: f64 = (1 << 30) as f64;
 
@@ -74,12 +82,23 @@ pub(super) fn nodes_with_sharp_turn(row: &[DVec3], closed: bool, options: &Optio
     }
 }
 
-/// Returns the points that turn by more than an angle. If the angle is pi, the points whose turn
-/// stands out.
+/// Returns the points that turn by more than an angle. If the angle is pi, the corners of a polygon, or
+/// the points whose turn stands out.
 fn points_turning_more_than(turns: &[(u32, f64)], closed: bool, angle: f64) -> Result<Vec<u32>> {
-    let found =
-        if angle < PI { indices_of_sharper_turns(turns, angle)? } else { indices_of_outstanding_turns(turns, closed)? };
+    let found = if angle < PI {
+        indices_of_sharper_turns(turns, angle)?
+    } else if is_polygon(turns, closed) {
+        indices_of_sharper_turns(turns, MAX_POLYGON_SIDE_RADIANS)?
+    } else {
+        indices_of_outstanding_turns(turns, closed)?
+    };
     alloc::collect(found.into_iter().map(|at| turns[at].0))
+}
+
+/// Returns whether a section has few points, or each point turns either sharply or hardly.
+fn is_polygon(turns: &[(u32, f64)], closed: bool) -> bool {
+    let is_clear = |turn: f64| !(MAX_POLYGON_SIDE_RADIANS..MIN_POLYGON_CORNER_RADIANS).contains(&turn);
+    (closed && turns.len() <= MAX_POINTS_OF_POLYGON) || turns.iter().all(|&(_, turn)| is_clear(turn))
 }
 
 /// Returns the index and turn of each inner point, in radians. Points within `tolerance` times the
@@ -151,42 +170,9 @@ pub(super) fn point_constraints_with_corners(sections: &Outlines<'_>, corners: &
     Ok(all)
 }
 
-/// Matches corners along the body. The result has the same number of corners for each section, in
-/// the section's order, and corresponding corners have the same index. It is empty if a section
-/// lacks corners.
-///
-/// The section with the fewest corners keeps all of them. From there, each next section keeps the
-/// corners nearest to its neighbour's, in the same order around the body. If that would be more
-/// than `max_count`, none are kept. `corner_position` returns the position of a section's corner
-/// relative to the section's centre, in a unit that keeps squares in range. If `closed`, any corner
-/// may be the first.
-pub(super) fn match_corners(
-    corners: &[Vec<u32>],
-    closed: bool,
-    max_count: usize,
-    corner_position: &dyn Fn(usize, u32) -> DVec3,
-    job: &Job<'_>,
-) -> Result<Vec<Vec<u32>>> {
-    let mut chosen = alloc::collect(corners.iter().map(|_| Vec::new()))?;
-    let fewest = (0..corners.len()).min_by_key(|&k| corners[k].len());
-    let is_jagged = corners.iter().any(|own| own.len() > MAX_SHARED_CORNERS_PER_SECTION);
-    let Some(fewest) = fewest.filter(|&k| corners[k].len() <= max_count && !is_jagged) else {
-        return Ok(chosen);
-    };
-    chosen[fewest] = alloc::copied(&corners[fewest])?;
-    let ways = (fewest + 1..corners.len()).map(|k| (k, k - 1)).chain((0..fewest).rev().map(|k| (k, k + 1)));
-    for (done, (k, neighbour)) in ways.enumerate() {
-        job.step(done as f64 / corners.len() as f64, "finding nodes")?;
-        let distance =
-            |i: usize, c: u32| corner_position(neighbour, chosen[neighbour][i]).distance_squared(corner_position(k, c));
-        chosen[k] = choose_nearest_corners(&corners[k], chosen[neighbour].len(), closed, &distance)?;
-    }
-    Ok(chosen)
-}
-
 /// Chooses `count` of a section's corners, in order, with the least sum of squared distances. O(n^2
 /// count) for a closed section of n corners.
-fn choose_nearest_corners(
+pub(super) fn choose_nearest_corners(
     candidates: &[u32],
     count: usize,
     closed: bool,

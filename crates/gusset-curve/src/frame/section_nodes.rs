@@ -12,8 +12,10 @@ use super::axis::axis_frames;
 use super::frame_options::{Correspondence, FrameOptions};
 use super::section_alignment::{AnchoredSection, farthest_from_mean, section_start_fractions};
 use super::section_corners::{
-    apportion_parts, find_corners_of_sections, match_corners, nodes_with_sharp_turn, point_constraints_with_corners,
+    MAX_CORNERS_PER_SECTION, apportion_parts, find_corners_of_sections, nodes_with_sharp_turn,
+    point_constraints_with_corners,
 };
+use super::section_landmarks::{Landmark, SectionCorners, find_landmarks};
 use crate::identify::{Fit, Options, Outlines, fit};
 use crate::ops::ArcLengths;
 use glam::DVec3;
@@ -21,6 +23,7 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
+use gusset_base::sort;
 use std::f64::consts::{PI, TAU};
 
 /// Landmarks of a section between two progress reports.
@@ -60,18 +63,19 @@ pub(super) fn compute_section_nodes(
     match options.correspondence {
         Correspondence::Given => add_given_points(sections, &corners, &mut found)?,
         Correspondence::ArcLength { columns } => {
-            found.reserve_columns(columns)?;
-            if sections.closed {
-                add_nodes_of_closed_sections(sections, &curves, &corners, options, &mut found, &job)?;
-            } else {
-                add_nodes_of_open_sections(sections, &curves, &corners, &mut found, &job)?;
-            }
+            let least = if sections.closed { 3 } else { 2 };
+            Error::require(columns >= least, "columns", columns as f64)?;
+            add_nodes_by_arc_length(sections, &curves, &corners, columns, options, &mut found, &job)?;
         }
         Correspondence::Angle { columns, axis, reference } => {
             let frames = axis_frames(axis, reference, rows, options.ring)?;
             found.reserve_columns(columns)?;
             for (k, &(point, [along, first, second])) in frames.iter().enumerate() {
-                let (curve, of_section) = (outline_curve(&curves, k)?, job.share(k, rows));
+                let (curve, of_section) = (curves.curve(k), job.share(k, rows));
+                if let (true, Some(&pole)) = (curve.is_empty(), curve.points().first()) {
+                    found.nodes.extend(std::iter::repeat_n(pole, columns));
+                    continue;
+                }
                 for i in 0..columns {
                     let angle = TAU * i as f64 / columns as f64;
                     let ray = first * libm::cos(angle) + second * libm::sin(angle);
@@ -151,87 +155,110 @@ impl SectionNodes {
     }
 }
 
-/// Adds the nodes of closed sections at equal fractions of their lengths. They start where the
-/// sections are twisted least, or are spread between the corners that all sections share.
-fn add_nodes_of_closed_sections(
+/// Adds the nodes between landmarks. Each interval between landmarks gets a number of parts in
+/// proportion to its mean length, at least one. A section that is one point has all its nodes there.
+fn add_nodes_by_arc_length(
     sections: &Outlines<'_>,
     curves: &Fit,
     corners: &[Vec<u32>],
+    columns: usize,
     options: &FrameOptions<'_>,
     found: &mut SectionNodes,
     job: &Job<'_>,
 ) -> Result<()> {
-    let (rows, columns) = (found.rows, found.columns);
-    let rings = orient_closed_sections(sections, curves, options, found, &job.part(0.0, 0.4))?;
-    let place = |k: usize, mark: u32| curves.place(sections.point_range(k).start + mark as usize);
-    let mut along = alloc::collect(corners.iter().map(|_| Vec::new()))?;
-    for (k, (along, own)) in along.iter_mut().zip(corners).enumerate() {
-        alloc::append(along, own)?;
+    let closed = sections.closed;
+    let has_extent = |&k: &usize| !curves.curve(k).is_empty();
+    let live = alloc::gather((0..found.rows).filter(has_extent))?;
+    if live.is_empty() {
+        return Err(Error::NoNode { section: 0, column: 0 });
+    }
+    let measured = measure_sections(sections, curves, &live, options, found, &job.part(0.0, 0.4))?;
+    let place = |at: usize, mark: u32| curves.place(sections.point_range(live[at]).start + mark as usize);
+    let mut marked = alloc::with_capacity(live.len())?;
+    for (at, section) in measured.iter().enumerate() {
+        let fraction = |mark: u32| Ok((mark, section.length_from_anchor(place(at, mark))? / section.lengths.total_length()));
+        let mut own = Vec::new();
+        if corners[live[at]].len() <= MAX_CORNERS_PER_SECTION {
+            own = alloc::try_collect(corners[live[at]].iter().map(|&mark| fraction(mark)))?;
+        }
+        sort::sort_stable(&mut own, &|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         // Two corners at one place are one corner.
-        along.dedup_by_key(|&mut mark| place(k, mark));
-        if along.len() > 1 && place(k, along[0]) == place(k, along[along.len() - 1]) {
-            along.pop();
-        }
-        if rings[k].backwards {
-            along.reverse();
-        }
+        own.dedup_by_key(|&mut (_, fraction)| fraction);
+        marked.push(own);
     }
-    let mut marks = shared_corners(sections, &along, columns, &job.part(0.4, 0.5))?;
-    let count = marks.first().map_or(0, Vec::len);
-    if count == 0 {
-        let starts = if options.given_starts {
-            alloc::filled(0.0, rows)?
-        } else {
-            section_start_fractions(&rings, options.ring, &job.part(0.5, 0.5))?
+    let starts = if !closed || options.given_starts {
+        alloc::filled(0.0, live.len())?
+    } else {
+        section_start_fractions(&measured, options.ring, &job.part(0.4, 0.5))?
+    };
+    let position = corner_positions(sections, &live, &marked)?;
+    let distance = |at: usize, i: u32, j: u32| position(at, i).distance_squared(position(at + 1, j));
+    let mut marks = find_landmarks(&marked, closed, &starts, &distance, &job.part(0.5, 0.7))?;
+    if closed {
+        let first = first_landmark(&marks, &measured[0], options)?;
+        marks.rotate_left(first);
+    }
+    // The start of each section's interval after each landmark, and the interval's fraction.
+    let span = |at: usize, i: usize| {
+        let by = marks[(i + 1) % marks.len()].fractions[at] - marks[i].fractions[at];
+        if by > 0.0 { by } else { by + 1.0 }
+    };
+    let intervals = if closed { marks.len() } else { marks.len() - 1 };
+    let mut shares = alloc::filled(0.0, intervals)?;
+    for (i, share) in shares.iter_mut().enumerate() {
+        *share = (0..live.len()).map(|at| span(at, i)).sum();
+    }
+    let parts = if closed { columns } else { columns - 1 }.max(intervals);
+    found.reserve_columns(if closed { parts } else { parts + 1 })?;
+    let counts = apportion_parts(&shares, parts)?;
+    let mut at = 0;
+    for k in 0..found.rows {
+        job.step(0.7 + 0.3 * k as f64 / found.rows as f64, "finding nodes")?;
+        if live.get(at) != Some(&k) {
+            found.nodes.extend(std::iter::repeat_n(curves.curve(k).points()[0], found.columns));
+            continue;
+        }
+        let section = &measured[at];
+        let place = |i: usize| match marks[i].corners[at] {
+            Some(corner) => Ok(place(at, corner)),
+            None if closed => section.place_at_fraction(marks[i].fractions[at]),
+            None => section.lengths.place_at_length(marks[i].fractions[at] * section.lengths.total_length()),
         };
-        for (k, (ring, start)) in rings.iter().zip(starts).enumerate() {
-            job.step(0.5 + 0.5 * k as f64 / rows as f64, "finding nodes")?;
-            let total = ring.lengths.total_length();
-            let whole = if ring.backwards { -total } else { total };
-            add_evenly_spaced_nodes(
-                &ring.lengths,
-                ring.place_at_fraction(start)?,
-                whole,
-                [columns, columns],
-                true,
-                &mut found.nodes,
-            )?;
+        let sign = if section.backwards { -1.0 } else { 1.0 };
+        for (i, &parts) in counts.iter().enumerate() {
+            if marks[i].corners[at].is_some() {
+                alloc::push(&mut found.corners, found.nodes.len() as u32)?;
+            }
+            let whole = sign * span(at, i) * section.lengths.total_length();
+            add_evenly_spaced_nodes(&section.lengths, place(i)?, whole, [parts, parts], closed, &mut found.nodes)?;
         }
-        return Ok(());
+        if !closed {
+            found.nodes.push(section.lengths.curve().point(place(intervals)?)?);
+        }
+        at += 1;
     }
-    let first = match options.given_starts {
-        true => {
-            let far = alloc::try_collect(marks[0].iter().map(|&mark| rings[0].length_from_anchor(place(0, mark))))?;
-            (0..count).min_by(|&i, &j| far[i].total_cmp(&far[j])).unwrap_or(0)
-        }
-        false => farthest_from_mean(
-            marks[0].iter().map(|&mark| sections.points.get(sections.point_range(0).start + mark as usize)),
-        ),
-    };
-    marks.iter_mut().for_each(|marks| marks.rotate_left(first));
-    // The interval of the section from each corner to the next.
-    let span = |k: usize, i: usize| {
-        let [from, to] = [i, (i + 1) % count].map(|i| rings[k].length_from_anchor(place(k, marks[k][i])));
-        let by = to? - from?;
-        Ok(if by > 0.0 { by } else { by + rings[k].lengths.total_length() })
-    };
-    add_nodes_between_landmarks(&marks, &rings, curves, sections, columns, &span, found)
+    Ok(())
 }
 
-/// Returns the closed sections, each oriented like the previous one instead of the first, because a
-/// body may be bent.
-fn orient_closed_sections<'a>(
+/// Returns the lengths of the sections that are not single points. Each closed section is oriented
+/// like the previous one instead of the first, because a body may be bent.
+fn measure_sections<'a>(
     sections: &Outlines<'_>,
     curves: &'a Fit,
+    live: &[usize],
     options: &FrameOptions<'_>,
     found: &mut SectionNodes,
     job: &Job<'_>,
 ) -> Result<Vec<AnchoredSection<'a>>> {
-    let mut rings = alloc::with_capacity(found.rows)?;
+    let mut measured = alloc::with_capacity(live.len())?;
     let mut before = DVec3::ZERO;
-    for k in 0..found.rows {
-        job.step(k as f64 / found.rows as f64, "finding nodes")?;
-        let lengths = outline_curve(curves, k)?.arc_lengths(&job.share(k, found.rows))?;
+    for (at, &k) in live.iter().enumerate() {
+        job.step(at as f64 / live.len() as f64, "finding nodes")?;
+        let lengths = outline_curve(curves, k)?.arc_lengths(&job.share(at, live.len()))?;
+        if !sections.closed {
+            measured.push(AnchoredSection { lengths, anchor: 0.0, backwards: false });
+            continue;
+        }
         let turn = section_normal(sections, k);
         let backwards = turn.dot(before) < 0.0;
         if turn != DVec3::ZERO {
@@ -242,109 +269,51 @@ fn orient_closed_sections<'a>(
         let start =
             if options.given_starts { 0 } else { farthest_from_mean(span.clone().map(|i| sections.points.get(i))) };
         let anchor = lengths.length_to(curves.place(span.start + start))?;
-        rings.push(AnchoredSection { lengths, anchor, backwards });
+        measured.push(AnchoredSection { lengths, anchor, backwards });
     }
-    Ok(rings)
+    Ok(measured)
 }
 
-/// Adds the nodes of open sections at equal fractions of their lengths, or of the lengths between
-/// corners that all sections share.
-fn add_nodes_of_open_sections(
-    sections: &Outlines<'_>,
-    curves: &Fit,
-    corners: &[Vec<u32>],
-    found: &mut SectionNodes,
-    job: &Job<'_>,
-) -> Result<()> {
-    let (rows, columns) = (found.rows, found.columns);
-    let mut rings = alloc::with_capacity(rows)?;
-    for k in 0..rows {
-        job.step(0.8 * k as f64 / rows as f64, "finding nodes")?;
-        let lengths = outline_curve(curves, k)?.arc_lengths(&job.part(0.0, 0.8).share(k, rows))?;
-        rings.push(AnchoredSection { lengths, anchor: 0.0, backwards: false });
+/// Returns the landmark with which closed sections begin: the farthest from the first section's centre,
+/// or the first one after its first point.
+fn first_landmark(marks: &[Landmark], section: &AnchoredSection<'_>, options: &FrameOptions<'_>) -> Result<usize> {
+    if options.given_starts {
+        return Ok(0);
     }
-    let mut marks = shared_corners(sections, corners, columns.saturating_sub(2), &job.part(0.8, 1.0))?;
-    for (k, marks) in marks.iter_mut().enumerate() {
-        alloc::push(marks, sections.point_range(k).len() as u32 - 1)?;
-        marks.insert(0, 0);
-    }
-    let at = |k: usize, i: usize| {
-        rings[k].lengths.length_to(curves.place(sections.point_range(k).start + marks[k][i] as usize))
-    };
-    let span = |k: usize, i: usize| Ok(at(k, i + 1)? - at(k, i)?);
-    add_nodes_between_landmarks(&marks, &rings, curves, sections, columns, &span, found)?;
-    found.corners.retain(|&node| !matches!(node as usize % columns, i if i == 0 || i + 1 == columns));
-    Ok(())
+    let place = |mark: &Landmark| section.lengths.curve().point(section.place_at_fraction(mark.fractions[0])?);
+    let points = alloc::try_collect(marks.iter().map(place))?;
+    Ok(farthest_from_mean(points.into_iter()))
 }
 
-/// Returns the corners that all sections share, at most `max_count`; see [`match_corners`].
-fn shared_corners(
-    sections: &Outlines<'_>,
-    corners: &[Vec<u32>],
-    max_count: usize,
-    job: &Job<'_>,
-) -> Result<Vec<Vec<u32>>> {
-    let points = |k: usize| sections.point_range(k).map(|i| sections.points.get(i));
-    let centre = |k: usize| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>();
-    let centres = alloc::collect((0..corners.len()).map(centre))?;
-    let unit = corner_distance_unit(sections, corners, &centres)?;
-    let at =
-        |k: usize, i: u32| sections.points.get(sections.point_range(k).start + i as usize) / unit - centres[k] / unit;
-    match_corners(corners, sections.closed, max_count, &at, job)
-}
-
-/// Returns a unit of length in which the squares of corner distances are in range.
-fn corner_distance_unit(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> Result<f64> {
-    let of = |(k, own): (usize, &'_ Vec<u32>)| {
+/// Returns a function that returns the position of a section's corner relative to the section's centre,
+/// in a unit that keeps squares in range.
+fn corner_positions<'a>(
+    sections: &'a Outlines<'a>,
+    live: &'a [usize],
+    marked: &[SectionCorners],
+) -> Result<impl Fn(usize, u32) -> DVec3 + use<'a>> {
+    let points = |k: usize| sections.point_range(k).map(move |i| sections.points.get(i));
+    let centre = |&k: &usize| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>();
+    let centres = alloc::collect(live.iter().map(centre))?;
+    let mut all = alloc::copied(&centres)?;
+    for (own, &k) in marked.iter().zip(live) {
         let first = sections.point_range(k).start;
-        own.iter().fold(DVec3::ZERO, move |most, &i| most.max(sections.points.get(first + i as usize).abs()))
-    };
-    let mut most = alloc::collect(corners.iter().enumerate().map(of))?;
-    alloc::append(&mut most, centres)?;
-    Ok(common_unit(&most))
-}
-
-/// Adds the nodes between landmarks. Each interval gets a number of parts in proportion to its mean
-/// length. `span` returns interval i of section k.
-fn add_nodes_between_landmarks(
-    marks: &[Vec<u32>],
-    rings: &[AnchoredSection<'_>],
-    curves: &Fit,
-    sections: &Outlines<'_>,
-    columns: usize,
-    span: &dyn Fn(usize, usize) -> Result<f64>,
-    found: &mut SectionNodes,
-) -> Result<()> {
-    let Some(count) = marks.first().map(Vec::len).filter(|_| columns > 1) else {
-        return Ok(());
-    };
-    let (intervals, parts) = if sections.closed { (count, columns) } else { (count - 1, columns - 1) };
-    let mut shares = alloc::filled(0.0, intervals)?;
-    for (k, ring) in rings.iter().enumerate() {
-        for (i, share) in shares.iter_mut().enumerate() {
-            *share += span(k, i)? / ring.lengths.total_length();
-        }
+        alloc::extend(&mut all, own.iter().map(|&(corner, _)| sections.points.get(first + corner as usize)))?;
     }
-    let counts = apportion_parts(&shares, parts)?;
-    for (k, ring) in rings.iter().enumerate() {
-        let place = |i: usize| curves.place(sections.point_range(k).start + marks[k][i] as usize);
-        for (i, &parts) in counts.iter().enumerate() {
-            alloc::push(&mut found.corners, found.nodes.len() as u32)?;
-            let whole = if ring.backwards { -span(k, i)? } else { span(k, i)? };
-            add_evenly_spaced_nodes(&ring.lengths, place(i), whole, [parts, parts], sections.closed, &mut found.nodes)?;
-        }
-        if !sections.closed {
-            found.nodes.push(ring.lengths.curve().point(place(intervals))?);
-        }
-    }
-    Ok(())
+    let unit = common_unit(&all);
+    Ok(move |at: usize, corner: u32| {
+        let point = sections.points.get(sections.point_range(live[at]).start + corner as usize);
+        point / unit - centres[at] / unit
+    })
 }
 
 fn add_given_points(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionNodes) -> Result<()> {
-    let columns = sections.points_per_outline(found.rows)?;
+    let columns = sections.points_per_section(found.rows)?;
     found.reserve_columns(columns)?;
     for (k, corners) in corners.iter().enumerate() {
-        found.nodes.extend(sections.point_range(k).map(|i| sections.points.get(i)));
+        let span = sections.point_range(k);
+        let repeats = if span.len() == 1 { columns } else { 1 };
+        found.nodes.extend(span.flat_map(|i| std::iter::repeat_n(sections.points.get(i), repeats)));
         alloc::extend(&mut found.corners, corners.iter().map(|&corner| (k * columns) as u32 + corner))?;
     }
     Ok(())

@@ -9,6 +9,7 @@
 //!   on which control points lie.
 //! - nodes, subcurve, solution, curve_builder, residuals: one outline near the origin, its parts,
 //!   and the curve through it.
+//! - loops: loops of the curve, and crowded points.
 //! - composite, single, blend, cubic_spline: the solvers, one for each kind of curve ([`Mode`]).
 //! - driver: [`fit()`], which distributes outlines to threads.
 //!
@@ -24,6 +25,7 @@ mod fit;
 mod guide;
 mod identify_options;
 mod input_points;
+mod loops;
 mod method;
 mod outline_nodes;
 mod outlines;

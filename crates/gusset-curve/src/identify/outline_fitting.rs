@@ -8,6 +8,7 @@ use super::composite::{self, CompositeWorkspace};
 use super::curve_builder::CurveBuilder;
 use super::fit::Fit;
 use super::identify_options::{JointParameter, Mode, Options};
+use super::loops::LoopSearch;
 use super::outline_nodes::OutlineNodes;
 use super::outlines::{Constraint, Outlines};
 use super::report::{FitStatus, PointStatus, Report, ReportInProgress};
@@ -113,6 +114,7 @@ struct OutlineWorker<'a> {
     composite: CompositeWorkspace,
     single: Collocation,
     builder: CurveBuilder,
+    loops: LoopSearch,
     done: Fit,
 }
 
@@ -126,6 +128,7 @@ impl<'a> OutlineWorker<'a> {
             composite: CompositeWorkspace::default(),
             single: Collocation::default(),
             builder: CurveBuilder::default(),
+            loops: LoopSearch::default(),
             done: Fit::new(outlines.closed),
         }
     }
@@ -186,6 +189,9 @@ impl<'a> OutlineWorker<'a> {
         }
         long(1.0)?;
         self.replace_overflowing_curve_by_point(&span, base, first_status, &mut report)?;
+        let given = (&self.outlines.points, span.start);
+        self.loops.flag_points(&mut self.done, first_status, given, &placement)?;
+        long(1.0)?;
         self.append_report(first_status, report)
     }
 
@@ -348,7 +354,11 @@ impl<'a> OutlineWorker<'a> {
         let mut partial = false;
         for status in &done.statuses[first..] {
             report.not_ok += u32::from(*status != PointStatus::Ok);
-            partial |= !matches!(status, PointStatus::Ok | PointStatus::Merged | PointStatus::ClampedParameter);
+            let is_notice = matches!(
+                status,
+                PointStatus::Merged | PointStatus::ClampedParameter | PointStatus::Crowded | PointStatus::Looped
+            );
+            partial |= *status != PointStatus::Ok && !is_notice;
         }
         if partial && report.status == FitStatus::Ok {
             report.status = FitStatus::Partial;

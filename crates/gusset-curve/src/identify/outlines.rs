@@ -77,10 +77,13 @@ impl Outlines<'_> {
         Ok(self.offsets.map_or(1, |offsets| offsets.len() - 1))
     }
 
-    /// Returns the number of points of each outline, if it is the same for all.
-    pub(crate) fn points_per_outline(&self, outlines: usize) -> Result<usize> {
-        let columns = if outlines == 0 { 0 } else { self.point_range(0).len() };
-        match (0..outlines).map(|k| (k, self.point_range(k).len())).find(|&(_, count)| count != columns) {
+    /// Returns the number of points of each section, if it is the same for all sections that are not
+    /// single points.
+    pub(crate) fn points_per_section(&self, sections: usize) -> Result<usize> {
+        let count = |k: usize| self.point_range(k).len();
+        let columns = (0..sections).map(count).find(|&count| count != 1).unwrap_or(sections.min(1));
+        let other = |&(_, count): &(usize, usize)| count != columns && count != 1;
+        match (0..sections).map(|k| (k, count(k))).find(other) {
             Some((k, count)) => {
                 Err(Error::SectionsDiffer { section: k as u32, count: count as u32, expected: columns as u32 })
             }

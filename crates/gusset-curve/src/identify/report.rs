@@ -55,6 +55,13 @@ pub enum PointStatus {
     /// The curve reverses at the point: its speed is 0, or it leaves in the direction from which it
     /// came.
     Cusp = 18,
+    /// The curve has a loop here that the points lack: it crosses itself near the point, between
+    /// consecutive points. Crowded points and the median are the usual causes; the bisector avoids it.
+    Looped = 19,
+    /// The point is far closer to a neighbour than both are to their other neighbours: below a
+    /// hundredth of both distances, or a ten-thousandth of one. The curve may turn there in any way.
+    /// [`Options::repeat_tolerance`](super::Options) merges such points.
+    Crowded = 20,
 }
 
 /// The outcome for an outline.

@@ -36,7 +36,7 @@ impl VertexClusters {
         tolerance: f64,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let reach = limited_reach(mesh, members, tolerance, &job.part(0.0, 0.1))?;
+        let reach = limited_reach(mesh, members, tolerance, false, &job.part(0.0, 0.1))?;
         let mut clusters = Self::cluster_members(mesh, members, &reach, None, &job.part(0.1, 0.4))?;
         if reach.iter().all(|&reach| reach == tolerance) {
             return Ok(clusters);

@@ -96,7 +96,7 @@ impl NearBorders {
 
 /// Returns the near partner of each vertex of the mesh, or [`NONE`].
 fn find_near_partners(mesh: &MeshView<'_>, alone: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
-    let shortest = shortest_edge_lengths(mesh, alone, &job.part(0.0, 0.2))?;
+    let shortest = shortest_edge_lengths(mesh, alone, 0.0, &job.part(0.0, 0.2))?;
     let points = alloc::collect(alone.iter().map(|&v| mesh.positions().get(v)))?;
     let tree = KdTree::new(&points, &job.part(0.2, 0.4), STAGE)?;
     let limit = |i: usize| MAX_NEAR_TO_EDGE_RATIO * shortest[alone[i] as usize];

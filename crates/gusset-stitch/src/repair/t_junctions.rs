@@ -95,7 +95,7 @@ impl TJunctions {
         job.step(0.0, STAGE)?;
         let members = free_vertices(mesh, topology)?;
         job.step(0.0, STAGE)?;
-        let tolerance = WeldDistances::find_for_members(mesh, &members, source, &job.part(0.0, 0.1))?;
+        let tolerance = WeldDistances::find_for_members(mesh, &members, source, false, &job.part(0.0, 0.1))?;
         let clusters = VertexClusters::cluster_members(mesh, &members, &tolerance.reach, None, &job.part(0.1, 0.3))?;
         let border = FreeBorder { mesh, edges: &edges, members: &members, clusters: &clusters.representative };
         let mut splits = border.find_places_on_edges(&tolerance.reach, &job.part(0.3, 0.7))?;

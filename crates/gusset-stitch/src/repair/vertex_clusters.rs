@@ -46,7 +46,7 @@ pub(crate) fn border_clusters(mesh: &MeshView<'_>, tolerance: f64, job: &Job<'_>
     let topology = Topology::new(mesh, &job.part(0.0, 0.4))?;
     let members = free_vertices(mesh, &topology)?;
     let source = ToleranceSource::Earlier(tolerance);
-    let distances = WeldDistances::find_for_members(mesh, &members, source, &job.part(0.4, 0.5))?;
+    let distances = WeldDistances::find_for_members(mesh, &members, source, false, &job.part(0.4, 0.5))?;
     let clusters = VertexClusters::cluster_members(mesh, &members, &distances.reach, None, &job.part(0.5, 1.0))?;
     Ok(clusters.representative)
 }

@@ -55,7 +55,8 @@ pub struct Options {
     ///
     /// `None` derives it from the data: it covers rounding to the coordinates' type, or to their
     /// visible decimal digits. At each vertex it is limited to a quarter of the shortest edge
-    /// there, so that edges do not collapse.
+    /// there, so that edges do not collapse. If `collapse` is set, edges within the rounding of the
+    /// coordinates' type are not counted.
     pub tolerance: Option<f64>,
     /// If true, corners of one face may be merged. Successive equal corners become one, and a face
     /// with fewer than three different vertices is dropped. If false, corners of one face stay
@@ -119,7 +120,7 @@ pub(super) fn weld_within(
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;
     let members = weldable_vertices(mesh, &topology, sewing)?;
-    let tolerance = WeldDistances::find_for_members(mesh, &members, source, &job.part(0.2, 0.3))?;
+    let tolerance = WeldDistances::find_for_members(mesh, &members, source, options.collapse, &job.part(0.2, 0.3))?;
     job.step(0.3, STAGE)?;
     let corners = if sewing || options.collapse { None } else { Some(VertexCorners::new(mesh, &job.part(0.3, 0.3))?) };
     let part = job.part(0.3, 0.6);

@@ -17,7 +17,8 @@
 //!
 //! **Edges do not collapse**: the reach of each vertex is the tolerance, limited to
 //! [`MAX_REACH_TO_EDGE_RATIO`] of the shortest edge at the vertex. Vertices within mutual reach are
-//! at most half that edge apart. O(V + H) time.
+//! at most half that edge apart. If edges may collapse, edges within the rounding of the scalar type
+//! are not counted. O(V + H) time.
 
 use super::weld::Options;
 use gusset_base::alloc;
@@ -90,11 +91,13 @@ pub(super) struct WeldDistances {
 }
 
 impl WeldDistances {
-    /// Finds the tolerance for `members`, which have finite positions.
+    /// Finds the tolerance for `members`, which have finite positions. `collapse` allows edges to
+    /// collapse.
     pub(super) fn find_for_members(
         mesh: &MeshView<'_>,
         members: &[u32],
         source: ToleranceSource,
+        collapse: bool,
         job: &Job<'_>,
     ) -> Result<Self> {
         let length = match source {
@@ -105,34 +108,51 @@ impl WeldDistances {
             _ if length == 0.0 => Vec::new(),
             ToleranceSource::Given(_) => alloc::filled(length, members.len())?,
             ToleranceSource::Data | ToleranceSource::Earlier(_) => {
-                limited_reach(mesh, members, length, &job.part(0.5, 1.0))?
+                limited_reach(mesh, members, length, collapse, &job.part(0.5, 1.0))?
             }
         };
         Ok(WeldDistances { length, reach })
     }
 }
 
-/// Returns the reach of each member, limited at short edges.
-pub(super) fn limited_reach(mesh: &MeshView<'_>, members: &[u32], length: f64, job: &Job<'_>) -> Result<Vec<f64>> {
-    let edges = shortest_edge_lengths(mesh, members, job)?;
+/// Returns the reach of each member, limited at short edges. If edges may collapse, edges within the
+/// rounding of the scalar type do not limit it.
+pub(super) fn limited_reach(
+    mesh: &MeshView<'_>,
+    members: &[u32],
+    length: f64,
+    collapse: bool,
+    job: &Job<'_>,
+) -> Result<Vec<f64>> {
+    let min = if collapse { type_round_off(mesh, members).1 } else { 0.0 };
+    let edges = shortest_edge_lengths(mesh, members, min, job)?;
     alloc::collect(members.iter().map(|&v| length.min(MAX_REACH_TO_EDGE_RATIO * edges[v as usize])))
+}
+
+/// Returns the bounding box of vertices, and the rounding of the scalar type at the largest coordinate.
+fn type_round_off(mesh: &MeshView<'_>, members: &[u32]) -> (Aabb, f64) {
+    let whole = Aabb::from_points(members.iter().map(|&v| mesh.positions().get(v)));
+    let size = if whole.is_empty() { 0.0 } else { whole.low.abs().max(whole.high.abs()).max_element() };
+    (whole, ROUND_OFF_ULPS * 2.0 * unit_round_off(mesh) * size)
+}
+
+fn unit_round_off(mesh: &MeshView<'_>) -> f64 {
+    match mesh.positions().scalar() {
+        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
+        Scalar::F64 => f64::EPSILON / 2.0,
+    }
 }
 
 /// Returns the largest distance between two copies of one vertex that rounding can explain.
 pub(crate) fn coordinate_round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64> {
     let at = |v: u32| mesh.positions().get(v);
-    let whole = Aabb::from_points(members.iter().map(|&v| at(v)));
+    let (whole, by_type) = type_round_off(mesh, members);
     if whole.is_empty() {
         return Ok(0.0);
     }
     let size = whole.low.abs().max(whole.high.abs()).max_element();
-    let unit_round_off = match mesh.positions().scalar() {
-        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
-        Scalar::F64 => f64::EPSILON / 2.0,
-    };
-    let by_type = ROUND_OFF_ULPS * 2.0 * unit_round_off * size;
     let extent = whole.size().max_element();
-    let Some(steps) = CoordinateDecimals::new(extent, unit_round_off) else { return Ok(by_type) };
+    let Some(steps) = CoordinateDecimals::new(extent, unit_round_off(mesh)) else { return Ok(by_type) };
     let mut decades = DecadeCounts::new(size);
     for (i, &v) in members.iter().enumerate() {
         job.step_every(ELEMENTS_PER_REPORT, i, 2 * members.len(), STAGE)?;
@@ -268,9 +288,9 @@ fn decade_exponent(x: f64) -> Option<i32> {
     (x > 0.0 && x.is_finite()).then(|| (libm::log10(x) + 1e-9).floor() as i32)
 }
 
-/// Returns for each vertex the length of the shortest edge at it with positive length. It is
+/// Returns for each vertex the length of the shortest edge at it that is longer than `min`. It is
 /// infinite without such edges, and 0 for vertices that are not members.
-pub(super) fn shortest_edge_lengths(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<Vec<f64>> {
+pub(super) fn shortest_edge_lengths(mesh: &MeshView<'_>, members: &[u32], min: f64, job: &Job<'_>) -> Result<Vec<f64>> {
     let mut shortest: Vec<f64> = alloc::filled(0.0, mesh.positions().len())?;
     members.iter().for_each(|&v| shortest[v as usize] = f64::INFINITY);
     let faces = mesh.faces().len();
@@ -281,7 +301,7 @@ pub(super) fn shortest_edge_lengths(mesh: &MeshView<'_>, members: &[u32], job: &
                 continue;
             }
             let length = overflow_safe_distance(mesh.positions().get(u), mesh.positions().get(v));
-            if length > 0.0 {
+            if length > min {
                 for end in [u, v] {
                     shortest[end as usize] = shortest[end as usize].min(length);
                 }

@@ -19,7 +19,7 @@ const MAX_INTERVAL_LENGTH_RATIO: f64 = 8.0;
 pub(super) struct CardinalPiece {
     /// The lines that the functions belong to. Lines of weight 0 may repeat other lines.
     pub(super) lines: [usize; NODES_PER_CUBIC],
-    points: [[f64; 4]; NODES_PER_CUBIC],
+    pub(super) points: [[f64; 4]; NODES_PER_CUBIC],
 }
 
 /// The cardinal functions between successive lines. `interval_lengths` are the lengths of the

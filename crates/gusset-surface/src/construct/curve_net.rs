@@ -9,9 +9,11 @@
 //! the degree of the curves. With two rows and two columns, L and M are linear, and S is the Coons
 //! patch. Without columns, S is the skin of the rows.
 
-use super::cardinal_pieces::cardinal_pieces;
+use super::cardinal_pieces::{CardinalPiece, cardinal_pieces};
+use super::line_strips::{LineStrips, fill_zero_lengths};
 use super::nearest_points::{SegmentBoxTree, nearest_points_of_curves};
 use super::net_curve::{CurvePiece, CurvePlace, NetCurve, max_segment_degree};
+use super::net_order::order_of_lines;
 use crate::axis::NODES_PER_CUBIC;
 use crate::{MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
@@ -19,29 +21,26 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
 use gusset_base::job::Job;
-use gusset_base::sort;
 use gusset_curve::CurveView;
-
-/// Breaks of different pieces closer than this, as a fraction of the piece, are merged.
-const MAX_MERGED_BREAK_GAP: f64 = 1e-6;
 
 /// Number of patches between two progress reports.
 const PATCHES_PER_REPORT: usize = 1 << 13;
 const NODE_STAGE: &str = "finding nodes";
 const PATCH_STAGE: &str = "making patches";
 
-/// Curves across (rows) and along (columns). Every row meets every column in the given order;
-/// curves may run in either direction. Rows alone, or columns alone, make a skin. A curve may be a
-/// single point, which makes a pole.
+/// Curves across (rows) and along (columns). Every row meets every column. Curves may run in either
+/// direction, and may be listed in any order: if they do not meet in the given order, they are sorted
+/// by the places where they meet. Rows alone, or columns alone, make a skin, in the given order. A
+/// curve may be a single point, which makes a pole.
 ///
 /// Ends of rows beyond the first and the last column are cut off; so are ends of columns. Polylines
 /// are curves of degree 1, so the surface has a crease where they turn. For a smooth surface, first
 /// fit curves through their points ([`fit`](gusset_curve::fit())).
 #[derive(Debug, Clone, Copy)]
 pub struct CurveNet<'a> {
-    /// The curves in v, in order of u: at least 2, or none.
+    /// The curves in v: at least 2, or none. Without columns, in order of u.
     pub rows: &'a [CurveView<'a>],
-    /// The curves in u, in order of v: at least 2, or none.
+    /// The curves in u: at least 2, or none. Without rows, in order of v.
     pub columns: &'a [CurveView<'a>],
     /// Whether the net is closed in u and in v. If closed in u, the columns are closed curves, and
     /// the first row follows the last one; at least 3 rows are needed, if there are any. Closed in
@@ -150,7 +149,38 @@ impl<const N: usize> GordonSurface<N> {
                 snap_place_to_joint(&columns[l], met.places[1], slack),
             ])
         }))?;
-        GordonSurface::from_crossing_curves(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
+        GordonSurface::from_unsorted_curves(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
+    }
+
+    /// Sorts the curves if they cross each other in another order than given. Curves of a skin run in the
+    /// direction of the first one. `places` holds, row by
+    /// row, the places on the row and the column where they meet.
+    fn from_unsorted_curves(
+        rows: Vec<NetCurve<N>>,
+        columns: Vec<NetCurve<N>>,
+        closed: [bool; 2],
+        places: &[[CurvePlace; 2]],
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let width = columns.len();
+        let points = |curves: &[NetCurve<N>]| alloc::collect(curves.iter().map(NetCurve::is_single_point));
+        let row_order = order_of_lines(&points(&columns)?, rows.len(), closed[0], &|l, k| places[k * width + l][1])?;
+        let column_order = order_of_lines(&points(&rows)?, width, closed[1], &|k, l| places[k * width + l][0])?;
+        let sorted =
+            alloc::gather(row_order.iter().flat_map(|&k| column_order.iter().map(move |&l| places[k * width + l])))?;
+        let (mut rows, mut columns) = (permuted(rows, &row_order)?, permuted(columns, &column_order)?);
+        if rows.is_empty() || columns.is_empty() {
+            align_directions(&mut rows);
+            align_directions(&mut columns);
+        }
+        GordonSurface::from_crossing_curves(rows, columns, closed, &sorted, job).map_err(|error| match error {
+            Error::CurvesOutOfOrder { row, column, curve } => Error::CurvesOutOfOrder {
+                row: row_order[row as usize] as u32,
+                column: column_order[column as usize] as u32,
+                curve,
+            },
+            error => error,
+        })
     }
 
     /// `places` holds, row by row, the places on the row and the column where they meet.
@@ -184,7 +214,7 @@ impl<const N: usize> GordonSurface<N> {
                 let ends = |l: usize| nodes[number(place(k, l % count.max(1)))];
                 let out_of_order = |l: usize| {
                     let (row, column) = place(k, l);
-                    Error::CurvesOutOfOrder { row: row as u32, column: column as u32 }
+                    Error::CurvesOutOfOrder { row: row as u32, column: column as u32, curve: ["row", "column"][axis] }
                 };
                 cut_curve_at_places(&mut net_curves[k], at, closed[1 - axis], ends, out_of_order)
             }))
@@ -203,8 +233,8 @@ impl<const N: usize> GordonSurface<N> {
         if self.columns.is_empty() {
             return self.compute_skin_patches(&self.rows, &self.points[0], self.closed[0], job);
         }
-        let u = StripSubdivisions::from_curves(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
-        let v = StripSubdivisions::from_curves(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
+        let u = LineStrips::from_curves(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
+        let v = LineStrips::from_curves(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
         let (blend_u, blend_v) =
             (cardinal_pieces(&u.lengths, self.closed[0])?, cardinal_pieces(&v.lengths, self.closed[1])?);
         let rows = v.refine_curves_to_cells(&self.rows, &job.part(0.2, 0.3))?;
@@ -245,30 +275,66 @@ impl<const N: usize> GordonSurface<N> {
         closed: bool,
         job: &Job<'_>,
     ) -> Result<Patches<N>> {
-        let v = StripSubdivisions::from_curves(rows, points, &job.part(0.0, 0.2))?;
+        let v = LineStrips::from_curves(rows, points, &job.part(0.0, 0.2))?;
         let refined = v.refine_curves_to_cells(rows, &job.part(0.2, 0.4))?;
-        let last = rows.len() - usize::from(!closed);
-        let apart = |k: usize| {
-            let (row, next) = (&refined[k], &refined[(k + 1) % rows.len()]);
-            let sum: f64 = row.iter().zip(next).map(|(a, b)| a[0].distance(b[0]) + a[N - 1].distance(b[N - 1])).sum();
-            sum / (2 * row.len()) as f64
-        };
-        let blend = cardinal_pieces(&replace_zero_lengths_by_mean(alloc::collect((0..last).map(apart))?), closed)?;
-        let mut patches = patches_with_capacity(last, v.cell_count())?;
-        for piece in &blend {
-            let across = piece.bernstein_weights::<N>([0.0, 1.0]);
-            let patch = |j: usize| {
-                let rows = piece.lines.map(|k| &refined[k][j]);
-                let point = |a: usize, b: usize| weighted_point_sum(&across[a], &rows.map(|row| row[b]));
-                Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
-            };
-            for j in 0..v.cell_count() {
-                job.part(0.4, 1.0).step_every(PATCHES_PER_REPORT, patches.len(), patches.capacity(), PATCH_STAGE)?;
-                patches.push(patch(j));
-            }
-        }
-        Ok(Patches::from_patches(patches, last, v.cell_count()))
+        let blend = cardinal_pieces(&row_distances(&refined, closed)?, closed)?;
+        blend_rows(&refined, &blend, &job.part(0.4, 1.0))
     }
+}
+
+/// The mean distance of each row from the next one; in a closed direction, also of the last row from
+/// the first one. `rows` are the segments of each row.
+pub(super) fn row_distances<const N: usize>(rows: &[Vec<[DVec3; N]>], closed: bool) -> Result<Vec<f64>> {
+    let apart = |k: usize| {
+        let (row, next) = (&rows[k], &rows[(k + 1) % rows.len()]);
+        let sum: f64 = row.iter().zip(next).map(|(a, b)| a[0].distance(b[0]) + a[N - 1].distance(b[N - 1])).sum();
+        sum / (2 * row.len()) as f64
+    };
+    Ok(fill_zero_lengths(alloc::collect((0..rows.len() - usize::from(!closed)).map(apart))?))
+}
+
+/// Computes the patches between rows of segments. `blend` has the functions that blend the rows in each
+/// interval between them.
+pub(super) fn blend_rows<const N: usize>(
+    rows: &[Vec<[DVec3; N]>],
+    blend: &[CardinalPiece],
+    job: &Job<'_>,
+) -> Result<Patches<N>> {
+    let cells = rows.first().map_or(0, Vec::len);
+    let mut patches = patches_with_capacity(blend.len(), cells)?;
+    for piece in blend {
+        let across = piece.bernstein_weights::<N>([0.0, 1.0]);
+        let patch = |j: usize| {
+            let segments = piece.lines.map(|k| &rows[k][j]);
+            let point = |a: usize, b: usize| weighted_point_sum(&across[a], &segments.map(|segment| segment[b]));
+            Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
+        };
+        for j in 0..cells {
+            job.step_every(PATCHES_PER_REPORT, patches.len(), patches.capacity(), PATCH_STAGE)?;
+            patches.push(patch(j));
+        }
+    }
+    Ok(Patches::from_patches(patches, blend.len(), cells))
+}
+
+/// Reverses open curves of a skin that run against the curve before them.
+fn align_directions<const N: usize>(curves: &mut [NetCurve<N>]) {
+    let ends = |curve: &NetCurve<N>| {
+        let last = curve.segments.len() - 1;
+        [curve.segments[0][0], curve.segments[last][N - 1]]
+    };
+    for k in 1..curves.len() {
+        let ([a, b], [c, d]) = (ends(&curves[k - 1]), ends(&curves[k]));
+        if !curves[k].closed && a.distance(d) + b.distance(c) < a.distance(c) + b.distance(d) {
+            curves[k].reverse_direction();
+        }
+    }
+}
+
+/// Returns the elements of a list in an order.
+fn permuted<T>(list: Vec<T>, order: &[usize]) -> Result<Vec<T>> {
+    let mut slots = alloc::collect(list.into_iter().map(Some))?;
+    alloc::gather(order.iter().filter_map(|&k| slots[k].take()))
 }
 
 /// The place, or the joint of segments if it is within `max_distance`.
@@ -289,7 +355,7 @@ fn snap_place_to_joint<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, 
 
 /// Cuts a curve into the pieces between its places, and moves their ends to the nodes. Reverses the
 /// curve if it runs against the order.
-fn cut_curve_at_places<const N: usize>(
+pub(super) fn cut_curve_at_places<const N: usize>(
     net_curve: &mut NetCurve<N>,
     mut at: Vec<CurvePlace>,
     closed: bool,
@@ -334,112 +400,6 @@ fn cut_curve_at_places<const N: usize>(
 fn are_places_reversed(at: &[CurvePlace]) -> bool {
     // The parameter falls once in forward order, and twice in reverse order.
     (0..3).filter(|&k| at[(k + 1) % 3] < at[k]).count() == 2
-}
-
-/// The intervals between the lines of one direction, and their subdivision into cells.
-struct StripSubdivisions {
-    /// The fraction of the parameter that each interval takes.
-    lengths: Vec<f64>,
-    /// The ends of each interval's cells, as fractions of the interval; the last one is 1.
-    breaks: Vec<Vec<f64>>,
-    /// By interval and curve: the ends of the curve's segments, snapped to the breaks.
-    ends: Vec<Vec<Vec<f64>>>,
-}
-
-impl StripSubdivisions {
-    /// Computes the strips from the curves that cross them. `points` marks curves that are single
-    /// points.
-    fn from_curves<const N: usize>(curves: &[Vec<CurvePiece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
-        let count = curves[0].len();
-        let mut lengths = alloc::filled(0.0, count)?;
-        for (curve, _) in curves.iter().zip(points).filter(|&(_, &point)| !point) {
-            let whole: f64 = curve.iter().map(|piece| piece.length).sum();
-            lengths.iter_mut().zip(curve).for_each(|(length, piece)| *length += piece.length / whole);
-        }
-        let (mut all_breaks, mut all_ends) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
-        for strip in 0..count {
-            job.step(strip as f64 / count as f64, PATCH_STAGE)?;
-            let own = alloc::collect(curves.iter().map(|curve| &curve[strip].ends[..]))?;
-            let (breaks, ends) = common_breaks_of_curves(&own, points)?;
-            all_breaks.push(breaks);
-            all_ends.push(ends);
-        }
-        Ok(StripSubdivisions { lengths: replace_zero_lengths_by_mean(lengths), breaks: all_breaks, ends: all_ends })
-    }
-
-    /// The number of cells.
-    fn cell_count(&self) -> usize {
-        self.breaks.iter().map(Vec::len).sum()
-    }
-
-    /// The strip of each cell, and the range of the cell within the strip.
-    fn strips_and_ranges_of_cells(&self) -> Result<Vec<(usize, [f64; 2])>> {
-        let mut cells = alloc::with_capacity(self.cell_count())?;
-        for (strip, breaks) in self.breaks.iter().enumerate() {
-            cells.extend((0..breaks.len()).map(|k| (strip, [if k == 0 { 0.0 } else { breaks[k - 1] }, breaks[k]])));
-        }
-        Ok(cells)
-    }
-
-    /// The segments of each curve over each cell.
-    fn refine_curves_to_cells<const N: usize>(
-        &self,
-        curves: &[Vec<CurvePiece<N>>],
-        job: &Job<'_>,
-    ) -> Result<Vec<Vec<[DVec3; N]>>> {
-        alloc::try_collect((0..curves.len()).map(|k| {
-            job.step(k as f64 / curves.len() as f64, PATCH_STAGE)?;
-            let mut refined = alloc::with_capacity(self.cell_count())?;
-            for (strip, piece) in curves[k].iter().enumerate() {
-                piece.append_refined_segments(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
-            }
-            Ok(refined)
-        }))
-    }
-}
-
-/// The breaks of a strip from the segment ends of the curves' pieces, and for each piece its ends
-/// snapped to the breaks.
-fn common_breaks_of_curves(segment_ends: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
-    let curves = || segment_ends.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
-    let Some(first) = curves().next() else {
-        return Ok((alloc::filled(1.0, 1)?, alloc::try_collect(segment_ends.iter().map(|_| alloc::filled(1.0, 1)))?));
-    };
-    if curves().all(|ends| ends.len() == first.len()) {
-        // Matched in order.
-        let number = curves().count() as f64;
-        let mean = |k: usize| curves().map(|ends| ends[k]).sum::<f64>() / number;
-        let breaks = alloc::collect((0..first.len()).map(|k| if k + 1 == first.len() { 1.0 } else { mean(k) }))?;
-        let ends = points.iter().map(|&point| if point { alloc::filled(1.0, 1) } else { alloc::copied(&breaks) });
-        let ends = alloc::try_collect(ends)?;
-        return Ok((breaks, ends));
-    }
-    let mut all = Vec::new();
-    for (curve, ends) in segment_ends.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
-        alloc::extend(&mut all, ends[..ends.len() - 1].iter().map(|&end| (end, curve)))?;
-    }
-    sort::sort_stable(&mut all, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let mut ends: Vec<Vec<f64>> = alloc::collect(segment_ends.iter().map(|_| Vec::new()))?;
-    let mut breaks: Vec<f64> = Vec::new();
-    for (end, curve) in all {
-        let last = breaks.last().copied().unwrap_or(0.0);
-        if breaks.is_empty() || end - last > MAX_MERGED_BREAK_GAP || ends[curve].last() == Some(&last) {
-            alloc::push(&mut breaks, end)?;
-        }
-        let end = breaks[breaks.len() - 1];
-        alloc::push(&mut ends[curve], end)?;
-    }
-    alloc::push(&mut breaks, 1.0)?;
-    ends.iter_mut().try_for_each(|ends| alloc::push(ends, 1.0))?;
-    Ok((breaks, ends))
-}
-
-/// Replaces lengths that are (nearly) zero by the mean length.
-fn replace_zero_lengths_by_mean(mut lengths: Vec<f64>) -> Vec<f64> {
-    let sum: f64 = lengths.iter().sum();
-    let mean = if sum > 0.0 { sum / lengths.len() as f64 } else { 1.0 };
-    lengths.iter_mut().filter(|length| length.is_nan() || **length <= 1e-6 * mean).for_each(|length| *length = mean);
-    lengths
 }
 
 /// Allocates memory for patches. Fails if there are too many.

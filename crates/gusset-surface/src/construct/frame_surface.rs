@@ -2,7 +2,8 @@
 
 use super::curve_net::GordonSurface;
 use super::net_curve::{CurvePlace, NetCurve, max_segment_degree};
-use crate::{Grid, Nodes, Scheme, Sheet};
+use super::section_skin::skin_sections;
+use crate::{Grid, Nodes, Patches, Scheme, Sheet};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::choices;
@@ -14,15 +15,19 @@ use gusset_curve::{Fit, Place};
 /// The parts of a frame that define the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum FrameSurface {
-    /// The nodes, as a grid. If some curves have corners, which a grid would round, all curves are
-    /// used instead.
+    /// The curves of the sections. Between two equal sections, one straight behind the other, the
+    /// surface is their cylinder.
     #[default]
+    Sections,
+    /// The nodes, as a grid. If some curves have corners, which a grid would round, all curves are
+    /// used instead. Fourth order between smooth sections.
     Nodes,
     /// The curves too: the Gordon surface, which contains them.
     Curves,
 }
 
 choices! { for FrameSurface:
+    Sections => "Sections", "The curves of the sections, without bulges between them.";
     Nodes => "Nodes", "The nodes: bicubic patches from 6 x 6 of them each; the curves if some have corners.";
     Curves => "Curves", "All curves through the nodes, across and along.";
 }
@@ -49,18 +54,20 @@ impl Sheet<'static> {
         job: &Job<'_>,
     ) -> Result<Self> {
         let counts = [grid.rows, grid.columns];
+        let min = closed.map(|closed| if closed { 3 } else { 2 });
+        if grid.rows < min[0] || grid.columns < min[1] {
+            return Err(Error::NetTooSmall { rows: grid.rows as u64, columns: grid.columns as u64 });
+        }
         if kind == FrameSurface::Nodes && grid.corners.is_empty() {
             return node_sheet(counts, &grid.nodes, closed, job);
         }
-        if max_segment_degree(curves.into_iter().flat_map(|fit| (0..fit.len()).map(move |k| fit.curve(k))))? <= 3 {
-            Ok(Sheet::Cubic(
-                gordon_surface(counts, curves, closed, &job.part(0.0, 0.5))?.compute_patches(&job.part(0.5, 1.0))?,
-            ))
+        let used = if kind == FrameSurface::Sections { &curves[..1] } else { &curves[..] };
+        let degree = max_segment_degree(used.iter().flat_map(|fit| (0..fit.len()).map(|k| fit.curve(k))))?;
+        Ok(if degree <= 3 {
+            Sheet::Cubic(patches_of_frame(grid, curves, closed, kind, job)?)
         } else {
-            Ok(Sheet::High(
-                gordon_surface(counts, curves, closed, &job.part(0.0, 0.5))?.compute_patches(&job.part(0.5, 1.0))?,
-            ))
-        }
+            Sheet::High(patches_of_frame(grid, curves, closed, kind, job)?)
+        })
     }
 }
 
@@ -85,19 +92,16 @@ fn node_sheet(
     Ok(Sheet::Grid(Grid::new(nodes, closed, Scheme::SixTap)?))
 }
 
-/// Creates the Gordon surface of the curves, whose nodes the frame knows.
-fn gordon_surface<const N: usize>(
-    [rows, columns]: [usize; 2],
+/// Creates the patches through the sections, or through all curves.
+fn patches_of_frame<const N: usize>(
+    grid: &NodeGrid,
     [across, along]: [&Fit; 2],
     closed: [bool; 2],
+    kind: FrameSurface,
     job: &Job<'_>,
-) -> Result<GordonSurface<N>> {
-    let min = closed.map(|closed| if closed { 3 } else { 2 });
-    if rows < min[0] || columns < min[1] {
-        return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
-    }
+) -> Result<Patches<N>> {
+    let (rows, columns) = (grid.rows, grid.columns);
     let net_curves = |fit: &Fit| alloc::try_collect((0..fit.len()).map(|k| NetCurve::new(&fit.curve(k))));
-    let (row_curves, column_curves) = (net_curves(across)?, net_curves(along)?);
     let at = |net_curve: &NetCurve<N>, place: Place| {
         let (segment, count) = (place.segment as usize, net_curve.segments.len());
         // A joint counts as the start of the next segment.
@@ -108,9 +112,17 @@ fn gordon_surface<const N: usize>(
             t => CurvePlace { segment, t },
         }
     };
+    let row_curves = net_curves(across)?;
+    let on_row = |n: usize| at(&row_curves[n / columns], across.place(n));
+    if kind == FrameSurface::Sections {
+        let places = alloc::collect((0..rows * columns).map(on_row))?;
+        return skin_sections(row_curves, &places, &grid.nodes, closed, job);
+    }
+    let column_curves = net_curves(along)?;
     let places = alloc::collect((0..rows * columns).map(|n| {
         let (k, l) = (n / columns, n % columns);
-        [at(&row_curves[k], across.place(n)), at(&column_curves[l], along.place(l * rows + k))]
+        [on_row(n), at(&column_curves[l], along.place(l * rows + k))]
     }))?;
-    GordonSurface::from_crossing_curves(row_curves, column_curves, closed, &places, job)
+    GordonSurface::from_crossing_curves(row_curves, column_curves, closed, &places, &job.part(0.0, 0.5))?
+        .compute_patches(&job.part(0.5, 1.0))
 }
