@@ -90,11 +90,16 @@ cargo_home := $(or $(CARGO_HOME),$(HOME)/.cargo)
 remapped   := "--remap-path-prefix=$(cargo_home)=/cargo", "--remap-path-prefix=$(CURDIR)=/gusset-$(version)"
 released   := --config 'build.rustflags=[$(remapped)]'
 
-# Features of the library for C that the crate lacks.
-features   := --features reserve
+# Features of the library for C that the crate lacks, and none of the program, which loads that library.
+features   := --no-default-features --features gusset/reserve
+
+# Compiles the packages $(1), or with ALL=yes all that `make test` needs at once: cargo unites the features of the packages that
+# it builds together, and compiles a dependency again for other features.
+tested  := -p gusset -p gusset-cli -p gusset-files -p gusset-interface -p gusset-openmfx -p gusset-tests $(features),gusset-files/reserve
+compile  = $(CARGO) build $(if $(ALL),$(tested),$(1)) --profile $(PROFILE) --locked $(released)
 
 build:
-	$(CARGO) build -p gusset $(features) --profile $(PROFILE) --locked $(released)
+	$(call compile,-p gusset $(features))
 
 # All checks of a change, except the hosts' side.
 check: lint-rust test-rust
@@ -124,21 +129,23 @@ lint-hosts: docs
 	scripts/lint-hosts.sh build/lint
 
 # The description of the C interface, from which other files are generated. Its time changes only if it changes.
-interface = $(CARGO) run -q --locked -p gusset-interface --
+interface = $(if $(ALL),$(release)/gusset-interface,$(CARGO) run -q --locked -p gusset-interface --)
 .PHONY: build/interface.json
-build/interface.json:
+build/interface.json: $(if $(ALL),build)
 	@mkdir -p build
 	@$(interface) describe $@
 
-# The unit tests of all crates in a plain build, with checks of overflow, and the example of the crate's first page.
-units := --workspace --exclude gusset-tests --exclude gusset-fuzz
+# The unit tests of the crates that no other one needs to be compiled for, in a plain build, with checks of overflow.
+plain  = $(filter-out gusset-files gusset-openmfx,$(shell grep -rl '^ *\#\[test\]' crates | cut -d/ -f2 | sort -u))
+units  = $(addprefix -p ,$(plain) gusset-oracles) --features gusset-base/reserve
 test-units:
-	CARGO_INCREMENTAL=0 $(CARGO) test --locked $(units) --lib --bins
-	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset $(features) --doc
+	CARGO_INCREMENTAL=0 $(CARGO) test --locked $(units) --lib
 
-# Tests the released library from outside. No second one is compiled if both select equal features of all packages.
+# Tests the released library from outside. Also runs the unit tests of the packages that link it, and the example of its first page.
+test-programs: ALL = yes
 test-programs: build
-	$(CARGO) test --locked -p gusset-tests --release $(released) --no-fail-fast
+	$(CARGO) test --locked $(tested) --lib --bins --test '*' --release $(released) --no-fail-fast
+	$(CARGO) test --locked -p gusset $(features) --doc --release $(released)
 
 # Runs the tests that `make test` ignores because they take minutes, and all cases of sampled tests.
 exhaustive:
@@ -158,16 +165,17 @@ mutants:
 
 # The library with the entry points of OpenMfx.
 openmfx:
-	$(CARGO) build -p gusset-openmfx --profile $(PROFILE) --locked $(released)
+	$(call compile,-p gusset-openmfx)
 
 # Readers and writers of files, for tests of the Python package. `make wheel` links them into the library of the package.
 files:
-	$(CARGO) build -p gusset-files --features reserve --profile $(PROFILE) --locked $(released)
+	$(call compile,-p gusset-files --features reserve)
 
 # Runs both sides at once, because each keeps only one core busy at times.
 test:
 	@scripts/install-packages.sh $(test_packages)
-	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line test-hosts test-rust
+	@$(MAKE) --no-print-directory ALL=yes build
+	@$(MAKE) --no-print-directory ALL=yes --jobs=2 --output-sync=line test-hosts test-rust
 
 # The tests have their own program and archive.
 test_folder   := $(CURDIR)/build/test
@@ -189,7 +197,7 @@ test-hosts-all: stage files build/interface.json
 # Compiles the program against the release library, which it loads. build/cli has it with its manual, its completions and a
 # link to the library; `make install` installs it.
 cli: stage
-	$(CARGO) build -p gusset-cli --no-default-features --features gusset/reserve --profile $(PROFILE) --locked $(released)
+	$(call compile,-p gusset-cli $(features))
 	@scripts/program.sh '$(release)/gusset' '$(stage)/lib' '$(program)'
 
 scans: cli

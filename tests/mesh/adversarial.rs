@@ -8,7 +8,7 @@ use gusset::Job;
 use gusset::check::check;
 use gusset::mesh::PositionBuffer;
 use gusset::stitch::{Cells, Fairing, Intersections, Meridians, Options, Request, Rows, Start, Stitch, stitch};
-use gusset_oracles::cuts::{Point, cut, normal};
+use gusset_oracles::cuts::{Point, cut_pairs, have_area};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
@@ -256,18 +256,11 @@ fn compare_cuts(joined: &Stitch, unit: f64) -> (BTreeSet<[u32; 2]>, BTreeSet<[u3
             (x * unit) as i64
         })
     };
-    let faces: Vec<[u32; 3]> = faces_of(&joined.mesh).map(|f| f.try_into().unwrap()).collect();
-    let has_area: Vec<bool> = faces.iter().map(|&t| normal(t.map(at)) != [0; 3]).collect();
-    let mut expected = BTreeSet::new();
-    for f in joined.strip_faces.clone() {
-        for g in (0..f).filter(|&g| has_area[f as usize] && has_area[g as usize]) {
-            if cut(faces[f as usize].map(at), faces[g as usize].map(at)) {
-                expected.insert([f, g]);
-            }
-        }
-    }
+    let triangles: Vec<[Point; 3]> = faces_of(&joined.mesh).map(|f| <[u32; 3]>::try_from(f).unwrap().map(at)).collect();
+    let has_area = have_area(&triangles);
     let pairs = joined.intersections.iter().flatten().copied();
-    (pairs.filter(|pair| pair.iter().all(|&f| has_area[f as usize])).collect(), expected)
+    let found = pairs.filter(|pair| pair.iter().all(|&f| has_area[f as usize])).collect();
+    (found, cut_pairs(&triangles, joined.strip_faces.clone()).into_iter().collect())
 }
 
 proptest! {

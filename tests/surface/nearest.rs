@@ -6,6 +6,7 @@ use glam::DVec3;
 use gusset::surface::construct::{Spline, SplineAxis, SplineOptions};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
 use gusset::{Element, Error, Job};
+use gusset_oracles::descent::least_value;
 
 /// The smallest distance of many points of every cell, each improved by steps of alternating
 /// search: an upper bound, near the truth.
@@ -14,32 +15,8 @@ fn by_force(grid: &Grid<'_>, query: DVec3) -> f64 {
     let mut best = f64::INFINITY;
     for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
         let patch = grid.patch(i, j);
-        let distance = |u: f64, v: f64| patch.point(u, v).distance(query);
-        let places = (0..25).map(|k| (f64::from(k / 5) / 4.0, f64::from(k % 5) / 4.0));
-        let (mut u, mut v) = places.min_by(|a, b| distance(a.0, a.1).total_cmp(&distance(b.0, b.1))).unwrap();
-        let mut value = distance(u, v);
-        if value > best + 0.2 {
-            continue;
-        }
-        let mut step = 0.25;
-        while step > 1e-9 {
-            let around = [
-                (step, 0.0),
-                (-step, 0.0),
-                (0.0, step),
-                (0.0, -step),
-                (step, step),
-                (-step, -step),
-                (step, -step),
-                (-step, step),
-            ];
-            let tries = around.map(|(x, y)| ((u + x).clamp(0.0, 1.0), (v + y).clamp(0.0, 1.0)));
-            match tries.into_iter().find(|&(x, y)| distance(x, y) < value) {
-                Some((x, y)) => (u, v, value) = (x, y, distance(x, y)),
-                None => step *= 0.5,
-            }
-        }
-        best = best.min(value);
+        let lowest = least_value(&|u, v| patch.point(u, v).distance(query), best + 0.2);
+        best = best.min(lowest.unwrap_or(f64::INFINITY));
     }
     best
 }

@@ -6,16 +6,8 @@ use crate::self_intersection::{lattice, meet};
 use crate::shapes::Random;
 use glam::{DVec3, DVec4};
 use gusset::surface::{Paths, Place, Surface};
+use gusset_oracles::crossings::crossing_pairs;
 use std::f64::consts::TAU;
-
-/// The intersection of an edge and a triangle, if any.
-fn crossing([a, b]: [DVec3; 2], [p, q, r]: [DVec3; 3]) -> Option<DVec3> {
-    let volume = |x: DVec3, y: DVec3, z: DVec3| (x - a).cross(y - a).dot(z - a);
-    let above = |x: DVec3| (q - p).cross(r - p).dot(x - p);
-    let signs = [volume(b, p, q), volume(b, q, r), volume(b, r, p)].map(|x| x > 0.0);
-    let (low, high) = (above(a), above(b));
-    ((low > 0.0) != (high > 0.0) && signs[0] == signs[1] && signs[1] == signs[2]).then(|| a.lerp(b, low / (low - high)))
-}
 
 /// Parameters of two points on a surface of one sheet, in cells.
 struct Sampled<'a> {
@@ -98,23 +90,19 @@ impl Sampled<'_> {
             })
             .collect();
         let corners: Vec<[DVec3; 3]> = triangles.iter().map(|t| t.map(|[i, j]| points[i * (w + 1) + j])).collect();
-        let boxes: Vec<[DVec3; 2]> = corners.iter().map(|&[p, q, r]| [p.min(q).min(r), p.max(q).max(r)]).collect();
         let middle = |t: &[[usize; 2]; 3]| [0, 1].map(|k| t.iter().map(|&p| at(p)[k]).sum::<f64>() / 3.0);
-        let mut found = Vec::new();
-        for (m, one) in triangles.iter().enumerate() {
-            for (n, other) in triangles.iter().enumerate() {
-                let meets = boxes[m][0].cmple(boxes[n][1]).all() && boxes[n][0].cmple(boxes[m][1]).all();
-                if !meets || m == n || one.iter().any(|&p| other.iter().any(|&q| wrap(p) == wrap(q))) {
-                    continue;
-                }
-                let edges = (0..3).map(|k| [corners[m][k], corners[m][(k + 1) % 3]]);
-                if edges.into_iter().any(|edge| crossing(edge, corners[n]).is_some()) {
-                    let ([a, b], [c, d]) = (middle(one), middle(other));
-                    found.extend(self.solution(DVec4::new(a, b, c, d)).filter(|&(_, x)| self.apart(x) >= 1e-3));
-                }
-            }
-        }
-        found
+        let shares_corner = |one: &[[usize; 2]; 3], other: &[[usize; 2]; 3]| {
+            one.iter().any(|&p| other.iter().any(|&q| wrap(p) == wrap(q)))
+        };
+        crossing_pairs(&corners)
+            .into_iter()
+            .map(|pair| pair.map(|n| &triangles[n]))
+            .filter(|[one, other]| !shares_corner(one, other))
+            .filter_map(|[one, other]| {
+                let ([a, b], [c, d]) = (middle(one), middle(other));
+                self.solution(DVec4::new(a, b, c, d)).filter(|&(_, x)| self.apart(x) >= 1e-3)
+            })
+            .collect()
     }
 
     /// The chords of paths by the parameters of both pieces, with their ends in space.

@@ -3,6 +3,7 @@
 //! that lie in the triangles are compared.
 
 use std::cmp::Ordering;
+use std::ops::Range;
 
 /// A point of whole coordinates.
 pub type Point = [i64; 3];
@@ -20,7 +21,7 @@ fn dot(u: [i128; 3], v: [i128; 3]) -> i128 {
 }
 
 /// The normal; 0 for a triangle without area.
-pub fn normal(t: [Point; 3]) -> [i128; 3] {
+fn normal(t: [Point; 3]) -> [i128; 3] {
     cross(from_to(t[0], t[1]), from_to(t[0], t[2]))
 }
 
@@ -71,7 +72,7 @@ fn cut_in_plane(p: [Point; 3], q: [Point; 3], shared: usize, axis: usize) -> boo
 
 /// Do two triangles with an area have points in common, what lies at vertices of both, and between
 /// these, apart?
-pub fn cut(v: [Point; 3], w: [Point; 3]) -> bool {
+fn cut(v: [Point; 3], w: [Point; 3]) -> bool {
     let shared: Vec<Point> = v.iter().copied().filter(|x| w.contains(x)).collect();
     let first = |t: [Point; 3]| {
         let mut order = shared.clone();
@@ -95,4 +96,21 @@ pub fn cut(v: [Point; 3], w: [Point; 3]) -> bool {
         1 => low.cmp(&high).is_lt(),
         _ => false,
     }
+}
+
+/// Whether each triangle has an area.
+pub fn have_area(triangles: &[[Point; 3]]) -> Vec<bool> {
+    triangles.iter().map(|&t| normal(t) != [0; 3]).collect()
+}
+
+/// All pairs of triangles with an area that [`cut`] each other. The first one of a pair is in `later`, the second one
+/// comes before it.
+pub fn cut_pairs(triangles: &[[Point; 3]], later: Range<u32>) -> Vec<[u32; 2]> {
+    let has_area = have_area(triangles);
+    let mut found = Vec::new();
+    for f in later.filter(|&f| has_area[f as usize]) {
+        let before = (0..f).filter(|&g| has_area[g as usize]);
+        found.extend(before.filter(|&g| cut(triangles[f as usize], triangles[g as usize])).map(|g| [f, g]));
+    }
+    found
 }

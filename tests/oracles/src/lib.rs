@@ -4,5 +4,7 @@
 //! loop over all pairs belongs here; functions here are not generic, since those would be compiled
 //! with the tests.
 
+pub mod crossings;
 pub mod cuts;
+pub mod descent;
 pub mod distances;
