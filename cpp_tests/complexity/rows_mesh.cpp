@@ -30,6 +30,21 @@ std::function<Call(std::size_t)> joined(Rim rim, gusset::StitchOptions options =
     };
 }
 
+/// One face, split into triangles.
+template <class Rim>
+std::function<Call(std::size_t)> triangulated(Rim rim) {
+    return [=](std::size_t n) {
+        const auto points = std::make_shared<const std::vector<Point3>>(rim(n, 0.0));
+        const auto corners = std::make_shared<std::vector<uint32_t>>();
+        for (uint32_t i = 0; i < points->size(); ++i) {
+            corners->push_back(i);
+        }
+        return making([=](const gusset::Context &context) {
+            return gusset::Triangulation(gusset::MeshView::uniform(*points, *corners, uint32_t(corners->size())), context);
+        });
+    };
+}
+
 /// A shell, whose first loop is filled.
 template <class Rim>
 std::function<Call(std::size_t)> filled(Rim rim) {
@@ -183,6 +198,11 @@ std::vector<Row> mesh_rows() {
         {"sew", "triangles at a vertex", 50, 1000000, 1, 1, 0, on_mesh(bundle, sew)},
         {"orient", "fan", 250, 4000000, 1, 1, 0, on_mesh(closed_fan, orient)},
         {"orient", "triangles at a vertex", 250, 4000000, 1, 1, 0, on_mesh(bundle, orient)},
+        {"triangulate", "circle", 1000, 1000000, 1, 1, 0, triangulated(round_rim)},
+        {"triangulate", "line", 1000, 1000000, 1, 1, 0, triangulated(line_rim)},
+        {"triangulate", "star", 1000, 1000000, 1, 1, 0, triangulated(star_rim)},
+        {"triangulate", "spiral", 1000, 1000000, 1, 1, 0, triangulated(spiral_rim)},
+        {"triangulate", "point", 1000, 1000000, 1, 1, 0, triangulated(point_rim)},
         {"join", "loops", 64, 100000, 1, 1, 0, on_mesh(loose, assemble)},
         {"join", "triangles at a vertex", 32, 100000, 2, 1, 0, on_mesh(bundle, assemble)},
         {"join", "points in one", 64, 100000, 1, 1, 0, on_mesh(in_one_point, assemble)},

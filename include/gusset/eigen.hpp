@@ -79,6 +79,7 @@ private:
     std::vector<uint32_t> corners_;
     uint32_t face_size_ = 0;
 };
+/// Input(V, F) has the scalar type of V.
 template <class V, class F>
 Input(const Eigen::DenseBase<V> &, const Eigen::DenseBase<F> &) -> Input<typename V::Scalar>;
 

@@ -1,12 +1,13 @@
 //! Faces as triangles, against volumes, areas and edge counts of prisms with concave ends.
 
-use crate::common::{Soup, edge_counts, faces_of, sheet, volume};
+use crate::common::{Soup, Steady, edge_counts, faces_of, sheet, volume};
 use glam::DVec3;
-use gusset::Job;
 use gusset::attributes::{Domain, Origins};
 use gusset::check::find_intersecting_faces;
 use gusset::mesh::{TriangulatedMesh, triangulate};
+use gusset::{Error, Job, Progress};
 use proptest::prelude::*;
+use std::ops::ControlFlow;
 
 /// Half a prism's height.
 const HALF: f64 = 0.5;
@@ -96,6 +97,39 @@ fn origins_name_the_old_elements() {
     }
     for (k, &corner) in done.corners.iter().enumerate() {
         assert_eq!(origins.table(Domain::Corners).row(k).0, [corner]);
+    }
+}
+
+/// Counts calls, and cancels from one call on.
+struct CancelAfter(std::cell::Cell<usize>, usize);
+
+impl Progress for CancelAfter {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        self.0.set(self.0.get() + 1);
+        if self.0.get() > self.1 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+#[test]
+fn progress_goes_on_within_a_face_and_never_back() {
+    // All corners of the last two faces lie on a line, which no rule but the weakest splits.
+    let mut soup = sheet(100, 100);
+    let n = 1000u32;
+    for _ in 0..2 {
+        let first = soup.points.len() as u32;
+        soup.points.extend((0..n).map(|k| [f64::from(k.min(n - k)), -1.0, 0.0]));
+        soup.face(&(first..first + n).collect::<Vec<u32>>());
+    }
+    triangulate(&soup.view(), &Job::new(1, &Steady::default())).unwrap();
+    find_intersecting_faces(&sheet(20, 20).and(&soup).view(), &Job::new(1, &Steady::default())).unwrap();
+    let all = CancelAfter(0.into(), usize::MAX);
+    triangulate(&soup.view(), &Job::new(1, &all)).unwrap();
+    let count = all.0.get();
+    assert!(count > 20, "{count}");
+    for calls in [0, 1, count / 2, count - 1] {
+        let some = CancelAfter(0.into(), calls);
+        assert!(matches!(triangulate(&soup.view(), &Job::new(1, &some)), Err(Error::Cancelled)), "{calls}");
+        assert_eq!(some.0.get(), calls + 1);
     }
 }
 

@@ -50,7 +50,7 @@ impl FaceTriangles {
             let range = faces.corner_range(f);
             let half_edge = |k: usize| (range.start + k) as u32;
             let at = |k: usize| mesh.positions().get(faces.corner(half_edge(k)));
-            split.append_face(range.len(), at, |k| name(half_edge(k)), f as u32, job)?;
+            split.append_face(range.len(), at, |k| name(half_edge(k)), f as u32, &job.share(f, faces.len()))?;
         }
         Ok(split)
     }

@@ -57,14 +57,15 @@ impl ChartMesh {
         let (mut corners, mut places, mut own) = (Vec::new(), Vec::new(), Vec::new());
         let mut sides = Vec::<TriangleSide>::new();
         for (k, &f) in (0..).zip(split.faces.get(chart)) {
-            job.step_every(1 << 16, k as usize, split.faces.get(chart).len(), STAGE)?;
+            let count = split.faces.get(chart).len();
+            job.step_every(1 << 16, k as usize, count, STAGE)?;
             corners.clear();
             let range = mesh.faces().corner_range(f as usize);
             let (start, size) = (range.start as u32, range.len() as u32);
             alloc::extend(&mut corners, split.corners[range].iter().map(|&v| v - first))?;
             places.clear();
             alloc::extend(&mut places, corners.iter().map(|&v: &u32| points[v as usize]))?;
-            triangulate_polygon(&places, &mut own, &job.part(0.0, 0.0))?;
+            triangulate_polygon(&places, &mut own, &job.share(k as usize, count))?;
             for &triangle in &own {
                 for i in 0..3 {
                     let [a, b] = [triangle[i], triangle[(i + 1) % 3]];

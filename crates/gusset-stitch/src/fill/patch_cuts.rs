@@ -23,7 +23,8 @@ impl OldTriangles {
             job.step_every(FACES_PER_REPORT, k, near.len(), "looking for intersections")?;
             face.clear();
             alloc::extend(&mut face, mesh.face(f as usize))?;
-            triangles.append_face(face.len(), |k| mesh.positions().get(face[k]), |k| face[k], f, job)?;
+            let within = job.share(k, near.len());
+            triangles.append_face(face.len(), |k| mesh.positions().get(face[k]), |k| face[k], f, &within)?;
         }
         Ok(OldTriangles(triangles))
     }

@@ -66,7 +66,7 @@ impl Quality {
             longest = (0..face.len()).map(|k| p(k).distance(p(k + 1))).fold(longest, f64::max);
             corners.clear();
             alloc::extend(&mut corners, (0..face.len()).map(p))?;
-            triangulate_polygon(&corners, &mut triangles, job)?;
+            triangulate_polygon(&corners, &mut triangles, &job.share(f, strip.face_offsets.len()))?;
             for &triangle in &triangles {
                 let [a, b, c] = triangle.map(|k| corners[k as usize]);
                 let area = triangle::double_area(a, b, c);

@@ -93,7 +93,7 @@ impl<'a> StripNeighbourhood<'a> {
         for (face, number) in self.whole.faces().zip(0..) {
             job.step_within_list(number as usize, STAGE)?;
             if wanted(face) {
-                self.append_face_triangles(face, number, &mut triangles, job)?;
+                self.append_face_triangles(face, number, &mut triangles, &job.part(0.0, 0.0))?;
             }
         }
         Ok(triangles)

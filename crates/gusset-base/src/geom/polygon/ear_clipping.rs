@@ -24,8 +24,8 @@ use std::collections::BinaryHeap;
 const MAX_TESTS_PER_CORNER: u64 = 1000;
 /// Largest height of a triangle, relative to its longest side, that may come from rounding.
 const MAX_THIN_HEIGHT: f64 = 1e-9;
-/// Ears between two progress reports.
-const EARS_PER_REPORT: usize = 1 << 10;
+/// Tests between two progress reports.
+const TESTS_PER_REPORT: u64 = 1 << 16;
 
 /// Rules for the next corner, from the one that keeps triangles apart to the one that any corner
 /// fulfils.
@@ -85,26 +85,35 @@ pub fn clip_ears(
     // Shortest ear first. Outdated entries are skipped when they are popped.
     let mut ears = BinaryHeap::from(alloc::with_capacity(4 * n)?);
     let mut rule = Rule::Clear;
+    let max_tests = MAX_TESTS_PER_CORNER * n as u64;
+    let mut next_report = TESTS_PER_REPORT;
     while triangles.len() + 3 < n {
         ears.clear();
         ears.extend((0..n as u32).filter(|&v| clipper.is_in_ring(v)).map(|v| Reverse(clipper.ear_with_size(v))));
-        clipper.count_tests(n - triangles.len());
+        clipper.tests += (n - triangles.len()) as u64;
         let before = triangles.len();
         while let (Some(Reverse((_, ear))), true) = (ears.pop(), triangles.len() + 3 < n) {
+            if clipper.tests >= next_report {
+                next_report = clipper.tests + TESTS_PER_REPORT;
+                job.step(triangles.len() as f64 / n as f64, "triangulating")?;
+            }
+            if clipper.tests >= max_tests && rule != Rule::Any {
+                break;
+            }
+            clipper.tests += 1;
             let [a, b, c] = ear;
             let stale = !clipper.is_in_ring(b) || clipper.ear(b) != ear;
             if stale || is_taken(a, c) || !clipper.fulfils(ear, rule) {
                 continue;
             }
-            job.step_every(EARS_PER_REPORT, triangles.len(), n, "triangulating")?;
             triangles.push(ear);
             clipper.cut_off(ear);
-            if rule != Rule::Clear && clipper.tests_left > 0 {
+            if rule != Rule::Clear && clipper.tests < max_tests {
                 break;
             }
             ears.extend([a, c].map(|v| Reverse(clipper.ear_with_size(v))));
         }
-        rule = if clipper.tests_left == 0 && rule != Rule::Any {
+        rule = if clipper.tests >= max_tests && rule != Rule::Any {
             Rule::Any
         } else if triangles.len() > before {
             Rule::Clear
@@ -143,7 +152,8 @@ struct EarClipper<'a> {
     /// True for remaining corners that are not clearly convex.
     is_reflex: Vec<bool>,
     grid: ReflexGrid,
-    tests_left: u64,
+    /// The number of tests so far.
+    tests: u64,
 }
 
 impl<'a> EarClipper<'a> {
@@ -156,7 +166,7 @@ impl<'a> EarClipper<'a> {
             !is_clearly_convex(corners, longest_squared_side(corners))
         }))?;
         let grid = ReflexGrid::new(flat, &is_reflex)?;
-        Ok(Self { points, flat, previous, next, is_reflex, grid, tests_left: MAX_TESTS_PER_CORNER * n as u64 })
+        Ok(Self { points, flat, previous, next, is_reflex, grid, tests: 0 })
     }
 
     fn is_in_ring(&self, v: u32) -> bool {
@@ -178,12 +188,7 @@ impl<'a> EarClipper<'a> {
         ear.map(|v| self.flat[v as usize])
     }
 
-    fn count_tests(&mut self, count: usize) {
-        self.tests_left = self.tests_left.saturating_sub(count as u64);
-    }
-
     fn fulfils(&mut self, ear: [u32; 3], rule: Rule) -> bool {
-        self.count_tests(1);
         let [a, b, c] = self.corners(ear);
         match rule {
             Rule::Clear => {
@@ -220,7 +225,7 @@ impl<'a> EarClipper<'a> {
                     && self.blocks(other, ear, &is_inside)
             })
         });
-        self.count_tests(tests);
+        self.tests += tests as u64;
         found
     }
 

@@ -80,7 +80,7 @@ fn random_place(rng: &mut Rng) -> impl Fn(DVec2) -> DVec3 {
 }
 
 fn star(rng: &mut Rng) -> Vec<DVec2> {
-    let count = rng.usize(5..40);
+    let count = rng.usize(5..100);
     (0..count).map(|k| DVec2::from_angle(k as f64 / count as f64 * TAU) * (0.2 + rng.f64())).collect()
 }
 
@@ -98,7 +98,7 @@ fn spiral(rng: &mut Rng) -> Vec<DVec2> {
 }
 
 fn comb(rng: &mut Rng) -> Vec<DVec2> {
-    let teeth = rng.usize(2..12);
+    let teeth = rng.usize(2..25);
     let mut outline = vec![DVec2::new(0.0, -rng.f64() - 0.1), DVec2::new(teeth as f64, -0.5)];
     for k in (0..teeth).rev() {
         let (height, gap) = (1.0 + 5.0 * rng.f64(), 0.3 + 0.4 * rng.f64());
@@ -112,7 +112,7 @@ fn comb(rng: &mut Rng) -> Vec<DVec2> {
 /// A rectangle with windows in a row. Each is reached by a bridge that is passed both ways, from the
 /// window before it or from the outline. Windows lie ever lower, so that bridges miss them.
 fn keyholes(rng: &mut Rng) -> Vec<DVec2> {
-    let windows = rng.usize(1..6);
+    let windows = rng.usize(1..20);
     let width = 3.0 * windows as f64 + 1.0;
     let mut outline = vec![DVec2::ZERO];
     let mut way_back = Vec::new();
