@@ -5,7 +5,9 @@ use crate::common::{Soup, cap, edge_counts, euler, sheet, some_of};
 use crate::editor;
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
-use gusset::filters::data::Output;
+use gusset::Job;
+use gusset::filters::Filter;
+use gusset::filters::data::{Input, Output};
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::TAU;
 
@@ -230,4 +232,42 @@ fn loose_faces_stay_as_they_are() {
 #[test]
 fn torn_meshes_are_sewn_first() {
     check("torn", torn_case);
+}
+
+/// Twice the area of a face.
+fn double_area(points: &[[f64; 3]], face: &[u32]) -> f64 {
+    let at = |v: u32| DVec3::from_array(points[v as usize]);
+    let corners = face.windows(2).skip(1).map(|pair| (at(pair[0]) - at(face[0])).cross(at(pair[1]) - at(face[0])));
+    corners.sum::<DVec3>().length()
+}
+
+#[test]
+fn borders_that_are_left_unsewn_get_no_faces_without_area() {
+    for seed in some_of(10, 0..400) {
+        let case = torn_case(&mut Rng::with_seed(seed));
+        let inputs = [Input::Mesh(case.soup.view())];
+        let values = editor::values("fill", &inputs, &[("sew", &[1.0])]);
+        let outputs = Filter::find("fill").unwrap().run(&inputs, &values, &Job::default()).unwrap();
+        let (points, faces) = editor::mesh(&outputs[0]);
+        let smallest = case.soup.faces().map(|face| double_area(&case.soup.points, face)).fold(f64::MAX, f64::min);
+        let new = &faces[case.soup.faces().count()..];
+        assert!(new.iter().all(|face| double_area(&points, face) > 1e-9 * smallest), "{seed}");
+        assert!(editor::value(&outputs[1], "coincident_edges") > 0.0, "{seed}");
+    }
+}
+
+#[test]
+fn a_join_lists_no_loops_that_filling_closed() {
+    for seed in some_of(10, 0..400) {
+        let case = bowl_case(&mut Rng::with_seed(seed));
+        let inputs = [Input::Mesh(case.soup.view())];
+        let values = editor::values("join", &inputs, &[("holes", &[1.0])]);
+        let outputs = Filter::find("join").unwrap().run(&inputs, &values, &Job::default()).unwrap();
+        let report = &outputs[1];
+        let numbers = ["filled_holes", "boundary_loops", "near_loops_left"].map(|name| editor::value(report, name));
+        let text = editor::text(report);
+        let joined = editor::value(report, "joins") as usize;
+        assert!(numbers[0] as usize + 2 * joined >= case.holes && numbers[1..] == [0.0, 0.0], "{seed}: {text}");
+        assert!(!text.contains("not joined:") && !text.contains("left open"), "{seed}: {text}");
+    }
 }
