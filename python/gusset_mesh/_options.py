@@ -466,6 +466,15 @@ class StreamOptions(TypedDict, total=False):
     bits: int
     #: QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
     per_axis: bool
+    #: QUANTISED: choice of the levels. Else 0.
+    levels: choices.StreamLevels
+    #: Smallest coordinates of all tiles, finite: level 0.
+    low: Sequence[float]
+    #: Largest coordinates of all tiles, at least low.
+    high: Sequence[float]
+    #: Distance of levels on all axes, above 0; bits becomes the least number that reaches across the box, and must be
+    #: 0. 0: the distance follows from bits.
+    step: float
 
 
 class SurfaceOptions(TypedDict, total=False):
@@ -574,8 +583,8 @@ class JoinOptions(TypedDict, total=False):
     orientation: Literal['fix', 'keep']
     #: Widest gap to close.
     gap: choices.Gap
-    #: 1 joins whole loops only, not runs and slits.
-    whole_loops_only: bool
+    #: Parts of loops to join.
+    extent: choices.JoinExtent
     #: 1 also joins loops of one component that pairs does not name.
     within_components: bool
     #: 1 fills the remaining holes.
@@ -800,6 +809,10 @@ FIELDS: dict[str, dict[str, Keyword]] = {
         "mode": Keyword('choice', choices.NUMBERS['gusset_stream_mode']),
         "bits": Keyword('int'),
         "per_axis": Keyword('flag'),
+        "levels": Keyword('choice', choices.NUMBERS['gusset_stream_levels']),
+        "low": Keyword('row', needs=('levels', 'given')),
+        "high": Keyword('row', needs=('levels', 'given')),
+        "step": Keyword('float', needs=('levels', 'given')),
     },
     "gusset_surface_options": {
         "tolerance": Keyword('float'),
@@ -844,7 +857,7 @@ FIELDS: dict[str, dict[str, Keyword]] = {
         "weld": Keyword('choice', choices.NUMBERS['gusset_welding']),
         "orientation": Keyword('choice', {'fix': 0, 'keep': 2}),
         "gap": Keyword('choice', choices.NUMBERS['gusset_gap']),
-        "whole_loops_only": Keyword('flag'),
+        "extent": Keyword('choice', choices.NUMBERS['gusset_join_extent']),
         "within_components": Keyword('flag'),
         "fill": Keyword('flag'),
         "max_gap": Keyword('float', needs=('gap', 'given')),

@@ -693,6 +693,16 @@ class JoinReport(Record):
         """Faces removed from overlaps."""
         return self._struct.trimmed_faces
 
+    @property
+    def near_edge_pairs(self) -> int:
+        """Pairs of boundary edges that coincide only within near_tolerance, and are not sewn."""
+        return self._struct.near_edge_pairs
+
+    @property
+    def near_tolerance(self) -> float:
+        """Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs."""
+        return self._struct.near_tolerance
+
 
 class StitchReport(Record):
     """Parts of a stitch, by index in the result. Entry 0 is of the first mesh, 1 of the second."""
@@ -1086,9 +1096,19 @@ class WeldReport(Record):
         return self._struct.dropped_faces
 
     @property
+    def near_edge_pairs(self) -> int:
+        """Pairs of boundary edges that coincide only within near_tolerance, and are not sewn."""
+        return self._struct.near_edge_pairs
+
+    @property
     def tolerance(self) -> float:
         """Largest distance at which vertices coincide, except at short edges; 0 for equal positions."""
         return self._struct.tolerance
+
+    @property
+    def near_tolerance(self) -> float:
+        """Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs."""
+        return self._struct.near_tolerance
 
 
 class SewReport(Record):
@@ -1144,9 +1164,19 @@ class SewReport(Record):
         return self._struct.dropped_faces
 
     @property
+    def near_edge_pairs(self) -> int:
+        """Pairs of boundary edges that coincide only within near_tolerance, and are not sewn."""
+        return self._struct.near_edge_pairs
+
+    @property
     def tolerance(self) -> float:
         """Largest distance at which elements coincide, except at short edges; 0 for equal positions."""
         return self._struct.tolerance
+
+    @property
+    def near_tolerance(self) -> float:
+        """Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs."""
+        return self._struct.near_tolerance
 
 
 class OrientReport(Record):

@@ -61,6 +61,9 @@ Welding = Literal['sew', 'none', 'edge_to_edge']
 #: Widest gap to close.
 Gap = Literal['auto', 'given']
 
+#: Parts of loops that are joined.
+JoinExtent = Literal['loops_and_parts', 'whole_loops', 'parts']
+
 #: Treatment of overlapping pieces.
 Overlaps = Literal['keep', 'trim']
 
@@ -288,6 +291,9 @@ Element = Literal['none', 'vertex', 'face', 'half_edge', 'offset', 'loop_place',
 #: Storage of coordinates in a stream.
 StreamMode = Literal['quantised', 'lossless', 'raw']
 
+#: Choice of the levels that coordinates are rounded to.
+StreamLevels = Literal['auto', 'given']
+
 #: How two surfaces touch.
 ContactKind = Literal['point', 'crossing']
 
@@ -354,6 +360,7 @@ NUMBERS: dict[str, dict[str, int]] = {
     'gusset_index': {'u32': 0, 'u64': 1},
     'gusset_welding': {'sew': 0, 'none': 1, 'edge_to_edge': 2},
     'gusset_gap': {'auto': 0, 'given': 1},
+    'gusset_join_extent': {'loops_and_parts': 0, 'whole_loops': 1, 'parts': 2},
     'gusset_overlaps': {'keep': 0, 'trim': 1},
     'gusset_joint_outcome': {'joined': 0, 'orientation_conflict': 1, 'share_vertex': 2, 'no_strip': 3, 'would_cut':
     4},
@@ -445,6 +452,7 @@ NUMBERS: dict[str, dict[str, int]] = {
     'point': 7, 'constraint': 8, 'place': 9, 'section': 12, 'node': 13, 'link': 14, 'cell': 15, 'seam': 16, 'bridge':
     17, 'entry': 18, 'byte': 19, 'item': 21, 'side_place': 20, 'knot': 30, 'row': 31, 'edge': 32},
     'gusset_stream_mode': {'quantised': 0, 'lossless': 1, 'raw': 2},
+    'gusset_stream_levels': {'auto': 0, 'given': 1},
     'gusset_contact_kind': {'point': 1, 'crossing': 2},
     'gusset_scheme': {'six_tap': 0, 'four_point': 1},
     'gusset_twists': {'differences': 0, 'adini': 1, 'zero': 2, 'given': 3},

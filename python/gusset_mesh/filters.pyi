@@ -61,11 +61,11 @@ def fill(
 
 def join(
     input_0: MeshLike, *inputs: MeshLike, weld: Union[int, Literal['sew', 'keep', 'edge_to_edge']] = ..., tolerance: float = ...,
-    max_gap: float = ..., extent: Union[int, Literal['loops_and_parts_of_them', 'whole_loops']] = ..., meridians: Union[int,
-    Literal['continuation', 'least_area', 'by_index', 'by_arc_length', 'greedy', 'shortest_meridians', 'least_bend', 'quads']] =
-    ..., rows: Union[int, Literal['none', 'by_mean_edge']] = ..., fairing: Union[int, Literal['straight', 'fair']] = ..., finish:
-    Union[int, Literal['strip', 'blend']] = ..., holes: Union[int, Literal['leave', 'fill', 'fill_refined_and_fair']] = ...,
-    outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., keep: Union[int,
+    max_gap: float = ..., extent: Union[int, Literal['loops_and_parts_of_them', 'whole_loops', 'parts']] = ..., meridians:
+    Union[int, Literal['continuation', 'least_area', 'by_index', 'by_arc_length', 'greedy', 'shortest_meridians', 'least_bend',
+    'quads']] = ..., rows: Union[int, Literal['none', 'by_mean_edge']] = ..., fairing: Union[int, Literal['straight', 'fair']] =
+    ..., finish: Union[int, Literal['strip', 'blend']] = ..., holes: Union[int, Literal['leave', 'fill', 'fill_refined_and_fair']] =
+    ..., outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., keep: Union[int,
     Literal['automatic', 'none', 'the_longest', 'borders']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are made consistent, and loops that face each other across a gap are stitched. Holes are filled on request, and closed results are turned outwards. Loops that face no other loop stay as they are."""
@@ -75,8 +75,8 @@ def outline(
     input_0: CurvesLike, /, *, curve: Union[int, Literal['composite', 'cubic_spline', 'blend', 'smooth_blend', 'single', 'chain']] =
     ..., method: Union[int, Literal['bisector', 'median', 'normal', 'symmedian']] = ..., lock: Union[int, Literal['parameter',
     'own_triangle', 'guide']] = ..., joint: Union[int, Literal['halves', 'knots', 'curvature']] = ..., ends: Union[int,
-    Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upright']] = ..., corner_angle: float = ..., chord_error: float =
-    ..., threads: int = ..., progress: Optional[Progress] = ...,
+    Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upright']] = ..., corner_angle: float = ..., merge: float = ...,
+    chord_error: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
     """Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a quadratic section, whose control point lies on the bisector, the median or the normal at the point."""
 
@@ -252,11 +252,11 @@ def curve_svg(
 
 def loft(
     input_0: CurvesLike, /, *, nodes: Union[int, Literal['by_arc_length', 'by_number', 'by_angle']] = ..., columns: int = ...,
-    through: Union[int, Literal['nodes', 'curves']] = ..., ring: bool = ..., point: Sequence[float] = ..., direction:
-    Sequence[float] = ..., deviation: float = ..., parts: int = ..., triangles: bool = ..., threads: int = ..., progress:
-    Optional[Progress] = ...,
+    corner_angle: float = ..., through: Union[int, Literal['sections', 'nodes', 'curves']] = ..., ring: bool = ..., point:
+    Sequence[float] = ..., direction: Sequence[float] = ..., deviation: float = ..., parts: int = ..., triangles: bool = ...,
+    threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Draws a smooth surface through consecutive sections of a body, all closed or all open. Nodes are placed on the sections, curves are drawn along the body, and a surface through both is returned as a mesh."""
+    """Draws a smooth surface through consecutive sections of a body, all closed or all open. A section of one point is a tip. Corners of sections stay sharp. Between two equal sections, the surface is their cylinder."""
 
 
 def smooth_net(
