@@ -33,7 +33,7 @@ mod tests {
     #[test]
     fn an_edge_through_a_triangle_is_found() {
         let flat = [DVec3::ZERO, DVec3::X, DVec3::Y];
-        let upright = |x: f64| [DVec3::new(x, 0.2, -1.0), DVec3::new(x, 0.2, 1.0), DVec3::new(9.0, 9.0, 1.0)];
+        let upright = |x: f64| [DVec3::new(x, 0.2, -1.0), DVec3::new(x, 0.2, 1.0), DVec3::new(x, 0.3, 1.0)];
         assert_eq!(crossing_pairs(&[flat, upright(0.2), upright(0.9)]), [[1, 0]]);
     }
 }

@@ -180,11 +180,16 @@ impl Builder {
             made = made.args(output_options(false));
         }
         if !command.smooth.is_empty() {
-            made =
-                made.arg(flag("smooth").help("Makes new faces continue the surfaces beside them (sets finish or inside)").help_heading(PARAMETERS));
+            made = made.arg(
+                flag("smooth")
+                    .help("Makes new faces continue the surfaces beside them (sets finish or inside)")
+                    .help_heading(PARAMETERS),
+            );
         }
         if command.name == "check" {
-            made = made.arg(flag("strict").help("Exits with 7 if the mesh has defects, open borders included")).arg(jobs());
+            made = made
+                .arg(flag("strict").help("Exits with 7 if the mesh has defects, open borders included"))
+                .arg(jobs());
         }
         let taken: Vec<String> = made.get_arguments().map(|arg| arg.get_id().to_string()).collect();
         for param in filter.map(Filter::params).unwrap_or_default() {
@@ -312,14 +317,19 @@ fn output_options(repeats: bool) -> [Arg; 8] {
     };
     [
         file("output").short('o').value_name("FILE").action(action).help(help),
-        file("out-dir").value_name("FOLDER").help("Writes each result to this folder, under its input's name").help_heading(FILES),
+        file("out-dir")
+            .value_name("FOLDER")
+            .help("Writes each result to this folder, under its input's name")
+            .help_heading(FILES),
         file("html")
             .value_name("FILE")
             .help("Writes a web page that shows inputs and result in 3-D")
             .help_heading(FILES),
         flag("dry-run").short('n').help("Runs and prints the report, but writes no file"),
         flag("text").help("Writes PLY and STL files as text").help_heading(FILES),
-        flag("lossy").help("Permits rounding that moves points by over 0.001 of the mean edge length").help_heading(FILES),
+        flag("lossy")
+            .help("Permits rounding that moves points by over 0.001 of the mean edge length")
+            .help_heading(FILES),
         format_option("to").help("Format of standard output and of files in --out-dir, such as ply"),
         jobs(),
     ]

@@ -176,7 +176,8 @@ fn add_nodes_by_arc_length(
     let place = |at: usize, mark: u32| curves.place(sections.point_range(live[at]).start + mark as usize);
     let mut marked = alloc::with_capacity(live.len())?;
     for (at, section) in measured.iter().enumerate() {
-        let fraction = |mark: u32| Ok((mark, section.length_from_anchor(place(at, mark))? / section.lengths.total_length()));
+        let fraction =
+            |mark: u32| Ok((mark, section.length_from_anchor(place(at, mark))? / section.lengths.total_length()));
         let mut own = Vec::new();
         if corners[live[at]].len() <= MAX_CORNERS_PER_SECTION {
             own = alloc::try_collect(corners[live[at]].iter().map(|&mark| fraction(mark)))?;

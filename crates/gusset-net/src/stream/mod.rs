@@ -45,5 +45,6 @@ mod symbol_model;
 mod write;
 
 pub use header::{HEADER_SIZE, StreamInfo, StreamMode};
+pub use quantise::LevelBox;
 pub use read::{StreamDecoder, decode, decode_within};
-pub use write::{LevelBox, StreamOptions, encode};
+pub use write::{StreamOptions, encode};

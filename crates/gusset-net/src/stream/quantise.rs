@@ -8,10 +8,22 @@
 //! The caller gives these levels by a box around all tiles.
 
 use super::levels::{CoordinateBits, LevelMap, UniformLevels};
-use super::write::LevelBox;
 use crate::XyzMatrices;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
+
+/// Levels for all tiles of a large net. Tiles that are coded apart, with equal boxes, stay equal in
+/// the nodes that they share.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LevelBox {
+    /// The smallest coordinates of all tiles: level 0.
+    pub low: [f64; 3],
+    /// The largest coordinates of all tiles.
+    pub high: [f64; 3],
+    /// The distance of levels on all axes, instead of the one by the bits. The stream then has the
+    /// least number of bits from 8 to 24 that reaches across the box.
+    pub step: Option<f64>,
+}
 
 /// Coordinates in the sample for the intrinsic step.
 const MAX_SAMPLED_COORDINATES: usize = 4096;

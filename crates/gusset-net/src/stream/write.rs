@@ -5,7 +5,8 @@ use super::block::{BlockCoding, DuplicateNodes};
 use super::bytes::{ByteWriter, checksum};
 use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, StreamInfo, StreamMode};
 use super::levels::{CoordinateBits, LevelMap, LosslessLevels};
-use super::{quantise, raw_block, stream_structure};
+use super::quantise::{self, LevelBox};
+use super::{raw_block, stream_structure};
 use crate::{Net, XyzMatrices, each};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -27,19 +28,6 @@ pub struct StreamOptions {
     pub rows_per_block: usize,
     /// For [`StreamMode::Quantised`]: the levels. `None` takes the bounding box of the net.
     pub levels: Option<LevelBox>,
-}
-
-/// Levels for all tiles of a large net. Tiles that are coded apart, with equal boxes, stay equal in
-/// the nodes that they share.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LevelBox {
-    /// The smallest coordinates of all tiles: level 0.
-    pub low: [f64; 3],
-    /// The largest coordinates of all tiles.
-    pub high: [f64; 3],
-    /// The distance of levels on all axes, instead of the one by the bits. The stream then has the
-    /// least number of bits from 8 to 24 that reaches across the box.
-    pub step: Option<f64>,
 }
 
 impl StreamOptions {
