@@ -74,8 +74,8 @@ def outline(
     input_0: CurvesLike, /, *, curve: Union[int, Literal['composite', 'cubic_spline', 'blend', 'smooth_blend', 'single', 'chain']] =
     ..., method: Union[int, Literal['bisector', 'median', 'normal', 'symmedian']] = ..., lock: Union[int, Literal['parameter',
     'own_triangle', 'guide']] = ..., joint: Union[int, Literal['halves', 'knots', 'curvature']] = ..., ends: Union[int,
-    Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upright']] = ..., corner_angle: float = ..., chord_error: float =
-    ..., threads: int = ..., progress: Optional[Progress] = ...,
+    Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upright']] = ..., corner_angle: float = ..., merge: float = ...,
+    chord_error: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
     """Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a quadratic section, whose control point lies on the bisector, the median or the normal at the point."""
 
@@ -251,11 +251,11 @@ def curve_svg(
 
 def loft(
     input_0: CurvesLike, /, *, nodes: Union[int, Literal['by_arc_length', 'by_number', 'by_angle']] = ..., columns: int = ...,
-    through: Union[int, Literal['nodes', 'curves']] = ..., ring: bool = ..., point: Sequence[float] = ..., direction:
-    Sequence[float] = ..., deviation: float = ..., parts: int = ..., triangles: bool = ..., threads: int = ..., progress:
-    Optional[Progress] = ...,
+    corner_angle: float = ..., through: Union[int, Literal['sections', 'nodes', 'curves']] = ..., ring: bool = ..., point:
+    Sequence[float] = ..., direction: Sequence[float] = ..., deviation: float = ..., parts: int = ..., triangles: bool = ...,
+    threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Draws a smooth surface through consecutive sections of a body, all closed or all open. Nodes are placed on the sections, curves are drawn along the body, and a surface through both is returned as a mesh."""
+    """Draws a smooth surface through consecutive sections of a body, all closed or all open. A section of one point is a tip. Corners of sections stay sharp. Between two equal sections, the surface is their cylinder."""
 
 
 def smooth_net(
@@ -263,7 +263,7 @@ def smooth_net(
     ..., tolerance: float = ..., deviation: float = ..., parts: int = ..., triangles: bool = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, and a second input may have curves along. Each curve along meets all curves across in their order. Curves across alone are skinned."""
+    """Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, and a second input may have curves along. Each curve along meets all curves across. The curves may be listed in any order. Curves across alone are skinned in the given order."""
 
 
 def smooth_isophotes(
