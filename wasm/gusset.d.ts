@@ -715,6 +715,11 @@ export interface OutlineParams extends RunOptions {
    */
   corner_angle?: number;
   /**
+   * Merge. Neighbouring points closer than this become one, relative to the size of their polyline. The report counts crowded points,
+   * which almost repeat a neighbour, and points in loops that the polyline lacks. From 0 to 0.5.
+   */
+  merge?: number;
+  /**
    * Chord error. The largest distance of the polyline from the curve, relative to the size of the curve. From 1e-9 to 1.
    */
   chord_error?: number;
@@ -1193,13 +1198,20 @@ export interface LoftParams extends RunOptions {
    */
   nodes?: "by_arc_length" | "by_number" | "by_angle" | number;
   /**
-   * Columns. The number of nodes on each section. Ignored if the nodes are the given points. From 2 to 100000.
+   * Columns. The number of nodes on each section; more if there are more corners. Ignored if the nodes are the given points. From 2 to
+   * 100000.
    */
   columns?: number;
   /**
+   * Corners. Points where a section turns by more than this angle are corners; pi makes all of them smooth. If negative, closed sections
+   * of up to 6 points are polygons. So are sections whose points turn by more than 54 or less than 6 degrees. Other corners turn by 40
+   * degrees and far more than usual. From -1 to 3.141592653589793.
+   */
+  corner_angle?: number;
+  /**
    * Through. The elements that the surface contains.
    */
-  through?: "nodes" | "curves" | number;
+  through?: "sections" | "nodes" | "curves" | number;
   /**
    * Ring. The first section follows the last one.
    */
@@ -1658,15 +1670,15 @@ export interface Filters {
    */
   readonly curve_svg: Filter<[CurvesLike], Report, CurveSvgParams>;
   /**
-   * Draws a smooth surface through consecutive sections of a body, all closed or all open. Nodes are placed on the sections, curves are
-   * drawn along the body, and a surface through both is returned as a mesh. Source: T. Nadopta, Theoretical foundations of the
+   * Draws a smooth surface through consecutive sections of a body, all closed or all open. A section of one point is a tip. Corners of
+   * sections stay sharp. Between two equal sections, the surface is their cylinder. Source: T. Nadopta, Theoretical foundations of the
    * identification of outline curves, 2008
    */
   readonly loft: Filter<[CurvesLike], [Mesh, Report], LoftParams>;
   /**
    * Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, and a second input
-   * may have curves along. Each curve along meets all curves across in their order. Curves across alone are skinned. Source: W. J.
-   * Gordon, Spline-blended surface interpolation through curve networks, 1969
+   * may have curves along. Each curve along meets all curves across. The curves may be listed in any order. Curves across alone are
+   * skinned in the given order. Source: W. J. Gordon, Spline-blended surface interpolation through curve networks, 1969
    */
   readonly smooth_net: Filter<[CurvesLike] | [CurvesLike, CurvesLike], [Mesh, Report], SmoothNetParams>;
   /**

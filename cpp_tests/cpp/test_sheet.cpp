@@ -211,7 +211,8 @@ TEST_CASE("curves and frames") {
         offsets.push_back(uint32_t(sections.size()));
     }
     const gusset::Frame frame(gusset::Outlines(sections, true).offsets(offsets));
-    for (const gusset::FrameSurface kind : {gusset::FrameSurface::nodes, gusset::FrameSurface::curves}) {
+    for (const gusset::FrameSurface kind :
+         {gusset::FrameSurface::sections, gusset::FrameSurface::nodes, gusset::FrameSurface::curves}) {
         const Sheet tube = Sheet::from_frame(frame, kind);
         CHECK(tube.report().closed_v == 1);
         for (const Point3 &p : sampled(tube, 0.37)) {

@@ -768,14 +768,15 @@ typedef struct gusset_spline {
     size_t max_cells;
 } gusset_spline;
 
-/// A net of curves: each row meets each column, in the given order. Curves may have either orientation.
+/// A net of curves: each row meets each column. Curves may have either orientation. If they do not meet in the given
+/// order, they are sorted by the places where they meet.
 typedef struct gusset_curve_net {
     size_t struct_size;
-    /// Curves in v, ordered by u, of degree 7 at most. A curve that is one point is a pole.
+    /// Curves in v, of degree 7 at most; without columns, ordered by u. A curve that is one point is a pole.
     const struct gusset_curve *const *rows;
     /// 0 (a skin of the columns), or at least 2, or 3 if closed_u.
     size_t row_count;
-    /// Curves in u, ordered by v.
+    /// Curves in u; without rows, ordered by v.
     const struct gusset_curve *const *columns;
     /// 0 (a skin of the rows), or at least 2, or 3 if closed_v.
     size_t column_count;

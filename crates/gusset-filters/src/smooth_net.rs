@@ -16,8 +16,8 @@ pub(super) const FILTER: Filter = Filter {
     name: "Smooth surface through a curve network",
     category: CATEGORY,
     help: "Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, \
-           and a second input may have curves along. Each curve along meets all curves across in their order. Curves across \
-           alone are skinned.",
+           and a second input may have curves along. Each curve along meets all curves across. The curves may be listed in any \
+           order. Curves across alone are skinned in the given order.",
     reference: "W. J. Gordon, Spline-blended surface interpolation through curve networks, 1969",
     min_inputs: 1,
     ..Filter::new(&[InputKind::Curves; 2], TO_MESH_TEXT, &FilterBody(run))

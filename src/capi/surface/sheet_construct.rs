@@ -73,18 +73,19 @@ pub struct gusset_spline {
     pub max_cells: usize,
 }
 
-/// A net of curves: each row meets each column, in the given order. Curves may have either
-/// orientation.
+/// A net of curves: each row meets each column. Curves may have either orientation. If they do not
+/// meet in the given order, they are sorted by the places where they meet.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_net {
     /// sizeof(gusset_curve_net).
     pub struct_size: usize,
-    /// Curves in v, ordered by u, of degree 7 at most. A curve that is one point is a pole.
+    /// Curves in v, of degree 7 at most; without columns, ordered by u. A curve that is one point is
+    /// a pole.
     pub rows: *const *const gusset_curve,
     /// 0 (a skin of the columns), or at least 2, or 3 if closed_u.
     pub row_count: usize,
-    /// Curves in u, ordered by v.
+    /// Curves in u; without rows, ordered by v.
     pub columns: *const *const gusset_curve,
     /// 0 (a skin of the rows), or at least 2, or 3 if closed_v.
     pub column_count: usize,

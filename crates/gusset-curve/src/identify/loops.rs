@@ -281,7 +281,7 @@ fn has_cubic_loop([p, q, r, s]: [DVec2; 4]) -> bool {
     }
 }
 
-/// Returns whether the samples of a span cross those of a later one. The last part of the first span and
+/// Returns whether the samples of a span cross the samples of a later span. The last part of the first span and
 /// the first part of the next one share a point.
 fn do_samples_cross(a: &SpanSamples, b: &SpanSamples, are_adjacent: bool) -> bool {
     let is_shared = |i: usize, j: usize| are_adjacent && i + 1 == SAMPLES_PER_SPAN && j == 0;
