@@ -47,6 +47,8 @@ GUSSET_FILES_API GUSSET_FILES_MUST_USE const struct gusset_files *gusset_files_e
 
 /// Flag of read: joins all meshes of a scene into one.
 #define GUSSET_FILES_JOINED 1
+/// Flag of read: keeps vertices of STL, DXF and glTF files at equal points apart.
+#define GUSSET_FILES_UNMERGED 2
 /// Flag of write: PLY and STL files as text.
 #define GUSSET_FILES_TEXT 1
 /// Flag of write: permits moves of over 0.001 mean edges by rounding.
@@ -60,6 +62,9 @@ typedef struct gusset_files_folder {
     /// Gets the bytes of a file beside it, until the next call or the function's end. Nonzero: it does not exist, or
     /// may not be read.
     int32_t (*load)(void *user, const char *name, const uint8_t **bytes, size_t *size);
+    /// Path from the folder of a written file to this one, such as "../scans". The file names images by it. NULL: both
+    /// are one folder.
+    const char *seen_as;
 } gusset_files_folder;
 
 struct gusset_file;
@@ -67,9 +72,9 @@ struct gusset_file;
 /// Table of functions, for any thread.
 typedef struct gusset_files {
     size_t struct_size;
-    /// Reads a file of size bytes. name: its extension is the format. folder: may be NULL. flags: GUSSET_FILES_JOINED
-    /// or 0. Part 0 is the document's JSON text, part 1 the arrays in it; after a failure, *result has the message.
-    /// O(size) time; memory at most 32 times all files.
+    /// Reads a file of size bytes. name: its extension is the format. folder: may be NULL. flags: GUSSET_FILES_JOINED,
+    /// GUSSET_FILES_UNMERGED or 0. Part 0 is the document's JSON text, part 1 the arrays in it; after a failure,
+    /// *result has the message. O(size) time; memory at most 32 times all files.
     int32_t (*read)(const char *name,
                     const uint8_t *bytes,
                     size_t size,

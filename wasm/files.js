@@ -149,10 +149,10 @@ function withoutRangeErrors(name, copy) {
 }
 
 function readWith(module, name, bytes, options) {
-  const { folder, scene = false } = checkedOptions(options, ["folder", "scene"]);
+  const { folder, scene = false, merge = true } = checkedOptions(options, ["folder", "scene", "merge"]);
   const given = bytesOf(bytes, checkedName(name)), { table } = module;
   return module.withRoom((room) => {
-    const text = room.text(name), content = room.array(given), flags = scene ? 0 : constants.FILES_JOINED;
+    const text = room.text(name), content = room.array(given), flags = (scene ? 0 : constants.FILES_JOINED) | (merge ? 0 : constants.FILES_UNMERGED);
     return module.partsOf(name, room, folder, (lent, out) => module.call(table.read, text, content, given.length, lent, flags, out), (result) => {
       const described = module.json(result, room);
       return withoutRangeErrors(name, () => unpackedDocument(described, module.part(result, 1, room)));

@@ -298,6 +298,8 @@ export interface ReadOptions {
   folder?: Folder | null;
   /** Keeps the meshes of a scene and their placements. Otherwise they are joined to one mesh. */
   scene?: boolean;
+  /** Merges vertices of STL, DXF and glTF files at equal points; true if absent. */
+  merge?: boolean;
 }
 
 export interface WriteOptions {

@@ -149,6 +149,23 @@ class Program(unittest.TestCase):
         finally:
             subprocess.run(["umount", disk], check=True)
 
+    @unittest.skipUnless(hasattr(signal, "SIGXFSZ"), "needs limits of files")
+    def test_a_limit_of_the_size_of_files(self):
+        import resource
+        self.at("old.obj").write_text("precious")
+        write_obj(self.at("large.obj"), *tube(4000, 0, 1))
+        done = subprocess.run(self.program.command("convert", "large.obj", "-o", "old.obj"), cwd=self.program.folder, text=True,
+                              capture_output=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)))
+        self.assertEqual(done.returncode, FILE, done.stderr)
+        self.assertIn("old.obj: ", done.stderr)
+        self.assertEqual(self.at("old.obj").read_text(), "precious")
+
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "needs named pipes")
+    def test_a_pipe_without_a_reader(self):
+        self.at("pipe.obj").unlink(missing_ok=True)
+        os.mkfifo(self.at("pipe.obj"))
+        self.expect(FILE, "convert", "cube.obj", "-o", "pipe.obj", says="no program reads this pipe")
+
     def test_interrupts_cancel(self):
         rows = 1500
         points = [(x, y, (x * y) % 7) for x in range(rows) for y in range(rows)]

@@ -35,7 +35,7 @@ static void add(text *to, const char *format, ...) {
     to->size += length;
 }
 
-/* What a call reads or writes. */
+/* The input of a call. */
 typedef struct {
     const char *name, *document;
     const void *bytes;
@@ -60,7 +60,7 @@ static int32_t load(void *user, const char *name, const uint8_t **bytes, size_t 
 
 /* Runs a call of which allocations `first` to `last` fail; how many it asked for in `requests`. */
 static int32_t run(const call *made, long long first, long long last, long long *requests, gusset_file **result) {
-    gusset_files_folder folder = {sizeof folder, NULL, load};
+    gusset_files_folder folder = {sizeof folder, NULL, load, NULL};
     atomic_store(&memory_requests, 0);
     atomic_store(&memory_last, last);
     atomic_store(&memory_first, first);
@@ -159,7 +159,7 @@ static void check_formats(const text *obj, size_t least, long long most, int is_
     free(description.bytes);
 }
 
-/* Makes objects, each a grid of `side` by `side` squares with normals and texture coordinates. Those of an object have a seam. */
+/* Makes objects, each a grid of `side` by `side` squares with normals and texture coordinates, which have a seam. */
 static text grids(int objects, int side) {
     text made = {0};
     const int row = side + 1, count = row * row;

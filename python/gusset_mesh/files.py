@@ -34,12 +34,17 @@ StrPath = Union[str, "os.PathLike[str]"]
 Content = Union[Document, FileMesh, Points, Curves, MeshLike]
 
 
-def read(path: StrPath, *, scene: bool = False) -> Document:
+def read(path: StrPath, *, scene: bool = False, merge: bool = True) -> Document:
     """Reads a file, in the format of its extension. Other threads run meanwhile.
 
     The document has one mesh, to which all meshes of the file are joined. With ``scene``, it has each mesh, and where each is placed. Arrays
     are read-only views of one buffer. Files that the file names, such as material libraries, are read only if they are in its folder. If a file
     breaks a rule of its format and the meaning is clear, ``notes`` of the document say so.
+
+    Args:
+        path: the file.
+        scene: keeps the meshes of a scene and their placements.
+        merge: merges vertices of STL, DXF and glTF files at equal points. Without it, large STL files are read in less time.
 
     Raises:
         InputError: the format is unknown, or the file is not of its format. The message has the line or byte.
@@ -49,7 +54,7 @@ def read(path: StrPath, *, scene: bool = False) -> Document:
     path = Path(os.fsdecode(path))
     data = _loaded(path)
     folder = _Folder(path.parent)
-    flags = 0 if scene else lib.GUSSET_FILES_JOINED
+    flags = (0 if scene else lib.GUSSET_FILES_JOINED) | (0 if merge else lib.GUSSET_FILES_UNMERGED)
     made = _Parts(path, folder, lambda out: _table().read(_name(path), ffi.from_buffer("uint8_t[]", data), len(data), folder.struct, flags, out))
     document = unpacked(made.bytes(0), made.bytes(1))
     document.folder = path.parent
@@ -77,7 +82,8 @@ def save(path: StrPath, content: Content, *, text: bool = False, lossy: bool = F
     path = Path(os.fsdecode(path))
     document = _as_document(content)
     described, arrays = packed(document)
-    folder = _Folder(document.folder if document.folder is not None else path.parent)
+    source = document.folder if document.folder is not None else path.parent
+    folder = _Folder(source, path.parent)
     flags = (lib.GUSSET_FILES_TEXT if text else 0) | (lib.GUSSET_FILES_LOSSY if lossy else 0)
     data = ffi.from_buffer("uint8_t[]", arrays)
     made = _Parts(path, folder, lambda out: _table().write(_name(path), described, data, len(arrays), folder.struct, flags, out))
@@ -85,7 +91,7 @@ def save(path: StrPath, content: Content, *, text: bool = False, lossy: bool = F
     beside = {path.parent / _beside(path, made.name(k)): made.bytes(k) for k in range(2, made.count)}
     replace_files({**beside, path: made.bytes(1)})
     losses = [str(loss) for loss in json.loads(made.bytes(0).tobytes())]
-    return losses + _lost_images(document, path, beside.values())
+    return losses + _lost_images(document, source, beside.values())
 
 
 @cache
@@ -160,9 +166,12 @@ def _failure(status: int, path: Path, message: str) -> Error:
 
 
 class _Folder:
-    """Gives a reader or writer the files of a folder and of its folders. Names that lead out of the folder, also by a link, do not exist."""
+    """Gives a reader or writer the files of a folder and of its folders. Names that lead out of the folder, also by a link, do not exist.
 
-    def __init__(self, folder: Path):
+    A file that is written to ``target`` names the files as seen from there.
+    """
+
+    def __init__(self, folder: Path, target: Optional[Path] = None):
         self._folder = folder
         self._kept = b""
         #: An exception that is not about one file, such as KeyboardInterrupt.
@@ -170,6 +179,8 @@ class _Folder:
         self._load: Any = ffi.callback("int32_t(void *, const char *, const uint8_t **, size_t *)", self.load, error=1, onerror=self.failed)
         self.struct: Any = ffi.new("struct gusset_files_folder *")
         self.struct.struct_size, self.struct.load = ffi.sizeof("struct gusset_files_folder"), self._load
+        self._seen_as: Any = _seen_as(folder, target)
+        self.struct.seen_as = self._seen_as
 
     def close(self) -> None:
         """Frees the bytes of the last file, and breaks the circle through the callback."""
@@ -202,9 +213,20 @@ def _as_document(content: Content) -> Document:
     return Document(meshes=[content if isinstance(content, FileMesh) else FileMesh(as_mesh(content))])
 
 
-def _lost_images(document: Document, path: Path, beside: Any) -> list[str]:
-    """Phrases for images that the written files name, but that are not in their folder."""
+def _seen_as(folder: Path, target: Optional[Path]) -> Any:
+    """The path from a target to a folder as a C string; NULL if it is the same, or if no path leads from one to the other."""
+    if target is None:
+        return ffi.NULL
+    try:
+        path = os.path.relpath(folder.resolve(), target.resolve()).replace(os.sep, "/").encode("utf-8")
+    except ValueError:  # another drive, or a path that is not Unicode
+        return ffi.NULL
+    return ffi.NULL if path == b"." else ffi.new("char[]", path)
+
+
+def _lost_images(document: Document, source: Path, beside: Any) -> list[str]:
+    """Phrases for images that the written files name, but that do not exist."""
     named = {image.data for image in document.images if isinstance(image.data, str) and image.data}
     texts = [part.tobytes() for part in beside] if named else []
-    missing = sorted(name for name in named if any(name.encode("utf-8", "replace") in one for one in texts) and not (path.parent / name).exists())
-    return [f"the image {name}, which is not in the folder of the file" for name in missing]
+    missing = sorted(name for name in named if any(name.encode("utf-8", "replace") in one for one in texts) and not (source / name).exists())
+    return [f"the image {name}, which does not exist" for name in missing]

@@ -462,6 +462,13 @@ def test_images_come_from_the_folder_of_the_document(tmp_path):
     gm.save(tmp_path / "other" / "a.glb", document)
     assert gm.read(tmp_path / "other" / "a.glb").images[0].data == file_bytes.PNG
     assert not any("image" in loss for loss in gm.save(tmp_path / "b.obj", document))
+    # Files in other folders name the image as seen from there.
+    assert not any("image" in loss for loss in gm.save(tmp_path / "other" / "a.obj", document))
+    assert "map_Kd ../a.png\n" in (tmp_path / "other" / "a.mtl").read_text()
+    document.materials[0].native = None
+    gm.save(tmp_path / "other" / "b.obj", document)
+    assert "map_Kd ../a.png\n" in (tmp_path / "other" / "b.mtl").read_text()
+    (tmp_path / "a.png").unlink()
     assert any("image a.png" in loss for loss in gm.save(tmp_path / "other" / "a.obj", document))
 
 

@@ -2,7 +2,7 @@
 
 use crate::table::descriptor::gusset_files_folder;
 use gusset_io::{ReadError, ReadErrorKind, Resources};
-use std::ffi::CString;
+use std::ffi::{CStr, CString};
 use std::ptr;
 
 /// The host's folder, if it gave one.
@@ -34,6 +34,17 @@ impl Resources for Folder {
         copy.try_reserve_exact(lent.len())?;
         copy.extend_from_slice(lent);
         Ok(copy)
+    }
+
+    fn written_name(&self, name: &str) -> String {
+        let seen_as = self.0.map_or(ptr::null(), |folder| folder.seen_as);
+        let is_relative = !name.is_empty() && !name.starts_with(['/', '\\']) && !name.contains(':');
+        if seen_as.is_null() || !is_relative {
+            return name.to_owned();
+        }
+        // SAFETY: the host promises that it is a C string during the call.
+        let folder = unsafe { CStr::from_ptr(seen_as) }.to_string_lossy();
+        format!("{}/{name}", folder.trim_end_matches('/'))
     }
 }
 

@@ -92,6 +92,10 @@ unsafe fn given_text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Ref
     unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| Refusal::argument(format!("{name} is not UTF-8")))
 }
 
+fn check_flags(flags: u32, known: u32) -> Result<(), Refusal> {
+    if flags & !known == 0 { Ok(()) } else { Err(Refusal::argument(format!("flags: {flags} has unknown bits"))) }
+}
+
 fn named_format(name: &str) -> Result<Format, Refusal> {
     Format::from_name(name).ok_or_else(|| {
         let known: Vec<String> = Format::ALL.iter().map(|(format, _)| format!(".{}", format.extension())).collect();
@@ -113,7 +117,9 @@ pub(crate) unsafe extern "C" fn read(
         answer(result, || {
             let format = named_format(given_text(name, "name")?)?;
             let bytes = given_bytes(bytes, size).ok_or_else(|| Refusal::argument("bytes is NULL"))?;
-            let document = gusset_io::read(bytes, format, &Folder::new(folder), &ReadOptions::default())?;
+            check_flags(flags, GUSSET_FILES_JOINED | GUSSET_FILES_UNMERGED)?;
+            let options = ReadOptions { merge_repeated: flags & GUSSET_FILES_UNMERGED == 0, ..ReadOptions::default() };
+            let document = gusset_io::read(bytes, format, &Folder::new(folder), &options)?;
             let size = bytes.len() as u64;
             let document = if flags & GUSSET_FILES_JOINED != 0 { joined(document, size)? } else { document };
             let Packed { description, arrays } = pack(&document)?;
@@ -143,6 +149,7 @@ pub(crate) unsafe extern "C" fn write(
     unsafe {
         answer(result, || {
             let name = given_text(name, "name")?;
+            check_flags(flags, GUSSET_FILES_TEXT | GUSSET_FILES_LOSSY)?;
             let arrays = given_bytes(arrays, size).ok_or_else(|| Refusal::argument("arrays is NULL"))?;
             let document = unpack(given_text(document, "document")?, arrays)?;
             written(name, &document, &Folder::new(folder), flags)

@@ -150,6 +150,7 @@ mod unix {
         write(&path, 1.0);
         assert!(reader.join().expect("the reader ends").starts_with("v 0 0 0\n"));
         assert_eq!(names(folder.path()), ["pipe.obj"]);
+        assert_eq!(write_error(&path), "no program reads this pipe");
         let error = read_file(&path, &ReadOptions::default()).expect_err("it is a pipe");
         assert_eq!(error.to_string(), "this is not a regular file");
         // A link to a device leads to no folder where files can be made.

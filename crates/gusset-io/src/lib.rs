@@ -37,10 +37,12 @@ pub mod packed;
 mod pending_file;
 mod outline_pen;
 mod parallel_fill;
+mod parallel_merging;
 mod polygons;
 mod precision;
 #[cfg(not(target_family = "wasm"))]
 mod regular_file;
+mod repeated_points;
 mod resources;
 mod scene;
 mod text;
@@ -82,7 +84,7 @@ pub use material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};
 pub use memory_file::MemoryFile;
 pub use mesh::{Domain, Mesh, NumberKind, Positions, Property, Values};
 pub use options::{ReadOptions, WriteOptions};
-pub use resources::{NoResources, Resources, Target};
+pub use resources::{NoResources, Output, Resources, Target};
 
 /// Largest memory that a reader takes, as a multiple of the size of the file and of the files that it refers to.
 pub const MEMORY_MULTIPLE: u64 = 32;

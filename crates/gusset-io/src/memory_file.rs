@@ -1,5 +1,6 @@
 //! A file in memory, as it is written.
 
+use crate::resources::Output;
 use std::io::{Error, ErrorKind, Result, Write};
 
 /// Bytes of a file. Writing fails if memory runs out.
@@ -7,6 +8,12 @@ use std::io::{Error, ErrorKind, Result, Write};
 pub struct MemoryFile {
     /// The bytes.
     pub bytes: Vec<u8>,
+}
+
+impl Output for MemoryFile {
+    fn reserve(&mut self, bytes: usize) -> Result<()> {
+        self.bytes.try_reserve_exact(bytes).map_err(|_| Error::from(ErrorKind::OutOfMemory))
+    }
 }
 
 impl Write for MemoryFile {

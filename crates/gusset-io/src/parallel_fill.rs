@@ -8,7 +8,15 @@ use bytemuck::Zeroable;
 /// Most threads that fill an array.
 const MAX_THREADS: usize = 4;
 /// Fewest values for each thread: starting a thread takes as long as filling some 100 kB.
-const MIN_PART: usize = 1 << 16;
+pub(crate) const MIN_PART: usize = 1 << 16;
+
+/// Returns the number of threads that share the work on a large array.
+pub(crate) fn thread_count() -> usize {
+    if cfg!(target_family = "wasm") {
+        return 1;
+    }
+    std::thread::available_parallelism().map_or(1, |threads| threads.get().min(MAX_THREADS))
+}
 
 /// Makes a vector whose value at each index is `value(index)`.
 pub(crate) fn make_vector<T: Zeroable + Send>(
@@ -16,12 +24,7 @@ pub(crate) fn make_vector<T: Zeroable + Send>(
     value: impl Fn(usize) -> T + Sync,
 ) -> Result<Vec<T>, ReadError> {
     let mut values = bytemuck::allocation::try_zeroed_vec(count).map_err(|()| ReadError::out_of_memory())?;
-    let threads = if cfg!(target_family = "wasm") {
-        1
-    } else {
-        std::thread::available_parallelism().map_or(1, |threads| threads.get().min(MAX_THREADS))
-    };
-    let part_length = count.div_ceil(threads).max(MIN_PART);
+    let part_length = count.div_ceil(thread_count()).max(MIN_PART);
     let fill = |part: usize, values: &mut [T]| {
         for (offset, place) in values.iter_mut().enumerate() {
             *place = value(part * part_length + offset);

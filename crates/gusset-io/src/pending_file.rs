@@ -4,6 +4,8 @@ use crate::folder::folder_path;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, Seek, Write};
 use std::path::{Path, PathBuf};
+#[cfg(unix)]
+use std::time::{Duration, Instant};
 use tempfile::NamedTempFile;
 
 /// Largest number of links from one name to a file.
@@ -32,7 +34,7 @@ impl PendingFile {
             None => Self::create_new(followed(path)?),
             Some(status) if status.is_dir() => Err(io::Error::other("this is a folder")),
             Some(status) if status.is_file() => Self::create_over(followed(path)?, &status),
-            Some(_) => OpenOptions::new().write(true).open(path).map(Self::Direct),
+            Some(_) => open_stream(path).map(Self::Direct),
         }
     }
 
@@ -87,6 +89,30 @@ impl Write for PendingFile {
             Self::Copied { file, .. } | Self::Direct(file) => file.flush(),
         }
     }
+}
+
+/// Opens a pipe or device. A pipe that nobody reads would make the program wait without end.
+#[cfg(unix)]
+fn open_stream(path: &Path) -> io::Result<File> {
+    use std::os::unix::fs::OpenOptionsExt;
+    /// Time for the reader of a pipe to open it.
+    const MAX_WAIT: Duration = Duration::from_secs(2);
+    const PAUSE: Duration = Duration::from_millis(10);
+    let end = Instant::now() + MAX_WAIT;
+    loop {
+        match OpenOptions::new().write(true).custom_flags(libc::O_NONBLOCK).open(path) {
+            // Writing shall wait for the reader, unlike opening.
+            Ok(_open_meanwhile) => return OpenOptions::new().write(true).open(path),
+            Err(error) if error.raw_os_error() != Some(libc::ENXIO) => return Err(error),
+            Err(_) if Instant::now() >= end => return Err(io::Error::other("no program reads this pipe")),
+            Err(_) => std::thread::sleep(PAUSE),
+        }
+    }
+}
+
+#[cfg(not(unix))]
+fn open_stream(path: &Path) -> io::Result<File> {
+    OpenOptions::new().write(true).open(path)
 }
 
 /// Returns the path to which links lead; its file need not exist.

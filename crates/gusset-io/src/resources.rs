@@ -1,7 +1,7 @@
 //! Files beside the one that is read or written.
 
 use crate::error::{ReadError, ReadErrorKind, WriteError};
-use std::io::Write;
+use std::io::{BufWriter, Write};
 
 /// Gives the bytes of files that a file refers to: material libraries, buffers, images, scans.
 pub trait Resources {
@@ -27,10 +27,29 @@ impl Resources for NoResources {
     }
 }
 
+/// Receives the bytes of a file.
+pub trait Output: Write {
+    /// Makes room for bytes that will be written, if the output keeps them in memory.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    fn reserve(&mut self, _bytes: usize) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+impl<W: Write> Output for BufWriter<W> {}
+
+impl Output for Vec<u8> {
+    fn reserve(&mut self, bytes: usize) -> std::io::Result<()> {
+        Ok(self.try_reserve_exact(bytes)?)
+    }
+}
+
 /// Receives a written file and the files beside it.
 pub struct Target<'a> {
     /// The file.
-    pub main: &'a mut dyn Write,
+    pub main: &'a mut dyn Output,
     /// Name of the file without folder and extension, from which names of files beside it are made.
     pub stem: &'a str,
     /// Receives files beside it: name and bytes. Returns an error of kind `Unsupported` if there can be none.

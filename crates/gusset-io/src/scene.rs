@@ -74,6 +74,16 @@ pub(crate) fn list_lost_beside_curves(document: &Document, files: &str) -> Resul
         .collect())
 }
 
+/// Returns the nearest of the 256 steps of a colour's part.
+pub(crate) fn colour_step(part: f32) -> u8 {
+    (part * 255.0).round() as u8
+}
+
+/// Returns whether formats whose colours have 256 steps round some colour.
+pub(crate) fn has_shades_between_steps(colours: &[[f32; 4]]) -> bool {
+    colours.iter().flatten().any(|&part| f32::from(colour_step(part)) / 255.0 != part)
+}
+
 /// Writes `1 face` or `2 faces`.
 pub(crate) fn counted(count: usize, one: &str, several: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { several })

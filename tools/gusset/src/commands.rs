@@ -30,7 +30,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     FilterCommand {
         name: "join",
         filters: &["join"],
-        about: "Joins any number of open meshes where their borders coincide or face each other",
+        about: "Joins two or more open meshes where their borders coincide or face each other",
         example: "gusset join left.ply middle.ply right.ply -o whole.ply",
         smooth: &["finish=blend"],
     },
@@ -51,14 +51,14 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     FilterCommand {
         name: "weld",
         filters: &["weld"],
-        about: "Merges coincident borders",
+        about: "Merges borders whose vertices coincide",
         example: "gusset weld part.stl -o welded.ply",
         smooth: &[],
     },
     FilterCommand {
         name: "sew",
         filters: &["sew"],
-        about: "Merges coincident borders whose vertices differ, and splits edges where needed",
+        about: "Merges borders that lie on each other, and splits edges where their vertices differ",
         example: "gusset sew tiles.obj -o sheet.obj",
         smooth: &[],
     },
@@ -79,21 +79,21 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     FilterCommand {
         name: "trim",
         filters: &["trim"],
-        about: "Removes one piece where two overlap",
+        about: "Removes the faces of one piece where two overlap",
         example: "gusset trim scan1.ply scan2.ply -o trimmed.ply",
         smooth: &[],
     },
     FilterCommand {
         name: "section",
         filters: &["section", "smooth_sections"],
-        about: "Cuts a smooth surface by planes",
+        about: "Cuts the smooth surface through a grid of quads by planes",
         example: "gusset section hull.obj --number 20 -o sections.obj",
         smooth: &[],
     },
     FilterCommand {
         name: "loft",
         filters: &["loft"],
-        about: "Makes a smooth surface through sections",
+        about: "Makes a smooth surface through two or more curves",
         example: "gusset loft sections.obj -o surface.obj",
         smooth: &[],
     },
@@ -107,7 +107,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     FilterCommand {
         name: "check",
         filters: &["check"],
-        about: "Reports the defects of meshes, and counts their pieces, edges and handles",
+        about: "Reports the defects of meshes, and counts their pieces, edges and genus",
         example: "gusset check part.stl --strict",
         smooth: &[],
     },
@@ -116,8 +116,12 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
 pub(crate) const SUMMARY: &str = "Joins, fills, mends and checks meshes in files.";
 
 const EXPLANATION: &str = "\
-Meshes are OBJ, PLY, STL, OFF, glTF, GLB or 3MF files, or .conf lists of scans. Curves are OBJ, SVG, DXF, XYZ or CSV files.
-Colours, normals, texture coordinates and materials are kept. Losses are named on standard error.";
+Meshes are OBJ, PLY, STL, OFF, glTF, GLB or 3MF files, or .conf lists of scans. Curves are OBJ, glTF, GLB, SVG,
+DXF, XYZ or CSV files. Colours, normals, texture coordinates and materials are kept if the format holds them.
+Each loss is named on standard error.";
+
+const HINT: &str =
+    "'gusset COMMAND --help' shows the options of a command. 'gusset filters FILTER' explains its parameters.";
 
 /// Builds the command line. `in_full` adds the full explanation of each parameter, for the manual.
 pub(crate) fn command_line(plugin: Option<Plugin>, version: String, in_full: bool) -> Command {
@@ -128,9 +132,10 @@ pub(crate) fn command_line(plugin: Option<Plugin>, version: String, in_full: boo
     }
     Command::new("gusset")
         .about(SUMMARY)
+        .before_help("Example: gusset join left.ply right.ply -o whole.ply")
         .long_about(SUMMARY)
         .version(version)
-        .after_help(format!("{EXPLANATION}\n\n{statuses}\n'gusset COMMAND --help' shows the options of a command."))
+        .after_help(format!("{EXPLANATION}\n\n{statuses}\n{HINT}"))
         .subcommand_required(true)
         .arg_required_else_help(false)
         .disable_help_subcommand(true)
@@ -143,7 +148,7 @@ pub(crate) fn command_line(plugin: Option<Plugin>, version: String, in_full: boo
                 .value_parser(value_parser!(OsString))
                 .global(true)
                 .hide_short_help(false)
-                .help("Runs the filters of another plugin"),
+                .help("Runs the filters of this library instead"),
         )
         .subcommands(FILTER_COMMANDS.iter().map(|command| builder.filter_command(command)))
         .subcommands([builder.convert(), builder.info(), builder.filters(), builder.run(), generate()])
@@ -169,17 +174,22 @@ impl Builder {
         let filter = self.plugin.and_then(|plugin| command.filter(plugin));
         let mut made = self
             .subcommand(command.name, command.about, command.example)
-            .arg(inputs("Files to read; - is standard input", 1));
+            .arg(inputs("Files or folders to read; - is standard input", 1));
         let writes = filter.is_none_or(|filter| filter.output_kinds().iter().any(|&kind| kind != OutputKind::Text));
         if writes {
             made = made.args(output_options(false));
         }
         if !command.smooth.is_empty() {
-            made =
-                made.arg(flag("smooth").help("Continues the surfaces beside the new faces").help_heading(PARAMETERS));
+            made = made.arg(
+                flag("smooth")
+                    .help("Makes new faces continue the surfaces beside them (sets finish or inside)")
+                    .help_heading(PARAMETERS),
+            );
         }
         if command.name == "check" {
-            made = made.arg(flag("strict").help("Exits with 7 if the mesh has defects")).arg(jobs());
+            made = made
+                .arg(flag("strict").help("Exits with 7 if the mesh has defects, open borders included"))
+                .arg(jobs());
         }
         let taken: Vec<String> = made.get_arguments().map(|arg| arg.get_id().to_string()).collect();
         for param in filter.map(Filter::params).unwrap_or_default() {
@@ -232,7 +242,7 @@ impl Builder {
 
     fn convert(&self) -> Command {
         self.subcommand("convert", "Writes meshes in another format", "gusset convert part.stl -o part.glb")
-            .arg(inputs("Files to read; - is standard input", 1))
+            .arg(inputs("Files or folders to read; - is standard input", 1))
             .args(output_options(false))
             .args(read_options())
             .arg(json())
@@ -240,7 +250,7 @@ impl Builder {
 
     fn info(&self) -> Command {
         self.subcommand("info", "Measures meshes: box, area, volume, centre, likely unit", "gusset info part.stl")
-            .arg(inputs("Files to read; - is standard input", 1))
+            .arg(inputs("Files or folders to read; - is standard input", 1))
             .args(read_options())
             .arg(json())
             .arg(jobs())
@@ -249,8 +259,8 @@ impl Builder {
     fn filters(&self) -> Command {
         self.subcommand("filters", "Lists all filters, or describes one and its parameters", "gusset filters fill")
             .arg(self.filter_argument("Filter to describe"))
-            .arg(inputs("Files to suggest values for", 0))
-            .arg(flag("ids").help("Lists the ids of the filters alone"))
+            .arg(inputs("Shows the values that suit these files", 0))
+            .arg(flag("ids").help("Lists only the names of the filters"))
             .arg(json())
             .args(read_options())
     }
@@ -267,15 +277,11 @@ impl Builder {
         let filter = self.filter_argument("Filter, as 'gusset filters' names it").required(true);
         self.subcommand("run", "Runs any filter", "gusset run curve_resample outline.svg -p number=200 -o points.csv")
             .arg(filter)
-            .arg(inputs("Files to read; - is standard input", 0))
-            .arg(
-                Arg::new("param")
-                    .short('p')
-                    .long("param")
-                    .value_name("NAME=VALUE")
-                    .action(ArgAction::Append)
-                    .help("Sets a parameter; a choice by its word or number, a vector as x,y,z, an angle in degrees"),
-            )
+            .arg(inputs("Files or folders to read; - is standard input", 0))
+            .arg(Arg::new("param").short('p').long("param").value_name("NAME=VALUE").action(ArgAction::Append).help(
+                "Sets a parameter, which 'gusset filters <filter>' lists; a choice by its word or number, \
+                         a vector as x,y,z, an angle in degrees",
+            ))
             .args(output_options(true))
             .args(run_options())
             .args(read_options())
@@ -301,9 +307,9 @@ fn inputs(help: &'static str, least: usize) -> Arg {
 
 fn output_options(repeats: bool) -> [Arg; 8] {
     let help = if repeats {
-        "File of the first mesh or curves; once more for the next"
+        "File to write; repeat it for the second output"
     } else {
-        "File to write; - is standard output"
+        "File to write; - is standard output. For many inputs, use --out-dir"
     };
     let action = if repeats { ArgAction::Append } else { ArgAction::Set };
     let file = |name: &'static str| {
@@ -311,15 +317,20 @@ fn output_options(repeats: bool) -> [Arg; 8] {
     };
     [
         file("output").short('o').value_name("FILE").action(action).help(help),
-        file("out-dir").value_name("FOLDER").help("Folder for the results of several files").help_heading(FILES),
+        file("out-dir")
+            .value_name("FOLDER")
+            .help("Writes each result to this folder, under its input's name")
+            .help_heading(FILES),
         file("html")
             .value_name("FILE")
-            .help("Writes a page that shows the result in 3-D, for any browser")
+            .help("Writes a web page that shows inputs and result in 3-D")
             .help_heading(FILES),
-        flag("dry-run").short('n').help("Prints the report and writes no file"),
+        flag("dry-run").short('n').help("Runs and prints the report, but writes no file"),
         flag("text").help("Writes PLY and STL files as text").help_heading(FILES),
-        flag("lossy").help("Permits rounding that moves points by over 0.001 mean edges").help_heading(FILES),
-        format_option("to").help("Format of standard output or of --out-dir"),
+        flag("lossy")
+            .help("Permits rounding that moves points by over 0.001 of the mean edge length")
+            .help_heading(FILES),
+        format_option("to").help("Format of standard output and of files in --out-dir, such as ply"),
         jobs(),
     ]
 }
@@ -336,8 +347,8 @@ fn format_option(name: &'static str) -> Arg {
 
 fn read_options() -> [Arg; 2] {
     [
-        format_option("from").help("Format of standard input"),
-        flag("follow-outside").help("Opens files that inputs name outside of their folder").help_heading(FILES),
+        format_option("from").help("Format of standard input; needed for xyz and csv"),
+        flag("follow-outside").help("Also opens files outside of the input's folder that it names").help_heading(FILES),
     ]
 }
 
@@ -346,12 +357,12 @@ fn jobs() -> Arg {
         .long("jobs")
         .value_name("N")
         .value_parser(value_parser!(u16).range(1..))
-        .help("Files worked on at a time")
+        .help("Files to work on at a time [default: 1]")
         .help_heading(FILES)
 }
 
 fn json() -> Arg {
-    flag("json").help("Prints the report, or a refusal, as JSON")
+    flag("json").help("Prints the report, or the error, as JSON")
 }
 
 fn run_options() -> [Arg; 4] {
@@ -361,13 +372,13 @@ fn run_options() -> [Arg; 4] {
             .long("threads")
             .value_name("N")
             .value_parser(value_parser!(u32))
-            .help("Threads [default: all of the machine]"),
-        flag("progress").help("Shows progress without a terminal, too"),
+            .help("Most threads to use [default: all]"),
+        flag("progress").help("Shows progress even if standard error is not a terminal"),
         Arg::new("cancel-after")
             .long("cancel-after")
             .value_name("SECONDS")
             .value_parser(parse_seconds)
-            .help("Cancels after this time"),
+            .help("Stops the filter after this time, with exit status 5"),
     ]
 }
 

@@ -17,14 +17,14 @@ pub(crate) enum Exit {
 impl Exit {
     /// Exit statuses and their meanings.
     pub(crate) const MEANINGS: [(u8, &'static str); 8] = [
-        (0, "done; the report may still list defects of the mesh"),
+        (0, "done; without --strict, also if check finds defects"),
         (1, "the command line is invalid"),
-        (2, "a file cannot be read, or a file or standard output cannot be written"),
+        (2, "a file cannot be read or written, or its format does not suit"),
         (3, "the library or plugin cannot be loaded, or it failed internally"),
         (4, "the filter refused its parameters or inputs"),
         (5, "cancelled"),
         (6, "out of memory"),
-        (7, "check --strict found defects"),
+        (7, "check --strict found defects; an open border is one"),
     ];
 }
 

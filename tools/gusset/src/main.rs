@@ -29,6 +29,7 @@ use std::ffi::{OsStr, OsString};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    steering::catch_size_limit();
     let words: Vec<OsString> = std::env::args_os().collect();
     let plugin = Plugin::load(plugin_name(&words).as_deref());
     let library = match &plugin {
@@ -152,7 +153,11 @@ fn dispatch(name: &str, options: &ArgMatches, plugin: Result<Plugin, Failure>) -
 fn find_filter(plugin: Plugin, name: &str) -> Result<Filter, Failure> {
     plugin.find(name).ok_or_else(|| {
         let filters = plugin.filters();
-        let near = values::nearest_word(name, filters.iter().map(|filter| filter.id()));
+        let command = FILTER_COMMANDS.iter().find(|command| command.name == name);
+        let near = match command.and_then(|command| command.filter(plugin)) {
+            Some(filter) => Some(filter.id()),
+            None => values::nearest_word(name, filters.iter().map(|filter| filter.id())),
+        };
         let near = near.map(|near| format!("; did you mean {near}?")).unwrap_or_default();
         Failure::usage(format!("there is no filter {name}{near}; 'gusset filters' lists all"))
     })

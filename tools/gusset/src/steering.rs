@@ -24,6 +24,12 @@ pub(crate) fn stop_flag() -> &'static Arc<AtomicBool> {
     })
 }
 
+/// Makes the end of a file's permitted size an error of writing. By default the signal for it ends the program.
+pub(crate) fn catch_size_limit() {
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
+}
+
 /// Returns whether the user has asked to stop.
 pub(crate) fn is_stopped() -> bool {
     stop_flag().load(Ordering::Relaxed)

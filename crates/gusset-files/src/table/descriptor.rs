@@ -19,6 +19,8 @@ pub const GUSSET_FILES_INTERNAL: i32 = 4;
 
 /// Flag of read: joins all meshes of a scene into one.
 pub const GUSSET_FILES_JOINED: u32 = 1;
+/// Flag of read: keeps vertices of STL, DXF and glTF files at equal points apart.
+pub const GUSSET_FILES_UNMERGED: u32 = 2;
 /// Flag of write: PLY and STL files as text.
 pub const GUSSET_FILES_TEXT: u32 = 1;
 /// Flag of write: permits moves of over 0.001 mean edges by rounding.
@@ -37,6 +39,9 @@ pub struct gusset_files_folder {
     pub load: Option<
         unsafe extern "C" fn(user: *mut c_void, name: *const c_char, bytes: *mut *const u8, size: *mut usize) -> i32,
     >,
+    /// Path from the folder of a written file to this one, such as "../scans". The file names images
+    /// by it. NULL: both are one folder.
+    pub seen_as: *const c_char,
 }
 
 /// Table of functions, for any thread.
@@ -45,8 +50,9 @@ pub struct gusset_files {
     /// sizeof(gusset_files).
     pub struct_size: usize,
     /// Reads a file of size bytes. name: its extension is the format. folder: may be NULL. flags:
-    /// GUSSET_FILES_JOINED or 0. Part 0 is the document's JSON text, part 1 the arrays in it; after
-    /// a failure, *result has the message. O(size) time; memory at most 32 times all files.
+    /// GUSSET_FILES_JOINED, GUSSET_FILES_UNMERGED or 0. Part 0 is the document's JSON text, part 1 the
+    /// arrays in it; after a failure, *result has the message. O(size) time; memory at most 32 times all
+    /// files.
     pub read: unsafe extern "C" fn(
         name: *const c_char,
         bytes: *const u8,

@@ -7,13 +7,13 @@ use super::gltf_faces_write::Triangles;
 use super::gltf_materials_write::{MaterialWriter, named_object};
 use super::gltf_mesh::ORIGIN_ATTRIBUTE;
 use super::gltf_split::{SplitVertices, are_normals_rounded, are_texcoords_rounded, split_vertices};
-use super::gltf_unite::has_equal_positions;
 use crate::document::{Curves, Document, PointCloud};
 use crate::error::{Loss, WriteError, WriteErrorKind};
 use crate::material::NO_MATERIAL;
 use crate::mesh::{Domain, Mesh, Positions, Values};
 use crate::options::WriteOptions;
 use crate::precision::check_rounding;
+use crate::repeated_points::count_repeated_points;
 use std::borrow::Cow;
 use std::collections::TryReserveError;
 
@@ -213,7 +213,7 @@ fn write_vertices(
     }
     // Readers merge equal positions otherwise.
     let is_divided = origins.is_some_and(|all| all.len() > mesh.positions.len()) || !mesh.merge.is_empty();
-    if is_divided || has_equal_positions(&points)? {
+    if is_divided || count_repeated_points(points.len(), |vertex| Some(points[vertex]))? > 0 {
         let halves = (0..count).map(|vertex| {
             let first = mesh.representative(origin_of(vertex));
             [first as u16, (first >> 16) as u16]
@@ -263,18 +263,23 @@ fn write_faces(
     has_polygons: bool,
     binary: &mut Binary,
 ) -> Result<String, WriteError> {
+    let vertices = split.origins.as_ref().map_or(mesh.positions.len(), Vec::len);
     let mut triangles = Triangles::default();
-    triangles.indices.try_reserve(3 * faces.len())?;
-    for &face in faces {
-        let corners = &split.corners[mesh.face_range(face as usize)];
-        if has_polygons {
-            triangles.push_face(mesh, face as usize, corners)?;
-        } else {
-            triangles.indices.extend_from_slice(corners);
+    // All faces are triangles, and in their order.
+    let is_whole = !has_polygons && 3 * faces.len() == split.corners.len();
+    if !is_whole {
+        triangles.indices.try_reserve(3 * faces.len())?;
+        for &face in faces {
+            let corners = &split.corners[mesh.face_range(face as usize)];
+            if has_polygons {
+                triangles.push_face(mesh, face as usize, corners)?;
+            } else {
+                triangles.indices.extend_from_slice(corners);
+            }
         }
     }
-    let vertices = split.origins.as_ref().map_or(mesh.positions.len(), Vec::len);
-    let mut text = format!(",\"indices\":{}", push_indices(&triangles.indices, vertices, binary)?);
+    let indices = if is_whole { &split.corners } else { &triangles.indices[..] };
+    let mut text = format!(",\"indices\":{}", push_indices(indices, vertices, binary)?);
     if has_polygons {
         text.push_str(&format!(",\"extensions\":{{\"{POLYGON_EXTENSION}\":{{}}}}"));
     }

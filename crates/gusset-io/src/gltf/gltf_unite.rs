@@ -1,8 +1,9 @@
 //! Split vertices: those that this library split are joined again, and others at equal positions get a common representative.
 
 use crate::budget::Budget;
-use crate::error::{Note, Place, ReadError, WriteError};
+use crate::error::{Note, Place, ReadError};
 use crate::mesh::{Mesh, Positions, Values};
+use crate::repeated_points::count_repeated_points;
 use crate::vertex_merging::{Coordinate, VertexMerger};
 use gusset_base::alloc;
 
@@ -93,19 +94,14 @@ pub(super) fn merge_equal_positions(
     Ok(())
 }
 
-/// Returns whether two points are equal.
-pub(super) fn has_equal_positions(points: &[[f32; 3]]) -> Result<bool, WriteError> {
-    Ok(representatives(points)?.is_some())
-}
-
 /// Returns the first vertex at each position; `None` if all vertices differ.
 fn representatives<T: Coordinate>(points: &[[T; 3]]) -> Result<Option<Vec<u32>>, ReadError> {
+    if count_repeated_points(points.len(), |vertex| Some(points[vertex]))? == 0 {
+        return Ok(None);
+    }
     let mut merge = Vec::new();
     let mut merger = VertexMerger::new(points.len())?;
     merger.extend(points, &mut merge)?;
-    if merger.len() == points.len() {
-        return Ok(None);
-    }
     // Numbers of positions follow their first occurrence.
     let mut firsts: Vec<u32> = Vec::new();
     firsts.try_reserve_exact(merger.len())?;

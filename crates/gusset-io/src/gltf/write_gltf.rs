@@ -60,6 +60,7 @@ pub(crate) fn write_glb(
         WriteError::new(WriteErrorKind::Unsupported, message)
     })?;
     let out = &mut *target.main;
+    out.reserve(size as usize)?;
     let mut head = b"glTF\x02\0\0\0".to_vec();
     head.extend_from_slice(&size.to_le_bytes());
     head.extend_from_slice(&(json.len() as u32).to_le_bytes());

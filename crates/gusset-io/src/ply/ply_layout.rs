@@ -4,6 +4,7 @@ use crate::document::{Document, PointCloud};
 use crate::error::{WriteError, printable};
 use crate::material::{ImageData, Material, NO_MATERIAL};
 use crate::mesh::{Domain, Mesh, Positions, Property, Values};
+use crate::scene::has_shades_between_steps;
 use gusset_base::alloc;
 use std::borrow::Cow;
 
@@ -33,13 +34,8 @@ impl<'a> Colours<'a> {
 
     /// Returns whether some colour is not one of 256 steps.
     pub(super) fn is_rounded(&self) -> bool {
-        self.values.iter().flatten().any(|&part| f32::from(step(part)) / 255.0 != part)
+        has_shades_between_steps(self.values)
     }
-}
-
-/// Returns the nearest of 256 steps.
-pub(super) fn step(part: f32) -> u8 {
-    (part * 255.0).round() as u8
 }
 
 fn is_single(x: f64) -> bool {
@@ -67,6 +63,14 @@ impl<'a> VertexLayout<'a> {
             texcoords: None,
             properties: Vec::new(),
         }
+    }
+
+    /// Returns whether vertices have positions and nothing else.
+    pub(super) fn has_positions_only(&self) -> bool {
+        self.normals.is_none()
+            && self.colours.values.is_empty()
+            && self.texcoords.is_none()
+            && self.properties.is_empty()
     }
 
     pub(super) fn from_mesh(mesh: &'a Mesh) -> Result<Self, WriteError> {
@@ -106,6 +110,15 @@ pub(super) struct FaceLayout<'a> {
 }
 
 impl<'a> FaceLayout<'a> {
+    /// Returns whether faces are short lists of corners and nothing else.
+    pub(super) fn has_corners_only(&self) -> bool {
+        self.has_short_lists
+            && self.colours.values.is_empty()
+            && self.texcoords.is_none()
+            && !self.textures.has_numbers
+            && self.properties.is_empty()
+    }
+
     pub(super) fn new(mesh: &'a Mesh, vertices: &VertexLayout<'a>, document: &'a Document) -> Result<Self, WriteError> {
         let widest = (0..mesh.face_count()).map(|face| mesh.face_range(face).len()).max().unwrap_or(0);
         let texcoords = match &mesh.texcoords {

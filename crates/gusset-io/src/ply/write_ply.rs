@@ -1,6 +1,6 @@
 //! Writer of PLY files.
 
-use super::ply_layout::{Colours, FaceLayout, VertexLayout, property_name, step};
+use super::ply_layout::{Colours, FaceLayout, VertexLayout, property_name};
 use super::row_writer::RowWriter;
 use crate::document::Document;
 use crate::error::{Loss, WriteError};
@@ -8,6 +8,7 @@ use crate::merging::merge_vertices;
 use crate::mesh::{NumberKind, Positions, Property};
 use crate::options::WriteOptions;
 use crate::resources::Target;
+use crate::scene::colour_step;
 use crate::text::TextWriter;
 use std::io;
 
@@ -68,6 +69,11 @@ fn write_file(
     target: &mut Target<'_>,
     options: &WriteOptions,
 ) -> io::Result<()> {
+    if !options.text {
+        const HEADER_ROOM: usize = 4096;
+        let corners = faces.map_or(0, |faces| faces.mesh.face_count() + 4 * faces.mesh.corners.len());
+        target.main.reserve(HEADER_ROOM + 12 * vertices.positions.len() + corners)?;
+    }
     let mut out = TextWriter::new(target.main)?;
     out.text("ply\nformat ")?;
     out.text(if options.text { "ascii" } else { "binary_little_endian" })?;
@@ -81,13 +87,17 @@ fn write_file(
     }
     out.text("end_header\n")?;
     let mut rows = RowWriter::new(out, options.text);
-    for vertex in 0..vertices.positions.len() {
-        write_vertex(&mut rows, vertices, vertex)?;
-    }
-    if let Some(faces) = faces {
-        for face in 0..faces.mesh.face_count() {
-            write_face(&mut rows, faces, face)?;
+    match vertices.positions {
+        Positions::F32(points) if !options.text && vertices.has_positions_only() => {
+            points.iter().try_for_each(|point| rows.singles(point))?;
         }
+        _ => (0..vertices.positions.len()).try_for_each(|vertex| write_vertex(&mut rows, vertices, vertex))?,
+    }
+    let Some(faces) = faces else { return rows.out.finish() };
+    if !options.text && faces.has_corners_only() {
+        (0..faces.mesh.face_count()).try_for_each(|face| rows.short_list(faces.mesh.face(face)))?;
+    } else {
+        (0..faces.mesh.face_count()).try_for_each(|face| write_face(&mut rows, faces, face))?;
     }
     rows.out.finish()
 }
@@ -192,7 +202,7 @@ fn write_face(rows: &mut RowWriter<'_>, faces: &FaceLayout<'_>, face: usize) -> 
 fn write_colour(rows: &mut RowWriter<'_>, colours: &Colours<'_>, index: usize) -> io::Result<()> {
     let Some(colour) = colours.values.get(index) else { return Ok(()) };
     let parts = if colours.is_opaque { &colour[..3] } else { colour };
-    parts.iter().try_for_each(|&part| rows.byte(step(part)))
+    parts.iter().try_for_each(|&part| rows.byte(colour_step(part)))
 }
 
 fn write_properties(rows: &mut RowWriter<'_>, properties: &[&Property], index: usize) -> io::Result<()> {

@@ -5,12 +5,9 @@ use crate::error::{Note, Place, ReadError, ReadErrorKind};
 use crate::mesh::{Mesh, Positions};
 use crate::options::ReadOptions;
 use crate::parallel_fill::make_vector;
+use crate::parallel_merging::merge_triangles;
 use crate::scene::counted;
-use crate::vertex_merging::VertexMerger;
-use gusset_base::alloc;
 
-/// Facets whose corners are merged at a time.
-const BATCH_FACETS: usize = 256;
 /// The bit of attribute bytes that VisCAM sets in facets with a colour, and Materialise Magics in those without.
 const COLOUR_BIT: u16 = 1 << 15;
 /// Precedes the colour of the whole part in the headers of Materialise Magics.
@@ -101,17 +98,8 @@ fn separate_facets(facets: &[u8]) -> Result<Mesh, ReadError> {
 
 fn merged_facets(facets: &[u8]) -> Result<Mesh, ReadError> {
     let (facets, _) = facets.as_chunks::<FACET_BYTES>();
-    // A closed mesh has half as many vertices as triangles.
-    let mut merger = VertexMerger::new(facets.len() / 2)?;
-    let mut corners = Vec::new();
-    corners.try_reserve_exact(3 * facets.len())?;
-    let mut batch = alloc::with_capacity(BATCH_FACETS)?;
-    for some in facets.chunks(BATCH_FACETS) {
-        batch.clear();
-        batch.extend(some.iter().map(facet_corners));
-        merger.extend(batch.as_flattened(), &mut corners)?;
-    }
-    Ok(mesh_from_parts(Positions::F32(merger.into_points()), corners, triangle_offsets(facets.len())?))
+    let (points, corners) = merge_triangles(facets.len(), |facet| facet_corners(&facets[facet]))?;
+    Ok(mesh_from_parts(Positions::F32(points), corners, triangle_offsets(facets.len())?))
 }
 
 fn triangle_offsets(count: usize) -> Result<Vec<u32>, ReadError> {

@@ -3,11 +3,12 @@
 use super::read_mf_model::UNITS;
 use crate::document::{Document, Placement};
 use crate::error::{Loss, WriteError, WriteErrorKind};
-use crate::material::NO_MATERIAL;
+use crate::material::{Material, NO_MATERIAL};
 use crate::mesh::{Domain, Mesh, Positions};
 use crate::options::WriteOptions;
 use crate::polygons::triangulate_face;
 use crate::resources::Target;
+use crate::scene::{colour_step, has_shades_between_steps};
 use crate::text::TextWriter;
 use gusset_base::alloc;
 use rawzip::time::UtcDateTime;
@@ -95,6 +96,7 @@ struct Losses {
     narrow_faces: usize,
     has_materials_beside_colours: bool,
     has_both_colours: bool,
+    are_colours_rounded: bool,
 }
 
 /// Returns `1 face`, or `2 faces`.
@@ -122,7 +124,12 @@ impl Losses {
             let domain = if property.domain == Domain::Vertices { "vertices" } else { "faces" };
             add(true, &format!("{} of {domain}", property.name));
         }
+        let is_rounded = |material: &Material| has_shades_between_steps(&[material.colour]);
+        let are_materials_rounded = document.materials.iter().any(is_rounded);
         let mut losses: Vec<String> = names.iter().map(|name| format!("{name}, which 3MF files do not hold")).collect();
+        if self.are_colours_rounded || are_materials_rounded {
+            losses.push("shades of colours between 256 steps".into());
+        }
         if self.polygons > 0 {
             losses.push(format!("{} of more than three corners: cut into triangles", faces_text(self.polygons)));
         }
@@ -264,6 +271,7 @@ impl<'w> ModelWriter<'w> {
             });
         }
         self.losses.has_materials_beside_colours |= has_materials;
+        self.losses.are_colours_rounded |= has_shades_between_steps(colours);
         self.losses.has_both_colours |= !mesh.vertex_colours.is_empty() && !mesh.face_colours.is_empty();
         let group = self.next;
         self.next += 1;
@@ -358,6 +366,6 @@ impl<'w> ModelWriter<'w> {
 
 /// Returns `#RRGGBB`, or `#RRGGBBAA` if the colour is not opaque.
 fn colour_text(colour: [f32; 4]) -> String {
-    let [r, g, b, a] = colour.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as u8);
+    let [r, g, b, a] = colour.map(colour_step);
     if a == 255 { format!("#{r:02X}{g:02X}{b:02X}") } else { format!("#{r:02X}{g:02X}{b:02X}{a:02X}") }
 }
