@@ -16,7 +16,7 @@ export const structs = {
   gusset_failure: {"size":40,"fields":{"struct_size":[0,"Uint32"],"message":[4,"Uint32"],"status":[8,"Int32"],"param":[12,"Uint32"],"input":[16,"Uint32"],"element":[20,"Uint32"],"index":[24,"BigUint64"],"value":[32,"Float64"]}},
   gusset_plugin: {"size":76,"fields":{"struct_size":[0,"Uint32"],"abi":[4,"Uint32"],"filter_count":[8,"Uint32"],"id":[12,"Uint32"],"name":[16,"Uint32"],"version":[20,"Uint32"],"vendor":[24,"Uint32"],"description":[28,"Uint32"],"license":[32,"Uint32"],"filter":[36,"Uint32"],"find":[40,"Uint32"],"output_count":[44,"Uint32"],"output_kind":[48,"Uint32"],"output_mesh":[52,"Uint32"],"output_curves":[56,"Uint32"],"output_text":[60,"Uint32"],"output_failure":[64,"Uint32"],"output_free":[68,"Uint32"],"extension":[72,"Uint32"]}},
   gusset_plugin_values: {"size":20,"fields":{"struct_size":[0,"Uint32"],"count":[4,"Uint32"],"name":[8,"Uint32"],"value":[12,"Uint32"],"kind":[16,"Uint32"]}},
-  gusset_files_folder: {"size":12,"fields":{"struct_size":[0,"Uint32"],"user":[4,"Uint32"],"load":[8,"Uint32"]}},
+  gusset_files_folder: {"size":16,"fields":{"struct_size":[0,"Uint32"],"user":[4,"Uint32"],"load":[8,"Uint32"],"seen_as":[12,"Uint32"]}},
   gusset_files: {"size":32,"fields":{"struct_size":[0,"Uint32"],"read":[4,"Uint32"],"write":[8,"Uint32"],"part_count":[12,"Uint32"],"part_name":[16,"Uint32"],"part_bytes":[20,"Uint32"],"message":[24,"Uint32"],"free":[28,"Uint32"]}},
 };
 
@@ -71,6 +71,7 @@ export const constants = {
   FILES_OUT_OF_MEMORY: 3,
   FILES_INTERNAL: 4,
   FILES_JOINED: 1,
+  FILES_UNMERGED: 2,
   FILES_TEXT: 1,
   FILES_LOSSY: 2,
   ERROR_PANIC: 9999,

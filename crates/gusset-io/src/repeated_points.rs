@@ -16,7 +16,7 @@ pub(crate) fn count_repeated_points<T: Coordinate>(
     point: impl Fn(usize) -> Option<[T; 3]>,
 ) -> Result<usize, ReadError> {
     const BATCH_POINTS: usize = 1 << 10;
-    // A word has 32 bits for hashes that occur, and 32 for those of them that occur again.
+    // A word has 32 bits for hashes that occur, and 32 for hashes that occur again.
     let words = (count.saturating_mul(HASHES_PER_POINT) / 32 + 1).next_power_of_two();
     let mut occurred: Vec<u64> = alloc::zeroed(words)?;
     let hasher = PointHasher::new();
