@@ -28,9 +28,10 @@ double reach(const Soup &soup) {
     return far;
 }
 
-/// Checks any result: weights sum to 1, linear fields of vertices and corners hold within 1e-6 of the meshes' size,
-/// and integers of faces come from sources.
-void check_fields(const gusset::Origins &origins, const gusset::MeshView &made, const std::vector<Soup> &pieces) {
+/// Checks any result: weights sum to 1, linear fields of vertices and corners hold within 1e-6 of the meshes' size, or
+/// within what the distance of merged vertices allows, and integers of faces come from sources.
+void check_fields(const gusset::Origins &origins, const gusset::MeshView &made, const std::vector<Soup> &pieces,
+                  double merged_distance = 0) {
     std::vector<std::vector<double>> vertices, corners;
     std::vector<std::vector<uint32_t>> faces;
     double size = 1e-300;
@@ -58,7 +59,8 @@ void check_fields(const gusset::Origins &origins, const gusset::MeshView &made, 
     for (std::size_t v = 0; v < at.size(); ++v) {
         worst = std::max(worst, std::abs(at[v] - field(made.position(v))));
     }
-    CHECK(worst <= 1e-6 * size);
+    const double allowed = std::max(1e-6 * size, 2 * merged_distance); // the gradient of the field is 1.53 long
+    CHECK(worst <= allowed);
     const std::vector<double> of_corners = origins.apply(Domain::corners, Rule::linear, spans(corners));
     const std::vector<uint32_t> numbers = origins.apply(Domain::faces, Rule::nearest, spans(faces));
     REQUIRE(numbers.size() == made.face_count());
@@ -71,7 +73,7 @@ void check_fields(const gusset::Origins &origins, const gusset::MeshView &made, 
         }
     }
     CHECK(corner == of_corners.size());
-    CHECK(worst <= 1e-6 * size);
+    CHECK(worst <= allowed);
     for (const Domain domain : {Domain::vertices, Domain::corners, Domain::faces}) {
         const gusset::Indices offsets = origins.offsets(domain);
         const auto weights = origins.weights(domain);
@@ -202,7 +204,7 @@ TEST_CASE("linear fields on real meshes") {
         gusset::JoinOptions rows;
         rows.strip_options.rows = gusset::RowRule::mean_edge;
         const gusset::Join assembly(pieces, rows);
-        check_fields(assembly.origins(), assembly.mesh(), {soup});
+        check_fields(assembly.origins(), assembly.mesh(), {soup}, gusset::Weld(soup.view()).report().tolerance);
         ++tried;
     }
     CHECK(tried > 10);

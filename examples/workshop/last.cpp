@@ -96,6 +96,7 @@ Last make(const Sections &foot, const std::vector<double> &room, double toleranc
     gusset::FrameOptions by_length;
     by_length.correspondence = gusset::CorrespondenceRule::arc_length;
     by_length.columns = 48;
+    by_length.smooth_corners = true; // a foot has no edges
     gusset::Frame frame(outlines, by_length);
     gusset::Frame roomy = frame.offset(room, gusset::OffsetDirection::in_section);
     gusset::Sheet sheet = gusset::Sheet::from_frame(roomy, gusset::FrameSurface::curves);

@@ -221,6 +221,7 @@ impl Builder {
         match param.kind() {
             ParamKind::Bool => made
                 .num_args(0..=1)
+                .value_name("BOOL")
                 .require_equals(true)
                 .default_missing_value("true")
                 .value_parser(["true", "false"])
