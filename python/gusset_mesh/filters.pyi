@@ -264,7 +264,7 @@ def smooth_net(
     ..., tolerance: float = ..., deviation: float = ..., parts: int = ..., triangles: bool = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, and a second input may have curves along. Each curve along meets all curves across. The curves may be listed in any order. Curves across alone are skinned in the given order."""
+    """Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, and a second input may have curves along. Each curve along meets all curves across in their order. Curves across alone are skinned."""
 
 
 def smooth_isophotes(
