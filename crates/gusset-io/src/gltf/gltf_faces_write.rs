@@ -83,6 +83,9 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// Longest polygon of which all corners are tried as the start of a fan. Takes quadratic time.
 const MAX_TRIED_CORNERS: usize = 64;
 
+/// Least area of a triangle of a fan, relative to the polygon.
+const MIN_AREA: f64 = 1e-9;
+
 /// Returns a corner from which a fan covers the polygon, and whose vertex is not `avoided`.
 fn fan_start(mesh: &Mesh, face: usize, corners: &[u32], avoided: Option<u32>) -> Option<usize> {
     let allowed = |start: usize| Some(corners[start]) != avoided;
@@ -98,8 +101,46 @@ fn fan_start(mesh: &Mesh, face: usize, corners: &[u32], avoided: Option<u32>) ->
         let part = area(0, place, place + 1);
         whole = std::array::from_fn(|axis| whole[axis] + part[axis]);
     }
+    // A triangle without area has an edge along several edges of the polygon, which a neighbour may have too.
+    let least = MIN_AREA * dot(whole, whole);
     let covers =
-        |start: usize| (1..degree - 1).all(|place| dot(area(start, start + place, start + place + 1), whole) >= 0.0);
+        |start: usize| (1..degree - 1).all(|place| dot(area(start, start + place, start + place + 1), whole) >= least);
     let tried = if degree <= MAX_TRIED_CORNERS { degree } else { 2 };
     (0..tried).find(|&start| allowed(start) && covers(start))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Triangles;
+    use crate::mesh::{Mesh, Positions};
+    use std::collections::BTreeMap;
+
+    #[test]
+    fn a_vertex_on_a_straight_edge_makes_no_common_diagonal() {
+        // Two polygons on either side of the edges 0-1 and 1-2, which are on a line.
+        let points = vec![
+            [0.0, 5.0, 0.0],
+            [5.0, 5.0, 0.0],
+            [10.0, 5.0, 0.0],
+            [0.0, 0.0, 0.0],
+            [10.0, 0.0, 0.0],
+            [10.0, 9.0, 0.0],
+            [0.0, 9.0, 0.0],
+        ];
+        let corners = vec![2, 1, 0, 3, 4, 0, 1, 2, 5, 6];
+        let mesh = Mesh { positions: Positions::F64(points), face_offsets: vec![0, 5, 10], corners, ..Mesh::default() };
+        let mut triangles = Triangles::default();
+        for face in 0..2 {
+            triangles.push_face(&mesh, face, mesh.face(face)).expect("it fits");
+        }
+        let mut uses = BTreeMap::new();
+        for triangle in triangles.indices.as_chunks::<3>().0 {
+            for (a, b) in [(0, 1), (1, 2), (2, 0)].map(|(a, b)| (triangle[a], triangle[b])) {
+                *uses.entry((a.min(b), a.max(b))).or_insert(0) += 1;
+            }
+        }
+        assert_eq!(triangles.indices.len(), 3 * 6);
+        assert_eq!(uses.values().filter(|&&count| count == 1).count(), 6, "{uses:?}");
+        assert!(uses.values().all(|&count| count <= 2), "{uses:?}");
+    }
 }

@@ -30,6 +30,26 @@ fn reads_deep_json() {
 }
 
 #[test]
+fn materials_of_wrong_types_are_reduced_to_their_colours() {
+    for (material, name) in [
+        (r#"{"name":"a","pbrMetallicRoughness":["x"]}"#, "pbrMetallicRoughness"),
+        (r#"{"pbrMetallicRoughness":{"baseColorTexture":1}}"#, "baseColorTexture"),
+        (r#"{"pbrMetallicRoughness":{"baseColorFactor":"x"}}"#, "baseColorFactor"),
+        (r#"{"alphaCutoff":"x"}"#, "alphaCutoff"),
+        (r#"{"doubleSided":1,"extras":"x"}"#, "doubleSided"),
+        (r#"{"name":null}"#, "name"),
+        (r#""x""#, "the material"),
+    ] {
+        let json = format!("{{{TRIANGLE_LISTS},\"materials\":[{material}]}}");
+        let json = json.replace("\"indices\":1", "\"indices\":1,\"material\":0");
+        let document = read(&glb(&json, &triangle_bytes())).expect("valid");
+        assert_eq!(document.materials[0].native, None, "{material}");
+        let text = format!("material 0: {name} has a wrong type; the material is reduced to its colour");
+        assert_eq!(document.notes.iter().map(|note| &note.text).collect::<Vec<_>>(), [&text]);
+    }
+}
+
+#[test]
 fn follows_a_long_chain_of_nodes() {
     let mut nodes = String::new();
     for child in 1..200_000 {

@@ -20,6 +20,36 @@ pub(super) const IMAGE_EXTENSIONS: [(&str, &str); 4] = [
     ("MSFT_texture_dds", "image/vnd-ms.dds"),
 ];
 
+/// Members of materials by their types: other programs refuse files in which one has another type.
+const OBJECTS: [&str; 7] = [
+    "pbrMetallicRoughness",
+    "baseColorTexture",
+    "metallicRoughnessTexture",
+    "normalTexture",
+    "occlusionTexture",
+    "emissiveTexture",
+    "extensions",
+];
+const LISTS: [&str; 2] = ["baseColorFactor", "emissiveFactor"];
+const NUMBERS: [&str; 3] = ["metallicFactor", "roughnessFactor", "alphaCutoff"];
+
+/// Returns the name of a member that has a wrong type.
+fn wrong_member(material: Value<'_>) -> Option<&'static str> {
+    if !material.is_object() {
+        return Some("the material");
+    }
+    let inner = material.get("pbrMetallicRoughness").into_iter().flat_map(Value::members);
+    material.members().chain(inner).find_map(|(key, value)| {
+        let named =
+            |names: &[&'static str], is_right: bool| names.iter().find(|name| !is_right && key.is(name)).copied();
+        named(&OBJECTS, value.is_object())
+            .or_else(|| named(&LISTS, value.is_array()))
+            .or_else(|| named(&NUMBERS, value.number().is_some()))
+            .or_else(|| named(&["name", "alphaMode"], value.is_text()))
+            .or_else(|| named(&["doubleSided"], matches!(value.raw(), b"true" | b"false")))
+    })
+}
+
 /// Reads the materials that faces use, once each.
 pub(super) struct MaterialReader<'a> {
     materials: Vec<Value<'a>>,
@@ -101,13 +131,19 @@ impl<'a> MaterialReader<'a> {
         });
         if !is_whole {
             let text = format!("material {index} is deeper than 100 levels and is reduced to its colour");
-            document.notes.push(Note::new(Place::Whole, text));
+            alloc::push(&mut document.notes, Note::new(Place::Whole, text))?;
+        }
+        let wrong = wrong_member(json);
+        if let Some(name) = wrong {
+            let text = format!("material {index}: {name} has a wrong type; the material is reduced to its colour");
+            alloc::push(&mut document.notes, Note::new(Place::Whole, text))?;
         }
         Ok(Material {
             name: name.map_or_else(|| format!("material_{index}"), std::borrow::Cow::into_owned),
             colour: base.colour,
             image,
-            native: is_whole.then(|| NativeMaterial::Gltf { material: Arc::new(text), textures: Arc::new(textures) }),
+            native: (is_whole && wrong.is_none())
+                .then(|| NativeMaterial::Gltf { material: Arc::new(text), textures: Arc::new(textures) }),
         })
     }
 
