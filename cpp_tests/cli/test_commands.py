@@ -153,7 +153,7 @@ class Commands(unittest.TestCase):
         self.assertEqual([[pairs[c] for c in face] for face in faces],
                          [[(0, 0), (0.5, 0), (0.5, 0.5)], [(1, 0), (1, 1), (0, 1)]])
         # New faces go on with the charts round them.
-        self.expect(DONE, "fill", "seam.obj", "-o", "closed.obj")
+        self.expect(DONE, "fill", "seam.obj", "--keep", "none", "-o", "closed.obj")
         text = self.at("closed.obj").read_text()
         self.assertEqual([row.count("/") for row in text.splitlines() if row[0] == "f"], [3, 3, 3, 3])
 
