@@ -565,9 +565,9 @@ export interface OrientParams extends RunOptions {
 /** Parameters of `fill`; what is not given is what suits the inputs. */
 export interface FillParams extends RunOptions {
   /**
-   * Inside the holes. The interior of the patches.
+   * Finish. The interior of the patches.
    */
-  inside?: "rim_only" | "refined" | "refined_and_fair" | number;
+  finish?: "rim_only" | "refined" | "blend" | number;
   /**
    * Best triangulation. The weight that the triangulation of a rim minimises.
    */
@@ -618,10 +618,6 @@ export interface FillParams extends RunOptions {
    * into the cavities.
    */
   outward?: boolean;
-  /**
-   * Finish. The surface of the patches. A blend is refined and fair, whatever is chosen for the inside of the holes.
-   */
-  finish?: "strip" | "blend" | number;
   /**
    * Coincident borders. Borders that coincide with others.
    */

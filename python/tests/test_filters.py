@@ -79,8 +79,8 @@ def test_each_filter_tells_of_itself(name):
 
 
 def test_words_and_places_are_the_same():
-    plain = filters.fill(shapes.tube(), inside="refined_and_fair")[0]
-    assert plain.points.tobytes() == filters.fill(shapes.tube(), inside=2)[0].points.tobytes()
+    plain = filters.fill(shapes.tube(), finish="blend")[0]
+    assert plain.points.tobytes() == filters.fill(shapes.tube(), finish=2)[0].points.tobytes()
     assert plain.vertex_count > shapes.tube()[0].shape[0]
 
 

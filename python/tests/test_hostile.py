@@ -73,7 +73,7 @@ sys.path.insert(0, {tests!r})
 import gusset_mesh as gm
 from test_calls import big
 mesh = big(400)
-for job in (lambda: gm.fill(mesh, refine="rim_density"), lambda: gm.filters.fill(mesh, inside="refined")):
+for job in (lambda: gm.fill(mesh, refine="rim_density"), lambda: gm.filters.fill(mesh, finish="refined")):
     threading.Thread(target=job, daemon=True).start()
 time.sleep(0.4)
 """

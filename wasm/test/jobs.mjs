@@ -45,9 +45,9 @@ const MORE = [
   ["join", [cap(1, 9, 40), tube(6, 33), cap(-1, 7, 31)], { max_gap: 2 }],
   ["join", [cap(1, 12, 40, { ripple: 0.1 }), cap(1, 10, 37, { ripple: 0.1, end: 1.8 })], { align: true, overlaps: "trim" }],
   ["fill", [cap(1, 8, 30, { ripple: 0.2 })]],
-  ["fill", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined" }],
-  ["fill", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined_and_fair" }],
-  ["fill", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined_and_fair", continuity: "curvature" }],
+  ["fill", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { finish: "refined" }],
+  ["fill", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { finish: "blend" }],
+  ["fill", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { finish: "blend", continuity: "curvature" }],
   ["weld", [sheet(40, 50)], { vertices: "all_vertices", tolerance: 0.03 }],
   ["align", [cap(1, 12, 40, { ripple: 0.1 }), cap(1, 10, 37, { ripple: 0.1, end: 1.8 })]],
   // The rotation of pieces must not depend on functions of the system.

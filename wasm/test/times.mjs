@@ -10,7 +10,7 @@ const jobs = [
   ["weld", [sheet(400, 400)], { vertices: "all_vertices", tolerance: 1e-5 }],
   ["stitch", [cap(1, 60, 1000, { ripple: 0.05 }), cap(-1, 60, 900, { ripple: 0.05 })], {}],
   ["join", [cap(1, 100, 400), tube(100, 400), cap(-1, 100, 400)], { max_gap: 2 }],
-  ["fill", [cap(1, 40, 300, { end: 2.5, ripple: 0.1 })], { inside: "refined_and_fair" }],
+  ["fill", [cap(1, 40, 300, { end: 2.5, ripple: 0.1 })], { finish: "blend" }],
   ["align", [cap(1, 60, 200, { ripple: 0.1 }), cap(1, 50, 190, { ripple: 0.1, end: 1.8 })], {}],
   ["develop", [cap(1, 40, 120, { ripple: 0.1 })], {}],
   ["net_resample", [sheet(100, 100)], { rows: 600, columns: 600 }],

@@ -17,11 +17,11 @@ use gusset_stitch::fill::{
 };
 use gusset_stitch::repair::orient::Outward;
 use gusset_stitch::repair::weld;
-use gusset_stitch::stitch::{Finish, Intersections};
+use gusset_stitch::stitch::Intersections;
 use std::ops::Range;
 
 params! {
-    inside: (Refinement, Fairing) = Param::choice("Inside the holes", "The interior of the patches.", INTERIORS);
+    finish: (Refinement, Fairing) = Param::choice("Finish", "The interior of the patches.", FINISHES);
     weight: Weight = Param::choice(
         "Best triangulation",
         "The weight that the triangulation of a rim minimises.",
@@ -57,11 +57,6 @@ params! {
     );
     ignore_creases: bool = Param::flag("Ignore creases", "Ends creases of the surface at the rims of patches.");
     outward: bool = OUTWARD;
-    finish: Finish = Param::choice(
-        "Finish",
-        "The surface of the patches. A blend is refined and fair, whatever is chosen for the inside of the holes.",
-        Finish::CHOICES,
-    );
     sew: bool = Param::choice("Coincident borders", "Borders that coincide with others.", SEWING);
 }
 
@@ -91,11 +86,11 @@ pub(super) const OUTWARD: TypedParam<bool> = Param::flag(
 );
 
 choices! {
-    INTERIORS: (Refinement, Fairing) =
+    FINISHES: (Refinement, Fairing) =
         (Refinement::None, Fairing::None) => "Rim only", "Triangles between the vertices of the rim.";
         (Refinement::RimDensity(0), Fairing::None) => "Refined", "New vertices, as dense as those around the hole.";
-        (Refinement::RimDensity(0), Fairing::ThinPlate) => "Refined and fair",
-            "New vertices, so that the patch continues the surface smoothly.";
+        (Refinement::RimDensity(0), Fairing::ThinPlate) => "Blend",
+            "New vertices, so that the patch continues the surface smoothly: the best-looking result.";
 }
 
 choices! {
@@ -113,10 +108,9 @@ choices! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let (refinement, fairing) = values.inside;
+    let (refinement, fairing) = values.finish;
     let options = Options {
         weight: values.weight,
-        finish: values.finish,
         refinement,
         fairing,
         continuity: values.continuity,
@@ -132,6 +126,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         intersections: values.intersections,
         plan_only: values.plan_only,
         outward: if values.outward { Outward::Closed } else { Outward::Keep },
+        ..Options::default()
     };
     let old = inputs[0].mesh()?;
     let mut done = fill_holes(old, LoopSelection::All, &options, &job.part(0.0, 0.5))?;
