@@ -32,4 +32,5 @@ mod stitch;
 mod together;
 mod trim;
 mod weld;
+mod weld_poles;
 mod winged;
