@@ -34,4 +34,5 @@ mod together;
 mod triangulate;
 mod trim;
 mod weld;
+mod weld_poles;
 mod winged;
