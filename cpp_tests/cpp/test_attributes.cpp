@@ -204,7 +204,7 @@ TEST_CASE("linear fields on real meshes") {
         gusset::JoinOptions rows;
         rows.strip_options.rows = gusset::RowRule::mean_edge;
         const gusset::Join assembly(pieces, rows);
-        check_fields(assembly.origins(), assembly.mesh(), {soup}, gusset::Weld(soup.view()).report().tolerance);
+        check_fields(assembly.origins(), assembly.mesh(), {soup}, gusset::Weld(soup.view()).tolerance());
         ++tried;
     }
     CHECK(tried > 10);

@@ -206,6 +206,24 @@ TEST_CASE("what seven digits of a file round apart is sewn by default") {
     CHECK(gusset::Weld(pieces.view(), exact).sewn_edges() < weld.sewn_edges());
 }
 
+TEST_CASE("the tolerance that sews two sheets is named") {
+    const std::vector<std::array<double, 3>> points = {{0, 0, 0},      {1, 0, 0},      {1, 1, 0},      {0, 1, 0},
+                                                       {1.0001, 0, 0}, {2.0001, 0, 0}, {2.0001, 1, 0}, {1.0001, 1, 0}};
+    const std::vector<uint32_t> offsets = {0, 4, 8}, corners = {0, 1, 2, 3, 4, 5, 6, 7};
+    const gusset::MeshView sheets = gusset::MeshView::polygons(points, gusset::Offsets(offsets), gusset::Corners(corners));
+    const gusset::Weld apart(sheets);
+    CHECK(apart.sewn_edges() == 0);
+    CHECK(apart.near_edge_pairs() == 1);
+    CHECK(apart.near_tolerance() >= 1e-4);
+    CHECK(apart.near_tolerance() <= 1.1e-4);
+    gusset::WeldOptions options;
+    options.tolerance = apart.near_tolerance();
+    const gusset::Sew sewn(sheets, options);
+    CHECK(sewn.sewn_edges() == 1);
+    CHECK(sewn.near_edge_pairs() == 0);
+    CHECK(sewn.near_tolerance() == 0.0);
+}
+
 TEST_CASE("borders with different vertices are sewn") {
     // A square of two triangles on a square of one, below, whose upper side has three further vertices.
     Soup soup;

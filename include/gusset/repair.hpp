@@ -39,6 +39,10 @@ public:
     double tolerance() const { return report().tolerance; }
     /// The number of faces dropped.
     uint32_t dropped_faces() const { return report().dropped_faces; }
+    /// The number of pairs of free edges that only a larger tolerance would sew.
+    uint32_t near_edge_pairs() const { return report().near_edge_pairs; }
+    /// The tolerance that would sew them; 0 if there are none.
+    double near_tolerance() const { return report().near_tolerance; }
 
 private:
     gusset_weld_report report() const { return detail::lent(gusset_result_get_weld, get()); }
@@ -80,6 +84,10 @@ public:
     uint32_t dropped_faces() const { return report().dropped_faces; }
     /// How far apart what lies together was allowed to be, short edges apart; 0 for equal positions.
     double tolerance() const { return report().tolerance; }
+    /// The number of pairs of free edges that only a larger tolerance would sew.
+    uint32_t near_edge_pairs() const { return report().near_edge_pairs; }
+    /// The tolerance that would sew them; 0 if there are none.
+    double near_tolerance() const { return report().near_tolerance; }
 
 private:
     gusset_sew_report report() const { return detail::lent(gusset_result_get_sew, get()); }
