@@ -48,13 +48,13 @@ def orient(
 
 
 def fill(
-    input_0: MeshLike, /, *, finish: Union[int, Literal['rim_only', 'refined', 'blend']] = ..., weight: Union[int,
+    input_0: MeshLike, /, *, inside: Union[int, Literal['rim_only', 'refined', 'refined_and_fair']] = ..., weight: Union[int,
     Literal['best_continuation', 'area_and_bend', 'largest_bend', 'area']] = ..., max_edges: int = ..., max_length: float = ...,
     keep: Union[int, Literal['automatic', 'none', 'the_longest', 'borders']] = ..., together: Union[int, Literal['each_by_itself',
     'all_by_one_patch', 'where_it_costs_less']] = ..., max_diameter: float = ..., max_area: float = ..., intersections: Union[int,
     Literal['automatic', 'ignore', 'report']] = ..., plan_only: bool = ..., continuity: Union[int, Literal['tangents', 'curvature']]
-    = ..., ignore_creases: bool = ..., outward: bool = ..., sew: Union[int, Literal['sew', 'leave']] = ..., threads: int = ...,
-    progress: Optional[Progress] = ...,
+    = ..., ignore_creases: bool = ..., outward: bool = ..., finish: Union[int, Literal['strip', 'blend']] = ..., sew: Union[int,
+    Literal['sew', 'leave']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay. Before that, borders that coincide with others are sewn, as the filter join does."""
 
@@ -264,7 +264,7 @@ def smooth_net(
     ..., tolerance: float = ..., deviation: float = ..., parts: int = ..., triangles: bool = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, and a second input may have curves along. Each curve along meets all curves across in their order. Curves across alone are skinned."""
+    """Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, and a second input may have curves along. Each curve along meets all curves across. The curves may be listed in any order. Curves across alone are skinned in the given order."""
 
 
 def smooth_isophotes(
