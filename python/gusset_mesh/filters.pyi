@@ -48,13 +48,13 @@ def orient(
 
 
 def fill(
-    input_0: MeshLike, /, *, inside: Union[int, Literal['rim_only', 'refined', 'refined_and_fair']] = ..., weight: Union[int,
+    input_0: MeshLike, /, *, finish: Union[int, Literal['rim_only', 'refined', 'blend']] = ..., weight: Union[int,
     Literal['best_continuation', 'area_and_bend', 'largest_bend', 'area']] = ..., max_edges: int = ..., max_length: float = ...,
     keep: Union[int, Literal['automatic', 'none', 'the_longest', 'borders']] = ..., together: Union[int, Literal['each_by_itself',
     'all_by_one_patch', 'where_it_costs_less']] = ..., max_diameter: float = ..., max_area: float = ..., intersections: Union[int,
     Literal['automatic', 'ignore', 'report']] = ..., plan_only: bool = ..., continuity: Union[int, Literal['tangents', 'curvature']]
-    = ..., ignore_creases: bool = ..., outward: bool = ..., finish: Union[int, Literal['strip', 'blend']] = ..., sew: Union[int,
-    Literal['sew', 'leave']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
+    = ..., ignore_creases: bool = ..., outward: bool = ..., sew: Union[int, Literal['sew', 'leave']] = ..., threads: int = ...,
+    progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay. Before that, borders that coincide with others are sewn, as the filter join does."""
 
