@@ -23,10 +23,10 @@ typedef uint32_t gusset_stream_mode;
 
 /// Choice of the levels that coordinates are rounded to.
 typedef uint32_t gusset_stream_levels;
-/// Those of the net's bounding box, or a coarser step that its coordinates already have.
+/// Levels of the net's bounding box, or a coarser step that its coordinates already have.
 #define GUSSET_LEVELS_AUTO 0
-/// Those of the box from low to high. Tiles that are encoded apart, with equal boxes, stay equal in the nodes that they
-/// share.
+/// Levels of the box from low to high. Tiles that are encoded apart, with equal boxes, stay equal in the nodes that
+/// they share.
 #define GUSSET_LEVELS_GIVEN 1
 
 /// Options of gusset_net_encode_create.

@@ -601,8 +601,8 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (2, c"Uncompressed little-endian matrices, aligned to 64 bytes."),
     ]),
     ("gusset_stream_levels", &[
-        (0, c"Those of the net's bounding box, or a coarser step that its coordinates already have."),
-        (1, c"Those of the box from low to high."),
+        (0, c"Levels of the net's bounding box, or a coarser step that its coordinates already have."),
+        (1, c"Levels of the box from low to high."),
     ]),
     ("gusset_contact_kind", &[
         (1, c"They touch in a point."),

@@ -132,12 +132,12 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let job = &if moved.is_some() { job.part(0.2, 1.0) } else { job.part(0.0, 1.0) };
     let mut done = assemble(&placed, &options, job)?;
     done.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
-    let report = report(&done, aligned.as_ref());
+    let report = report(&done, aligned.as_ref(), values.holes.is_some());
     let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
-fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
+fn report(done: &Assembly, aligned: Option<&Alignment>, fills: bool) -> Report {
     let mut text = String::new();
     let mut trusted = 0;
     for (k, piece) in aligned.iter().flat_map(|found| &found.pieces).enumerate() {
@@ -173,6 +173,9 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
         count_with_noun(filled, ["hole", "holes"]),
         count_with_noun(done.loops_left, BOUNDARY_LOOP)
     );
+    if done.loops_left > 0 && !fills {
+        push_line!(text, "holes stay open unless the parameter holes is set");
+    }
     for left in done.left.iter().filter(|left| !left.filled) {
         let why = match left.reason {
             Reason::Alone => "there is no other loop".to_owned(),

@@ -23,9 +23,9 @@ pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
 
 /// Choice of the levels that coordinates are rounded to.
 pub type gusset_stream_levels = u32;
-/// Those of the net's bounding box, or a coarser step that its coordinates already have.
+/// Levels of the net's bounding box, or a coarser step that its coordinates already have.
 pub const GUSSET_LEVELS_AUTO: gusset_stream_levels = 0;
-/// Those of the box from low to high. Tiles that are encoded apart, with equal boxes, stay equal in
+/// Levels of the box from low to high. Tiles that are encoded apart, with equal boxes, stay equal in
 /// the nodes that they share.
 pub const GUSSET_LEVELS_GIVEN: gusset_stream_levels = 1;
 

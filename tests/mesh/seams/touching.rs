@@ -60,7 +60,7 @@ fn band(line: &[[f64; 3]], width: f64) -> Soup {
     soup
 }
 
-/// Returns true if a joint between borders that share a single point failed. That is reported.
+/// Returns true if a joint between borders that share a single point failed, which is reported.
 fn is_told(done: &Assembly, shared: u32) -> bool {
     shared == 1 && done.joints.iter().any(|joint| joint.outcome != Outcome::Joined)
 }
@@ -178,7 +178,7 @@ fn tiles_of_terrain_with_levels_of_detail() {
         let pieces: Vec<Soup> =
             (0..columns * rows).map(|k| pose.moved(tile(place(k).0, place(k).1, detail[k]))).collect();
         let done = join(&pieces, &sewing());
-        // The points of all tiles: those of a finer border take in those of a coarser one.
+        // The points of all tiles: a finer border has the points of a coarser one.
         let own = |k: usize| ((detail[k] + 1) * (detail[k] + 1)) as usize;
         let mut vertices: usize = (0..columns * rows).map(own).sum();
         for k in 0..columns * rows {

@@ -107,7 +107,7 @@ impl SideFacing {
     /// small relative to the faces.
     ///
     /// The sides face each other, or the surfaces along them continue each other: their conormals
-    /// are opposite, unlike those of two pages of a book.
+    /// are opposite. Conormals of two pages of a book are parallel.
     pub(super) fn may_close(&self, is_near: bool) -> bool {
         let continues = self.agreement < 0.0 && self.cosine >= MIN_FACING_COSINE_SUM_OF_STEP;
         is_near || continues || self.cosine >= MIN_FACING_COSINE_SUM

@@ -31,7 +31,7 @@ pub struct NearBorders {
 }
 
 impl NearBorders {
-    /// Finds the near edges between those of `members` that are alone in their clusters.
+    /// Finds the near edges between `members` that are alone in their clusters.
     ///
     /// O(H + B log B) for H half-edges and B such members; O(B) if there are none.
     pub(super) fn find(

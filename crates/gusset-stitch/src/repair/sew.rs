@@ -67,7 +67,7 @@ pub struct Sew {
 /// As for [`weld`], and [`Error::TooLarge`](gusset_base::Error::TooLarge) if the result has too
 /// many elements.
 pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew> {
-    let given = ToleranceSource::from_options(options)?;
+    let given = ToleranceSource::from_option(options.tolerance)?;
     let first = weld_within(mesh, options, given, &job.part(0.0, 0.4))?;
     let source = match given {
         ToleranceSource::Data => ToleranceSource::Earlier(first.tolerance),

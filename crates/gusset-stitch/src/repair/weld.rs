@@ -104,7 +104,7 @@ pub struct Weld {
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite,
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
-    let welded = weld_within(mesh, options, ToleranceSource::from_options(options)?, job)?;
+    let welded = weld_within(mesh, options, ToleranceSource::from_option(options.tolerance)?, job)?;
     welded.near.note_hint(job);
     Ok(welded)
 }

@@ -20,7 +20,6 @@
 //! at most half that edge apart. If edges may collapse, edges within the rounding of the scalar type
 //! are not counted. O(V + H) time.
 
-use super::weld::Options;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
@@ -75,10 +74,10 @@ impl ToleranceSource {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite.
-    pub(super) fn from_options(options: &Options) -> Result<Self> {
-        let given = options.tolerance.unwrap_or(0.0);
+    pub(super) fn from_option(tolerance: Option<f64>) -> Result<Self> {
+        let given = tolerance.unwrap_or(0.0);
         Error::require((0.0..f64::INFINITY).contains(&given), "tolerance", given)?;
-        Ok(options.tolerance.map_or(ToleranceSource::Data, ToleranceSource::Given))
+        Ok(tolerance.map_or(ToleranceSource::Data, ToleranceSource::Given))
     }
 }
 
