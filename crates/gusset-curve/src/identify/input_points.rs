@@ -47,6 +47,11 @@ impl<'a> Points<'a> {
         self.len() == 0
     }
 
+    /// Returns whether all points are in the plane z = 0.
+    pub(super) fn is_plane(&self) -> bool {
+        self.dimension == 2
+    }
+
     /// Appends the points of a range to a list of sufficient capacity.
     pub(super) fn append_range_to(&self, range: Range<usize>, list: &mut Vec<DVec3>) {
         match self.dimension {

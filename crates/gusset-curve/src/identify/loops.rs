@@ -11,6 +11,7 @@ use super::fit::Fit;
 use super::input_points::Points;
 use super::outline_nodes::NormalisationOfOutline;
 use super::report::PointStatus;
+use super::span_hull::{Hull, box_of, do_boxes_miss, has_cubic_loop};
 use crate::curve::{CurveView, segment};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -22,9 +23,11 @@ use std::ops::Range;
 const SAMPLES_PER_SPAN: usize = 12;
 /// Spans at most this many places apart are compared.
 const MAX_SPANS_APART: usize = 2;
-/// Spans that are checked together for a direction in which they advance, besides those that are
-/// compared with spans beyond them.
-const SPANS_PER_BLOCK: usize = 6;
+/// Spans that are checked together: whether they are crowded, and for a direction in which they advance,
+/// besides those that are compared with spans beyond them.
+const SPANS_PER_BLOCK: usize = 32;
+/// Spans that are checked together if a block does not advance.
+const SPANS_PER_PART: usize = 4;
 /// In space, a loop whose ends are farther apart than this fraction of its size is a turn of a screw.
 const MAX_RELATIVE_RISE: f64 = 0.05;
 /// A point is crowded if its distance from a neighbour is below this fraction of the smaller of the
@@ -36,10 +39,8 @@ const MAX_CROWDED_TO_LARGER_DISTANCE: f64 = 1e-4;
 /// The memory of a search, which outlines reuse.
 #[derive(Default)]
 pub(super) struct LoopSearch {
-    /// The points that the curve passes, by their indices.
+    /// The points that the curve passes, by their indices; empty if it passes all.
     stops: Vec<usize>,
-    points: Vec<DVec3>,
-    positions: Vec<f64>,
     found: Vec<(usize, PointStatus)>,
 }
 
@@ -53,24 +54,25 @@ impl LoopSearch {
         (points, given): (&Points<'_>, usize),
         placement: &NormalisationOfOutline,
     ) -> Result<()> {
-        let curve = done.curve(done.starts.len() - 2);
         self.stops.clear();
-        self.points.clear();
-        self.positions.clear();
         self.found.clear();
-        let is_passed = |&i: &usize| !matches!(done.statuses[i], PointStatus::Merged | PointStatus::Missed);
-        alloc::extend(&mut self.stops, (first..done.statuses.len()).filter(is_passed))?;
-        if curve.is_empty() || self.stops.len() < 2 {
+        let mut count = done.statuses.len() - first;
+        let is_omitted = |status: &PointStatus| matches!(status, PointStatus::Merged | PointStatus::Missed);
+        let omitted = done.statuses[first..].iter().map(|status| usize::from(is_omitted(status))).sum::<usize>();
+        if omitted > 0 {
+            count -= omitted;
+            let passed = (first..done.statuses.len()).filter(|&i| !is_omitted(&done.statuses[i]));
+            alloc::extend(&mut self.stops, passed)?;
+        }
+        let curve = done.curve(done.starts.len() - 2);
+        if curve.is_empty() || count < 2 {
             return Ok(());
         }
-        let scale = |point: DVec3| (point - placement.origin) / placement.unit;
-        alloc::extend(&mut self.points, self.stops.iter().map(|&i| scale(points.get(given + i - first))))?;
-        let position = |i: usize| f64::from(done.segments[i]) + done.parameters[i];
-        alloc::extend(&mut self.positions, self.stops.iter().map(|&i| position(i)))?;
-        let spans = Spans { curve, points: &self.points, positions: &self.positions, placement };
-        let (stops, found) = (&self.stops, &mut self.found);
-        spans.find_crowded_points(&mut |k| alloc::push(found, (stops[k], PointStatus::Crowded)))?;
-        spans.find_loops(&mut |k| alloc::push(found, (stops[k], PointStatus::Looped)))?;
+        let (stops, found) = (&self.stops[..], &mut self.found);
+        let mut spans = Spans { curve, done, points, first, given, stops, count, placement, first_position: 0.0 };
+        spans.first_position = spans.own_position(0);
+        spans.find_crowded_points(&mut |k| alloc::push(found, (spans.stop(k), PointStatus::Crowded)))?;
+        spans.find_loops(&mut |k| alloc::push(found, (spans.stop(k), PointStatus::Looped)))?;
         for &(point, status) in &self.found {
             let own = &mut done.statuses[point];
             if matches!(own, PointStatus::Ok | PointStatus::ClampedParameter | PointStatus::Crowded) {
@@ -84,11 +86,17 @@ impl LoopSearch {
 /// The parts of a curve between consecutive points.
 struct Spans<'a> {
     curve: CurveView<'a>,
-    /// The points, near the origin and of a size near 1.
-    points: &'a [DVec3],
-    /// Their positions along the curve: the number of the segment plus the parameter.
-    positions: &'a [f64],
+    done: &'a Fit,
+    points: &'a Points<'a>,
+    /// The outline's first point in the fit, and among the points.
+    first: usize,
+    given: usize,
+    /// The points that the curve passes, by their indices; empty if it passes all.
+    stops: &'a [usize],
+    /// The number of points that the curve passes.
+    count: usize,
     placement: &'a NormalisationOfOutline,
+    first_position: f64,
 }
 
 /// Samples of a span: positions along the curve, and points in a plane with heights above it.
@@ -96,29 +104,65 @@ type SpanSamples = [(DVec2, f64); SAMPLES_PER_SPAN + 1];
 
 impl Spans<'_> {
     fn len(&self) -> usize {
-        self.points.len() - usize::from(!self.curve.is_closed())
+        self.count - usize::from(!self.curve.is_closed())
     }
 
+    #[inline]
     fn near_origin(&self, point: DVec3) -> DVec3 {
-        (point - self.placement.origin) / self.placement.unit
+        (point - self.placement.origin) * (1.0 / self.placement.unit)
     }
 
-    /// The point at which span k starts.
+    /// The index in the fit of the point at which span k starts.
+    #[inline]
+    fn stop(&self, k: usize) -> usize {
+        let k = if k < self.count { k } else { k % self.count };
+        if self.stops.is_empty() { self.first + k } else { self.stops[k] }
+    }
+
+    /// The point at which span k starts, near the origin.
+    #[inline]
     fn start(&self, k: usize) -> DVec3 {
-        self.points[k % self.points.len()]
+        self.near_origin(self.points.get(self.stop(k) - self.first + self.given))
     }
 
     fn find_crowded_points(&self, found: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
-        let (count, spans) = (self.points.len(), self.len());
+        let spans = self.len();
         if spans < 3 {
             return Ok(());
         }
+        for block in (0..spans).step_by(SPANS_PER_BLOCK) {
+            let end = (block + SPANS_PER_BLOCK).min(spans);
+            // The spans of the block and their neighbours.
+            let closed = self.curve.is_closed();
+            let from = if block > 0 || !closed { block.saturating_sub(1) } else { spans - 1 };
+            let last = if end < spans || closed { end + 1 } else { end };
+            let count = last - block + usize::from(block > 0 || closed);
+            let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+            let mut before = self.start(from);
+            for k in from + 1..=from + count {
+                let here = self.start(k);
+                let squared = here.distance_squared(before);
+                (least, most, before) = (least.min(squared), most.max(squared), here);
+            }
+            if least <= 1.01 * MAX_CROWDED_TO_SMALLER_DISTANCE.powi(2) * most {
+                self.find_crowded_points_of(block..end, found)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn find_crowded_points_of(&self, block: Range<usize>, found: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
+        let (spans, closed) = (self.len(), self.curve.is_closed());
         let distance = |k: usize| self.start(k).distance(self.start(k + 1));
-        let mut before = if self.curve.is_closed() { distance(spans - 1) } else { f64::INFINITY };
-        let (mut here, mut is_previous_crowded) = (distance(0), false);
-        for k in 0..spans {
+        let mut before = match block.start {
+            0 if closed => distance(spans - 1),
+            0 => f64::INFINITY,
+            k => distance(k - 1),
+        };
+        let (mut here, mut is_previous_crowded) = (distance(block.start), false);
+        for k in block {
             let is_last = k + 1 == spans;
-            let after = if is_last && !self.curve.is_closed() { f64::INFINITY } else { distance((k + 1) % spans) };
+            let after = if is_last && !closed { f64::INFINITY } else { distance((k + 1) % spans) };
             // Beyond an end of an open curve, the distances on one side count.
             let [smaller, larger] = match before.max(after) {
                 f64::INFINITY => [before.min(after); 2],
@@ -130,7 +174,7 @@ impl Spans<'_> {
                 if !is_previous_crowded {
                     found(k)?;
                 }
-                found((k + 1) % count)?;
+                found((k + 1) % self.count)?;
             }
             (before, here, is_previous_crowded) = (here, after, is_crowded);
         }
@@ -138,15 +182,21 @@ impl Spans<'_> {
     }
 
     fn find_loops(&self, found: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
-        let spans = self.len();
+        let (spans, mut recent) = (self.len(), RecentSamples::default());
         for block in (0..spans).step_by(SPANS_PER_BLOCK) {
             let end = (block + SPANS_PER_BLOCK).min(spans);
             if self.advances(block, end + self.spans_after(end - 1) - block) {
                 continue;
             }
-            for k in block..end {
-                if !self.advances(k, 1 + self.spans_after(k)) {
-                    self.find_loops_of_span(k, found)?;
+            for part in (block..end).step_by(SPANS_PER_PART) {
+                let part_end = (part + SPANS_PER_PART).min(end);
+                if self.advances(part, part_end + self.spans_after(part_end - 1) - part) {
+                    continue;
+                }
+                for k in part..part_end {
+                    if !self.advances(k, 1 + self.spans_after(k)) {
+                        self.find_loops_of_span(k, &mut recent, found)?;
+                    }
                 }
             }
         }
@@ -154,31 +204,97 @@ impl Spans<'_> {
     }
 
     /// The number of spans after span k that are compared with it.
+    #[inline]
     fn spans_after(&self, k: usize) -> usize {
         let spans = self.len();
         let others = if self.curve.is_closed() { spans.saturating_sub(2) } else { spans - 1 - k };
         MAX_SPANS_APART.min(others)
     }
 
-    fn find_loops_of_span(&self, k: usize, found: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
-        let (count, after) = (self.points.len(), self.spans_after(k));
+    fn find_loops_of_span(
+        &self,
+        k: usize,
+        recent: &mut RecentSamples,
+        found: &mut dyn FnMut(usize) -> Result<()>,
+    ) -> Result<()> {
+        let after = self.spans_after(k);
+        let may_cross = self.may_cross(k, after);
+        if may_cross == [false; MAX_SPANS_APART + 1] {
+            return Ok(());
+        }
         let corners = std::array::from_fn(|i| self.start(k + i.min(after + 1)));
-        let Some(plane) = Plane::from_points(&corners).or_else(|| self.plane_of_controls(k)) else {
+        let Some(mut plane) = Plane::from_points(&corners).or_else(|| self.plane_of_controls(k)) else {
             return Ok(());
         };
-        if self.has_loop(k, &plane) {
-            found(k)?;
-            return found((k + 1) % count);
+        if self.points.is_plane() {
+            plane = Plane { axes: [DVec3::X, DVec3::Y], normal: DVec3::Z };
         }
-        let own = self.samples(k, &plane);
+        if may_cross[0] && self.has_loop(k, &plane) {
+            found(k)?;
+            return found((k + 1) % self.count);
+        }
         for by in 1..=after {
-            if (by == 1 || self.turn_over_next_span(k, &plane).abs() < PI)
-                && do_samples_cross(&own, &self.samples(k + by, &plane), by == 1)
-            {
-                (1..=by).try_for_each(|i| found((k + i) % count))?;
+            if may_cross[by] && (by == 1 || self.turn_over_next_span(k, &plane).abs() < PI) {
+                recent.ensure(k, self, &plane);
+                recent.ensure(k + by, self, &plane);
+                let (Some(own), Some(other)) = (recent.get(k), recent.get(k + by)) else { continue };
+                if do_samples_cross(own, other, by == 1) {
+                    (1..=by).try_for_each(|i| found((k + i) % self.count))?;
+                }
             }
         }
         Ok(())
+    }
+
+    /// Returns whether span k may cross itself, the next one, and the next but one. The control points of plane
+    /// spans settle most.
+    fn may_cross(&self, k: usize, after: usize) -> [bool; MAX_SPANS_APART + 1] {
+        let mut may = std::array::from_fn(|by| by <= after);
+        if !self.points.is_plane() {
+            return may;
+        }
+        let Some(own) = self.hull(k) else { return may };
+        may[0] = own.may_cross_itself();
+        for by in 1..=after {
+            may[by] = self.hull(k + by).is_none_or(|other| match by {
+                1 => own.may_cross_next(&other),
+                _ => own.may_cross_farther(&other),
+            });
+        }
+        may
+    }
+
+    /// The control points of a plane span that is a whole segment, or that has parts of two quadratics.
+    fn hull(&self, k: usize) -> Option<Hull> {
+        let [from, to] = [self.position(k), self.position(k + 1)];
+        let segment = |at: usize| {
+            let count = self.curve.len();
+            self.curve.segment(if at < count { at } else { at % count })
+        };
+        let near = |p: DVec3| self.near_origin(p).truncate();
+        let s = from as usize;
+        let t = from - s as f64;
+        let mut hull = Hull { points: [DVec2::ZERO; 6], len: 0 };
+        if t == 0.0 && to - from == 1.0 {
+            let controls = segment(s);
+            hull.len = controls.len();
+            let to = hull.points.get_mut(..hull.len)?;
+            to.iter_mut().zip(controls).for_each(|(to, &p)| *to = near(p));
+            return Some(hull);
+        }
+        let end = to - (s + 1) as f64;
+        let ([p, q, r], [_, v, w]) = (segment(s), segment(s + 1)) else { return None };
+        if !(end > 0.0 && end <= 1.0) {
+            return None;
+        }
+        let [p, q, r, v, w] = [p, q, r, v, w].map(|&p| near(p));
+        let between = |p: DVec2, q: DVec2, t: f64| p + (q - p) * t;
+        let (after, before) = (between(q, r, t), between(r, v, end));
+        let start = between(between(p, q, t), after, t);
+        let stop = between(before, between(v, w, end), end);
+        hull.points = [start, after, r, before, stop, stop];
+        hull.len = 5;
+        Some(hull)
     }
 
     /// The angle by which the line between points turns from span k to the next but one.
@@ -195,22 +311,37 @@ impl Spans<'_> {
         from as usize..to.ceil() as usize
     }
 
+    #[inline]
+    fn own_position(&self, k: usize) -> f64 {
+        let point = self.stop(k);
+        f64::from(self.done.segments[point]) + self.done.parameters[point]
+    }
+
     /// The position of point k along the curve, counted on beyond the end of a closed curve.
+    #[inline]
     fn position(&self, k: usize) -> f64 {
-        let count = self.points.len();
-        let (at, first) = (self.positions[k % count], self.positions[0]);
+        let at = self.own_position(k);
+        if k < self.count && at >= self.first_position {
+            return at;
+        }
         // A closed curve may begin at any of its points.
-        let rounds = (k / count) as f64 + if at < first { 1.0 } else { 0.0 };
+        let rounds = (k / self.count) as f64 + if at < self.first_position { 1.0 } else { 0.0 };
         at + rounds * self.curve.len() as f64
     }
 
     /// Returns whether the control points of some spans advance along one direction.
+    #[inline]
     fn advances(&self, k: usize, spans: usize) -> bool {
         let direction = self.start(k + spans) - self.start(k);
-        self.segments(k, spans).all(|s| {
-            let controls = self.curve.segment(s % self.curve.len());
-            controls.windows(2).all(|leg| ((leg[1] - leg[0]) / self.placement.unit).dot(direction) > 0.0)
-        })
+        let (points, ends, count) = (self.curve.points(), self.curve.ends(), self.curve.len());
+        let do_all = |part: Range<usize>| {
+            let controls = &points[ends[part.start] as usize..=ends[part.end] as usize];
+            controls.windows(2).all(|leg| (leg[1] - leg[0]).dot(direction) > 0.0)
+        };
+        let range = self.segments(k, spans);
+        let rounds = if range.start < count { 0 } else { count };
+        let (from, to) = (range.start - rounds, range.end - rounds);
+        do_all(from..to.min(count)) && (to <= count || do_all(0..(to - count).min(count)))
     }
 
     fn plane_of_controls(&self, k: usize) -> Option<Plane> {
@@ -236,12 +367,54 @@ impl Spans<'_> {
 
     fn samples(&self, k: usize, plane: &Plane) -> SpanSamples {
         let [from, to] = [self.position(k), self.position(k + 1)];
+        // The control points of the current segment in the plane, if they fit.
+        let mut projected = [DVec3::ZERO; 6];
+        let (mut current, mut controls) = (usize::MAX, &[][..]);
         std::array::from_fn(|i| {
             let at = from + (to - from) * (i as f64 / SAMPLES_PER_SPAN as f64);
-            let whole = if i == SAMPLES_PER_SPAN { at.ceil() - 1.0 } else { at.floor() };
-            let controls = self.curve.segment(whole as usize % self.curve.len());
-            plane.project(self.near_origin(segment::point_at(controls, at - whole)))
+            let floor = at as usize;
+            let whole = floor - usize::from(i == SAMPLES_PER_SPAN && floor as f64 == at && floor > 0);
+            if whole != current {
+                let count = self.curve.len();
+                (current, controls) = (whole, self.curve.segment(if whole < count { whole } else { whole % count }));
+                for (to, &p) in projected.iter_mut().zip(controls) {
+                    let (p, height) = plane.project(self.near_origin(p));
+                    *to = p.extend(height);
+                }
+            }
+            let t = at - whole as f64;
+            let u = 1.0 - t;
+            let [p, q, r, s, ..] = projected;
+            let point = match controls.len() {
+                4 => (p * u + q * (3.0 * t)) * (u * u) + (r * (3.0 * u) + s * t) * (t * t),
+                count @ ..=6 => segment::point_at(&projected[..count], t),
+                _ => {
+                    let (point, height) = plane.project(self.near_origin(segment::point_at(controls, t)));
+                    point.extend(height)
+                }
+            };
+            (point.truncate(), point.z)
         })
+    }
+}
+
+/// The samples of the last few spans of a plane outline.
+#[derive(Default)]
+struct RecentSamples {
+    spans: [Option<(usize, SpanSamples)>; MAX_SPANS_APART + 1],
+}
+
+impl RecentSamples {
+    /// Computes the samples of span k, unless they are known.
+    fn ensure(&mut self, k: usize, spans: &Spans<'_>, plane: &Plane) {
+        let own = &mut self.spans[k % (MAX_SPANS_APART + 1)];
+        if !spans.points.is_plane() || own.as_ref().is_none_or(|(of, _)| *of != k) {
+            *own = Some((k, spans.samples(k, plane)));
+        }
+    }
+
+    fn get(&self, k: usize) -> Option<&SpanSamples> {
+        self.spans[k % (MAX_SPANS_APART + 1)].as_ref().map(|(_, samples)| samples)
     }
 }
 
@@ -268,24 +441,14 @@ impl Plane {
     }
 }
 
-/// Returns whether a plane cubic crosses itself.
-fn has_cubic_loop([p, q, r, s]: [DVec2; 4]) -> bool {
-    let (a, b, c) = (s - p + 3.0 * (q - r), 3.0 * (p - 2.0 * q + r), 3.0 * (q - p));
-    // The sum and the product of both parameters.
-    let sum = -c.perp_dot(a) / b.perp_dot(a);
-    let product = sum * sum + (b * sum + c).dot(a) / a.length_squared();
-    let discriminant = sum * sum - 4.0 * product;
-    discriminant > 1e-12 && {
-        let half = 0.5 * discriminant.sqrt();
-        0.5 * sum - half >= 0.0 && 0.5 * sum + half <= 1.0
-    }
-}
-
 /// Returns whether the samples of a span cross the samples of a later span. The last part of the first span and
 /// the first part of the next one share a point.
 fn do_samples_cross(a: &SpanSamples, b: &SpanSamples, are_adjacent: bool) -> bool {
     let is_shared = |i: usize, j: usize| are_adjacent && i + 1 == SAMPLES_PER_SPAN && j == 0;
-    (0..SAMPLES_PER_SPAN).any(|i| (0..SAMPLES_PER_SPAN).any(|j| !is_shared(i, j) && do_samples_cross_at(a, i, b, j)))
+    let whole = box_of(b.iter().map(|sample| sample.0));
+    (0..SAMPLES_PER_SPAN)
+        .filter(|&i| !do_boxes_miss(box_of(a[i..i + 2].iter().map(|sample| sample.0)), whole))
+        .any(|i| (0..SAMPLES_PER_SPAN).any(|j| !is_shared(i, j) && do_samples_cross_at(a, i, b, j)))
 }
 
 fn do_samples_cross_at(a: &SpanSamples, i: usize, b: &SpanSamples, j: usize) -> bool {

@@ -9,7 +9,7 @@
 //!   on which control points lie.
 //! - nodes, subcurve, solution, curve_builder, residuals: one outline near the origin, its parts,
 //!   and the curve through it.
-//! - loops: loops of the curve, and crowded points.
+//! - loops, span_hull: loops of the curve, and crowded points.
 //! - composite, single, blend, cubic_spline: the solvers, one for each kind of curve ([`Mode`]).
 //! - driver: [`fit()`], which distributes outlines to threads.
 //!
@@ -34,6 +34,7 @@ mod residuals;
 mod sections;
 mod single;
 mod composite_solution;
+mod span_hull;
 mod stepping;
 mod subcurve;
 
