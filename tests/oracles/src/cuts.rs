@@ -103,7 +103,7 @@ pub fn have_area(triangles: &[[Point; 3]]) -> Vec<bool> {
     triangles.iter().map(|&t| normal(t) != [0; 3]).collect()
 }
 
-/// All pairs of triangles with an area that [`cut`] each other. The first one of a pair is in `later`, the second one
+/// All pairs of triangles with an area that cut each other. The first one of a pair is in `later`, the second one
 /// comes before it.
 pub fn cut_pairs(triangles: &[[Point; 3]], later: Range<u32>) -> Vec<[u32; 2]> {
     let has_area = have_area(triangles);

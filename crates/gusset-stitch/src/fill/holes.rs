@@ -20,7 +20,7 @@ use gusset_mesh::MeshView;
 /// last with the first, must span an edge with exactly one face. With [`LoopSelection::All`],
 /// boundaries that touch themselves are cut into simple loops. A loop that cannot be filled is not
 /// an error: its report gives the reason. By default the outer borders of sheets stay open, and so
-/// do loops along borders that coincide; see [`Keep`].
+/// do loops along borders that coincide; see [`Keep`](super::Keep).
 ///
 /// **Several loops** share one patch, a surface of genus 0 between them, if the caller asks for it,
 /// or if [`Together::Cheapest`] finds that it costs less. Loops of a group that cannot be filled do

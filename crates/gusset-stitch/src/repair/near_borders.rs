@@ -1,7 +1,7 @@
 //! Pairs of free edges that coincide only beyond the tolerance: the hint which tolerance sews them.
 //!
 //! A vertex that coincides with no other has a near partner if both are mutually nearest among such
-//! vertices, and nearer than [`MAX_NEAR_TO_EDGE_RATIO`] of the shortest edge at either. Two free
+//! vertices, and nearer than a tenth of the shortest edge at either. Two free
 //! edges are near if their ends are partners. The criterion is our own.
 
 use super::sew_edges::free_edges;

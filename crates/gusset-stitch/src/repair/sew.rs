@@ -64,7 +64,7 @@ pub struct Sew {
 /// afterwards. O(n log n) for meshes of bounded degree; linear extra memory.
 ///
 /// # Errors
-/// As for [`weld`], and [`Error::TooLarge`](gusset_base::Error::TooLarge) if the result has too
+/// As for [`weld`](super::weld::weld), and [`Error::TooLarge`](gusset_base::Error::TooLarge) if the result has too
 /// many elements.
 pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew> {
     let given = ToleranceSource::from_option(options.tolerance)?;

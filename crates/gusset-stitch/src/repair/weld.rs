@@ -101,8 +101,8 @@ pub struct Weld {
 /// Welds a mesh. O(n log n) for meshes of bounded degree; linear extra memory.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite,
-/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is negative or not finite,
+/// [`OutOfMemory`](gusset_base::Error::OutOfMemory), [`Cancelled`](gusset_base::Error::Cancelled).
 pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
     let welded = weld_within(mesh, options, ToleranceSource::from_option(options.tolerance)?, job)?;
     welded.near.note_hint(job);
