@@ -140,8 +140,8 @@ pub const GUSSET_FINISH_STRIP: gusset_finish = 0;
 /// Meridians and matrix describe the strip, not edges of the result. Ignores rows, cells and
 /// fairing. In a hole: a patch with new vertices as dense as those around it, faired. In a join, for
 /// strips and holes.
-/// - Not for machined parts and flat walls: it rounds what should be straight. Not for CAD tolerances,
-///   printing, or volumes alone: a strip has far fewer faces.
+/// - Not for machined parts and flat walls: it rounds what should be straight. Not for CAD
+///   tolerances, printing, or volumes alone: a strip has far fewer faces.
 ///
 /// The strip is kept if every blend intersects more, or exceeds about 50,000 new vertices, or 16 a
 /// rim vertex if more. To meet that limit, edges grow up to twice as long.

@@ -151,8 +151,8 @@ impl gusset_stream_options {
 ///   LOSSLESS stores all if bits differ.
 /// - QUANTISED replaces missing nodes by three NaN.
 ///
-/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double; low, high
-///     or step; a node outside the box)
+/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double; low,
+///     high or step; a node outside the box)
 /// @complexity O(nodes), parallel by blocks.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -16,11 +16,13 @@ pub enum MaxGap {
     ///
     /// * Whole loops: a fifth of the larger component's size, or the mean radius of the smaller
     ///   loop if that is larger. The radius is the mean distance of the vertices from their centre.
-    ///   The only two loops, of two pieces, are joined at any distance.
+    ///   The only two loops, of two pieces, are joined at any distance, unless they lie beside each
+    ///   other.
     /// * Runs of loops: half the smaller radius, and at most four edges of the loop with longer
     ///   edges.
-    /// * Slits that sewing left between two borders: one mean edge, and half the loop's radius unless
-    ///   the slit is narrow.
+    /// * Slits that sewing left between two borders: one mean edge, and half the loop's radius
+    ///   unless the slit is narrow.
+    /// * Gaps between borders that share vertices: the longest edge of both sides.
     /// * Trimmed pieces: two and a half mean edges of the coarsest piece, or four if a part would
     ///   stay unjoined.
     #[default]

@@ -3,8 +3,8 @@
 //! The stages in order:
 //!
 //! 1. The pieces are concatenated. Overlaps are trimmed on request (`face_removals`), and
-//!    coincident borders are sewn ([`sew`](crate::repair::sew)). Borders that share vertices but not
-//!    edges are joined between these (`touching_borders`).
+//!    coincident borders are sewn ([`sew`](crate::repair::sew)). Strips then fill the gaps between
+//!    borders that share vertices but not edges (`touching_borders`).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
 //! 3. Slits that sewing left between two borders are joined with themselves (`slit`).
 //! 4. Loops of different components that face each other across a gap are paired (`facing_loops`).
@@ -13,7 +13,7 @@
 //! 5. Components are turned over so that they agree across the gaps (`agreement`).
 //! 6. Each pair is stitched, nearest first ([`stitch`](super)).
 //! 7. The remaining holes are filled on request ([`fill`](crate::fill)).
-//! 8. Closed components of the result that are inside out are turned over, each by its own volume
+//! 8. Closed components of the result face outwards, and walls of cavities into the cavities
 //!    ([`turn_outwards`](crate::repair::orient::turn_outwards())).
 //!
 //! Loops without a partner stay open. The report lists every joint and every loop left.

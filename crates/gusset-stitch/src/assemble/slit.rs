@@ -3,9 +3,9 @@
 //! If two borders coincide only in some edges, sewing leaves loops that run along the rest of one
 //! border and back along the other. They turn at vertices that sewing merged. A loop of this kind
 //! is joined with itself if its sides are less than an edge apart, and face each other, or bound
-//! surfaces that continue each other. Sides may also be so near that they overlap. A wider loop may be a hole that the seam crosses, and
-//! stays open. The sides of the loop around two patches that are sewn side by side look away from
-//! each other.
+//! surfaces that continue each other. Sides may also be so near that they overlap. A wider loop may
+//! be a hole that the seam crosses, and stays open. The sides of the loop around two patches that
+//! are sewn side by side look away from each other.
 //!
 //! One side takes both ends, so that the strip begins and ends at edges of the other. With M + N
 //! vertices the strip has M + N - 2 triangles, and leaves nothing open. The criteria are our own.

@@ -5,11 +5,11 @@
 //! may also begin at the end of a seam, where sewing merged the borders.
 //!
 //! A lens is closed if it is narrow: no vertex of one run is farther from the other run than
-//! [`MAX_WIDTH_TO_LENGTH_RATIO`](super::side_facing) of the shorter run and the longest edge of both.
-//! The surfaces must face or continue each other, unless the gap is small relative to the faces along
-//! it. The common points become one vertex each, and a strip of M + N - 2 triangles joins the runs. Lenses are closed
-//! narrowest first, and each border edge belongs to at most one. A lens stays open if closing it
-//! would create a non-manifold edge. The criteria are our own.
+//! three tenths of the length of the shorter run, and the mean distance is at most the longest edge
+//! of both. The surfaces must face or continue each other, unless the gap is small relative to the
+//! faces along it. The common points become one vertex each, and a strip of M + N - 2 triangles
+//! joins the runs. Lenses are closed narrowest first, and each border edge belongs to at most one. A
+//! lens stays open if closing it would create a non-manifold edge. The criteria are our own.
 //!
 //! This happens before components are oriented, so that orientation follows the strips. Runs of two
 //! components may therefore have the same direction or opposite directions.
