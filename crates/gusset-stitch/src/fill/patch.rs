@@ -177,6 +177,14 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
         else {
             return Ok(None);
         };
+        // A crease within the plane of the hole is no bend of the patch, and the parts could
+        // overlap.
+        let mut outlines = alloc::copied(&rim.points[..rim.count])?;
+        let normal = mean_normal(&outlines);
+        alloc::append(&mut outlines, &points)?;
+        if counts_only_area(attempt.weight, &outlines, normal) {
+            return Ok(None);
+        }
         let unfaired = alloc::copied(&points)?;
         let mut patch = Patch { points, unfaired, coarse: alloc::copied(whole)?, triangles: Vec::new() };
         let all: usize = parts.iter().map(|part| part.names.len()).sum();
@@ -260,7 +268,7 @@ pub(super) fn triangulate_rim(
     let points = polygon.points.as_slice();
     let n = points.len();
     // A planar triangulation without overlaps also has the least area.
-    let planar = matches!(weight, Weight::Continuation | Weight::Area) && is_planar(points, mean_normal(points));
+    let planar = counts_only_area(weight, points, mean_normal(points));
     if planar
         && n > MAX_EXACT_VERTICES
         && let Some(triangles) = clip_ears(points, taken, &job.part(0.0, 0.1))?
@@ -278,6 +286,12 @@ pub(super) fn triangulate_rim(
         return flip_to_delaunay(points, triangles, taken, &job.part(1.0, 1.0)).map(Some);
     }
     Ok(Some(triangles))
+}
+
+/// Returns true if only the area of triangles counts, because their vertices lie in the plane with
+/// this normal.
+fn counts_only_area(weight: Weight, points: &[DVec3], normal: DVec3) -> bool {
+    matches!(weight, Weight::Continuation | Weight::Area) && is_planar(points, normal)
 }
 
 /// Flips edges to the Delaunay criterion.
