@@ -65,7 +65,7 @@ pub use gusset_curve as curve;
 pub use gusset_filters as filters;
 pub use gusset_mesh as mesh;
 pub use gusset_net as net;
-pub use gusset_stitch::{align, assemble, boundary, check, develop, fill, repair, stitch, trim, winged};
+pub use gusset_stitch::{align, assemble, boundary, check, develop, fill, repair, solid, stitch, trim, winged};
 pub use gusset_surface as surface;
 
 /// The allocator of the libraries for C.

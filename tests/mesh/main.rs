@@ -29,6 +29,7 @@ mod pieces;
 mod regions;
 mod rows;
 mod seams;
+mod solid;
 mod stitch;
 mod together;
 mod triangulate;

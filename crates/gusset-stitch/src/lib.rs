@@ -36,6 +36,7 @@ pub mod fill;
 mod intersect;
 mod remesh;
 pub mod repair;
+pub mod solid;
 pub mod stitch;
 pub mod trim;
 pub mod winged;

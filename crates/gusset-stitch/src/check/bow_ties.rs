@@ -26,14 +26,7 @@ pub(super) fn find_bow_tie_vertices(mesh: &MeshView<'_>, topology: &Topology, jo
         if let Opposite::Mate(mate) = topology.opposite(h)
             && h < mate
         {
-            let (next, mate_next) = (topology.next(mesh, h), topology.next(mesh, mate));
-            if faces.corner(h) == faces.corner(mate) {
-                corners.union(h, mate);
-                corners.union(next, mate_next);
-            } else {
-                corners.union(h, mate_next);
-                corners.union(next, mate);
-            }
+            join_corners_at_edge(mesh, topology, [h, mate], &mut corners);
         }
     }
     job.step(0.7, "checking fans")?;
@@ -44,4 +37,21 @@ pub(super) fn find_bow_tie_vertices(mesh: &MeshView<'_>, topology: &Topology, jo
         }
     }
     alloc::gather((0..).zip(fans).filter(|&(_, fans)| fans > 1).map(|(v, _)| v))
+}
+
+/// Joins the corners of two faces at both ends of their common edge.
+pub(crate) fn join_corners_at_edge(
+    mesh: &MeshView<'_>,
+    topology: &Topology,
+    [h, mate]: [u32; 2],
+    corners: &mut DisjointSets,
+) {
+    let (next, mate_next) = (topology.next(mesh, h), topology.next(mesh, mate));
+    if mesh.faces().corner(h) == mesh.faces().corner(mate) {
+        corners.union(h, mate);
+        corners.union(next, mate_next);
+    } else {
+        corners.union(h, mate_next);
+        corners.union(next, mate);
+    }
 }

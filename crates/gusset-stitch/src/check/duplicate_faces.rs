@@ -13,6 +13,17 @@ use gusset_mesh::MeshView;
 /// corner and in either direction; ascending. Skips the faces in `degenerate`, which repeat a
 /// vertex. O(F log F) comparisons, most of which end at the first vertex.
 pub(super) fn find_duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
+    let groups = duplicate_face_groups(mesh, degenerate, job)?;
+    let repeats = groups.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+    let mut duplicates = alloc::gather(repeats.map(|pair| pair[1].1))?;
+    duplicates.sort_unstable();
+    Ok(duplicates)
+}
+
+/// Returns the groups of faces with the same cycle of vertices as (first face of the group, face),
+/// group after group, each ascending. Faces without a duplicate are in no group. Skips the faces in
+/// `degenerate`. O(F log F) comparisons.
+pub(crate) fn duplicate_face_groups(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job<'_>) -> Result<Vec<(u32, u32)>> {
     job.step(0.0, "checking faces")?;
     // Sort the faces by their cycles, and equal ones by index.
     let mut order = alloc::collect((0..mesh.faces().len()).map(|f| f as u32))?;
@@ -24,10 +35,11 @@ pub(super) fn find_duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job:
         starts[f].vertex_cycle(mesh, f).cmp(starts[g].vertex_cycle(mesh, g))
     };
     sort(&mut order, |f, g| compare(f, g).then(f.cmp(g)), &job.part(0.2, 0.9), "checking faces")?;
-    let repeats = order.windows(2).filter(|pair| compare(&pair[0], &pair[1]).is_eq());
-    let mut duplicates = alloc::gather(repeats.map(|pair| pair[1]))?;
-    duplicates.sort_unstable();
-    Ok(duplicates)
+    let mut groups = Vec::new();
+    for group in order.chunk_by(|f, g| compare(f, g).is_eq()).filter(|group| group.len() > 1) {
+        alloc::extend(&mut groups, group.iter().map(|&f| (group[0], f)))?;
+    }
+    Ok(groups)
 }
 
 /// The corner and the direction in which a face's cycle is lexicographically smallest.

@@ -10,5 +10,8 @@ mod report;
 mod duplicate_faces;
 mod intersecting_faces;
 
+pub(crate) use bow_ties::join_corners_at_edge;
+pub(crate) use duplicate_faces::duplicate_face_groups;
 pub use intersecting_faces::find_intersecting_faces;
+pub(crate) use report::find_zero_area_faces;
 pub use report::{Check, check};

@@ -93,7 +93,8 @@ pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
     report.count_components(mesh, &topology, &job.part(0.85, 0.9))?;
     job.step(0.9, "checking areas")?;
     report.list_unused_vertices(mesh)?;
-    report.list_zero_area_faces(mesh, &job.part(0.9, 1.0))?;
+    report.zero_area_faces = find_zero_area_faces(mesh, &job.part(0.9, 1.0))?;
+    report.zero_area_faces.retain(|f| report.degenerate_faces.binary_search(f).is_err());
 
     report.manifold = report.non_manifold_edges.is_empty() && report.non_manifold_vertices.is_empty();
     report.oriented = report.orientation_conflicts.is_empty();
@@ -196,31 +197,31 @@ impl Check {
         self.unused_vertices = alloc::gather((0..).zip(used).filter(|&(_, used)| !used).map(|(v, _)| v))?;
         Ok(())
     }
+}
 
-    /// Lists the faces whose vector area, sum of (p_k - p_0) x (p_(k+1) - p_0) / 2, is 0 up to the
-    /// rounding of its terms.
-    fn list_zero_area_faces(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
-        let mut points: Vec<DVec3> = Vec::new();
-        for f in 0..mesh.faces().len() {
-            job.step_every(FACES_PER_REPORT, f, mesh.faces().len(), "checking areas")?;
-            points.clear();
-            alloc::reserve(&mut points, mesh.faces().corner_range(f).len())?;
-            points.extend(mesh.face(f).map(|v| mesh.positions().get(v)));
-            let unit = common_unit(&points);
-            let largest = points.iter().map(|p| (*p / unit).abs().max_element()).fold(0.0, f64::max);
-            let origin = points[0] / unit;
-            let (mut area, mut reach) = (DVec3::ZERO, 0.0_f64);
-            for pair in points[1..].windows(2) {
-                let (p, q) = (pair[0] / unit - origin, pair[1] / unit - origin);
-                area += p.cross(q);
-                reach = reach.max(p.length()).max(q.length());
-            }
-            // Each coordinate is known to half a unit in the last place of the largest one.
-            let rounding = 8.0 * f64::EPSILON * largest * reach * points.len() as f64;
-            if area.length() <= rounding && self.degenerate_faces.binary_search(&(f as u32)).is_err() {
-                alloc::push(&mut self.zero_area_faces, f as u32)?;
-            }
+/// Returns the faces without area: their vector area, the sum of (p_k - p_0) x (p_(k+1) - p_0) / 2,
+/// is 0 up to the rounding of its terms. Ascending; O(H).
+pub(crate) fn find_zero_area_faces(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
+    let (mut points, mut found): (Vec<DVec3>, _) = (Vec::new(), Vec::new());
+    for f in 0..mesh.faces().len() {
+        job.step_every(FACES_PER_REPORT, f, mesh.faces().len(), "checking areas")?;
+        points.clear();
+        alloc::reserve(&mut points, mesh.faces().corner_range(f).len())?;
+        points.extend(mesh.face(f).map(|v| mesh.positions().get(v)));
+        let unit = common_unit(&points);
+        let largest = points.iter().map(|p| (*p / unit).abs().max_element()).fold(0.0, f64::max);
+        let origin = points[0] / unit;
+        let (mut area, mut reach) = (DVec3::ZERO, 0.0_f64);
+        for pair in points[1..].windows(2) {
+            let (p, q) = (pair[0] / unit - origin, pair[1] / unit - origin);
+            area += p.cross(q);
+            reach = reach.max(p.length()).max(q.length());
         }
-        Ok(())
+        // Each coordinate is known to half a unit in the last place of the largest one.
+        let rounding = 8.0 * f64::EPSILON * largest * reach * points.len() as f64;
+        if area.length() <= rounding {
+            alloc::push(&mut found, f as u32)?;
+        }
     }
+    Ok(found)
 }

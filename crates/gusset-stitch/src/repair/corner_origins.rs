@@ -64,7 +64,7 @@ impl CornerOrigins {
 
 /// An old corner, or a point on the edge from it to the next corner of its face.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct CornerOrigin {
+pub(crate) struct CornerOrigin {
     pub(super) start: u32,
     pub(super) end: u32,
     pub(super) at: f64,

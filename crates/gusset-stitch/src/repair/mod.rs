@@ -22,7 +22,7 @@ mod t_junctions;
 pub mod orient;
 pub(crate) mod sew_edges;
 pub mod sew;
-mod split_face;
+pub(crate) mod split_face;
 mod split_mesh;
 mod weld_tolerance;
 pub mod weld;

@@ -13,11 +13,11 @@ use gusset_base::geom::scale::common_unit;
 use gusset_mesh::MeshView;
 
 /// A corner of a face with new vertices: its vertex, and its place on the old face.
-pub(super) type PlacedCorner = (u32, CornerOrigin);
+pub(crate) type PlacedCorner = (u32, CornerOrigin);
 
 /// A face with new vertices on its edges.
 #[derive(Default)]
-pub(super) struct SplitFace {
+pub(crate) struct SplitFace {
     /// The old corners and the new ones in cyclic order.
     ring: Vec<PlacedCorner>,
     /// The indices of the old corners in `ring`.
@@ -27,7 +27,7 @@ pub(super) struct SplitFace {
 impl SplitFace {
     /// Sets face `f` with vertices on its half-edges. The places are ordered triples of the
     /// half-edge, the position along it, and the vertex.
-    pub(super) fn set_face(
+    pub(crate) fn set_face(
         &mut self,
         mesh: &MeshView<'_>,
         f: usize,
@@ -49,7 +49,7 @@ impl SplitFace {
     }
 
     /// Calls `emit` with each part.
-    pub(super) fn visit_parts(&self, mut emit: impl FnMut(&[PlacedCorner]) -> Result<()>) -> Result<()> {
+    pub(crate) fn visit_parts(&self, mut emit: impl FnMut(&[PlacedCorner]) -> Result<()>) -> Result<()> {
         let count = self.ring.len();
         let &[a, b, c] = self.corners.as_slice() else { return emit(&self.ring) };
         // The sides as ranges of the ring, from corner to corner.

@@ -1,0 +1,48 @@
+//! From any polygons to a valid solid, least changed.
+//!
+//! [`repair`] runs stages in a fixed order, each of which can be left out. A stage changes only the
+//! faces at the defects that it removes; other faces keep their vertices, and vertices their bits.
+//! Faces that are dropped are listed with their reasons.
+//!
+//! 1. Borders that coincide are sewn.
+//! 2. Faces without area are dropped; their neighbours meet in their place.
+//! 3. Duplicate faces are dropped.
+//! 4. Holes are filled.
+//! 5. Where edges have three or more faces, the faces divide space into cells. Faces with the solid
+//!    on both sides, or on neither side, are dropped. The remaining faces are separated into sheets.
+//! 6. Holes that separate sheets show are filled. Open sheets that were attached to a closed one
+//!    are dropped.
+//! 7. Closed components are turned outwards.
+//!
+//! | file | subject |
+//! |---|---|
+//! | [`repair_request`](self) | options and result |
+//! | [`repair_run`](self) | the stages in order |
+//! | [`repair_state`](self) | the mesh between stages, with origins |
+//! | [`sew_borders`](self) | the first stage |
+//! | [`flat_faces`](self) | faces without area |
+//! | [`duplicate_removal`](self) | duplicate faces |
+//! | [`edge_fans`](self) | the radial order of faces around an edge |
+//! | [`patches`](self) | faces that are connected across edges with two faces |
+//! | [`cells`](self) | the cells between faces, and the faces around the solid |
+//! | [`sheets`](self) | sheets of faces, and their own vertices |
+//! | [`twin_edges`](self) | edges of one sheet that coincide |
+//!
+//! Source: Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, *Mesh arrangements for solid geometry*
+//! (2016), for the cells and their winding numbers; M. Attene, *A lightweight approach to repairing
+//! digitized polygon meshes* (2010), for the order of stages.
+
+mod cells;
+mod duplicate_removal;
+mod edge_fans;
+mod flat_faces;
+mod patches;
+mod repair_request;
+mod repair_run;
+mod repair_state;
+mod sew_borders;
+mod sheets;
+mod twin_edges;
+
+pub use repair_request::{DropReason, DroppedFace, Options, Repaired};
+pub use repair_run::repair;

@@ -1,0 +1,216 @@
+//! The stages of a repair in order.
+
+use super::duplicate_removal::mark_duplicates;
+use super::edge_fans::EdgeFans;
+use super::flat_faces::remove_flat_faces;
+use super::patches::Patches;
+use super::repair_request::{DropReason, Options, Repaired};
+use super::repair_state::RepairState;
+use super::sew_borders::{SewCounts, sew_borders};
+use super::sheets::Sheets;
+use super::twin_edges::split_twin_edges;
+use crate::check::{check, find_intersecting_faces, find_zero_area_faces};
+use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
+use crate::repair::orient::{self, Outward, orient};
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
+use gusset_mesh::{Mesh, MeshView, NONE, Opposite, Topology, concat};
+
+const STAGE: &str = "repairing";
+
+/// Repairs a mesh: see [the stages](super).
+///
+/// O(H log H) for H half-edges, plus the time of [`fill_holes`](crate::fill::fill_holes()) for each
+/// hole, and of the search for intersecting faces. Linear extra memory. A second repair of the
+/// result changes nothing.
+///
+/// # Errors
+/// * [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is
+///   negative or not finite.
+/// * The errors of [`fill_holes`](crate::fill::fill_holes()) for its options.
+/// * [`Error::TooLarge`](gusset_base::Error::TooLarge),
+///   [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+///   [`Error::Cancelled`](gusset_base::Error::Cancelled). Defects that remain are not errors; see
+///   [`Repaired::after`].
+pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Repaired> {
+    let before = check(mesh, &job.part(0.0, 0.1))?;
+    let mut run = RepairRun::start(mesh, options, &job.part(0.1, 0.25))?;
+    run.drop_flat_faces(&job.part(0.25, 0.3))?;
+    run.drop_duplicates(&job.part(0.3, 0.35))?;
+    run.fill_holes(&job.part(0.35, 0.5))?;
+    if run.separate_sheets(&job.part(0.5, 0.6))? {
+        run.fill_holes(&job.part(0.6, 0.7))?;
+        run.drop_fins(&job.part(0.7, 0.72))?;
+    }
+    run.turn_outwards(&job.part(0.72, 0.8))?;
+    let RepairRun { mut state, counts, split_vertices, filled_holes, .. } = run;
+    state.finish(mesh.faces().len())?;
+    let (after, intersections) = {
+        let view = state.mesh.view(&job.part(0.8, 0.82))?;
+        (check(&view, &job.part(0.82, 0.9))?, find_intersecting_faces(&view, &job.part(0.9, 1.0))?)
+    };
+    job.step(1.0, STAGE)?;
+    Ok(Repaired {
+        mesh: state.mesh,
+        face_origin: state.face_origin,
+        vertex_origin: state.vertex_origin,
+        turned: state.turned,
+        dropped: state.dropped,
+        welded_vertices: counts.welded_vertices,
+        sewn_edges: counts.sewn_edges,
+        split_faces: counts.split_faces,
+        split_vertices,
+        filled_holes,
+        tolerance: counts.tolerance,
+        before,
+        after,
+        intersections,
+    })
+}
+
+/// A repair in progress.
+struct RepairRun<'o> {
+    options: &'o Options,
+    state: RepairState,
+    counts: SewCounts,
+    split_vertices: u32,
+    filled_holes: u32,
+    /// A face of each open sheet that was attached, and a face of the sheet that it was attached to.
+    attached: Vec<[u32; 2]>,
+}
+
+impl<'o> RepairRun<'o> {
+    /// Sews borders, unless the options leave them.
+    fn start(mesh: &MeshView<'_>, options: &'o Options, job: &Job<'_>) -> Result<Self> {
+        let (whole, _) = concat::concatenate(&[*mesh], &job.part(0.0, 0.1))?;
+        let (state, counts) = if options.leave_borders {
+            (unchanged_state(whole)?, SewCounts::default())
+        } else {
+            sew_borders(&whole.view(&job.part(0.1, 0.2))?, options, &job.part(0.2, 1.0))?
+        };
+        Ok(RepairRun { options, state, counts, split_vertices: 0, filled_holes: 0, attached: Vec::new() })
+    }
+
+    fn drop_flat_faces(&mut self, job: &Job<'_>) -> Result<()> {
+        if self.options.leave_flat_faces {
+            return Ok(());
+        }
+        let flat = find_zero_area_faces(&self.state.mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.3))?;
+        remove_flat_faces(&mut self.state, flat, find_zero_area_faces, &job.part(0.3, 1.0))
+    }
+
+    fn drop_duplicates(&mut self, job: &Job<'_>) -> Result<()> {
+        if self.options.leave_duplicates {
+            return Ok(());
+        }
+        let marked = mark_duplicates(&self.state.mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 1.0))?;
+        marked.map_or(Ok(()), |reasons| self.state.drop_faces(&reasons))
+    }
+
+    /// Fills the holes, without changing other faces.
+    fn fill_holes(&mut self, job: &Job<'_>) -> Result<()> {
+        let has_border = {
+            let view = self.state.mesh.view(&job.part(0.0, 0.1))?;
+            let topology = Topology::new(&view, &job.part(0.1, 0.2))?;
+            let border = topology.border_half_edges(&job.part(0.2, 0.2))?;
+            border.iter().any(|&h| topology.opposite(h) == Opposite::Free)
+        };
+        if self.options.leave_holes || !has_border {
+            return Ok(());
+        }
+        let options = fill::Options { plan_only: false, outward: Outward::Keep, ..self.options.fill };
+        let filled = {
+            let view = self.state.mesh.view(&job.part(0.2, 0.2))?;
+            fill_holes(&view, LoopSelection::All, &options, &job.part(0.2, 1.0))?
+        };
+        self.filled_holes += filled.holes.iter().filter(|hole| hole.status == HoleStatus::Filled).count() as u32;
+        alloc::grow(&mut self.state.face_origin, filled.mesh.face_count(), NONE)?;
+        alloc::grow(&mut self.state.turned, filled.mesh.face_count(), false)?;
+        alloc::grow(&mut self.state.vertex_origin, filled.mesh.positions.len(), NONE)?;
+        self.state.mesh = filled.mesh;
+        Ok(())
+    }
+
+    /// Separates sheets that share edges or vertices. Returns true if something changed.
+    fn separate_sheets(&mut self, job: &Job<'_>) -> Result<bool> {
+        if self.options.leave_non_manifold {
+            return Ok(false);
+        }
+        let sheets = self.find_sheets(&job.part(0.0, 0.4))?;
+        let dropped = sheets.reasons.iter().any(Option::is_some);
+        let separated = sheets.pairs.len();
+        (self.split_vertices, self.attached) = sheets.separate(&mut self.state, &job.part(0.4, 0.6))?;
+        if separated > 0 {
+            let twins = self.find_sheets(&job.part(0.6, 0.9))?;
+            split_twin_edges(&mut self.state, &twins.pairs, &job.part(0.9, 1.0))?;
+        }
+        Ok(dropped || self.split_vertices > 0)
+    }
+
+    fn find_sheets(&self, job: &Job<'_>) -> Result<Sheets> {
+        let view = self.state.mesh.view(&job.part(0.0, 0.1))?;
+        let topology = Topology::new(&view, &job.part(0.1, 0.3))?;
+        let fans = EdgeFans::find(&view, &topology, &job.part(0.3, 0.5))?;
+        let patches = Patches::find(&view, &topology, &fans, &job.part(0.5, 0.6))?;
+        Sheets::find(&view, &topology, &fans, &patches, &job.part(0.6, 1.0))
+    }
+
+    /// Drops the open sheets that were attached to a sheet which is closed now.
+    fn drop_fins(&mut self, job: &Job<'_>) -> Result<()> {
+        if self.options.leave_fins || self.attached.is_empty() {
+            return Ok(());
+        }
+        let reasons = {
+            let view = self.state.mesh.view(&job.part(0.0, 0.2))?;
+            let topology = Topology::new(&view, &job.part(0.2, 0.6))?;
+            let faces = view.faces();
+            let mut sets = DisjointSets::new(faces.len())?;
+            let mut is_open = alloc::filled(false, faces.len())?;
+            for h in (0..faces.half_edge_count() as u32).filter(|&h| !topology.is_ignored(h)) {
+                job.part(0.6, 0.8).step_within_list(h as usize, STAGE)?;
+                match topology.opposite(h) {
+                    Opposite::Mate(mate) => _ = sets.union(faces.face_of(h), faces.face_of(mate)),
+                    _ => is_open[faces.face_of(h) as usize] = true,
+                }
+            }
+            let components = sets.into_roots(&job.part(0.8, 1.0), STAGE)?;
+            for f in 0..faces.len() {
+                is_open[components[f] as usize] |= is_open[f];
+            }
+            let mut is_fin = alloc::filled(false, faces.len())?;
+            for &[sheet, host] in &self.attached {
+                let [sheet, host] = [sheet, host].map(|f| components[f as usize] as usize);
+                is_fin[sheet] |= is_open[sheet] && !is_open[host];
+            }
+            alloc::collect(components.iter().map(|&root| is_fin[root as usize].then_some(DropReason::Fin)))?
+        };
+        self.state.drop_faces(&reasons)
+    }
+
+    /// Orients components consistently, and closed ones outwards.
+    fn turn_outwards(&mut self, job: &Job<'_>) -> Result<()> {
+        if self.options.leave_orientation {
+            return Ok(());
+        }
+        let oriented = {
+            let view = self.state.mesh.view(&job.part(0.0, 0.1))?;
+            orient(&view, &orient::Options { outward: Outward::Closed }, &job.part(0.1, 1.0))?
+        };
+        self.state.turned.iter_mut().zip(&oriented.turned).for_each(|(turned, &again)| *turned ^= again);
+        self.state.mesh = oriented.mesh;
+        Ok(())
+    }
+}
+
+/// Returns the state of a mesh before any stage.
+fn unchanged_state(mesh: Mesh) -> Result<RepairState> {
+    Ok(RepairState {
+        face_origin: alloc::collect((0..mesh.face_count()).map(|f| f as u32))?,
+        vertex_origin: alloc::collect((0..mesh.positions.len()).map(|v| v as u32))?,
+        turned: alloc::filled(false, mesh.face_count())?,
+        dropped: Vec::new(),
+        mesh,
+    })
+}
