@@ -304,6 +304,15 @@ enum class Collapse : uint32_t { never = GUSSET_COLLAPSE_NEVER, allow = GUSSET_C
 /// Treatment of vertices that no face uses. See ::gusset_unused.
 enum class Unused : uint32_t { keep = GUSSET_UNUSED_KEEP, remove = GUSSET_UNUSED_REMOVE };
 
+/// Reason why a face was dropped. See ::gusset_drop_reason.
+enum class DropReason : uint32_t {
+    degenerate = GUSSET_DROP_DEGENERATE,
+    zero_area = GUSSET_DROP_ZERO_AREA,
+    duplicate = GUSSET_DROP_DUPLICATE,
+    inside = GUSSET_DROP_INSIDE,
+    fin = GUSSET_DROP_FIN
+};
+
 /// Initial poses. See ::gusset_alignment_start.
 enum class AlignmentStart : uint32_t {
     as_given = GUSSET_ALIGN_AS_GIVEN,
@@ -728,6 +737,7 @@ constexpr const char *choice_name(HoleStatus) { return "gusset_hole_status"; }
 constexpr const char *choice_name(WeldVertices) { return "gusset_weld_vertices"; }
 constexpr const char *choice_name(Collapse) { return "gusset_collapse"; }
 constexpr const char *choice_name(Unused) { return "gusset_unused"; }
+constexpr const char *choice_name(DropReason) { return "gusset_drop_reason"; }
 constexpr const char *choice_name(AlignmentStart) { return "gusset_alignment_start"; }
 constexpr const char *choice_name(AlignedReason) { return "gusset_aligned_reason"; }
 constexpr const char *choice_name(NonManifold) { return "gusset_non_manifold"; }

@@ -1112,6 +1112,115 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_orient(const struct gusset_conte
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_orient(const struct gusset_result *result,
     struct gusset_orient_report *report);
 
+/* ---- Repair: Makes a valid solid of any polygon mesh. */
+
+/// Reason why a face was dropped.
+typedef uint32_t gusset_drop_reason;
+/// Fewer than three different vertices remain.
+#define GUSSET_DROP_DEGENERATE 0
+/// The area is 0 up to rounding.
+#define GUSSET_DROP_ZERO_AREA 1
+/// An earlier face has the same vertices.
+#define GUSSET_DROP_DUPLICATE 2
+/// The solid lies on both sides.
+#define GUSSET_DROP_INSIDE 3
+/// Part of an open sheet that was attached to a closed component.
+#define GUSSET_DROP_FIN 4
+
+/// Options of gusset_repair. By default every stage runs.
+typedef struct gusset_repair_options {
+    size_t struct_size;
+    /// Distance at which borders coincide, as in gusset_weld_options.
+    gusset_tolerance_mode tolerance_mode;
+    /// 1: borders are not sewn. @flag
+    uint32_t leave_borders;
+    /// Largest distance of coincident borders, finite, at least 0.
+    /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
+    double tolerance;
+    /// 1: faces without area stay. @flag
+    uint32_t leave_flat_faces;
+    /// 1: duplicate faces stay. @flag
+    uint32_t leave_duplicates;
+    /// 1: non-manifold edges and vertices stay, and faces within the solid. @flag
+    uint32_t leave_non_manifold;
+    /// 1: holes stay open. @flag
+    uint32_t leave_holes;
+    /// 1: open sheets stay that were attached to a closed component. @flag
+    uint32_t leave_fins;
+    /// 1: no component is oriented. @flag
+    uint32_t leave_orientation;
+    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    const struct gusset_fill_options *fill_options;
+} gusset_repair_options;
+
+/// Effects of a repair, and the defects that remain.
+typedef struct gusset_repair_report {
+    size_t struct_size;
+    /// 1 if the result bounds a solid: closed, manifold, oriented, without degenerate, duplicate or intersecting faces,
+    /// and without faces of area 0. @flag
+    uint32_t valid;
+    /// Vertices merged into others.
+    uint32_t welded_vertices;
+    /// Edges made from boundary edges or their parts.
+    uint32_t sewn_edges;
+    /// Old faces that were split or gained corners when borders were sewn.
+    uint32_t split_faces;
+    /// Copies of vertices that separate sheets of faces.
+    uint32_t split_vertices;
+    /// Holes that were filled.
+    uint32_t filled_holes;
+    /// Boundary edges of the result.
+    uint32_t boundary_edges_left;
+    /// Non-manifold edges of the result.
+    uint32_t non_manifold_edges_left;
+    /// Non-manifold vertices of the result.
+    uint32_t non_manifold_vertices_left;
+    /// Edges of the result whose two faces disagree in orientation.
+    uint32_t orientation_conflicts_left;
+    /// Degenerate, duplicate and zero-area faces of the result.
+    uint32_t bad_faces_left;
+    uint32_t reserved;
+    /// Largest distance at which vertices were merged; 0 without any.
+    double tolerance;
+    /// Old face of each face, or of which it is a part; UINT32_MAX for faces of patches, which come last.
+    struct gusset_indices face_origin;
+    /// Smallest old vertex that each vertex is; UINT32_MAX for new vertices, which come last.
+    struct gusset_indices vertex_origin;
+    /// For each face, 1 if it was turned over. @flag
+    const uint8_t *turned;
+    size_t face_count;
+    /// Dropped old faces, ascending. Faces with a remaining part are not listed.
+    struct gusset_indices dropped_faces;
+    /// Reason for each of them.
+    const gusset_drop_reason *drop_reasons;
+    size_t dropped_count;
+    /// Pairs of faces that intersect in the result, ascending, the smaller face first.
+    struct gusset_indices intersecting_pairs;
+} gusset_repair_report;
+
+/// Makes a valid solid of a mesh, and changes only faces at its defects. Stages, in order:
+/// - Borders that coincide are sewn, as by gusset_sew.
+/// - Faces without area are dropped; their neighbours meet in their place.
+/// - Duplicate faces are dropped, except the first.
+/// - Holes are filled, as by gusset_fill.
+/// - Where edges have three or more faces, the faces divide space into cells. Faces with the solid on both sides are
+///   dropped. The others are separated into sheets with their own vertices.
+/// - Holes of separated sheets are filled. Open sheets that were attached to a closed component are dropped.
+/// - Components are oriented, and closed ones turned outwards.
+/// The solid consists of the cells with a winding number other than 0, if crossing faces from front to back adds 1
+/// consistently; otherwise of all bounded cells. Old faces keep their order, and old vertices their bits. Unused
+/// vertices are removed. Vertices merged by the mesh's merge map stay merged. Faces that intersect stay, and are
+/// listed. A second repair changes nothing.
+/// @errors as gusset_mesh_view, OPTION_OUT_OF_RANGE, TOO_LARGE (the result)
+/// @complexity O(H log H), the time of gusset_fill for each hole, and the search for intersecting faces.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_repair(const struct gusset_context *context,
+    const struct gusset_mesh_view *mesh, const struct gusset_repair_options *options, struct gusset_result **result);
+
+/// Lends the report of a repair.
+/// @errors WRONG_HANDLE
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_repair(const struct gusset_result *result,
+    struct gusset_repair_report *report);
+
 /* ---- Triangulation: Splits faces into triangles. */
 
 /// Splits all faces into triangles of their own corners, in the order of the faces.

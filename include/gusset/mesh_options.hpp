@@ -193,6 +193,31 @@ struct OrientOptions {
     Outward outward = Outward::automatic;
 };
 
+/// Options of gusset_repair. See ::gusset_repair_options.
+struct RepairOptions {
+    /// Distance at which borders coincide, as in gusset_weld_options.
+    ToleranceMode tolerance_mode = ToleranceMode::automatic;
+    /// 1: borders are not sewn.
+    bool leave_borders = false;
+    /// Largest distance of coincident borders, finite, at least 0. A value sets tolerance_mode to
+    /// GUSSET_TOLERANCE_GIVEN.
+    std::optional<double> tolerance;
+    /// 1: faces without area stay.
+    bool leave_flat_faces = false;
+    /// 1: duplicate faces stay.
+    bool leave_duplicates = false;
+    /// 1: non-manifold edges and vertices stay, and faces within the solid.
+    bool leave_non_manifold = false;
+    /// 1: holes stay open.
+    bool leave_holes = false;
+    /// 1: open sheets stay that were attached to a closed component.
+    bool leave_fins = false;
+    /// 1: no component is oriented.
+    bool leave_orientation = false;
+    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    FillOptions fill_options;
+};
+
 /// Options of gusset_alignment_create. See ::gusset_alignment_options.
 struct AlignmentOptions {
     /// Initial poses.
@@ -386,6 +411,30 @@ inline gusset_orient_options as_c(const OrientOptions &options) {
     given.outward = static_cast<gusset_outward>(options.outward);
     return given;
 }
+
+/// The options that gusset_repair_options points to.
+struct RepairOptionsNested {
+    gusset_fill_options fill_options;
+};
+inline gusset_repair_options as_c(const RepairOptions &options, RepairOptionsNested &nested) {
+    auto given = sized<gusset_repair_options>();
+    given.tolerance_mode = static_cast<gusset_tolerance_mode>(options.tolerance_mode);
+    given.leave_borders = options.leave_borders ? 1 : 0;
+    given.leave_flat_faces = options.leave_flat_faces ? 1 : 0;
+    given.leave_duplicates = options.leave_duplicates ? 1 : 0;
+    given.leave_non_manifold = options.leave_non_manifold ? 1 : 0;
+    given.leave_holes = options.leave_holes ? 1 : 0;
+    given.leave_fins = options.leave_fins ? 1 : 0;
+    given.leave_orientation = options.leave_orientation ? 1 : 0;
+    nested.fill_options = as_c(options.fill_options);
+    given.fill_options = &nested.fill_options;
+    if (options.tolerance) {
+        given.tolerance = *options.tolerance;
+        given.tolerance_mode = GUSSET_TOLERANCE_GIVEN;
+    }
+    return given;
+}
+gusset_repair_options as_c(const RepairOptions &&, RepairOptionsNested &) = delete;
 
 inline gusset_alignment_options as_c(const AlignmentOptions &options) {
     auto given = sized<gusset_alignment_options>();

@@ -93,6 +93,50 @@ private:
     gusset_sew_report report() const { return detail::lent(gusset_result_get_sew, get()); }
 };
 
+/// A mesh made into a valid solid, changed only at its defects; see gusset_repair.
+class Repair : public Result {
+public:
+    /// The index of an element that is not from the input.
+    static constexpr uint32_t none = UINT32_MAX;
+
+    /// See ::gusset_repair.
+    explicit Repair(const MeshView &mesh, const RepairOptions &options = {}, const Context &context = Context()) {
+        const gusset_repair_options given = detail::as_c(options);
+        take(context.result(gusset_repair, &mesh.get(), &given));
+    }
+
+    /// True if the result bounds a solid: closed, manifold, oriented, without degenerate, duplicate
+    /// or intersecting faces.
+    bool valid() const { return report().valid != 0; }
+    /// For each face the old face that it is, or is a part of; `none` for faces of patches.
+    Indices face_origin() const & { return detail::indices(report().face_origin); }
+    Indices face_origin() const && = delete;
+    /// For each vertex the smallest old vertex that it is; `none` for new vertices.
+    Indices vertex_origin() const & { return detail::indices(report().vertex_origin); }
+    Indices vertex_origin() const && = delete;
+    /// For each face 1 if it was turned over.
+    Span<const uint8_t> turned() const & {
+        const gusset_repair_report found = report();
+        return {found.turned, found.face_count};
+    }
+    Span<const uint8_t> turned() const && = delete;
+    /// The dropped old faces, ascending.
+    Indices dropped_faces() const & { return detail::indices(report().dropped_faces); }
+    Indices dropped_faces() const && = delete;
+    /// The reason for each of them: GUSSET_DROP_...
+    Span<const gusset_drop_reason> drop_reasons() const & {
+        const gusset_repair_report found = report();
+        return {found.drop_reasons, found.dropped_count};
+    }
+    Span<const gusset_drop_reason> drop_reasons() const && = delete;
+    /// Pairs of faces that intersect in the result.
+    Indices intersecting_pairs() const & { return detail::indices(report().intersecting_pairs); }
+    Indices intersecting_pairs() const && = delete;
+    /// The counts of changes, and of defects that remain.
+    gusset_repair_report report() const & { return detail::lent(gusset_result_get_repair, get()); }
+    gusset_repair_report report() const && = delete;
+};
+
 /// A mesh whose faces agree with their neighbours; see gusset_orient.
 class Orient : public Result {
 public:

@@ -10,8 +10,8 @@ from ._library import lib as _lib
 from ._library import text as _text
 from ._options import (
     AlignmentOptions, BoundaryOptions, ConcatenateOptions, ContourOptions, DevelopOptions, FillOptions, IntersectionOptions, JoinOptions,
-    NearestOptions, NetMeshOptions, OffsetOptions, OrientOptions, OutlineOptions, SheetMeshOptions, StitchOptions, SurfaceOptions,
-    TrimOptions, WeldOptions,
+    NearestOptions, NetMeshOptions, OffsetOptions, OrientOptions, OutlineOptions, RepairOptions, SheetMeshOptions, StitchOptions,
+    SurfaceOptions, TrimOptions, WeldOptions,
 )
 from ._options import (
     FacingOptions, FrameOptions, NetPrimitive, PlanariseOptions, SettleOptions, StreamOptions, StripOptions, WingedOptions,
@@ -22,7 +22,7 @@ from ._reports import (
     AlignedPiece, AlignedPieceArray, AlignmentView, BoundaryView, Chart, ChartArray, CheckView, CurveMeasures, CurveNearestPoint,
     CurveNearestPointArray, CurveView, Defect, DefectArray, DevelopReport, FillReport, Hole, HoleArray, JoinReport, Joint, LeftLoop,
     LoopView, NetMeasureReport, NetMeshReport, OrientReport, OriginsView, OutlineView, Overlap, OverlapArray, PieceMap, Place, PlaceArray,
-    PlacesView, QualityReport, SewReport, SheetMeshReport, SheetReport, StitchReport, SurfaceHit, SurfaceHitArray, SurfaceHitsView,
+    PlacesView, QualityReport, RepairReport, SewReport, SheetMeshReport, SheetReport, StitchReport, SurfaceHit, SurfaceHitArray, SurfaceHitsView,
     SurfaceNearestPoint, SurfaceNearestPointArray, SurfacePathsView, SurfacePlace, SurfacePlaceArray, SurfacePoint, SurfacePointArray,
     SurfaceReport, TrimmedPiece, TrimView, WeldReport,
 )
@@ -43,8 +43,8 @@ from .files import read, save
 from .frame import Frame
 from .gluing import Gluing, LocalGluing, NetGroups, seam
 from .joining import (
-    Alignment, Boundary, Check, Development, Fill, Join, Orient, Sew, Stitch, Triangulation, Trim, Weld, align, boundary_loops, check,
-    develop, fill, join, orient, sew, stitch, triangulate, trim, weld,
+    Alignment, Boundary, Check, Development, Fill, Join, Orient, Repair, Sew, Stitch, Triangulation, Trim, Weld, align, boundary_loops,
+    check, develop, fill, join, orient, repair, sew, stitch, triangulate, trim, weld,
 )
 from .loops import Facing, Strip, facing, find_merge, meridians_index, strip
 from .mesh import Mesh, MeshLike, as_mesh
@@ -67,12 +67,13 @@ __all__ = [
     "IntersectionOptions", "Join", "JoinOptions", "JoinReport", "Joint", "LeftLoop", "LoopView", "Mesh", "MeshLike", "NearestOptions",
     "Net", "NetMeasureReport", "NetMesh", "NetMeshOptions", "NetMeshReport", "OffsetOptions", "Orient", "OrientOptions", "OrientReport",
     "Origins", "OriginsView", "OutOfMemory", "Outline", "OutlineOptions", "OutlineView", "Overlap", "OverlapArray", "PieceMap", "Place",
-    "PlaceArray", "Places", "PlacesView", "QualityReport", "Record", "RecordArray", "Result", "Sew", "SewReport", "Sheet", "SheetMesh",
+    "PlaceArray", "Places", "PlacesView", "QualityReport", "Record", "RecordArray", "Repair", "RepairOptions",
+    "RepairReport", "Result", "Sew", "SewReport", "Sheet", "SheetMesh",
     "SheetMeshOptions", "SheetMeshReport", "SheetReport", "Stitch", "StitchOptions", "StitchReport", "Surface", "SurfaceHit",
     "SurfaceHitArray", "SurfaceHits", "SurfaceHitsView", "SurfaceNearestPoint", "SurfaceNearestPointArray", "SurfaceOptions",
     "SurfacePaths", "SurfacePathsView", "SurfacePlace", "SurfacePlaceArray", "SurfacePoint", "SurfacePointArray", "SurfaceReport",
     "Triangulation", "Trim", "TrimOptions", "TrimView", "TrimmedPiece", "Weld", "WeldOptions", "WeldReport", "align", "as_mesh",
-    "boundary_loops", "check", "choices", "develop", "fill", "filters", "join", "orient", "sew", "stitch", "triangulate", "trim", "weld",
+    "boundary_loops", "check", "choices", "develop", "fill", "filters", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "weld",
 ]
 __all__ += [
     "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "DecimatedNet", "DistanceReport", "Document", "Facing", "FacingOptions",

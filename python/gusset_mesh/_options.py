@@ -612,6 +612,31 @@ class JoinOptions(TypedDict, total=False):
     trim_options: TrimOptions
 
 
+class RepairOptions(TypedDict, total=False):
+    """Fields of ``gusset_repair_options``; what is not given is as by default."""
+
+    #: Distance at which borders coincide, as in gusset_weld_options.
+    tolerance_mode: choices.ToleranceMode
+    #: 1: borders are not sewn.
+    leave_borders: bool
+    #: Largest distance of coincident borders, finite, at least 0.
+    tolerance: float
+    #: 1: faces without area stay.
+    leave_flat_faces: bool
+    #: 1: duplicate faces stay.
+    leave_duplicates: bool
+    #: 1: non-manifold edges and vertices stay, and faces within the solid.
+    leave_non_manifold: bool
+    #: 1: holes stay open.
+    leave_holes: bool
+    #: 1: open sheets stay that were attached to a closed component.
+    leave_fins: bool
+    #: 1: no component is oriented.
+    leave_orientation: bool
+    #: Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    fill_options: FillOptions
+
+
 #: By struct.
 FIELDS: dict[str, dict[str, Keyword]] = {
     "gusset_outline_options": {
@@ -869,5 +894,17 @@ FIELDS: dict[str, dict[str, Keyword]] = {
         "outward": Keyword('choice', choices.NUMBERS['gusset_outward']),
         "overlaps": Keyword('choice', choices.NUMBERS['gusset_overlaps']),
         "trim_options": Keyword('options', needs=('overlaps', 'trim')),
+    },
+    "gusset_repair_options": {
+        "tolerance_mode": Keyword('choice', choices.NUMBERS['gusset_tolerance_mode']),
+        "leave_borders": Keyword('flag'),
+        "tolerance": Keyword('float', needs=('tolerance_mode', 'given')),
+        "leave_flat_faces": Keyword('flag'),
+        "leave_duplicates": Keyword('flag'),
+        "leave_non_manifold": Keyword('flag'),
+        "leave_holes": Keyword('flag'),
+        "leave_fins": Keyword('flag'),
+        "leave_orientation": Keyword('flag'),
+        "fill_options": Keyword('options'),
     },
 }

@@ -1217,6 +1217,106 @@ class OrientReport(Record):
         return self._struct.inverted_components
 
 
+class RepairReport(Record):
+    """Effects of a repair, and the defects that remain."""
+
+    __slots__ = ()
+    _NAME = 'gusset_repair_report'
+    _GETTER = 'gusset_result_get_repair'
+
+    @property
+    def valid(self) -> bool:
+        """1 if the result bounds a solid: closed, manifold, oriented, without degenerate, duplicate or intersecting
+        faces, and without faces of area 0.
+        """
+        return bool(self._struct.valid)
+
+    @property
+    def welded_vertices(self) -> int:
+        """Vertices merged into others."""
+        return self._struct.welded_vertices
+
+    @property
+    def sewn_edges(self) -> int:
+        """Edges made from boundary edges or their parts."""
+        return self._struct.sewn_edges
+
+    @property
+    def split_faces(self) -> int:
+        """Old faces that were split or gained corners when borders were sewn."""
+        return self._struct.split_faces
+
+    @property
+    def split_vertices(self) -> int:
+        """Copies of vertices that separate sheets of faces."""
+        return self._struct.split_vertices
+
+    @property
+    def filled_holes(self) -> int:
+        """Holes that were filled."""
+        return self._struct.filled_holes
+
+    @property
+    def boundary_edges_left(self) -> int:
+        """Boundary edges of the result."""
+        return self._struct.boundary_edges_left
+
+    @property
+    def non_manifold_edges_left(self) -> int:
+        """Non-manifold edges of the result."""
+        return self._struct.non_manifold_edges_left
+
+    @property
+    def non_manifold_vertices_left(self) -> int:
+        """Non-manifold vertices of the result."""
+        return self._struct.non_manifold_vertices_left
+
+    @property
+    def orientation_conflicts_left(self) -> int:
+        """Edges of the result whose two faces disagree in orientation."""
+        return self._struct.orientation_conflicts_left
+
+    @property
+    def bad_faces_left(self) -> int:
+        """Degenerate, duplicate and zero-area faces of the result."""
+        return self._struct.bad_faces_left
+
+    @property
+    def tolerance(self) -> float:
+        """Largest distance at which vertices were merged; 0 without any."""
+        return self._struct.tolerance
+
+    @property
+    def face_origin(self) -> NDArray[np.uint32]:
+        """Old face of each face, or of which it is a part; UINT32_MAX for faces of patches, which come last."""
+        return self._array('face_origin')
+
+    @property
+    def vertex_origin(self) -> NDArray[np.uint32]:
+        """Smallest old vertex that each vertex is; UINT32_MAX for new vertices, which come last."""
+        return self._array('vertex_origin')
+
+    @property
+    def turned(self) -> NDArray[np.bool_]:
+        """For each face, 1 if it was turned over."""
+        return self._array('turned', self._struct.face_count) != 0
+
+    @property
+    def dropped_faces(self) -> NDArray[np.uint32]:
+        """Dropped old faces, ascending. Faces with a remaining part are not listed."""
+        return self._array('dropped_faces')
+
+    @property
+    def drop_reasons(self) -> NDArray[np.str_]:
+        """Reason for each of them."""
+        return words(self._array('drop_reasons', self._struct.dropped_count), 'gusset_drop_reason')
+
+    @property
+    def intersecting_pairs(self) -> NDArray[np.uint32]:
+        """Pairs of faces that intersect in the result, ascending, the smaller face first."""
+        return self._array('intersecting_pairs', -1, 2)
+
+
 class AlignedPiece(Record):
     """Pose of one piece."""
 

@@ -360,3 +360,12 @@ def lattice(
     Optional[Progress] = ...,
 ) -> Mesh:
     """Deforms a mesh by a lattice around it. The second mesh is the lattice at rest: its vertices lie on a uniform grid along the coordinate axes, like the vertices of a box or of a subdivided cube. The third mesh is the lattice with its vertices moved. Vertices of the first mesh inside the lattice follow; vertices outside stay. Grid points without a vertex follow the vertices around them."""
+
+
+def repair(
+    input_0: MeshLike, /, *, tolerance: float = ..., keep: Union[int, Literal['automatic', 'none', 'the_longest', 'borders']] = ...,
+    leave_borders: bool = ..., leave_flat_faces: bool = ..., leave_duplicates: bool = ..., leave_holes: bool = ...,
+    leave_non_manifold: bool = ..., leave_fins: bool = ..., leave_orientation: bool = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Makes a valid solid of a mesh, and changes only faces at its defects. Sews borders, drops faces without area and duplicate faces, fills holes, separates sheets that share edges or vertices, drops walls within the solid, and turns closed components outwards. Lists what was dropped. Faces that intersect stay, and are counted."""

@@ -14,15 +14,15 @@ from ._call import Progress
 from ._handles import Reported, Result, create, result
 from ._keywords import options as structs
 from ._library import ffi, holding, lib
-from ._options import (AlignmentOptions, BoundaryOptions, DevelopOptions, FillOptions, JoinOptions, OrientOptions, StitchOptions, TrimOptions,
-                       Unpack, WeldOptions)
+from ._options import (AlignmentOptions, BoundaryOptions, DevelopOptions, FillOptions, JoinOptions, OrientOptions, RepairOptions, StitchOptions,
+                       TrimOptions, Unpack, WeldOptions)
 from ._records import indices_struct
 from ._reports import (AlignmentView, BoundaryView, CheckView, DevelopReport, FillReport, HoleArray, JoinReport, Joint, LoopView, OrientReport,
-                       QualityReport, SewReport, StitchReport, TrimView, WeldReport)
+                       QualityReport, RepairReport, SewReport, StitchReport, TrimView, WeldReport)
 from .mesh import Mesh, MeshLike, as_mesh, of_one_precision, view_of, views_of
 
-__all__ = ["Alignment", "Boundary", "Check", "Development", "Fill", "Join", "Orient", "Sew", "Stitch", "Triangulation", "Trim", "Weld",
-           "align", "boundary_loops", "check", "develop", "fill", "join", "orient", "sew", "stitch", "triangulate", "trim", "weld"]
+__all__ = ["Alignment", "Boundary", "Check", "Development", "Fill", "Join", "Orient", "Repair", "Sew", "Stitch", "Triangulation", "Trim", "Weld",
+           "align", "boundary_loops", "check", "develop", "fill", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "weld"]
 
 
 def _create(kind: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
@@ -150,6 +150,23 @@ def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None
     1
     """
     return Sew(_result("sew", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
+
+
+class Repair(Result[RepairReport]):
+    """A mesh made into a valid solid; ``report`` lists what was changed, and what remains."""
+
+    REPORT = RepairReport
+
+
+def repair(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[RepairOptions]) -> Repair:
+    """Makes a valid solid of a mesh, and changes only faces at its defects.
+
+    >>> points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    >>> done = repair((points, [[0, 2, 1], [0, 1, 3], [0, 1, 3], [0, 3, 2]]))
+    >>> done.report.valid, done.report.filled_holes, list(done.report.dropped_faces)
+    (True, 1, [2])
+    """
+    return Repair(_result("repair", [as_mesh(mesh)], structs("repair_options", options), threads=threads, progress=progress))
 
 
 class Orient(Result[OrientReport]):

@@ -279,6 +279,13 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (0, c"Unused vertices stay."),
         (1, c"Vertices that no face of the result uses are removed."),
     ]),
+    ("gusset_drop_reason", &[
+        (0, c"Fewer than three different vertices remain."),
+        (1, c"The area is 0 up to rounding."),
+        (2, c"An earlier face has the same vertices."),
+        (3, c"The solid lies on both sides."),
+        (4, c"Part of an open sheet that was attached to a closed component."),
+    ]),
     ("gusset_alignment_start", &[
         (0, c"As given, moved by poses if any."),
         (1, c"Principal axes on the first piece's, in the one of four ways that puts most of the piece on it."),

@@ -13,6 +13,7 @@ use gusset_stitch::assemble::Assembly;
 use gusset_stitch::repair::corner_origins::{CornerOnEdge, CornerOrigins};
 use gusset_stitch::repair::sew::Sew;
 use gusset_stitch::repair::weld::Weld;
+use gusset_stitch::solid::Repaired;
 use gusset_stitch::trim::TrimmedPieces;
 
 impl Origins {
@@ -53,6 +54,41 @@ impl Origins {
         let kept = repaired.kept_elements(counts, map, Some(&sew.face_origin), |_| false, &job.part(0.0, 0.7))?;
         let new = sew.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0]));
         Origins::new(&sew.mesh, kept, new, &job.part(0.7, 1.0))
+    }
+
+    /// The origins of a repaired mesh.
+    ///
+    /// # Errors
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_repaired(done: &Repaired, job: &Job<'_>) -> Result<Origins> {
+        let history = &done.history;
+        let [vertices, corners, faces] = history.input;
+        let is_old = |&&origin: &&u32| origin != NONE;
+        let [old_vertices, old_faces] =
+            [&done.vertex_origin, &done.face_origin].map(|origins| origins.iter().take_while(is_old).count());
+        let origins = &history.corner_origins;
+        let table = corner_origin_parts(origins);
+        let mut corner_sources = SourceTable::with_capacity(origins.corners.len(), origins.corners.len())?;
+        for corner in 0..origins.corners.len() {
+            job.part(0.0, 0.2).step_within_list(corner, STAGE)?;
+            corner_sources.push(sources_of_corner(Some(table), corner as u32))?;
+        }
+        let of_old = |origins: &[u32], count: usize, job: &Job<'_>| {
+            SourceTable::from_single_sources(origins[..count].iter().copied(), job)
+        };
+        let kept = KeptElements {
+            inputs: vec![Counts { vertices, corners, faces }],
+            vertices: of_old(&done.vertex_origin, old_vertices, &job.part(0.2, 0.3))?,
+            corners: corner_sources,
+            faces: of_old(&done.face_origin, old_faces, &job.part(0.3, 0.4))?,
+        };
+        let new = history.parents.iter().copied().zip(history.weights.iter().copied());
+        let is_turned = |f: usize| f < old_faces && done.turned[f];
+        Origins::new(&done.mesh, kept, new, &job.part(0.4, 0.9))?.with_turned_faces(
+            &done.mesh,
+            is_turned,
+            &job.part(0.9, 1.0),
+        )
     }
 
     /// Returns the sources of each vertex, corner and face of an assembly in the input pieces.
@@ -150,7 +186,7 @@ impl RepairedMesh<'_> {
         for f in 0..self.faces {
             job.step_within_list(f, STAGE)?;
             for corner in corners_before_turning(self.mesh, f, is_turned(f)) {
-                corners.push(self.sources_of_corner(corner))?;
+                corners.push(sources_of_corner(self.corner_origins, corner))?;
             }
         }
         let faces = self.faces as u32;
@@ -160,16 +196,16 @@ impl RepairedMesh<'_> {
         };
         Ok(KeptElements { inputs, vertices, corners, faces })
     }
+}
 
-    /// The old corners whose values a corner takes.
-    fn sources_of_corner(&self, corner: u32) -> impl Iterator<Item = (u32, f64)> {
-        let Some((corners, on_edges)) = self.corner_origins else {
-            return [(corner, 1.0), (corner, 0.0)].into_iter();
-        };
-        let start = corners[corner as usize];
-        match on_edges.binary_search_by_key(&corner, |on| on.corner) {
-            Ok(k) => [(start, 1.0 - on_edges[k].at), (on_edges[k].end, on_edges[k].at)].into_iter(),
-            Err(_) => [(start, 1.0), (start, 0.0)].into_iter(),
-        }
+/// The old corners whose values a corner takes.
+fn sources_of_corner(origins: Option<RepairedCorners<'_>>, corner: u32) -> impl Iterator<Item = (u32, f64)> {
+    let Some((corners, on_edges)) = origins else {
+        return [(corner, 1.0), (corner, 0.0)].into_iter();
+    };
+    let start = corners[corner as usize];
+    match on_edges.binary_search_by_key(&corner, |on| on.corner) {
+        Ok(k) => [(start, 1.0 - on_edges[k].at), (on_edges[k].end, on_edges[k].at)].into_iter(),
+        Err(_) => [(start, 1.0), (start, 0.0)].into_iter(),
     }
 }

@@ -48,6 +48,7 @@ mod orient;
 mod outline;
 mod project;
 mod quads;
+mod repair;
 pub mod report;
 mod sew;
 mod signatures;
@@ -116,6 +117,7 @@ pub static FILTERS: &[Filter] = &[
     net_settle::FILTER,
     morph::FILTER,
     lattice::FILTER,
+    repair::FILTER,
 ];
 
 impl Filter {

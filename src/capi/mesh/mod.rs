@@ -13,6 +13,7 @@ pub mod strip;
 pub mod weld;
 pub mod sew;
 pub mod orient;
+pub mod repair;
 pub mod triangulate;
 pub mod align;
 pub mod trim;

@@ -8,6 +8,7 @@ use crate::capi::mesh::develop_report::DevelopedSurface;
 use crate::capi::mesh::fill_report::FillResult;
 use crate::capi::mesh::join_report::JoinResult;
 use crate::capi::mesh::origins::gusset_origins;
+use crate::capi::mesh::repair::RepairResult;
 use crate::capi::mesh::{self, gusset_mesh_view};
 use crate::capi::status::gusset_status::GUSSET_ERROR_WRONG_HANDLE;
 use crate::capi::status::{Failure, gusset_status};
@@ -37,6 +38,7 @@ pub(crate) enum OperationResult {
     Fill(FillResult),
     Weld(Weld),
     Sew(Sew),
+    Repair(RepairResult),
     /// With a face and a half-edge of each component that cannot be oriented.
     Orient(Oriented, [Vec<u32>; 2]),
     Develop(DevelopedSurface),
@@ -56,6 +58,7 @@ impl OperationResult {
             OperationResult::Fill(_) => "gusset_fill",
             OperationResult::Weld(_) => "gusset_weld",
             OperationResult::Sew(_) => "gusset_sew",
+            OperationResult::Repair(_) => "gusset_repair",
             OperationResult::Orient(..) => "gusset_orient",
             OperationResult::Develop(_) => "gusset_develop",
             OperationResult::Triangulate(_) => "gusset_triangulate",
@@ -78,6 +81,7 @@ impl OperationResult {
             OperationResult::Fill(fill) => &fill.done.mesh,
             OperationResult::Weld(weld) => &weld.mesh,
             OperationResult::Sew(sew) => &sew.mesh,
+            OperationResult::Repair(repair) => &repair.done.mesh,
             OperationResult::Orient(orient, _) => &orient.mesh,
             OperationResult::Develop(development) => &development.done.mesh,
             OperationResult::Triangulate(split) => &split.mesh,
@@ -94,6 +98,7 @@ impl OperationResult {
             OperationResult::Fill(fill) => Origins::from_filled(&fill.done, job),
             OperationResult::Weld(weld) => Origins::from_weld(weld, job),
             OperationResult::Sew(sew) => Origins::from_sew(sew, job),
+            OperationResult::Repair(repair) => Origins::from_repaired(&repair.done, job),
             OperationResult::Orient(orient, _) => Origins::from_oriented(orient, job),
             OperationResult::Develop(development) => Origins::from_developed(&development.done, job),
             OperationResult::Triangulate(split) => Origins::from_triangulated(split, job),

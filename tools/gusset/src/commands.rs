@@ -49,6 +49,13 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         smooth: &["finish=blend"],
     },
     FilterCommand {
+        name: "repair",
+        filters: &["repair"],
+        about: "Makes a valid solid of a mesh, changing only faces at its defects",
+        example: "gusset repair part.stl -o repaired.stl",
+        smooth: &[],
+    },
+    FilterCommand {
         name: "weld",
         filters: &["weld"],
         about: "Merges borders whose vertices coincide",

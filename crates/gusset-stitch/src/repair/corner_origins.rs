@@ -26,7 +26,7 @@ pub struct CornerOrigins {
 
 impl CornerOrigins {
     /// Appends the origin of the next corner.
-    pub(super) fn push(&mut self, origin: CornerOrigin) -> Result<()> {
+    pub(crate) fn push(&mut self, origin: CornerOrigin) -> Result<()> {
         if origin.at > 0.0 {
             let corner = self.corners.len() as u32;
             alloc::push(&mut self.on_edges, CornerOnEdge { corner, end: origin.end, at: origin.at })?;
@@ -53,7 +53,8 @@ impl CornerOrigins {
         self
     }
 
-    fn origin_of_corner(&self, corner: u32) -> CornerOrigin {
+    /// Returns the origin of a corner. O(log n) for n inserted corners.
+    pub(crate) fn origin_of_corner(&self, corner: u32) -> CornerOrigin {
         let start = self.corners[corner as usize];
         match self.on_edges.binary_search_by_key(&corner, |on| on.corner) {
             Ok(k) => CornerOrigin { start, end: self.on_edges[k].end, at: self.on_edges[k].at },
@@ -65,7 +66,7 @@ impl CornerOrigins {
 /// An old corner, or a point on the edge from it to the next corner of its face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CornerOrigin {
-    pub(super) start: u32,
-    pub(super) end: u32,
-    pub(super) at: f64,
+    pub(crate) start: u32,
+    pub(crate) end: u32,
+    pub(crate) at: f64,
 }

@@ -44,5 +44,5 @@ mod sew_borders;
 mod sheets;
 mod twin_edges;
 
-pub use repair_request::{DropReason, DroppedFace, Options, Repaired};
+pub use repair_request::{DropReason, DroppedFace, History, Options, Repaired};
 pub use repair_run::repair;

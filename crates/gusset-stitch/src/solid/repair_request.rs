@@ -2,6 +2,7 @@
 
 use crate::check::Check;
 use crate::fill;
+use crate::repair::corner_origins::CornerOrigins;
 use gusset_base::choices;
 use gusset_mesh::Mesh;
 
@@ -96,6 +97,22 @@ pub struct Repaired {
     pub after: Check,
     /// Pairs of faces that intersect in the result, ascending.
     pub intersections: Vec<[u32; 2]>,
+    /// The origins of corners and new vertices.
+    pub history: History,
+}
+
+/// The origins of corners and new vertices.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct History {
+    /// The numbers of vertices, corners and faces of the input.
+    pub input: [usize; 3],
+    /// For each corner of the old faces, which come first, the corner of the input, or its place
+    /// on an edge of the input.
+    pub corner_origins: CornerOrigins,
+    /// Three parents of each new vertex, which come last. Parents precede the vertex.
+    pub parents: Vec<[u32; 3]>,
+    /// The weight of each parent, at least 0, with sum 1.
+    pub weights: Vec<[f64; 3]>,
 }
 
 impl Repaired {

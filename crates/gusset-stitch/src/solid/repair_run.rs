@@ -4,8 +4,8 @@ use super::duplicate_removal::mark_duplicates;
 use super::edge_fans::EdgeFans;
 use super::flat_faces::remove_flat_faces;
 use super::patches::Patches;
-use super::repair_request::{DropReason, Options, Repaired};
-use super::repair_state::RepairState;
+use super::repair_request::{DropReason, History, Options, Repaired};
+use super::repair_state::{NO_ORIGIN, RepairState};
 use super::sew_borders::{SewCounts, sew_borders};
 use super::sheets::Sheets;
 use super::twin_edges::split_twin_edges;
@@ -16,7 +16,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
-use gusset_mesh::{Mesh, MeshView, NONE, Opposite, Topology, concat};
+use gusset_mesh::{MeshView, NONE, Opposite, Topology, concat};
 
 const STAGE: &str = "repairing";
 
@@ -53,6 +53,7 @@ pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<R
     };
     job.step(1.0, STAGE)?;
     Ok(Repaired {
+        history: history(&state, mesh)?,
         mesh: state.mesh,
         face_origin: state.face_origin,
         vertex_origin: state.vertex_origin,
@@ -86,7 +87,7 @@ impl<'o> RepairRun<'o> {
     fn start(mesh: &MeshView<'_>, options: &'o Options, job: &Job<'_>) -> Result<Self> {
         let (whole, _) = concat::concatenate(&[*mesh], &job.part(0.0, 0.1))?;
         let (state, counts) = if options.leave_borders {
-            (unchanged_state(whole)?, SewCounts::default())
+            (RepairState::unchanged(whole)?, SewCounts::default())
         } else {
             sew_borders(&whole.view(&job.part(0.1, 0.2))?, options, &job.part(0.2, 1.0))?
         };
@@ -128,6 +129,10 @@ impl<'o> RepairRun<'o> {
         self.filled_holes += filled.holes.iter().filter(|hole| hole.status == HoleStatus::Filled).count() as u32;
         alloc::grow(&mut self.state.face_origin, filled.mesh.face_count(), NONE)?;
         alloc::grow(&mut self.state.turned, filled.mesh.face_count(), false)?;
+        alloc::grow(&mut self.state.corner_origins, filled.mesh.face_corners.len(), NO_ORIGIN)?;
+        let old = self.state.vertex_origin.len() as u32;
+        let parents = filled.parents.iter().zip(&filled.weights).zip(old..);
+        alloc::extend(&mut self.state.new_vertices, parents.map(|((&parents, &weights), v)| (v, parents, weights)))?;
         alloc::grow(&mut self.state.vertex_origin, filled.mesh.positions.len(), NONE)?;
         self.state.mesh = filled.mesh;
         Ok(())
@@ -198,19 +203,22 @@ impl<'o> RepairRun<'o> {
             let view = self.state.mesh.view(&job.part(0.0, 0.1))?;
             orient(&view, &orient::Options { outward: Outward::Closed }, &job.part(0.1, 1.0))?
         };
-        self.state.turned.iter_mut().zip(&oriented.turned).for_each(|(turned, &again)| *turned ^= again);
-        self.state.mesh = oriented.mesh;
+        (0..oriented.turned.len()).filter(|&f| oriented.turned[f]).for_each(|f| self.state.turn_face(f));
         Ok(())
     }
 }
 
-/// Returns the state of a mesh before any stage.
-fn unchanged_state(mesh: Mesh) -> Result<RepairState> {
-    Ok(RepairState {
-        face_origin: alloc::collect((0..mesh.face_count()).map(|f| f as u32))?,
-        vertex_origin: alloc::collect((0..mesh.positions.len()).map(|v| v as u32))?,
-        turned: alloc::filled(false, mesh.face_count())?,
-        dropped: Vec::new(),
-        mesh,
-    })
+/// Returns the origins of corners and new vertices.
+fn history(state: &RepairState, input: &MeshView<'_>) -> Result<History> {
+    let mut history = History {
+        input: [input.positions().len(), input.faces().half_edge_count(), input.faces().len()],
+        ..History::default()
+    };
+    let old_faces = state.face_origin.iter().position(|&f| f == NONE).unwrap_or(state.face_origin.len());
+    for &origin in &state.corner_origins[..state.mesh.face_offsets[old_faces] as usize] {
+        history.corner_origins.push(origin)?;
+    }
+    history.parents = alloc::collect(state.new_vertices.iter().map(|&(_, parents, _)| parents))?;
+    history.weights = alloc::collect(state.new_vertices.iter().map(|&(.., weights)| weights))?;
+    Ok(history)
 }

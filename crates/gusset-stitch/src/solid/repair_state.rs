@@ -1,6 +1,7 @@
 //! The mesh between the stages of a repair, and where its elements are from.
 
 use super::repair_request::{DropReason, DroppedFace};
+use crate::repair::corner_origins::CornerOrigin;
 use crate::repair::split_face::SplitFace;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -16,13 +17,62 @@ pub(super) struct RepairState {
     pub(super) face_origin: Vec<u32>,
     /// For each vertex, its vertex in the input; [`NONE`] for new vertices.
     pub(super) vertex_origin: Vec<u32>,
+    /// For each corner, its place on a face of the input; [`NO_ORIGIN`] for the faces of patches.
+    pub(super) corner_origins: Vec<CornerOrigin>,
+    /// The new vertices, each with three parents and their weights.
+    pub(super) new_vertices: Vec<NewVertex>,
     /// For each face, true if it was turned over.
     pub(super) turned: Vec<bool>,
     /// The reason of each dropped face of the input, also of faces with remaining parts.
     pub(super) dropped: Vec<DroppedFace>,
 }
 
+/// A new vertex, three vertices that precede it, and their weights.
+pub(super) type NewVertex = (u32, [u32; 3], [f64; 3]);
+
+/// The origin of the corners of a patch.
+pub(super) const NO_ORIGIN: CornerOrigin = CornerOrigin { start: NONE, end: NONE, at: 0.0 };
+
 impl RepairState {
+    /// Creates the state of a mesh whose corners are those of the input.
+    pub(super) fn unchanged(mesh: Mesh) -> Result<RepairState> {
+        let corners = (0..mesh.face_corners.len() as u32).map(|h| CornerOrigin { start: h, end: h, at: 0.0 });
+        Ok(RepairState {
+            face_origin: alloc::collect((0..mesh.face_count()).map(|f| f as u32))?,
+            vertex_origin: alloc::collect((0..mesh.positions.len()).map(|v| v as u32))?,
+            corner_origins: alloc::collect(corners)?,
+            turned: alloc::filled(false, mesh.face_count())?,
+            new_vertices: Vec::new(),
+            dropped: Vec::new(),
+            mesh,
+        })
+    }
+
+    /// Turns a face over. It keeps its first corner.
+    pub(super) fn turn_face(&mut self, f: usize) {
+        let [first, end] = [f, f + 1].map(|k| self.mesh.face_offsets[k] as usize);
+        self.mesh.face_corners[first + 1..end].reverse();
+        self.corner_origins[first + 1..end].reverse();
+        self.turned[f] ^= true;
+    }
+
+    /// Appends copies of vertices.
+    pub(super) fn copy_vertices(&mut self, copies: &[u32]) -> Result<()> {
+        let old = self.mesh.positions.len() as u32;
+        let all = alloc::gather((0..old).chain(copies.iter().copied()))?;
+        self.mesh.positions = self.mesh.positions.select_vertices(&all)?;
+        for (v, &copied) in (old..).zip(copies) {
+            let origin = self.vertex_origin[copied as usize];
+            alloc::push(&mut self.vertex_origin, origin)?;
+            // New vertices are listed in ascending order.
+            if let Ok(k) = self.new_vertices.binary_search_by_key(&copied, |&(v, ..)| v) {
+                let (_, parents, weights) = self.new_vertices[k];
+                alloc::push(&mut self.new_vertices, (v, parents, weights))?;
+            }
+        }
+        Ok(())
+    }
+
     /// Drops the faces with a reason.
     pub(super) fn drop_faces(&mut self, reasons: &[Option<DropReason>]) -> Result<()> {
         if reasons.iter().all(Option::is_none) {
@@ -33,9 +83,26 @@ impl RepairState {
                 alloc::push(&mut self.dropped, DroppedFace { face: origin, reason })?;
             }
         }
-        retain_faces(&mut self.mesh, |f| reasons[f].is_none());
-        retain_where(&mut self.face_origin, |f| reasons[f].is_none());
-        retain_where(&mut self.turned, |f| reasons[f].is_none());
+        let (mut faces, mut corners) = (0, 0);
+        for (f, reason) in reasons.iter().enumerate() {
+            let [start, end] = [f, f + 1].map(|k| self.mesh.face_offsets[k] as usize);
+            if reason.is_none() {
+                self.mesh.face_corners.copy_within(start..end, corners);
+                self.corner_origins.copy_within(start..end, corners);
+                // The offsets of earlier faces are not read again.
+                self.mesh.face_offsets[faces] = corners as u32;
+                self.face_origin[faces] = self.face_origin[f];
+                self.turned[faces] = self.turned[f];
+                corners += end - start;
+                faces += 1;
+            }
+        }
+        self.mesh.face_offsets[faces] = corners as u32;
+        self.mesh.face_offsets.truncate(faces + 1);
+        self.mesh.face_corners.truncate(corners);
+        self.corner_origins.truncate(corners);
+        self.face_origin.truncate(faces);
+        self.turned.truncate(faces);
         Ok(())
     }
 
@@ -55,7 +122,7 @@ impl RepairState {
         let (mut offsets, mut corners) =
             (alloc::with_capacity(self.face_origin.len() + 2 * places.len() + 1)?, alloc::with_capacity(most)?);
         offsets.push(0);
-        let (mut origins, mut turned) = (Vec::new(), Vec::new());
+        let (mut origins, mut turned, mut places_of_corners) = (Vec::new(), Vec::new(), alloc::with_capacity(most)?);
         {
             let view = self.mesh.view(&job.part(0.0, 0.2))?;
             let (mut next, mut split) = (0, SplitFace::default());
@@ -78,18 +145,24 @@ impl RepairState {
                 };
                 if first == next {
                     corners.extend(view.face(f));
+                    places_of_corners.extend_from_slice(&self.corner_origins[view.faces().corner_range(f)]);
                     end_face(corners.len())?;
                     continue;
                 }
                 split.set_face(&view, f, places[first..next].iter().copied())?;
                 split.visit_parts(|part| {
-                    corners.extend(part.iter().map(|&(v, _)| v));
+                    for &(v, place) in part {
+                        let [start, end] = [place.start, place.end].map(|h| self.corner_origins[h as usize]);
+                        corners.push(v);
+                        let between = CornerOrigin { start: start.start, end: end.start, at: place.at };
+                        places_of_corners.push(if place.at > 0.0 { between } else { start });
+                    }
                     end_face(corners.len())
                 })?;
             }
         }
         (self.mesh.face_offsets, self.mesh.face_corners) = (offsets, corners);
-        (self.face_origin, self.turned) = (origins, turned);
+        (self.face_origin, self.turned, self.corner_origins) = (origins, turned, places_of_corners);
         Ok(())
     }
 
@@ -108,17 +181,20 @@ impl RepairState {
         let mut reasons = alloc::filled(None, self.mesh.face_count())?;
         let (mut offsets, mut corners) = (vec![0], alloc::with_capacity(self.mesh.face_corners.len())?);
         alloc::reserve(&mut offsets, self.mesh.face_count())?;
+        let mut origins = alloc::with_capacity(self.mesh.face_corners.len())?;
         for (f, face) in self.mesh.faces().enumerate() {
-            let start = corners.len();
-            let before = |k: usize| face[(k + face.len() - 1) % face.len()];
-            corners.extend((0..face.len()).filter(|&k| face[k] != before(k)).map(|k| face[k]));
-            if corners.len() < start + 3 {
-                corners.truncate(start);
-                corners.extend(face);
+            let first = self.mesh.face_offsets[f] as usize;
+            let is_kept = |k: usize| face[k] != face[(k + face.len() - 1) % face.len()];
+            if (0..face.len()).filter(|&k| is_kept(k)).count() < 3 {
                 reasons[f] = Some(DropReason::Degenerate);
+            }
+            for k in (0..face.len()).filter(|&k| reasons[f].is_some() || is_kept(k)) {
+                corners.push(face[k]);
+                origins.push(self.corner_origins[first + k]);
             }
             offsets.push(corners.len() as u32);
         }
+        self.corner_origins = origins;
         (self.mesh.face_offsets, self.mesh.face_corners) = (offsets, corners);
         self.drop_faces(&reasons)
     }
@@ -139,6 +215,7 @@ impl RepairState {
         self.mesh.face_corners.iter_mut().for_each(|v| *v = numbers[*v as usize]);
         self.mesh.positions = self.mesh.positions.select_vertices(&order)?;
         self.vertex_origin = alloc::collect(order.iter().map(|&v| self.vertex_origin[v as usize]))?;
+        self.renumber_parents(&numbers);
         let mut remains = alloc::filled(false, input_faces)?;
         self.face_origin.iter().filter(|&&f| f != NONE).for_each(|&f| remains[f as usize] = true);
         self.dropped.retain(|dropped| !remains[dropped.face as usize]);
@@ -146,30 +223,17 @@ impl RepairState {
         self.dropped.dedup_by_key(|dropped| dropped.face);
         Ok(())
     }
-}
 
-/// Keeps the faces for which `keep` returns true.
-fn retain_faces(mesh: &mut Mesh, keep: impl Fn(usize) -> bool) {
-    let (mut faces, mut corners) = (0, 0);
-    for f in 0..mesh.face_count() {
-        let [start, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
-        if keep(f) {
-            mesh.face_corners.copy_within(start..end, corners);
-            corners += end - start;
-            // The end of an earlier face is not read again.
-            mesh.face_offsets[faces] = (corners - (end - start)) as u32;
-            faces += 1;
+    /// Renumbers the parents of the used new vertices. A parent that is not used any more is
+    /// replaced by the first one that is.
+    fn renumber_parents(&mut self, numbers: &[u32]) {
+        self.new_vertices.retain(|&(v, ..)| numbers[v as usize] != NONE);
+        for (v, parents, _) in &mut self.new_vertices {
+            *v = numbers[*v as usize];
+            let renumbered = parents.map(|parent| numbers[parent as usize]);
+            let used = renumbered.into_iter().find(|&parent| parent != NONE && parent < *v).unwrap_or(0);
+            *parents = renumbered.map(|parent| if parent == NONE || parent >= *v { used } else { parent });
         }
+        self.new_vertices.sort_unstable_by_key(|&(v, ..)| v);
     }
-    mesh.face_offsets[faces] = corners as u32;
-    mesh.face_offsets.truncate(faces + 1);
-    mesh.face_corners.truncate(corners);
-}
-
-fn retain_where<T>(items: &mut Vec<T>, keep: impl Fn(usize) -> bool) {
-    let mut k = 0;
-    items.retain(|_| {
-        k += 1;
-        keep(k - 1)
-    });
 }

@@ -58,6 +58,14 @@ fn state_from_sewn(sewn: Sew) -> Result<(RepairState, SewCounts)> {
         split_faces: sewn.split_faces,
         tolerance: if sewn.welded_vertices > 0 { sewn.tolerance } else { 0.0 },
     };
-    let turned = alloc::filled(false, sewn.face_origin.len())?;
-    Ok((RepairState { mesh: sewn.mesh, face_origin: sewn.face_origin, vertex_origin, turned, dropped }, counts))
+    let mut state = RepairState::unchanged(sewn.mesh)?;
+    if let Some(origins) = sewn.corner_origins {
+        let corners = 0..state.mesh.face_corners.len() as u32;
+        state.corner_origins = alloc::collect(corners.map(|corner| origins.origin_of_corner(corner)))?;
+    }
+    let old = vertex_origin.len() - sewn.new_vertices.len();
+    let new = (old as u32..).zip(&sewn.new_vertices);
+    state.new_vertices = alloc::gather(new.map(|(v, &([a, b], at))| (v, [a, b, b], [1.0 - at, at, 0.0])))?;
+    (state.face_origin, state.vertex_origin, state.dropped) = (sewn.face_origin, vertex_origin, dropped);
+    Ok((state, counts))
 }

@@ -155,15 +155,10 @@ impl Sheets {
             let topology = Topology::new(&view, &job.part(0.1, 0.4))?;
             split_vertices(&view, &topology, &pairs, &reasons, &job.part(0.4, 0.8))?
         };
-        let mesh = &mut state.mesh;
-        let old = mesh.positions.len() as u32;
-        mesh.positions = mesh.positions.select_vertices(&alloc::gather((0..old).chain(copies.iter().copied()))?)?;
-        let origins = alloc::collect(copies.iter().map(|&v| state.vertex_origin[v as usize]))?;
-        alloc::append(&mut state.vertex_origin, &origins)?;
-        mesh.face_corners = corners;
+        state.copy_vertices(&copies)?;
+        state.mesh.face_corners = corners;
         for f in (0..turned.len()).filter(|&f| turned[f]) {
-            mesh.turn_face(f);
-            state.turned[f] ^= true;
+            state.turn_face(f);
         }
         let mut number = 0;
         let mut numbers = alloc::filled(NONE, reasons.len())?;

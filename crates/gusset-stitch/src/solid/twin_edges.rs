@@ -21,11 +21,18 @@ pub(super) fn split_twin_edges(state: &mut RepairState, pairs: &[[u32; 2]], job:
         places.extend(pair.map(|h| (h, 0.5, (old + k) as u32)));
     }
     places.sort_unstable_by_key(|&(h, ..)| h);
-    let middles = {
+    let (mut middles, mut new) = (alloc::with_capacity(pairs.len())?, alloc::with_capacity(pairs.len())?);
+    {
         let view = state.mesh.view(&job.part(0.0, 0.3))?;
         let half = |h: u32| view.positions().get(view.faces().corner(h)) * 0.5;
-        alloc::collect(pairs.iter().map(|&[h, _]| half(h) + half(view.faces().next(h))))?
-    };
+        for (v, &[h, _]) in (old as u32..).zip(pairs) {
+            let end = view.faces().next(h);
+            middles.push(half(h) + half(end));
+            let [a, b] = [h, end].map(|h| view.faces().corner(h));
+            new.push((v, [a, b, b], [0.5, 0.5, 0.0]));
+        }
+    }
+    alloc::append(&mut state.new_vertices, &new)?;
     state.mesh.positions.extend(middles.into_iter())?;
     alloc::grow(&mut state.vertex_origin, old + pairs.len(), NONE)?;
     let reasons = alloc::filled(None, state.mesh.face_count())?;
