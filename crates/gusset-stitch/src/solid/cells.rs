@@ -8,7 +8,8 @@
 //! are walls between rooms.
 //!
 //! The cell outside of a connected set of faces is the one with negative volume: its faces bound it
-//! from within. The cells are meaningful if faces do not intersect.
+//! from within. If more faces have the solid on neither side than on one, faces intersect, and the
+//! solid is not known.
 
 use super::edge_fans::EdgeFans;
 use super::patches::Patches;
@@ -25,7 +26,7 @@ use gusset_mesh::{MeshView, NONE, Opposite, Topology};
 const STAGE: &str = "finding cells";
 
 /// For each face, whether the solid lies in front of it, and behind it; `None` if the face's
-/// component is open, manifold or without volume.
+/// component is open, manifold or without volume, or if its solid is not known.
 pub(super) type SolidSides = Vec<Option<[bool; 2]>>;
 
 /// Finds the solid of each component of closed patches that has edges of several patches. Open
@@ -47,7 +48,17 @@ pub(super) fn find_solid_sides(
     let outsides = cells.find_outsides(&|f| is_examined[components[f] as usize], &job.part(0.6, 0.8))?;
     let has_solid = |f: usize| outsides[components[f] as usize] != NONE;
     let inside = cells.find_inside(&outsides, &has_solid, &job.part(0.8, 1.0))?;
-    alloc::collect((0..count).map(|f| has_solid(f).then(|| [0, 1].map(|side| inside[2 * f + side]))))
+    // Faces that intersect connect cells that they should separate.
+    let mut excess = alloc::filled(0i64, count)?;
+    for f in (0..count).filter(|&f| has_solid(f)) {
+        excess[components[f] as usize] += match (inside[2 * f], inside[2 * f + 1]) {
+            (false, false) => 1,
+            (true, true) => 0,
+            _ => -1,
+        };
+    }
+    let is_known = |f: usize| has_solid(f) && excess[components[f] as usize] < 0;
+    alloc::collect((0..count).map(|f| is_known(f).then(|| [0, 1].map(|side| inside[2 * f + side]))))
 }
 
 /// Returns for each face the smallest face that is connected to it across edges.

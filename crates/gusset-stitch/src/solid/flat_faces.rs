@@ -40,6 +40,10 @@ pub(super) fn remove_flat_faces(
     find: impl Fn(&MeshView<'_>, &Job<'_>) -> Result<Vec<u32>>,
     job: &Job<'_>,
 ) -> Result<()> {
+    if !flat.is_empty() {
+        state.collapse_repeated_corners()?;
+        flat = find(&state.mesh.view(&job.part(0.0, 0.0))?, &job.part(0.0, 0.0))?;
+    }
     for pass in 0..MAX_PASSES {
         let job = job.share(pass, MAX_PASSES);
         if flat.is_empty() || !remove_separate_faces(state, &flat, &job.part(0.0, 0.7))? {

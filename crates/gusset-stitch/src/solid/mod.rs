@@ -11,15 +11,17 @@
 //! 5. Where edges have three or more faces, the faces divide space into cells. Faces with the solid
 //!    on both sides, or on neither side, are dropped. The remaining faces are separated into sheets.
 //! 6. Holes that separate sheets show are filled. Open sheets that were attached to a closed one
-//!    are dropped.
+//!    of larger area are dropped.
 //! 7. Closed components are turned outwards.
+//!
+//! The stages run again until nothing changes, at most four times.
 //!
 //! | file | subject |
 //! |---|---|
 //! | [`repair_request`](self) | options and result |
 //! | [`repair_run`](self) | the stages in order |
 //! | [`repair_state`](self) | the mesh between stages, with origins |
-//! | [`sew_borders`](self) | the first stage |
+//! | [`sew_borders`](self) | sewing |
 //! | [`flat_faces`](self) | faces without area |
 //! | [`duplicate_removal`](self) | duplicate faces |
 //! | [`edge_fans`](self) | the radial order of faces around an edge |

@@ -12,11 +12,16 @@ use super::twin_edges::split_twin_edges;
 use crate::check::{check, find_intersecting_faces, find_zero_area_faces};
 use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
 use crate::repair::orient::{self, Outward, orient};
+use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 use gusset_mesh::{MeshView, NONE, Opposite, Topology, concat};
+
+/// Largest number of times that the stages run. A patch can have faces without area, and separated
+/// sheets can have borders that coincide.
+const MAX_ROUNDS: usize = 4;
 
 const STAGE: &str = "repairing";
 
@@ -36,15 +41,14 @@ const STAGE: &str = "repairing";
 ///   [`Repaired::after`].
 pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Repaired> {
     let before = check(mesh, &job.part(0.0, 0.1))?;
-    let mut run = RepairRun::start(mesh, options, &job.part(0.1, 0.25))?;
-    run.drop_flat_faces(&job.part(0.25, 0.3))?;
-    run.drop_duplicates(&job.part(0.3, 0.35))?;
-    run.fill_holes(&job.part(0.35, 0.5))?;
-    if run.separate_sheets(&job.part(0.5, 0.6))? {
-        run.fill_holes(&job.part(0.6, 0.7))?;
-        run.drop_fins(&job.part(0.7, 0.72))?;
+    let mut run = RepairRun::start(mesh, options, &job.part(0.1, 0.15))?;
+    for round in 0..MAX_ROUNDS {
+        let changes = run.state.changes;
+        run.run_stages(&job.part(0.15, 0.8).share(round, MAX_ROUNDS))?;
+        if run.state.changes == changes {
+            break;
+        }
     }
-    run.turn_outwards(&job.part(0.72, 0.8))?;
     let RepairRun { mut state, counts, split_vertices, filled_holes, .. } = run;
     state.finish(mesh.faces().len())?;
     let (after, intersections) = {
@@ -83,15 +87,47 @@ struct RepairRun<'o> {
 }
 
 impl<'o> RepairRun<'o> {
-    /// Sews borders, unless the options leave them.
     fn start(mesh: &MeshView<'_>, options: &'o Options, job: &Job<'_>) -> Result<Self> {
-        let (whole, _) = concat::concatenate(&[*mesh], &job.part(0.0, 0.1))?;
-        let (state, counts) = if options.leave_borders {
-            (RepairState::unchanged(whole)?, SewCounts::default())
-        } else {
-            sew_borders(&whole.view(&job.part(0.1, 0.2))?, options, &job.part(0.2, 1.0))?
-        };
-        Ok(RepairRun { options, state, counts, split_vertices: 0, filled_holes: 0, attached: Vec::new() })
+        let (whole, _) = concat::concatenate(&[*mesh], job)?;
+        let state = RepairState::unchanged(whole)?;
+        Ok(RepairRun {
+            options,
+            state,
+            counts: SewCounts::default(),
+            split_vertices: 0,
+            filled_holes: 0,
+            attached: Vec::new(),
+        })
+    }
+
+    /// Sews borders, unless the options leave them.
+    fn sew(&mut self, job: &Job<'_>) -> Result<()> {
+        if !self.options.leave_borders && self.has_border(&job.part(0.0, 0.2))? {
+            let counts = sew_borders(&mut self.state, self.options.tolerance, &job.part(0.2, 1.0))?;
+            self.counts.add(&counts);
+        }
+        Ok(())
+    }
+
+    /// Returns true if an edge is free.
+    fn has_border(&self, job: &Job<'_>) -> Result<bool> {
+        let view = self.state.mesh.view(&job.part(0.0, 0.3))?;
+        let topology = Topology::new(&view, &job.part(0.3, 0.9))?;
+        let border = topology.border_half_edges(&job.part(0.9, 1.0))?;
+        Ok(border.iter().any(|&h| topology.opposite(h) == Opposite::Free))
+    }
+
+    /// Runs all stages once.
+    fn run_stages(&mut self, job: &Job<'_>) -> Result<()> {
+        self.sew(&job.part(0.0, 0.05))?;
+        self.drop_flat_faces(&job.part(0.05, 0.1))?;
+        self.drop_duplicates(&job.part(0.1, 0.2))?;
+        self.fill_holes(&job.part(0.2, 0.5))?;
+        if self.separate_sheets(&job.part(0.5, 0.7))? {
+            self.fill_holes(&job.part(0.7, 0.85))?;
+            self.drop_fins(&job.part(0.85, 0.9))?;
+        }
+        self.turn_outwards(&job.part(0.9, 1.0))
     }
 
     fn drop_flat_faces(&mut self, job: &Job<'_>) -> Result<()> {
@@ -112,13 +148,7 @@ impl<'o> RepairRun<'o> {
 
     /// Fills the holes, without changing other faces.
     fn fill_holes(&mut self, job: &Job<'_>) -> Result<()> {
-        let has_border = {
-            let view = self.state.mesh.view(&job.part(0.0, 0.1))?;
-            let topology = Topology::new(&view, &job.part(0.1, 0.2))?;
-            let border = topology.border_half_edges(&job.part(0.2, 0.2))?;
-            border.iter().any(|&h| topology.opposite(h) == Opposite::Free)
-        };
-        if self.options.leave_holes || !has_border {
+        if self.options.leave_holes || !self.has_border(&job.part(0.0, 0.2))? {
             return Ok(());
         }
         let options = fill::Options { plan_only: false, outward: Outward::Keep, ..self.options.fill };
@@ -126,7 +156,12 @@ impl<'o> RepairRun<'o> {
             let view = self.state.mesh.view(&job.part(0.2, 0.2))?;
             fill_holes(&view, LoopSelection::All, &options, &job.part(0.2, 1.0))?
         };
-        self.filled_holes += filled.holes.iter().filter(|hole| hole.status == HoleStatus::Filled).count() as u32;
+        let count = filled.holes.iter().filter(|hole| hole.status == HoleStatus::Filled).count() as u32;
+        if count == 0 {
+            return Ok(());
+        }
+        self.filled_holes += count;
+        self.state.changes += 1;
         alloc::grow(&mut self.state.face_origin, filled.mesh.face_count(), NONE)?;
         alloc::grow(&mut self.state.turned, filled.mesh.face_count(), false)?;
         alloc::grow(&mut self.state.corner_origins, filled.mesh.face_corners.len(), NO_ORIGIN)?;
@@ -146,12 +181,14 @@ impl<'o> RepairRun<'o> {
         let sheets = self.find_sheets(&job.part(0.0, 0.4))?;
         let dropped = sheets.reasons.iter().any(Option::is_some);
         let separated = sheets.pairs.len();
-        (self.split_vertices, self.attached) = sheets.separate(&mut self.state, &job.part(0.4, 0.6))?;
+        let copies;
+        (copies, self.attached) = sheets.separate(&mut self.state, &job.part(0.4, 0.6))?;
         if separated > 0 {
             let twins = self.find_sheets(&job.part(0.6, 0.9))?;
             split_twin_edges(&mut self.state, &twins.pairs, &job.part(0.9, 1.0))?;
         }
-        Ok(dropped || self.split_vertices > 0)
+        self.split_vertices += copies;
+        Ok(dropped || copies > 0)
     }
 
     fn find_sheets(&self, job: &Job<'_>) -> Result<Sheets> {
@@ -162,7 +199,7 @@ impl<'o> RepairRun<'o> {
         Sheets::find(&view, &topology, &fans, &patches, &job.part(0.6, 1.0))
     }
 
-    /// Drops the open sheets that were attached to a sheet which is closed now.
+    /// Drops the open sheets that were attached to a sheet which is closed now and has a larger area.
     fn drop_fins(&mut self, job: &Job<'_>) -> Result<()> {
         if self.options.leave_fins || self.attached.is_empty() {
             return Ok(());
@@ -181,13 +218,16 @@ impl<'o> RepairRun<'o> {
                 }
             }
             let components = sets.into_roots(&job.part(0.8, 1.0), STAGE)?;
+            let mut areas = alloc::filled(0.0, faces.len())?;
             for f in 0..faces.len() {
-                is_open[components[f] as usize] |= is_open[f];
+                let root = components[f] as usize;
+                is_open[root] |= is_open[f];
+                areas[root] += area(&view, f);
             }
             let mut is_fin = alloc::filled(false, faces.len())?;
             for &[sheet, host] in &self.attached {
                 let [sheet, host] = [sheet, host].map(|f| components[f as usize] as usize);
-                is_fin[sheet] |= is_open[sheet] && !is_open[host];
+                is_fin[sheet] |= is_open[sheet] && !is_open[host] && areas[sheet] < areas[host];
             }
             alloc::collect(components.iter().map(|&root| is_fin[root as usize].then_some(DropReason::Fin)))?
         };
@@ -206,6 +246,19 @@ impl<'o> RepairRun<'o> {
         (0..oriented.turned.len()).filter(|&f| oriented.turned[f]).for_each(|f| self.state.turn_face(f));
         Ok(())
     }
+}
+
+/// Returns the area of a face: the length of its vector area.
+fn area(mesh: &MeshView<'_>, f: usize) -> f64 {
+    let mut corners = mesh.face(f).map(|v| mesh.positions().get(v));
+    let (Some(origin), Some(second)) = (corners.next(), corners.next()) else { return 0.0 };
+    let mut before = second - origin;
+    let mut sum = DVec3::ZERO;
+    for p in corners {
+        sum += before.cross(p - origin);
+        before = p - origin;
+    }
+    sum.length() / 2.0
 }
 
 /// Returns the origins of corners and new vertices.

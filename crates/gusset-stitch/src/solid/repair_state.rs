@@ -25,6 +25,8 @@ pub(super) struct RepairState {
     pub(super) turned: Vec<bool>,
     /// The reason of each dropped face of the input, also of faces with remaining parts.
     pub(super) dropped: Vec<DroppedFace>,
+    /// The number of changes so far, of any kind.
+    pub(super) changes: u32,
 }
 
 /// A new vertex, three vertices that precede it, and their weights.
@@ -44,6 +46,7 @@ impl RepairState {
             turned: alloc::filled(false, mesh.face_count())?,
             new_vertices: Vec::new(),
             dropped: Vec::new(),
+            changes: 0,
             mesh,
         })
     }
@@ -56,8 +59,26 @@ impl RepairState {
         self.turned[f] ^= true;
     }
 
+    /// Lists a dropped face.
+    pub(super) fn list_dropped(&mut self, f: usize, reason: DropReason) -> Result<()> {
+        match self.face_origin[f] {
+            NONE => Ok(()),
+            face => alloc::push(&mut self.dropped, DroppedFace { face, reason }),
+        }
+    }
+
+    /// Returns the origin of a corner from its place between two corners of the mesh.
+    pub(super) fn origin_between(&self, place: CornerOrigin) -> CornerOrigin {
+        let [start, end] = [place.start, place.end].map(|h| self.corner_origins[h as usize]);
+        if place.at > 0.0 { CornerOrigin { start: start.start, end: end.start, at: place.at } } else { start }
+    }
+
     /// Appends copies of vertices.
     pub(super) fn copy_vertices(&mut self, copies: &[u32]) -> Result<()> {
+        if copies.is_empty() {
+            return Ok(());
+        }
+        self.changes += 1;
         let old = self.mesh.positions.len() as u32;
         let all = alloc::gather((0..old).chain(copies.iter().copied()))?;
         self.mesh.positions = self.mesh.positions.select_vertices(&all)?;
@@ -78,10 +99,9 @@ impl RepairState {
         if reasons.iter().all(Option::is_none) {
             return Ok(());
         }
-        for (&origin, &reason) in self.face_origin.iter().zip(reasons) {
-            if let (Some(reason), true) = (reason, origin != NONE) {
-                alloc::push(&mut self.dropped, DroppedFace { face: origin, reason })?;
-            }
+        self.changes += 1;
+        for (f, reason) in reasons.iter().enumerate() {
+            reason.map_or(Ok(()), |reason| self.list_dropped(f, reason))?;
         }
         let (mut faces, mut corners) = (0, 0);
         for (f, reason) in reasons.iter().enumerate() {
@@ -115,6 +135,7 @@ impl RepairState {
         places: &[(u32, f64, u32)],
         job: &Job<'_>,
     ) -> Result<()> {
+        self.changes += 1;
         let (vertices, half_edges) = (self.mesh.positions.len(), self.mesh.face_corners.len());
         // A vertex on a side adds at most two triangles.
         let most = half_edges + 6 * places.len();
@@ -122,7 +143,8 @@ impl RepairState {
         let (mut offsets, mut corners) =
             (alloc::with_capacity(self.face_origin.len() + 2 * places.len() + 1)?, alloc::with_capacity(most)?);
         offsets.push(0);
-        let (mut origins, mut turned, mut places_of_corners) = (Vec::new(), Vec::new(), alloc::with_capacity(most)?);
+        let (mut origins, mut turned, mut dropped) = (Vec::new(), Vec::new(), Vec::new());
+        let mut places_of_corners = alloc::with_capacity(most)?;
         {
             let view = self.mesh.view(&job.part(0.0, 0.2))?;
             let (mut next, mut split) = (0, SplitFace::default());
@@ -133,9 +155,7 @@ impl RepairState {
                     next += 1;
                 }
                 if let Some(reason) = reasons[f] {
-                    if self.face_origin[f] != NONE {
-                        alloc::push(&mut self.dropped, DroppedFace { face: self.face_origin[f], reason })?;
-                    }
+                    alloc::push(&mut dropped, (f, reason))?;
                     continue;
                 }
                 let mut end_face = |end: usize| {
@@ -152,15 +172,14 @@ impl RepairState {
                 split.set_face(&view, f, places[first..next].iter().copied())?;
                 split.visit_parts(|part| {
                     for &(v, place) in part {
-                        let [start, end] = [place.start, place.end].map(|h| self.corner_origins[h as usize]);
                         corners.push(v);
-                        let between = CornerOrigin { start: start.start, end: end.start, at: place.at };
-                        places_of_corners.push(if place.at > 0.0 { between } else { start });
+                        places_of_corners.push(self.origin_between(place));
                     }
                     end_face(corners.len())
                 })?;
             }
         }
+        dropped.into_iter().try_for_each(|(f, reason)| self.list_dropped(f, reason))?;
         (self.mesh.face_offsets, self.mesh.face_corners) = (offsets, corners);
         (self.face_origin, self.turned, self.corner_origins) = (origins, turned, places_of_corners);
         Ok(())

@@ -1,13 +1,13 @@
-//! The first stage: borders are sewn.
+//! Sewing of borders that coincide, also of borders that other stages leave.
 
-use super::repair_request::{DropReason, DroppedFace, Options};
+use super::repair_request::DropReason;
 use super::repair_state::RepairState;
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::{self, Vertices};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_mesh::{MeshView, NONE, Opposite, Topology};
+use gusset_mesh::{NONE, Opposite, Topology};
 
 /// The counts of sewing.
 #[derive(Clone, Copy, Default)]
@@ -18,22 +18,38 @@ pub(super) struct SewCounts {
     pub(super) tolerance: f64,
 }
 
+impl SewCounts {
+    /// Adds the counts of another sewing.
+    pub(super) fn add(&mut self, other: &SewCounts) {
+        self.welded_vertices += other.welded_vertices;
+        self.sewn_edges += other.sewn_edges;
+        self.split_faces += other.split_faces;
+        self.tolerance = self.tolerance.max(other.tolerance);
+    }
+}
+
 /// Sews the borders of a mesh edge to edge. If a border still coincides with another, all
 /// coincident vertices are merged where this leaves fewer free edges.
-pub(super) fn sew_borders(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<(RepairState, SewCounts)> {
-    let how = weld::Options {
-        vertices: Vertices::Boundary,
-        tolerance: options.tolerance,
-        collapse: true,
-        remove_unused: false,
-    };
-    let edge_to_edge = sew(mesh, &how, &job.part(0.0, 0.4))?;
-    if edge_to_edge.left_vertices.is_empty() {
-        return state_from_sewn(edge_to_edge);
+pub(super) fn sew_borders(state: &mut RepairState, tolerance: Option<f64>, job: &Job<'_>) -> Result<SewCounts> {
+    let how = weld::Options { vertices: Vertices::Boundary, tolerance, collapse: true, remove_unused: false };
+    let mesh = state.mesh.view(&job.part(0.0, 0.1))?;
+    let mut sewn = sew(&mesh, &how, &job.part(0.1, 0.4))?;
+    if !sewn.left_vertices.is_empty() {
+        let all = sew(&mesh, &weld::Options { vertices: Vertices::All, ..how }, &job.part(0.4, 0.8))?;
+        if free_edges(&all, &job.part(0.8, 0.9))? < free_edges(&sewn, &job.part(0.9, 1.0))? {
+            sewn = all;
+        }
     }
-    let all = sew(mesh, &weld::Options { vertices: Vertices::All, ..how }, &job.part(0.4, 0.8))?;
-    let is_better = free_edges(&all, &job.part(0.8, 0.9))? < free_edges(&edge_to_edge, &job.part(0.9, 1.0))?;
-    state_from_sewn(if is_better { all } else { edge_to_edge })
+    let counts = SewCounts {
+        welded_vertices: sewn.welded_vertices,
+        sewn_edges: sewn.sewn_edges,
+        split_faces: sewn.split_faces,
+        tolerance: if sewn.welded_vertices > 0 { sewn.tolerance } else { 0.0 },
+    };
+    if counts.welded_vertices > 0 || counts.split_faces > 0 || sewn.dropped_faces > 0 {
+        state.follow_sewing(sewn)?;
+    }
+    Ok(counts)
 }
 
 fn free_edges(sewn: &Sew, job: &Job<'_>) -> Result<usize> {
@@ -43,29 +59,38 @@ fn free_edges(sewn: &Sew, job: &Job<'_>) -> Result<usize> {
     Ok(border.iter().filter(|&&h| topology.opposite(h) == Opposite::Free).count())
 }
 
-/// Returns the state after sewing.
-fn state_from_sewn(sewn: Sew) -> Result<(RepairState, SewCounts)> {
-    let mut vertex_origin = alloc::filled(NONE, sewn.mesh.positions.len())?;
-    for (old, &new) in sewn.vertex_map.iter().enumerate().rev() {
-        vertex_origin[new as usize] = old as u32;
+impl RepairState {
+    /// Replaces the mesh by the sewn one.
+    fn follow_sewing(&mut self, sewn: Sew) -> Result<()> {
+        self.changes += 1;
+        for (f, _) in sewn.face_map.iter().enumerate().filter(|&(_, &new)| new == NONE) {
+            self.list_dropped(f, DropReason::Degenerate)?;
+        }
+        let count = sewn.mesh.positions.len();
+        let mut vertex_origin = alloc::filled(NONE, count)?;
+        for (old, &new) in sewn.vertex_map.iter().enumerate().rev().filter(|&(_, &new)| new != NONE) {
+            let origin = self.vertex_origin[old];
+            if origin != NONE {
+                vertex_origin[new as usize] = origin;
+            }
+        }
+        if let Some(origins) = &sewn.corner_origins {
+            let corners = 0..sewn.mesh.face_corners.len() as u32;
+            let composed = corners.map(|corner| self.origin_between(origins.origin_of_corner(corner)));
+            self.corner_origins = alloc::collect(composed)?;
+        }
+        let map = |v: u32| sewn.vertex_map[v as usize];
+        self.new_vertices.iter_mut().for_each(|(v, parents, _)| (*v, *parents) = (map(*v), parents.map(map)));
+        self.new_vertices.retain(|&(v, ..)| v != NONE && vertex_origin[v as usize] == NONE);
+        let first = (count - sewn.new_vertices.len()) as u32;
+        let new = (first..).zip(&sewn.new_vertices);
+        alloc::extend(&mut self.new_vertices, new.map(|(v, &([a, b], at))| (v, [a, b, b], [1.0 - at, at, 0.0])))?;
+        self.new_vertices.sort_unstable_by_key(|&(v, ..)| v);
+        self.new_vertices.dedup_by_key(|&mut (v, ..)| v);
+        self.face_origin = alloc::collect(sewn.face_origin.iter().map(|&f| self.face_origin[f as usize]))?;
+        self.turned = alloc::collect(sewn.face_origin.iter().map(|&f| self.turned[f as usize]))?;
+        self.vertex_origin = vertex_origin;
+        self.mesh = sewn.mesh;
+        Ok(())
     }
-    let is_dropped = |&(_, new): &(u32, &u32)| *new == NONE;
-    let dropped = (0..).zip(&sewn.face_map).filter(is_dropped);
-    let dropped = alloc::gather(dropped.map(|(face, _)| DroppedFace { face, reason: DropReason::Degenerate }))?;
-    let counts = SewCounts {
-        welded_vertices: sewn.welded_vertices,
-        sewn_edges: sewn.sewn_edges,
-        split_faces: sewn.split_faces,
-        tolerance: if sewn.welded_vertices > 0 { sewn.tolerance } else { 0.0 },
-    };
-    let mut state = RepairState::unchanged(sewn.mesh)?;
-    if let Some(origins) = sewn.corner_origins {
-        let corners = 0..state.mesh.face_corners.len() as u32;
-        state.corner_origins = alloc::collect(corners.map(|corner| origins.origin_of_corner(corner)))?;
-    }
-    let old = vertex_origin.len() - sewn.new_vertices.len();
-    let new = (old as u32..).zip(&sewn.new_vertices);
-    state.new_vertices = alloc::gather(new.map(|(v, &([a, b], at))| (v, [a, b, b], [1.0 - at, at, 0.0])))?;
-    (state.face_origin, state.vertex_origin, state.dropped) = (sewn.face_origin, vertex_origin, dropped);
-    Ok((state, counts))
 }
