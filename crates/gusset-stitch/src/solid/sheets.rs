@@ -54,9 +54,8 @@ impl Sheets {
         for (f, sides) in solid.iter().enumerate() {
             match sides {
                 Some([true, true]) => reasons[f] = Some(DropReason::Inside),
-                Some([false, false]) => reasons[f] = Some(DropReason::Fin),
-                Some([in_front, _]) => turned[f] = *in_front,
-                None => {}
+                Some([true, false]) => turned[f] = true,
+                _ => {}
             }
         }
         let mut sheets = Sheets { reasons, turned, pairs: Vec::new(), attached: Vec::new() };
@@ -77,16 +76,17 @@ impl Sheets {
         solid: &[Option<[bool; 2]>],
     ) -> Result<()> {
         let face = |h: u32| mesh.faces().face_of(h);
-        let of_patches =
-            |closed: bool| alloc::gather(fan.iter().copied().filter(|&h| patches.is_closed(face(h)) == closed));
-        let (mut closed, open) = (of_patches(true)?, of_patches(false)?);
-        for pair in open.iter().zip(closed.iter().cycle()) {
-            alloc::push(&mut self.attached, [face(*pair.0), face(*pair.1)])?;
+        // Faces with the solid on neither side may belong to a part with a hole.
+        let is_wall = |f: u32| patches.is_closed(f) && solid[f as usize] != Some([false, false]);
+        let walls = |wanted: bool| alloc::gather(fan.iter().copied().filter(|&h| is_wall(face(h)) == wanted));
+        let (mut closed, open) = (walls(true)?, walls(false)?);
+        let has_solid = closed.first().is_some_and(|&h| solid[face(h) as usize].is_some());
+        closed.retain(|&h| self.reasons[face(h) as usize].is_none());
+        if let Some(&host) = closed.first() {
+            open.iter().try_for_each(|&h| alloc::push(&mut self.attached, [face(h), face(host)]))?;
         }
         let is_back = |side: u32| side % 2 == 1;
-        let has_solid = closed.first().is_some_and(|&h| solid[face(h) as usize].is_some());
         if has_solid {
-            closed.retain(|&h| self.reasons[face(h) as usize].is_none());
             let is_solid = |side: u32| solid[side as usize / 2].is_some_and(|sides| sides[side as usize % 2]);
             self.pair_across_wedges(mesh, topology, &closed, &is_solid)?;
         } else if let [h, mate] = closed[..] {
