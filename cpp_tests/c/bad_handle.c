@@ -36,7 +36,7 @@ static void wrong_operations(void) {
     static const double a[2][3] = {{0, 0, 0}, {1, 0, 0}}, b[2][3] = {{0, 1, 0}, {1, 1, 0}};
     static const double nodes[2][2][3] = {{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}}};
     const double heights[4] = {0, 0, 0, 0};
-    enum { OPERATIONS = 11, REPORTS = 10 };
+    enum { OPERATIONS = 12, REPORTS = 11 };
     const gusset_mesh_view mesh = pyramid(pyramid_up), pieces[2] = {mesh, pyramid(pyramid_down)};
     const gusset_nodes given = {.struct_size = sizeof given, .nodes = nodes, .rows = 2, .columns = 2, .scalar = GUSSET_F64};
     const gusset_heights flat = {
@@ -56,8 +56,9 @@ static void wrong_operations(void) {
     EXPECT(GUSSET_OK, gusset_develop(context, &mesh, NULL, &results[7]));
     EXPECT(GUSSET_OK, gusset_net_to_mesh(context, net, NULL, &results[8]));
     EXPECT(GUSSET_OK, gusset_sheet_to_mesh(context, sheet, NULL, &results[9]));
+    EXPECT(GUSSET_OK, gusset_repair(context, &mesh, NULL, &results[10]));
     /* It has no report. */
-    EXPECT(GUSSET_OK, gusset_triangulate(context, &mesh, &results[10]));
+    EXPECT(GUSSET_OK, gusset_triangulate(context, &mesh, &results[11]));
     gusset_net_destroy(net);
     gusset_sheet_destroy(sheet);
     for (int made = 0; made < OPERATIONS; ++made) {
@@ -71,6 +72,7 @@ static void wrong_operations(void) {
         gusset_develop_report develop = {.struct_size = sizeof develop};
         gusset_net_mesh_report net_mesh = {.struct_size = sizeof net_mesh};
         gusset_sheet_mesh_report sheet_mesh = {.struct_size = sizeof sheet_mesh};
+        gusset_repair_report repair = {.struct_size = sizeof repair};
         gusset_quality_report quality = {.struct_size = sizeof quality, .loops_left = 7};
         gusset_mesh_view view = {.struct_size = sizeof view}, alone = view;
         gusset_origins *origins = NULL;
@@ -80,7 +82,8 @@ static void wrong_operations(void) {
             gusset_result_get_strip(result, &strip), gusset_result_get_fill(result, &fill),
             gusset_result_get_weld(result, &weld), gusset_result_get_sew(result, &sew),
             gusset_result_get_orient(result, &orient), gusset_result_get_develop(result, &develop),
-            gusset_result_get_net_mesh(result, &net_mesh), gusset_result_get_sheet_mesh(result, &sheet_mesh)};
+            gusset_result_get_net_mesh(result, &net_mesh), gusset_result_get_sheet_mesh(result, &sheet_mesh),
+            gusset_result_get_repair(result, &repair)};
         const gusset_status none = GUSSET_ERROR_WRONG_HANDLE;
         for (int asked = 0; asked < REPORTS; ++asked) {
             CHECK(found[asked] == (asked == made ? GUSSET_OK : none));

@@ -149,6 +149,58 @@ static void sew(void) {
     gusset_result_destroy(NULL);
 }
 
+static void repair(void) {
+    /* A tetrahedron without a face, and with another one twice. */
+    static const double corner[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 1, 0, 3, 2};
+    gusset_mesh_view mesh = {.struct_size = sizeof mesh, .positions = corner, .vertex_count = 4, .scalar = GUSSET_F64,
+                             .face_corners = faces, .face_count = 4, .face_size = 3},
+                     view = {.struct_size = sizeof view};
+    gusset_fill_options fill = {.struct_size = sizeof fill, .max_length = -1};
+    gusset_repair_options options = {0};
+    gusset_repair_report report = {.struct_size = sizeof report};
+    gusset_result *repaired = (gusset_result *)misaligned();
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_repair(context, NULL, NULL, &repaired));
+    CHECK(repaired == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_repair(context, &mesh, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_repair(misaligned(), &mesh, NULL, &repaired));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_repair(context, misaligned(), NULL, &repaired));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_repair(context, &mesh, misaligned(), &repaired));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_repair(context, &mesh, NULL, misaligned()));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_repair(context, &mesh, &options, &repaired));
+    options.struct_size = sizeof options, options.tolerance_mode = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_repair(context, &mesh, &options, &repaired));
+    options.tolerance_mode = GUSSET_TOLERANCE_GIVEN, options.tolerance = -1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_repair(context, &mesh, &options, &repaired));
+    options.tolerance_mode = GUSSET_TOLERANCE_AUTO, options.leave_fins = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_repair(context, &mesh, &options, &repaired));
+    options.leave_fins = 0, options.fill_options = &fill;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_repair(context, &mesh, &options, &repaired));
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_repair(context, &mesh, NULL, &repaired));
+    gusset_context_reset(context);
+    CHECK(repaired == NULL);
+
+    EXPECT(GUSSET_OK, gusset_repair(context, &mesh, NULL, &repaired));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_repair(NULL, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_result_get_repair(repaired, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_result_get_repair(repaired, misaligned()));
+    EXPECT(GUSSET_OK, gusset_result_get_repair(repaired, &report));
+    EXPECT(GUSSET_OK, gusset_result_get_mesh(repaired, &view));
+    CHECK(view.vertex_count == 4 && view.face_count == 4 && report.valid == 1 && report.filled_holes == 1);
+    CHECK(report.dropped_count == 1 && report.dropped_faces.data[0] == 2 && report.drop_reasons[0] == GUSSET_DROP_DUPLICATE);
+    CHECK(report.face_origin.count == 4 && report.face_origin.data[3] == UINT32_MAX && report.vertex_origin.count == 4);
+    CHECK(report.face_count == 4 && report.intersecting_pairs.count == 0 && report.boundary_edges_left == 0);
+    gusset_result_destroy(repaired);
+
+    options.fill_options = NULL, options.leave_holes = 1;
+    EXPECT(GUSSET_OK, gusset_repair(context, &mesh, &options, &repaired));
+    EXPECT(GUSSET_OK, gusset_result_get_repair(repaired, &report));
+    CHECK(report.valid == 0 && report.filled_holes == 0 && report.boundary_edges_left == 3);
+    gusset_result_destroy(repaired);
+}
+
 static void triangulate(void) {
     /* A dart: the diagonal from its first corner lies outside. */
     static const double dart[4][3] = {{0, 0, 0}, {2, -1, 0}, {1, 0, 0}, {2, 1, 0}};
@@ -237,6 +289,7 @@ int main(void) {
     CHECK(other.vertex_count == 5);
     weld();
     sew();
+    repair();
     triangulate();
     orient();
     gusset_context_destroy(context);
