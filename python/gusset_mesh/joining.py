@@ -163,7 +163,7 @@ def repair(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = N
 
     >>> points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
     >>> done = repair((points, [[0, 2, 1], [0, 1, 3], [0, 1, 3], [0, 3, 2]]))
-    >>> done.report.valid, done.report.filled_holes, list(done.report.dropped_faces)
+    >>> done.report.valid, done.report.filled_holes, done.report.dropped_faces.tolist()
     (True, 1, [2])
     """
     return Repair(_result("repair", [as_mesh(mesh)], structs("repair_options", options), threads=threads, progress=progress))

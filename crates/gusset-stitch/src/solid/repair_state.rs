@@ -36,7 +36,7 @@ pub(super) type NewVertex = (u32, [u32; 3], [f64; 3]);
 pub(super) const NO_ORIGIN: CornerOrigin = CornerOrigin { start: NONE, end: NONE, at: 0.0 };
 
 impl RepairState {
-    /// Creates the state of a mesh whose corners are those of the input.
+    /// Creates the state of the input before the first stage.
     pub(super) fn unchanged(mesh: Mesh) -> Result<RepairState> {
         let corners = (0..mesh.face_corners.len() as u32).map(|h| CornerOrigin { start: h, end: h, at: 0.0 });
         Ok(RepairState {

@@ -66,7 +66,7 @@ impl Sheets {
         Ok(sheets)
     }
 
-    /// Pairs the faces of an edge: those of closed patches around the solid, then the others.
+    /// Pairs the faces of an edge: faces of closed patches around the solid, then other faces.
     fn pair_faces(
         &mut self,
         mesh: &MeshView<'_>,
