@@ -177,7 +177,7 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
         else {
             return Ok(None);
         };
-        // A crease within the plane of the hole is no bend of the patch, and the parts could
+        // A crease within the plane of the hole does not bend the patch, and the parts could
         // overlap.
         let mut outlines = alloc::copied(&rim.points[..rim.count])?;
         let normal = mean_normal(&outlines);
