@@ -25,6 +25,7 @@ mod read_points;
 mod read_scan_list;
 mod read_stl;
 mod read_svg;
+mod repair;
 mod scene;
 mod sew;
 mod stitch;
@@ -64,6 +65,7 @@ pub const TARGETS: &[Target] = &[
     ("read_scan_list", read_scan_list::run),
     ("read_stl", read_stl::run),
     ("read_svg", read_svg::run),
+    ("repair", repair::run),
     ("scene", scene::run),
     ("sew", sew::run),
     ("stitch", stitch::run),
