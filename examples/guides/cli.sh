@@ -19,6 +19,10 @@ gusset run boundary_loops left.obj -o rim.obj
 gusset run stitch left.obj right.obj -p finish=blend -o joined.obj
 #! [run]
 
+#! [repair]
+gusset repair joined.obj -o repaired.obj
+#! [repair]
+
 #! [scans]
 gusset join left.obj right.obj --align --overlaps trim --holes fill -o model.ply
 #! [scans]

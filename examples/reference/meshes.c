@@ -198,6 +198,24 @@ static void borders_that_do_not_match(void) {
 }
 //! [sew]
 
+//! [solid]
+static void a_tetrahedron_with_a_copy_and_a_hole(void) {
+    const double four[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 1, 0, 3, 2};
+    const gusset_mesh_view mesh = {.struct_size = sizeof mesh, .positions = four, .vertex_count = 4, .scalar = GUSSET_F64,
+                                   .face_corners = faces, .face_count = 4, .face_size = 3};
+    gusset_repair_report report = {.struct_size = sizeof report};
+    gusset_result *repaired = NULL;
+
+    MUST(gusset_repair(NULL, &mesh, NULL, &repaired));
+    MUST(gusset_result_get_repair(repaired, &report));
+    /* Face 2 has the vertices of face 1. The fourth side was open. */
+    HOLDS(report.valid == 1 && report.filled_holes == 1 && report.face_origin.count == 4);
+    HOLDS(report.dropped_count == 1 && report.dropped_faces.data[0] == 2 && report.drop_reasons[0] == GUSSET_DROP_DUPLICATE);
+    gusset_result_destroy(repaired);
+}
+//! [solid]
+
 //! [orient]
 static void a_face_turned_over(void) {
     const uint32_t mixed[12] = {0, 1, 2, 0, 2, 3, 0, 4, 3, 0, 4, 1};
@@ -246,6 +264,7 @@ int main(void) {
     what_is_wrong();
     a_soup_of_triangles();
     borders_that_do_not_match();
+    a_tetrahedron_with_a_copy_and_a_hole();
     a_face_turned_over();
     a_u_in_triangles();
     return 0;

@@ -1114,19 +1114,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_orient(const struct g
 
 /* ---- Repair: Makes a valid solid of any polygon mesh. */
 
-/// Reason why a face was dropped.
-typedef uint32_t gusset_drop_reason;
-/// Fewer than three different vertices remain.
-#define GUSSET_DROP_DEGENERATE 0
-/// The area is 0 up to rounding.
-#define GUSSET_DROP_ZERO_AREA 1
-/// An earlier face has the same vertices.
-#define GUSSET_DROP_DUPLICATE 2
-/// The solid lies on both sides.
-#define GUSSET_DROP_INSIDE 3
-/// Part of an open sheet that was attached to a closed component.
-#define GUSSET_DROP_FIN 4
-
 /// Options of gusset_repair. By default every stage runs.
 typedef struct gusset_repair_options {
     size_t struct_size;
@@ -1152,6 +1139,46 @@ typedef struct gusset_repair_options {
     /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
     const struct gusset_fill_options *fill_options;
 } gusset_repair_options;
+
+/// Makes a valid solid of a mesh, and changes only faces at its defects. Stages, in order:
+/// - Borders that coincide are sewn, as by gusset_sew.
+/// - Faces without area are dropped; their neighbours meet in their place.
+/// - Duplicate faces are dropped, except the first.
+/// - Holes are filled, as by gusset_fill.
+/// - Where edges have three or more faces, the faces divide space into cells. Faces with the solid on both sides are
+///   dropped. The others are separated into sheets with their own vertices.
+/// - Holes of separated sheets are filled. Open sheets that were attached to a closed component are dropped.
+/// - Components are oriented, and closed ones turned outwards.
+/// The solid consists of the cells with a winding number other than 0, if crossing faces from front to back adds 1
+/// consistently; otherwise of all bounded cells. Old faces keep their order, and old vertices their bits. Unused
+/// vertices are removed. Vertices merged by the mesh's merge map stay merged. Faces that intersect stay, and are
+/// listed. A second repair changes nothing.
+/// @errors as gusset_weld, OUT_OF_RANGE, TOO_LARGE (the result)
+/// @complexity O(H log H), the time of gusset_fill for each hole, and the search for intersecting faces.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_repair(const struct gusset_context *context,
+    const struct gusset_mesh_view *mesh, const struct gusset_repair_options *options, struct gusset_result **result);
+
+struct gusset_repair_report;
+
+/// Lends the report of a repair.
+/// @errors WRONG_HANDLE
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_repair(const struct gusset_result *result,
+    struct gusset_repair_report *report);
+
+/* ---- Report of a repair: What was changed, and which defects remain. */
+
+/// Reason why a face was dropped.
+typedef uint32_t gusset_drop_reason;
+/// Fewer than three different vertices remain.
+#define GUSSET_DROP_DEGENERATE 0
+/// The area is 0 up to rounding.
+#define GUSSET_DROP_ZERO_AREA 1
+/// An earlier face has the same vertices.
+#define GUSSET_DROP_DUPLICATE 2
+/// The solid lies on both sides.
+#define GUSSET_DROP_INSIDE 3
+/// Part of an open sheet that was attached to a closed component.
+#define GUSSET_DROP_FIN 4
 
 /// Effects of a repair, and the defects that remain.
 typedef struct gusset_repair_report {
@@ -1197,29 +1224,6 @@ typedef struct gusset_repair_report {
     /// Pairs of faces that intersect in the result, ascending, the smaller face first.
     struct gusset_indices intersecting_pairs;
 } gusset_repair_report;
-
-/// Makes a valid solid of a mesh, and changes only faces at its defects. Stages, in order:
-/// - Borders that coincide are sewn, as by gusset_sew.
-/// - Faces without area are dropped; their neighbours meet in their place.
-/// - Duplicate faces are dropped, except the first.
-/// - Holes are filled, as by gusset_fill.
-/// - Where edges have three or more faces, the faces divide space into cells. Faces with the solid on both sides are
-///   dropped. The others are separated into sheets with their own vertices.
-/// - Holes of separated sheets are filled. Open sheets that were attached to a closed component are dropped.
-/// - Components are oriented, and closed ones turned outwards.
-/// The solid consists of the cells with a winding number other than 0, if crossing faces from front to back adds 1
-/// consistently; otherwise of all bounded cells. Old faces keep their order, and old vertices their bits. Unused
-/// vertices are removed. Vertices merged by the mesh's merge map stay merged. Faces that intersect stay, and are
-/// listed. A second repair changes nothing.
-/// @errors as gusset_mesh_view, OPTION_OUT_OF_RANGE, TOO_LARGE (the result)
-/// @complexity O(H log H), the time of gusset_fill for each hole, and the search for intersecting faces.
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_repair(const struct gusset_context *context,
-    const struct gusset_mesh_view *mesh, const struct gusset_repair_options *options, struct gusset_result **result);
-
-/// Lends the report of a repair.
-/// @errors WRONG_HANDLE
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_repair(const struct gusset_result *result,
-    struct gusset_repair_report *report);
 
 /* ---- Triangulation: Splits faces into triangles. */
 

@@ -57,6 +57,7 @@ const IDS: &[&str] = &[
     "net_settle",
     "morph",
     "lattice",
+    "repair",
 ];
 
 /// Choices that need other inputs or values: nets that are welded lie on each other, and so on.

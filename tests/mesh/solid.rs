@@ -1,6 +1,6 @@
 //! Repair, judged by solids of unit cubes: sets of cells of a lattice, whose volume is their count.
 
-use crate::common::{Soup, edge_counts, faces_of, volume};
+use crate::common::{Soup, edge_counts, faces_of, is_exhaustive, volume};
 use gusset::Job;
 use gusset::mesh::NONE;
 use gusset::solid::{DropReason, Options, Repaired, repair};
@@ -183,6 +183,8 @@ fn with_flat_triangle(soup: &Soup, f: usize) -> Soup {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(if is_exhaustive() { 2000 } else { 32 }))]
+
     #[test]
     fn cubes_that_touch_at_edges_and_vertices_are_separated(cells in cells()) {
         let soup = mesh_of(outer_walls(&cells));

@@ -27,16 +27,16 @@ pub(super) const FILTER: Filter = Filter {
 params! {
     tolerance: Option<f64> = TOLERANCE;
     keep: Keep = KEEP_OPEN;
-    leave_borders: bool = Param::flag("Leave borders", "Does not sew borders.");
-    leave_flat_faces: bool = Param::flag("Leave flat faces", "Keeps faces without area.");
-    leave_duplicates: bool = Param::flag("Leave duplicates", "Keeps duplicate faces.");
-    leave_holes: bool = Param::flag("Leave holes", "Does not fill holes.");
+    leave_borders: bool = Param::flag("Leave borders", "Keeps borders that coincide apart.");
+    leave_flat_faces: bool = Param::flag("Leave flat faces", "Keeps faces whose area is 0 up to rounding.");
+    leave_duplicates: bool = Param::flag("Leave duplicates", "Keeps faces that have the vertices of another.");
+    leave_holes: bool = Param::flag("Leave holes", "Keeps all holes open.");
     leave_non_manifold: bool = Param::flag(
         "Leave shared edges",
         "Keeps edges with three or more faces, vertices with several fans of faces, and faces within the solid.",
     );
     leave_fins: bool = Param::flag("Leave fins", "Keeps open sheets that were attached to a closed component.");
-    leave_orientation: bool = Param::flag("Leave orientation", "Does not turn faces over.");
+    leave_orientation: bool = Param::flag("Leave orientation", "Keeps the orientation of all faces.");
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {

@@ -14,6 +14,7 @@ pub mod weld;
 pub mod sew;
 pub mod orient;
 pub mod repair;
+pub mod repair_report;
 pub mod triangulate;
 pub mod align;
 pub mod trim;

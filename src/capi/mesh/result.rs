@@ -8,7 +8,7 @@ use crate::capi::mesh::develop_report::DevelopedSurface;
 use crate::capi::mesh::fill_report::FillResult;
 use crate::capi::mesh::join_report::JoinResult;
 use crate::capi::mesh::origins::gusset_origins;
-use crate::capi::mesh::repair::RepairResult;
+use crate::capi::mesh::repair_report::RepairResult;
 use crate::capi::mesh::{self, gusset_mesh_view};
 use crate::capi::status::gusset_status::GUSSET_ERROR_WRONG_HANDLE;
 use crate::capi::status::{Failure, gusset_status};
