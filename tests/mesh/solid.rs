@@ -1,7 +1,9 @@
 //! Repair, judged by solids of unit cubes: sets of cells of a lattice, whose volume is their count.
 
 use crate::common::{Soup, edge_counts, faces_of, is_exhaustive, volume};
+use glam::DVec3;
 use gusset::Job;
+use gusset::attributes::Origins;
 use gusset::mesh::NONE;
 use gusset::solid::{DropReason, Options, Repaired, repair};
 use proptest::prelude::*;
@@ -130,11 +132,30 @@ fn assert_manifold(repaired: &Repaired) {
 fn assert_solid(soup: &Soup, repaired: &Repaired, cells: usize, dropped: &[u32]) {
     assert_manifold(repaired);
     assert!((volume_of(repaired) - cells as f64).abs() < 1e-9, "{} instead of {cells}", volume_of(repaired));
+    assert_origins(soup, repaired);
     let listed: Vec<u32> = repaired.dropped.iter().map(|dropped| dropped.face).collect();
     assert_eq!(listed, dropped, "{:?}", repaired.dropped);
     for (v, &origin) in repaired.vertex_origin.iter().enumerate() {
         assert!(origin == NONE || repaired.mesh.positions.get(v as u32).to_array() == soup.points[origin as usize]);
     }
+}
+
+/// Checks that each corner of an old face lies at the place of its origin on its old face.
+fn assert_origins(soup: &Soup, repaired: &Repaired) {
+    let history = &repaired.history;
+    let place = |corner: u32| DVec3::from_array(soup.points[soup.corners[corner as usize] as usize]);
+    let face_of = |corner: u32| soup.offsets.partition_point(|&start| start <= corner) - 1;
+    let origins = &history.corner_origins;
+    for (corner, &start) in origins.corners.iter().enumerate() {
+        let on = origins.on_edges.iter().find(|on| on.corner as usize == corner);
+        let expected = on.map_or(place(start), |on| place(start).lerp(place(on.end), on.at));
+        let found = repaired.mesh.positions.get(repaired.mesh.corner(corner));
+        assert!(expected.distance(found) < 1e-12, "{expected} {found}");
+        assert_eq!(face_of(start) as u32, repaired.face_origin[repaired.mesh.face_of(corner as u32)]);
+    }
+    let new = repaired.vertex_origin.iter().filter(|&&v| v == NONE).count();
+    assert_eq!((history.parents.len(), history.weights.len()), (new, new));
+    Origins::from_repaired(repaired, &Job::default()).unwrap();
 }
 
 /// The mesh with own vertices for each face.
