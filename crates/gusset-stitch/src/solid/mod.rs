@@ -26,15 +26,15 @@
 //! | [`duplicate_removal`](self) | duplicate faces |
 //! | [`edge_fans`](self) | the radial order of faces around an edge |
 //! | [`patches`](self) | faces that are connected across edges with two faces |
-//! | [`cells`](self) | the cells between faces, and the faces around the solid |
-//! | [`sheets`](self) | sheets of faces, and their own vertices |
+//! | [`solid_sides`](self) | the cells between faces, and the faces around the solid |
+//! | [`sheet_pairs`](self) | sheets of faces, and their own vertices |
 //! | [`twin_edges`](self) | edges of one sheet that coincide |
 //!
 //! Source: Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, *Mesh arrangements for solid geometry*
 //! (2016), for the cells and their winding numbers; M. Attene, *A lightweight approach to repairing
 //! digitized polygon meshes* (2010), for the order of stages.
 
-mod cells;
+mod solid_sides;
 mod duplicate_removal;
 mod edge_fans;
 mod flat_faces;
@@ -43,7 +43,7 @@ mod repair_request;
 mod repair_run;
 mod repair_state;
 mod sew_borders;
-mod sheets;
+mod sheet_pairs;
 mod twin_edges;
 
 pub use repair_request::{DropReason, DroppedFace, History, Options, Repaired};

@@ -7,7 +7,7 @@ use super::patches::Patches;
 use super::repair_request::{DropReason, History, Options, Repaired};
 use super::repair_state::{NO_ORIGIN, RepairState};
 use super::sew_borders::{SewCounts, sew_borders};
-use super::sheets::Sheets;
+use super::sheet_pairs::Sheets;
 use super::twin_edges::split_twin_edges;
 use crate::check::{check, find_intersecting_faces, find_zero_area_faces};
 use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};

@@ -5,11 +5,11 @@
 //! first, then the others, and then the pairs that bend least, up to a right angle. A vertex with
 //! several fans of faces gets a copy for each fan after the first.
 
-use super::cells::{find_solid_sides, side_ahead};
 use super::edge_fans::EdgeFans;
 use super::patches::Patches;
 use super::repair_request::DropReason;
 use super::repair_state::RepairState;
+use super::solid_sides::{find_solid_sides, side_ahead};
 use crate::check::join_corners_at_edge;
 use glam::DVec3;
 use gusset_base::alloc;
