@@ -34,6 +34,7 @@
 //! | [`check`] | reports everything wrong or unusual in a mesh |
 //! | [`repair`] | merges coincident vertices, sews borders, makes orientation consistent |
 //! | [`align`] | finds the poses of overlapping pieces |
+//! | [`arrange`] | unites solids that overlap |
 //! | [`trim`] | removes what overlapping pieces cover twice |
 //! | [`stitch`] | joins two loops by a strip of new faces |
 //! | [`fill`] | closes holes by new faces |
@@ -65,7 +66,9 @@ pub use gusset_curve as curve;
 pub use gusset_filters as filters;
 pub use gusset_mesh as mesh;
 pub use gusset_net as net;
-pub use gusset_stitch::{align, assemble, boundary, check, develop, fill, repair, solid, stitch, trim, winged};
+pub use gusset_stitch::{
+    align, arrange, assemble, boundary, check, develop, fill, repair, solid, stitch, trim, winged,
+};
 pub use gusset_surface as surface;
 
 /// The allocator of the libraries for C.

@@ -90,6 +90,8 @@ enum gusset_status
     GUSSET_ERROR_BAD_MERGE = 1009,
     /// A face passes a vertex twice, which the operation does not allow.
     GUSSET_ERROR_REPEATED_CORNER = 1010,
+    /// A mesh is not closed, or its faces are not oriented alike.
+    GUSSET_ERROR_MESH_NOT_CLOSED = 1011,
     /// No boundary loop, or no pair of loops of one mesh, can be stitched.
     GUSSET_ERROR_NO_LOOP = 1100,
     /// A loop has fewer than three vertices.

@@ -69,6 +69,8 @@ pub enum gusset_status {
     GUSSET_ERROR_BAD_MERGE = 1009,
     /// A face passes a vertex twice, which the operation does not allow.
     GUSSET_ERROR_REPEATED_CORNER = 1010,
+    /// A mesh is not closed, or its faces are not oriented alike.
+    GUSSET_ERROR_MESH_NOT_CLOSED = 1011,
     /// No boundary loop, or no pair of loops of one mesh, can be stitched.
     GUSSET_ERROR_NO_LOOP = 1100,
     /// A loop has fewer than three vertices.
@@ -296,6 +298,7 @@ impl From<Error> for Failure {
             RepeatedCorner { face, vertex } => {
                 at(GUSSET_ERROR_REPEATED_CORNER, GUSSET_ELEMENT_FACE, face, vertex.into())
             }
+            MeshNotClosed { face } => at(GUSSET_ERROR_MESH_NOT_CLOSED, GUSSET_ELEMENT_FACE, face, 0.0),
             CutNotConnected { cut, place, vertex } => Failure {
                 input: cut,
                 ..at(GUSSET_ERROR_CUT_NOT_CONNECTED, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())

@@ -32,6 +32,7 @@ pub(super) fn status_text(status: i32) -> &'static CStr {
         1008 => c"a record of a winged-edge table is inconsistent",
         1009 => c"a merge map names a vertex that does not exist or is merged into another",
         1010 => c"a face passes a vertex twice, which the operation does not allow",
+        1011 => c"a mesh is not closed, or its faces are not oriented alike",
         1100 => c"no boundary loop, or no pair of loops of one mesh, can be stitched",
         1101 => c"a loop has fewer than three vertices",
         1102 => c"a loop passes a vertex twice",

@@ -6,6 +6,7 @@ mod common;
 mod adversarial;
 mod align;
 mod answers;
+mod arrange;
 mod assemble;
 mod assemble_gaps;
 mod attributes;

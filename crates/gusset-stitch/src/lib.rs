@@ -15,6 +15,7 @@
 //! | [`check`] | reports everything wrong or unusual in a mesh | |
 //! | [`repair`] | merges coincident vertices, sews borders, makes orientation consistent | |
 //! | [`align`] | finds the poses of overlapping pieces | Besl and McKay 1992; Neugebauer 1997 |
+//! | [`arrange`] | unites solids: splits triangles where they intersect, exactly | Zhou and others 2016 |
 //! | [`trim`] | removes what overlapping pieces cover twice | Turk and Levoy 1994 |
 //! | [`stitch`] | joins two loops by a strip of new faces | Nesterenko, algorithm 2 |
 //! | [`fill`] | closes holes by new faces | Barequet and Sharir 1995; Liepa 2003 |
@@ -26,6 +27,7 @@
 //! | `intersect` | finds intersecting triangles, exactly | Shewchuk 1997 |
 
 pub mod align;
+pub mod arrange;
 pub mod assemble;
 mod blend;
 pub mod boundary;

@@ -1,0 +1,249 @@
+//! The arrangement of triangles with exact points.
+
+use super::clusters::{Cluster, Part, Segment, SplitCluster};
+use super::contacts::{Contact, ContactPoint, Corners, contact, projection_axis};
+use super::exact_points::{ExactPoints, Plane};
+use super::grid::{Grid, first_at_position};
+use crate::intersect::{TriangleSoup, intersecting_pairs};
+use glam::DVec3;
+use gusset_base::NONE;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
+use gusset_base::par;
+use gusset_base::sort::{Buckets, sort, sort_distinct};
+
+/// Number of pairs, points or clusters that a thread takes at a time.
+const PAIRS_PER_TASK: usize = 1 << 10;
+const POINTS_PER_TASK: usize = 1 << 8;
+const CLUSTERS_PER_TASK: usize = 1 << 4;
+
+const STAGE: &str = "arranging triangles";
+
+/// Triangles that meet in common vertices and edges only, or coincide.
+pub(super) struct ExactArrangement {
+    pub(super) grid: Grid,
+    /// The given vertices, then the constructed points. Some are not used.
+    pub(super) points: ExactPoints<'static>,
+    /// The parts, in the order of the given triangles. Vertices with equal positions have equal
+    /// numbers.
+    pub(super) parts: Vec<Part>,
+    /// The first given vertex at the position of each.
+    pub(super) first: Vec<u32>,
+    /// The pairs of given triangles that intersect.
+    pub(super) pairs: Vec<[u32; 2]>,
+    /// The given triangles that could not be split.
+    pub(super) unsplit: Vec<u32>,
+}
+
+impl ExactArrangement {
+    /// Arranges triangles. Degenerate ones have no parts.
+    pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], job: &Job<'_>) -> Result<ExactArrangement> {
+        let grid = Grid::from_points(triangles.as_flattened().iter().map(|&v| points[v as usize]));
+        let mut steps = alloc::filled(DVec3::ZERO, points.len())?;
+        job.step(0.0, STAGE)?;
+        triangles.as_flattened().iter().for_each(|&v| steps[v as usize] = grid.steps(points[v as usize]));
+        let first = first_at_position(&steps, triangles, &job.part(0.0, 0.05), STAGE)?;
+        let solid = SolidTriangles::new(&steps, triangles, &first)?;
+        let soup = TriangleSoup { at: |v| steps[v as usize], new: &solid.corners, old: &[] };
+        let pairs = intersecting_pairs(&soup, &job.part(0.05, 0.3))?;
+        let mut made = ExactArrangement {
+            grid,
+            points: ExactPoints::from_integral(steps)?,
+            parts: Vec::new(),
+            first,
+            pairs: Vec::new(),
+            unsplit: Vec::new(),
+        };
+        let parts = made.split(&solid.corners, &pairs, &job.part(0.3, 1.0))?;
+        let number = |t: u32| solid.numbers[t as usize];
+        made.pairs = alloc::collect(pairs.iter().map(|pair| pair.map(number)))?;
+        made.parts = alloc::collect(parts.into_iter().map(|(part, t)| (part, number(t))))?;
+        made.unsplit.iter_mut().for_each(|t| *t = number(*t));
+        Ok(made)
+    }
+
+    fn split(&mut self, triangles: &[[u32; 3]], pairs: &[[u32; 2]], job: &Job<'_>) -> Result<Vec<Part>> {
+        if pairs.is_empty() {
+            return alloc::gather(triangles.iter().copied().zip(0..));
+        }
+        let contacts = find_contacts(triangles, pairs, &self.points, &job.part(0.0, 0.1))?;
+        let crossings = self.add_crossings(triangles, &contacts, &job.part(0.1, 0.2))?;
+        let given = alloc::gather(pairs.as_flattened().iter().flat_map(|&t| triangles[t as usize]))?;
+        let names = self.unite_equal_points(given, crossings.start, &job.part(0.2, 0.3))?;
+        let name = |point: ContactPoint| match point {
+            ContactPoint::Vertex(v) => v,
+            ContactPoint::Crossing(..) => {
+                let k = crossings.keys.binary_search(&point).unwrap_or(0);
+                names[k]
+            }
+        };
+        let mut sets = DisjointSets::new(triangles.len())?;
+        let coplanar = pairs.iter().zip(&contacts).filter(|(_, contact)| contact.is_coplanar);
+        coplanar.for_each(|(&[s, t], _)| _ = sets.union(s, t));
+        let roots = sets.into_roots(&job.part(0.3, 0.3), STAGE)?;
+        let (mut points, mut segments) = (Vec::new(), Vec::new());
+        for (&[s, t], contact) in pairs.iter().zip(&contacts) {
+            let [mut low, mut high] = [NONE; 2];
+            for point in contact.points().map(name) {
+                if low == NONE || self.points.compare(point, low).is_lt() {
+                    low = point;
+                }
+                if high == NONE || self.points.compare(point, high).is_gt() {
+                    high = point;
+                }
+            }
+            let [in_s, in_t] = [s, t].map(|t| roots[t as usize] as usize);
+            if low != high {
+                alloc::extend(&mut segments, [(in_s, ([low, high], t)), (in_t, ([low, high], s))])?;
+            } else if low != NONE {
+                alloc::extend(&mut points, [(in_s, low), (in_t, low)])?;
+            }
+        }
+        let (count, silent) = (triangles.len(), job.part(0.3, 0.3));
+        let points = Buckets::new_cancellable(count, 0, points.iter().copied(), &silent, STAGE)?;
+        let segments: Buckets<Segment> =
+            Buckets::new_cancellable(count, ([0; 2], 0), segments.iter().copied(), &silent, STAGE)?;
+        let members =
+            Buckets::new_cancellable(count, 0, roots.iter().map(|&root| root as usize).zip(0..), &silent, STAGE)?;
+        let is_split = |root: &u32| {
+            let k = *root as usize;
+            members.get(k).len() > 1 || !points.get(k).is_empty() || !segments.get(k).is_empty()
+        };
+        let busy = alloc::gather((0..count as u32).filter(|&t| roots[t as usize] == t).filter(is_split))?;
+        let corners = |t: u32| triangles[t as usize];
+        let split_part = job.part(0.3, 0.9);
+        let tasks = par::split_into_ranges(busy.len(), CLUSTERS_PER_TASK);
+        let base = &self.points;
+        let split = par::map_jobs(&split_part, STAGE, tasks, |range, job| {
+            let cluster = |&root: &u32| Cluster {
+                triangles: members.get(root as usize),
+                points: points.get(root as usize),
+                segments: segments.get(root as usize),
+            };
+            alloc::try_collect(busy[range].iter().map(|root| cluster(root).split(base, &corners, job)))
+        })?;
+        let mut untouched = alloc::filled(true, count)?;
+        busy.iter().flat_map(|&root| members.get(root as usize)).for_each(|&t| untouched[t as usize] = false);
+        let whole = (0..count as u32).filter(|&t| untouched[t as usize]).map(|t| (corners(t), t));
+        let mut parts = alloc::gather(whole)?;
+        let start = self.points.end();
+        for cluster in split.iter().flatten() {
+            self.add_cluster(cluster, start, &mut parts)?;
+        }
+        self.rename_equal_points(&crossings, start, &mut parts, &job.part(0.9, 1.0))?;
+        parts.sort_by_key(|&(_, t)| t);
+        Ok(parts)
+    }
+
+    /// Adds the points and parts of a cluster, whose own points begin at `start`.
+    fn add_cluster(&mut self, cluster: &SplitCluster, start: u32, parts: &mut Vec<Part>) -> Result<()> {
+        let shift = self.points.end() - start;
+        self.points.append(&cluster.points)?;
+        let rename = |p: u32| if p < start { p } else { p + shift };
+        alloc::extend(parts, cluster.parts.iter().map(|&(part, t)| (part.map(rename), t)))?;
+        if !cluster.is_complete {
+            alloc::extend(&mut self.unsplit, cluster.parts.iter().map(|&(_, t)| t))?;
+        }
+        Ok(())
+    }
+
+    /// Adds the points in which edges cross triangles.
+    fn add_crossings(&mut self, triangles: &[[u32; 3]], contacts: &[Contact], job: &Job<'_>) -> Result<Crossings> {
+        let is_crossing = |point: &ContactPoint| matches!(point, ContactPoint::Crossing(..));
+        let mut keys = alloc::gather(contacts.iter().flat_map(Contact::points).filter(is_crossing))?;
+        sort_distinct(&mut keys);
+        let start = self.points.end();
+        let base = &self.points;
+        let tasks = par::split_into_ranges(keys.len(), POINTS_PER_TASK);
+        let made = par::map_jobs(job, STAGE, tasks, |range, _| {
+            let mut points = ExactPoints::over(base);
+            for key in &keys[range] {
+                if let ContactPoint::Crossing(edge, t) = *key {
+                    let plane = Plane::from_triangle(triangles[t as usize].map(|v| base.rounded(v)));
+                    points.push(&plane.meet_line(edge.map(|v| base.rounded(v))))?;
+                }
+            }
+            Ok(points.into_own())
+        })?;
+        made.iter().try_for_each(|points| self.points.append(points))?;
+        Ok(Crossings { keys, start })
+    }
+
+    /// Returns for each point from `start` on the first point that equals it, among these and the
+    /// given ones.
+    fn unite_equal_points(&self, mut given: Vec<u32>, start: u32, job: &Job<'_>) -> Result<Vec<u32>> {
+        let mut names = alloc::collect((start as usize..self.points.end() as usize).map(|p| p as u32))?;
+        sort_distinct(&mut given);
+        alloc::append(&mut given, &names)?;
+        sort(&mut given, |&i, &j| self.points.compare(i, j).then(i.cmp(&j)), job, STAGE)?;
+        for same in given.chunk_by(|&i, &j| self.points.compare(i, j).is_eq()) {
+            same.iter().filter(|&&p| p >= start).for_each(|&p| names[(p - start) as usize] = same[0]);
+        }
+        Ok(names)
+    }
+
+    /// Gives one number to equal points, where clusters made them from `start` on.
+    fn rename_equal_points(&self, crossings: &Crossings, start: u32, parts: &mut [Part], job: &Job<'_>) -> Result<()> {
+        if self.points.end() == start {
+            return Ok(());
+        }
+        let corners = parts.iter().flat_map(|(part, _)| *part);
+        let old = alloc::gather(corners.filter(|p| (crossings.start..start).contains(p)))?;
+        let names = self.unite_equal_points(old, start, job)?;
+        for p in parts.iter_mut().flat_map(|(part, _)| part) {
+            if *p >= start {
+                *p = names[(*p - start) as usize];
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Points in which edges cross triangles, in ascending order, and the number of the first.
+struct Crossings {
+    keys: Vec<ContactPoint>,
+    start: u32,
+}
+
+/// The triangles that are not degenerate, with the first vertices at their positions.
+struct SolidTriangles {
+    corners: Vec<[u32; 3]>,
+    /// The number of each among the given triangles.
+    numbers: Vec<u32>,
+}
+
+impl SolidTriangles {
+    fn new(points: &[DVec3], triangles: &[[u32; 3]], first: &[u32]) -> Result<Self> {
+        let mut made = SolidTriangles {
+            corners: alloc::with_capacity(triangles.len())?,
+            numbers: alloc::with_capacity(triangles.len())?,
+        };
+        for (t, corners) in triangles.iter().enumerate() {
+            let corners = corners.map(|v| first[v as usize]);
+            if projection_axis(corners.map(|v| points[v as usize])).is_some() {
+                made.corners.push(corners);
+                made.numbers.push(t as u32);
+            }
+        }
+        Ok(made)
+    }
+}
+
+fn find_contacts(
+    triangles: &[[u32; 3]],
+    pairs: &[[u32; 2]],
+    points: &ExactPoints<'_>,
+    job: &Job<'_>,
+) -> Result<Vec<Contact>> {
+    let corners = |t: u32| {
+        let vertices = triangles[t as usize];
+        Corners { triangle: t, vertices, at: vertices.map(|v| points.rounded(v)) }
+    };
+    let tasks = par::split_into_ranges(pairs.len(), PAIRS_PER_TASK);
+    let found = par::map_jobs(job, STAGE, tasks, |range, _| {
+        alloc::collect(pairs[range].iter().map(|&[s, t]| contact(&corners(s), &corners(t))))
+    })?;
+    alloc::gather(found.into_iter().flatten())
+}

@@ -1,0 +1,97 @@
+//! A closed surface between two rounds of a union.
+
+use super::cells::{unbalanced_triangle, windings};
+use super::exact_arrangement::ExactArrangement;
+use super::face_groups::FaceGroups;
+use super::sheets::{border_faces, join_sheets};
+use glam::DVec3;
+use gusset_base::NONE;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::scale::floor_to_power_of_two;
+use gusset_base::job::Job;
+use gusset_base::sort::sort_distinct;
+use gusset_mesh::Scalar;
+
+/// The largest height of a triangle to mend, in the first round, as a power of two of the largest
+/// coordinate. It doubles in each round, a few times.
+const MEND_EXPONENT: i32 = -49;
+const MEND_EXPONENT_F32: i32 = -21;
+const MAX_DOUBLINGS: i32 = 6;
+
+/// Triangles of a closed surface.
+pub(super) struct Solid {
+    pub(super) points: Vec<DVec3>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The face of the input of each triangle.
+    pub(super) faces: Vec<u32>,
+    /// The vertex of the input of each point, or `NONE`.
+    pub(super) vertices: Vec<u32>,
+}
+
+/// Returns the triangles of pairs.
+fn triangles_of(pairs: &[[u32; 2]]) -> Result<Vec<u32>> {
+    let mut triangles = alloc::copied(pairs.as_flattened())?;
+    sort_distinct(&mut triangles);
+    Ok(triangles)
+}
+
+fn rounded(p: DVec3, scalar: Scalar) -> DVec3 {
+    match scalar {
+        Scalar::F32 => p.as_vec3().as_dvec3(),
+        Scalar::F64 => p,
+    }
+}
+
+impl Solid {
+    pub(super) fn copied(&self) -> Result<Solid> {
+        Ok(Solid {
+            points: alloc::copied(&self.points)?,
+            triangles: alloc::copied(&self.triangles)?,
+            faces: alloc::copied(&self.faces)?,
+            vertices: alloc::copied(&self.vertices)?,
+        })
+    }
+
+    pub(super) fn arrange(&self, job: &Job<'_>) -> Result<ExactArrangement> {
+        ExactArrangement::new(&self.points, &self.triangles, job)
+    }
+
+    /// Returns true if no triangle meets another or has no area.
+    pub(super) fn is_clean(&self, arrangement: &ExactArrangement) -> bool {
+        arrangement.pairs.is_empty() && arrangement.parts.len() == self.triangles.len()
+    }
+
+    /// Mends the triangles of the pairs, in a round from 1 on. Returns false if nothing changes.
+    pub(super) fn mend_pairs(&mut self, pairs: &[[u32; 2]], scalar: Scalar, round: u32) -> Result<bool> {
+        let largest = self.points.iter().fold(0.0, |largest: f64, p| largest.max(p.abs().max_element()));
+        let exponent = if scalar == Scalar::F32 { MEND_EXPONENT_F32 } else { MEND_EXPONENT };
+        let doublings = MAX_DOUBLINGS.min(round as i32 - 1);
+        self.mend(&triangles_of(pairs)?, floor_to_power_of_two(largest) * libm::scalbn(1.0, exponent + doublings))
+    }
+
+    /// Returns a triangle at an edge that faces pass more often in one direction than in the other.
+    pub(super) fn unbalanced_triangle(&self, arrangement: &ExactArrangement, job: &Job<'_>) -> Result<Option<u32>> {
+        Ok(unbalanced_triangle(arrangement, &FaceGroups::new(arrangement, job)?))
+    }
+
+    /// Removes faces inside and parts outside. New points are rounded.
+    pub(super) fn unite(&self, arrangement: &ExactArrangement, scalar: Scalar, job: &Job<'_>) -> Result<Solid> {
+        let groups = FaceGroups::new(arrangement, &job.part(0.0, 0.2))?;
+        let numbers = windings(arrangement, &groups, &self.triangles, &job.part(0.2, 0.6))?;
+        let border = border_faces(arrangement, &groups, [&numbers.front, &numbers.back])?;
+        let sheets = join_sheets(arrangement, &groups, &self.triangles, &border, &job.part(0.6, 1.0))?;
+        let place = |&[point, given]: &[u32; 2]| match self.points.get(given as usize) {
+            Some(&own) => own,
+            None => rounded(arrangement.grid.position(arrangement.points.rounded(point)), scalar),
+        };
+        let origin = |&[_, given]: &[u32; 2]| self.vertices.get(given as usize).copied().unwrap_or(NONE);
+        let face = |part: u32| self.faces[arrangement.parts[part as usize].1 as usize];
+        Ok(Solid {
+            points: alloc::collect(sheets.vertices.iter().map(place))?,
+            triangles: sheets.faces,
+            faces: alloc::collect(border.iter().map(|border| face(border.part)))?,
+            vertices: alloc::collect(sheets.vertices.iter().map(origin))?,
+        })
+    }
+}
