@@ -310,7 +310,8 @@ enum class DropReason : uint32_t {
     zero_area = GUSSET_DROP_ZERO_AREA,
     duplicate = GUSSET_DROP_DUPLICATE,
     inside = GUSSET_DROP_INSIDE,
-    fin = GUSSET_DROP_FIN
+    fin = GUSSET_DROP_FIN,
+    overlap = GUSSET_DROP_OVERLAP
 };
 
 /// Initial poses. See ::gusset_alignment_start.

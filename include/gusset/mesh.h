@@ -1136,6 +1136,9 @@ typedef struct gusset_repair_options {
     uint32_t leave_fins;
     /// 1: no component is oriented. @flag
     uint32_t leave_orientation;
+    /// 1: faces that intersect stay. @flag
+    uint32_t leave_intersections;
+    uint32_t reserved;
     /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
     const struct gusset_fill_options *fill_options;
 } gusset_repair_options;
@@ -1149,10 +1152,12 @@ typedef struct gusset_repair_options {
 ///   dropped. The others are separated into sheets with their own vertices.
 /// - Holes of separated sheets are filled. Open sheets that were attached to a closed component are dropped.
 /// - Components are oriented, and closed ones turned outwards.
+/// - Closed components with faces that intersect are replaced by their union: the border of the points with a winding
+///   number of at least 1. Faces that no other meets stay as they are.
 /// The solid consists of the cells with a winding number other than 0, if crossing faces from front to back adds 1
 /// consistently; otherwise of all bounded cells. Old faces keep their order, and old vertices their bits. Unused
-/// vertices are removed. Vertices merged by the mesh's merge map stay merged. Faces that intersect stay, and are
-/// listed. A second repair changes nothing.
+/// vertices are removed. Vertices merged by the mesh's merge map stay merged. Faces of open components that intersect
+/// stay, and are listed. A second repair changes nothing.
 /// @errors as gusset_weld, OUT_OF_RANGE, TOO_LARGE (the result)
 /// @complexity O(H log H), the time of gusset_fill for each hole, and the search for intersecting faces.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_repair(const struct gusset_context *context,
@@ -1179,6 +1184,8 @@ typedef uint32_t gusset_drop_reason;
 #define GUSSET_DROP_INSIDE 3
 /// Part of an open sheet that was attached to a closed component.
 #define GUSSET_DROP_FIN 4
+/// The face lies in an overlapping part, or on an inverted part.
+#define GUSSET_DROP_OVERLAP 5
 
 /// Effects of a repair, and the defects that remain.
 typedef struct gusset_repair_report {

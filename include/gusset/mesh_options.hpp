@@ -214,6 +214,8 @@ struct RepairOptions {
     bool leave_fins = false;
     /// 1: no component is oriented.
     bool leave_orientation = false;
+    /// 1: faces that intersect stay.
+    bool leave_intersections = false;
     /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
     FillOptions fill_options;
 };
@@ -426,6 +428,7 @@ inline gusset_repair_options as_c(const RepairOptions &options, RepairOptionsNes
     given.leave_holes = options.leave_holes ? 1 : 0;
     given.leave_fins = options.leave_fins ? 1 : 0;
     given.leave_orientation = options.leave_orientation ? 1 : 0;
+    given.leave_intersections = options.leave_intersections ? 1 : 0;
     nested.fill_options = as_c(options.fill_options);
     given.fill_options = &nested.fill_options;
     if (options.tolerance) {

@@ -285,6 +285,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (2, c"An earlier face has the same vertices."),
         (3, c"The solid lies on both sides."),
         (4, c"Part of an open sheet that was attached to a closed component."),
+        (5, c"The face lies in an overlapping part, or on an inverted part."),
     ]),
     ("gusset_alignment_start", &[
         (0, c"As given, moved by poses if any."),

@@ -17,7 +17,7 @@ pub(super) const FILTER: Filter = Filter {
     category: "Repair",
     help: "Makes a valid solid of a mesh, and changes only faces at its defects. Sews borders, drops faces without area and \
            duplicate faces, fills holes, separates sheets that share edges or vertices, drops walls within the solid, and turns \
-           closed components outwards. Lists what was dropped. Faces that intersect stay, and are counted.",
+           closed components outwards. Replaces closed components that intersect by their union. Lists what was dropped.",
     reference: "Zhou, Grinspun, Zorin and Jacobson 2016, for cells; Attene 2010",
     replaces: true,
     has_origins: true,
@@ -36,6 +36,7 @@ params! {
         "Keeps edges with three or more faces, vertices with several fans of faces, and faces within the solid.",
     );
     leave_fins: bool = Param::flag("Leave fins", "Keeps open sheets that were attached to a closed component.");
+    leave_intersections: bool = Param::flag("Leave intersections", "Keeps faces that intersect.");
     leave_orientation: bool = Param::flag("Leave orientation", "Keeps the orientation of all faces.");
 }
 
@@ -48,6 +49,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         leave_non_manifold: values.leave_non_manifold,
         leave_holes: values.leave_holes,
         leave_orientation: values.leave_orientation,
+        leave_intersections: values.leave_intersections,
         leave_fins: values.leave_fins,
         fill: fill::Options { keep: values.keep, ..fill::Options::default() },
     };
@@ -58,12 +60,13 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 }
 
 /// The nouns of dropped faces.
-const DROPPED: [(DropReason, Noun, &str); 5] = [
+const DROPPED: [(DropReason, Noun, &str); 6] = [
     (DropReason::Degenerate, ["degenerate face", "degenerate faces"], "degenerate_faces"),
     (DropReason::ZeroArea, ["face without area", "faces without area"], "zero_area_faces"),
     (DropReason::Duplicate, ["duplicate face", "duplicate faces"], "duplicate_faces"),
     (DropReason::Inside, ["face within the solid", "faces within the solid"], "inner_faces"),
     (DropReason::Fin, ["face of a fin", "faces of fins"], "fin_faces"),
+    (DropReason::Overlap, ["overlapping face", "overlapping faces"], "overlapping_faces"),
 ];
 
 fn report(done: &Repaired) -> Report {

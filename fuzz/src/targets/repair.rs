@@ -9,7 +9,7 @@ use gusset::solid::{Options, repair};
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {
-    let Some((soup, tolerance, flags, choice)) = input::taken::<(Soup, Option<u8>, [bool; 7], u8)>(bytes) else {
+    let Some((soup, tolerance, flags, choice)) = input::taken::<(Soup, Option<u8>, [bool; 8], u8)>(bytes) else {
         return;
     };
     soup.visit(|mesh| {
@@ -21,6 +21,7 @@ pub(crate) fn run(bytes: &[u8]) {
             leave_holes,
             leave_orientation,
             leave_fins,
+            leave_intersections,
         ] = flags;
         let options = Options {
             tolerance: tolerance.map(|tolerance| f64::from(tolerance) / 64.0),
@@ -31,6 +32,7 @@ pub(crate) fn run(bytes: &[u8]) {
             leave_holes,
             leave_orientation,
             leave_fins,
+            leave_intersections,
             ..Options::default()
         };
         let Ok(done) = agreed(choice, |job| repair(mesh, &options, job)) else { return };

@@ -46,11 +46,16 @@ pub struct gusset_repair_options {
     /// 1: no component is oriented.
     /// @flag
     pub leave_orientation: u32,
+    /// 1: faces that intersect stay.
+    /// @flag
+    pub leave_intersections: u32,
+    /// 0.
+    pub reserved: u32,
     /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
     pub fill_options: *const gusset_fill_options,
 }
 
-versioned! { gusset_repair_options: 56 }
+versioned! { gusset_repair_options: 64 reserved }
 
 impl gusset_repair_options {
     fn checked(self) -> Result<Options, Failure> {
@@ -63,6 +68,7 @@ impl gusset_repair_options {
             leave_holes: flag(self.leave_holes, "leave_holes")?,
             leave_orientation: flag(self.leave_orientation, "leave_orientation")?,
             leave_fins: flag(self.leave_fins, "leave_fins")?,
+            leave_intersections: flag(self.leave_intersections, "leave_intersections")?,
             fill: input::read_nested_or_default(self.fill_options, "fill_options", gusset_fill_options::checked)?,
         })
     }
@@ -78,11 +84,13 @@ impl gusset_repair_options {
 /// - Holes of separated sheets are filled. Open sheets that were attached to a closed component are
 ///   dropped.
 /// - Components are oriented, and closed ones turned outwards.
+/// - Closed components with faces that intersect are replaced by their union: the border of the
+///   points with a winding number of at least 1. Faces that no other meets stay as they are.
 ///
 /// The solid consists of the cells with a winding number other than 0, if crossing faces from front
 /// to back adds 1 consistently; otherwise of all bounded cells. Old faces keep their order, and old
 /// vertices their bits. Unused vertices are removed. Vertices merged by the mesh's merge map stay
-/// merged. Faces that intersect stay, and are listed. A second repair changes nothing.
+/// merged. Faces of open components that intersect stay, and are listed. A second repair changes nothing.
 ///
 /// @errors as gusset_weld, OUT_OF_RANGE, TOO_LARGE (the result)
 /// @complexity O(H log H), the time of gusset_fill for each hole, and the search for intersecting

@@ -19,6 +19,8 @@ pub const GUSSET_DROP_DUPLICATE: gusset_drop_reason = 2;
 pub const GUSSET_DROP_INSIDE: gusset_drop_reason = 3;
 /// Part of an open sheet that was attached to a closed component.
 pub const GUSSET_DROP_FIN: gusset_drop_reason = 4;
+/// The face lies in an overlapping part, or on an inverted part.
+pub const GUSSET_DROP_OVERLAP: gusset_drop_reason = 5;
 
 /// Effects of a repair, and the defects that remain.
 #[repr(C)]
@@ -86,6 +88,7 @@ c_enum! {
         GUSSET_DROP_DUPLICATE => Duplicate,
         GUSSET_DROP_INSIDE => Inside,
         GUSSET_DROP_FIN => Fin,
+        GUSSET_DROP_OVERLAP => Overlap,
     }
 }
 

@@ -13,6 +13,7 @@
 //! 6. Holes that separate sheets show are filled. Open sheets that were attached to a closed one
 //!    of larger area are dropped.
 //! 7. Closed components are turned outwards.
+//! 8. If faces of closed components intersect, these are replaced by their [union](crate::arrange).
 //!
 //! The stages run again until nothing changes, at most four times.
 //!
@@ -28,6 +29,7 @@
 //! | [`patches`](self) | faces that are connected across edges with two faces |
 //! | [`solid_sides`](self) | the cells between faces, and the faces around the solid |
 //! | [`sheet_pairs`](self) | sheets of faces, and their own vertices |
+//! | [`united_parts`](self) | faces that intersect |
 //! | [`twin_edges`](self) | edges of one sheet that coincide |
 //!
 //! Source: Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, *Mesh arrangements for solid geometry*
@@ -45,6 +47,7 @@ mod repair_state;
 mod sew_borders;
 mod sheet_pairs;
 mod twin_edges;
+mod united_parts;
 
 pub use repair_request::{DropReason, DroppedFace, History, Options, Repaired};
 pub use repair_run::repair;

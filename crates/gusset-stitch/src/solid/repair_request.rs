@@ -24,6 +24,8 @@ pub struct Options {
     pub leave_holes: bool,
     /// If true, components keep their orientations.
     pub leave_orientation: bool,
+    /// If true, faces that intersect stay.
+    pub leave_intersections: bool,
     /// If true, open sheets stay that were attached to a closed component.
     pub leave_fins: bool,
     /// How holes are filled; `outward` and `plan_only` are not read.
@@ -44,6 +46,8 @@ pub enum DropReason {
     /// The solid lies on neither side, and it belongs to an open sheet attached to a closed
     /// component.
     Fin,
+    /// It lies in an overlapping part, or on an inverted part, and no part of it bounds the union.
+    Overlap,
 }
 
 choices! { for DropReason:
@@ -52,6 +56,7 @@ choices! { for DropReason:
     Duplicate => "Duplicate", "Another face has the same vertices.";
     Inside => "Inside", "The solid lies on both sides.";
     Fin => "Fin", "Part of an open sheet that was attached to a closed component.";
+    Overlap => "Overlap", "The face lies in an overlapping part, or on an inverted part.";
 }
 
 /// A dropped face of the input.

@@ -9,6 +9,7 @@ use super::repair_state::{NO_ORIGIN, RepairState};
 use super::sew_borders::{SewCounts, sew_borders};
 use super::sheet_pairs::Sheets;
 use super::twin_edges::split_twin_edges;
+use super::united_parts::unite_parts;
 use crate::check::{check, find_intersecting_faces, find_zero_area_faces};
 use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
 use crate::repair::orient::{self, Outward, orient};
@@ -127,7 +128,11 @@ impl<'o> RepairRun<'o> {
             self.fill_holes(&job.part(0.7, 0.85))?;
             self.drop_fins(&job.part(0.85, 0.9))?;
         }
-        self.turn_outwards(&job.part(0.9, 1.0))
+        self.turn_outwards(&job.part(0.9, 0.92))?;
+        if !self.options.leave_intersections {
+            unite_parts(&mut self.state, &job.part(0.92, 1.0))?;
+        }
+        Ok(())
     }
 
     fn drop_flat_faces(&mut self, job: &Job<'_>) -> Result<()> {

@@ -1,0 +1,225 @@
+//! Faces that intersect: the closed components are replaced by their union.
+//!
+//! Faces that no other meets stay as they are, also faces with more than three corners.
+
+use super::repair_request::DropReason;
+use super::repair_state::{NO_ORIGIN, NewVertex, RepairState};
+use crate::arrange::{Options, Union, unite};
+use crate::check::find_intersecting_faces;
+use crate::repair::corner_origins::CornerOrigin;
+use gusset_base::alloc;
+use gusset_base::error::Result;
+use gusset_base::geom::disjoint_sets::DisjointSets;
+use gusset_base::job::Job;
+use gusset_base::sort::Buckets;
+use gusset_mesh::{Mesh, MeshView, NONE, Opposite, Topology};
+
+const STAGE: &str = "uniting parts";
+
+/// Unites the closed components if faces of them intersect.
+pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<()> {
+    let (closed, union) = {
+        let view = state.mesh.view(&job.part(0.0, 0.05))?;
+        let pairs = find_intersecting_faces(&view, &job.part(0.05, 0.2))?;
+        let is_closed = closed_faces(&view, &job.part(0.2, 0.3))?;
+        if !pairs.iter().any(|pair| pair.iter().all(|&f| is_closed[f as usize])) {
+            return Ok(());
+        }
+        let closed = alloc::gather((0..).zip(&is_closed).filter(|&(_, &is_closed)| is_closed).map(|(f, _)| f))?;
+        let parts = select_faces(&state.mesh, &closed)?;
+        let union = unite(&parts.view(&job.part(0.3, 0.35))?, &Options::default(), &job.part(0.35, 0.9))?;
+        (closed, union)
+    };
+    UnitedParts { closed: &closed, union: &union }.put_into(state, &job.part(0.9, 1.0))
+}
+
+/// Returns for each face whether its component is closed, manifold along edges and oriented.
+fn closed_faces(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<bool>> {
+    let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
+    let faces = mesh.faces();
+    let mut sets = DisjointSets::new(faces.len())?;
+    let mut is_closed = alloc::filled(true, faces.len())?;
+    for h in 0..faces.half_edge_count() as u32 {
+        job.part(0.5, 0.8).step_within_list(h as usize, STAGE)?;
+        let f = faces.face_of(h);
+        match topology.opposite(h) {
+            Opposite::Mate(mate) if mate != h && faces.corner(h) != faces.corner(mate) => {
+                sets.union(f, faces.face_of(mate));
+            }
+            _ => is_closed[f as usize] = false,
+        }
+    }
+    let components = sets.into_roots(&job.part(0.8, 1.0), STAGE)?;
+    for f in 0..faces.len() {
+        is_closed[components[f] as usize] &= is_closed[f];
+    }
+    alloc::collect(components.iter().map(|&root| is_closed[root as usize]))
+}
+
+/// Returns a mesh of some faces, with all vertices.
+fn select_faces(mesh: &Mesh, faces: &[u32]) -> Result<Mesh> {
+    let (mut offsets, mut corners) = (vec![0], Vec::new());
+    for &f in faces {
+        alloc::append(&mut corners, face_corners(mesh, f))?;
+        alloc::push(&mut offsets, corners.len() as u32)?;
+    }
+    let all = alloc::collect(0..mesh.positions.len() as u32)?;
+    Ok(Mesh::new(mesh.positions.select_vertices(&all)?, offsets, corners))
+}
+
+fn face_corners(mesh: &Mesh, f: u32) -> &[u32] {
+    &mesh.face_corners[mesh.face_offsets[f as usize] as usize..mesh.face_offsets[f as usize + 1] as usize]
+}
+
+/// The closed faces of a mesh, and their union.
+struct UnitedParts<'a> {
+    closed: &'a [u32],
+    union: &'a Union,
+}
+
+/// Faces in the making, each with the old face and the origins of its corners.
+#[derive(Default)]
+struct FaceList {
+    offsets: Vec<u32>,
+    corners: Vec<u32>,
+    origins: Vec<CornerOrigin>,
+    faces: Vec<u32>,
+}
+
+impl FaceList {
+    fn push(&mut self, face: u32, corners: impl Iterator<Item = (u32, CornerOrigin)>) -> Result<()> {
+        for (v, origin) in corners {
+            alloc::push(&mut self.corners, v)?;
+            alloc::push(&mut self.origins, origin)?;
+        }
+        alloc::push(&mut self.offsets, self.corners.len() as u32)?;
+        alloc::push(&mut self.faces, face)
+    }
+}
+
+impl UnitedParts<'_> {
+    /// Replaces the closed faces of the state by their union.
+    fn put_into(&self, state: &mut RepairState, job: &Job<'_>) -> Result<()> {
+        let vertices = self.number_vertices(state)?;
+        let mesh = &state.mesh;
+        // The triangles of the union from each closed face.
+        let triangles = self.union.face_origins.iter().enumerate().map(|(t, &k)| (k as usize, t as u32));
+        let triangles = Buckets::new_cancellable(self.closed.len(), 0u32, triangles, &job.part(0.0, 0.3), STAGE)?;
+        let mut list = FaceList { offsets: vec![0], ..FaceList::default() };
+        let (mut next, mut scratch) = (0, Vec::new());
+        for f in 0..mesh.face_count() as u32 {
+            job.part(0.3, 1.0).step_within_list(f as usize, STAGE)?;
+            let first = mesh.face_offsets[f as usize];
+            let old = face_corners(mesh, f);
+            let origin = |k: usize| state.corner_origins[first as usize + k];
+            if self.closed.get(next) != Some(&f) {
+                list.push(f, old.iter().enumerate().map(|(k, &v)| (v, origin(k))))?;
+                continue;
+            }
+            let parts = triangles.get(next);
+            next += 1;
+            if self.is_unchanged(mesh, f, parts, &vertices, &mut scratch)? {
+                list.push(f, old.iter().enumerate().map(|(k, _)| (scratch[k], origin(k))))?;
+                continue;
+            }
+            for &t in parts {
+                let corners = self.union.mesh.face_corners[3 * t as usize..3 * t as usize + 3].iter();
+                // A corner at a new vertex takes the values of the face's first corner.
+                let source = |v: u32| {
+                    let old_vertex = self.union.vertex_origins[v as usize];
+                    let place = old.iter().position(|&u| u == old_vertex).unwrap_or(0);
+                    if state.face_origin[f as usize] == NONE { NO_ORIGIN } else { origin(place) }
+                };
+                list.push(f, corners.map(|&v| (vertices[v as usize], source(v))))?;
+            }
+        }
+        let mut remains = alloc::filled(false, state.mesh.face_count())?;
+        list.faces.iter().for_each(|&f| remains[f as usize] = true);
+        for f in (0..remains.len()).filter(|&f| !remains[f]) {
+            state.list_dropped(f, DropReason::Overlap)?;
+        }
+        state.changes += 1;
+        state.face_origin = alloc::collect(list.faces.iter().map(|&f| state.face_origin[f as usize]))?;
+        state.turned = alloc::collect(list.faces.iter().map(|&f| state.turned[f as usize]))?;
+        state.corner_origins = list.origins;
+        (state.mesh.face_offsets, state.mesh.face_corners) = (list.offsets, list.corners);
+        Ok(())
+    }
+
+    /// Returns the vertex of the state for each vertex of the union. The first of several copies of
+    /// a vertex keeps its number; new vertices are appended.
+    fn number_vertices(&self, state: &mut RepairState) -> Result<Vec<u32>> {
+        let mut is_taken = alloc::filled(false, state.mesh.positions.len())?;
+        let mut numbers = alloc::with_capacity(self.union.vertex_origins.len())?;
+        let mut parents = alloc::filled(NONE, self.union.vertex_origins.len())?;
+        for (t, triangle) in self.union.mesh.face_corners.chunks_exact(3).enumerate() {
+            let face = self.closed[self.union.face_origins[t] as usize];
+            triangle.iter().for_each(|&v| parents[v as usize] = parents[v as usize].min(face));
+        }
+        let (mut copies, mut new) = (Vec::new(), Vec::new());
+        let old = state.mesh.positions.len() as u32;
+        for (v, &origin) in self.union.vertex_origins.iter().enumerate() {
+            if origin == NONE {
+                numbers.push(NONE);
+                alloc::push(&mut new, v as u32)?;
+            } else if std::mem::replace(&mut is_taken[origin as usize], true) {
+                numbers.push(old + copies.len() as u32);
+                alloc::push(&mut copies, origin)?;
+            } else {
+                numbers.push(origin);
+            }
+        }
+        state.copy_vertices(&copies)?;
+        let first = state.mesh.positions.len() as u32;
+        let points = new.iter().map(|&v| self.union.mesh.positions.get(v));
+        state.mesh.positions.extend(points)?;
+        alloc::grow(&mut state.vertex_origin, first as usize + new.len(), NONE)?;
+        for (number, &v) in (first..).zip(&new) {
+            numbers[v as usize] = number;
+            let parent = self.parents_on_face(state, parents[v as usize], v);
+            alloc::push(&mut state.new_vertices, (number, parent.1, parent.2))?;
+        }
+        Ok(numbers)
+    }
+
+    /// Returns the first three corners of the face on which a new vertex lies, and its barycentric
+    /// coordinates there, not negative.
+    fn parents_on_face(&self, state: &RepairState, face: u32, v: u32) -> NewVertex {
+        let [a, b, c] = [0, 1, 2].map(|k| face_corners(&state.mesh, face)[k]);
+        let [p, q, r] = [a, b, c].map(|v| state.mesh.positions.get(v));
+        let x = self.union.mesh.positions.get(v);
+        let normal = (q - p).cross(r - p);
+        let area = |u: glam::DVec3, w: glam::DVec3| (u - x).cross(w - x).dot(normal).max(0.0);
+        let weights = [area(q, r), area(r, p), area(p, q)];
+        let sum: f64 = weights.iter().sum();
+        let is_normal = sum > 0.0 && sum.is_finite();
+        (v, [a, b, c], if is_normal { weights.map(|weight| weight / sum) } else { [1.0, 0.0, 0.0] })
+    }
+
+    /// Returns true if the triangles of a face in the union are those of its own corners. `corners`
+    /// receives the vertex of each corner.
+    fn is_unchanged(
+        &self,
+        mesh: &Mesh,
+        f: u32,
+        parts: &[u32],
+        vertices: &[u32],
+        corners: &mut Vec<u32>,
+    ) -> Result<bool> {
+        let old = face_corners(mesh, f);
+        corners.clear();
+        if parts.len() + 2 != old.len() {
+            return Ok(false);
+        }
+        let found = || parts.iter().flat_map(|&t| &self.union.mesh.face_corners[3 * t as usize..3 * t as usize + 3]);
+        for &v in old {
+            let mut own = found().filter(|&&u| self.union.vertex_origins[u as usize] == v);
+            let Some(&first) = own.next() else { return Ok(false) };
+            if own.any(|&other| other != first) {
+                return Ok(false);
+            }
+            alloc::push(corners, vertices[first as usize])?;
+        }
+        Ok(found().all(|&u| old.contains(&self.union.vertex_origins[u as usize])))
+    }
+}
