@@ -54,7 +54,7 @@ pub(super) fn remove_flat_faces(
     Ok(())
 }
 
-/// Removes faces that do not share faces to change. Returns true if it removed one.
+/// Removes faces whose neighbours are not removed at the same time. Returns true if it removed one.
 fn remove_separate_faces(state: &mut RepairState, flat: &[u32], job: &Job<'_>) -> Result<bool> {
     let mesh = &state.mesh;
     let mut removals = Vec::new();
@@ -65,21 +65,23 @@ fn remove_separate_faces(state: &mut RepairState, flat: &[u32], job: &Job<'_>) -
     }
     let sides = SideFaces::find(mesh, &removals, &job.part(0.0, 0.5))?;
     let (mut touched, mut places, mut merges) = (BitSet::new(mesh.positions.len())?, Vec::new(), Vec::new());
-    let mut reasons = alloc::filled(None, mesh.face_count())?;
+    let (mut changed, mut reasons) = (BitSet::new(mesh.face_count())?, alloc::filled(None, mesh.face_count())?);
     for (f, removal) in &removals {
         let corners = |f: u32| face_corners(mesh, f).iter();
         match removal {
             Removal::Merge(pair) => {
-                if pair.iter().any(|&v| touched.contains(v)) {
+                if corners(*f).any(|&v| touched.contains(v)) {
                     continue;
                 }
+                pair.iter().for_each(|&v| touched.insert(v));
                 alloc::push(&mut merges, (pair[1], pair[0]))?;
             }
             Removal::Insert { side, vertices } => {
                 let others = || sides.at(*side).iter().filter(|&&(_, h)| mesh.face_of(h) as u32 != *f);
                 let faces = || others().map(|&(_, h)| mesh.face_of(h) as u32);
                 let has_vertex = |g: u32| vertices.iter().any(|(_, v)| face_corners(mesh, g).contains(v));
-                if faces().chain([*f]).any(|g| corners(g).any(|&v| touched.contains(v))) || faces().any(has_vertex) {
+                let is_busy = |g: u32| reasons[g as usize].is_some() || corners(g).any(|&v| touched.contains(v));
+                if changed.contains(*f) || faces().chain([*f]).any(is_busy) || faces().any(has_vertex) {
                     continue;
                 }
                 for &(_, h) in others() {
@@ -87,17 +89,22 @@ fn remove_separate_faces(state: &mut RepairState, flat: &[u32], job: &Job<'_>) -
                     let along = |at: f64| if runs_up { at } else { 1.0 - at };
                     alloc::extend(&mut places, vertices.iter().map(|&(at, v)| (h, along(at), v)))?;
                 }
-                faces().for_each(|g| corners(g).for_each(|&v| touched.insert(v)));
+                faces().for_each(|g| changed.insert(g));
                 reasons[*f as usize] = Some(DropReason::ZeroArea);
             }
         }
-        corners(*f).for_each(|&v| touched.insert(v));
     }
-    if places.is_empty() && merges.is_empty() && reasons.iter().all(Option::is_none) {
+    let is_dropped = |reason: &Option<_>| reason.is_some();
+    if merges.is_empty() && (!reasons.iter().any(is_dropped) || reasons.iter().all(is_dropped)) {
         return Ok(false);
     }
     sort(&mut places, |a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)), &job.part(0.5, 0.6), STAGE)?;
     merges.sort_unstable();
+    for (_, _, v) in &mut places {
+        if let Ok(k) = merges.binary_search_by_key(v, |pair| pair.0) {
+            *v = merges[k].1;
+        }
+    }
     state.replace_vertices(&merges);
     state.drop_and_insert(&reasons, &places, &job.part(0.6, 0.9))?;
     state.collapse_repeated_corners()?;

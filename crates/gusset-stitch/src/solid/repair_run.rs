@@ -45,7 +45,7 @@ pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<R
     let mut run = RepairRun::start(mesh, options, &job.part(0.1, 0.15))?;
     for round in 0..MAX_ROUNDS {
         let changes = run.state.changes;
-        run.run_stages(&job.part(0.15, 0.8).share(round, MAX_ROUNDS))?;
+        run.run_stages(round, &job.part(0.15, 0.8).share(round, MAX_ROUNDS))?;
         if run.state.changes == changes {
             break;
         }
@@ -102,9 +102,9 @@ impl<'o> RepairRun<'o> {
     }
 
     /// Sews borders, unless the options leave them.
-    fn sew(&mut self, job: &Job<'_>) -> Result<()> {
+    fn sew(&mut self, round: usize, job: &Job<'_>) -> Result<()> {
         if !self.options.leave_borders && self.has_border(&job.part(0.0, 0.2))? {
-            let counts = sew_borders(&mut self.state, self.options.tolerance, &job.part(0.2, 1.0))?;
+            let counts = sew_borders(&mut self.state, self.options.tolerance, round == 0, &job.part(0.2, 1.0))?;
             self.counts.add(&counts);
         }
         Ok(())
@@ -119,8 +119,8 @@ impl<'o> RepairRun<'o> {
     }
 
     /// Runs all stages once.
-    fn run_stages(&mut self, job: &Job<'_>) -> Result<()> {
-        self.sew(&job.part(0.0, 0.05))?;
+    fn run_stages(&mut self, round: usize, job: &Job<'_>) -> Result<()> {
+        self.sew(round, &job.part(0.0, 0.05))?;
         self.drop_flat_faces(&job.part(0.05, 0.1))?;
         self.drop_duplicates(&job.part(0.1, 0.2))?;
         self.fill_holes(&job.part(0.2, 0.5))?;

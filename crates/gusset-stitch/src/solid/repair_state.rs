@@ -96,7 +96,8 @@ impl RepairState {
 
     /// Drops the faces with a reason.
     pub(super) fn drop_faces(&mut self, reasons: &[Option<DropReason>]) -> Result<()> {
-        if reasons.iter().all(Option::is_none) {
+        // A mesh keeps its faces rather than become empty.
+        if reasons.iter().all(Option::is_none) || reasons.iter().all(Option::is_some) {
             return Ok(());
         }
         self.changes += 1;

@@ -29,14 +29,21 @@ impl SewCounts {
 }
 
 /// Sews the borders of a mesh edge to edge. If a border still coincides with another, all
-/// coincident vertices are merged where this leaves fewer free edges.
-pub(super) fn sew_borders(state: &mut RepairState, tolerance: Option<f64>, job: &Job<'_>) -> Result<SewCounts> {
-    let how = weld::Options { vertices: Vertices::Boundary, tolerance, collapse: true, remove_unused: false };
+/// coincident vertices are merged where this leaves fewer free edges. After the first round, edges
+/// with three or more faces count as free edges: separated sheets stay apart.
+pub(super) fn sew_borders(
+    state: &mut RepairState,
+    tolerance: Option<f64>,
+    is_first: bool,
+    job: &Job<'_>,
+) -> Result<SewCounts> {
+    let how = weld::Options { vertices: Vertices::Boundary, tolerance, collapse: false, remove_unused: false };
     let mesh = state.mesh.view(&job.part(0.0, 0.1))?;
     let mut sewn = sew(&mesh, &how, &job.part(0.1, 0.4))?;
     if !sewn.left_vertices.is_empty() {
         let all = sew(&mesh, &weld::Options { vertices: Vertices::All, ..how }, &job.part(0.4, 0.8))?;
-        if free_edges(&all, &job.part(0.8, 0.9))? < free_edges(&sewn, &job.part(0.9, 1.0))? {
+        let count = |sewn: &Sew, job: &Job<'_>| border_edges(sewn, is_first, job);
+        if count(&all, &job.part(0.8, 0.9))? < count(&sewn, &job.part(0.9, 1.0))? {
             sewn = all;
         }
     }
@@ -52,11 +59,12 @@ pub(super) fn sew_borders(state: &mut RepairState, tolerance: Option<f64>, job: 
     Ok(counts)
 }
 
-fn free_edges(sewn: &Sew, job: &Job<'_>) -> Result<usize> {
+/// Returns the number of half-edges of free edges, or also of edges with three or more faces.
+fn border_edges(sewn: &Sew, only_free: bool, job: &Job<'_>) -> Result<usize> {
     let view = sewn.mesh.view(&job.part(0.0, 0.3))?;
     let topology = Topology::new(&view, &job.part(0.3, 0.9))?;
     let border = topology.border_half_edges(&job.part(0.9, 1.0))?;
-    Ok(border.iter().filter(|&&h| topology.opposite(h) == Opposite::Free).count())
+    Ok(border.iter().filter(|&&h| !only_free || topology.opposite(h) == Opposite::Free).count())
 }
 
 impl RepairState {
