@@ -139,6 +139,7 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
                 copy,
                 new_vertex_limits(limit),
                 self.taken,
+                None,
                 &job.part(0.4, 0.6),
             )?;
         }
@@ -203,6 +204,7 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
                     triangles,
                     limits,
                     taken,
+                    None,
                     &job.part(0.4, 0.6),
                 )?;
                 let Some(plan) = plan else {
