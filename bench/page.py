@@ -62,6 +62,12 @@ as MeshLib has; for
 `untuned` nothing is given but the pieces. `best`: a blend; `cgal` is a bridge of two triangles, the hole
 triangulated, refined and faired. `clean`: closed, and no new face meets another; `wrong_bridges`: between loops that do not belong
 together; `under_15_share`: of the new triangles.""",
+    "elbow": """## Joints between bent tubes
+
+Two straight tubes of 48 and 40 segments whose axes continue each other along an arc of 60 to 120 degrees, with bend radii of 1.5 to
+4 radii of the tube. `ratio`: the peer's distance from the torus divided by ours (root mean square, geometric mean over the bend
+radii). `meshlib` is stitchHoles beside our strip, `meshlib-nicely` stitchHolesNicely beside our blend. `bend`: the largest angle
+between neighbouring faces in degrees; `neck`: the least radius of a section of the joint, in radii of the tube.""",
     "fill": """## Holes
 
 `truth`: discs cut out of the same closed meshes, along their own edges, 1, 2, 5, 10 and 20 % of their size wide. `ratio`: the
@@ -215,6 +221,7 @@ def accuracies(entries):
     return table(["case", "by", *ACCURACIES.values()], [rows[key] for key in ordered]) + ACCURACY_CAPTION if rows else ""
 
 
+ELBOWS = {"cases": "cases", "closed": "closed", "cuts": "cuts", "bend": "bend", "neck": "neck"}
 FILLS = {
     "cases": "cases", "closed": "closed", "clean": "clean", "peer_clean": "peer clean", "cuts": "cuts", "peer_cuts": "peer cuts",
     "min_angle_median": "least angle, median",
@@ -233,6 +240,17 @@ def truths(entries):
         for who, quality in (("gusset", e["quality"]), (peer, e["quality"]["peer"])):
             rows.append([f"`{name}`", who, *("-" if quality.get(q) is None else shown(quality[q]) for q in TRUTHS)])
     return table(["case", "by", *TRUTHS.values()], rows)
+
+
+def elbows(entries):
+    """The worst over the bend radii; one row for each contender."""
+    rows = []
+    for e in entries:
+        _, name, peer = split(e)
+        for who, quality in (("gusset", e["quality"]), (peer, e["quality"]["peer"])):
+            rows.append([f"`{name}`", f"{who} beside {peer}" if who == "gusset" else who,
+                         *("-" if quality.get(q) is None else shown(quality[q]) for q in ELBOWS)])
+    return table(["case", "by", *ELBOWS.values()], rows)
 
 
 def fills(entries):
@@ -285,6 +303,8 @@ def write_page(entries, folder, gusset):
             parts.append(qualities(judged))
         if mine and module == "truth":
             parts += [truths(mine), TRUTH_PICTURE]
+        if mine and module == "elbow":
+            parts.append(elbows(mine))
         if mine and module == "fill":
             parts.append(fills(mine))
         if module == "carcass":

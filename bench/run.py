@@ -6,6 +6,7 @@ import sys
 import time
 from pathlib import Path
 
+import elbows
 import files
 import fills
 import hosts
@@ -74,6 +75,8 @@ def main():
     Cases(library, report, options.tools, folder, options.only, options.slow).run()
     if truth.wanted(options.only):
         truth.run(library, report, options.tools, folder, options.only, options.docs)
+    if elbows.wanted(options.only):
+        elbows.run(library, report, options.tools, folder, options.only)
     if fills.wanted(options.only):
         fills.run(library, report, options.tools, folder, options.only)
     if files.wanted(options.only):

@@ -19,6 +19,7 @@ mod creases;
 mod develop;
 mod develop_cuts;
 mod develop_steps;
+mod elbows;
 mod errata;
 mod facing;
 mod fill;

@@ -66,7 +66,11 @@ pub const GUSSET_FAIRING_THIN_PLATE: gusset_fairing = 1;
 pub type gusset_intersections = u32;
 /// Finds intersections of the strip, and reduces them:
 /// - A triangle strip without rows by GUSSET_MERIDIANS_CONTINUATION is rerouted; the best strip
-///   tried is kept.
+///   tried is kept. If the mean meridian is longer than a radius, the strip of
+///   GUSSET_MERIDIANS_SMOOTH competes. It is kept if it has fewer intersections, or as many and
+///   much smaller bends.
+/// - Rows by GUSSET_MERIDIANS_CONTINUATION use the meridians of that strip if the gap is so wide, or
+///   if they would intersect.
 /// - Faired rows move back locally, at most 12 times; straight rows are kept if they intersect
 ///   less.
 /// - Blends move back likewise, then get less fairing. The best blend is kept, or the strip if
@@ -118,7 +122,8 @@ pub const GUSSET_CENTRES_LENGTH: gusset_centres = 1;
 pub type gusset_row_rule = u32;
 /// 0: each meridian is one edge.
 pub const GUSSET_ROWS_NONE: gusset_row_rule = 0;
-/// max(0, round(mean meridian length / mean edge length of both meshes) - 1).
+/// max(0, round(mean meridian length / mean edge length of both meshes) - 1). At most about 50,000
+/// new vertices, or 16 rows if those are more; a note says if this limit applies.
 pub const GUSSET_ROWS_MEAN_EDGE: gusset_row_rule = 1;
 /// row_count.
 pub const GUSSET_ROWS_COUNT: gusset_row_rule = 2;
@@ -136,7 +141,8 @@ pub type gusset_finish = u32;
 pub const GUSSET_FINISH_STRIP: gusset_finish = 0;
 /// Smooth joint, tangent to both pieces. Triangles are about as fine as along the rims, graded
 /// between, without sharp angles where the rims allow. It smooths the ridges of a strip without
-/// rows. A tube closes a gap in a tube, within some per cent of the radius across a few radii.
+/// rows. A tube closes a gap in a tube, within some per cent of the radius across a few radii. Across
+/// a gap wider than a radius the joint of two tubes bends as an arc between their axes.
 /// Meridians and matrix describe the strip, not edges of the result. Ignores rows, cells and
 /// fairing. In a hole: a patch with new vertices as dense as those around it, faired. In a join, for
 /// strips and holes.

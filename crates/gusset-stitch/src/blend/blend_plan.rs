@@ -61,6 +61,9 @@ pub(crate) struct Blend {
     pub(crate) unfaired: Vec<DVec3>,
 }
 
+/// Moves points from the coarse triangles to a surface that guides the blend.
+pub(crate) type GuideSurface<'a> = dyn Fn(&mut [DVec3]) -> Result<()> + 'a;
+
 /// The common start of all fairing attempts.
 pub(crate) struct BlendPlan<T: Fn(u32, u32) -> bool> {
     ring: OldRing,
@@ -77,12 +80,14 @@ pub(crate) struct BlendPlan<T: Fn(u32, u32) -> bool> {
 
 impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
     /// Plans the blend of triangles between the rims; `None` if the limits do not allow a blend.
+    /// With a `guide`, the blend follows that surface instead of the coarse triangles.
     /// O(T + n log n) for T triangles and n new vertices.
     pub(crate) fn new(
         mut ring: OldRing,
         triangles: Vec<[u32; 3]>,
         limits: NewVertexLimits,
         taken: T,
+        guide: Option<&GuideSurface<'_>>,
         job: &Job<'_>,
     ) -> Result<Option<Self>> {
         let rim = ring.centred.len();
@@ -120,6 +125,10 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
             return Ok(None);
         }
         mesh.move_vertices_within_surface(rim, &taken, VERTEX_MOVE_ROUNDS[0], &job.part(0.8, 1.0))?;
+        if let Some(guide) = guide {
+            guide(&mut mesh.points[rim..])?;
+            sizing.unfaired.copy_from_slice(&mesh.points);
+        }
         let closed = |v: usize| v >= rim;
         sizing.curvature =
             mean_curvature(&mesh.points, &mesh.triangles, &closed, CURVATURE_SMOOTHING_PASSES, &job.part(1.0, 1.0))?;

@@ -9,10 +9,11 @@
 //!
 //! The plate has a rest shape: the curvature of the coarse triangles, smoothed over their ridges. A
 //! plate that is flat at rest would narrow to a neck between two tubes, and over a few radii to a
-//! point. Over many radii it follows the coarse triangles. In a hole, the rest shape is the plate's
-//! own smoothed curvature from the second solution on. Creases that the old faces lack are smoothed
-//! out. Finally the sharp triangles at the shortest rim edges are refined; there the plate would
-//! follow round-off.
+//! point. Over many radii it follows the coarse triangles, or a guide surface in their place:
+//! between bent tubes the coarse triangles themselves narrow to a neck. In a hole, the rest shape
+//! is the plate's own smoothed curvature from the second solution on. Creases that the old faces
+//! lack are smoothed out. Finally the sharp triangles at the shortest rim edges are refined; there
+//! the plate would follow round-off.
 //!
 //! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for
 //! the order of the steps; P. Liepa, *Filling holes in meshes* (2003), for the plate. The constants
@@ -29,5 +30,5 @@ mod fold_free_moves;
 mod blend_plan;
 mod old_ring;
 
-pub(crate) use blend_plan::{BlendFairing, BlendPlan, NewVertexLimits};
+pub(crate) use blend_plan::{Blend, BlendFairing, BlendPlan, GuideSurface, NewVertexLimits};
 pub(crate) use old_ring::{MAX_FAN_TRIANGLES, OldRing, SecondRing};

@@ -17,9 +17,8 @@ use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 use std::collections::HashSet;
 
-/// Blends are retried on an intersecting patch until the attempts have made this many new vertices:
-/// two blends of full size.
-const MAX_VERTICES_OF_ATTEMPTS: usize = 2 * 50_000;
+/// The note on a hole with fewer attempts.
+const LIMIT_NOTE: &str = "a hole takes many new vertices: not all ways to fair its patch have been tried";
 
 /// The patches and their inputs.
 pub(super) struct HoleFilling<'a> {
@@ -112,10 +111,14 @@ impl<'a> HoleFilling<'a> {
         let taken =
             |u: u32, v: u32| is_taken_edge(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
         let mut planner = PatchBuilder::new(&rim, self.options, &taken);
-        let mut found = None;
+        let (mut found, mut limited) = (None, false);
         let ways = list_attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
             let job = job.share(i, ways.len());
+            if planner.exceeds_limit(attempt, 0) {
+                limited = true;
+                continue;
+            }
             if let Some(patch) = planner.build_patch(attempt, &job.part(0.0, 0.9))? {
                 found = Some(self.made.vertices.place_patch(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
             }
@@ -123,6 +126,9 @@ impl<'a> HoleFilling<'a> {
             if found.is_some() || planner.lacks_triangulation() && group.len() == 1 {
                 break;
             }
+        }
+        if limited {
+            job.note(LIMIT_NOTE);
         }
         drop(planner);
         alloc::insert_all(
@@ -171,20 +177,23 @@ impl<'a> HoleFilling<'a> {
             &job.part(0.0, 0.0),
         )?;
         let first_tried = self.made.vertices.end_vertex_number();
-        let (mut better, mut tried) = (None, self.made.patches[k].vertices.len());
+        let (mut better, mut limited, first) = (None, false, self.made.patches[k].vertices.len());
         let ways = list_attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
             let job = job.share(i, ways.len());
             if least == 0 {
                 break;
             }
-            if attempt == self.made.patches[k].attempt || attempt.is_blend() && tried > MAX_VERTICES_OF_ATTEMPTS {
+            if attempt == self.made.patches[k].attempt {
+                continue;
+            }
+            if planner.exceeds_limit(attempt, first) {
+                limited = true;
                 continue;
             }
             let Some(patch) = planner.build_patch(attempt, &job.part(0.0, 0.7))? else {
                 continue;
             };
-            tried += patch.points.len();
             let mut placed = self.made.vertices.place_patch(&rim, &names, &patch, attempt, &job.part(0.7, 0.8))?;
             let count =
                 trials.count_intersections(&self.made.vertices, &self.made.patches, k, &placed, &job.part(0.8, 1.0))?;
@@ -194,6 +203,9 @@ impl<'a> HoleFilling<'a> {
             } else {
                 self.made.vertices.remove_last_patch(&placed);
             }
+        }
+        if limited {
+            job.note(LIMIT_NOTE);
         }
         drop(planner);
         alloc::insert_all(

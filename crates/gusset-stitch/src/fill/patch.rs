@@ -15,9 +15,12 @@ use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
 use gusset_base::geom::triangle_places::nearest_places;
 use gusset_base::job::Job;
+use std::cell::Cell;
 
 /// Estimated limit on the new vertices of a hole, if the caller sets none.
 const DEFAULT_MAX_NEW_VERTICES: u32 = 50_000;
+/// Blends are tried until the attempts have made this many new vertices: two blends of full size.
+const MAX_VERTICES_OF_ATTEMPTS: usize = 2 * DEFAULT_MAX_NEW_VERTICES as usize;
 /// Limit on the new vertices that sharp angles at the rim may request, per rim vertex, if the
 /// caller sets none.
 const DEFAULT_MAX_NEW_PER_RIM_VERTEX: u32 = 4;
@@ -100,11 +103,31 @@ pub(super) struct PatchBuilder<'a, T: Fn(u32, u32) -> bool> {
     /// The last triangulation, and the plan of the blends based on it.
     coarse: Option<(Weight, Vec<[u32; 3]>)>,
     plan: Option<blend::BlendPlan<&'a T>>,
+    /// The number of new vertices of all blends so far, also of those that were rejected.
+    blended_vertices: Cell<usize>,
 }
 
 impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
     pub(super) fn new(rim: &'a PatchRim, options: &'a Options, taken: &'a T) -> Self {
-        PatchBuilder { rim, options, taken, coarse: None, plan: None }
+        PatchBuilder { rim, options, taken, coarse: None, plan: None, blended_vertices: Cell::new(0) }
+    }
+
+    /// Returns true if the attempt is a blend, and the blends so far have used up
+    /// [`MAX_VERTICES_OF_ATTEMPTS`] together with `before` vertices of an earlier builder.
+    pub(super) fn exceeds_limit(&self, attempt: PatchAttempt, before: usize) -> bool {
+        attempt.is_blend() && before + self.blended_vertices.get() > MAX_VERTICES_OF_ATTEMPTS
+    }
+
+    /// Creates a blend, and counts its vertices.
+    fn create_blend<U: Fn(u32, u32) -> bool>(
+        &self,
+        plan: &blend::BlendPlan<U>,
+        way: BlendFairing,
+        job: &Job<'_>,
+    ) -> Result<blend::Blend> {
+        let made = plan.create_blend(way, job)?;
+        self.blended_vertices.set(self.blended_vertices.get() + made.points.len());
+        Ok(made)
     }
 
     /// Returns true if the last patch had no triangulation.
@@ -139,6 +162,7 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
                 copy,
                 new_vertex_limits(limit),
                 self.taken,
+                None,
                 &job.part(0.4, 0.6),
             )?;
         }
@@ -150,7 +174,7 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
             let triangles = alloc::copied(&coarse)?;
             return Ok(Some(Patch { points: Vec::new(), unfaired: Vec::new(), coarse, triangles }));
         };
-        let made = plan.create_blend(way, &job.part(0.6, 1.0))?;
+        let made = self.create_blend(plan, way, &job.part(0.6, 1.0))?;
         if !is_near_rim(rim, &made.points) {
             return Ok(None);
         }
@@ -203,12 +227,13 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
                     triangles,
                     limits,
                     taken,
+                    None,
                     &job.part(0.4, 0.6),
                 )?;
                 let Some(plan) = plan else {
                     return Ok(None);
                 };
-                let made = plan.create_blend(way, &job.part(0.6, 1.0))?;
+                let made = self.create_blend(&plan, way, &job.part(0.6, 1.0))?;
                 let unfaired = if way == BlendFairing::WITHOUT_FAIRING { &made.points } else { &made.unfaired };
                 alloc::append(&mut patch.points, &made.points)?;
                 alloc::append(&mut patch.unfaired, unfaired)?;

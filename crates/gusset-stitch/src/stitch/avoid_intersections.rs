@@ -5,12 +5,17 @@
 //! elsewhere. Remaining intersections get further penalties. After some rounds the search starts
 //! again from the strips of other measures. The strip with the fewest intersections is kept, the
 //! first of equals.
+//!
+//! **Wide gaps.** Across a gap of more than a radius, the tangent planes at the rims say little about
+//! the middle. There the strip of least bends competes: it replaces a strip with more intersections,
+//! or with as many and much sharper bends.
 
 use super::existing_edges::ExistingEdges;
 use super::meridian::{MeridianEnds, Meridians, StepPenalty};
 use super::stitch_request::Options;
 use super::strip::{Strip, meridians_from_given_start, meridians_near_path};
 use super::strip_neighbourhood::{IntersectingTriangles, StripNeighbourhood};
+use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -18,7 +23,17 @@ use gusset_base::sort;
 use gusset_mesh::Mesh;
 
 /// The measures to try, in order.
-const MERIDIAN_MEASURES_TO_TRY: [Meridians; 3] = [Meridians::Continuation, Meridians::MinArea, Meridians::MinDiagonal];
+const MERIDIAN_MEASURES_TO_TRY: [Meridians; 4] =
+    [Meridians::Continuation, Meridians::MinArea, Meridians::MinDiagonal, Meridians::Smooth];
+
+/// A strip without intersections whose bends are smaller is not contested. A bend is measured as the
+/// distance of the unit normals; this is 60 degrees.
+const MAX_UNCONTESTED_BEND: f64 = 1.0;
+
+/// The largest bend of a strip that replaces another one with as many intersections: about 65 degrees,
+/// and this fraction of the largest bend of the other strip.
+const MAX_CONTESTANT_BEND: f64 = 1.08;
+const MAX_CONTESTANT_BEND_RATIO: f64 = 0.65;
 
 /// Number of strips to try for each measure.
 const MAX_STRIPS_PER_MEASURE: usize = 12;
@@ -43,14 +58,17 @@ pub(super) fn search_strip_without_intersections(
         StripNeighbourhood::new(whole, strip, unit, Vec::new())?.find_intersections(&old, job)
     };
     let mut best = test(strip, &job.part(0.0, 0.1))?;
+    if strip.has_wide_gap() && (!best.pairs.is_empty() || largest_bend(strip) > MAX_UNCONTESTED_BEND) {
+        contest_by_least_bends(strip, &mut best, existing, options, &test, &job.part(0.1, 0.1))?;
+    }
     if !best.pairs.is_empty() {
         start_far_from_intersections(strip, &best)?;
         let mut best_meridians = alloc::copied(&strip.meridians)?;
         // The start has moved, and the faces are numbered from the start.
-        strip.set_meridians(alloc::copied(&best_meridians)?, existing, options)?;
+        strip.set_meridians(alloc::copied(&best_meridians)?, 0, existing, options)?;
         best = test(strip, &job.part(0.1, 0.15))?;
         for (k, measure) in MERIDIAN_MEASURES_TO_TRY.into_iter().enumerate() {
-            let part = job.part(0.15 + 0.25 * k as f64, 0.4 + 0.25 * k as f64);
+            let part = job.part(0.15 + 0.2 * k as f64, 0.35 + 0.2 * k as f64);
             let how = Options { meridians: measure, ..*options };
             let mut search = AvoidanceSearch { strip, existing, options: &how, test: &test };
             search.try_strips(&mut best, &mut best_meridians, &part)?;
@@ -58,9 +76,59 @@ pub(super) fn search_strip_without_intersections(
                 break;
             }
         }
-        strip.set_meridians(best_meridians, existing, options)?;
+        strip.set_meridians(best_meridians, 0, existing, options)?;
     }
     StripNeighbourhood::new(whole, strip, unit, Vec::new())?.pairs_of_faces(&old, &best)
+}
+
+/// Replaces a strip by the strip of least bends if that has fewer intersections, or as many and a
+/// much smaller largest bend.
+fn contest_by_least_bends(
+    strip: &mut Strip,
+    best: &mut IntersectingTriangles,
+    existing: &ExistingEdges,
+    options: &Options,
+    test: &impl Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>,
+    job: &Job<'_>,
+) -> Result<()> {
+    let how = Options { meridians: Meridians::Smooth, ..*options };
+    let Some(smooth) = meridians_from_given_start(&strip.a, &strip.b, existing, &how, job)? else {
+        return Ok(());
+    };
+    let (bend, own) = (largest_bend(strip), alloc::copied(&strip.meridians)?);
+    match strip.set_meridians(smooth.pairs, 0, existing, options) {
+        Err(Error::NoStrip { .. }) => {}
+        other => {
+            other?;
+            let found = test(strip, job)?;
+            let is_smoother = largest_bend(strip) < MAX_CONTESTANT_BEND.min(MAX_CONTESTANT_BEND_RATIO * bend);
+            if found.pairs.len() < best.pairs.len() || found.pairs.len() == best.pairs.len() && is_smoother {
+                *best = found;
+                return Ok(());
+            }
+        }
+    }
+    strip.set_meridians(own, 0, existing, options)
+}
+
+/// Returns the largest distance between the unit normals of neighbours: triangles of a strip without
+/// rows, and the faces along the rims. Degenerate triangles do not count.
+fn largest_bend(strip: &Strip) -> f64 {
+    let at = |k: u32| strip.grid.points[k as usize];
+    let normal = |&[p, q, r]: &[u32; 3]| (at(q) - at(p)).cross(at(r) - at(p)).normalize_or_zero();
+    let triangles = strip.faces.corners.as_chunks::<3>().0;
+    let bend = |p: DVec3, q: DVec3| if p == DVec3::ZERO || q == DVec3::ZERO { 0.0 } else { p.distance(q) };
+    let mut before = if strip.a.closed { triangles.last().map_or(DVec3::ZERO, normal) } else { DVec3::ZERO };
+    let mut largest = 0.0;
+    for (triangle, step) in triangles.iter().zip(strip.meridians.windows(2)) {
+        let ([i, j], [next, _]) = (step[0], step[1]);
+        let (rim, k) = if next > i { (&strip.a, i) } else { (&strip.b, j) };
+        let side = rim.normals[k as usize % rim.normals.len()];
+        let own = normal(triangle);
+        largest = f64::max(largest, bend(before, own).max(bend(side, own)));
+        before = own;
+    }
+    largest
 }
 
 /// Rotates closed rims so that the first meridian, which stays fixed, is far from intersections: in
@@ -127,7 +195,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
                 0.1 + 0.9 * round as f64 / MAX_STRIPS_PER_MEASURE as f64,
                 0.1 + 0.9 * (round + 1) as f64 / MAX_STRIPS_PER_MEASURE as f64,
             );
-            match self.strip.set_meridians(alloc::copied(&path)?, self.existing, self.options) {
+            match self.strip.set_meridians(alloc::copied(&path)?, 0, self.existing, self.options) {
                 Err(Error::NoStrip { .. }) => return Ok(()),
                 other => other?,
             }

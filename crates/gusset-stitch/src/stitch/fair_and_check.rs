@@ -14,7 +14,7 @@
 use super::avoid_intersections::search_strip_without_intersections;
 use super::existing_edges::ExistingEdges;
 use super::meridian::Meridians;
-use super::stitch_request::{Cells, Fairing, Finish, Intersections, Options};
+use super::stitch_request::{Cells, Fairing, Finish, Intersections, Options, Rows};
 use super::strip::Strip;
 use super::strip_blend::{self, FAIRING_ATTEMPTS, StripBlend};
 use super::strip_neighbourhood::{IntersectingTriangles, StripNeighbourhood};
@@ -22,7 +22,7 @@ use crate::blend::MAX_FAN_TRIANGLES;
 use crate::fair::{Continuity, LaplacianWeights, Plate, minimise_plate_energy};
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::Result;
+use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::Mesh;
@@ -62,6 +62,9 @@ pub(crate) fn fair_and_check(
 }
 
 /// Fairs and checks a strip that is not replaced by a blend.
+///
+/// Rows over meridians by [`Meridians::Continuation`] use the meridians of a strip without
+/// intersections, if the gap is wide or the rows would intersect.
 fn check_strip(
     whole: &Mesh,
     strip: &mut Strip,
@@ -70,14 +73,43 @@ fn check_strip(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<CheckedStrip> {
-    let avoids = strip.grid.new.is_empty()
-        && strip.meridians.len() > 1
+    let avoids = strip.meridians.len() > 1
         && options.meridians == Meridians::Continuation
-        && options.cells == Cells::Triangles;
-    if avoids && options.intersections == Intersections::Auto {
-        let left = search_strip_without_intersections(whole, strip, existing, unit, options, job)?;
-        return Ok(CheckedStrip { intersections: Some(left), back_offs: 0, finish: Finish::Strip });
+        && options.intersections == Intersections::Auto;
+    let rows = strip.grid.row_count();
+    if rows == 0 {
+        if avoids && options.cells == Cells::Triangles {
+            let left = search_strip_without_intersections(whole, strip, existing, unit, options, job)?;
+            return Ok(CheckedStrip { intersections: Some(left), back_offs: 0, finish: Finish::Strip });
+        }
+        return check_rows(whole, strip, unit, options, job);
     }
+    let plain = Options { rows: Rows::None, cells: Cells::Triangles, ..*options };
+    let better_meridians = |strip: &mut Strip, job: &Job<'_>| {
+        let own = alloc::copied(&strip.meridians)?;
+        match strip.set_meridians(own, 0, existing, &plain) {
+            // Rows may run beside existing edges, which a strip without rows would repeat.
+            Err(Error::NoStrip { .. }) => return Ok(()),
+            other => other?,
+        }
+        search_strip_without_intersections(whole, strip, existing, unit, &plain, job)?;
+        let found = std::mem::take(&mut strip.meridians);
+        strip.set_meridians(found, rows, existing, options)
+    };
+    let is_wide = strip.has_wide_gap();
+    if avoids && is_wide {
+        better_meridians(strip, &job.part(0.0, 0.3))?;
+    }
+    let checked = check_rows(whole, strip, unit, options, &job.part(0.3, 0.6))?;
+    if !avoids || is_wide || checked.intersections.as_ref().is_none_or(Vec::is_empty) {
+        return Ok(checked);
+    }
+    better_meridians(strip, &job.part(0.6, 0.7))?;
+    check_rows(whole, strip, unit, options, &job.part(0.7, 1.0))
+}
+
+/// Fairs and checks the rows of a strip.
+fn check_rows(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Options, job: &Job<'_>) -> Result<CheckedStrip> {
     let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
     let rims = strip.rim_count();
     let mut neighbourhood = StripNeighbourhood::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;

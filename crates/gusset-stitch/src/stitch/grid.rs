@@ -89,6 +89,10 @@ impl MeridianGrid {
         DVec3::new(libm::cos(along * round) / round, libm::sin(along * round) / round, up)
     }
 
+    pub(super) fn row_count(&self) -> u32 {
+        self.rows as u32
+    }
+
     fn vertex_at(&self, row: usize, column: usize) -> u32 {
         self.matrix[row * self.columns + column]
     }

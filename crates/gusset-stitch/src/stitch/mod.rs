@@ -24,6 +24,7 @@
 //! | [`fair_and_check`](self) | fairing of the rows, and intersections of the strip |
 //! | [`avoid_intersections`](self) | another strip if one intersects |
 //! | [`strip_blend`](self) | finer triangles on a smooth surface in place of the strip |
+//! | [`guide_curves`](self) | the surface that a blend follows across a wide gap |
 //! | [`strip_neighbourhood`](self) | the faces around a strip |
 //! | [`ruled`](self) | a strip between polylines without meshes |
 //! | [`combine`](self) | one mesh of both pieces and the strip, with maps from old to new |
@@ -39,6 +40,7 @@ pub mod facing;
 pub mod fair_and_check;
 mod first_meridian;
 mod grid;
+mod guide_curves;
 mod join;
 pub mod loop_pairing;
 pub mod meridian;

@@ -91,7 +91,7 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
     } else {
         let found =
             meridians_from_given_start(&rim_a, &rim_b, &existing, &stitch, job)?.ok_or(Error::NoStrip { vertex: 0 })?;
-        Strip::from_meridians(rim_a, rim_b, found.pairs, &existing, &stitch, || mean_side)?
+        Strip::from_meridians(rim_a, rim_b, found.pairs, &existing, &stitch, || mean_side, job)?
     };
     job.step(1.0, "making faces")?;
 

@@ -37,7 +37,8 @@ pub enum Rows {
     #[default]
     None,
     /// Divides the meridians into parts of about the mean side of both pieces' faces, as the paper
-    /// suggests: max(0, round(mean meridian / mean side) - 1) rows.
+    /// suggests: max(0, round(mean meridian / mean side) - 1) rows. A note reports if there would be
+    /// more than 50,000 new vertices in more than 16 rows: then the rows are wider.
     MeanEdge,
     /// The given number of rows.
     Count(u32),
@@ -84,7 +85,8 @@ pub enum Finish {
     /// them, on a surface tangent to both pieces.
     ///
     /// Sharp angles are avoided where the rims allow it. The strip without rows guides the blend,
-    /// so that a gap in a tube is bridged by a tube. Meridians and matrix describe the strip, and
+    /// so that a gap in a tube is bridged by a tube. Between two tubes, across a gap wider than a
+    /// radius, arcs from rim to rim replace the strip as the guide. Meridians and matrix describe the strip, and
     /// are not edges of the result. Rows, cells and fairing are not read. The strip stays, and a
     /// note reports it, if every blend would have more intersections than the strip, or would need
     /// too many vertices. Time and memory grow with the number of new triangles.
@@ -106,7 +108,10 @@ pub enum Intersections {
     ///
     /// Faired rows and blends return towards the unfaired positions until nothing intersects, or no
     /// fairing is left. A strip of triangles without rows by [`Meridians::Continuation`] is
-    /// replaced by another one (`avoid`). Other strips are not changed.
+    /// replaced by another one (`avoid`). If the mean meridian is longer than a radius,
+    /// [`Meridians::Smooth`] competes: its strip is kept if it has fewer intersections, or as many
+    /// and much smaller bends. Rows by [`Meridians::Continuation`] use the meridians of that strip
+    /// if the gap is so wide, or if they would intersect. Other strips are not changed.
     #[default]
     Auto,
     /// Does not look for intersections. Rows are fully faired, and the first blend is kept.

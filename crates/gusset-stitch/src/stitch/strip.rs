@@ -17,6 +17,15 @@ use gusset_base::par;
 /// A second start is used if its relative gain exceeds this.
 const MIN_RELATIVE_GAIN_OF_SECOND_START: f64 = 1.0 / (1 << 20) as f64;
 
+/// The width of a wide gap, in mean radii of the smaller rim.
+const MIN_WIDE_GAP_RADII: f64 = 1.0;
+
+/// The largest number of new vertices that [`Rows::MeanEdge`] makes in more than
+/// [`MIN_AUTOMATIC_ROWS`].
+const MAX_AUTOMATIC_ROW_VERTICES: usize = 50_000;
+/// A number of rows that [`Rows::MeanEdge`] may always make.
+const MIN_AUTOMATIC_ROWS: usize = 16;
+
 /// Lattices with fewer nodes are searched on one thread.
 const MIN_NODES_PER_THREAD: usize = 1 << 14;
 
@@ -67,7 +76,7 @@ impl Strip {
                 .pairs
         };
         job.step(1.0, meridian::STAGE)?;
-        let strip = Strip::from_meridians(a, b, meridians, existing, options, mean_side)?;
+        let strip = Strip::from_meridians(a, b, meridians, existing, options, mean_side, job)?;
         job.step(1.0, meridian::STAGE)?;
         Ok(strip)
     }
@@ -83,6 +92,7 @@ impl Strip {
         existing: &ExistingEdges,
         options: &Options,
         mean_side: impl Fn() -> f64,
+        job: &Job<'_>,
     ) -> Result<Strip> {
         let rows = match options.rows {
             Rows::None => 0,
@@ -90,40 +100,62 @@ impl Strip {
             Rows::MeanEdge => {
                 let lengths = meridians.iter().map(|&[i, j]| a.point(i).distance(b.point(j)));
                 let mean_meridian = lengths.sum::<f64>() / meridians.len() as f64;
-                // Limit the rows to the largest possible number, even if the sides have length 0.
-                ((mean_meridian / mean_side()).round() - 1.0).clamp(0.0, f64::from(u32::MAX)) as u32
+                let wanted = (mean_meridian / mean_side()).round() - 1.0;
+                let most = (MAX_AUTOMATIC_ROW_VERTICES / meridians.len()).max(MIN_AUTOMATIC_ROWS) as f64;
+                if wanted > most {
+                    job.note("rows as wide as the faces would need too many vertices: the rows are wider");
+                }
+                wanted.clamp(0.0, most) as u32
             }
         };
         let grid = MeridianGrid::new(&a, &b, &meridians, rows)?;
         let faces = grid.build_faces(&a, &b, existing, options.cells == Cells::Quads)?;
-        let parents = grid
-            .meridian_ends()
-            .zip(&grid.new)
-            .map(|([a, b], &(_, weight))| RimParents { vertices: [a, b, b], weights: [1.0 - weight, weight, 0.0] });
-        let parents = alloc::gather(parents)?;
+        let parents = parents_in_rows(&grid)?;
         Ok(Strip { a, b, meridians, grid, faces, parents })
     }
 
-    /// Replaces the meridians of a strip without rows.
+    /// Replaces the meridians, and the number of rows. After an error, the strip is unchanged.
     ///
     /// # Errors
-    /// [`Error::NoStrip`], [`Error::OutOfMemory`].
+    /// [`Error::NoStrip`], [`Error::TooLarge`], [`Error::OutOfMemory`].
     pub(super) fn set_meridians(
         &mut self,
         meridians: Vec<MeridianEnds>,
+        rows: u32,
         existing: &ExistingEdges,
         options: &Options,
     ) -> Result<()> {
-        self.grid = MeridianGrid::new(&self.a, &self.b, &meridians, 0)?;
-        self.faces = self.grid.build_faces(&self.a, &self.b, existing, options.cells == Cells::Quads)?;
-        self.meridians = meridians;
+        let grid = MeridianGrid::new(&self.a, &self.b, &meridians, rows)?;
+        let faces = grid.build_faces(&self.a, &self.b, existing, options.cells == Cells::Quads)?;
+        let parents = parents_in_rows(&grid)?;
+        (self.grid, self.faces, self.parents, self.meridians) = (grid, faces, parents, meridians);
         Ok(())
+    }
+
+    /// Returns the mean length of the meridians, in mean radii of the smaller rim.
+    pub(super) fn gap_in_radii(&self) -> f64 {
+        let lengths = self.meridians.iter().map(|&[i, j]| self.a.point(i).distance(self.b.point(j)));
+        let radius = self.a.mean_radius().min(self.b.mean_radius());
+        lengths.sum::<f64>() / (radius * self.meridians.len() as f64)
+    }
+
+    /// Returns true if the gap is wider than [`MIN_WIDE_GAP_RADII`].
+    pub(super) fn has_wide_gap(&self) -> bool {
+        self.gap_in_radii() > MIN_WIDE_GAP_RADII
     }
 
     /// Returns the number of rim vertices, which come first in the strip.
     pub(crate) fn rim_count(&self) -> usize {
         self.a.vertices.len() + self.b.vertices.len()
     }
+}
+
+/// Returns the parents of the vertices in rows.
+fn parents_in_rows(grid: &MeridianGrid) -> Result<Vec<RimParents>> {
+    let new = grid.meridian_ends().zip(&grid.new);
+    let parents =
+        new.map(|([a, b], &(_, weight))| RimParents { vertices: [a, b, b], weights: [1.0 - weight, weight, 0.0] });
+    alloc::gather(parents)
 }
 
 /// Rotates the rims to the best first meridian, and returns the meridians from there.

@@ -2,6 +2,7 @@
 //! both pieces; see [`crate::blend`].
 
 use super::grid::FaceList;
+use super::guide_curves::GuideCurves;
 use super::strip::{RimParents, Strip};
 use super::strip_neighbourhood::StripNeighbourhood;
 use crate::blend::{self, BlendFairing, MAX_FAN_TRIANGLES, NewVertexLimits, OldRing, SecondRing};
@@ -15,6 +16,8 @@ use gusset_mesh::{MAX_ELEMENTS, Mesh};
 
 /// The width, in mean radii of the larger rim, from which a blend follows the strip.
 const MIN_BLENDED_GAP_RADII: f64 = 3.0;
+/// The same width with a guide, which is nearer to the old surface than the strip, relative to that.
+const GUIDED_REACH_RATIO: f64 = 0.2;
 /// The limits on blends. A gap that needs more vertices, or longer edges, is too wide for a blend.
 const BLEND_VERTEX_LIMITS: NewVertexLimits = NewVertexLimits { new: 50_000, at_rim: 16, growth: 2.0 };
 
@@ -44,10 +47,24 @@ pub(super) fn plan_strip_blend(
     unit: f64,
     job: &Job<'_>,
 ) -> Result<Option<blend::BlendPlan<impl Fn(u32, u32) -> bool + use<>>>> {
-    let (ring, edges) = old_ring_of_strip(whole, strip, unit, &job.part(0.0, 0.0))?;
+    let (mut ring, edges) = old_ring_of_strip(whole, strip, unit, &job.part(0.0, 0.0))?;
     let taken = move |u: u32, v: u32| edges.binary_search(&(u.min(v), u.max(v))).is_ok();
     let triangles = alloc::copied(strip.faces.corners.as_chunks::<3>().0)?;
-    blend::BlendPlan::new(ring, triangles, BLEND_VERTEX_LIMITS, taken, job)
+    let curves = if strip.has_wide_gap() { GuideCurves::new(strip)? } else { None };
+    if curves.is_some() {
+        ring.reach *= GUIDED_REACH_RATIO;
+    }
+    let origin = ring.origin;
+    let guide = curves.as_ref().map(|curves| {
+        move |points: &mut [DVec3]| {
+            points.iter_mut().for_each(|p| *p += origin);
+            let parents = parents_of_new_vertices(strip, points, &job.part(0.0, 0.0))?;
+            points.iter_mut().zip(&parents).for_each(|(p, parents)| *p = curves.point_at(parents) - origin);
+            Ok(())
+        }
+    });
+    let guide = guide.as_ref().map(|guide| guide as &blend::GuideSurface<'_>);
+    blend::BlendPlan::new(ring, triangles, BLEND_VERTEX_LIMITS, taken, guide, job)
 }
 
 /// Creates the blend that replaces the strip.

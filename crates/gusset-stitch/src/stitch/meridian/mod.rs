@@ -144,8 +144,8 @@ pub(crate) fn choose_meridians(
 /// Half the width of the band for other meridians.
 const NEAR_PATH_HALF_BAND_NODES: usize = 32;
 
-/// Returns the best meridians near `path`, with penalties on some steps. Minimises the area or the
-/// total length for those choices, and maximises the continuation for all others.
+/// Returns the best meridians near `path`, with penalties on some steps. Minimises the area, the
+/// total length or the bends for those choices, and maximises the continuation for all others.
 pub(crate) fn choose_meridians_near_path(
     rims: &RimPair<'_>,
     choice: Meridians,
@@ -158,7 +158,14 @@ pub(crate) fn choose_meridians_near_path(
     let metric = match choice {
         Meridians::MinArea => StepMetric::area_with_tie_break(rims.a, rims.b, &paper),
         Meridians::MinDiagonal => StepMetric::Diagonal,
-        _ => return best_continuation_in_band(rims, &paper, &band, None, job),
+        _ => {
+            let tie = weight_of_squared_lengths(rims, &paper);
+            let bends = match choice {
+                Meridians::Smooth => StripBends::least_bends(rims, tie)?,
+                _ => StripBends::best_continuation(rims, tie)?,
+            };
+            return least_bends_in_band(rims, &bends, &band, None, job);
+        }
     };
     let found = cheapest_path(rims, &PathCost::StepCosts(metric), &band, rims.closed, None, job)?;
     Ok(found.map(|(cost, pairs)| MeridianChoice { cost, pairs }))
@@ -198,18 +205,10 @@ fn smoothest_meridians(
     let cost = std::cell::Cell::new(f64::INFINITY);
     let tie = weight_of_squared_lengths(rims, paper);
     let find = |rims: &RimPair<'_>, band: &LatticeBand, job: &Job<'_>| {
-        let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
-        let bends = StripBends::least_bends(rims, tie)?;
-        // The best of all paths is usually proper here too.
-        let found = match cheapest_path(rims, &PathCost::Bends(&bends), band, false, None, &first)? {
-            Some((_, path)) if !is_simple_path(rims, &path) => {
-                cheapest_path(rims, &PathCost::Bends(&bends), band, true, None, &second)?
-            }
-            found => found,
-        };
-        Ok(found.map(|(least, path)| {
-            cost.set(least);
-            path
+        let found = least_bends_in_band(rims, &StripBends::least_bends(rims, tie)?, band, None, job)?;
+        Ok(found.map(|found| {
+            cost.set(found.cost);
+            found.pairs
         }))
     };
     let pairs = search_lattice(rims, search, &find, job)?;
@@ -239,23 +238,24 @@ fn meridians_of_best_continuation(
                 }
                 MeridianSearch::Exact => LatticeBand::whole_lattice(rims.a.len() - 1, rims.b.len() - 1)?,
             };
-            let found = best_continuation_in_band(rims, paper, &band, first, &job.part(0.5, 1.0))?;
+            let bends = StripBends::best_continuation(rims, weight_of_squared_lengths(rims, paper))?;
+            let found = least_bends_in_band(rims, &bends, &band, first, &job.part(0.5, 1.0))?;
             Ok(Some(found.unwrap_or(guide)))
         }
         guide => Ok(guide),
     }
 }
 
-/// Returns the best continuation within `band`. `first` is the end of its first step, if given.
-fn best_continuation_in_band(
+/// Returns the path of least bends within `band`. `first` is the end of its first step, if given.
+fn least_bends_in_band(
     rims: &RimPair<'_>,
-    paper: &[MeridianEnds],
+    bends: &StripBends<'_>,
     band: &LatticeBand,
     first: Option<MeridianEnds>,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    let bends = StripBends::best_continuation(rims, weight_of_squared_lengths(rims, paper))?;
-    let cost = PathCost::Bends(&bends);
+    let cost = PathCost::Bends(bends);
+    // The best of all paths is usually proper, and is then the best proper path.
     let found = match cheapest_path(rims, &cost, band, false, first, &job.part(0.0, 0.5))? {
         Some((_, path)) if !is_simple_path(rims, &path) => {
             cheapest_path(rims, &cost, band, true, first, &job.part(0.5, 1.0))?

@@ -8,13 +8,14 @@
 //! **Continuation** has two terms. The first is the sum of 2 sin(t / 2), with the weight
 //! [`RIM_BEND_WEIGHT`] along the rims. It does not depend on the edge's length, and is nearly
 //! linear in t. So a surface may turn in one place rather than a little everywhere, as where the
-//! old faces continue across the gap. The second term is the mean square distance of the triangles
-//! from the likely old surface. A meridian from A_i to B_j has ends at the distances h and k from
-//! each other's tangent planes. Like the cubic with these tangents, it bulges by b^2 = (h^2 + k^2)
-//! / 32 in the middle. A triangle between two meridians has the mean square (b1^2 + b1 b2 + b2^2) /
-//! 3. All lengths are in mean edges of the rims. The weights, and the powers of t and of the
-//! length, were tuned on parts cut out of closed meshes, which the strips should approximate (`make
-//! bench ONLY=truth`).
+//! old faces continue across the gap. Above 150 degrees two triangles fold onto each other, and the
+//! cost grows steeply. The second term is the mean square distance of the triangles from the likely
+//! old surface. A meridian from A_i to B_j has ends at the distances h and k from each other's
+//! tangent planes. Like the cubic with these tangents, it bulges by b^2 = (h^2 + k^2) / 32 in the
+//! middle. A triangle between two meridians has the mean square (b1^2 + b1 b2 + b2^2) / 3. All
+//! lengths are in mean edges of the rims. The weights, and the powers of t and of the length, were
+//! tuned on parts cut out of closed meshes, which the strips should approximate (`make bench
+//! ONLY=truth`).
 //!
 //! A degenerate triangle counts as perpendicular to its neighbours. All loops over the nodes of a
 //! row are free of branches, so that they vectorise.
@@ -29,6 +30,10 @@ use std::ops::Range;
 /// The weight of bends along the rims relative to bends across meridians, for
 /// [`StripBends::best_continuation`].
 const RIM_BEND_WEIGHT: f64 = 4.0;
+/// The distance of the unit normals of two triangles that fold onto each other: 150 degrees.
+const MIN_FOLD_DISTANCE: f64 = 1.931_851_652_578_136_6;
+/// The cost of a fold for each unit of distance beyond [`MIN_FOLD_DISTANCE`].
+const FOLD_COST: f64 = 50.0;
 
 pub(super) struct StripBends<'a> {
     a: &'a [DVec3],
@@ -268,7 +273,11 @@ impl RimStepsOfRow<'_> {
 /// Returns the bend between triangles with normals `p` and `q` across an edge.
 #[inline(always)]
 fn bend_between_normals<const CONTINUES: bool>(p: DVec3, q: DVec3, length: f64) -> f64 {
-    if CONTINUES { p.distance(q) } else { length * (1.0 - p.dot(q)) }
+    if !CONTINUES {
+        return length * (1.0 - p.dot(q));
+    }
+    let bend = p.distance(q);
+    bend + FOLD_COST * (bend - MIN_FOLD_DISTANCE).max(0.0)
 }
 
 /// Returns the normals at the vertices of a rim, each the mean over its two faces on the rim. The

@@ -100,6 +100,8 @@ fn continuation_measure(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
         let heights = [vertex(along_a, i), vertex(along_b, j)].map(|normal| normal.dot(b(j) - a(i)) / mean);
         ((heights[0].powi(2) + heights[1].powi(2)) / 32.0).sqrt()
     };
+    // A bend of more than 150 degrees is a fold.
+    let cost = |bend: f64| bend + 50.0 * f64::max(bend - 2.0 * 75f64.to_radians().sin(), 0.0);
     let (mut sum, mut normals) = (0.0, Vec::new());
     for step in path.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
@@ -109,13 +111,13 @@ fn continuation_measure(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
         let (first, second) = (bulge(step[0]), bulge(step[1]));
         let area = vector.length() / 2.0 / mean.powi(2);
         sum += area * (first.powi(2) + first * second + second.powi(2)) / 3.0;
-        sum += 4.0 * (vector.normalize_or_zero() - side).length();
+        sum += 4.0 * cost((vector.normalize_or_zero() - side).length());
         normals.push(vector.normalize_or_zero());
     }
     if rims.closed {
         normals.push(normals[0]);
     }
-    sum + normals.windows(2).map(|pair| (pair[0] - pair[1]).length()).sum::<f64>()
+    sum + normals.windows(2).map(|pair| cost((pair[0] - pair[1]).length())).sum::<f64>()
 }
 
 fn check_all_choices(rims: &RimPair<'_>) {
