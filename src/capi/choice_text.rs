@@ -71,8 +71,8 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (16, c"An adjacent joint has the midpoint of its control points, or curvature 0 with GUSSET_JOINT_PARAMETER_G2."),
         (17, c"The single curve failed; a composite curve was used."),
         (18, c"A blended curve has a cusp here."),
-        (19, c"The curve crosses itself near the point, between consecutive points: a loop that the points lack."),
-        (20, c"Below a hundredth of the distances of both neighbours from their other neighbours away from a neighbour, or below a ten-thousandth of one."),
+        (19, c"The curve crosses itself here although the points do not."),
+        (20, c"The distance to the next or previous point is below a hundredth of both distances beside it, or below a ten-thousandth of one."),
     ]),
     ("gusset_fit_status", &[
         (0, c"All demands are met."),

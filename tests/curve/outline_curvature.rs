@@ -333,6 +333,37 @@ fn ends_tangents_and_corners() {
     }
 }
 
+/// A few outliers keep the iteration busy around them, also where the outline begins and ends.
+#[test]
+fn outliers_of_long_outlines_do_not_disturb_the_rest() {
+    let count = 1200;
+    let mut random = fastrand::Rng::with_seed(5);
+    let mut ring: Vec<[f64; 2]> =
+        (0..count).map(|i| TAU * i as f64 / count as f64).map(|t| [t.cos(), t.sin()]).collect();
+    for outlier in [3, 40, 310, 700, 701, 1197] {
+        ring[outlier] = ring[outlier].map(|x| x * (1.0 + 0.004 * (random.f64() - 0.5)));
+    }
+    for lock in LOCKS {
+        let options = g2(Method::Bisector, lock);
+        let mut first: Option<Fit> = None;
+        for shift in [0, 1, 305, 1195] {
+            let points: Vec<[f64; 2]> = (0..count).map(|i| ring[(i + shift) % count]).collect();
+            let outlines = Outlines { points: points[..].into(), offsets: None, closed: true, constraints: &[] };
+            let done = fit(&outlines, &options, &Job::default()).unwrap();
+            let report = done.reports()[0];
+            assert_eq!(report.status, FitStatus::Ok, "{lock:?} {shift}");
+            assert!(report.iterations > 2 && report.max_residual < 1e-14, "{lock:?} {shift} {report:?}");
+            assert!(gaps(done.curve(0), 2.0).1.is_empty(), "{lock:?} {shift}");
+            let first = first.get_or_insert_with(|| done.clone());
+            for i in 0..count {
+                let (own, same) = (done.curve(0).segment(i), first.curve(0).segment((i + shift) % count));
+                let far = own.iter().zip(same).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+                assert!(far < 1e-12, "{lock:?} {shift} {i} {far:e}");
+            }
+        }
+    }
+}
+
 #[test]
 fn curves_in_space_say_that_they_are() {
     let at = |i: usize| DVec3::new((0.4 * i as f64).cos(), (0.4 * i as f64).sin(), 0.1 * i as f64);

@@ -130,11 +130,14 @@ pub const GUSSET_POINT_JOINT_FELL_BACK: gusset_point_status = 16;
 pub const GUSSET_POINT_COMPOSITE_INSTEAD: gusset_point_status = 17;
 /// A blended curve has a cusp here.
 pub const GUSSET_POINT_CUSP: gusset_point_status = 18;
-/// The curve crosses itself near the point, between consecutive points: a loop that the points lack.
-/// The bisector method avoids it.
+/// The curve crosses itself here although the points do not. The curve between two points crosses itself
+/// (both points have this status), the curve to the next point (the point between), or the curve after that
+/// (both points between). The last case does not count if the lines between the points turn by a half turn
+/// or more. Loops shorter than a twentieth of the curve between two points may be missed. In space, the ends
+/// of a loop are at most a twentieth of its size apart. The bisector method avoids most loops.
 pub const GUSSET_POINT_LOOPED: gusset_point_status = 19;
-/// Below a hundredth of the distances of both neighbours from their other neighbours away from a
-/// neighbour, or below a ten-thousandth of one. `repeat_tolerance` merges such points.
+/// The distance to the next or previous point is below a hundredth of both distances beside it, or below a
+/// ten-thousandth of one. The curve may turn there in any way. `repeat_tolerance` merges such points.
 pub const GUSSET_POINT_CROWDED: gusset_point_status = 20;
 
 /// Outcome of an outline.

@@ -8,3 +8,4 @@ pub mod crossings;
 pub mod cuts;
 pub mod descent;
 pub mod distances;
+pub mod loops;

@@ -9,15 +9,17 @@
 //!   on which control points lie.
 //! - nodes, subcurve, solution, curve_builder, residuals: one outline near the origin, its parts,
 //!   and the curve through it.
-//! - loops, span_hull: loops of the curve, and crowded points.
+//! - loops, span_lanes, arc_crossing: loops of the curve. crowded: nodes that almost repeat a neighbour.
 //! - composite, single, blend, cubic_spline: the solvers, one for each kind of curve ([`Mode`]).
 //! - driver: [`fit()`], which distributes outlines to threads.
 //!
 //! Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008. The
 //! modules say where the readings of the set of sections are ours.
 
+mod arc_crossing;
 mod blended_curve;
 mod composite;
+mod crowded;
 mod cubic_spline;
 mod curve_builder;
 mod outline_fitting;
@@ -34,7 +36,7 @@ mod residuals;
 mod sections;
 mod single;
 mod composite_solution;
-mod span_hull;
+mod span_lanes;
 mod stepping;
 mod subcurve;
 

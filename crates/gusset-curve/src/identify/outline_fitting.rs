@@ -14,7 +14,7 @@ use super::outlines::{Constraint, Outlines};
 use super::report::{FitStatus, PointStatus, Report, ReportInProgress};
 use super::single::{self, Collocation};
 use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
-use super::{blended_curve, cubic_spline, residuals};
+use super::{blended_curve, crowded, cubic_spline, residuals};
 use crate::curve::Place;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -185,6 +185,7 @@ impl<'a> OutlineWorker<'a> {
                 residuals::measure_curvature_gaps(&mut self.nodes, &self.builder, &mut report);
             }
             long(1.0)?;
+            crowded::flag_crowded_nodes(&mut self.nodes);
             self.append_curve_and_places(&span, base)?;
         }
         long(1.0)?;
@@ -260,6 +261,8 @@ impl<'a> OutlineWorker<'a> {
         if span.len() >= POINTS_PER_REPORT {
             job.step(1.0, PROGRESS_STAGE)?;
         }
+        crowded::flag_crowded_nodes(&mut self.nodes);
+        let (sub, _) = self.nodes.whole_outline_as_subcurve(self.options);
         let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
         alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
         let place = |p: DVec3| p * placement.unit + placement.origin;

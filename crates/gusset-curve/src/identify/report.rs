@@ -55,8 +55,12 @@ pub enum PointStatus {
     /// The curve reverses at the point: its speed is 0, or it leaves in the direction from which it
     /// came.
     Cusp = 18,
-    /// The curve has a loop here that the points lack: it crosses itself near the point, between
-    /// consecutive points. Crowded points and the median are the usual causes; the bisector avoids it.
+    /// The curve crosses itself here although the points do not. A span, the curve between two
+    /// consecutive points, crosses itself (both its ends have this status), the next span (the point
+    /// between both), or the next but one (both points between). The last case does not count if the
+    /// lines between the points turn by a half turn or more, or reverse. Loops shorter than a
+    /// twentieth of a span may be missed. In space, the loop's ends are at most a twentieth of its
+    /// size apart. Crowded points and the median are the usual causes; the bisector avoids it.
     Looped = 19,
     /// The point is far closer to a neighbour than both are to their other neighbours: below a
     /// hundredth of both distances, or a ten-thousandth of one. The curve may turn there in any way.

@@ -8,12 +8,15 @@
 //!
 //! The matrix is banded and positive definite, because equations more than 3 points apart have no
 //! unknowns in common. A closed subcurve is unrolled: its first and last
-//! [`REPEATED_POINTS_PER_END`] points are repeated, which affects points farther away only by
+//! [`MAX_STEP_REACH`] points are repeated, which affects points farther away only by
 //! rounding.
 //!
 //! Points whose residuals grow with the full step take half of it, then a quarter and so on,
-//! together with their neighbours. One point in trouble thus does not slow down the others. O(n)
-//! for each step, in time and memory: about 1,100 bytes a point.
+//! together with their neighbours. One point in trouble thus does not slow down the others.
+//!
+//! Once most equations hold, a step moves only windows around the points whose equations do not. The
+//! [`MAX_STEP_REACH`] points on each side take part; the step fades to rounding within them. O(points in
+//! windows) for each step; memory O(n), about 1,100 bytes a point.
 
 use super::curvature_system::{
     EQUATIONS_PER_POINT, EquationDerivatives, FixedPointQuantities, LockEquation, POINTS_PER_EQUATION, PointUnknowns,
@@ -25,8 +28,9 @@ use gusset_base::error::Result;
 use gusset_base::geom::linear::banded::BandedCholesky;
 use gusset_base::job::Job;
 
-/// The number of points of a closed subcurve that are repeated before its first and after its last.
-const REPEATED_POINTS_PER_END: usize = 24;
+/// The number of points after which a step has faded to rounding. As many points of a closed subcurve are
+/// repeated before its first and after its last.
+pub(super) const MAX_STEP_REACH: usize = 24;
 
 /// The entries of a row of the matrix up to its diagonal.
 const BAND_WIDTH: usize = POINTS_PER_EQUATION * EQUATIONS_PER_POINT;
@@ -67,6 +71,28 @@ pub(super) const POINTS_PER_REPORT: usize = 1 << 12;
 
 pub(super) const PROGRESS_STAGE: &str = "making curvatures continuous";
 
+/// Consecutive points that a step moves. In a closed subcurve they may continue with the first point.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Window {
+    pub(super) first: usize,
+    pub(super) count: usize,
+}
+
+impl Window {
+    /// Returns the points of the window and some more on each side, at most the whole subcurve.
+    pub(super) fn points_with_margin(self, sub: &Subcurve<'_>, margin: usize) -> impl Iterator<Item = usize> + use<> {
+        let n = sub.len();
+        let (first, count) = match sub.closed {
+            true => (self.first + n - margin.min(n), (self.count + 2 * margin).min(n)),
+            false => {
+                let first = self.first.saturating_sub(margin);
+                (first, (self.first + self.count + margin).min(n) - first)
+            }
+        };
+        (first..first + count).map(move |i| i % n)
+    }
+}
+
 /// The workspace of the method.
 #[derive(Default)]
 pub(super) struct LeastNormNewton {
@@ -88,26 +114,30 @@ impl LeastNormNewton {
         alloc::reset(&mut self.previous, count, PointUnknowns::default())
     }
 
-    /// Takes one step. Returns the largest move of a control point.
+    /// Takes one step in a window. Returns the largest move of a control point.
     pub(super) fn take_damped_step(
         &mut self,
         sub: &Subcurve<'_>,
         known: &[FixedPointQuantities],
         nodes: &mut [PointUnknowns],
+        window: Window,
         job: &Job<'_>,
     ) -> Result<f64> {
-        self.solve_least_norm_step(sub, known, nodes, job)?;
+        self.solve_least_norm_step(sub, known, nodes, window, job)?;
         let n = nodes.len();
-        self.previous.copy_from_slice(nodes);
-        for (i, square) in self.squares.iter_mut().enumerate() {
+        let moved = || window.points_with_margin(sub, 0);
+        // Equations have unknowns of the previous point and of the next two.
+        let affected = || window.points_with_margin(sub, POINTS_PER_EQUATION - 2);
+        moved().for_each(|i| self.previous[i] = nodes[i]);
+        for i in affected() {
             job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
-            *square = sum_of_squares(&evaluate_equations(sub, known, nodes, i));
+            self.squares[i] = sum_of_squares(&evaluate_equations(sub, known, nodes, i));
         }
-        self.parts.fill(1.0);
-        self.apply_fractional_steps(sub, nodes);
+        moved().for_each(|i| self.parts[i] = 1.0);
+        self.apply_fractional_steps(sub, nodes, window);
         for _ in 0..MAX_STEP_HALVINGS {
             let mut trouble = false;
-            for i in 0..n {
+            for i in affected() {
                 job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
                 let square = sum_of_squares(&evaluate_equations(sub, known, nodes, i));
                 let grows = square > MAX_RESIDUAL_GROWTH * self.squares[i] && square > SMALL_SQUARED_RESIDUAL;
@@ -119,11 +149,14 @@ impl LeastNormNewton {
             if !trouble {
                 break;
             }
-            self.parts.iter_mut().for_each(|part| *part = if *part < 0.0 { -0.5 * *part } else { *part });
-            nodes.copy_from_slice(&self.previous);
-            self.apply_fractional_steps(sub, nodes);
+            for i in moved() {
+                let part = self.parts[i];
+                self.parts[i] = if part < 0.0 { -0.5 * part } else { part };
+                nodes[i] = self.previous[i];
+            }
+            self.apply_fractional_steps(sub, nodes, window);
         }
-        let moves = nodes.iter().zip(&self.previous).map(|(node, before)| node.control.distance(before.control));
+        let moves = moved().map(|i| nodes[i].control.distance(self.previous[i].control));
         Ok(moves.fold(0.0, f64::max))
     }
 
@@ -139,12 +172,13 @@ impl LeastNormNewton {
         }
     }
 
-    /// Moves the unknowns by the fractions of their steps.
-    fn apply_fractional_steps(&self, sub: &Subcurve<'_>, nodes: &mut [PointUnknowns]) {
+    /// Moves the unknowns of a window by the fractions of their steps.
+    fn apply_fractional_steps(&self, sub: &Subcurve<'_>, nodes: &mut [PointUnknowns], window: Window) {
         let [low, high] = sub.section_parameter_range();
         let [low, high] = [low.min(MIN_SECTION_PARAMETER), high.max(1.0 - MIN_SECTION_PARAMETER)];
-        for ((node, step), part) in nodes.iter_mut().zip(&self.steps).zip(&self.parts) {
-            let by = step.map(|x| x * part);
+        for i in window.points_with_margin(sub, 0) {
+            let node = &mut nodes[i];
+            let by = self.steps[i].map(|x| x * self.parts[i]);
             node.control += glam::DVec3::new(by[0], by[1], by[2]);
             if by[3] != 0.0 {
                 node.t = (node.t + by[3]).clamp(low, high);
@@ -154,18 +188,23 @@ impl LeastNormNewton {
         }
     }
 
-    /// Computes the smallest step.
+    /// Computes the smallest step of a window.
     fn solve_least_norm_step(
         &mut self,
         sub: &Subcurve<'_>,
         known: &[FixedPointQuantities],
         nodes: &[PointUnknowns],
+        window: Window,
         job: &Job<'_>,
     ) -> Result<()> {
         let n = nodes.len();
-        let overlap = if sub.closed { REPEATED_POINTS_PER_END } else { 0 };
-        let count = n + 2 * overlap;
-        let at = |k: usize| (k + n * overlap.div_ceil(n) - overlap) % n;
+        // The points before and after the window.
+        let [before, after] = match sub.closed {
+            true => [MAX_STEP_REACH; 2],
+            false => [window.first, n - window.first - window.count].map(|others| others.min(MAX_STEP_REACH)),
+        };
+        let (moved, count) = (before..before + window.count, before + window.count + after);
+        let at = |k: usize| (window.first + k + n * before.div_ceil(n) - before) % n;
         // The equations of the unrolled point k, in units of the unknowns; empty for points beyond
         // the ends.
         let rows = |k: usize| {
@@ -207,13 +246,13 @@ impl LeastNormNewton {
             }
         }
         let multipliers = self.banded.solve();
-        self.steps.fill([0.0; UNKNOWNS_PER_POINT]);
-        for k in overlap.saturating_sub(POINTS_PER_EQUATION)..count.min(overlap + n + POINTS_PER_EQUATION) {
+        moved.clone().for_each(|k| self.steps[at(k)] = [0.0; UNKNOWNS_PER_POINT]);
+        for k in moved.start.saturating_sub(POINTS_PER_EQUATION)..count.min(moved.end + POINTS_PER_EQUATION) {
             job.step_every(POINTS_PER_REPORT, k, count, PROGRESS_STAGE)?;
             let (rows, own) = (rows(k), &multipliers[EQUATIONS_PER_POINT * k..EQUATIONS_PER_POINT * (k + 1)]);
             for point in 0..POINTS_PER_EQUATION {
                 let place = k + point;
-                if !(overlap + 1..overlap + n + 1).contains(&place) {
+                if place == 0 || !moved.contains(&(place - 1)) {
                     continue;
                 }
                 let step = &mut self.steps[at(place - 1)];
@@ -222,7 +261,8 @@ impl LeastNormNewton {
                 }
             }
         }
-        for (i, step) in self.steps.iter_mut().enumerate() {
+        for i in moved.map(at) {
+            let step = &mut self.steps[i];
             step.iter_mut().zip(unknown_step_units(&known[i], &nodes[i])).for_each(|(step, unit)| *step *= unit);
             step[4..].iter_mut().for_each(|step| *step = step.clamp(-MAX_LOGIT_STEP, MAX_LOGIT_STEP));
         }

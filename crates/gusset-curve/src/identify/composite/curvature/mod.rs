@@ -20,7 +20,7 @@
 //! continuous ([`PointStatus::JointFellBack`]). In space, neighbouring sections lie in different
 //! planes, and the curvatures agree in magnitude.
 //!
-//! O(n) for each iteration, in time and memory.
+//! O(n) for each iteration, in time and memory. Most of the time goes to the points whose equations do not hold yet.
 //!
 //! Source: de Boor, Hoellig and Sabin, High accuracy geometric Hermite interpolation, 1987, for
 //! cubics by tangents and curvatures; Yan, Schiller, Wilensky, Carr and Schaefer, k-Curves, 2017,
@@ -37,9 +37,10 @@ use crate::identify::guide::subcurve_plane_normal;
 use crate::identify::identify_options::Lock;
 use crate::identify::report::{FitStatus, PointStatus};
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
-use curvature_newton::{LeastNormNewton, POINTS_PER_REPORT, PROGRESS_STAGE};
+use curvature_newton::{LeastNormNewton, MAX_STEP_REACH, POINTS_PER_REPORT, PROGRESS_STAGE, Window};
 use curvature_system::{
-    EQUATIONS_PER_POINT, FixedPointQuantities, LockEquation, PointUnknowns, evaluate_equations, legs_at_control_point,
+    EQUATIONS_PER_POINT, FixedPointQuantities, LockEquation, POINTS_PER_EQUATION, PointUnknowns, evaluate_equations,
+    legs_at_control_point,
 };
 use glam::DVec3;
 use gusset_base::alloc;
@@ -92,6 +93,8 @@ pub(super) struct ContinuousCurvatureSolver {
     given_up: Vec<bool>,
     /// Points whose equations are in trouble.
     in_trouble: Vec<bool>,
+    /// The points that the next step moves.
+    windows: Vec<Window>,
     newton: LeastNormNewton,
 }
 
@@ -115,7 +118,7 @@ pub(super) fn solve_with_continuous_curvature(
     if !sound {
         joints.set_all_curvatures_to_zero(sub, solution);
     }
-    joints.evaluate_equations(sub, out.job)?;
+    joints.evaluate_all_equations(sub, out.job)?;
     joints.set_point_statuses(sub, out);
     Ok(())
 }
@@ -186,8 +189,8 @@ impl ContinuousCurvatureSolver {
     /// polygon.
     fn find_inflections(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
         for _ in 0..MAX_INFLECTION_ROUNDS {
-            self.find_turn_normals(sub);
-            if !self.set_inflections_to_zero_curvature(sub) {
+            (0..sub.len()).for_each(|i| self.find_turn_normal(sub, i));
+            if !self.set_inflections_to_zero_curvature(sub, inner_joints(sub)) {
                 break;
             }
             self.solve_control_points_again(sub, solution);
@@ -197,9 +200,9 @@ impl ContinuousCurvatureSolver {
 
     /// Sets the curvature to 0 at joints followed by an inflection or a straight part of
     /// the current polygon. Returns false if there are none left.
-    fn set_inflections_to_zero_curvature(&mut self, sub: &Subcurve<'_>) -> bool {
+    fn set_inflections_to_zero_curvature(&mut self, sub: &Subcurve<'_>, joints: impl Iterator<Item = usize>) -> bool {
         let mut any = false;
-        for i in inner_joints(sub) {
+        for i in joints {
             let next = sub.next_index(i);
             let turns = self.known[i].normal.dot(self.known[next].normal) > 0.0;
             if !self.flat[i]
@@ -246,12 +249,10 @@ impl ContinuousCurvatureSolver {
         self.solve_control_points_again(sub, solution);
     }
 
-    /// Computes the sides to which the polygon turns.
-    fn find_turn_normals(&mut self, sub: &Subcurve<'_>) {
-        for i in 0..self.nodes.len() {
-            let [before, after] = legs_at_control_point(sub, &self.nodes, i);
-            self.known[i].normal = before.cross(after).normalize_or_zero();
-        }
+    /// Computes the side to which the polygon turns at a point.
+    fn find_turn_normal(&mut self, sub: &Subcurve<'_>, i: usize) {
+        let [before, after] = legs_at_control_point(sub, &self.nodes, i);
+        self.known[i].normal = before.cross(after).normalize_or_zero();
     }
 
     /// Determines which joints have equations, and which unknowns they contain.
@@ -296,34 +297,89 @@ impl ContinuousCurvatureSolver {
         out: &mut SubcurveOutput<'_>,
     ) -> Result<()> {
         let mut in_round = 0;
-        while !self.evaluate_equations(sub, out.job)? {
+        let mut do_all_hold = self.evaluate_all_equations(sub, out.job)?;
+        while !do_all_hold {
             if out.report.iterations >= sub.options.max_sweeps {
                 break;
             }
+            self.choose_windows(sub)?;
             if in_round == MAX_ITERATIONS_PER_ROUND {
                 in_round = 0;
                 self.give_up_worst_equations(sub, solution, out);
             }
             in_round += 1;
             out.report.iterations += 1;
-            let moved = self.newton.take_damped_step(sub, &self.known, &mut self.nodes, out.job)?;
+            let mut moved = 0.0_f64;
+            for &window in &self.windows {
+                let newton = &mut self.newton;
+                moved = moved.max(newton.take_damped_step(sub, &self.known, &mut self.nodes, window, out.job)?);
+            }
             out.report.record_cycle(moved / sub.size)?;
+            do_all_hold = self.evaluate_equations(sub, out.job)?;
         }
         Ok(())
     }
 
+    /// Makes windows around the points whose equations do not hold.
+    fn choose_windows(&mut self, sub: &Subcurve<'_>) -> Result<()> {
+        let (n, closed) = (sub.len(), sub.closed);
+        let mut windows = std::mem::take(&mut self.windows);
+        windows.clear();
+        // Windows keep apart, so that the equations of one do not have unknowns of another.
+        let are_near = |end: usize, next: usize| next <= end + 2 * MAX_STEP_REACH;
+        for i in 0..n {
+            if self.residuals_in_tolerances(sub, i).iter().all(|&rest| rest <= 1.0) {
+                continue;
+            }
+            let [first, end] = match closed {
+                true => [i + n - MAX_STEP_REACH.min(n), i + n + MAX_STEP_REACH + 1],
+                false => [i.saturating_sub(MAX_STEP_REACH), (i + MAX_STEP_REACH + 1).min(n)],
+            };
+            match windows.last_mut() {
+                Some(last) if are_near(last.first + last.count, first) => last.count = end - last.first,
+                _ => alloc::push(&mut windows, Window { first, count: end - first })?,
+            }
+        }
+        if let (true, [first, .., last]) = (closed, &mut windows[..])
+            && are_near(last.first + last.count, first.first + n)
+        {
+            *first = Window { first: last.first, count: first.first + n + first.count - last.first };
+            windows.pop();
+        }
+        let solved = windows.iter().map(|window| window.count + 2 * MAX_STEP_REACH).sum::<usize>();
+        if solved >= n / 4 * 3 {
+            windows.clear();
+            alloc::push(&mut windows, Window { first: 0, count: n })?;
+        }
+        windows.iter_mut().for_each(|window| window.first %= n);
+        self.windows = windows;
+        Ok(())
+    }
+
     /// Evaluates all equations. Returns true if they hold.
+    fn evaluate_all_equations(&mut self, sub: &Subcurve<'_>, job: &Job<'_>) -> Result<bool> {
+        self.windows.clear();
+        alloc::push(&mut self.windows, Window { first: 0, count: sub.len() })?;
+        self.evaluate_equations(sub, job)
+    }
+
+    /// Evaluates the equations that a step in the windows has changed. Returns true if they hold.
     fn evaluate_equations(&mut self, sub: &Subcurve<'_>, job: &Job<'_>) -> Result<bool> {
-        self.find_turn_normals(sub);
-        if self.set_inflections_to_zero_curvature(sub) {
+        let (mut all, mut any_flat, n) = (true, false, self.nodes.len());
+        let windows = std::mem::take(&mut self.windows);
+        let joints = inner_joints(sub);
+        let affected = || windows.iter().flat_map(|window| window.points_with_margin(sub, POINTS_PER_EQUATION));
+        affected().for_each(|i| self.find_turn_normal(sub, i));
+        any_flat |= self.set_inflections_to_zero_curvature(sub, affected().filter(|i| joints.contains(i)));
+        if any_flat {
             self.choose_equations_and_unknowns(sub);
         }
-        let (mut all, n) = (true, self.nodes.len());
-        for i in 0..n {
+        for i in affected() {
             job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
             self.values[i] = evaluate_equations(sub, &self.known, &self.nodes, i);
             all &= self.residuals_in_tolerances(sub, i).iter().all(|&rest| rest <= 1.0);
         }
+        self.windows = windows;
         Ok(all)
     }
 
