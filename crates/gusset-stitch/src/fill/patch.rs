@@ -206,7 +206,7 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
         let mut outlines = alloc::copied(&rim.points[..rim.count])?;
         let normal = mean_normal(&outlines);
         alloc::append(&mut outlines, &points)?;
-        if counts_only_area(attempt.weight, &outlines, normal) {
+        if parts.len() > 1 && counts_only_area(attempt.weight, &outlines, normal) {
             return Ok(None);
         }
         let unfaired = alloc::copied(&points)?;
