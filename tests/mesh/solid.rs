@@ -145,13 +145,14 @@ fn assert_origins(soup: &Soup, repaired: &Repaired) {
     let history = &repaired.history;
     let place = |corner: u32| DVec3::from_array(soup.points[soup.corners[corner as usize] as usize]);
     let face_of = |corner: u32| soup.offsets.partition_point(|&start| start <= corner) - 1;
-    let origins = &history.corner_origins;
-    for (corner, &start) in origins.corners.iter().enumerate() {
-        let on = origins.on_edges.iter().find(|on| on.corner as usize == corner);
-        let expected = on.map_or(place(start), |on| place(start).lerp(place(on.end), on.at));
+    for (corner, origin) in history.corners.iter().enumerate() {
+        let sources = || origin.corners.into_iter().zip(origin.weights).filter(|&(source, _)| source != NONE);
+        let expected: DVec3 = sources().map(|(source, weight)| place(source) * weight).sum();
         let found = repaired.mesh.positions.get(repaired.mesh.corner(corner));
         assert!(expected.distance(found) < 1e-12, "{expected} {found}");
-        assert_eq!(face_of(start) as u32, repaired.face_origin[repaired.mesh.face_of(corner as u32)]);
+        assert!((sources().map(|(_, weight)| weight).sum::<f64>() - 1.0).abs() < 1e-12);
+        let face = repaired.face_origin[repaired.mesh.face_of(corner as u32)];
+        assert!(sources().all(|(source, _)| face_of(source) as u32 == face));
     }
     let new = repaired.vertex_origin.iter().filter(|&&v| v == NONE).count();
     assert_eq!((history.parents.len(), history.weights.len()), (new, new));
@@ -308,5 +309,33 @@ proptest! {
         let soup = mesh_of(outer.iter().chain(&fins).copied());
         let dropped: Vec<u32> = (outer.len()..outer.len() + fins.len()).map(|f| f as u32).collect();
         assert_solid(&soup, &repaired(&soup), cells.len(), &dropped);
+    }
+
+    #[test]
+    fn boxes_that_overlap_become_their_union(corners in prop::collection::vec(prop::array::uniform6(0..6i32), 2..5)) {
+        let boxes: Vec<[[i32; 2]; 3]> =
+            corners.iter().map(|c| [0, 1, 2].map(|k| [c[k].min(c[k + 3]), c[k].max(c[k + 3]) + 1])).collect();
+        // A box within another without contact is a cavity.
+        let is_within = |a: &[[i32; 2]; 3], b: &[[i32; 2]; 3]| (0..3).all(|k| a[k][0] > b[k][0] && a[k][1] < b[k][1]);
+        prop_assume!(!boxes.iter().any(|a| boxes.iter().any(|b| is_within(a, b))));
+        let mut soup = Soup { offsets: vec![0], ..Soup::default() };
+        for sides in &boxes {
+            let stretched = |corner: Cell| [0, 1, 2].map(|k| sides[k][corner[k] as usize]);
+            let walls = directions().map(|(axis, up)| wall([0; 3], axis, up).map(stretched));
+            soup = soup.and(&mesh_of(walls));
+        }
+        let mut cells = BTreeSet::new();
+        for [x, y, z] in boxes {
+            for i in x[0]..x[1] {
+                for j in y[0]..y[1] {
+                    cells.extend((z[0]..z[1]).map(|k| [i, j, k]));
+                }
+            }
+        }
+        let repaired = repaired(&soup);
+        assert_manifold(&repaired);
+        prop_assert!(repaired.is_valid(), "{:?} {:?}", repaired.after, repaired.intersections);
+        prop_assert!((volume_of(&repaired) - cells.len() as f64).abs() < 1e-9, "{} {}", volume_of(&repaired), cells.len());
+        assert_origins(&soup, &repaired);
     }
 }

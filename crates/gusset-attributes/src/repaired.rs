@@ -66,12 +66,11 @@ impl Origins {
         let is_old = |&&origin: &&u32| origin != NONE;
         let [old_vertices, old_faces] =
             [&done.vertex_origin, &done.face_origin].map(|origins| origins.iter().take_while(is_old).count());
-        let origins = &history.corner_origins;
-        let table = corner_origin_parts(origins);
-        let mut corner_sources = SourceTable::with_capacity(origins.corners.len(), origins.corners.len())?;
-        for corner in 0..origins.corners.len() {
-            job.part(0.0, 0.2).step_within_list(corner, STAGE)?;
-            corner_sources.push(sources_of_corner(Some(table), corner as u32))?;
+        let mut corner_sources = SourceTable::with_capacity(history.corners.len(), history.corners.len())?;
+        for (k, place) in history.corners.iter().enumerate() {
+            job.part(0.0, 0.2).step_within_list(k, STAGE)?;
+            let sources = place.corners.into_iter().zip(place.weights);
+            corner_sources.push(sources.filter(|&(corner, _)| corner != NONE))?;
         }
         let of_old = |origins: &[u32], count: usize, job: &Job<'_>| {
             SourceTable::from_single_sources(origins[..count].iter().copied(), job)
@@ -186,7 +185,7 @@ impl RepairedMesh<'_> {
         for f in 0..self.faces {
             job.step_within_list(f, STAGE)?;
             for corner in corners_before_turning(self.mesh, f, is_turned(f)) {
-                corners.push(sources_of_corner(self.corner_origins, corner))?;
+                corners.push(self.sources_of_corner(corner))?;
             }
         }
         let faces = self.faces as u32;
@@ -196,16 +195,16 @@ impl RepairedMesh<'_> {
         };
         Ok(KeptElements { inputs, vertices, corners, faces })
     }
-}
 
-/// The old corners whose values a corner takes.
-fn sources_of_corner(origins: Option<RepairedCorners<'_>>, corner: u32) -> impl Iterator<Item = (u32, f64)> {
-    let Some((corners, on_edges)) = origins else {
-        return [(corner, 1.0), (corner, 0.0)].into_iter();
-    };
-    let start = corners[corner as usize];
-    match on_edges.binary_search_by_key(&corner, |on| on.corner) {
-        Ok(k) => [(start, 1.0 - on_edges[k].at), (on_edges[k].end, on_edges[k].at)].into_iter(),
-        Err(_) => [(start, 1.0), (start, 0.0)].into_iter(),
+    /// The old corners whose values a corner takes.
+    fn sources_of_corner(&self, corner: u32) -> impl Iterator<Item = (u32, f64)> {
+        let Some((corners, on_edges)) = self.corner_origins else {
+            return [(corner, 1.0), (corner, 0.0)].into_iter();
+        };
+        let start = corners[corner as usize];
+        match on_edges.binary_search_by_key(&corner, |on| on.corner) {
+            Ok(k) => [(start, 1.0 - on_edges[k].at), (on_edges[k].end, on_edges[k].at)].into_iter(),
+            Err(_) => [(start, 1.0), (start, 0.0)].into_iter(),
+        }
     }
 }

@@ -21,6 +21,7 @@
 //! |---|---|
 //! | [`repair_request`](self) | options and result |
 //! | [`repair_run`](self) | the stages in order |
+//! | [`corner_place`](self) | places on faces of the input |
 //! | [`repair_state`](self) | the mesh between stages, with origins |
 //! | [`sew_borders`](self) | sewing |
 //! | [`flat_faces`](self) | faces without area |
@@ -37,6 +38,7 @@
 //! digitized polygon meshes* (2010), for the order of stages.
 
 mod solid_sides;
+mod corner_place;
 mod duplicate_removal;
 mod edge_fans;
 mod flat_faces;
@@ -49,5 +51,6 @@ mod sheet_pairs;
 mod twin_edges;
 mod united_parts;
 
+pub use corner_place::CornerPlace;
 pub use repair_request::{DropReason, DroppedFace, History, Options, Repaired};
 pub use repair_run::repair;

@@ -1,8 +1,8 @@
 //! Options and result of a repair.
 
+use super::corner_place::CornerPlace;
 use crate::check::Check;
 use crate::fill;
-use crate::repair::corner_origins::CornerOrigins;
 use gusset_base::choices;
 use gusset_mesh::Mesh;
 
@@ -111,9 +111,8 @@ pub struct Repaired {
 pub struct History {
     /// The numbers of vertices, corners and faces of the input.
     pub input: [usize; 3],
-    /// For each corner of the old faces, which come first, the corner of the input, or its place
-    /// on an edge of the input.
-    pub corner_origins: CornerOrigins,
+    /// For each corner of the old faces, which come first, its place on its face of the input.
+    pub corners: Vec<CornerPlace>,
     /// Three parents of each new vertex, which come last. Parents precede the vertex.
     pub parents: Vec<[u32; 3]>,
     /// The weight of each parent, at least 0, with sum 1.

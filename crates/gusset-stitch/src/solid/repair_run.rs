@@ -1,11 +1,12 @@
 //! The stages of a repair in order.
 
+use super::corner_place::CornerPlace;
 use super::duplicate_removal::mark_duplicates;
 use super::edge_fans::EdgeFans;
 use super::flat_faces::remove_flat_faces;
 use super::patches::Patches;
 use super::repair_request::{DropReason, History, Options, Repaired};
-use super::repair_state::{NO_ORIGIN, RepairState};
+use super::repair_state::RepairState;
 use super::sew_borders::{SewCounts, sew_borders};
 use super::sheet_pairs::Sheets;
 use super::twin_edges::split_twin_edges;
@@ -169,7 +170,7 @@ impl<'o> RepairRun<'o> {
         self.state.changes += 1;
         alloc::grow(&mut self.state.face_origin, filled.mesh.face_count(), NONE)?;
         alloc::grow(&mut self.state.turned, filled.mesh.face_count(), false)?;
-        alloc::grow(&mut self.state.corner_origins, filled.mesh.face_corners.len(), NO_ORIGIN)?;
+        alloc::grow(&mut self.state.corner_places, filled.mesh.face_corners.len(), CornerPlace::NONE)?;
         let old = self.state.vertex_origin.len() as u32;
         let parents = filled.parents.iter().zip(&filled.weights).zip(old..);
         alloc::extend(&mut self.state.new_vertices, parents.map(|((&parents, &weights), v)| (v, parents, weights)))?;
@@ -273,9 +274,7 @@ fn history(state: &RepairState, input: &MeshView<'_>) -> Result<History> {
         ..History::default()
     };
     let old_faces = state.face_origin.iter().position(|&f| f == NONE).unwrap_or(state.face_origin.len());
-    for &origin in &state.corner_origins[..state.mesh.face_offsets[old_faces] as usize] {
-        history.corner_origins.push(origin)?;
-    }
+    history.corners = alloc::copied(&state.corner_places[..state.mesh.face_offsets[old_faces] as usize])?;
     history.parents = alloc::collect(state.new_vertices.iter().map(|&(_, parents, _)| parents))?;
     history.weights = alloc::collect(state.new_vertices.iter().map(|&(.., weights)| weights))?;
     Ok(history)

@@ -1,7 +1,7 @@
 //! The mesh between the stages of a repair, and where its elements are from.
 
+use super::corner_place::CornerPlace;
 use super::repair_request::{DropReason, DroppedFace};
-use crate::repair::corner_origins::CornerOrigin;
 use crate::repair::split_face::SplitFace;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -17,8 +17,9 @@ pub(super) struct RepairState {
     pub(super) face_origin: Vec<u32>,
     /// For each vertex, its vertex in the input; [`NONE`] for new vertices.
     pub(super) vertex_origin: Vec<u32>,
-    /// For each corner, its place on a face of the input; [`NO_ORIGIN`] for the faces of patches.
-    pub(super) corner_origins: Vec<CornerOrigin>,
+    /// For each corner, its place on a face of the input; [`CornerPlace::NONE`] for the faces of
+    /// patches.
+    pub(super) corner_places: Vec<CornerPlace>,
     /// The new vertices, each with three parents and their weights.
     pub(super) new_vertices: Vec<NewVertex>,
     /// For each face, true if it was turned over.
@@ -32,17 +33,14 @@ pub(super) struct RepairState {
 /// A new vertex, three vertices that precede it, and their weights.
 pub(super) type NewVertex = (u32, [u32; 3], [f64; 3]);
 
-/// The origin of the corners of a patch.
-pub(super) const NO_ORIGIN: CornerOrigin = CornerOrigin { start: NONE, end: NONE, at: 0.0 };
-
 impl RepairState {
     /// Creates the state of the input before the first stage.
     pub(super) fn unchanged(mesh: Mesh) -> Result<RepairState> {
-        let corners = (0..mesh.face_corners.len() as u32).map(|h| CornerOrigin { start: h, end: h, at: 0.0 });
+        let corners = (0..mesh.face_corners.len() as u32).map(CornerPlace::at_corner);
         Ok(RepairState {
             face_origin: alloc::collect((0..mesh.face_count()).map(|f| f as u32))?,
             vertex_origin: alloc::collect((0..mesh.positions.len()).map(|v| v as u32))?,
-            corner_origins: alloc::collect(corners)?,
+            corner_places: alloc::collect(corners)?,
             turned: alloc::filled(false, mesh.face_count())?,
             new_vertices: Vec::new(),
             dropped: Vec::new(),
@@ -55,7 +53,7 @@ impl RepairState {
     pub(super) fn turn_face(&mut self, f: usize) {
         let [first, end] = [f, f + 1].map(|k| self.mesh.face_offsets[k] as usize);
         self.mesh.face_corners[first + 1..end].reverse();
-        self.corner_origins[first + 1..end].reverse();
+        self.corner_places[first + 1..end].reverse();
         self.turned[f] ^= true;
     }
 
@@ -65,12 +63,6 @@ impl RepairState {
             NONE => Ok(()),
             face => alloc::push(&mut self.dropped, DroppedFace { face, reason }),
         }
-    }
-
-    /// Returns the origin of a corner from its place between two corners of the mesh.
-    pub(super) fn origin_between(&self, place: CornerOrigin) -> CornerOrigin {
-        let [start, end] = [place.start, place.end].map(|h| self.corner_origins[h as usize]);
-        if place.at > 0.0 { CornerOrigin { start: start.start, end: end.start, at: place.at } } else { start }
     }
 
     /// Appends copies of vertices.
@@ -109,7 +101,7 @@ impl RepairState {
             let [start, end] = [f, f + 1].map(|k| self.mesh.face_offsets[k] as usize);
             if reason.is_none() {
                 self.mesh.face_corners.copy_within(start..end, corners);
-                self.corner_origins.copy_within(start..end, corners);
+                self.corner_places.copy_within(start..end, corners);
                 // The offsets of earlier faces are not read again.
                 self.mesh.face_offsets[faces] = corners as u32;
                 self.face_origin[faces] = self.face_origin[f];
@@ -121,7 +113,7 @@ impl RepairState {
         self.mesh.face_offsets[faces] = corners as u32;
         self.mesh.face_offsets.truncate(faces + 1);
         self.mesh.face_corners.truncate(corners);
-        self.corner_origins.truncate(corners);
+        self.corner_places.truncate(corners);
         self.face_origin.truncate(faces);
         self.turned.truncate(faces);
         Ok(())
@@ -166,7 +158,7 @@ impl RepairState {
                 };
                 if first == next {
                     corners.extend(view.face(f));
-                    places_of_corners.extend_from_slice(&self.corner_origins[view.faces().corner_range(f)]);
+                    places_of_corners.extend_from_slice(&self.corner_places[view.faces().corner_range(f)]);
                     end_face(corners.len())?;
                     continue;
                 }
@@ -174,7 +166,7 @@ impl RepairState {
                 split.visit_parts(|part| {
                     for &(v, place) in part {
                         corners.push(v);
-                        places_of_corners.push(self.origin_between(place));
+                        places_of_corners.push(CornerPlace::between(place, |h| self.corner_places[h as usize]));
                     }
                     end_face(corners.len())
                 })?;
@@ -182,7 +174,7 @@ impl RepairState {
         }
         dropped.into_iter().try_for_each(|(f, reason)| self.list_dropped(f, reason))?;
         (self.mesh.face_offsets, self.mesh.face_corners) = (offsets, corners);
-        (self.face_origin, self.turned, self.corner_origins) = (origins, turned, places_of_corners);
+        (self.face_origin, self.turned, self.corner_places) = (origins, turned, places_of_corners);
         Ok(())
     }
 
@@ -210,11 +202,11 @@ impl RepairState {
             }
             for k in (0..face.len()).filter(|&k| reasons[f].is_some() || is_kept(k)) {
                 corners.push(face[k]);
-                origins.push(self.corner_origins[first + k]);
+                origins.push(self.corner_places[first + k]);
             }
             offsets.push(corners.len() as u32);
         }
-        self.corner_origins = origins;
+        self.corner_places = origins;
         (self.mesh.face_offsets, self.mesh.face_corners) = (offsets, corners);
         self.drop_faces(&reasons)
     }

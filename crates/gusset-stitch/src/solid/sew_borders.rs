@@ -1,5 +1,6 @@
 //! Sewing of borders that coincide, also of borders that other stages leave.
 
+use super::corner_place::CornerPlace;
 use super::repair_request::DropReason;
 use super::repair_state::RepairState;
 use crate::repair::sew::{Sew, sew};
@@ -84,8 +85,9 @@ impl RepairState {
         }
         if let Some(origins) = &sewn.corner_origins {
             let corners = 0..sewn.mesh.face_corners.len() as u32;
-            let composed = corners.map(|corner| self.origin_between(origins.origin_of_corner(corner)));
-            self.corner_origins = alloc::collect(composed)?;
+            let place_of = |h: u32| self.corner_places[h as usize];
+            let composed = corners.map(|corner| CornerPlace::between(origins.origin_of_corner(corner), place_of));
+            self.corner_places = alloc::collect(composed)?;
         }
         let map = |v: u32| sewn.vertex_map[v as usize];
         self.new_vertices.iter_mut().for_each(|(v, parents, _)| (*v, *parents) = (map(*v), parents.map(map)));

@@ -2,11 +2,12 @@
 //!
 //! Faces that no other meets stay as they are, also faces with more than three corners.
 
+use super::corner_place::CornerPlace;
 use super::repair_request::DropReason;
-use super::repair_state::{NO_ORIGIN, NewVertex, RepairState};
+use super::repair_state::RepairState;
 use crate::arrange::{Options, Union, unite};
 use crate::check::find_intersecting_faces;
-use crate::repair::corner_origins::CornerOrigin;
+use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
@@ -82,15 +83,15 @@ struct UnitedParts<'a> {
 struct FaceList {
     offsets: Vec<u32>,
     corners: Vec<u32>,
-    origins: Vec<CornerOrigin>,
+    places: Vec<CornerPlace>,
     faces: Vec<u32>,
 }
 
 impl FaceList {
-    fn push(&mut self, face: u32, corners: impl Iterator<Item = (u32, CornerOrigin)>) -> Result<()> {
-        for (v, origin) in corners {
+    fn push(&mut self, face: u32, corners: impl Iterator<Item = (u32, CornerPlace)>) -> Result<()> {
+        for (v, place) in corners {
             alloc::push(&mut self.corners, v)?;
-            alloc::push(&mut self.origins, origin)?;
+            alloc::push(&mut self.places, place)?;
         }
         alloc::push(&mut self.offsets, self.corners.len() as u32)?;
         alloc::push(&mut self.faces, face)
@@ -111,24 +112,28 @@ impl UnitedParts<'_> {
             job.part(0.3, 1.0).step_within_list(f as usize, STAGE)?;
             let first = mesh.face_offsets[f as usize];
             let old = face_corners(mesh, f);
-            let origin = |k: usize| state.corner_origins[first as usize + k];
+            let place = |k: usize| state.corner_places[first as usize + k];
             if self.closed.get(next) != Some(&f) {
-                list.push(f, old.iter().enumerate().map(|(k, &v)| (v, origin(k))))?;
+                list.push(f, old.iter().enumerate().map(|(k, &v)| (v, place(k))))?;
                 continue;
             }
             let parts = triangles.get(next);
             next += 1;
             if self.is_unchanged(mesh, f, parts, &vertices, &mut scratch)? {
-                list.push(f, old.iter().enumerate().map(|(k, _)| (scratch[k], origin(k))))?;
+                list.push(f, old.iter().enumerate().map(|(k, _)| (scratch[k], place(k))))?;
                 continue;
             }
             for &t in parts {
                 let corners = self.union.mesh.face_corners[3 * t as usize..3 * t as usize + 3].iter();
-                // A corner at a new vertex takes the values of the face's first corner.
                 let source = |v: u32| {
                     let old_vertex = self.union.vertex_origins[v as usize];
-                    let place = old.iter().position(|&u| u == old_vertex).unwrap_or(0);
-                    if state.face_origin[f as usize] == NONE { NO_ORIGIN } else { origin(place) }
+                    old.iter().position(|&u| u == old_vertex).map_or_else(
+                        || {
+                            let (corners, weights) = self.coordinates_on_face(mesh, f, v);
+                            CornerPlace::mean([0, 1, 2].map(|k| (place(corners[k]), weights[k])))
+                        },
+                        place,
+                    )
                 };
                 list.push(f, corners.map(|&v| (vertices[v as usize], source(v))))?;
             }
@@ -141,7 +146,7 @@ impl UnitedParts<'_> {
         state.changes += 1;
         state.face_origin = alloc::collect(list.faces.iter().map(|&f| state.face_origin[f as usize]))?;
         state.turned = alloc::collect(list.faces.iter().map(|&f| state.turned[f as usize]))?;
-        state.corner_origins = list.origins;
+        state.corner_places = list.places;
         (state.mesh.face_offsets, state.mesh.face_corners) = (list.offsets, list.corners);
         Ok(())
     }
@@ -176,24 +181,33 @@ impl UnitedParts<'_> {
         alloc::grow(&mut state.vertex_origin, first as usize + new.len(), NONE)?;
         for (number, &v) in (first..).zip(&new) {
             numbers[v as usize] = number;
-            let parent = self.parents_on_face(state, parents[v as usize], v);
-            alloc::push(&mut state.new_vertices, (number, parent.1, parent.2))?;
+            let face = parents[v as usize];
+            let (corners, weights) = self.coordinates_on_face(&state.mesh, face, v);
+            let parents = corners.map(|k| face_corners(&state.mesh, face)[k]);
+            alloc::push(&mut state.new_vertices, (number, parents, weights))?;
         }
         Ok(numbers)
     }
 
-    /// Returns the first three corners of the face on which a new vertex lies, and its barycentric
-    /// coordinates there, not negative.
-    fn parents_on_face(&self, state: &RepairState, face: u32, v: u32) -> NewVertex {
-        let [a, b, c] = [0, 1, 2].map(|k| face_corners(&state.mesh, face)[k]);
-        let [p, q, r] = [a, b, c].map(|v| state.mesh.positions.get(v));
-        let x = self.union.mesh.positions.get(v);
-        let normal = (q - p).cross(r - p);
-        let area = |u: glam::DVec3, w: glam::DVec3| (u - x).cross(w - x).dot(normal).max(0.0);
-        let weights = [area(q, r), area(r, p), area(p, q)];
+    /// Returns three corners of a face of the mesh, and the barycentric coordinates of a vertex of
+    /// the union on them, not negative. Of the triangles at the face's first corner, it is the one in
+    /// which the vertex lies, or the nearest one.
+    fn coordinates_on_face(&self, mesh: &Mesh, face: u32, v: u32) -> ([usize; 3], [f64; 3]) {
+        let (corners, x) = (face_corners(mesh, face), self.union.mesh.positions.get(v));
+        let point = |k: usize| mesh.positions.get(corners[k]);
+        let coordinates = |k: usize| {
+            let [p, q, r] = [point(0), point(k), point(k + 1)];
+            let normal = (q - p).cross(r - p);
+            let area = |u: DVec3, w: DVec3| (u - x).cross(w - x).dot(normal) / normal.length_squared();
+            [area(q, r), area(r, p), area(p, q)]
+        };
+        let least = |weights: [f64; 3]| weights.into_iter().fold(f64::INFINITY, f64::min);
+        let best = (1..corners.len() - 1).map(|k| (k, coordinates(k))).max_by(|a, b| least(a.1).total_cmp(&least(b.1)));
+        let (k, weights) = best.unwrap_or((1, [1.0, 0.0, 0.0]));
+        let weights = weights.map(|weight| weight.max(0.0));
         let sum: f64 = weights.iter().sum();
         let is_normal = sum > 0.0 && sum.is_finite();
-        (v, [a, b, c], if is_normal { weights.map(|weight| weight / sum) } else { [1.0, 0.0, 0.0] })
+        ([0, k, k + 1], if is_normal { weights.map(|weight| weight / sum) } else { [1.0, 0.0, 0.0] })
     }
 
     /// Returns true if the triangles of a face in the union are those of its own corners. `corners`
