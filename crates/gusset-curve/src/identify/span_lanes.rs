@@ -58,7 +58,7 @@ impl<const H: usize> Kernel for &SpanLanes<H> {
         MayCross {
             itself: itself | unknown,
             next: next | unknown | unknown >> 1,
-            next_but_one: farther | unknown | unknown >> 2,
+            next_but_one: farther | unknown | unknown >> 1 | unknown >> 2,
         }
     }
 }
