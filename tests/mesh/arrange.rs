@@ -3,7 +3,7 @@
 
 use crate::common::{Silent, Soup, Steady, StopAt, cap, edge_counts, euler, faces_of, some_of, torus, volume};
 use glam::{DQuat, DVec3};
-use gusset::arrange::{Options, Union, unite};
+use gusset::arrange::{Options, Union, split_intersecting_faces, unite};
 use gusset::check::find_intersecting_faces;
 use gusset::mesh::{Faces, Mesh, MeshView, NONE, Positions};
 use gusset::{Error, Job};
@@ -153,7 +153,7 @@ fn random_solid(random: &mut fastrand::Rng) -> Soup {
 }
 
 /// With a box D around both: the union of D - A and D - B is D less the intersection of A and B, and
-/// the volumes of union and intersection add up to those of A and B.
+/// the volumes of union and intersection add up to the volumes of A and B.
 #[test]
 fn union_and_intersection_add_up() {
     for seed in some_of(20, 0..1000u64) {
@@ -325,4 +325,70 @@ fn jobs_are_heard_and_threads_do_not_matter() {
         cancelled += 1;
     }
     assert!((20..2000).contains(&cancelled), "{cancelled}");
+}
+
+/// Splitting keeps every point of every face: areas of parts add up, and parts of open, unoriented and
+/// repeated faces meet in common vertices and edges only, or coincide.
+#[test]
+fn split_faces_cover_the_faces() {
+    let job = Job::default();
+    for seed in some_of(8, 0..400u64) {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let is_lattice = seed % 2 == 0;
+        let point = |random: &mut fastrand::Rng| {
+            [0; 3].map(|_| if is_lattice { f64::from(random.u32(0..4)) } else { random.f64() })
+        };
+        let count = random.u32(6..18);
+        let mut soup =
+            Soup { points: (0..count).map(|_| point(&mut random)).collect(), offsets: vec![0], ..Soup::default() };
+        for _ in 0..random.u32(2..30) {
+            let [a, b, c] = [0; 3].map(|_| random.u32(0..count));
+            if a != b && b != c && c != a {
+                soup.face(&[a, b, c]);
+            }
+        }
+        if soup.offsets.len() < 3 {
+            continue;
+        }
+        let view = soup.view();
+        let made = split_intersecting_faces(&view, &Options::default(), &job).unwrap();
+        assert!(made.intersections.is_empty(), "seed {seed}");
+        let corner = |v: u32| made.mesh.positions.get(v);
+        let area = |[a, b, c]: [DVec3; 3]| 0.5 * (b - a).cross(c - a).length();
+        let mut areas = vec![0.0; soup.faces().count()];
+        for (face, &origin) in faces_of(&made.mesh).zip(&made.face_origins) {
+            let part = [0, 1, 2].map(|k| corner(face[k]));
+            let given = &soup.corners[3 * origin as usize..][..3];
+            let whole = [0, 1, 2].map(|k| DVec3::from_array(soup.points[given[k] as usize]));
+            let normal = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a);
+            assert!(area(part) < 1e-12 || normal(part).dot(normal(whole)) > 0.0, "seed {seed}: oriented alike");
+            areas[origin as usize] += area(part);
+        }
+        for (face, sum) in soup.faces().zip(&areas) {
+            let whole = area([0, 1, 2].map(|k| DVec3::from_array(soup.points[face[k] as usize])));
+            assert!((sum - whole).abs() < 1e-9, "seed {seed}: {sum} instead of {whole}");
+        }
+        let result = made.mesh.view(&job).unwrap();
+        let first = &made.first_coincident;
+        let crossing = |&[s, t]: &[u32; 2]| first[s as usize] != first[t as usize];
+        assert!(!find_intersecting_faces(&result, &job).unwrap().iter().any(|pair| crossing(pair)), "seed {seed}");
+        (0..soup.points.len()).for_each(|v| assert_eq!(corner(v as u32).to_array(), soup.points[v]));
+    }
+}
+
+/// Two wedges that share both ends of an edge, one sheet each, have no edge in common.
+#[test]
+fn doubled_edges_are_split() {
+    // A ring of four boxes that touch in one edge, closed to a ring above and below it.
+    let mut soup = Soup { offsets: vec![0], ..Soup::default() };
+    for [low, high] in [
+        [[0.0, 0.0, 0.0], [1.0, 1.0, 3.0]],
+        [[1.0, 1.0, 0.0], [2.0, 2.0, 3.0]],
+        [[0.0, 0.0, 3.0], [2.0, 2.0, 4.0]],
+        [[0.0, 0.0, -1.0], [2.0, 2.0, 0.0]],
+    ] {
+        soup = soup.and(&in_triangles(&cuboid(low, high)));
+    }
+    let made = checked_union(&soup);
+    assert!((volume_of_mesh(&made.mesh) - 14.0).abs() < 1e-12);
 }

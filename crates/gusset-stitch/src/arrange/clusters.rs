@@ -31,7 +31,7 @@ pub(super) struct Cluster<'c> {
 
 /// The parts of a cluster's triangles.
 pub(super) struct SplitCluster {
-    /// New points, with numbers after those of the base.
+    /// New points, numbered from the end of the base on.
     pub(super) points: ExactPoints<'static>,
     pub(super) parts: Vec<Part>,
     /// False if the triangles could not be split, and are returned whole.

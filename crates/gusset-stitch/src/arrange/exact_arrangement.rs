@@ -2,8 +2,8 @@
 
 use super::clusters::{Cluster, Part, Segment, SplitCluster};
 use super::contacts::{Contact, ContactPoint, Corners, contact, projection_axis};
+use super::coordinate_grid::{Grid, first_at_position};
 use super::exact_points::{ExactPoints, Plane};
-use super::grid::{Grid, first_at_position};
 use crate::intersect::{TriangleSoup, intersecting_pairs};
 use glam::DVec3;
 use gusset_base::NONE;

@@ -96,7 +96,7 @@ impl LimbRange {
     }
 }
 
-/// Points with numbers from `first` on, over those of a base.
+/// Points with numbers from `first` on, which continue a base.
 pub(super) struct ExactPoints<'a> {
     base: Option<&'a ExactPoints<'a>>,
     first: u32,
@@ -112,7 +112,7 @@ impl<'a> ExactPoints<'a> {
         Ok(ExactPoints { base: None, first: 0, rounded: points, places, limbs: Vec::new() })
     }
 
-    /// Creates an empty set whose numbers continue those of a base.
+    /// Creates an empty set whose numbers continue a base.
     pub(super) fn over(base: &'a ExactPoints<'a>) -> ExactPoints<'a> {
         ExactPoints { base: Some(base), first: base.end(), rounded: Vec::new(), places: Vec::new(), limbs: Vec::new() }
     }

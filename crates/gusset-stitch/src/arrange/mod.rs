@@ -1,6 +1,6 @@
 //! Exact arrangements of triangles, and the union of solids.
 //!
-//! * `grid`, `wide_int`, `exact_points`: given points are integers on a grid. Constructed points have
+//! * `coordinate_grid`, `wide_int`, `exact_points`: given points are integers on a grid. Constructed points have
 //!   homogeneous coordinates of wide integers, and rounded ones that decide most comparisons.
 //! * `contacts`: the points and segments in which two triangles meet.
 //! * `planar_mesh`, `clusters`: the triangles of one plane, split along points and segments.
@@ -8,7 +8,8 @@
 //!   coincide.
 //! * `face_groups`, `outer_cells`, `cells`: the winding numbers of the cells between triangles.
 //! * `sheets`: the triangles between cells outside and inside, as a manifold mesh.
-//! * `mend`, `solid`, [`unite()`]: rounds that also remove the intersections that rounding makes.
+//! * `mend`, `solid`, `rounds`: rounds that also remove the intersections that rounding makes.
+//! * [`unite()`], [`split_intersecting_faces`]: the operations.
 //!
 //! Decisions are exact, up to coordinates below 2^-67 of the largest, whose lowest bits may be rounded.
 //! The arrangement takes O((n + k) log n) for n triangles, k intersecting pairs and their crossings.
@@ -22,13 +23,16 @@ mod contacts;
 mod exact_arrangement;
 mod exact_points;
 mod face_groups;
-mod grid;
+mod coordinate_grid;
 mod mend;
 mod outer_cells;
 mod planar_mesh;
+mod rounds;
 mod sheets;
 mod solid;
+mod split;
 mod unite;
 mod wide_int;
 
+pub use split::{SplitFaces, split_intersecting_faces};
 pub use unite::{Options, Union, unite};

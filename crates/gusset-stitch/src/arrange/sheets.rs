@@ -31,6 +31,8 @@ pub(super) struct SheetMesh {
     pub(super) faces: Vec<[u32; 3]>,
     /// For each vertex, the point, and the given vertex that it continues, or `NONE`.
     pub(super) vertices: Vec<[u32; 2]>,
+    /// Pairs of faces whose common edge has the ends of another edge: the faces, then the ends.
+    pub(super) doubled: Vec<[u32; 4]>,
 }
 
 /// Returns the distinct triangles that separate a winding number of at most 0 from one of at least
@@ -62,7 +64,7 @@ pub(super) fn join_sheets(
     border: &[BorderFace],
     job: &Job<'_>,
 ) -> Result<SheetMesh> {
-    let fans = join_corners(arrangement, groups, triangles, border, &job.part(0.0, 0.7))?;
+    let (fans, mut pinched) = join_corners(arrangement, groups, triangles, border, &job.part(0.0, 0.7))?;
     let mut fans = fans.into_roots(&job.part(0.7, 0.7), STAGE)?;
     // The given vertex of each fan: the smallest that a corner of its faces has in its triangle.
     let mut given = alloc::filled(NONE, fans.len())?;
@@ -92,20 +94,28 @@ pub(super) fn join_sheets(
         let is_alike = are_oriented_alike(part, groups.corners[face.group as usize]);
         if is_alike == face.is_turned { [a, c, b] } else { [a, b, c] }
     });
+    // Edges of four or more faces that have one pair of ends after all.
+    let ends = |&[a, b, _]: &[u32; 3]| [fans[a as usize], fans[b as usize]];
+    pinched.sort_unstable_by_key(|edge| (ends(edge), *edge));
+    let same_ends = pinched.chunk_by(|a, b| ends(a) == ends(b)).filter(|same| same.len() > 1).flatten();
+    let with_ends = |edge: &[u32; 3]| [edge[0] / 3, edge[2] / 3, ends(edge)[0], ends(edge)[1]];
     Ok(SheetMesh {
+        doubled: alloc::gather(same_ends.map(with_ends))?,
         faces: alloc::collect(faces)?,
         vertices: alloc::collect(order.iter().map(|&(given, point, _)| [point, given]))?,
     })
 }
 
-/// Joins the corners 3 f + k, corner k of the part of border face f, that belong to one fan.
+/// Joins the corners 3 f + k, corner k of the part of border face f, that belong to one fan. Also returns
+/// the pairs of faces at edges of more than two faces: the first face's corners at both ends, and a corner
+/// of the second face.
 fn join_corners(
     arrangement: &ExactArrangement,
     groups: &FaceGroups,
     triangles: &[[u32; 3]],
     border: &[BorderFace],
     job: &Job<'_>,
-) -> Result<DisjointSets> {
+) -> Result<(DisjointSets, Vec<[u32; 3]>)> {
     let mut faces = alloc::filled(NONE, groups.corners.len())?;
     border.iter().zip(0..).for_each(|(face, k)| faces[face.group as usize] = k);
     let mut fans = DisjointSets::new(3 * border.len())?;
@@ -116,7 +126,7 @@ fn join_corners(
     };
     // Whether the border passes a half-edge from a point on.
     let is_forward = |h: u32, from: u32| groups.begins_at(h, from) != border[faces[h as usize / 3] as usize].is_turned;
-    let mut kept = Vec::new();
+    let (mut kept, mut pinched) = (Vec::new(), Vec::new());
     for (k, edge) in groups.edges().enumerate() {
         job.step_every(EDGES_PER_REPORT, k, groups.half_edges.len(), STAGE)?;
         let [from, to, _] = edge[0];
@@ -136,10 +146,12 @@ fn join_corners(
                 let next = &around[(k + 1) % around.len()];
                 // Solid follows a face that the border passes backwards, counter-clockwise.
                 if !is_forward(plane.half_edge, from) && is_forward(next.half_edge, from) {
-                    join(plane.half_edge, next.half_edge);
+                    let (g, h) = (plane.half_edge, next.half_edge);
+                    join(g, h);
+                    alloc::push(&mut pinched, [corner(g, from), corner(g, to), corner(h, from)])?;
                 }
             }
         }
     }
-    Ok(fans)
+    Ok((fans, pinched))
 }

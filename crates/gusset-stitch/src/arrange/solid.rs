@@ -8,10 +8,11 @@ use glam::DVec3;
 use gusset_base::NONE;
 use gusset_base::alloc;
 use gusset_base::error::Result;
+use gusset_base::geom::bit_set::BitSet;
 use gusset_base::geom::scale::floor_to_power_of_two;
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
-use gusset_mesh::Scalar;
+use gusset_mesh::{FaceTriangles, Mesh, MeshView, PositionBuffer, Scalar};
 
 /// The largest height of a triangle to mend, in the first round, as a power of two of the largest
 /// coordinate. It doubles in each round, a few times.
@@ -44,6 +45,28 @@ fn rounded(p: DVec3, scalar: Scalar) -> DVec3 {
 }
 
 impl Solid {
+    /// Splits the faces of a mesh into triangles.
+    pub(super) fn from_mesh(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Solid> {
+        let FaceTriangles { corners: triangles, faces, .. } = FaceTriangles::from_mesh(mesh, job)?;
+        let count = mesh.positions().len();
+        let points = alloc::collect((0..count).map(|v| mesh.positions().get(v as u32)))?;
+        Ok(Solid { points, triangles, faces, vertices: alloc::collect((0..count).map(|v| v as u32))? })
+    }
+
+    /// Returns the triangles as a mesh. Vertices of the input keep their bits.
+    pub(super) fn to_mesh(&self, input: &MeshView<'_>) -> Result<Mesh> {
+        let mut positions = PositionBuffer::with_capacity(input.positions().scalar(), self.points.len())?;
+        for (&v, &point) in self.vertices.iter().zip(&self.points) {
+            if v == NONE {
+                positions.extend(std::iter::once(point))?;
+            } else {
+                positions.append(input.positions(), v as usize..v as usize + 1)?;
+            }
+        }
+        let offsets = alloc::collect((0..self.triangles.len() + 1).map(|t| 3 * t as u32))?;
+        Ok(Mesh::new(positions, offsets, alloc::copied(self.triangles.as_flattened())?))
+    }
+
     pub(super) fn copied(&self) -> Result<Solid> {
         Ok(Solid {
             points: alloc::copied(&self.points)?,
@@ -55,11 +78,6 @@ impl Solid {
 
     pub(super) fn arrange(&self, job: &Job<'_>) -> Result<ExactArrangement> {
         ExactArrangement::new(&self.points, &self.triangles, job)
-    }
-
-    /// Returns true if no triangle meets another or has no area.
-    pub(super) fn is_clean(&self, arrangement: &ExactArrangement) -> bool {
-        arrangement.pairs.is_empty() && arrangement.parts.len() == self.triangles.len()
     }
 
     /// Mends the triangles of the pairs, in a round from 1 on. Returns false if nothing changes.
@@ -87,11 +105,72 @@ impl Solid {
         };
         let origin = |&[_, given]: &[u32; 2]| self.vertices.get(given as usize).copied().unwrap_or(NONE);
         let face = |part: u32| self.faces[arrangement.parts[part as usize].1 as usize];
-        Ok(Solid {
+        let mut made = Solid {
             points: alloc::collect(sheets.vertices.iter().map(place))?,
             triangles: sheets.faces,
             faces: alloc::collect(border.iter().map(|border| face(border.part)))?,
             vertices: alloc::collect(sheets.vertices.iter().map(origin))?,
-        })
+        };
+        made.split_doubled_edges(&sheets.doubled, scalar)?;
+        Ok(made)
+    }
+
+    /// Gives each pair of faces at a doubled edge a vertex of its own in the middle of the edge. A face
+    /// that is split already keeps its other edges.
+    fn split_doubled_edges(&mut self, doubled: &[[u32; 4]], scalar: Scalar) -> Result<()> {
+        let mut is_split = BitSet::new(self.triangles.len())?;
+        for &[f, g, p, q] in doubled {
+            if is_split.contains(f) || is_split.contains(g) {
+                continue;
+            }
+            let middle = self.points.len() as u32;
+            let [a, b] = [p, q].map(|v| self.points[v as usize]);
+            alloc::push(&mut self.points, rounded(a + 0.5 * (b - a), scalar))?;
+            alloc::push(&mut self.vertices, NONE)?;
+            for face in [f, g] {
+                is_split.insert(face);
+                let triangle = self.triangles[face as usize];
+                let Some(k) = (0..3).find(|&k| ![p, q].contains(&triangle[(k + 2) % 3])) else { continue };
+                let [from, to, tip] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
+                self.triangles[face as usize] = [from, middle, tip];
+                alloc::push(&mut self.triangles, [middle, to, tip])?;
+                let origin = self.faces[face as usize];
+                alloc::push(&mut self.faces, origin)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Splits the triangles where they meet. New points are rounded.
+    pub(super) fn split(&self, arrangement: &ExactArrangement, scalar: Scalar) -> Result<Solid> {
+        let given = self.points.len() as u32;
+        let mut made = Solid {
+            points: alloc::copied(&self.points)?,
+            triangles: alloc::with_capacity(arrangement.parts.len())?,
+            faces: alloc::collect(arrangement.parts.iter().map(|&(_, t)| self.faces[t as usize]))?,
+            vertices: alloc::copied(&self.vertices)?,
+        };
+        let mut names = alloc::filled(NONE, (arrangement.points.end() - given) as usize)?;
+        for &(part, t) in &arrangement.parts {
+            let own = self.triangles[t as usize];
+            let mut triangle = part;
+            for p in &mut triangle {
+                if *p < given {
+                    // A corner keeps its number among vertices at one position.
+                    *p = own.into_iter().find(|&v| arrangement.first[v as usize] == *p).unwrap_or(*p);
+                    continue;
+                }
+                let name = &mut names[(*p - given) as usize];
+                if *name == NONE {
+                    *name = made.points.len() as u32;
+                    let place = rounded(arrangement.grid.position(arrangement.points.rounded(*p)), scalar);
+                    alloc::push(&mut made.points, place)?;
+                    alloc::push(&mut made.vertices, NONE)?;
+                }
+                *p = *name;
+            }
+            made.triangles.push(triangle);
+        }
+        Ok(made)
     }
 }
