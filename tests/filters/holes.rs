@@ -257,6 +257,22 @@ fn borders_that_are_left_unsewn_get_no_faces_without_area() {
 }
 
 #[test]
+fn coincident_borders_are_sewn_before_holes_are_filled() {
+    for seed in some_of(20, 0..400) {
+        let case = torn_case(&mut Rng::with_seed(seed));
+        let inputs = [Input::Mesh(case.soup.view())];
+        let values = editor::values("fill", &inputs, &[]);
+        let outputs = Filter::find("fill").unwrap().run(&inputs, &values, &Job::default()).unwrap();
+        let [coincident, sewn] = ["coincident_edges", "sewn_edges"].map(|name| editor::value(&outputs[1], name));
+        assert!(sewn > 0.0 && coincident >= sewn, "{seed}");
+        let said = editor::text(&outputs[1]).lines().filter(|line| line.contains("coincide")).count();
+        let first = editor::text(&outputs[1]).lines().next().unwrap_or_default();
+        assert!(said == 1 && first.starts_with(&format!("{coincident} boundary edge")), "{seed}: {first}");
+        assert!(first.ends_with(" sewn before holes are filled"), "{seed}: {first}");
+    }
+}
+
+#[test]
 fn a_join_lists_no_loops_that_filling_closed() {
     for seed in some_of(10, 0..400) {
         let case = bowl_case(&mut Rng::with_seed(seed));

@@ -12,8 +12,8 @@ use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 use gusset_stitch::assemble::{self, Assembly, MaxGap, assemble};
 use gusset_stitch::fill::{
-    Continuity, Fairing, Filled, Hole, HoleStatus, Keep, Limits, LoopSelection, Options, Refinement, Together, Weight,
-    fill_holes,
+    Continuity, Fairing, Filled, Hole, HoleStatus, HoleSurvey, Keep, Limits, LoopSelection, Options, Refinement,
+    Together, Weight,
 };
 use gusset_stitch::repair::orient::Outward;
 use gusset_stitch::repair::weld;
@@ -129,19 +129,22 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         ..Options::default()
     };
     let old = inputs[0].mesh()?;
-    let mut done = fill_holes(old, LoopSelection::All, &options, &job.part(0.0, 0.5))?;
-    if values.sew && !options.plan_only && done.coincident_edges > 0 {
-        return sew_and_fill(old, &options, values, &job.part(0.5, 1.0));
+    let survey = HoleSurvey::new(old, LoopSelection::All, &job.part(0.0, 0.2))?;
+    let coincident = survey.coincident_edges();
+    if values.sew && !options.plan_only && coincident > 0 {
+        return sew_and_fill(old, coincident, &options, values, &job.part(0.2, 1.0));
     }
+    let mut done = survey.fill(&options, &job.part(0.2, 1.0))?;
     done.keep_split_vertices(&[old], &job.part(1.0, 1.0))?;
     let report = report(old, &done, &options);
     let origins = values.trace_origins(|| Origins::from_filled(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
-/// Sews coincident borders, then fills holes.
+/// Sews borders, of which `coincident` edges coincide with others, then fills holes.
 fn sew_and_fill(
     old: &MeshView<'_>,
+    coincident: u32,
     options: &Options,
     values: &ParamValues<Params>,
     job: &Job<'_>,
@@ -155,7 +158,7 @@ fn sew_and_fill(
     };
     let mut done = assemble(&[*old], &how, job)?;
     done.keep_split_vertices(&[old], &job.part(1.0, 1.0))?;
-    let report = report_after_sewing(&done);
+    let report = report_after_sewing(&done, coincident);
     let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
@@ -268,8 +271,13 @@ fn report(old: &MeshView<'_>, done: &Filled, options: &Options) -> Report {
 }
 
 /// The report if coincident borders were sewn first.
-fn report_after_sewing(done: &Assembly) -> Report {
-    let mut text = format!("{} sewn first\n", count_with_noun(done.sewn_edges, EDGE));
+fn report_after_sewing(done: &Assembly, coincident: u32) -> Report {
+    let verb = if coincident == 1 { "coincides" } else { "coincide" };
+    let mut text = format!(
+        "{} {verb} with others: {} sewn before holes are filled\n",
+        count_with_noun(coincident, BOUNDARY_EDGE),
+        count_with_noun(done.sewn_edges, EDGE)
+    );
     let (line, mut values) = filled_line("filled", &done.holes, count_filled(&done.holes)[1]);
     text += &line;
     let turned = done.turned.iter().filter(|&&turned| turned).count();
@@ -278,6 +286,7 @@ fn report_after_sewing(done: &Assembly) -> Report {
     }
     push_line!(text, "{} left", count_with_noun(done.loops_left, BOUNDARY_LOOP));
     values.extend([
+        ("coincident_edges", ReportValue::count(coincident)),
         ("sewn_edges", ReportValue::count(done.sewn_edges)),
         ("turned_faces", ReportValue::count(turned)),
         ("boundary_loops", ReportValue::count(done.loops_left)),

@@ -7,7 +7,7 @@ use super::group_by_cost::group_by_cost;
 use super::hole_filling::HoleFilling;
 use super::patch_groups::group_candidates_by_patch;
 use super::unsewn_loops::UnsewnLoops;
-use crate::boundary::{self, Survey, boundary_loops};
+use crate::boundary::{self, Boundary, Survey, boundary_loops};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -63,47 +63,83 @@ pub fn fill_holes(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Filled> {
-    let limits = options.limits;
-    let named = [("max_length", limits.length), ("max_diameter", limits.diameter), ("max_area", limits.area)];
-    for (option, limit) in named {
-        let limit = limit.unwrap_or(0.0);
-        Error::require(limit >= 0.0, option, limit)?;
-    }
-    let options = &options.with_finish();
-    if options.fairing == Fairing::ThinPlate && options.refinement == Refinement::None {
-        job.note("fairing moves the new vertices inside holes, and none were asked for: it does nothing");
-    }
-    let survey = boundary::Options { survey: Survey::BoundaryOnly, ..boundary::Options::default() };
-    let boundary = boundary_loops(mesh, &survey, &job.part(0.0, 0.2))?;
-    let unsewn = match selection {
-        LoopSelection::All => UnsewnLoops::find(mesh, &boundary, &job.part(0.2, 0.25))?,
-        _ => UnsewnLoops::default(),
-    };
-    if unsewn.edges > 0 {
+    let survey = HoleSurvey::new(mesh, selection, &job.part(0.0, 0.25))?;
+    if survey.coincident_edges() > 0 {
         job.note("boundary edges coincide with others: sew them first, as a join does");
     }
-    let candidates = choose_loops(mesh, &boundary, selection, &unsewn.is_unsewn, options)?;
-    let built = |made, job: &Job<'_>| {
-        let filled = build_result(made, &candidates, options, job)?;
-        Ok(Filled { coincident_edges: unsewn.edges, ..filled })
-    };
-    if options.plan_only {
-        return built(FinishedPatches::empty(mesh), &job.part(0.25, 1.0));
+    survey.fill(options, &job.part(0.25, 1.0))
+}
+
+/// The boundary loops of a mesh before its holes are filled.
+pub struct HoleSurvey<'m, 'a> {
+    mesh: &'m MeshView<'a>,
+    selection: LoopSelection<'m>,
+    boundary: Boundary,
+    unsewn: UnsewnLoops,
+}
+
+impl<'m, 'a> HoleSurvey<'m, 'a> {
+    /// Finds the loops and, if all loops are selected, the boundary edges that coincide with others.
+    ///
+    /// O(H log d) for H half-edges, and O(n log n) for n boundary edges.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn new(mesh: &'m MeshView<'a>, selection: LoopSelection<'m>, job: &Job<'_>) -> Result<Self> {
+        let survey = boundary::Options { survey: Survey::BoundaryOnly, ..boundary::Options::default() };
+        let boundary = boundary_loops(mesh, &survey, &job.part(0.0, 0.8))?;
+        let unsewn = match selection {
+            LoopSelection::All => UnsewnLoops::find(mesh, &boundary, &job.part(0.8, 1.0))?,
+            _ => UnsewnLoops::default(),
+        };
+        Ok(HoleSurvey { mesh, selection, boundary, unsewn })
     }
-    let mut loops_through_vertex = alloc::filled(0u8, mesh.positions().len())?;
-    for found in boundary.iter() {
-        found
-            .vertices
-            .iter()
-            .for_each(|&v| loops_through_vertex[v as usize] = loops_through_vertex[v as usize].saturating_add(1));
+
+    /// Returns the number of boundary edges that coincide with another one. Sewing closes the gap
+    /// between them.
+    pub fn coincident_edges(&self) -> u32 {
+        self.unsewn.edges
     }
-    let mut groups = group_candidates_by_patch(&candidates, selection, options.together)?;
-    if options.together == Together::Cheapest && !matches!(selection, LoopSelection::Groups(_)) {
-        groups =
-            group_by_cost(mesh, &loops_through_vertex, &candidates, &groups, options.weight, &job.part(0.25, 0.4))?;
+
+    /// Fills the selected holes like [`fill_holes`].
+    ///
+    /// # Errors
+    /// As for [`fill_holes`].
+    pub fn fill(self, options: &Options, job: &Job<'_>) -> Result<Filled> {
+        let HoleSurvey { mesh, selection, boundary, unsewn } = self;
+        let limits = options.limits;
+        let named = [("max_length", limits.length), ("max_diameter", limits.diameter), ("max_area", limits.area)];
+        for (option, limit) in named {
+            let limit = limit.unwrap_or(0.0);
+            Error::require(limit >= 0.0, option, limit)?;
+        }
+        let options = &options.with_finish();
+        if options.fairing == Fairing::ThinPlate && options.refinement == Refinement::None {
+            job.note("fairing moves the new vertices inside holes, and none were asked for: it does nothing");
+        }
+        let candidates = choose_loops(mesh, &boundary, selection, &unsewn.is_unsewn, options)?;
+        let built = |made, job: &Job<'_>| {
+            let filled = build_result(made, &candidates, options, job)?;
+            Ok(Filled { coincident_edges: unsewn.edges, ..filled })
+        };
+        if options.plan_only {
+            return built(FinishedPatches::empty(mesh), &job.part(0.0, 1.0));
+        }
+        let mut loops_through_vertex = alloc::filled(0u8, mesh.positions().len())?;
+        for found in boundary.iter() {
+            found
+                .vertices
+                .iter()
+                .for_each(|&v| loops_through_vertex[v as usize] = loops_through_vertex[v as usize].saturating_add(1));
+        }
+        let mut groups = group_candidates_by_patch(&candidates, selection, options.together)?;
+        if options.together == Together::Cheapest && !matches!(selection, LoopSelection::Groups(_)) {
+            groups =
+                group_by_cost(mesh, &loops_through_vertex, &candidates, &groups, options.weight, &job.part(0.0, 0.2))?;
+        }
+        let mut filling =
+            HoleFilling::new(mesh, &candidates, &groups, &loops_through_vertex, options, &job.part(0.2, 0.25))?;
+        filling.build_patches(&job.part(0.25, 0.75))?;
+        built(filling.made, &job.part(0.75, 1.0))
     }
-    let mut filling =
-        HoleFilling::new(mesh, &candidates, &groups, &loops_through_vertex, options, &job.part(0.4, 0.45))?;
-    filling.build_patches(&job.part(0.45, 0.8))?;
-    built(filling.made, &job.part(0.8, 1.0))
 }

@@ -54,4 +54,4 @@ pub use fill_request::{
     Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, LoopSelection, Measures, Options, Refinement,
     Together, Weight,
 };
-pub use holes::fill_holes;
+pub use holes::{HoleSurvey, fill_holes};
