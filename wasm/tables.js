@@ -103,6 +103,7 @@ export const statuses = {
   1008: "bad_wings",
   1009: "bad_merge",
   1010: "repeated_corner",
+  1011: "mesh_not_closed",
   1100: "no_loop",
   1101: "loop_too_short",
   1102: "loop_repeats_vertex",

@@ -633,6 +633,8 @@ class RepairOptions(TypedDict, total=False):
     leave_fins: bool
     #: 1: no component is oriented.
     leave_orientation: bool
+    #: 1: faces that intersect stay.
+    leave_intersections: bool
     #: Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
     fill_options: FillOptions
 
@@ -905,6 +907,7 @@ FIELDS: dict[str, dict[str, Keyword]] = {
         "leave_holes": Keyword('flag'),
         "leave_fins": Keyword('flag'),
         "leave_orientation": Keyword('flag'),
+        "leave_intersections": Keyword('flag'),
         "fill_options": Keyword('options'),
     },
 }

@@ -148,7 +148,7 @@ Collapse = Literal['never', 'allow']
 Unused = Literal['keep', 'remove']
 
 #: Reason why a face was dropped.
-DropReason = Literal['degenerate', 'zero_area', 'duplicate', 'inside', 'fin']
+DropReason = Literal['degenerate', 'zero_area', 'duplicate', 'inside', 'fin', 'overlap']
 
 #: Initial poses.
 AlignmentStart = Literal['as_given', 'principal_axes', 'rims']
@@ -395,7 +395,7 @@ NUMBERS: dict[str, dict[str, int]] = {
     'gusset_weld_vertices': {'boundary': 0, 'all': 1},
     'gusset_collapse': {'never': 0, 'allow': 1},
     'gusset_unused': {'keep': 0, 'remove': 1},
-    'gusset_drop_reason': {'degenerate': 0, 'zero_area': 1, 'duplicate': 2, 'inside': 3, 'fin': 4},
+    'gusset_drop_reason': {'degenerate': 0, 'zero_area': 1, 'duplicate': 2, 'inside': 3, 'fin': 4, 'overlap': 5},
     'gusset_alignment_start': {'as_given': 0, 'principal_axes': 1, 'rims': 2},
     'gusset_aligned_reason': {'trusted': 0, 'no_overlap': 1, 'poor_fit': 2, 'undetermined': 3, 'faces_other_way': 4,
     'other_size': 5, 'trusted_by_none': 6},

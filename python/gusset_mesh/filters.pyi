@@ -365,7 +365,7 @@ def lattice(
 def repair(
     input_0: MeshLike, /, *, tolerance: float = ..., keep: Union[int, Literal['automatic', 'none', 'the_longest', 'borders']] = ...,
     leave_borders: bool = ..., leave_flat_faces: bool = ..., leave_duplicates: bool = ..., leave_holes: bool = ...,
-    leave_non_manifold: bool = ..., leave_fins: bool = ..., leave_orientation: bool = ..., threads: int = ..., progress:
-    Optional[Progress] = ...,
+    leave_non_manifold: bool = ..., leave_fins: bool = ..., leave_intersections: bool = ..., leave_orientation: bool = ..., threads:
+    int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Makes a valid solid of a mesh, and changes only faces at its defects. Sews borders, drops faces without area and duplicate faces, fills holes, separates sheets that share edges or vertices, drops walls within the solid, and turns closed components outwards. Lists what was dropped. Faces that intersect stay, and are counted."""
+    """Makes a valid solid of a mesh, and changes only faces at its defects. Sews borders, drops faces without area and duplicate faces, fills holes, separates sheets that share edges or vertices, drops walls within the solid, and turns closed components outwards. Replaces closed components that intersect by their union. Lists what was dropped."""

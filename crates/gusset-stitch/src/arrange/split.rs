@@ -34,7 +34,7 @@ pub struct SplitFaces {
 /// Splits the faces of a mesh where they meet, so that two triangles of the result have a common vertex
 /// or edge, coincide, or are disjoint. Coincident vertices count as one.
 ///
-/// The mesh may be open, and its faces may be oriented in any way. Decisions and rounding are those of
+/// The mesh may be open, and its faces may be oriented in any way. Decides and rounds as
 /// [`unite`](super::unite()). Triangles that no other meets keep their vertices.
 ///
 /// O((n + k) log n) for n triangles and k intersecting pairs with their crossings.

@@ -210,7 +210,7 @@ impl UnitedParts<'_> {
         ([0, k, k + 1], if is_normal { weights.map(|weight| weight / sum) } else { [1.0, 0.0, 0.0] })
     }
 
-    /// Returns true if the triangles of a face in the union are those of its own corners. `corners`
+    /// Returns true if the union has exactly the triangles of the face's own corners. `corners`
     /// receives the vertex of each corner.
     fn is_unchanged(
         &self,
