@@ -1175,7 +1175,7 @@ struct gusset_repair_report;
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_repair(const struct gusset_result *result,
     struct gusset_repair_report *report);
 
-/* ---- Report of a repair: What was changed, and which defects remain. */
+/* ---- Report of a repair: Lists the changes and the defects that remain. */
 
 /// Reason why a face was dropped.
 typedef uint32_t gusset_drop_reason;

@@ -1,4 +1,4 @@
-//! Report of a repair: What was changed, and which defects remain.
+//! Report of a repair: Lists the changes and the defects that remain.
 
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{Choice, lend_list};

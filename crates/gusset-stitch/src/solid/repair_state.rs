@@ -141,13 +141,13 @@ impl RepairState {
         {
             let view = self.mesh.view(&job.part(0.0, 0.2))?;
             let (mut next, mut split) = (0, SplitFace::default());
-            for f in 0..view.faces().len() {
+            for (f, &reason) in reasons.iter().enumerate() {
                 job.part(0.2, 1.0).step_within_list(f, STAGE)?;
                 let first = next;
                 while places.get(next).is_some_and(|&(h, ..)| (h as usize) < view.faces().corner_range(f).end) {
                     next += 1;
                 }
-                if let Some(reason) = reasons[f] {
+                if let Some(reason) = reason {
                     alloc::push(&mut dropped, (f, reason))?;
                     continue;
                 }
