@@ -129,8 +129,7 @@ fn loops_agree_with_brute_force() {
         let options = Options { mode, joint, method, corner_angle, ..Options::default() };
         let fit = one(&points, random.bool(), &[], &options);
         let truth = loops_by_brute_force(&fit, &points, SAMPLES);
-        for i in 0..count {
-            let (status, loop_size) = (fit.statuses()[i], truth[i]);
+        for (i, (&status, loop_size)) in fit.statuses().iter().zip(truth).enumerate().take(count) {
             let name = format!("case {case}, {mode:?}, {joint:?}, {method:?}, point {i}: {status:?}, {loop_size:?}");
             if status == PointStatus::Looped {
                 let is_small = || loops_by_brute_force(&fit, &points, MANY_SAMPLES)[i].is_some();

@@ -121,9 +121,9 @@ fn boxes_of_a_lattice_cover_cells() {
             let high = low.map(|x| random.usize(x + 1..5));
             let [a, b] = [low, high].map(|corner| corner.map(|x| x as f64));
             soup = soup.and(&in_triangles(&cuboid(a, b)));
-            for cell in 0..64usize {
+            for (cell, covered) in covered.iter_mut().enumerate() {
                 let place = [cell % 4, cell / 4 % 4, cell / 16];
-                covered[cell] |= (0..3).all(|k| low[k] <= place[k] && place[k] < high[k]);
+                *covered |= (0..3).all(|k| low[k] <= place[k] && place[k] < high[k]);
             }
         }
         let made = checked_union(&soup);
@@ -371,7 +371,7 @@ fn split_faces_cover_the_faces() {
         let result = made.mesh.view(&job).unwrap();
         let first = &made.first_coincident;
         let crossing = |&[s, t]: &[u32; 2]| first[s as usize] != first[t as usize];
-        assert!(!find_intersecting_faces(&result, &job).unwrap().iter().any(|pair| crossing(pair)), "seed {seed}");
+        assert!(!find_intersecting_faces(&result, &job).unwrap().iter().any(crossing), "seed {seed}");
         (0..soup.points.len()).for_each(|v| assert_eq!(corner(v as u32).to_array(), soup.points[v]));
     }
 }

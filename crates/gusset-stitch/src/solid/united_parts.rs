@@ -190,8 +190,8 @@ impl UnitedParts<'_> {
     }
 
     /// Returns three corners of a face of the mesh, and the barycentric coordinates of a vertex of
-    /// the union on them, not negative. Of the triangles at the face's first corner, it is the one in
-    /// which the vertex lies, or the nearest one.
+    /// the union on them, not negative. They are the corners of the triangle at the face's first
+    /// corner in which the vertex lies, or of the nearest such triangle.
     fn coordinates_on_face(&self, mesh: &Mesh, face: u32, v: u32) -> ([usize; 3], [f64; 3]) {
         let (corners, x) = (face_corners(mesh, face), self.union.mesh.positions.get(v));
         let point = |k: usize| mesh.positions.get(corners[k]);
