@@ -22,8 +22,8 @@ impl CornerPlace {
         CornerPlace { corners: [corner, NONE, NONE], weights: [1.0, 0.0, 0.0] }
     }
 
-    /// Returns the mean of up to three places of one face. Of more than three corners, those with the
-    /// largest weights remain.
+    /// Returns the mean of up to three places of one face. At most three corners remain, those with
+    /// the largest weights.
     pub(super) fn mean(places: [(CornerPlace, f64); 3]) -> CornerPlace {
         let mut sums = [(NONE, 0.0); 9];
         let mut count = 0;
