@@ -90,7 +90,7 @@ impl gusset_repair_options {
 /// The solid consists of the cells with a winding number other than 0, if crossing faces from front
 /// to back adds 1 consistently; otherwise of all bounded cells. Old faces keep their order, and old
 /// vertices their bits. Unused vertices are removed. Vertices merged by the mesh's merge map stay
-/// merged. Faces of open components that intersect stay, and are listed. A second repair changes nothing.
+/// merged. Faces of open components that intersect stay, and are listed. A second repair of a valid result changes nothing.
 ///
 /// @errors as gusset_weld, OUT_OF_RANGE, TOO_LARGE (the result)
 /// @complexity O(H log H), the time of gusset_fill for each hole, and the search for intersecting

@@ -30,8 +30,8 @@ const STAGE: &str = "repairing";
 /// Repairs a mesh: see [the stages](super).
 ///
 /// O(H log H) for H half-edges, plus the time of [`fill_holes`](crate::fill::fill_holes()) for each
-/// hole, and of the search for intersecting faces. Linear extra memory. A second repair of the
-/// result changes nothing.
+/// hole, and of the search for intersecting faces. Linear extra memory. A second repair of a
+/// valid result changes nothing.
 ///
 /// # Errors
 /// * [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is
