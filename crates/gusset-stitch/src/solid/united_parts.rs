@@ -12,30 +12,69 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
-use gusset_base::sort::Buckets;
+use gusset_base::sort::{Buckets, sort};
 use gusset_mesh::{Mesh, MeshView, NONE, Opposite, Topology};
 
 const STAGE: &str = "uniting parts";
 
-/// Unites the closed components if faces of them intersect.
+/// Unites the closed components if faces of them intersect. A component that would lose most of its
+/// faces by itself stays: a folded sheet that was closed, for example.
 pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<()> {
     let (closed, union) = {
         let view = state.mesh.view(&job.part(0.0, 0.05))?;
         let pairs = find_intersecting_faces(&view, &job.part(0.05, 0.2))?;
-        let is_closed = closed_faces(&view, &job.part(0.2, 0.3))?;
-        if !pairs.iter().any(|pair| pair.iter().all(|&f| is_closed[f as usize])) {
-            return Ok(());
+        let (mut is_closed, components) = closed_faces(&view, &job.part(0.2, 0.3))?;
+        let mut attempt = 0;
+        loop {
+            if !pairs.iter().any(|pair| pair.iter().all(|&f| is_closed[f as usize])) {
+                return Ok(());
+            }
+            let job = job.part(0.3, 0.9).share(attempt.min(1), 2);
+            let closed = alloc::gather((0..).zip(&is_closed).filter(|&(_, &is_closed)| is_closed).map(|(f, _)| f))?;
+            let union = unite_faces(&state.mesh, &closed, &job.part(0.0, 0.6))?;
+            let dropped = alloc::collect(union.dropped_faces.iter().map(|&k| components[closed[k as usize] as usize]))?;
+            let losers = components_that_lose_most(&components, dropped)?;
+            let of_losers = (0..).zip(&components).filter_map(|(f, root)| Some((losers.binary_search(root).ok()?, f)));
+            let of_losers = Buckets::new(losers.len(), 0u32, of_losers)?;
+            let mut lost = false;
+            for (k, _) in losers.iter().enumerate() {
+                let own = of_losers.get(k);
+                let alone = unite_faces(&state.mesh, own, &job.part(0.6, 1.0).share(k, losers.len()))?;
+                if 2 * alone.dropped_faces.len() > own.len() {
+                    own.iter().for_each(|&f| is_closed[f as usize] = false);
+                    lost = true;
+                }
+            }
+            if !lost {
+                break (closed, union);
+            }
+            attempt += 1;
         }
-        let closed = alloc::gather((0..).zip(&is_closed).filter(|&(_, &is_closed)| is_closed).map(|(f, _)| f))?;
-        let parts = select_faces(&state.mesh, &closed)?;
-        let union = unite(&parts.view(&job.part(0.3, 0.35))?, &Options::default(), &job.part(0.35, 0.9))?;
-        (closed, union)
     };
     UnitedParts { closed: &closed, union: &union }.put_into(state, &job.part(0.9, 1.0))
 }
 
-/// Returns for each face whether its component is closed, manifold along edges and oriented.
-fn closed_faces(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<bool>> {
+/// Returns the union of some faces. Its vertices originate from the whole mesh.
+fn unite_faces(mesh: &Mesh, faces: &[u32], job: &Job<'_>) -> Result<Union> {
+    let (part, vertices) = select_faces(mesh, faces, &job.part(0.0, 0.1))?;
+    let mut union = unite(&part.view(&job.part(0.1, 0.15))?, &Options::default(), &job.part(0.15, 1.0))?;
+    union.vertex_origins.iter_mut().filter(|v| **v != NONE).for_each(|v| *v = vertices[*v as usize]);
+    Ok(union)
+}
+
+/// Returns the components that have lost more than half of their faces. `dropped` are the components
+/// of the dropped faces.
+fn components_that_lose_most(components: &[u32], mut dropped: Vec<u32>) -> Result<Vec<u32>> {
+    let mut counts = alloc::filled(0u32, components.len())?;
+    components.iter().for_each(|&root| counts[root as usize] += 1);
+    dropped.sort_unstable();
+    let most = dropped.chunk_by(|a, b| a == b).filter(|group| 2 * group.len() > counts[group[0] as usize] as usize);
+    alloc::gather(most.map(|group| group[0]))
+}
+
+/// Returns for each face whether its component is closed, manifold along edges and oriented, and the
+/// smallest face of its component.
+fn closed_faces(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<(Vec<bool>, Vec<u32>)> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
     let faces = mesh.faces();
     let mut sets = DisjointSets::new(faces.len())?;
@@ -54,18 +93,25 @@ fn closed_faces(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<bool>> {
     for f in 0..faces.len() {
         is_closed[components[f] as usize] &= is_closed[f];
     }
-    alloc::collect(components.iter().map(|&root| is_closed[root as usize]))
+    let of_faces = alloc::collect(components.iter().map(|&root| is_closed[root as usize]))?;
+    Ok((of_faces, components))
 }
 
-/// Returns a mesh of some faces, with all vertices.
-fn select_faces(mesh: &Mesh, faces: &[u32]) -> Result<Mesh> {
+/// Returns a mesh of some faces, and its vertices in the whole mesh.
+fn select_faces(mesh: &Mesh, faces: &[u32], job: &Job<'_>) -> Result<(Mesh, Vec<u32>)> {
     let (mut offsets, mut corners) = (vec![0], Vec::new());
     for &f in faces {
         alloc::append(&mut corners, face_corners(mesh, f))?;
         alloc::push(&mut offsets, corners.len() as u32)?;
     }
-    let all = alloc::collect(0..mesh.positions.len() as u32)?;
-    Ok(Mesh::new(mesh.positions.select_vertices(&all)?, offsets, corners))
+    let mut vertices = alloc::copied(&corners)?;
+    sort(&mut vertices, Ord::cmp, &job.part(0.0, 0.7), STAGE)?;
+    vertices.dedup();
+    for (k, v) in corners.iter_mut().enumerate() {
+        job.part(0.7, 1.0).step_within_list(k, STAGE)?;
+        *v = vertices.partition_point(|&other| other < *v) as u32;
+    }
+    Ok((Mesh::new(mesh.positions.select_vertices(&vertices)?, offsets, corners), vertices))
 }
 
 fn face_corners(mesh: &Mesh, f: u32) -> &[u32] {
