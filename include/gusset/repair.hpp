@@ -101,7 +101,8 @@ public:
 
     /// See ::gusset_repair.
     explicit Repair(const MeshView &mesh, const RepairOptions &options = {}, const Context &context = Context()) {
-        const gusset_repair_options given = detail::as_c(options);
+        detail::RepairOptionsNested nested;
+        const gusset_repair_options given = detail::as_c(options, nested);
         take(context.result(gusset_repair, &mesh.get(), &given));
     }
 
