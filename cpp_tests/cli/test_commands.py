@@ -46,6 +46,15 @@ class Commands(unittest.TestCase):
         self.assertEqual(meshes.counts(self.at("filled.stl")), (24, 44))
         self.expect(DONE, "fill", "low.obj", "--keep", "the-longest", "-o", "one.obj", says="filled 1 of 2 boundary loops by 10 faces")
 
+    def test_repair(self):
+        points, faces = tube(12, 0, 1)
+        write_obj(self.at("broken.obj"), points, [*faces, faces[0], faces[1][::-1]])
+        self.expect(DONE, "repair", "broken.obj", "-o", "solid.off",
+                    says="2 holes filled\n2 duplicate faces dropped\nvalid: closed, manifold, oriented, without intersecting faces\n")
+        self.assertEqual(rims(meshes.read_off(self.at("solid.off"))[1]), 0)
+        text = self.expect(DONE, "repair", "broken.obj", "--leave-holes", "-o", "open.off", says="not a valid solid: 24 boundary edges left\n").stdout
+        self.assertNotIn("holes filled", text)
+
     def test_join(self):
         self.expect(DONE, "join", "low.obj", "high.obj", "--holes", "fill", "-o", "whole.glb",
                     says="2 holes filled, 0 boundary loops left")

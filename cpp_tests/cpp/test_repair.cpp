@@ -1,5 +1,5 @@
-// Welding and orienting, with CGAL as judge: its own stitching of borders, and its check of
-// results.
+// Welding, orienting and repairing, with CGAL as judge: its own stitching of borders, and its
+// check of results.
 #include "cgal_soup.hpp"
 #include "data.hpp"
 #include "judge.hpp"
@@ -485,6 +485,37 @@ TEST_CASE("every mesh as a triangle soup: as many vertices as points, as CGAL co
         const gusset::Weld of_pieces(pieces.view(), options);
         CHECK(of_pieces.mesh().vertex_count() == points.size());
     }
+}
+
+TEST_CASE("repaired meshes that are called valid bound a volume, as CGAL sees it") {
+    std::size_t valid = 0;
+    for (const DataFile &file : data_files()) {
+        CAPTURE(file.name);
+        const Soup soup = read_soup(file.path);
+        const gusset::Repair repaired(soup.view());
+        if (!repaired.valid()) {
+            continue;
+        }
+        ++valid;
+        const Verdict verdict = judge(repaired.mesh());
+        CHECK(verdict.is_mesh);
+        CHECK(verdict.closed);
+        CHECK(verdict.bounds_a_volume);
+        CHECK(verdict.self_intersections == 0);
+        // Each old face is there, or listed.
+        std::vector<bool> found(soup.face_count());
+        for (const uint32_t face : repaired.face_origin()) {
+            if (face != gusset::Repair::none) {
+                found[face] = true;
+            }
+        }
+        for (const uint32_t face : repaired.dropped_faces()) {
+            CHECK_FALSE(found[face]);
+            found[face] = true;
+        }
+        CHECK(std::count(found.begin(), found.end(), false) == 0);
+    }
+    CHECK((data_files().empty() || valid > 0));
 }
 
 TEST_SUITE_END();
