@@ -9,7 +9,7 @@
 //! 3. Duplicate faces are dropped.
 //! 4. Holes are filled.
 //! 5. Where edges have three or more faces, the faces divide space into cells. Faces with the solid
-//!    on both sides, or on neither side, are dropped. The remaining faces are separated into sheets.
+//!    on both sides are dropped. The remaining faces are separated into sheets.
 //! 6. Holes that separate sheets show are filled. Open sheets that were attached to a closed one
 //!    of larger area are dropped.
 //! 7. Closed components are turned outwards.
