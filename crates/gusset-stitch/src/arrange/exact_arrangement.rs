@@ -9,6 +9,7 @@ use glam::DVec3;
 use gusset_base::NONE;
 use gusset_base::alloc;
 use gusset_base::error::Result;
+use gusset_base::geom::bit_set::BitSet;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 use gusset_base::par;
@@ -31,39 +32,64 @@ pub(super) struct ExactArrangement {
     pub(super) parts: Vec<Part>,
     /// The first given vertex at the position of each.
     pub(super) first: Vec<u32>,
-    /// The pairs of given triangles that intersect.
-    pub(super) pairs: Vec<[u32; 2]>,
     /// The given triangles that could not be split.
     pub(super) unsplit: Vec<u32>,
 }
 
-impl ExactArrangement {
-    /// Arranges triangles. Degenerate ones have no parts.
-    pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], job: &Job<'_>) -> Result<ExactArrangement> {
+/// Triangles on a grid, and the pairs of them that intersect.
+pub(super) struct GridTriangles {
+    grid: Grid,
+    /// The vertices in steps of the grid.
+    steps: Vec<DVec3>,
+    /// The first given vertex at the position of each.
+    pub(super) first: Vec<u32>,
+    solid: SolidTriangles,
+    /// True if some triangles are degenerate.
+    pub(super) has_degenerate: bool,
+    /// The pairs that intersect, the smaller number first, in ascending order.
+    pub(super) pairs: Vec<[u32; 2]>,
+}
+
+impl GridTriangles {
+    /// Puts triangles on a grid and finds the pairs that intersect. If there are `suspects`, only pairs with one of
+    /// them are tested.
+    pub(super) fn new(
+        points: &[DVec3],
+        triangles: &[[u32; 3]],
+        suspects: Option<&BitSet>,
+        job: &Job<'_>,
+    ) -> Result<GridTriangles> {
         let grid = Grid::from_points(triangles.as_flattened().iter().map(|&v| points[v as usize]));
         let mut steps = alloc::filled(DVec3::ZERO, points.len())?;
         job.step(0.0, STAGE)?;
         triangles.as_flattened().iter().for_each(|&v| steps[v as usize] = grid.steps(points[v as usize]));
-        let first = first_at_position(&steps, triangles, &job.part(0.0, 0.05), STAGE)?;
+        let first = first_at_position(&steps, triangles, &job.part(0.0, 0.2), STAGE)?;
         let solid = SolidTriangles::new(&steps, triangles, &first)?;
-        let soup = TriangleSoup { at: |v| steps[v as usize], new: &solid.corners, old: &[] };
-        let pairs = intersecting_pairs(&soup, &job.part(0.05, 0.3))?;
+        let pairs = solid.intersecting_pairs(&steps, suspects, &job.part(0.2, 1.0))?;
+        let has_degenerate = solid.corners.len() < triangles.len();
+        Ok(GridTriangles { grid, steps, first, solid, has_degenerate, pairs })
+    }
+
+    /// Splits the triangles where they meet. Degenerate ones have no parts.
+    pub(super) fn arrange(self, job: &Job<'_>) -> Result<ExactArrangement> {
+        let solid = self.solid;
         let mut made = ExactArrangement {
-            grid,
-            points: ExactPoints::from_integral(steps)?,
+            grid: self.grid,
+            points: ExactPoints::from_integral(self.steps)?,
             parts: Vec::new(),
-            first,
-            pairs: Vec::new(),
+            first: self.first,
             unsplit: Vec::new(),
         };
-        let parts = made.split(&solid.corners, &pairs, &job.part(0.3, 1.0))?;
+        let pairs = alloc::collect(self.pairs.iter().map(|pair| pair.map(|t| solid.place_of(t))))?;
+        let parts = made.split(&solid.corners, &pairs, job)?;
         let number = |t: u32| solid.numbers[t as usize];
-        made.pairs = alloc::collect(pairs.iter().map(|pair| pair.map(number)))?;
         made.parts = alloc::collect(parts.into_iter().map(|(part, t)| (part, number(t))))?;
         made.unsplit.iter_mut().for_each(|t| *t = number(*t));
         Ok(made)
     }
+}
 
+impl ExactArrangement {
     fn split(&mut self, triangles: &[[u32; 3]], pairs: &[[u32; 2]], job: &Job<'_>) -> Result<Vec<Part>> {
         if pairs.is_empty() {
             return alloc::gather(triangles.iter().copied().zip(0..));
@@ -228,6 +254,29 @@ impl SolidTriangles {
             }
         }
         Ok(made)
+    }
+
+    /// Returns the place of a given triangle, which is not degenerate, in the list.
+    fn place_of(&self, t: u32) -> u32 {
+        self.numbers.partition_point(|&number| number < t) as u32
+    }
+
+    /// Returns the pairs of given triangles that intersect. See [`GridTriangles::new`].
+    fn intersecting_pairs(&self, points: &[DVec3], suspects: Option<&BitSet>, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+        let is_suspect = |k: &u32| suspects.is_none_or(|suspects| suspects.contains(self.numbers[*k as usize]));
+        let all = 0..self.corners.len() as u32;
+        let mut order = alloc::gather(all.clone().filter(is_suspect))?;
+        let suspect_count = order.len();
+        alloc::extend(&mut order, all.filter(|k| !is_suspect(k)))?;
+        let corners = alloc::collect(order.iter().map(|&k| self.corners[k as usize]))?;
+        let (new, old) = corners.split_at(suspect_count);
+        let mut pairs = intersecting_pairs(&TriangleSoup { at: |v| points[v as usize], new, old }, job)?;
+        for pair in &mut pairs {
+            *pair = pair.map(|k| self.numbers[order[k as usize] as usize]);
+            pair.sort_unstable();
+        }
+        pairs.sort_unstable();
+        Ok(pairs)
     }
 }
 

@@ -3,7 +3,7 @@
 //! A needle loses its shortest side. A cap, whose tip is near its longest side, and the triangle
 //! beyond that side are replaced by the other two triangles of their quad.
 
-use super::solid::Solid;
+use super::solid::{Solid, numbers_where};
 use glam::DVec3;
 use gusset_base::NONE;
 use gusset_base::alloc;
@@ -34,8 +34,8 @@ impl Solid {
         (height <= tolerance).then_some(Flat::Cap(longest))
     }
 
-    /// Removes flat triangles among those given, in turn. Returns false if nothing changes. Vertices of
-    /// the input stay. O(n log n) for n triangles.
+    /// Removes flat triangles among those given, in turn. All others meet none. Returns false if nothing changes.
+    /// Vertices of the input stay. O(n log n) for n triangles.
     pub(super) fn mend(&mut self, among: &[u32], tolerance: f64) -> Result<bool> {
         let (count, corners) = (self.points.len(), self.triangles.len());
         let sides = self.triangles.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
@@ -84,13 +84,20 @@ impl Solid {
                 None => {}
             }
         }
-        for v in self.triangles.as_flattened_mut() {
-            *v = targets[*v as usize];
+        // All other triangles still meet none.
+        among.iter().for_each(|&t| replaced.insert(t));
+        for (t, triangle) in (0..).zip(&mut self.triangles) {
+            let moved = triangle.map(|v| targets[v as usize]);
+            if moved != *triangle {
+                replaced.insert(t);
+            }
+            *triangle = moved;
         }
-        let is_simple = |&[a, b, c]: &[u32; 3]| a != b && b != c && c != a;
-        let mut keeps = self.triangles.iter().map(is_simple);
-        self.faces.retain(|_| keeps.next() != Some(false));
-        self.triangles.retain(is_simple);
+        let is_simple = |[a, b, c]: [u32; 3]| a != b && b != c && c != a;
+        let kept = alloc::gather((0..corners as u32).filter(|&t| is_simple(self.triangles[t as usize])))?;
+        self.suspects = Some(numbers_where(kept.len(), |k| replaced.contains(kept[k]))?);
+        self.faces = alloc::collect(kept.iter().map(|&t| self.faces[t as usize]))?;
+        self.triangles = alloc::collect(kept.iter().map(|&t| self.triangles[t as usize]))?;
         Ok(is_changed)
     }
 }

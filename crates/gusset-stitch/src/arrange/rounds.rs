@@ -1,6 +1,6 @@
 //! Rounds that remove the intersections which rounding makes.
 
-use super::exact_arrangement::ExactArrangement;
+use super::exact_arrangement::{ExactArrangement, GridTriangles};
 use super::solid::Solid;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -9,6 +9,8 @@ use gusset_mesh::Scalar;
 
 /// Number of rounds without fewer intersections after which the search for a better result ends.
 const PATIENCE: u32 = 4;
+/// The search also ends at more than twice the fewest intersections, and this number.
+const MAX_GROWTH: usize = 64;
 
 /// The result of all rounds.
 pub(super) struct Resolved {
@@ -17,57 +19,55 @@ pub(super) struct Resolved {
     pub(super) intersections: Vec<[u32; 2]>,
     /// The number of rounds that changed the surface.
     pub(super) round_count: u32,
-    /// The number of pairs that intersect at first.
-    pub(super) intersection_count: u64,
 }
 
-/// Applies `step` to a surface and its arrangement, and again to the result until nothing intersects, at
-/// most `max_rounds` times. Returns the result with the fewest intersections. `counts` tells whether a pair
-/// of triangles with common points counts as one.
+/// Applies `step` to a surface and its arrangement until nothing intersects, at most `max_rounds` times with
+/// the step that made the surface. Returns the result with the fewest intersections. `counts` tells whether a pair of
+/// triangles with common points counts as one.
 pub(super) fn resolve(
     mut solid: Solid,
-    first: &ExactArrangement,
     scalar: Scalar,
     max_rounds: u32,
     counts: &impl Fn([u32; 3], [u32; 3]) -> bool,
     step: &impl Fn(&Solid, &ExactArrangement, &Job<'_>) -> Result<Solid>,
     job: &Job<'_>,
 ) -> Result<Resolved> {
-    let intersections = |solid: &Solid, arrangement: &ExactArrangement| {
-        let corners = |t: u32| solid.triangles[t as usize].map(|v| arrangement.first[v as usize]);
-        alloc::gather(arrangement.pairs.iter().copied().filter(|&[s, t]| counts(corners(s), corners(t))))
-    };
-    let intersection_count = intersections(&solid, first)?.len() as u64;
-    let next = step(&solid, first, &job.part(0.0, 0.4))?;
-    if next.triangles == solid.triangles && next.points == solid.points {
-        return Ok(Resolved { solid, intersections: Vec::new(), round_count: 0, intersection_count });
-    }
-    solid = next;
     let mut best: Option<Resolved> = None;
     for round in 1..=max_rounds {
         // Later rounds are shorter.
-        let [start, end] = [round - 1, round].map(|round| 0.4 + 0.6 * f64::from(round) / f64::from(round + 1));
+        let [start, end] = [round - 1, round].map(|round| f64::from(round) / f64::from(round + 1));
         let job = job.part(start, end);
-        let mut arrangement = solid.arrange(&job.part(0.0, 0.4))?;
-        let pairs = intersections(&solid, &arrangement)?;
-        let is_clean = pairs.is_empty() && arrangement.parts.len() == solid.triangles.len();
-        if is_clean || round == max_rounds {
-            let is_best = best.as_ref().is_none_or(|held| pairs.len() <= held.intersections.len());
-            let last = Resolved { solid, intersections: pairs, round_count: round, intersection_count };
-            return Ok(best.filter(|_| !is_best).unwrap_or(last));
+        let mut found = solid.find_pairs(&job.part(0.0, 0.3))?;
+        let intersections = counted_pairs(&solid, &found, counts)?;
+        if intersections.is_empty() && !found.has_degenerate {
+            return Ok(Resolved { solid, intersections, round_count: round });
         }
-        if best.as_ref().is_none_or(|held| pairs.len() < held.intersections.len()) {
-            let intersections = alloc::copied(&pairs)?;
-            best = Some(Resolved { solid: solid.copied()?, intersections, round_count: round, intersection_count });
-        }
-        if best.as_ref().is_some_and(|held| round >= held.round_count + PATIENCE) {
+        if best.as_ref().is_none_or(|held| intersections.len() < held.intersections.len()) {
+            let solid = solid.copied()?;
+            best = Some(Resolved { solid, intersections, round_count: round });
+        } else if best.as_ref().is_some_and(|held| {
+            round >= held.round_count + PATIENCE || intersections.len() > 2 * held.intersections.len() + MAX_GROWTH
+        }) {
             break;
         }
-        if solid.mend_pairs(&pairs, scalar, round)? {
-            arrangement = solid.arrange(&job.part(0.5, 0.7))?;
+        if round == max_rounds {
+            break;
         }
-        solid = step(&solid, &arrangement, &job.part(0.7, 1.0))?;
+        if solid.mend_pairs(&found.pairs, scalar, round)? {
+            found = solid.find_pairs(&job.part(0.3, 0.5))?;
+        }
+        solid = step(&solid, &found.arrange(&job.part(0.5, 0.7))?, &job.part(0.7, 1.0))?;
     }
-    let unsearched = Resolved { solid, intersections: Vec::new(), round_count: max_rounds, intersection_count };
+    let unsearched = Resolved { solid, intersections: Vec::new(), round_count: max_rounds };
     Ok(best.unwrap_or(unsearched))
+}
+
+/// Returns the pairs that count.
+pub(super) fn counted_pairs(
+    solid: &Solid,
+    found: &GridTriangles,
+    counts: &impl Fn([u32; 3], [u32; 3]) -> bool,
+) -> Result<Vec<[u32; 2]>> {
+    let corners = |t: u32| solid.triangles[t as usize].map(|v| found.first[v as usize]);
+    alloc::gather(found.pairs.iter().copied().filter(|&[s, t]| counts(corners(s), corners(t))))
 }

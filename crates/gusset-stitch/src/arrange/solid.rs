@@ -1,7 +1,7 @@
 //! A closed surface between two rounds of a union.
 
-use super::cells::{unbalanced_triangle, windings};
-use super::exact_arrangement::ExactArrangement;
+use super::cells::windings;
+use super::exact_arrangement::{ExactArrangement, GridTriangles};
 use super::face_groups::FaceGroups;
 use super::sheets::{border_faces, join_sheets};
 use glam::DVec3;
@@ -28,6 +28,8 @@ pub(super) struct Solid {
     pub(super) faces: Vec<u32>,
     /// The vertex of the input of each point, or `NONE`.
     pub(super) vertices: Vec<u32>,
+    /// The triangles that may intersect. `None`: all.
+    pub(super) suspects: Option<BitSet>,
 }
 
 /// Returns the triangles of pairs.
@@ -35,6 +37,13 @@ fn triangles_of(pairs: &[[u32; 2]]) -> Result<Vec<u32>> {
     let mut triangles = alloc::copied(pairs.as_flattened())?;
     sort_distinct(&mut triangles);
     Ok(triangles)
+}
+
+/// Returns the numbers below `count` for which `is_wanted` returns true.
+pub(super) fn numbers_where(count: usize, is_wanted: impl Fn(usize) -> bool) -> Result<BitSet> {
+    let mut wanted = BitSet::new(count)?;
+    (0..count).filter(|&k| is_wanted(k)).for_each(|k| wanted.insert(k as u32));
+    Ok(wanted)
 }
 
 fn rounded(p: DVec3, scalar: Scalar) -> DVec3 {
@@ -50,7 +59,24 @@ impl Solid {
         let FaceTriangles { corners: triangles, faces, .. } = FaceTriangles::from_mesh(mesh, job)?;
         let count = mesh.positions().len();
         let points = alloc::collect((0..count).map(|v| mesh.positions().get(v as u32)))?;
-        Ok(Solid { points, triangles, faces, vertices: alloc::collect((0..count).map(|v| v as u32))? })
+        let vertices = alloc::collect((0..count).map(|v| v as u32))?;
+        Ok(Solid { points, triangles, faces, vertices, suspects: None })
+    }
+
+    /// Lets only triangles of some faces intersect others.
+    pub(super) fn suspect_faces(&mut self, faces: &BitSet) -> Result<()> {
+        self.suspects = Some(numbers_where(self.triangles.len(), |t| faces.contains(self.faces[t]))?);
+        Ok(())
+    }
+
+    /// Lets only triangles with points from `first_new` on intersect others, after an arrangement: these points were
+    /// rounded, and all other triangles were split exactly.
+    fn suspect_rounded(&mut self, arrangement: &ExactArrangement, first_new: u32) -> Result<()> {
+        let is_rounded = |t: usize| self.triangles[t].iter().any(|&v| v >= first_new);
+        if arrangement.unsplit.is_empty() {
+            self.suspects = Some(numbers_where(self.triangles.len(), is_rounded)?);
+        }
+        Ok(())
     }
 
     /// Returns the triangles as a mesh. Vertices of the input keep their bits.
@@ -73,14 +99,16 @@ impl Solid {
             triangles: alloc::copied(&self.triangles)?,
             faces: alloc::copied(&self.faces)?,
             vertices: alloc::copied(&self.vertices)?,
+            suspects: None,
         })
     }
 
-    pub(super) fn arrange(&self, job: &Job<'_>) -> Result<ExactArrangement> {
-        ExactArrangement::new(&self.points, &self.triangles, job)
+    /// Finds the pairs of triangles that intersect.
+    pub(super) fn find_pairs(&self, job: &Job<'_>) -> Result<GridTriangles> {
+        GridTriangles::new(&self.points, &self.triangles, self.suspects.as_ref(), job)
     }
 
-    /// Mends the triangles of the pairs, in a round from 1 on. Returns false if nothing changes.
+    /// Mends the triangles of the pairs that intersect, in a round from 1 on. Returns false if nothing changes.
     pub(super) fn mend_pairs(&mut self, pairs: &[[u32; 2]], scalar: Scalar, round: u32) -> Result<bool> {
         let largest = self.points.iter().fold(0.0, |largest: f64, p| largest.max(p.abs().max_element()));
         let exponent = if scalar == Scalar::F32 { MEND_EXPONENT_F32 } else { MEND_EXPONENT };
@@ -88,17 +116,17 @@ impl Solid {
         self.mend(&triangles_of(pairs)?, floor_to_power_of_two(largest) * libm::scalbn(1.0, exponent + doublings))
     }
 
-    /// Returns a triangle at an edge that faces pass more often in one direction than in the other.
-    pub(super) fn unbalanced_triangle(&self, arrangement: &ExactArrangement, job: &Job<'_>) -> Result<Option<u32>> {
-        Ok(unbalanced_triangle(arrangement, &FaceGroups::new(arrangement, job)?))
-    }
-
     /// Removes faces inside and parts outside. New points are rounded.
-    pub(super) fn unite(&self, arrangement: &ExactArrangement, scalar: Scalar, job: &Job<'_>) -> Result<Solid> {
-        let groups = FaceGroups::new(arrangement, &job.part(0.0, 0.2))?;
-        let numbers = windings(arrangement, &groups, &self.triangles, &job.part(0.2, 0.6))?;
-        let border = border_faces(arrangement, &groups, [&numbers.front, &numbers.back])?;
-        let sheets = join_sheets(arrangement, &groups, &self.triangles, &border, &job.part(0.6, 1.0))?;
+    pub(super) fn unite(
+        &self,
+        arrangement: &ExactArrangement,
+        groups: &FaceGroups,
+        scalar: Scalar,
+        job: &Job<'_>,
+    ) -> Result<Solid> {
+        let numbers = windings(arrangement, groups, &self.triangles, &job.part(0.0, 0.5))?;
+        let border = border_faces(arrangement, groups, [&numbers.front, &numbers.back])?;
+        let sheets = join_sheets(arrangement, groups, &self.triangles, &border, &job.part(0.5, 1.0))?;
         let place = |&[point, given]: &[u32; 2]| match self.points.get(given as usize) {
             Some(&own) => own,
             None => rounded(arrangement.grid.position(arrangement.points.rounded(point)), scalar),
@@ -110,8 +138,12 @@ impl Solid {
             triangles: sheets.faces,
             faces: alloc::collect(border.iter().map(|border| face(border.part)))?,
             vertices: alloc::collect(sheets.vertices.iter().map(origin))?,
+            suspects: None,
         };
         made.split_doubled_edges(&sheets.doubled, scalar)?;
+        // New vertices are listed last.
+        let first_new = sheets.vertices.partition_point(|&[_, given]| given != NONE);
+        made.suspect_rounded(arrangement, first_new as u32)?;
         Ok(made)
     }
 
@@ -149,6 +181,7 @@ impl Solid {
             triangles: alloc::with_capacity(arrangement.parts.len())?,
             faces: alloc::collect(arrangement.parts.iter().map(|&(_, t)| self.faces[t as usize]))?,
             vertices: alloc::copied(&self.vertices)?,
+            suspects: None,
         };
         let mut names = alloc::filled(NONE, (arrangement.points.end() - given) as usize)?;
         for &(part, t) in &arrangement.parts {
@@ -171,6 +204,7 @@ impl Solid {
             }
             made.triangles.push(triangle);
         }
+        made.suspect_rounded(arrangement, given)?;
         Ok(made)
     }
 }

@@ -45,19 +45,25 @@ pub fn split_intersecting_faces(mesh: &MeshView<'_>, options: &Options, job: &Jo
     Error::require(options.max_rounds >= 1, "max_rounds", options.max_rounds.into())?;
     let scalar = mesh.positions().scalar();
     let solid = Solid::from_mesh(mesh, &job.part(0.0, 0.05))?;
-    let first = solid.arrange(&job.part(0.05, 0.4))?;
+    let found = solid.find_pairs(&job.part(0.05, 0.3))?;
+    let pair_count = found.pairs.len() as u64;
     let sorted = |mut t: [u32; 3]| {
         t.sort_unstable();
         t
     };
-    let pair_count = first.pairs.len() as u64;
+    let counts = |s: [u32; 3], t: [u32; 3]| sorted(s) != sorted(t);
+    let arrangement = found.arrange(&job.part(0.3, 0.5))?;
+    let split = solid.split(&arrangement, scalar)?;
+    let is_unchanged = split.triangles == solid.triangles && split.points == solid.points;
     let step = |solid: &Solid, arrangement: &ExactArrangement, job: &Job<'_>| {
         job.step(0.0, STAGE)?;
         solid.split(arrangement, scalar)
     };
-    let counts = |s: [u32; 3], t: [u32; 3]| sorted(s) != sorted(t);
-    let Resolved { solid, intersections, round_count, .. } =
-        resolve(solid, &first, scalar, options.max_rounds, &counts, &step, &job.part(0.4, 0.9))?;
+    let Resolved { solid, intersections, round_count } = if is_unchanged {
+        Resolved { solid: split, intersections: Vec::new(), round_count: 0 }
+    } else {
+        resolve(split, scalar, options.max_rounds, &counts, &step, &job.part(0.5, 0.9))?
+    };
     // Coincident triangles, by the positions of their vertices.
     let first_at =
         super::coordinate_grid::first_at_position(&solid.points, &solid.triangles, &job.part(0.9, 0.95), STAGE)?;

@@ -1,6 +1,8 @@
 //! The union of solids.
 
+use super::cells::unbalanced_triangle;
 use super::exact_arrangement::ExactArrangement;
+use super::face_groups::FaceGroups;
 use super::rounds::{Resolved, resolve};
 use super::solid::Solid;
 use gusset_base::alloc;
@@ -61,16 +63,38 @@ pub struct Union {
 /// # Errors
 /// [`Error::MeshNotClosed`], [`Error::OptionOutOfRange`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn unite(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Union> {
+    unite_with_suspects(mesh, None, options, job)
+}
+
+/// Returns the union as [`unite`] does. If there are `suspects`, only pairs of faces with one of them intersect.
+pub(crate) fn unite_with_suspects(
+    mesh: &MeshView<'_>,
+    suspects: Option<&BitSet>,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Union> {
     Error::require(options.max_rounds >= 1, "max_rounds", options.max_rounds.into())?;
     let scalar = mesh.positions().scalar();
-    let solid = Solid::from_mesh(mesh, &job.part(0.0, 0.05))?;
-    let first = solid.arrange(&job.part(0.05, 0.3))?;
-    if let Some(triangle) = solid.unbalanced_triangle(&first, &job.part(0.3, 0.35))? {
+    let mut solid = Solid::from_mesh(mesh, &job.part(0.0, 0.05))?;
+    suspects.map_or(Ok(()), |faces| solid.suspect_faces(faces))?;
+    let found = solid.find_pairs(&job.part(0.05, 0.2))?;
+    let intersection_count = found.pairs.len() as u64;
+    let arrangement = found.arrange(&job.part(0.2, 0.3))?;
+    let groups = FaceGroups::new(&arrangement, &job.part(0.3, 0.4))?;
+    if let Some(triangle) = unbalanced_triangle(&arrangement, &groups) {
         return Err(Error::MeshNotClosed { face: solid.faces[triangle as usize] });
     }
-    let step = |solid: &Solid, arrangement: &ExactArrangement, job: &Job<'_>| solid.unite(arrangement, scalar, job);
-    let Resolved { solid, intersections, round_count, intersection_count } =
-        resolve(solid, &first, scalar, options.max_rounds, &|_, _| true, &step, &job.part(0.35, 0.95))?;
+    let united = solid.unite(&arrangement, &groups, scalar, &job.part(0.4, 0.6))?;
+    let is_unchanged = united.triangles == solid.triangles && united.points == solid.points;
+    let step = |solid: &Solid, arrangement: &ExactArrangement, job: &Job<'_>| {
+        let groups = FaceGroups::new(arrangement, &job.part(0.0, 0.3))?;
+        solid.unite(arrangement, &groups, scalar, &job.part(0.3, 1.0))
+    };
+    let Resolved { solid, intersections, round_count } = if is_unchanged {
+        Resolved { solid: united, intersections: Vec::new(), round_count: 0 }
+    } else {
+        resolve(united, scalar, options.max_rounds, &|_, _| true, &step, &job.part(0.6, 0.95))?
+    };
     job.step(0.95, STAGE)?;
     let mut is_kept = BitSet::new(mesh.faces().len())?;
     solid.faces.iter().for_each(|&face| is_kept.insert(face));

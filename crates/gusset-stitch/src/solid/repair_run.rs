@@ -10,7 +10,7 @@ use super::repair_state::RepairState;
 use super::sew_borders::{SewCounts, sew_borders};
 use super::sheet_pairs::Sheets;
 use super::twin_edges::split_twin_edges;
-use super::united_parts::unite_parts;
+use super::united_parts::{Uniting, unite_parts};
 use crate::check::{check, find_intersecting_faces, find_zero_area_faces};
 use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
 use crate::repair::orient::{self, Outward, orient};
@@ -51,11 +51,13 @@ pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<R
             break;
         }
     }
-    let RepairRun { mut state, counts, split_vertices, filled_holes, .. } = run;
+    let RepairRun { mut state, counts, split_vertices, filled_holes, intersections, .. } = run;
     state.finish(mesh.faces().len())?;
     let (after, intersections) = {
         let view = state.mesh.view(&job.part(0.8, 0.82))?;
-        (check(&view, &job.part(0.82, 0.9))?, find_intersecting_faces(&view, &job.part(0.9, 1.0))?)
+        let after = check(&view, &job.part(0.82, 0.9))?;
+        let search = |_| find_intersecting_faces(&view, &job.part(0.9, 1.0));
+        (after, intersections.ok_or(()).or_else(search)?)
     };
     job.step(1.0, STAGE)?;
     Ok(Repaired {
@@ -86,6 +88,10 @@ struct RepairRun<'o> {
     filled_holes: u32,
     /// A face of each open sheet that was attached, and a face of the sheet that it was attached to.
     attached: Vec<[u32; 2]>,
+    /// The pairs of faces that intersect, if the last stage found them and changed nothing.
+    intersections: Option<Vec<[u32; 2]>>,
+    /// True if rounding made intersections that no round of a union removed.
+    rounding_prevails: bool,
 }
 
 impl<'o> RepairRun<'o> {
@@ -99,6 +105,8 @@ impl<'o> RepairRun<'o> {
             split_vertices: 0,
             filled_holes: 0,
             attached: Vec::new(),
+            intersections: None,
+            rounding_prevails: false,
         })
     }
 
@@ -131,7 +139,19 @@ impl<'o> RepairRun<'o> {
         }
         self.turn_outwards(&job.part(0.9, 0.92))?;
         if !self.options.leave_intersections {
-            unite_parts(&mut self.state, &job.part(0.92, 1.0))?;
+            let job = job.part(0.92, 1.0);
+            self.intersections = if self.rounding_prevails {
+                let view = self.state.mesh.view(&job.part(0.0, 0.1))?;
+                Some(find_intersecting_faces(&view, &job.part(0.1, 1.0))?)
+            } else {
+                match unite_parts(&mut self.state, &job)? {
+                    Uniting::Unchanged(pairs) => Some(pairs),
+                    Uniting::Changed { is_clean } => {
+                        self.rounding_prevails = !is_clean;
+                        None
+                    }
+                }
+            };
         }
         Ok(())
     }

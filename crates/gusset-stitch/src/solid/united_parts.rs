@@ -5,61 +5,122 @@
 use super::corner_place::CornerPlace;
 use super::repair_request::DropReason;
 use super::repair_state::RepairState;
-use crate::arrange::{Options, Union, unite};
+use crate::arrange::{Options, Union, unite_with_suspects};
 use crate::check::find_intersecting_faces;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
+use gusset_base::geom::bit_set::BitSet;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
-use gusset_base::sort::{Buckets, sort};
+use gusset_base::sort::{Buckets, sort, sort_distinct};
 use gusset_mesh::{Mesh, MeshView, NONE, Opposite, Topology};
 
 const STAGE: &str = "uniting parts";
 
+/// What uniting did to a mesh.
+pub(super) enum Uniting {
+    /// Nothing. These pairs of faces intersect.
+    Unchanged(Vec<[u32; 2]>),
+    /// Parts were united.
+    Changed {
+        /// True if no faces of the union intersect.
+        is_clean: bool,
+    },
+}
+
 /// Unites the closed components if faces of them intersect. A component that would lose most of its
 /// faces by itself stays: a folded sheet that was closed, for example.
-pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<()> {
+pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<Uniting> {
     let (closed, union) = {
         let view = state.mesh.view(&job.part(0.0, 0.05))?;
         let pairs = find_intersecting_faces(&view, &job.part(0.05, 0.2))?;
-        let (mut is_closed, components) = closed_faces(&view, &job.part(0.2, 0.3))?;
-        let mut attempt = 0;
-        loop {
-            if !pairs.iter().any(|pair| pair.iter().all(|&f| is_closed[f as usize])) {
-                return Ok(());
+        if pairs.is_empty() {
+            return Ok(Uniting::Unchanged(pairs));
+        }
+        let (is_closed, components) = closed_faces(&view, &job.part(0.2, 0.3))?;
+        let meets = BitSet::new(view.faces().len())?;
+        let mut parts = ClosedParts { mesh: &state.mesh, components, is_closed, meets };
+        if !parts.has_closed(&pairs) {
+            return Ok(Uniting::Unchanged(pairs));
+        }
+        pairs.as_flattened().iter().for_each(|&f| parts.meets.insert(f));
+        // Triangles of one face may overlap.
+        let polygons = (0..view.faces().len()).filter(|&f| view.faces().corner_range(f).len() > 3);
+        polygons.for_each(|f| parts.meets.insert(f as u32));
+        let (closed, union) = parts.unite_all(&job.part(0.3, 0.5))?;
+        let lost = parts.losers(&pairs, &closed, &union, &job.part(0.5, 0.7))?;
+        if lost.is_empty() {
+            (closed, union)
+        } else {
+            let is_lost = |f: usize| lost.binary_search(&parts.components[f]).is_ok();
+            (0..parts.is_closed.len()).filter(|&f| is_lost(f)).for_each(|f| parts.is_closed[f] = false);
+            if !parts.has_closed(&pairs) {
+                return Ok(Uniting::Unchanged(pairs));
             }
-            let job = job.part(0.3, 0.9).share(attempt.min(1), 2);
-            let closed = alloc::gather((0..).zip(&is_closed).filter(|&(_, &is_closed)| is_closed).map(|(f, _)| f))?;
-            let union = unite_faces(&state.mesh, &closed, &job.part(0.0, 0.6))?;
-            let dropped = alloc::collect(union.dropped_faces.iter().map(|&k| components[closed[k as usize] as usize]))?;
-            let losers = components_that_lose_most(&components, dropped)?;
-            let of_losers = (0..).zip(&components).filter_map(|(f, root)| Some((losers.binary_search(root).ok()?, f)));
-            let of_losers = Buckets::new(losers.len(), 0u32, of_losers)?;
-            let mut lost = false;
-            for (k, _) in losers.iter().enumerate() {
-                let own = of_losers.get(k);
-                let alone = unite_faces(&state.mesh, own, &job.part(0.6, 1.0).share(k, losers.len()))?;
-                if 2 * alone.dropped_faces.len() > own.len() {
-                    own.iter().for_each(|&f| is_closed[f as usize] = false);
-                    lost = true;
-                }
-            }
-            if !lost {
-                break (closed, union);
-            }
-            attempt += 1;
+            parts.unite_all(&job.part(0.7, 0.9))?
         }
     };
-    UnitedParts { closed: &closed, union: &union }.put_into(state, &job.part(0.9, 1.0))
+    UnitedParts { closed: &closed, union: &union }.put_into(state, &job.part(0.9, 1.0))?;
+    Ok(Uniting::Changed { is_clean: union.intersections.is_empty() })
 }
 
-/// Returns the union of some faces. Its vertices originate from the whole mesh.
-fn unite_faces(mesh: &Mesh, faces: &[u32], job: &Job<'_>) -> Result<Union> {
-    let (part, vertices) = select_faces(mesh, faces, &job.part(0.0, 0.1))?;
-    let mut union = unite(&part.view(&job.part(0.1, 0.15))?, &Options::default(), &job.part(0.15, 1.0))?;
-    union.vertex_origins.iter_mut().filter(|v| **v != NONE).for_each(|v| *v = vertices[*v as usize]);
-    Ok(union)
+/// The closed components of a mesh.
+struct ClosedParts<'m> {
+    mesh: &'m Mesh,
+    /// The smallest face of each face's component.
+    components: Vec<u32>,
+    /// Whether the component of each face is closed.
+    is_closed: Vec<bool>,
+    /// The faces that may intersect others.
+    meets: BitSet,
+}
+
+impl ClosedParts<'_> {
+    /// Returns true if both faces of a pair are closed.
+    fn has_closed(&self, pairs: &[[u32; 2]]) -> bool {
+        pairs.iter().any(|pair| pair.iter().all(|&f| self.is_closed[f as usize]))
+    }
+
+    /// Returns the closed faces, and their union.
+    fn unite_all(&self, job: &Job<'_>) -> Result<(Vec<u32>, Union)> {
+        let closed = alloc::gather((0..).zip(&self.is_closed).filter(|&(_, &is_closed)| is_closed).map(|(f, _)| f))?;
+        let union = self.unite(&closed, job)?;
+        Ok((closed, union))
+    }
+
+    /// Returns the union of some faces. Its vertices originate from the whole mesh.
+    fn unite(&self, faces: &[u32], job: &Job<'_>) -> Result<Union> {
+        let (part, vertices) = select_faces(self.mesh, faces, &job.part(0.0, 0.1))?;
+        let mut meets = BitSet::new(faces.len())?;
+        (0..).zip(faces).filter(|&(_, &f)| self.meets.contains(f)).for_each(|(k, _)| meets.insert(k));
+        let part = part.view(&job.part(0.1, 0.15))?;
+        let mut union = unite_with_suspects(&part, Some(&meets), &Options::default(), &job.part(0.15, 1.0))?;
+        union.vertex_origins.iter_mut().filter(|v| **v != NONE).for_each(|v| *v = vertices[*v as usize]);
+        Ok(union)
+    }
+
+    /// Returns the components that intersect themselves and lose more than half of their faces, both in the union of
+    /// `closed` and by themselves, in ascending order.
+    fn losers(&self, pairs: &[[u32; 2]], closed: &[u32], union: &Union, job: &Job<'_>) -> Result<Vec<u32>> {
+        let root = |f: u32| self.components[f as usize];
+        let dropped = alloc::collect(union.dropped_faces.iter().map(|&k| root(closed[k as usize])))?;
+        let mut losers = components_that_lose_most(&self.components, dropped)?;
+        let mut folded = alloc::gather(pairs.iter().filter(|[f, g]| root(*f) == root(*g)).map(|[f, _]| root(*f)))?;
+        sort_distinct(&mut folded);
+        losers.retain(|loser| folded.binary_search(loser).is_ok());
+        let own = (0..).zip(&self.components).filter_map(|(f, root)| Some((losers.binary_search(root).ok()?, f)));
+        let own = Buckets::new(losers.len(), 0u32, own)?;
+        let mut lost = Vec::new();
+        for (k, &loser) in losers.iter().enumerate() {
+            let faces = own.get(k);
+            let union = self.unite(faces, &job.share(k, losers.len()))?;
+            if 2 * union.dropped_faces.len() > faces.len() {
+                alloc::push(&mut lost, loser)?;
+            }
+        }
+        Ok(lost)
+    }
 }
 
 /// Returns the components that have lost more than half of their faces. `dropped` are the components
