@@ -201,6 +201,40 @@ static void repair(void) {
     gusset_result_destroy(repaired);
 }
 
+static void unite(void) {
+    static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    static const double four[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    gusset_mesh_view pieces[2] = {{.struct_size = sizeof *pieces, .positions = four, .vertex_count = 4, .scalar = GUSSET_F64,
+                                   .face_corners = faces, .face_count = 4, .face_size = 3}};
+    gusset_error_report error = {sizeof error, 0, 0, 0, 0.0, 0, 0};
+    gusset_repair_report report = {.struct_size = sizeof report};
+    gusset_result *united = (gusset_result *)misaligned();
+
+    pieces[1] = pieces[0];
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_unite(context, NULL, 2, &united));
+    CHECK(united == NULL);
+    EXPECT(GUSSET_ERROR_EMPTY_MESH, gusset_unite(context, NULL, 0, &united));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_unite(context, pieces, 2, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_unite(misaligned(), pieces, 2, &united));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_unite(context, misaligned(), 2, &united));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_unite(context, pieces, 2, misaligned()));
+    pieces[1].face_count = 3;
+    EXPECT(GUSSET_ERROR_MESH_NOT_CLOSED, gusset_unite(context, pieces, 2, &united));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &error));
+    CHECK(error.element == GUSSET_ELEMENT_FACE && error.input == 1 && error.index < 3);
+    pieces[1].face_count = 4;
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_unite(context, pieces, 2, &united));
+    gusset_context_reset(context);
+    CHECK(united == NULL);
+
+    EXPECT(GUSSET_OK, gusset_unite(context, pieces, 2, &united));
+    EXPECT(GUSSET_OK, gusset_result_get_repair(united, &report));
+    CHECK(report.valid == 1 && report.dropped_count == 4 && report.dropped_faces.data[0] == 4 && report.face_origin.count == 4);
+    CHECK(report.drop_reasons[0] == GUSSET_DROP_OVERLAP);
+    gusset_result_destroy(united);
+}
+
 static void triangulate(void) {
     /* A dart: the diagonal from its first corner lies outside. */
     static const double dart[4][3] = {{0, 0, 0}, {2, -1, 0}, {1, 0, 0}, {2, 1, 0}};
@@ -290,6 +324,7 @@ int main(void) {
     weld();
     sew();
     repair();
+    unite();
     triangulate();
     orient();
     gusset_context_destroy(context);

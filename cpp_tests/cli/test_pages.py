@@ -22,7 +22,7 @@ class Pages(unittest.TestCase):
 
     def setUp(self):
         self.known = self.commands()
-        self.assertEqual(list(self.known), ["join", "stitch", "fill", "repair", "weld", "sew", "orient", "align", "trim", "section", "loft", "flatten",
+        self.assertEqual(list(self.known), ["join", "stitch", "fill", "repair", "unite", "weld", "sew", "orient", "align", "trim", "section", "loft", "flatten",
                                             "check", "convert", "info", "filters", "run"])
         self.assertLessEqual({"--meridians", "--rows", "--output", "--json", "--threads"}, self.known["stitch"])
         self.assertIn("--param", self.known["run"])

@@ -23,6 +23,10 @@ gusset run stitch left.obj right.obj -p finish=blend -o joined.obj
 gusset repair joined.obj -o repaired.obj
 #! [repair]
 
+#! [unite]
+gusset unite repaired.obj whole.glb -o solid.obj
+#! [unite]
+
 #! [scans]
 gusset join left.obj right.obj --align --overlaps trim --holes fill -o model.ply
 #! [scans]

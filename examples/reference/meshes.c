@@ -216,6 +216,26 @@ static void a_tetrahedron_with_a_copy_and_a_hole(void) {
 }
 //! [solid]
 
+//! [union]
+static void one_solid_of_two(void) {
+    const double four[4][3] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+    const double higher[4][3] = {{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}, {0.5, 1.5, 0.5}, {0.5, 0.5, 4.5}};
+    const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    gusset_mesh_view pieces[2] = {{.struct_size = sizeof *pieces, .positions = four, .vertex_count = 4, .scalar = GUSSET_F64,
+                                   .face_corners = faces, .face_count = 4, .face_size = 3}};
+    gusset_repair_report report = {.struct_size = sizeof report};
+    gusset_result *united = NULL;
+
+    pieces[1] = pieces[0];
+    pieces[1].positions = higher;
+    MUST(gusset_unite(NULL, pieces, 2, &united));
+    MUST(gusset_result_get_repair(united, &report));
+    /* The first face of the second piece lies inside the first piece. */
+    HOLDS(report.valid == 1 && report.dropped_count == 1 && report.dropped_faces.data[0] == 4);
+    gusset_result_destroy(united);
+}
+//! [union]
+
 //! [orient]
 static void a_face_turned_over(void) {
     const uint32_t mixed[12] = {0, 1, 2, 0, 2, 3, 0, 4, 3, 0, 4, 1};
@@ -265,6 +285,7 @@ int main(void) {
     a_soup_of_triangles();
     borders_that_do_not_match();
     a_tetrahedron_with_a_copy_and_a_hole();
+    one_solid_of_two();
     a_face_turned_over();
     a_u_in_triangles();
     return 0;

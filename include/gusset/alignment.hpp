@@ -14,10 +14,7 @@ public:
     /// See ::gusset_alignment_create.
     explicit Alignment(Span<const MeshView> pieces, const AlignmentOptions &options = {},
                        const Context &context = Context()) {
-        std::vector<gusset_mesh_view> views;
-        for (const MeshView &piece : pieces) {
-            views.push_back(piece.get());
-        }
+        const std::vector<gusset_mesh_view> views = detail::c_views(pieces);
         const gusset_alignment_options given = detail::as_c(options);
         alignment_.reset(context.result(gusset_alignment_create, views.data(), views.size(), &given));
     }

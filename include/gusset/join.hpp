@@ -13,10 +13,7 @@ public:
     /// See ::gusset_join.
     explicit Join(Span<const MeshView> pieces, const JoinOptions &options = {},
                   const Context &context = Context()) {
-        std::vector<gusset_mesh_view> views;
-        for (const MeshView &piece : pieces) {
-            views.push_back(piece.get());
-        }
+        const std::vector<gusset_mesh_view> views = detail::c_views(pieces);
         detail::JoinOptionsNested nested;
         const gusset_join_options given = detail::as_c(options, nested);
         take(context.result(gusset_join, views.data(), views.size(), &given));

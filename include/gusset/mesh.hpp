@@ -203,6 +203,17 @@ private:
     gusset_mesh_view view_;
 };
 
+namespace detail {
+/// The arguments for the C interface, in an array.
+inline std::vector<gusset_mesh_view> c_views(Span<const MeshView> pieces) {
+    std::vector<gusset_mesh_view> views;
+    for (const MeshView &piece : pieces) {
+        views.push_back(piece.get());
+    }
+    return views;
+}
+} // namespace detail
+
 /// For each vertex the smallest one with an equal key, or without keys at the same position; see
 /// gusset_mesh_find_merge. Throws an Error if there is not one key for each vertex.
 inline std::vector<uint32_t> find_merge(const MeshView &mesh, Indices keys = {}, const Context &context = Context()) {

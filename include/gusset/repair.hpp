@@ -93,18 +93,11 @@ private:
     gusset_sew_report report() const { return detail::lent(gusset_result_get_sew, get()); }
 };
 
-/// A mesh made into a valid solid, changed only at its defects; see gusset_repair.
-class Repair : public Result {
+/// A solid made by gusset_repair or gusset_unite, and where its elements are from.
+class Solid : public Result {
 public:
     /// The index of an element that is not from the input.
     static constexpr uint32_t none = UINT32_MAX;
-
-    /// See ::gusset_repair.
-    explicit Repair(const MeshView &mesh, const RepairOptions &options = {}, const Context &context = Context()) {
-        detail::RepairOptionsNested nested;
-        const gusset_repair_options given = detail::as_c(options, nested);
-        take(context.result(gusset_repair, &mesh.get(), &given));
-    }
 
     /// True if the result bounds a solid: closed, manifold, oriented, without degenerate, duplicate
     /// or intersecting faces.
@@ -136,6 +129,33 @@ public:
     /// The counts of changes, and of defects that remain.
     gusset_repair_report report() const & { return detail::lent(gusset_result_get_repair, get()); }
     gusset_repair_report report() const && = delete;
+
+private:
+    // Made by the classes below.
+    Solid() = default;
+    friend class Repair;
+    friend class Unite;
+};
+
+/// A mesh made into a valid solid, changed only at its defects; see gusset_repair.
+class Repair : public Solid {
+public:
+    /// See ::gusset_repair.
+    explicit Repair(const MeshView &mesh, const RepairOptions &options = {}, const Context &context = Context()) {
+        detail::RepairOptionsNested nested;
+        const gusset_repair_options given = detail::as_c(options, nested);
+        take(context.result(gusset_repair, &mesh.get(), &given));
+    }
+};
+
+/// The union of closed pieces; see gusset_unite. Old vertices and faces are numbered piece after piece.
+class Unite : public Solid {
+public:
+    /// See ::gusset_unite.
+    explicit Unite(Span<const MeshView> pieces, const Context &context = Context()) {
+        const std::vector<gusset_mesh_view> views = detail::c_views(pieces);
+        take(context.result(gusset_unite, views.data(), views.size()));
+    }
 };
 
 /// A mesh whose faces agree with their neighbours; see gusset_orient.

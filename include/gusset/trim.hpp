@@ -12,10 +12,7 @@ class Trim {
 public:
     /// See ::gusset_trim_create.
     explicit Trim(Span<const MeshView> pieces, const TrimOptions &options = {}, const Context &context = Context()) {
-        std::vector<gusset_mesh_view> views;
-        for (const MeshView &piece : pieces) {
-            views.push_back(piece.get());
-        }
+        const std::vector<gusset_mesh_view> views = detail::c_views(pieces);
         const gusset_trim_options given = detail::as_c(options);
         trim_.reset(context.result(gusset_trim_create, views.data(), views.size(), &given));
     }

@@ -43,8 +43,8 @@ from .files import read, save
 from .frame import Frame
 from .gluing import Gluing, LocalGluing, NetGroups, seam
 from .joining import (
-    Alignment, Boundary, Check, Development, Fill, Join, Orient, Repair, Sew, Stitch, Triangulation, Trim, Weld, align, boundary_loops,
-    check, develop, fill, join, orient, repair, sew, stitch, triangulate, trim, weld,
+    Alignment, Boundary, Check, Development, Fill, Join, Orient, Repair, Sew, Stitch, Triangulation, Trim, Unite, Weld, align, boundary_loops,
+    check, develop, fill, join, orient, repair, sew, stitch, triangulate, trim, unite, weld,
 )
 from .loops import Facing, Strip, facing, find_merge, meridians_index, strip
 from .mesh import Mesh, MeshLike, as_mesh
@@ -72,8 +72,8 @@ __all__ = [
     "SheetMeshOptions", "SheetMeshReport", "SheetReport", "Stitch", "StitchOptions", "StitchReport", "Surface", "SurfaceHit",
     "SurfaceHitArray", "SurfaceHits", "SurfaceHitsView", "SurfaceNearestPoint", "SurfaceNearestPointArray", "SurfaceOptions",
     "SurfacePaths", "SurfacePathsView", "SurfacePlace", "SurfacePlaceArray", "SurfacePoint", "SurfacePointArray", "SurfaceReport",
-    "Triangulation", "Trim", "TrimOptions", "TrimView", "TrimmedPiece", "Weld", "WeldOptions", "WeldReport", "align", "as_mesh",
-    "boundary_loops", "check", "choices", "develop", "fill", "filters", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "weld",
+    "Triangulation", "Trim", "TrimOptions", "TrimView", "TrimmedPiece", "Unite", "Weld", "WeldOptions", "WeldReport", "align", "as_mesh",
+    "boundary_loops", "check", "choices", "develop", "fill", "filters", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "unite", "weld",
 ]
 __all__ += [
     "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "DecimatedNet", "DistanceReport", "Document", "Facing", "FacingOptions",

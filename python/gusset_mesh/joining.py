@@ -21,8 +21,8 @@ from ._reports import (AlignmentView, BoundaryView, CheckView, DevelopReport, Fi
                        QualityReport, RepairReport, SewReport, StitchReport, TrimView, WeldReport)
 from .mesh import Mesh, MeshLike, as_mesh, of_one_precision, view_of, views_of
 
-__all__ = ["Alignment", "Boundary", "Check", "Development", "Fill", "Join", "Orient", "Repair", "Sew", "Stitch", "Triangulation", "Trim", "Weld",
-           "align", "boundary_loops", "check", "develop", "fill", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "weld"]
+__all__ = ["Alignment", "Boundary", "Check", "Development", "Fill", "Join", "Orient", "Repair", "Sew", "Stitch", "Triangulation", "Trim", "Unite", "Weld",
+           "align", "boundary_loops", "check", "develop", "fill", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "unite", "weld"]
 
 
 def _create(kind: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
@@ -167,6 +167,26 @@ def repair(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = N
     (True, 1, [2])
     """
     return Repair(_result("repair", [as_mesh(mesh)], structs("repair_options", options), threads=threads, progress=progress))
+
+
+class Unite(Result[RepairReport]):
+    """The union of closed meshes. ``report`` numbers their vertices and faces mesh after mesh."""
+
+    REPORT = RepairReport
+
+
+def unite(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None) -> Unite:
+    """Replaces closed meshes by their union, without intersecting faces.
+
+    >>> faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    >>> small = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    >>> large = [[2 * x - 0.2, 2 * y - 0.2, 2 * z - 0.2] for x, y, z in small]
+    >>> done = unite([(small, faces), (large, faces)])
+    >>> done.report.valid, done.report.dropped_faces.tolist()
+    (True, [0, 1, 2, 3])
+    """
+    given = of_one_precision(pieces)
+    return Unite(_result("unite", given, len(given), threads=threads, progress=progress))
 
 
 class Orient(Result[OrientReport]):

@@ -298,7 +298,9 @@ impl From<Error> for Failure {
             RepeatedCorner { face, vertex } => {
                 at(GUSSET_ERROR_REPEATED_CORNER, GUSSET_ELEMENT_FACE, face, vertex.into())
             }
-            MeshNotClosed { face } => at(GUSSET_ERROR_MESH_NOT_CLOSED, GUSSET_ELEMENT_FACE, face, 0.0),
+            MeshNotClosed { input, face } => {
+                Failure { input, ..at(GUSSET_ERROR_MESH_NOT_CLOSED, GUSSET_ELEMENT_FACE, face, 0.0) }
+            }
             CutNotConnected { cut, place, vertex } => Failure {
                 input: cut,
                 ..at(GUSSET_ERROR_CUT_NOT_CONNECTED, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())

@@ -58,6 +58,7 @@ const IDS: &[&str] = &[
     "morph",
     "lattice",
     "repair",
+    "unite",
 ];
 
 /// Choices that need other inputs or values: nets that are welded lie on each other, and so on.

@@ -6,6 +6,7 @@ use glam::{DQuat, DVec3};
 use gusset::arrange::{Options, Union, split_intersecting_faces, unite};
 use gusset::check::find_intersecting_faces;
 use gusset::mesh::{Faces, Mesh, MeshView, NONE, Positions};
+use gusset::solid::unite_solids;
 use gusset::{Error, Job};
 use std::f64::consts::TAU;
 
@@ -289,6 +290,46 @@ fn mistakes_are_refused() {
     let options = Options { max_rounds: 0 };
     let refused = unite(&closed.view(), &options, &job);
     assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "max_rounds", .. })));
+}
+
+/// Pieces keep their quads where no other meets them, and vertices and faces are numbered piece after piece.
+#[test]
+fn solids_are_united_piece_by_piece() {
+    let job = Job::default();
+    for seed in some_of(10, 0..200u64) {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let pieces: Vec<Soup> = (0..random.usize(1..5))
+            .map(|_| {
+                let low = [0; 3].map(|_| random.f64());
+                cuboid(low, low.map(|x| x + 0.1 + random.f64()))
+            })
+            .collect();
+        let all = pieces.iter().fold(Soup { offsets: vec![0], ..Soup::default() }, |all, piece| all.and(piece));
+        let views: Vec<_> = pieces.iter().map(Soup::view).collect();
+        let made = unite_solids(&views, &job).unwrap();
+        assert!(made.is_valid(), "seed {seed}");
+        let expected = unite(&all.view(), &Options::default(), &job).unwrap();
+        assert!((volume_of_mesh(&made.mesh) - volume_of_mesh(&expected.mesh)).abs() < 1e-12, "seed {seed}");
+        let dropped: Vec<u32> = made.dropped.iter().map(|dropped| dropped.face).collect();
+        assert_eq!(dropped, expected.dropped_faces, "seed {seed}");
+        for (v, &origin) in (0..).zip(&made.vertex_origin).filter(|&(_, &origin)| origin != NONE) {
+            assert_eq!(made.mesh.positions.get(v).to_array(), all.points[origin as usize], "seed {seed}");
+        }
+        let faces: Vec<&[u32]> = all.faces().collect();
+        let met = find_intersecting_faces(&all.view(), &job).unwrap();
+        for (face, &origin) in faces_of(&made.mesh).zip(&made.face_origin) {
+            let kept: Vec<u32> = face.iter().map(|&v| made.vertex_origin[v as usize]).collect();
+            if !met.as_flattened().contains(&origin) {
+                assert_eq!(kept, faces[origin as usize], "seed {seed}: a face that meets none");
+            }
+        }
+    }
+    let (closed, mut open) = (cuboid([0.0; 3], [1.0; 3]), cuboid([0.5; 3], [1.5; 3]));
+    open.corners.truncate(20);
+    open.offsets.truncate(6);
+    let refused = unite_solids(&[closed.view(), closed.view(), open.view()], &job);
+    assert!(matches!(refused, Err(Error::MeshNotClosed { input: 2, face: 0..5 })));
+    assert!(matches!(unite_solids(&[], &job), Err(Error::EmptyMesh { .. })));
 }
 
 /// Faces without an area, and faces that appear twice in opposite directions, enclose nothing.

@@ -62,7 +62,7 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_repaired(done: &Repaired, job: &Job<'_>) -> Result<Origins> {
         let history = &done.history;
-        let [vertices, corners, faces] = history.input;
+        let counts = |&[vertices, corners, faces]: &[usize; 3]| Counts { vertices, corners, faces };
         let is_old = |&&origin: &&u32| origin != NONE;
         let [old_vertices, old_faces] =
             [&done.vertex_origin, &done.face_origin].map(|origins| origins.iter().take_while(is_old).count());
@@ -76,7 +76,7 @@ impl Origins {
             SourceTable::from_single_sources(origins[..count].iter().copied(), job)
         };
         let kept = KeptElements {
-            inputs: vec![Counts { vertices, corners, faces }],
+            inputs: alloc::collect(history.inputs.iter().map(counts))?,
             vertices: of_old(&done.vertex_origin, old_vertices, &job.part(0.2, 0.3))?,
             corners: corner_sources,
             faces: of_old(&done.face_origin, old_faces, &job.part(0.3, 0.4))?,

@@ -93,8 +93,8 @@ pub enum Error {
     },
     /// A surface is not closed: faces pass an edge of this face more often in one direction than in
     /// the other. The edge is on a border, or its faces are not oriented alike.
-    #[error("the mesh is not closed at face {face}: an edge is on a border, or its faces are not oriented alike")]
-    MeshNotClosed { face: u32 },
+    #[error("input {input} is not closed at face {face}: an edge is on a border, or its faces are not oriented alike")]
+    MeshNotClosed { input: u32, face: u32 },
     /// A merge map sends a vertex to one that does not exist, or that is itself merged into
     /// another.
     #[error("vertex {vertex} is merged into vertex {value}, which does not exist or is itself merged into another")]

@@ -66,6 +66,7 @@ mod smooth_surface;
 mod stitch;
 mod strip;
 mod trim;
+mod unite;
 mod weld;
 
 pub use filter::Filter;
@@ -118,6 +119,7 @@ pub static FILTERS: &[Filter] = &[
     morph::FILTER,
     lattice::FILTER,
     repair::FILTER,
+    unite::FILTER,
 ];
 
 impl Filter {

@@ -55,7 +55,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let done = repair(inputs[0].mesh()?, &options, job)?;
     let origins = values.trace_origins(|| Origins::from_repaired(&done, &job.part(1.0, 1.0)))?;
-    let report = report(&done);
+    let report = solid_report(&done, "nothing to repair");
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
@@ -69,7 +69,8 @@ const DROPPED: [(DropReason, Noun, &str); 6] = [
     (DropReason::Overlap, ["overlapping face", "overlapping faces"], "overlapping_faces"),
 ];
 
-fn report(done: &Repaired) -> Report {
+/// Reports the changes and the remaining defects. `unchanged` is said if nothing was changed.
+pub(super) fn solid_report(done: &Repaired, unchanged: &str) -> Report {
     let mut text = String::new();
     let turned = done.turned.iter().filter(|&&turned| turned).count();
     let counts = [
@@ -87,7 +88,7 @@ fn report(done: &Repaired) -> Report {
         push_line!(text, "{} dropped", count_with_noun(dropped(reason), noun));
     }
     if text.is_empty() {
-        push_line!(text, "nothing to repair");
+        push_line!(text, "{unchanged}");
     }
     let after = &done.after;
     let left = [

@@ -34,6 +34,13 @@ pub(super) trait Parameters {
     fn read(components: &[f64]) -> Self;
 }
 
+/// A filter without parameters.
+impl Parameters for () {
+    const PARAMS: &'static [Param] = &[];
+
+    fn read(_: &[f64]) {}
+}
+
 /// `params! { id: Type = parameter; ... }` declares the struct `Params` with a field for each
 /// parameter of a filter.
 macro_rules! params {

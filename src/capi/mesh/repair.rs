@@ -1,4 +1,4 @@
-//! Repair: Makes a valid solid of any polygon mesh.
+//! Repair: Makes a valid solid of any polygon mesh, and unites solids.
 //!
 //! @source Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, Mesh arrangements for solid geometry (2016),
 //! for cells; M. Attene, A lightweight approach to repairing digitized polygon meshes (2010).
@@ -10,9 +10,10 @@ use crate::capi::mesh::fill::gusset_fill_options;
 use crate::capi::mesh::repair_report::{RepairResult, gusset_repair_report};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{gusset_tolerance_mode, to_tolerance};
-use crate::capi::mesh::{self, gusset_mesh_view};
+use crate::capi::mesh::{self, GivenMesh, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
-use crate::solid::{Options, repair};
+use crate::solid::{Options, repair, unite_solids};
+use gusset_base::alloc;
 
 /// Options of gusset_repair. By default every stage runs.
 #[repr(C)]
@@ -111,7 +112,35 @@ pub unsafe extern "C" fn gusset_repair(
     })
 }
 
-/// Lends the report of a repair.
+/// Unites closed pieces: returns the border of all points with a winding number of at least 1. Pieces may
+/// intersect, touch, coincide or lie within each other, and intersect themselves. Walls of cavities look into the
+/// cavities. Faces that no other meets stay as they are, and old vertices keep their bits. New vertices are rounded
+/// to the first piece's scalar type.
+///
+/// gusset_result_get_repair lends the report. Old vertices and faces are numbered piece after piece.
+/// Dropped faces have the reason GUSSET_DROP_OVERLAP. Intersecting pairs remain only where
+/// rounding makes them again and again.
+///
+/// @param pieces at least one; struct_size of the first holds for all.
+/// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, MESH_NOT_CLOSED (input is the piece), TOO_LARGE
+/// @complexity O((n + k) log n) for n triangles of which k pairs intersect.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_unite(
+    context: *const gusset_context,
+    pieces: *const gusset_mesh_view,
+    piece_count: usize,
+    result: *mut *mut gusset_result,
+) -> gusset_status {
+    create(context, result, "result", |job| {
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
+        let done = unite_solids(&views, &job.part(0.1, 1.0))?;
+        Ok(gusset_result(OperationResult::Repair(RepairResult::new(done)?)))
+    })
+}
+
+/// Lends the report of a repair or a union.
 ///
 /// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]

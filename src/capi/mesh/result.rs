@@ -58,7 +58,7 @@ impl OperationResult {
             OperationResult::Fill(_) => "gusset_fill",
             OperationResult::Weld(_) => "gusset_weld",
             OperationResult::Sew(_) => "gusset_sew",
-            OperationResult::Repair(_) => "gusset_repair",
+            OperationResult::Repair(_) => "gusset_repair or gusset_unite",
             OperationResult::Orient(..) => "gusset_orient",
             OperationResult::Develop(_) => "gusset_develop",
             OperationResult::Triangulate(_) => "gusset_triangulate",

@@ -56,6 +56,13 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         smooth: &[],
     },
     FilterCommand {
+        name: "unite",
+        filters: &["unite"],
+        about: "Replaces closed meshes by their union",
+        example: "gusset unite handle.stl blade.stl -o tool.stl",
+        smooth: &[],
+    },
+    FilterCommand {
         name: "weld",
         filters: &["weld"],
         about: "Merges borders whose vertices coincide",

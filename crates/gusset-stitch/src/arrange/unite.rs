@@ -82,7 +82,7 @@ pub(crate) fn unite_with_suspects(
     let arrangement = found.arrange(&job.part(0.2, 0.3))?;
     let groups = FaceGroups::new(&arrangement, &job.part(0.3, 0.4))?;
     if let Some(triangle) = unbalanced_triangle(&arrangement, &groups) {
-        return Err(Error::MeshNotClosed { face: solid.faces[triangle as usize] });
+        return Err(Error::MeshNotClosed { input: 0, face: solid.faces[triangle as usize] });
     }
     let united = solid.unite(&arrangement, &groups, scalar, &job.part(0.4, 0.6))?;
     let is_unchanged = united.triangles == solid.triangles && united.points == solid.points;

@@ -17,6 +17,8 @@
 //!
 //! The stages run again until nothing changes, at most four times.
 //!
+//! [`unite_solids`] is the last stage alone, for several closed pieces.
+//!
 //! | file | subject |
 //! |---|---|
 //! | [`repair_request`](self) | options and result |
@@ -53,4 +55,4 @@ mod united_parts;
 
 pub use corner_place::CornerPlace;
 pub use repair_request::{DropReason, DroppedFace, History, Options, Repaired};
-pub use repair_run::repair;
+pub use repair_run::{repair, unite_solids};

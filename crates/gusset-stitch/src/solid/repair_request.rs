@@ -96,8 +96,6 @@ pub struct Repaired {
     pub filled_holes: u32,
     /// The largest distance between merged vertices, at most; 0 if none were merged.
     pub tolerance: f64,
-    /// The defects of the input.
-    pub before: Check,
     /// The defects that remain.
     pub after: Check,
     /// Pairs of faces that intersect in the result, ascending.
@@ -109,8 +107,8 @@ pub struct Repaired {
 /// The origins of corners and new vertices.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
-    /// The numbers of vertices, corners and faces of the input.
-    pub input: [usize; 3],
+    /// The numbers of vertices, corners and faces of each piece of the input.
+    pub inputs: Vec<[usize; 3]>,
     /// For each corner of the old faces, which come first, its place on its face of the input.
     pub corners: Vec<CornerPlace>,
     /// Three parents of each new vertex, which come last. Parents precede the vertex.

@@ -10,13 +10,13 @@ use super::repair_state::RepairState;
 use super::sew_borders::{SewCounts, sew_borders};
 use super::sheet_pairs::Sheets;
 use super::twin_edges::split_twin_edges;
-use super::united_parts::{Uniting, unite_parts};
+use super::united_parts::{Uniting, unite_all_faces, unite_parts};
 use crate::check::{check, find_intersecting_faces, find_zero_area_faces};
 use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
 use crate::repair::orient::{self, Outward, orient};
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::Result;
+use gusset_base::error::{Error, Result};
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 use gusset_mesh::{MeshView, NONE, Opposite, Topology, concat};
@@ -42,46 +42,53 @@ const STAGE: &str = "repairing";
 ///   [`Error::Cancelled`](gusset_base::Error::Cancelled). Defects that remain are not errors; see
 ///   [`Repaired::after`].
 pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Repaired> {
-    let before = check(mesh, &job.part(0.0, 0.1))?;
-    let mut run = RepairRun::start(mesh, options, &job.part(0.1, 0.15))?;
+    let mut run = RepairRun::start(&[*mesh], options, &job.part(0.0, 0.1))?;
     for round in 0..MAX_ROUNDS {
         let changes = run.state.changes;
-        run.run_stages(round, &job.part(0.15, 0.8).share(round, MAX_ROUNDS))?;
+        run.run_stages(round, &job.part(0.1, 0.8).share(round, MAX_ROUNDS))?;
         if run.state.changes == changes {
             break;
         }
     }
-    let RepairRun { mut state, counts, split_vertices, filled_holes, intersections, .. } = run;
-    state.finish(mesh.faces().len())?;
-    let (after, intersections) = {
-        let view = state.mesh.view(&job.part(0.8, 0.82))?;
-        let after = check(&view, &job.part(0.82, 0.9))?;
-        let search = |_| find_intersecting_faces(&view, &job.part(0.9, 1.0));
-        (after, intersections.ok_or(()).or_else(search)?)
-    };
-    job.step(1.0, STAGE)?;
-    Ok(Repaired {
-        history: history(&state, mesh)?,
-        mesh: state.mesh,
-        face_origin: state.face_origin,
-        vertex_origin: state.vertex_origin,
-        turned: state.turned,
-        dropped: state.dropped,
-        welded_vertices: counts.welded_vertices,
-        sewn_edges: counts.sewn_edges,
-        split_faces: counts.split_faces,
-        split_vertices,
-        filled_holes,
-        tolerance: counts.tolerance,
-        before,
-        after,
-        intersections,
-    })
+    run.conclude(&job.part(0.8, 1.0))
+}
+
+/// Returns the union of closed pieces: the border of all points whose winding number is at least 1.
+///
+/// Pieces may intersect, touch, coincide or lie within each other, and intersect themselves. Walls of cavities look
+/// into the cavities. Faces that no other meets stay as they are; see [`unite`](crate::arrange::unite()). Vertices and
+/// faces of the input are numbered piece after piece.
+///
+/// O((n + k) log n) for n triangles and k intersecting pairs.
+///
+/// # Errors
+/// * [`Error::MeshNotClosed`](gusset_base::Error::MeshNotClosed) for a piece with a border, or with neighbouring faces that
+///   are oriented differently.
+/// * [`Error::EmptyMesh`](gusset_base::Error::EmptyMesh), [`Error::MixedScalars`](gusset_base::Error::MixedScalars),
+///   [`Error::TooLarge`](gusset_base::Error::TooLarge), [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
+///   [`Error::Cancelled`](gusset_base::Error::Cancelled).
+pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> {
+    let options = Options::default();
+    let mut run = RepairRun::start(pieces, &options, &job.part(0.0, 0.05))?;
+    unite_all_faces(&mut run.state, &job.part(0.05, 0.8)).map_err(|error| match error {
+        Error::MeshNotClosed { mut face, .. } => {
+            let mut input = 0;
+            while let Some(piece) = pieces.get(input as usize).filter(|piece| face as usize >= piece.faces().len()) {
+                face -= piece.faces().len() as u32;
+                input += 1;
+            }
+            Error::MeshNotClosed { input, face }
+        }
+        error => error,
+    })?;
+    run.conclude(&job.part(0.8, 1.0))
 }
 
 /// A repair in progress.
 struct RepairRun<'o> {
     options: &'o Options,
+    /// The numbers of vertices, corners and faces of each piece.
+    inputs: Vec<[usize; 3]>,
     state: RepairState,
     counts: SewCounts,
     split_vertices: u32,
@@ -95,11 +102,15 @@ struct RepairRun<'o> {
 }
 
 impl<'o> RepairRun<'o> {
-    fn start(mesh: &MeshView<'_>, options: &'o Options, job: &Job<'_>) -> Result<Self> {
-        let (whole, _) = concat::concatenate(&[*mesh], job)?;
+    fn start(pieces: &[MeshView<'_>], options: &'o Options, job: &Job<'_>) -> Result<Self> {
+        let (whole, _) = concat::concatenate(pieces, job)?;
         let state = RepairState::unchanged(whole)?;
+        let counts = |piece: &MeshView<'_>| {
+            [piece.positions().len(), piece.faces().half_edge_count(), piece.faces().len()]
+        };
         Ok(RepairRun {
             options,
+            inputs: alloc::collect(pieces.iter().map(counts))?,
             state,
             counts: SewCounts::default(),
             split_vertices: 0,
@@ -107,6 +118,35 @@ impl<'o> RepairRun<'o> {
             attached: Vec::new(),
             intersections: None,
             rounding_prevails: false,
+        })
+    }
+
+    /// Returns the result, with the defects that remain.
+    fn conclude(self, job: &Job<'_>) -> Result<Repaired> {
+        let RepairRun { mut state, inputs, counts, split_vertices, filled_holes, intersections, .. } = self;
+        state.finish(inputs.iter().map(|&[.., faces]| faces).sum())?;
+        let (after, intersections) = {
+            let view = state.mesh.view(&job.part(0.0, 0.1))?;
+            let after = check(&view, &job.part(0.1, 0.5))?;
+            let search = |_| find_intersecting_faces(&view, &job.part(0.5, 1.0));
+            (after, intersections.ok_or(()).or_else(search)?)
+        };
+        job.step(1.0, STAGE)?;
+        Ok(Repaired {
+            history: history(&state, inputs)?,
+            mesh: state.mesh,
+            face_origin: state.face_origin,
+            vertex_origin: state.vertex_origin,
+            turned: state.turned,
+            dropped: state.dropped,
+            welded_vertices: counts.welded_vertices,
+            sewn_edges: counts.sewn_edges,
+            split_faces: counts.split_faces,
+            split_vertices,
+            filled_holes,
+            tolerance: counts.tolerance,
+            after,
+            intersections,
         })
     }
 
@@ -288,11 +328,8 @@ fn area(mesh: &MeshView<'_>, f: usize) -> f64 {
 }
 
 /// Returns the origins of corners and new vertices.
-fn history(state: &RepairState, input: &MeshView<'_>) -> Result<History> {
-    let mut history = History {
-        input: [input.positions().len(), input.faces().half_edge_count(), input.faces().len()],
-        ..History::default()
-    };
+fn history(state: &RepairState, inputs: Vec<[usize; 3]>) -> Result<History> {
+    let mut history = History { inputs, ..History::default() };
     let old_faces = state.face_origin.iter().position(|&f| f == NONE).unwrap_or(state.face_origin.len());
     history.corners = alloc::copied(&state.corner_places[..state.mesh.face_offsets[old_faces] as usize])?;
     history.parents = alloc::collect(state.new_vertices.iter().map(|&(_, parents, _)| parents))?;

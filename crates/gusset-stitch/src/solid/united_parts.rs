@@ -5,7 +5,7 @@
 use super::corner_place::CornerPlace;
 use super::repair_request::DropReason;
 use super::repair_state::RepairState;
-use crate::arrange::{Options, Union, unite_with_suspects};
+use crate::arrange::{Options, Union, unite, unite_with_suspects};
 use crate::check::find_intersecting_faces;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -63,6 +63,16 @@ pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<Unit
     };
     UnitedParts { closed: &closed, union: &union }.put_into(state, &job.part(0.9, 1.0))?;
     Ok(Uniting::Changed { is_clean: union.intersections.is_empty() })
+}
+
+/// Replaces all faces by their union.
+///
+/// # Errors
+/// [`Error::MeshNotClosed`](gusset_base::Error::MeshNotClosed) with a face of the whole mesh.
+pub(super) fn unite_all_faces(state: &mut RepairState, job: &Job<'_>) -> Result<()> {
+    let union = unite(&state.mesh.view(&job.part(0.0, 0.05))?, &Options::default(), &job.part(0.05, 0.9))?;
+    let all = alloc::collect((0..state.mesh.face_count()).map(|f| f as u32))?;
+    UnitedParts { closed: &all, union: &union }.put_into(state, &job.part(0.9, 1.0))
 }
 
 /// The closed components of a mesh.
