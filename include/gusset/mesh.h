@@ -1117,7 +1117,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_orient(const struct gusset_conte
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_orient(const struct gusset_result *result,
     struct gusset_orient_report *report);
 
-/* ---- Repair: Makes a valid solid of any polygon mesh. */
+/* ---- Repair: Makes a valid solid of any polygon mesh, and unites solids. */
 
 /// Options of gusset_repair. By default every stage runs.
 typedef struct gusset_repair_options {
@@ -1168,9 +1168,21 @@ typedef struct gusset_repair_options {
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_repair(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_repair_options *options, struct gusset_result **result);
 
+/// Unites closed pieces: returns the border of all points with a winding number of at least 1. Pieces may intersect,
+/// touch, coincide or lie within each other, and intersect themselves. Walls of cavities look into the cavities. Faces
+/// that no other meets stay as they are, and old vertices keep their bits. New vertices are rounded to the first
+/// piece's scalar type.
+/// gusset_result_get_repair lends the report. Old vertices and faces are numbered piece after piece. Dropped faces have
+/// the reason GUSSET_DROP_OVERLAP. Intersecting pairs remain only where rounding makes them again and again.
+/// @param pieces at least one; struct_size of the first holds for all.
+/// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, MESH_NOT_CLOSED (input is the piece), TOO_LARGE
+/// @complexity O((n + k) log n) for n triangles of which k pairs intersect.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_unite(const struct gusset_context *context,
+    const struct gusset_mesh_view *pieces, size_t piece_count, struct gusset_result **result);
+
 struct gusset_repair_report;
 
-/// Lends the report of a repair.
+/// Lends the report of a repair or a union.
 /// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_repair(const struct gusset_result *result,
     struct gusset_repair_report *report);

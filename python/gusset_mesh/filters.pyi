@@ -369,3 +369,9 @@ def repair(
     int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Makes a valid solid of a mesh, and changes only faces at its defects. Sews borders, drops faces without area and duplicate faces, fills holes, separates sheets that share edges or vertices, drops walls within the solid, and turns closed components outwards. Replaces closed components that intersect by their union. Lists what was dropped."""
+
+
+def unite(
+    input_0: MeshLike, *inputs: MeshLike, threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Replaces closed meshes by their union, without intersecting faces. Meshes may intersect, touch, coincide or lie within each other. Faces that no other meets stay as they are. Lists how many faces were dropped."""
