@@ -30,8 +30,9 @@ class Real(unittest.TestCase):
         # A box around all meshes, and the box with a corner pulled out.
         corners = [(1000 * x, 1000 * y, 1000 * z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
         cls.boxes = [cls.host.folder / "box.obj", cls.host.folder / "pulled.obj"]
-        write_obj(cls.boxes[0], corners, [(0, 1, 3, 2)])
-        write_obj(cls.boxes[1], [*corners[:7], (1500, 1200, 1100)], [(0, 1, 3, 2)])
+        sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        write_obj(cls.boxes[0], corners, sides)
+        write_obj(cls.boxes[1], [*corners[:7], (1500, 1200, 1100)], sides)
         levels = json.loads((cls.data / "carcass/foot_levels_y.json").read_text())["stations"]
         levels = [level["points"] for level in levels]
         rows = [[(j, i, 0.1 * height) for j, height in enumerate(row)] for i, row in enumerate(heights)]
@@ -71,6 +72,8 @@ class Real(unittest.TestCase):
                     [self.data / f"pairs/combustor/{name}.stl" for name in ("walls", "inlet", "outlet")]]
         if name == "lattice":
             return [(known[0], *self.boxes)]
+        if name == "unite":
+            return [self.boxes]
         whole = [pair[:len(kinds)] for pair in together if kinds == ["mesh"] * len(kinds) and 1 < len(kinds) and needed <= len(pair)]
         for count in range(len(kinds), needed - 1, -1):
             whole += itertools.product(*(suited[kind] for kind in kinds[:count]))

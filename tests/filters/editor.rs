@@ -1,7 +1,7 @@
 //! Small and large inputs for each filter, as a mesh editor passes them.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
-use crate::common::{Soup, cap};
+use crate::common::{Soup, cap, torus};
 use gusset::filters::Filter;
 use gusset::filters::data::{Curves, Input, InputKind, Output};
 use gusset::mesh::Mesh;
@@ -193,6 +193,11 @@ pub fn given(filter: &Filter, size: u32) -> Vec<Given> {
             let (rest, mut moved) = (box_around(2.0), box_around(2.0));
             moved.points[7] = [3.0, 2.5, 2.0];
             vec![mesh(1.0, 0.0), Given::Mesh(rest), Given::Mesh(moved)]
+        }
+        ("unite", ..) => {
+            let (left, mut right) = (torus(side, side), torus(side, side));
+            right.points.iter_mut().for_each(|p| *p = [p[0] + 1.37, p[2] + 0.11, 0.07 - p[1]]);
+            vec![Given::Mesh(left), Given::Mesh(right)]
         }
         ("facing_arcs", ..) => vec![curves(&[
             (circle(size / 2 + 7, 1.0, [0.0; 3]), true),

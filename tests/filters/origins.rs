@@ -67,6 +67,15 @@ fn check(filter: &Filter, given: &[Given], outputs: &[Output], name: &str) {
             assert!(MOVING.contains(&filter.id) || *point == from.points[source], "{name}: vertex {v}");
         }
     }
+    if filter.id == "unite" {
+        // New vertices lie on faces of the input.
+        for (v, &point) in points.iter().enumerate() {
+            let (sources, weights) = origins.table(Domain::Vertices).row(v);
+            let mean =
+                |k: usize| sources.iter().zip(weights).map(|(&s, &w)| w * from.points[s as usize][k]).sum::<f64>();
+            assert!((0..3).all(|k| (mean(k) - point[k]).abs() < 1e-6), "{name}: vertex {v}");
+        }
+    }
     // They are there for what is old.
     assert!(2 * kept > points.len(), "{name}: {kept} of {}", points.len());
     let mut corner = 0;

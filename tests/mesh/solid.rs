@@ -140,7 +140,8 @@ fn assert_solid(soup: &Soup, repaired: &Repaired, cells: usize, dropped: &[u32])
     }
 }
 
-/// Checks that each corner of an old face lies at the place of its origin on its old face.
+/// Checks that each corner of an old face lies at the place of its origin on its old face, and each new vertex at
+/// its place between old ones.
 fn assert_origins(soup: &Soup, repaired: &Repaired) {
     let history = &repaired.history;
     let place = |corner: u32| DVec3::from_array(soup.points[soup.corners[corner as usize] as usize]);
@@ -154,8 +155,14 @@ fn assert_origins(soup: &Soup, repaired: &Repaired) {
         let face = repaired.face_origin[repaired.mesh.face_of(corner as u32)];
         assert!(sources().all(|(source, _)| face_of(source) as u32 == face));
     }
-    let new = repaired.vertex_origin.iter().filter(|&&v| v == NONE).count();
-    assert_eq!((history.parents.len(), history.weights.len()), (new, new));
+    let old = repaired.vertex_origin.iter().take_while(|&&v| v != NONE).count();
+    for (v, &(sources, weights)) in (old as u32..).zip(&history.placed) {
+        let sources = sources.into_iter().zip(weights).filter(|&(source, _)| source != NONE);
+        let expected: DVec3 = sources.map(|(v, weight)| DVec3::from_array(soup.points[v as usize]) * weight).sum();
+        assert!(expected.distance(repaired.mesh.positions.get(v)) < 1e-12);
+    }
+    let others = repaired.vertex_origin.len() - old - history.placed.len();
+    assert_eq!((history.parents.len(), history.weights.len()), (others, others));
     Origins::from_repaired(repaired, &Job::default()).unwrap();
 }
 

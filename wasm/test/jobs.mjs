@@ -17,7 +17,7 @@ const CROSSING = new Curves([[[-2, 0.1, 0], [-1, 0.2, 0], [2, 0.1, 0]], [[0.3, -
 const INPUTS = {
   stitch: [cap(), cap(-1)], join: [cap(), cap(-1)], align: [cap(), cap()], trim: [cap(), cap()], fill: [tube()], develop: [tube()],
   smooth_intersect: [SHEET, STEEP], net_join: [SHEET, BESIDE], net_analyse: [SHEET, BESIDE], smooth_distance: [SHEET, BESIDE],
-  net_settle: [SHEET, BESIDE], morph: [SHEET, BESIDE], lattice: [SHEET, box(1), box(2)],
+  net_settle: [SHEET, BESIDE], morph: [SHEET, BESIDE], lattice: [SHEET, box(1), box(2)], unite: [box(1), box(2)],
   facing_arcs: [ASIDE], strip: [PAIR], curve_meet: [CROSSING], curve_nearest: [RINGS, LINES], loft: [RINGS], smooth_net: [ACROSS, LINES],
   smooth_curve: [SHEET, CROSSING], smooth_nearest: [SHEET, CROSSING], net_lathe: [part(LINES, 0)], curve_offset: [part(RINGS, 0)],
   curve_svg: [part(RINGS, 0)],

@@ -77,7 +77,13 @@ impl Origins {
         };
         let kept = KeptElements {
             inputs: alloc::collect(history.inputs.iter().map(counts))?,
-            vertices: of_old(&done.vertex_origin, old_vertices, &job.part(0.2, 0.3))?,
+            vertices: {
+                let mut vertices = of_old(&done.vertex_origin, old_vertices, &job.part(0.2, 0.3))?;
+                for &(sources, weights) in &history.placed {
+                    vertices.push(sources.into_iter().zip(weights))?;
+                }
+                vertices
+            },
             corners: corner_sources,
             faces: of_old(&done.face_origin, old_faces, &job.part(0.3, 0.4))?,
         };

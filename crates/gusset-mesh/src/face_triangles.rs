@@ -36,6 +36,14 @@ impl FaceTriangles {
         Self::from_corners(mesh, |h| mesh.faces().corner(h), job)
     }
 
+    /// Splits all faces of a mesh. The corners are half-edges.
+    ///
+    /// # Errors
+    /// The errors of [`FaceTriangles::from_mesh`].
+    pub fn with_half_edges(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
+        Self::from_corners(mesh, |h| h, job)
+    }
+
     /// Splits all faces of a mesh. `name` gives the number of each half-edge.
     fn from_corners(mesh: &MeshView<'_>, name: impl Fn(u32) -> u32, job: &Job<'_>) -> Result<Self> {
         let faces = mesh.faces();
@@ -101,7 +109,7 @@ pub struct TriangulatedMesh {
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn triangulate(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<TriangulatedMesh> {
-    let split = FaceTriangles::from_corners(mesh, |half_edge| half_edge, &job.part(0.0, 0.8))?;
+    let split = FaceTriangles::with_half_edges(mesh, &job.part(0.0, 0.8))?;
     job.step(0.8, STAGE)?;
     let (faces, count) = (mesh.faces(), mesh.positions().len());
     let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), count)?;

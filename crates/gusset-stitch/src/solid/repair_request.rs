@@ -111,7 +111,10 @@ pub struct History {
     pub inputs: Vec<[usize; 3]>,
     /// For each corner of the old faces, which come first, its place on its face of the input.
     pub corners: Vec<CornerPlace>,
-    /// Three parents of each new vertex, which come last. Parents precede the vertex.
+    /// The places of the first new vertices: up to three vertices of the input, and their weights. Unused ones are
+    /// [`NONE`](gusset_mesh::NONE), with weight 0.
+    pub placed: Vec<([u32; 3], [f64; 3])>,
+    /// Three parents of each other new vertex, which come last. Parents precede the vertex.
     pub parents: Vec<[u32; 3]>,
     /// The weight of each parent, at least 0, with sum 1.
     pub weights: Vec<[f64; 3]>,

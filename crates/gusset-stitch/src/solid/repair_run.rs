@@ -50,7 +50,7 @@ pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<R
             break;
         }
     }
-    run.conclude(&job.part(0.8, 1.0))
+    run.conclude(&[*mesh], &job.part(0.8, 1.0))
 }
 
 /// Returns the union of closed pieces: the border of all points whose winding number is at least 1.
@@ -81,7 +81,7 @@ pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> 
         }
         error => error,
     })?;
-    run.conclude(&job.part(0.8, 1.0))
+    run.conclude(pieces, &job.part(0.8, 1.0))
 }
 
 /// A repair in progress.
@@ -105,9 +105,8 @@ impl<'o> RepairRun<'o> {
     fn start(pieces: &[MeshView<'_>], options: &'o Options, job: &Job<'_>) -> Result<Self> {
         let (whole, _) = concat::concatenate(pieces, job)?;
         let state = RepairState::unchanged(whole)?;
-        let counts = |piece: &MeshView<'_>| {
-            [piece.positions().len(), piece.faces().half_edge_count(), piece.faces().len()]
-        };
+        let counts =
+            |piece: &MeshView<'_>| [piece.positions().len(), piece.faces().half_edge_count(), piece.faces().len()];
         Ok(RepairRun {
             options,
             inputs: alloc::collect(pieces.iter().map(counts))?,
@@ -122,9 +121,9 @@ impl<'o> RepairRun<'o> {
     }
 
     /// Returns the result, with the defects that remain.
-    fn conclude(self, job: &Job<'_>) -> Result<Repaired> {
+    fn conclude(self, pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> {
         let RepairRun { mut state, inputs, counts, split_vertices, filled_holes, intersections, .. } = self;
-        state.finish(inputs.iter().map(|&[.., faces]| faces).sum())?;
+        let places = state.finish(inputs.iter().map(|&[.., faces]| faces).sum())?;
         let (after, intersections) = {
             let view = state.mesh.view(&job.part(0.0, 0.1))?;
             let after = check(&view, &job.part(0.1, 0.5))?;
@@ -133,7 +132,7 @@ impl<'o> RepairRun<'o> {
         };
         job.step(1.0, STAGE)?;
         Ok(Repaired {
-            history: history(&state, inputs)?,
+            history: history(&state, pieces, inputs, &places)?,
             mesh: state.mesh,
             face_origin: state.face_origin,
             vertex_origin: state.vertex_origin,
@@ -328,8 +327,28 @@ fn area(mesh: &MeshView<'_>, f: usize) -> f64 {
 }
 
 /// Returns the origins of corners and new vertices.
-fn history(state: &RepairState, inputs: Vec<[usize; 3]>) -> Result<History> {
-    let mut history = History { inputs, ..History::default() };
+fn history(
+    state: &RepairState,
+    pieces: &[MeshView<'_>],
+    inputs: Vec<[usize; 3]>,
+    places: &[CornerPlace],
+) -> Result<History> {
+    let vertex = |mut corner: u32| {
+        let mut first = 0;
+        for piece in pieces {
+            if (corner as usize) < piece.faces().half_edge_count() {
+                return first + piece.faces().corner(corner);
+            }
+            corner -= piece.faces().half_edge_count() as u32;
+            first += piece.positions().len() as u32;
+        }
+        NONE
+    };
+    let on_vertices = |place: &CornerPlace| {
+        (place.corners.map(|corner| if corner == NONE { NONE } else { vertex(corner) }), place.weights)
+    };
+    let placed = alloc::collect(places.iter().map(on_vertices))?;
+    let mut history = History { inputs, placed, ..History::default() };
     let old_faces = state.face_origin.iter().position(|&f| f == NONE).unwrap_or(state.face_origin.len());
     history.corners = alloc::copied(&state.corner_places[..state.mesh.face_offsets[old_faces] as usize])?;
     history.parents = alloc::collect(state.new_vertices.iter().map(|&(_, parents, _)| parents))?;

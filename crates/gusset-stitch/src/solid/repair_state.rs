@@ -211,17 +211,26 @@ impl RepairState {
         self.drop_faces(&reasons)
     }
 
-    /// Removes vertices that no face uses, and puts the vertices of the input first. Lists dropped
-    /// faces only if no part remains.
-    pub(super) fn finish(&mut self, input_faces: usize) -> Result<()> {
+    /// Removes vertices that no face uses. Puts the vertices of the input first, then new vertices on faces of the
+    /// input, whose places it returns. Lists dropped faces only if no part remains.
+    pub(super) fn finish(&mut self, input_faces: usize) -> Result<Vec<CornerPlace>> {
         let count = self.mesh.positions.len();
-        let mut is_used = alloc::filled(false, count)?;
-        self.mesh.face_corners.iter().for_each(|&v| is_used[v as usize] = true);
-        let used = |is_old: bool| {
-            let (is_used, origin) = (&is_used, &self.vertex_origin);
-            (0..count as u32).filter(move |&v| is_used[v as usize] && (origin[v as usize] != NONE) == is_old)
-        };
-        let order = alloc::gather(used(true).chain(used(false)))?;
+        let mut ranks = alloc::filled(None, count)?;
+        let mut places = alloc::filled(CornerPlace::NONE, count)?;
+        for (&v, &place) in self.mesh.face_corners.iter().zip(&self.corner_places) {
+            let v = v as usize;
+            if self.vertex_origin[v] == NONE && places[v] == CornerPlace::NONE {
+                places[v] = place;
+            }
+            let is_placed = places[v] != CornerPlace::NONE;
+            ranks[v] = Some(if self.vertex_origin[v] != NONE { 0 } else { 2 - u32::from(is_placed) });
+        }
+        let ranks = &ranks;
+        let all = alloc::collect((0..count).map(|v| v as u32))?;
+        let ranked = |rank: u32| all.iter().copied().filter(move |&v| ranks[v as usize] == Some(rank));
+        let order = alloc::gather(ranked(0).chain(ranked(1)).chain(ranked(2)))?;
+        self.new_vertices.retain(|&(v, ..)| ranks[v as usize] == Some(2));
+        let places = alloc::gather(ranked(1).map(|v| places[v as usize]))?;
         let mut numbers = alloc::filled(NONE, count)?;
         (0..).zip(&order).for_each(|(k, &v)| numbers[v as usize] = k);
         self.mesh.face_corners.iter_mut().for_each(|v| *v = numbers[*v as usize]);
@@ -233,7 +242,7 @@ impl RepairState {
         self.dropped.retain(|dropped| !remains[dropped.face as usize]);
         self.dropped.sort_unstable();
         self.dropped.dedup_by_key(|dropped| dropped.face);
-        Ok(())
+        Ok(places)
     }
 
     /// Renumbers the parents of the used new vertices. A parent that is not used any more is

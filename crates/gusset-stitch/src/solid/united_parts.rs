@@ -14,7 +14,7 @@ use gusset_base::geom::bit_set::BitSet;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 use gusset_base::sort::{Buckets, sort, sort_distinct};
-use gusset_mesh::{Mesh, MeshView, NONE, Opposite, Topology};
+use gusset_mesh::{FaceTriangles, Mesh, MeshView, NONE, Opposite, Topology};
 
 const STAGE: &str = "uniting parts";
 
@@ -61,7 +61,7 @@ pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<Unit
             parts.unite_all(&job.part(0.7, 0.9))?
         }
     };
-    UnitedParts { closed: &closed, union: &union }.put_into(state, &job.part(0.9, 1.0))?;
+    UnitedParts::new(&state.mesh, &closed, &union, &job.part(0.9, 0.92))?.put_into(state, &job.part(0.92, 1.0))?;
     Ok(Uniting::Changed { is_clean: union.intersections.is_empty() })
 }
 
@@ -72,7 +72,7 @@ pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<Unit
 pub(super) fn unite_all_faces(state: &mut RepairState, job: &Job<'_>) -> Result<()> {
     let union = unite(&state.mesh.view(&job.part(0.0, 0.05))?, &Options::default(), &job.part(0.05, 0.9))?;
     let all = alloc::collect((0..state.mesh.face_count()).map(|f| f as u32))?;
-    UnitedParts { closed: &all, union: &union }.put_into(state, &job.part(0.9, 1.0))
+    UnitedParts::new(&state.mesh, &all, &union, &job.part(0.9, 0.92))?.put_into(state, &job.part(0.92, 1.0))
 }
 
 /// The closed components of a mesh.
@@ -193,6 +193,8 @@ fn face_corners(mesh: &Mesh, f: u32) -> &[u32] {
 struct UnitedParts<'a> {
     closed: &'a [u32],
     union: &'a Union,
+    /// The corners of the triangles of all faces, by half-edges.
+    triangles: Vec<[u32; 3]>,
 }
 
 /// Faces in the making, each with the old face and the origins of its corners.
@@ -215,7 +217,12 @@ impl FaceList {
     }
 }
 
-impl UnitedParts<'_> {
+impl<'a> UnitedParts<'a> {
+    fn new(mesh: &Mesh, closed: &'a [u32], union: &'a Union, job: &Job<'_>) -> Result<Self> {
+        let triangles = FaceTriangles::with_half_edges(&mesh.view(&job.part(0.0, 0.2))?, &job.part(0.2, 1.0))?.corners;
+        Ok(UnitedParts { closed, union, triangles })
+    }
+
     /// Replaces the closed faces of the state by their union.
     fn put_into(&self, state: &mut RepairState, job: &Job<'_>) -> Result<()> {
         let vertices = self.number_vertices(state)?;
@@ -307,24 +314,33 @@ impl UnitedParts<'_> {
     }
 
     /// Returns three corners of a face of the mesh, and the barycentric coordinates of a vertex of
-    /// the union on them, not negative. They are the corners of the triangle at the face's first
-    /// corner in which the vertex lies, or of the nearest such triangle.
+    /// the union on them, not negative. They are the corners of the triangle of the face in which the vertex lies, or
+    /// of the nearest one.
     fn coordinates_on_face(&self, mesh: &Mesh, face: u32, v: u32) -> ([usize; 3], [f64; 3]) {
         let (corners, x) = (face_corners(mesh, face), self.union.mesh.positions.get(v));
-        let point = |k: usize| mesh.positions.get(corners[k]);
-        let coordinates = |k: usize| {
-            let [p, q, r] = [point(0), point(k), point(k + 1)];
+        let first = mesh.face_offsets[face as usize];
+        // A face of n corners has n - 2 triangles.
+        let triangles = &self.triangles[first as usize - 2 * face as usize..][..corners.len() - 2];
+        let coordinates = |triangle: &[u32; 3]| {
+            let [p, q, r] = triangle.map(|h| mesh.positions.get(mesh.face_corners[h as usize]));
             let normal = (q - p).cross(r - p);
             let area = |u: DVec3, w: DVec3| (u - x).cross(w - x).dot(normal) / normal.length_squared();
-            [area(q, r), area(r, p), area(p, q)]
+            let distance = (x - p).dot(normal) / normal.length();
+            ([area(q, r), area(r, p), area(p, q)], distance.abs())
         };
-        let least = |weights: [f64; 3]| weights.into_iter().fold(f64::INFINITY, f64::min);
-        let best = (1..corners.len() - 1).map(|k| (k, coordinates(k))).max_by(|a, b| least(a.1).total_cmp(&least(b.1)));
-        let (k, weights) = best.unwrap_or((1, [1.0, 0.0, 0.0]));
+        let size = 1.0 + x.abs().max_element();
+        // The vertex lies on the plane of its triangle, up to rounding, and inside.
+        let misfit = |(weights, distance): &([f64; 3], f64)| {
+            weights.iter().fold(distance / size, |misfit: f64, weight| misfit.max(-weight))
+        };
+        let fits = triangles.iter().map(|triangle| (triangle, coordinates(triangle)));
+        let best = fits.min_by(|(_, a), (_, b)| misfit(a).total_cmp(&misfit(b)));
+        let (triangle, weights) = best.map_or(([first; 3], [1.0, 0.0, 0.0]), |(&t, (weights, _))| (t, weights));
         let weights = weights.map(|weight| weight.max(0.0));
         let sum: f64 = weights.iter().sum();
         let is_normal = sum > 0.0 && sum.is_finite();
-        ([0, k, k + 1], if is_normal { weights.map(|weight| weight / sum) } else { [1.0, 0.0, 0.0] })
+        let weights = if is_normal { weights.map(|weight| weight / sum) } else { [1.0, 0.0, 0.0] };
+        (triangle.map(|h| (h - first) as usize), weights)
     }
 
     /// Returns true if the union has exactly the triangles of the face's own corners. `corners`
