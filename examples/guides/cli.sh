@@ -23,6 +23,11 @@ gusset run stitch left.obj right.obj -p finish=blend -o joined.obj
 gusset repair joined.obj -o repaired.obj
 #! [repair]
 
+#! [certificate]
+gusset fill left.obj -o full.obj --certificate full.json
+gusset certify left.obj right.obj joined.obj -o joined.json
+#! [certificate]
+
 #! [scans]
 gusset join left.obj right.obj --align --overlaps trim --holes fill -o model.ply
 #! [scans]
@@ -34,3 +39,4 @@ grep -q '^f ' joined.obj
 grep -q '^f ' smooth.obj
 grep -q '^l ' rim.obj
 test -s whole.glb
+grep -q '"kept_faces"' full.json joined.json

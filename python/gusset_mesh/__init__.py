@@ -42,6 +42,7 @@ from .fields import Field
 from .files import read, save
 from .frame import Frame
 from .gluing import Gluing, LocalGluing, NetGroups, seam
+from .certifying import Certificate, certify
 from .joining import (
     Alignment, Boundary, Check, Development, Fill, Join, Orient, Repair, Sew, Stitch, Triangulation, Trim, Weld, align, boundary_loops,
     check, develop, fill, join, orient, repair, sew, stitch, triangulate, trim, weld,
@@ -61,7 +62,7 @@ __version__ = _text(_lib.gusset_version())
 
 __all__ = [
     "AlignedPiece", "AlignedPieceArray", "Alignment", "AlignmentOptions", "AlignmentView", "Boundary", "BoundaryOptions", "BoundaryView",
-    "Cancelled", "Chart", "ChartArray", "Check", "CheckView", "ConcatenateOptions", "ContourOptions", "Curve", "CurveMeasures",
+    "Cancelled", "Certificate", "CertificateView", "Chart", "ChartArray", "Check", "CheckView", "ConcatenateOptions", "ContourOptions", "Curve", "CurveMeasures",
     "CurveNearestPoint", "CurveNearestPointArray", "CurveView", "Curves", "Defect", "DefectArray", "DevelopOptions", "DevelopReport",
     "Development", "Error", "Fill", "FillOptions", "FillReport", "FlagArray", "Handle", "Hole", "HoleArray", "InputError",
     "IntersectionOptions", "Join", "JoinOptions", "JoinReport", "Joint", "LeftLoop", "LoopView", "Mesh", "MeshLike", "NearestOptions",
@@ -73,7 +74,7 @@ __all__ = [
     "SurfaceHitArray", "SurfaceHits", "SurfaceHitsView", "SurfaceNearestPoint", "SurfaceNearestPointArray", "SurfaceOptions",
     "SurfacePaths", "SurfacePathsView", "SurfacePlace", "SurfacePlaceArray", "SurfacePoint", "SurfacePointArray", "SurfaceReport",
     "Triangulation", "Trim", "TrimOptions", "TrimView", "TrimmedPiece", "Weld", "WeldOptions", "WeldReport", "align", "as_mesh",
-    "boundary_loops", "check", "choices", "develop", "fill", "filters", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "weld",
+    "boundary_loops", "certify", "check", "choices", "develop", "fill", "filters", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "weld",
 ]
 __all__ += [
     "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "DecimatedNet", "DistanceReport", "Document", "Facing", "FacingOptions",
