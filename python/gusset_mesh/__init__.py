@@ -19,7 +19,7 @@ from ._options import (
 from ._plugin import Curves
 from ._records import FlagArray, Record, RecordArray
 from ._reports import (
-    AlignedPiece, AlignedPieceArray, AlignmentView, BoundaryView, Chart, ChartArray, CheckView, CurveMeasures, CurveNearestPoint,
+    AlignedPiece, AlignedPieceArray, AlignmentView, BoundaryView, CertificateView, Chart, ChartArray, CheckView, CurveMeasures, CurveNearestPoint,
     CurveNearestPointArray, CurveView, Defect, DefectArray, DevelopReport, FillReport, Hole, HoleArray, JoinReport, Joint, LeftLoop,
     LoopView, NetMeasureReport, NetMeshReport, OrientReport, OriginsView, OutlineView, Overlap, OverlapArray, PieceMap, Place, PlaceArray,
     PlacesView, QualityReport, RepairReport, SewReport, SheetMeshReport, SheetReport, StitchReport, SurfaceHit, SurfaceHitArray, SurfaceHitsView,
