@@ -152,7 +152,7 @@ class Certificates(unittest.TestCase):
         self.expect_confirmed("stated.json")
         lies = [(claim, lambda claims, claim=claim: claims.update({claim: not claims[claim] if isinstance(claims[claim], bool) else claims[claim] + 1}))
                 for claim, value in stated["claims"].items() if isinstance(value, (bool, int)) and claim != "outward"]
-        lies += [(claim, lambda claims, claim=claim: claims.update({claim: value}))
+        lies += [(claim, lambda claims, claim=claim, value=value: claims.update({claim: value}))
                  for claim in ("turned_faces", "lost_faces") for value in ([[]], [[0, 23]], [[1]])]
         lies += [("farthest_vertex", lambda claims, key=key, value=value: claims["farthest_vertex"].update({key: value}))
                  for key, value in (("distance", 0.5), ("distance", 0), ("at", [0, 0, 0]), ("nearest", [2, 2, 2]), ("nearest", [0.3, 2, 0]))]
@@ -205,7 +205,7 @@ class Certificates(unittest.TestCase):
             "components": (points[:8], cube),
             "faces": (points[:8], cube),
             "edges": (points[:8], cube),
-            "kept_faces": (points, faces[1:]),
+            "kept_faces": (points, faces[:5] + faces[6:]),
             "new_faces": (points, faces + [[0, 9, 10]]),
             "lost_faces": (points, faces[:2] + faces[3:]),
             "turned_faces": (points, turned(faces[:1]) + faces[1:]),

@@ -34,6 +34,7 @@ from ._reports import (
     WingedEdge, WingedEdgeArray, WingedFacesView, WingedView,
 )
 from .analysing import NetAnalysis, NetComplex, NetValidation
+from .certifying import Certificate, certify
 from .curves import CurvePoints, CurveSpline
 from .documents import Document, FileMesh
 from .encoding import stream_inspect
@@ -42,7 +43,6 @@ from .fields import Field
 from .files import read, save
 from .frame import Frame
 from .gluing import Gluing, LocalGluing, NetGroups, seam
-from .certifying import Certificate, certify
 from .joining import (
     Alignment, Boundary, Check, Development, Fill, Join, Orient, Repair, Sew, Stitch, Triangulation, Trim, Weld, align, boundary_loops,
     check, develop, fill, join, orient, repair, sew, stitch, triangulate, trim, weld,

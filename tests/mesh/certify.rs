@@ -143,7 +143,8 @@ fn solids_face_outwards_and_cavities_inwards() {
 
 #[test]
 fn polygons_come_with_their_triangles() {
-    let sheet = soup_of(&[(0, 0, 0), (2, 0, 0), (2, 2, 0), (1, 1, 0), (0, 2, 0)], &[vec![0, 1, 2], vec![0, 1, 2, 3, 4]]);
+    let sheet =
+        soup_of(&[(0, 0, 0), (2, 0, 0), (2, 2, 0), (1, 1, 0), (0, 2, 0)], &[vec![0, 1, 2], vec![0, 1, 2, 3, 4]]);
     let triangles = certified(&[], &sheet).polygon_triangles;
     assert_eq!(triangles.len(), 3);
     assert!(triangles.as_flattened().iter().all(|h| (3..8).contains(h)));

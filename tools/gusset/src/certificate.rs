@@ -46,7 +46,8 @@ pub(crate) fn check_files(inputs: &[FileName], result: &FileName) -> Result<(), 
             return Err(Failure::usage("a certificate states the hashes of files: name files instead of -"));
         }
     }
-    let is_replaced = |file: &FileName| place.is_some() && path(file).and_then(|path| path.canonicalize().ok()) == place;
+    let is_replaced =
+        |file: &FileName| place.is_some() && path(file).and_then(|path| path.canonicalize().ok()) == place;
     match inputs.iter().find(|file| is_replaced(file)) {
         Some(file) => Err(Failure::usage(format!(
             "{} would be replaced, and a certificate is about inputs and result: name another file for the result",
@@ -88,12 +89,7 @@ fn hash_file(path: &Path) -> Result<String, Failure> {
     Ok(hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
 }
 
-fn describe(
-    plugin: Plugin,
-    inputs: &[HashedMesh],
-    result: &HashedMesh,
-    made: &Certificate,
-) -> Result<Value, Failure> {
+fn describe(plugin: Plugin, inputs: &[HashedMesh], result: &HashedMesh, made: &Certificate) -> Result<Value, Failure> {
     let view = made.view()?;
     let faces_by_input = |pairs: &[u32]| -> Vec<Vec<u32>> {
         let mut lists = vec![Vec::new(); inputs.len()];

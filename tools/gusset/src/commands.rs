@@ -172,7 +172,14 @@ pub(crate) fn command_line(plugin: Option<Plugin>, version: String, in_full: boo
                 .help("Runs the filters of this library instead"),
         )
         .subcommands(FILTER_COMMANDS.iter().map(|command| builder.filter_command(command)))
-        .subcommands([builder.convert(), builder.info(), builder.certify(), builder.filters(), builder.run(), generate()])
+        .subcommands([
+            builder.convert(),
+            builder.info(),
+            builder.certify(),
+            builder.filters(),
+            builder.run(),
+            generate(),
+        ])
 }
 
 /// Widest line of the help.

@@ -3,8 +3,8 @@
 use super::host::{Callbacks, Watcher, progress};
 use super::library::Plugin;
 use crate::failure::{Exit, Failure};
-use gusset::capi::context::{gusset_context, gusset_progress_fn};
-use gusset::capi::mesh::certificate::{gusset_certificate, gusset_certificate_view};
+use gusset::capi::context::gusset_progress_fn;
+use gusset::capi::mesh::certificate::gusset_certificate_view;
 use gusset::capi::mesh::{GUSSET_F32, GUSSET_F64, GUSSET_U32, gusset_indices, gusset_mesh_view};
 use gusset_io::{Mesh, Positions};
 use std::ffi::{CStr, c_char, c_int, c_void};
@@ -42,16 +42,16 @@ macro_rules! functions {
 }
 
 functions! {
-    gusset_context_create(*mut *mut gusset_context) -> c_int;
-    gusset_context_destroy(*mut gusset_context);
-    gusset_context_set_threads(*mut gusset_context, u32) -> c_int;
-    gusset_context_set_progress(*mut gusset_context, gusset_progress_fn, *mut c_void) -> c_int;
-    gusset_context_get_message(*const gusset_context) -> *const c_char;
+    gusset_context_create(*mut *mut c_void) -> c_int;
+    gusset_context_destroy(*mut c_void);
+    gusset_context_set_threads(*mut c_void, u32) -> c_int;
+    gusset_context_set_progress(*mut c_void, gusset_progress_fn, *mut c_void) -> c_int;
+    gusset_context_get_message(*const c_void) -> *const c_char;
     gusset_certificate_create(
-        *const gusset_context, *const gusset_mesh_view, usize, *const gusset_mesh_view, *mut *mut gusset_certificate
+        *const c_void, *const gusset_mesh_view, usize, *const gusset_mesh_view, *mut *mut c_void
     ) -> c_int;
-    gusset_certificate_get_view(*const gusset_certificate, *mut gusset_certificate_view) -> c_int;
-    gusset_certificate_destroy(*mut gusset_certificate);
+    gusset_certificate_get_view(*const c_void, *mut gusset_certificate_view) -> c_int;
+    gusset_certificate_destroy(*mut c_void);
 }
 
 /// Statuses of the library that have exit statuses of their own.
@@ -61,8 +61,8 @@ const CANCELLED: c_int = 2001;
 /// Facts about a result, as the library lends them.
 pub(crate) struct Certificate {
     functions: CertificateFunctions,
-    context: *mut gusset_context,
-    raw: *mut gusset_certificate,
+    context: *mut c_void,
+    raw: *mut c_void,
 }
 
 impl Drop for Certificate {
@@ -94,11 +94,13 @@ impl Certificate {
         let user = ptr::from_ref(&callbacks).cast_mut().cast();
         // SAFETY: the arrays and the callbacks are valid during the calls.
         unsafe {
-            made.check((functions.gusset_context_create)(&mut made.context))?;
+            let status = (functions.gusset_context_create)(&mut made.context);
+            made.check(status)?;
             made.check((functions.gusset_context_set_threads)(made.context, threads))?;
             made.check((functions.gusset_context_set_progress)(made.context, Some(progress), user))?;
             let (pieces, count) = (views.as_ptr(), views.len());
-            made.check((functions.gusset_certificate_create)(made.context, pieces, count, &result, &mut made.raw))?;
+            let status = (functions.gusset_certificate_create)(made.context, pieces, count, &result, &mut made.raw);
+            made.check(status)?;
         }
         Ok(made)
     }
