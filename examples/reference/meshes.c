@@ -156,7 +156,7 @@ static void what_was_kept(void) {
     gusset_result *fill = NULL;
     gusset_certificate *certificate = NULL;
 
-    MUST(gusset_fill(NULL, &pyramid, NULL, &fill));
+    MUST(gusset_fill(NULL, &pyramid, NULL, 0, NULL, &fill));
     MUST(gusset_result_get_mesh(fill, &filled));
     MUST(gusset_certificate_create(NULL, &pyramid, 1, &filled, &certificate));
     MUST(gusset_certificate_get_view(certificate, &facts));

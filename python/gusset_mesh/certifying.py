@@ -86,7 +86,7 @@ class Certificate(Reported[CertificateView]):
 
     def __repr__(self) -> str:
         facts = self.report
-        return f"<Certificate: {facts.kept_faces} faces kept, {len(facts.lost_faces) // 2} lost, {facts.new_faces} new>"
+        return f"<Certificate: {facts.kept_faces} faces kept, {np.size(facts.lost_faces) // 2} lost, {facts.new_faces} new>"
 
 
 def _described(path: _Path, mesh: Mesh) -> dict[str, Any]:
