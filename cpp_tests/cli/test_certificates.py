@@ -223,6 +223,15 @@ class Certificates(unittest.TestCase):
             lie = {**sound, "result": {**sound["result"], "file": "bad.obj", "sha256": hashlib.sha256(self.at("bad.obj").read_bytes()).hexdigest()}}
             self.expect_refuted(lie, "outward")
 
+    def test_nesting_that_vertices_do_not_decide(self):
+        """A tetrahedron in a cube, with all its vertices at the cube's: the certificate may claim nothing that is false."""
+        cube = [[0, 1, 3], [0, 3, 2], [4, 6, 5], [6, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 6], [3, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 3], [5, 7, 3]]
+        inner = [[0, 5, 3], [0, 3, 6], [0, 6, 5], [3, 5, 6]]
+        for solid in (inner, turned(inner)):
+            write_obj(self.at("nested.obj"), *joined((CUBE, cube), (CUBE, solid)))
+            self.assertIs(self.certified(["nested.obj"], "nested.obj")["claims"]["outward"], False)
+            self.expect_confirmed("stated.json")
+
     def test_triangles_of_polygons(self):
         write_obj(self.at("box.obj"), CUBE, [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
         stated = self.certified(["box.obj"], "box.obj")

@@ -500,7 +500,7 @@ class Verifier:
         self.judge("duplicate_faces", self.claims["duplicate_faces"], len(duplicates), f"; face {duplicates[0]}" if duplicates else "")
 
     def verify_outward(self, topology, corners, owners, pairs):
-        """A certificate need not claim this: volumes near 0 may leave it undecided."""
+        """A certificate need not claim this, because rounding may leave it undecided."""
         if self.claims["outward"] is False:
             print("not claimed: outward")
             return

@@ -87,8 +87,8 @@ versioned! { gusset_certificate_view: 152 }
 /// States facts about a result and the pieces that it was made from. The result may come from
 /// anywhere. verify.py confirms or refutes them by exact arithmetic, without the library.
 ///
-/// All facts are exact, except farthest_distance, and outward where a volume is 0 up to rounding:
-/// then it is 0.
+/// All facts are exact, except farthest_distance. outward is 0 also if undecided: if a volume is 0
+/// up to rounding, or if a component shares the positions of all its vertices with others.
 ///
 /// @param pieces the meshes that the result was made from; may be NULL without any.
 /// @errors as gusset_mesh_view, TOO_LARGE (vertices of all meshes)

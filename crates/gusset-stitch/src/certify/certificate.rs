@@ -3,6 +3,7 @@
 use super::face_matching::match_faces;
 use super::farthest_vertex::{FarthestVertex, find_farthest_vertex};
 use super::numbered_points::NumberedPoints;
+use super::own_vertices::have_own_vertices;
 use crate::check::{check, find_intersecting_faces};
 use crate::intersect::are_collinear;
 use crate::repair::orient::find_wrong_components;
@@ -35,7 +36,8 @@ pub struct Certificate {
     pub closed: bool,
     /// True if closed and oriented without intersecting pairs, and every component faces outwards. A
     /// component that an odd number of others encloses bounds a cavity, and has a negative volume;
-    /// any other one has a positive volume. False if a volume is 0 up to rounding.
+    /// any other one has a positive volume. False if undecided: if a volume is 0 up to rounding, or
+    /// if a component shares the positions of all its vertices with others.
     pub outward: bool,
     /// The number of edges with one face.
     pub boundary_edges: u32,
@@ -83,8 +85,10 @@ pub fn certify(inputs: &[MeshView<'_>], result: &MeshView<'_>, job: &Job<'_>) ->
     let found = check(result, &job.part(0.0, 0.2))?;
     let pairs = find_intersecting_faces(result, &job.part(0.2, 0.5))?;
     let may_face_outwards = found.closed && found.oriented && pairs.is_empty();
-    let outward = may_face_outwards && {
-        let wrong = find_wrong_components(result, &job.part(0.5, 0.6))?;
+    let is_nesting_certain =
+        may_face_outwards && (found.components < 2 || have_own_vertices(result, &job.part(0.5, 0.53))?);
+    let outward = is_nesting_certain && {
+        let wrong = find_wrong_components(result, &job.part(0.53, 0.6))?;
         wrong.turned.is_empty() && wrong.zero_volume.is_empty()
     };
     let polygon_triangles = split_polygons(result, &job.part(0.6, 0.65))?;

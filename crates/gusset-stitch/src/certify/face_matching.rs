@@ -114,7 +114,7 @@ fn make_canonical(cycle: &mut [u32], backwards: &mut Vec<u32>) -> Result<bool> {
     cycle.rotate_left(start);
     let start = find_least_rotation(backwards);
     backwards.rotate_left(start);
-    let is_reversed = &backwards[..] < &*cycle;
+    let is_reversed = backwards[..] < *cycle;
     if is_reversed {
         cycle.copy_from_slice(backwards);
     }

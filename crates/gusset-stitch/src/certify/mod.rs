@@ -7,12 +7,14 @@
 //! * [`certificate`](self): facts and entry point.
 //! * [`face_matching`](self): the input faces that the result keeps, turns over or lacks.
 //! * [`farthest_vertex`](self): the input vertex that is farthest from the result's vertices.
+//! * [`own_vertices`](self): components whose nesting is certain.
 //! * [`numbered_points`](self): equal positions of several meshes have one number.
 
 mod certificate;
 mod face_matching;
 mod farthest_vertex;
 mod numbered_points;
+mod own_vertices;
 
 pub use certificate::{Certificate, certify};
 pub use farthest_vertex::FarthestVertex;
