@@ -3,14 +3,15 @@
 Writes certificates for results of random meshes, all to be confirmed, and certificates with a lie of each kind, all to be refuted. RESULTS
 is the number of results, 40 by default."""
 
+import contextlib
 import hashlib
 import importlib.util
 import io
-import contextlib
 import json
 import math
+import os
+import pathlib
 import random
-import struct
 import sys
 import unittest
 
@@ -83,7 +84,9 @@ class Certificates(unittest.TestCase):
     def verified(self, *files):
         """The exit status of verify.py, and the claims that it confirms and refutes."""
         out = io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out), contextlib.chdir(self.program.folder):
+        # Names in certificates are relative to the folder of the program.
+        os.chdir(self.program.folder)
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
             status = self.verify.main([str(file) for file in files])
         lines = [line.split(": ") for line in out.getvalue().splitlines()]
         return status, {line[1] for line in lines if line[0] == "confirmed"}, {line[1] for line in lines if line[0] == "refuted"}, out.getvalue()
@@ -297,7 +300,7 @@ class Certificates(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    Certificates.program = meshes.Program(*sys.argv[1:4])
+    Certificates.program = meshes.Program(*(pathlib.Path(word).absolute() for word in sys.argv[1:4]))
     known = importlib.util.spec_from_file_location("verify", sys.argv[4])
     Certificates.verify = importlib.util.module_from_spec(known)
     known.loader.exec_module(Certificates.verify)
