@@ -46,8 +46,7 @@ def read_mesh(data, name):
     faces = [tuple(face) for face in faces if len(face) >= 3]
     if not faces or not all(0 <= v < len(points) for face in faces for v in face):
         raise Unreadable(f"{name}: it has no faces, or a face names a vertex that does not exist")
-    # Adding 0 turns -0 into 0.
-    return [tuple(x + 0.0 for x in point) for point in points], faces
+    return points, faces
 
 
 def read_obj(data):
@@ -78,7 +77,7 @@ def read_off(data):
 
 
 def read_stl(data):
-    """Merges corners at equal positions, because STL files have no vertices."""
+    """Merges corners at equal positions, because STL files have no vertices. -0 equals 0."""
     if len(data) >= 84 and len(data) == 84 + 50 * int.from_bytes(data[80:84], "little"):
         facets = [[row[0:3], row[3:6], row[6:9]] for row in struct.iter_unpack("<12x9f2x", data[84:])]
     else:
@@ -90,7 +89,7 @@ def read_stl(data):
             elif word == "vertex":
                 facets[-1].append(tuple(float(next(words)) for _ in range(3)))
     numbers = {}
-    faces = [[numbers.setdefault(tuple(x + 0.0 for x in point), len(numbers)) for point in facet] for facet in facets]
+    faces = [[numbers.setdefault(tuple(point), len(numbers)) for point in facet] for facet in facets]
     return list(numbers), faces
 
 
