@@ -49,9 +49,14 @@ def read_mesh(data, name):
     return points, faces
 
 
+def text(data):
+    """Returns the text of a file with the line ends of Unix."""
+    return data.decode("ascii", "replace").replace("\r\n", "\n").replace("\r", "\n")
+
+
 def read_obj(data):
     points, faces = [], []
-    for line in data.decode("utf-8", "replace").replace("\\\r\n", " ").replace("\\\n", " ").splitlines():
+    for line in text(data).replace("\\\n", " ").split("\n"):
         words = line.split("#")[0].split()
         if words and words[0].lower() == "v":
             points.append(tuple(map(float, words[1:4])))
@@ -62,7 +67,7 @@ def read_obj(data):
 
 
 def read_off(data):
-    lines = [line.split("#")[0].split() for line in data.decode("utf-8", "replace").splitlines()]
+    lines = [line.split("#")[0].split() for line in text(data).split("\n")]
     lines = collections.deque(words for words in lines if words)
     head = lines[0][0]
     if head not in ("OFF", "COFF", "NOFF", "CNOFF", "NCOFF", "STOFF") or "BINARY" in lines[0]:
