@@ -294,6 +294,7 @@ install-data:
 	install -C -m 644 include/gusset/*.h include/gusset/*.hpp $(incdir)/gusset
 	install -C -m 644 include/cmake/*.cmake $(libdir)/cmake/gusset
 	install -C -m 644 include/gusset.symbols $(DESTDIR)$(PREFIX)/share/gusset
+	install -C -m 755 tools/verify/verify.py $(DESTDIR)$(PREFIX)/share/gusset
 	sed -e 's|@UP@|$(shell realpath -ms --relative-to='$(LIBDIR)/pkgconfig' '$(PREFIX)')|' \
 	    -e 's|@LIB@|$(shell realpath -ms --relative-to='$(PREFIX)' '$(LIBDIR)')|' -e 's|@VERSION@|$(version)|' \
 	    -e 's|@DESCRIPTION@|$(call manifest,description)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc

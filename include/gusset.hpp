@@ -13,6 +13,7 @@
 #include <gusset/alignment.hpp>
 #include <gusset/attributes.hpp>
 #include <gusset/boundary.hpp>
+#include <gusset/certificate.hpp>
 #include <gusset/check.hpp>
 #include <gusset/curve.hpp>
 #include <gusset/development.hpp>

@@ -31,6 +31,7 @@
 //! | [`mesh`] | views the host's arrays, owns the meshes of results, pairs half-edges |
 //! | [`boundary`] | finds free boundary loops |
 //! | [`winged`] | builds winged-edge tables, and finds loops on them |
+//! | [`certify`] | states facts about a result that others can check |
 //! | [`check`] | reports everything wrong or unusual in a mesh |
 //! | [`repair`] | merges coincident vertices, sews borders, makes orientation consistent |
 //! | [`align`] | finds the poses of overlapping pieces |
@@ -67,7 +68,7 @@ pub use gusset_filters as filters;
 pub use gusset_mesh as mesh;
 pub use gusset_net as net;
 pub use gusset_stitch::{
-    align, arrange, assemble, boundary, check, develop, fill, repair, solid, stitch, trim, winged,
+    align, arrange, assemble, boundary, certify, check, develop, fill, repair, solid, stitch, trim, winged,
 };
 pub use gusset_surface as surface;
 

@@ -237,6 +237,40 @@ static void bad_faces_of_tables(const gusset_winged_view *tables, size_t vertice
     gusset_winged_faces_destroy(NULL);
 }
 
+/* Certificates: invalid handles and structs, and the piece or the result at fault. */
+static void certificate_arguments(const gusset_mesh_view *mesh) {
+    gusset_certificate *made = NULL;
+    gusset_certificate_view view = {.struct_size = sizeof view};
+    gusset_mesh_view pieces[2];
+
+    pieces[0] = *mesh, pieces[1] = *mesh;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_certificate_create(context, NULL, 2, mesh, &made));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_certificate_create(context, pieces, 2, NULL, &made));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_certificate_create(context, pieces, 2, mesh, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_certificate_create(misaligned(), pieces, 2, mesh, &made));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_certificate_create(context, misaligned(), 2, mesh, &made));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_certificate_create(context, pieces, 2, misaligned(), &made));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_certificate_create(context, pieces, 2, mesh, misaligned()));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_certificate_create(context, pieces, SIZE_MAX, mesh, &made));
+    pieces[1].face_count = 0;
+    EXPECT(GUSSET_ERROR_EMPTY_MESH, gusset_certificate_create(context, pieces, 2, mesh, &made));
+    EXPECT(GUSSET_ERROR_EMPTY_MESH, gusset_certificate_create(context, pieces, 1, &pieces[1], &made));
+    CHECK(made == NULL);
+    EXPECT(GUSSET_OK, gusset_certificate_create(context, NULL, 0, mesh, &made));
+    memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_certificate_get_view(NULL, &view));
+    CHECK(view.edge_count == 0 && view.lost_faces.data == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_certificate_get_view(made, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_certificate_get_view(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_certificate_get_view(made, misaligned()));
+    view.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_certificate_get_view(made, &view));
+    EXPECT(GUSSET_OK, gusset_certificate_get_view(made, (view.struct_size = sizeof view, &view)));
+    CHECK(view.kept_faces == 0 && view.new_faces == mesh->face_count);
+    gusset_certificate_destroy(made);
+    gusset_certificate_destroy(NULL);
+}
+
 /* Pointers of winged-edge tables and of the check. */
 static void table_pointers(void) {
     const gusset_mesh_view mesh = pyramid(pyramid_up);
@@ -290,6 +324,7 @@ static void table_pointers(void) {
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_check_get_view(check, &report));
     gusset_check_destroy(check);
     gusset_check_destroy(NULL);
+    certificate_arguments(&mesh);
 }
 
 /* Arrays at odd addresses with odd strides, ending at the last byte of their block, give what aligned ones give. */

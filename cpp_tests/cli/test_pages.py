@@ -23,7 +23,7 @@ class Pages(unittest.TestCase):
     def setUp(self):
         self.known = self.commands()
         self.assertEqual(list(self.known), ["join", "stitch", "fill", "repair", "unite", "weld", "sew", "orient", "align", "trim", "section", "loft", "flatten",
-                                            "check", "convert", "info", "filters", "run"])
+                                            "check", "convert", "info", "certify", "filters", "run"])
         self.assertLessEqual({"--meridians", "--rows", "--output", "--json", "--threads"}, self.known["stitch"])
         self.assertIn("--param", self.known["run"])
 

@@ -26,6 +26,10 @@ gusset repair joined.obj -o repaired.obj
 #! [unite]
 gusset unite repaired.obj whole.glb -o solid.obj
 #! [unite]
+#! [certificate]
+gusset fill left.obj -o full.obj --certificate full.json
+gusset certify left.obj right.obj joined.obj -o joined.json
+#! [certificate]
 
 #! [scans]
 gusset join left.obj right.obj --align --overlaps trim --holes fill -o model.ply
@@ -38,3 +42,4 @@ grep -q '^f ' joined.obj
 grep -q '^f ' smooth.obj
 grep -q '^l ' rim.obj
 test -s whole.glb
+grep -q '"kept_faces"' full.json joined.json

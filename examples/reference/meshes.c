@@ -148,6 +148,26 @@ static void what_is_wrong(void) {
 }
 //! [check]
 
+//! [certificate]
+static void what_was_kept(void) {
+    /* The pyramid filled: its four faces are kept, and two close its rim. */
+    gusset_mesh_view filled = {.struct_size = sizeof filled};
+    gusset_certificate_view facts = {.struct_size = sizeof facts};
+    gusset_result *fill = NULL;
+    gusset_certificate *certificate = NULL;
+
+    MUST(gusset_fill(NULL, &pyramid, NULL, 0, NULL, &fill));
+    MUST(gusset_result_get_mesh(fill, &filled));
+    MUST(gusset_certificate_create(NULL, &pyramid, 1, &filled, &certificate));
+    MUST(gusset_certificate_get_view(certificate, &facts));
+    HOLDS(facts.closed && facts.outward && facts.non_manifold_vertices == 0 && facts.intersecting_pairs == 0);
+    HOLDS(facts.kept_faces == 4 && facts.new_faces == 2 && facts.lost_faces.count == 0);
+    HOLDS(facts.farthest_distance == 0.0 && facts.farthest_vertex == UINT32_MAX);
+    gusset_certificate_destroy(certificate);
+    gusset_result_destroy(fill);
+}
+//! [certificate]
+
 //! [weld]
 static void a_soup_of_triangles(void) {
     /* Each face with corners of its own, as STL files have them. */
@@ -282,6 +302,7 @@ int main(void) {
     loops();
     tables();
     what_is_wrong();
+    what_was_kept();
     a_soup_of_triangles();
     borders_that_do_not_match();
     a_tetrahedron_with_a_copy_and_a_hole();

@@ -1648,6 +1648,85 @@ GUSSET_API void gusset_check_destroy(struct gusset_check *check);
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_check_get_view(const struct gusset_check *check,
     struct gusset_check_view *view);
 
+/* ---- Certificates: States facts about a result that a program without the library can check. */
+
+/// Facts about a result and the meshes that it was made from.
+typedef struct gusset_certificate gusset_certificate;
+
+/// Facts about a result. Faces match if they have the same positions at their corners, from any corner; -0 equals 0.
+/// Each result face matches at most one face of the pieces. Faces with fewer than three edges between different
+/// vertices have no edges.
+typedef struct gusset_certificate_view {
+    size_t struct_size;
+    /// Vertices that faces use.
+    uint32_t vertex_count;
+    /// Distinct edges, between different vertices.
+    uint32_t edge_count;
+    /// Faces.
+    uint32_t face_count;
+    /// Components: faces connected by shared edges.
+    uint32_t component_count;
+    /// 1 if there are edges, and each has exactly two faces. @flag
+    uint32_t closed;
+    /// 1 if closed and oriented without intersecting pairs, and each component faces outwards. A component that an odd
+    /// number of others encloses has a negative volume, any other a positive one. @flag
+    uint32_t outward;
+    /// Edges with one face.
+    uint32_t boundary_edges;
+    /// Edges with three or more faces.
+    uint32_t non_manifold_edges;
+    /// Ends of non-manifold edges, and vertices whose faces form several fans.
+    uint32_t non_manifold_vertices;
+    /// Edges whose two faces run them in the same direction.
+    uint32_t orientation_conflicts;
+    /// Faces that repeat a vertex.
+    uint32_t degenerate_faces;
+    /// Faces with the cycle of vertices of an earlier face, in either direction; none degenerate.
+    uint32_t duplicate_faces;
+    /// Triangles whose three different vertices lie on one line, also triangles of polygons.
+    uint32_t collinear_triangles;
+    /// Faces of the result that match no face of the pieces.
+    uint32_t new_faces;
+    /// Pairs of faces with common points other than common vertices and edges.
+    uint64_t intersecting_pairs;
+    /// Faces of the pieces that the result has.
+    uint64_t kept_faces;
+    /// Faces of the pieces that the result has only reversed, as (piece, face), ascending.
+    struct gusset_indices turned_faces;
+    /// Faces of the pieces that the result lacks, as (piece, face), ascending.
+    struct gusset_indices lost_faces;
+    /// Largest distance of a vertex of the pieces from the nearest vertex of the result, where faces use both; 0 if all
+    /// such vertices remain.
+    double farthest_distance;
+    /// Piece of the farthest vertex; UINT32_MAX without one.
+    uint32_t farthest_piece;
+    /// The farthest vertex; UINT32_MAX without one.
+    uint32_t farthest_vertex;
+    /// Vertex of the result nearest to it; UINT32_MAX without one.
+    uint32_t nearest_vertex;
+    uint32_t reserved;
+    /// Triangles of the result's faces with more than three corners, as half-edges, face by face.
+    struct gusset_indices polygon_triangles;
+} gusset_certificate_view;
+
+/// States facts about a result and the pieces that it was made from. The result may come from anywhere. verify.py
+/// confirms or refutes them by exact arithmetic, without the library.
+/// All facts are exact, except farthest_distance. outward is 0 also if undecided: if a volume is 0 up to rounding, or
+/// if a component shares the positions of all its vertices with others.
+/// @param pieces the meshes that the result was made from; may be NULL without any.
+/// @errors as gusset_mesh_view, TOO_LARGE (vertices of all meshes)
+/// @complexity O(n log n) for n corners of all meshes, and the search for intersecting faces.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_certificate_create(const struct gusset_context *context,
+    const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_mesh_view *result,
+    struct gusset_certificate **certificate);
+
+/// Destroys a certificate.
+GUSSET_API void gusset_certificate_destroy(struct gusset_certificate *certificate);
+
+/// Lends the facts.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_certificate_get_view(const struct gusset_certificate *certificate,
+    struct gusset_certificate_view *view);
+
 /* ---- Developments: Cuts surfaces open and flattens them with little distortion. */
 
 /// Distortion that a development minimises.

@@ -19,7 +19,7 @@ from ._options import (
 from ._plugin import Curves
 from ._records import FlagArray, Record, RecordArray
 from ._reports import (
-    AlignedPiece, AlignedPieceArray, AlignmentView, BoundaryView, Chart, ChartArray, CheckView, CurveMeasures, CurveNearestPoint,
+    AlignedPiece, AlignedPieceArray, AlignmentView, BoundaryView, CertificateView, Chart, ChartArray, CheckView, CurveMeasures, CurveNearestPoint,
     CurveNearestPointArray, CurveView, Defect, DefectArray, DevelopReport, FillReport, Hole, HoleArray, JoinReport, Joint, LeftLoop,
     LoopView, NetMeasureReport, NetMeshReport, OrientReport, OriginsView, OutlineView, Overlap, OverlapArray, PieceMap, Place, PlaceArray,
     PlacesView, QualityReport, RepairReport, SewReport, SheetMeshReport, SheetReport, StitchReport, SurfaceHit, SurfaceHitArray, SurfaceHitsView,
@@ -34,6 +34,7 @@ from ._reports import (
     WingedEdge, WingedEdgeArray, WingedFacesView, WingedView,
 )
 from .analysing import NetAnalysis, NetComplex, NetValidation
+from .certifying import Certificate, certify
 from .curves import CurvePoints, CurveSpline
 from .documents import Document, FileMesh
 from .encoding import stream_inspect
@@ -61,7 +62,7 @@ __version__ = _text(_lib.gusset_version())
 
 __all__ = [
     "AlignedPiece", "AlignedPieceArray", "Alignment", "AlignmentOptions", "AlignmentView", "Boundary", "BoundaryOptions", "BoundaryView",
-    "Cancelled", "Chart", "ChartArray", "Check", "CheckView", "ConcatenateOptions", "ContourOptions", "Curve", "CurveMeasures",
+    "Cancelled", "Certificate", "CertificateView", "Chart", "ChartArray", "Check", "CheckView", "ConcatenateOptions", "ContourOptions", "Curve", "CurveMeasures",
     "CurveNearestPoint", "CurveNearestPointArray", "CurveView", "Curves", "Defect", "DefectArray", "DevelopOptions", "DevelopReport",
     "Development", "Error", "Fill", "FillOptions", "FillReport", "FlagArray", "Handle", "Hole", "HoleArray", "InputError",
     "IntersectionOptions", "Join", "JoinOptions", "JoinReport", "Joint", "LeftLoop", "LoopView", "Mesh", "MeshLike", "NearestOptions",
@@ -73,7 +74,7 @@ __all__ = [
     "SurfaceHitArray", "SurfaceHits", "SurfaceHitsView", "SurfaceNearestPoint", "SurfaceNearestPointArray", "SurfaceOptions",
     "SurfacePaths", "SurfacePathsView", "SurfacePlace", "SurfacePlaceArray", "SurfacePoint", "SurfacePointArray", "SurfaceReport",
     "Triangulation", "Trim", "TrimOptions", "TrimView", "TrimmedPiece", "Unite", "Weld", "WeldOptions", "WeldReport", "align", "as_mesh",
-    "boundary_loops", "check", "choices", "develop", "fill", "filters", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "unite", "weld",
+    "boundary_loops", "certify", "check", "choices", "develop", "fill", "filters", "join", "orient", "repair", "sew", "stitch", "triangulate", "trim", "unite", "weld",
 ]
 __all__ += [
     "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "DecimatedNet", "DistanceReport", "Document", "Facing", "FacingOptions",

@@ -1725,6 +1725,136 @@ class CheckView(Record):
         return self._array('unused_vertices')
 
 
+class CertificateView(Record):
+    """Facts about a result. Faces match if they have the same positions at their corners, from any corner; -0 equals
+    0. Each result face matches at most one face of the pieces. Faces with fewer than three edges between different
+    vertices have no edges.
+    """
+
+    __slots__ = ()
+    _NAME = 'gusset_certificate_view'
+    _GETTER = 'gusset_certificate_get_view'
+
+    @property
+    def vertex_count(self) -> int:
+        """Vertices that faces use."""
+        return self._struct.vertex_count
+
+    @property
+    def edge_count(self) -> int:
+        """Distinct edges, between different vertices."""
+        return self._struct.edge_count
+
+    @property
+    def face_count(self) -> int:
+        """Faces."""
+        return self._struct.face_count
+
+    @property
+    def component_count(self) -> int:
+        """Components: faces connected by shared edges."""
+        return self._struct.component_count
+
+    @property
+    def closed(self) -> bool:
+        """1 if there are edges, and each has exactly two faces."""
+        return bool(self._struct.closed)
+
+    @property
+    def outward(self) -> bool:
+        """1 if closed and oriented without intersecting pairs, and each component faces outwards. A component that an
+        odd number of others encloses has a negative volume, any other a positive one.
+        """
+        return bool(self._struct.outward)
+
+    @property
+    def boundary_edges(self) -> int:
+        """Edges with one face."""
+        return self._struct.boundary_edges
+
+    @property
+    def non_manifold_edges(self) -> int:
+        """Edges with three or more faces."""
+        return self._struct.non_manifold_edges
+
+    @property
+    def non_manifold_vertices(self) -> int:
+        """Ends of non-manifold edges, and vertices whose faces form several fans."""
+        return self._struct.non_manifold_vertices
+
+    @property
+    def orientation_conflicts(self) -> int:
+        """Edges whose two faces run them in the same direction."""
+        return self._struct.orientation_conflicts
+
+    @property
+    def degenerate_faces(self) -> int:
+        """Faces that repeat a vertex."""
+        return self._struct.degenerate_faces
+
+    @property
+    def duplicate_faces(self) -> int:
+        """Faces with the cycle of vertices of an earlier face, in either direction; none degenerate."""
+        return self._struct.duplicate_faces
+
+    @property
+    def collinear_triangles(self) -> int:
+        """Triangles whose three different vertices lie on one line, also triangles of polygons."""
+        return self._struct.collinear_triangles
+
+    @property
+    def new_faces(self) -> int:
+        """Faces of the result that match no face of the pieces."""
+        return self._struct.new_faces
+
+    @property
+    def intersecting_pairs(self) -> int:
+        """Pairs of faces with common points other than common vertices and edges."""
+        return self._struct.intersecting_pairs
+
+    @property
+    def kept_faces(self) -> int:
+        """Faces of the pieces that the result has."""
+        return self._struct.kept_faces
+
+    @property
+    def turned_faces(self) -> NDArray[np.uint32]:
+        """Faces of the pieces that the result has only reversed, as (piece, face), ascending."""
+        return self._array('turned_faces', -1, 2)
+
+    @property
+    def lost_faces(self) -> NDArray[np.uint32]:
+        """Faces of the pieces that the result lacks, as (piece, face), ascending."""
+        return self._array('lost_faces', -1, 2)
+
+    @property
+    def farthest_distance(self) -> float:
+        """Largest distance of a vertex of the pieces from the nearest vertex of the result, where faces use both; 0
+        if all such vertices remain.
+        """
+        return self._struct.farthest_distance
+
+    @property
+    def farthest_piece(self) -> int:
+        """Piece of the farthest vertex; UINT32_MAX without one."""
+        return self._struct.farthest_piece
+
+    @property
+    def farthest_vertex(self) -> int:
+        """The farthest vertex; UINT32_MAX without one."""
+        return self._struct.farthest_vertex
+
+    @property
+    def nearest_vertex(self) -> int:
+        """Vertex of the result nearest to it; UINT32_MAX without one."""
+        return self._struct.nearest_vertex
+
+    @property
+    def polygon_triangles(self) -> NDArray[np.uint32]:
+        """Triangles of the result's faces with more than three corners, as half-edges, face by face."""
+        return self._array('polygon_triangles', -1, 3)
+
+
 class Chart(Record):
     """Connected component of a development."""
 

@@ -34,6 +34,7 @@ REPORTS = {
     "sew": lambda: gm.sew(TUBE).report,
     "orient": lambda: gm.orient(TUBE).report,
     "check": lambda: gm.check(TUBE).report,
+    "certify": lambda: gm.certify([TUBE], TUBE).report,
     "join": lambda: gm.join(rows_of_pieces()).report,
     "develop": lambda: gm.develop(TUBE).report,
     "align": lambda: gm.align([TUBE, TUBE]).report,

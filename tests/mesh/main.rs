@@ -12,6 +12,7 @@ mod assemble_gaps;
 mod attributes;
 mod blend;
 mod boundary;
+mod certify;
 mod check;
 mod concatenate;
 mod continuity;

@@ -20,6 +20,7 @@
 //! | [`stitch`] | joins two loops by a strip of new faces | Nesterenko, algorithm 2 |
 //! | [`fill`] | closes holes by new faces | Barequet and Sharir 1995; Liepa 2003 |
 //! | [`assemble`] | joins many pieces into one mesh | |
+//! | [`certify`] | states facts about a result that others can check | |
 //! | [`develop`] | lays surfaces out in the plane | Rabinovich and others 2017 |
 //! | `blend` | replaces coarse faces of a strip or patch by fine ones | Botsch and Kobbelt 2004 |
 //! | [`fair`] | moves new vertices to where a thin plate bends least | Liepa 2003 |
@@ -31,6 +32,7 @@ pub mod arrange;
 pub mod assemble;
 mod blend;
 pub mod boundary;
+pub mod certify;
 pub mod check;
 pub mod develop;
 pub mod fair;

@@ -20,6 +20,7 @@ pub mod align;
 pub mod trim;
 pub mod boundary;
 pub mod check;
+pub mod certificate;
 pub mod develop;
 pub mod develop_report;
 pub mod facing;

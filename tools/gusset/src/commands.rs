@@ -1,7 +1,6 @@
 //! The commands: what each does, its filter, an example, and its arguments.
 
 use crate::plugin::{Filter, OutputKind, Param, ParamKind, Plugin};
-use crate::report::kind_name;
 use crate::values::{print_value, slug};
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, ValueHint, value_parser};
@@ -17,6 +16,8 @@ pub(crate) struct FilterCommand {
     example: &'static str,
     /// Parameters that `--smooth` sets, if the command has it.
     pub(crate) smooth: &'static [&'static str],
+    /// Whether it has `--certificate`.
+    certifies: bool,
 }
 
 impl FilterCommand {
@@ -33,6 +34,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Joins two or more open meshes where their borders coincide or face each other",
         example: "gusset join left.ply middle.ply right.ply -o whole.ply",
         smooth: &["finish=blend"],
+        certifies: true,
     },
     FilterCommand {
         name: "stitch",
@@ -40,6 +42,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Joins two open meshes, or two rims of one mesh, by a strip of new faces",
         example: "gusset stitch left.obj right.obj -o joined.obj",
         smooth: &["finish=blend"],
+        certifies: true,
     },
     FilterCommand {
         name: "fill",
@@ -47,6 +50,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Closes the holes of a mesh",
         example: "gusset fill scan.obj --keep the-longest -o filled.obj",
         smooth: &["finish=blend"],
+        certifies: true,
     },
     FilterCommand {
         name: "repair",
@@ -54,6 +58,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Makes a valid solid of a mesh, changing only faces at its defects",
         example: "gusset repair part.stl -o repaired.stl",
         smooth: &[],
+        certifies: true,
     },
     FilterCommand {
         name: "unite",
@@ -68,6 +73,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Merges borders whose vertices coincide",
         example: "gusset weld part.stl -o welded.ply",
         smooth: &[],
+        certifies: false,
     },
     FilterCommand {
         name: "sew",
@@ -75,6 +81,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Merges borders that lie on each other, and splits edges where their vertices differ",
         example: "gusset sew tiles.obj -o sheet.obj",
         smooth: &[],
+        certifies: false,
     },
     FilterCommand {
         name: "orient",
@@ -82,6 +89,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Reverses faces until neighbours agree",
         example: "gusset orient part.obj --outward outwards -o oriented.obj",
         smooth: &[],
+        certifies: false,
     },
     FilterCommand {
         name: "align",
@@ -89,6 +97,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Moves overlapping pieces to where they fit",
         example: "gusset align scan1.ply scan2.ply -o aligned.ply",
         smooth: &[],
+        certifies: false,
     },
     FilterCommand {
         name: "trim",
@@ -96,6 +105,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Removes the faces of one piece where two overlap",
         example: "gusset trim scan1.ply scan2.ply -o trimmed.ply",
         smooth: &[],
+        certifies: true,
     },
     FilterCommand {
         name: "section",
@@ -103,6 +113,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Cuts the smooth surface through a grid of quads by planes",
         example: "gusset section hull.obj --number 20 -o sections.obj",
         smooth: &[],
+        certifies: false,
     },
     FilterCommand {
         name: "loft",
@@ -110,6 +121,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Makes a smooth surface through two or more curves",
         example: "gusset loft sections.obj -o surface.obj",
         smooth: &[],
+        certifies: false,
     },
     FilterCommand {
         name: "flatten",
@@ -117,6 +129,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Unrolls a surface into the plane",
         example: "gusset flatten sail.obj -o pattern.obj",
         smooth: &[],
+        certifies: false,
     },
     FilterCommand {
         name: "check",
@@ -124,6 +137,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Reports the defects of meshes, and counts their pieces, edges and genus",
         example: "gusset check part.stl --strict",
         smooth: &[],
+        certifies: false,
     },
 ];
 
@@ -165,11 +179,18 @@ pub(crate) fn command_line(plugin: Option<Plugin>, version: String, in_full: boo
                 .help("Runs the filters of this library instead"),
         )
         .subcommands(FILTER_COMMANDS.iter().map(|command| builder.filter_command(command)))
-        .subcommands([builder.convert(), builder.info(), builder.filters(), builder.run(), generate()])
+        .subcommands([
+            builder.convert(),
+            builder.info(),
+            builder.certify(),
+            builder.filters(),
+            builder.run(),
+            generate(),
+        ])
 }
 
 /// Widest line of the help.
-const MAX_WIDTH: usize = 100;
+pub(crate) const MAX_WIDTH: usize = 100;
 
 /// Example first, so that it is read first.
 const TEMPLATE: &str = "{before-help}{about}\n\n{usage-heading} {usage}\n\n{all-args}{after-help}";
@@ -199,6 +220,10 @@ impl Builder {
                     .help("Makes new faces continue the surfaces beside them (sets finish or inside)")
                     .help_heading(PARAMETERS),
             );
+        }
+        if command.certifies {
+            let help = "Writes a certificate of the result, which verify.py checks";
+            made = made.arg(file("certificate").value_name("FILE").help(help).help_heading(FILES));
         }
         if command.name == "check" {
             made = made
@@ -271,6 +296,16 @@ impl Builder {
             .arg(jobs())
     }
 
+    fn certify(&self) -> Command {
+        let about = "States facts about a result and the files it was made from, for verify.py to check";
+        let [_, threads, progress, cancel_after] = run_options();
+        self.subcommand("certify", about, "gusset certify left.ply right.ply whole.ply -o whole.json")
+            .arg(inputs("Files that the result was made from, then the result", 1))
+            .arg(file("output").short('o').value_name("FILE").help("File to write instead of standard output"))
+            .args([threads, progress, cancel_after])
+            .args(read_options())
+    }
+
     fn filters(&self) -> Command {
         self.subcommand("filters", "Lists all filters, or describes one and its parameters", "gusset filters fill")
             .arg(self.filter_argument("Filter to describe"))
@@ -320,6 +355,10 @@ fn inputs(help: &'static str, least: usize) -> Arg {
         .value_parser(value_parser!(OsString))
 }
 
+fn file(name: &'static str) -> Arg {
+    Arg::new(name).long(name).value_parser(value_parser!(OsString)).value_hint(ValueHint::FilePath)
+}
+
 fn output_options(repeats: bool) -> [Arg; 8] {
     let help = if repeats {
         "File to write; repeat it for the second output"
@@ -327,9 +366,6 @@ fn output_options(repeats: bool) -> [Arg; 8] {
         "File to write; - is standard output. For many inputs, use --out-dir"
     };
     let action = if repeats { ArgAction::Append } else { ArgAction::Set };
-    let file = |name: &'static str| {
-        Arg::new(name).long(name).value_parser(value_parser!(OsString)).value_hint(ValueHint::FilePath)
-    };
     [
         file("output").short('o').value_name("FILE").action(action).help(help),
         file("out-dir")
@@ -407,103 +443,4 @@ fn generate() -> Command {
         .about("Prints the manual or the completions of a shell")
         .hide(true)
         .arg(Arg::new("what").required(true).value_parser(["man", "bash", "zsh", "fish", "powershell"]))
-}
-
-/// Lists filters in columns: id, inputs, outputs, category and name.
-pub(crate) fn list_filters(filters: &[Filter]) -> String {
-    let rows: Vec<[String; 4]> = filters
-        .iter()
-        .map(|filter| {
-            [
-                filter.id().into(),
-                input_words(*filter),
-                output_words(*filter),
-                format!("{}: {}", filter.category(), filter.name()),
-            ]
-        })
-        .collect();
-    let widths: Vec<usize> = (0..3).map(|column| rows.iter().map(|row| row[column].len()).max().unwrap_or(0)).collect();
-    rows.iter()
-        .map(|[id, inputs, outputs, name]| {
-            format!("{id:0$}  {inputs:1$}  -> {outputs:2$}  {name}\n", widths[0], widths[1], widths[2])
-        })
-        .collect()
-}
-
-fn input_words(filter: Filter) -> String {
-    const MAX_SHOWN: usize = 4;
-    let told = filter.min_inputs().max(filter.input_kinds().len());
-    let shown = filter.max_inputs().filter(|&most| most <= MAX_SHOWN).unwrap_or(told);
-    let words: Vec<String> = (0..shown)
-        .map(|place| {
-            let word = filter.input_kind(place).word();
-            if place < filter.min_inputs() { word.to_owned() } else { format!("[{word}]") }
-        })
-        .collect();
-    let more = if filter.max_inputs().is_none_or(|most| most > shown) { "..." } else { "" };
-    if words.is_empty() { "-".into() } else { words.join(", ") + more }
-}
-
-fn output_words(filter: Filter) -> String {
-    filter.output_kinds().iter().map(|kind| kind.word()).collect::<Vec<_>>().join(", ")
-}
-
-/// Describes a filter and its parameters. `suggested` holds the values that suit given inputs.
-pub(crate) fn describe_filter(filter: Filter, suggested: Option<&[f64]>) -> String {
-    let mut text = format!("{}: {}\n", filter.id(), filter.name());
-    wrap(&mut text, "  ", filter.help());
-    let replaces = if filter.replaces_input() { "; the first replaces the first input" } else { "" };
-    text += &format!(
-        "\n  category   {}\n  script     {}\n  inputs     {}\n  outputs    {}{replaces}\n",
-        filter.category(),
-        filter.script_name(),
-        input_words(filter),
-        output_words(filter)
-    );
-    wrap(&mut text, "  reference  ", filter.reference());
-    for param in filter.params() {
-        text += &format!(
-            "\n  -p {}={}\n      {}: {}",
-            param.id(),
-            print_value(param, param.default_values()),
-            param.label(),
-            kind_name(param.kind())
-        );
-        if !matches!(param.kind(), ParamKind::Bool | ParamKind::Choice) {
-            let [min, max] = param.range().map(|bound| print_value(param, &vec![bound; param.values().len()]));
-            let first = |text: String| text.split(',').next().unwrap_or_default().to_owned();
-            text += &format!(", from {} to {}", first(min), first(max));
-        }
-        text.push('\n');
-        if let Some(suggested) = suggested {
-            text += &format!("      for these inputs: {}\n", print_value(param, &suggested[param.values()]));
-        }
-        wrap(&mut text, "      ", param.help());
-        for (label, help) in param.choices() {
-            wrap(&mut text, &format!("        {}  ", slug(label)), help);
-        }
-    }
-    text
-}
-
-/// Appends text in lines of at most [`MAX_WIDTH`] characters after a heading.
-fn wrap(text: &mut String, heading: &str, words: &str) {
-    let indent = " ".repeat(heading.len());
-    let mut line = heading.to_owned();
-    let mut is_empty = true;
-    for word in words.split_whitespace() {
-        if !is_empty && line.len() + 1 + word.len() > MAX_WIDTH {
-            *text += &line;
-            text.push('\n');
-            line.clone_from(&indent);
-            is_empty = true;
-        }
-        if !is_empty {
-            line.push(' ');
-        }
-        line += word;
-        is_empty = false;
-    }
-    *text += line.trim_end();
-    text.push('\n');
 }

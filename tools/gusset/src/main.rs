@@ -1,12 +1,15 @@
 //! The program `gusset` runs the filters of a plugin on files.
 //!
-//! `commands` declares the command line, `run` runs one filter, `batch` many files, `carry` brings attributes over, `reading` and
-//! `writing` open files by way of `gusset-io`, and `plugin` is the only part that calls a library.
+//! `commands` declares the command line, `run` runs one filter, `batch` many files, `carry` brings attributes over, `certificate`
+//! states facts about results, `reading` and `writing` open files by way of `gusset-io`, and `plugin` is the only part that calls a
+//! library.
 
 mod batch;
 mod carry;
+mod certificate;
 mod commands;
 mod failure;
+mod filter_listing;
 mod html;
 mod info;
 mod pages;
@@ -21,8 +24,9 @@ mod values;
 mod writing;
 
 use clap::ArgMatches;
-use commands::{FILTER_COMMANDS, command_line, describe_filter, list_filters};
+use commands::{FILTER_COMMANDS, command_line};
 use failure::{Exit, Failure};
+use filter_listing::{describe_filter, list_filters};
 use plugin::{Filter, Geometry, Inputs, OutputKind, Plugin};
 use serde_json::{Value, json};
 use std::ffi::{OsStr, OsString};
@@ -134,6 +138,7 @@ fn dispatch(name: &str, options: &ArgMatches, plugin: Result<Plugin, Failure>) -
             batch::run_all(&files, &request::batch_options(options), request::has_flag(options, "json"), work)?;
             Ok(Done::Well)
         }
+        "certify" => certify(plugin?, options).map(Done::from),
         "filters" => show_filters(plugin?, options).map(Done::from),
         "run" => {
             let filter = find_filter(plugin?, text(options, "filter"))?;
@@ -198,6 +203,9 @@ fn run_each(filter: Filter, request: &run::RunRequest, batch: &request::BatchOpt
     let writes = filter.output_kinds().iter().any(|&kind| kind != OutputKind::Text);
     if request.html.is_some() {
         return Err(Failure::usage("--html shows the result of one file"));
+    }
+    if request.certificate.is_some() {
+        return Err(Failure::usage("--certificate is about the result of one file: name it with -o"));
     }
     if !request.outputs.is_empty() || (writes && batch.out_dir.is_none() && !request.is_dry) {
         return Err(Failure::usage(format!(
@@ -282,6 +290,14 @@ fn convert_file(
     let mut made = reading::describe(&output.shown(), &document);
     made["lost"] = json!(if is_dry { Vec::new() } else { writing.write(output, &document, Vec::new())? });
     Ok((String::new(), json!({ "command": "convert", "inputs": [described], "outputs": [made] })))
+}
+
+fn certify(plugin: Plugin, options: &ArgMatches) -> Result<(), Failure> {
+    let files = request::inputs(options)?;
+    let split = files.split_at(files.len() - 1);
+    let output = options.get_one::<OsString>("output").map_or(reading::FileName::Standard, reading::FileName::new);
+    let (threads, steering) = request::steering(options);
+    certificate::write_certificate(plugin, split.into(), &output, &request::reading(options), threads, &steering)
 }
 
 fn show_filters(plugin: Plugin, options: &ArgMatches) -> Result<(), Failure> {

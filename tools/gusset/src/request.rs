@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::plugin::Filter;
 use crate::reading::{FileName, Reading, expand_folders};
 use crate::run::RunRequest;
+use crate::steering::Steering;
 use crate::values::slug;
 use crate::writing::Writing;
 use clap::ArgMatches;
@@ -85,10 +86,21 @@ pub(crate) fn run_request(
         reading: reading(options),
         writing: writing(options),
         threads: option(options, "threads").unwrap_or(0),
-        progress: has_flag(options, "progress") || std::io::IsTerminal::is_terminal(&std::io::stderr()),
+        progress: shows_progress(options),
         cancel_after: option::<Duration>(options, "cancel-after"),
         html: option::<OsString>(options, "html").map(PathBuf::from),
+        certificate: option::<OsString>(options, "certificate").map(|word| FileName::new(&word)),
     })
+}
+
+fn shows_progress(options: &ArgMatches) -> bool {
+    has_flag(options, "progress") || std::io::IsTerminal::is_terminal(&std::io::stderr())
+}
+
+/// Returns the number of threads, and what follows a run without a filter.
+pub(crate) fn steering(options: &ArgMatches) -> (u32, Steering) {
+    let steering = Steering::new(shows_progress(options), option::<Duration>(options, "cancel-after"));
+    (option(options, "threads").unwrap_or(0), steering)
 }
 
 /// Parameters that are options of the command.

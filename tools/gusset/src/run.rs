@@ -1,6 +1,7 @@
 //! A run of a filter from files to files.
 
 use crate::carry::carry;
+use crate::certificate::{check_files, write_certificate};
 use crate::failure::{Exit, Failure, Refusal, counted};
 use crate::html;
 use crate::pieces::{Piece, attribute_names};
@@ -32,12 +33,19 @@ pub(crate) struct RunRequest {
     pub(crate) cancel_after: Option<Duration>,
     /// Page that shows the result.
     pub(crate) html: Option<PathBuf>,
+    /// File for the certificate of the result.
+    pub(crate) certificate: Option<FileName>,
 }
 
 /// Runs a filter, prints its texts unless JSON is asked for, and writes its results. Returns the report.
 pub(crate) fn run(filter: Filter, request: &RunRequest) -> Result<Value, Failure> {
     check_count(filter, request.inputs.len())?;
     let files = assign_outputs(filter, request)?;
+    if request.certificate.is_some() {
+        let result = request.outputs.first().filter(|_| !request.is_dry);
+        let result = result.ok_or_else(|| Failure::usage("--certificate is about a file: name the result with -o"))?;
+        check_files(&request.inputs, result)?;
+    }
     // Wrong words are refused before files are read.
     parse_values(filter, filter.default_values(), &request.params)?;
     let loaded = Loaded::read(filter, request)?;
@@ -61,6 +69,13 @@ pub(crate) fn run(filter: Filter, request: &RunRequest) -> Result<Value, Failure
     write_outputs(&outputs, &files, &loaded, request, &mut report)?;
     if let Some(path) = &request.html {
         write_page(path, &outputs, &loaded, request, &report)?;
+    }
+    if let Some(file) = &request.certificate {
+        let steering = Steering::new(request.progress, None);
+        let files = [&request.inputs[..], &request.outputs[..1]];
+        let done = write_certificate(filter.plugin(), files, file, &request.reading, request.threads, &steering);
+        steering.finish();
+        done?;
     }
     Ok(report)
 }

@@ -9,5 +9,5 @@ mod predicates;
 mod triangle_fans;
 mod triangle_pairs;
 
-pub(crate) use predicates::{is_on_triangle, ray_meets_triangle};
+pub(crate) use predicates::{are_collinear, is_on_triangle, ray_meets_triangle};
 pub(crate) use triangle_pairs::{TriangleSoup, intersecting_pairs, intersecting_pairs_where};

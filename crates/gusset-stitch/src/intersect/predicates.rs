@@ -69,6 +69,11 @@ fn non_degenerate_projection([a, b, c]: [DVec3; 3]) -> Option<AxisProjection> {
     (0..3).map(AxisProjection).find(|along| along.projected_double_area(a, b, c) != 0.0)
 }
 
+/// Returns true if the corners of a triangle lie on one line.
+pub(crate) fn are_collinear(triangle: [DVec3; 3]) -> bool {
+    non_degenerate_projection(triangle).is_none()
+}
+
 /// Returns true if the closed segment pq meets the closed triangle.
 fn segment_meets(p: DVec3, q: DVec3, triangle: [DVec3; 3]) -> bool {
     let [a, b, c] = triangle;

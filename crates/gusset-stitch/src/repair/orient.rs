@@ -167,7 +167,7 @@ pub struct Outwards {
 }
 
 /// Finds the components that face the wrong side, and those without volume.
-fn find_wrong_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
+pub(crate) fn find_wrong_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.6))?;
     let mut against = alloc::filled(false, mesh.faces().len())?;
     let mut search = ComponentSearch::new(mesh, &topology)?;

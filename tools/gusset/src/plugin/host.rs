@@ -36,7 +36,8 @@ impl<'a> Callbacks<'a> {
     }
 }
 
-unsafe extern "C" fn progress(user: *mut c_void, fraction: f64, stage: *const c_char) -> i32 {
+/// Tells the watcher of `Callbacks` of progress.
+pub(super) unsafe extern "C" fn progress(user: *mut c_void, fraction: f64, stage: *const c_char) -> i32 {
     // SAFETY: the plugin passes back the pointer of `host`.
     let callbacks = unsafe { &*user.cast::<Callbacks<'_>>() };
     // A panic must not cross the plugin; the run goes on without progress.

@@ -1,5 +1,6 @@
 //! A loaded plugin.
 
+use super::certificates::CertificateFunctions;
 use super::filter::Filter;
 use super::table_text;
 use crate::failure::{Exit, Failure};
@@ -13,6 +14,8 @@ use std::path::PathBuf;
 #[derive(Clone, Copy)]
 pub(crate) struct Plugin {
     tables: &'static gusset_plugin,
+    /// Absent in libraries of others.
+    certificates: Option<CertificateFunctions>,
 }
 
 // SAFETY: the tables never change, and their functions may be called from any thread.
@@ -36,7 +39,8 @@ impl Plugin {
     fn linked() -> Self {
         // SAFETY: the entry function returns the tables of this version of the library, which live until the program ends.
         let tables = unsafe { gusset::capi::plugin::gusset_plugin_entry(GUSSET_PLUGIN_ABI).as_ref() };
-        Self { tables: tables.expect("the linked library serves its own version") }
+        let tables = tables.expect("the linked library serves its own version");
+        Self { tables, certificates: Some(CertificateFunctions::linked()) }
     }
 
     #[cfg(not(feature = "linked"))]
@@ -68,9 +72,10 @@ impl Plugin {
             .ok_or_else(|| {
                 Failure::new(Exit::Plugin, format!("{name} does not serve hosts of ABI {GUSSET_PLUGIN_ABI}"))
             })?;
+        let certificates = CertificateFunctions::find(&library);
         // The tables are used until the program ends.
         std::mem::forget(library);
-        Ok(Self { tables })
+        Ok(Self { tables, certificates })
     }
 
     /// Returns the plugin's name and version.
@@ -96,6 +101,10 @@ impl Plugin {
         found
             .map(|raw| Filter::new(self, raw))
             .or_else(|| self.filters().into_iter().find(|filter| filter.script_name() == name))
+    }
+
+    pub(super) fn certificate_functions(self) -> Option<CertificateFunctions> {
+        self.certificates
     }
 
     pub(super) fn tables(self) -> &'static gusset_plugin {

@@ -3,12 +3,14 @@
 //! This folder alone is unsafe. It trusts a plugin to follow `gusset_plugin.h`, as every host does.
 #![allow(unsafe_code)]
 
+mod certificates;
 mod filter;
 mod host;
 mod inputs;
 mod library;
 mod outputs;
 
+pub(crate) use certificates::Certificate;
 pub(crate) use filter::{Filter, OutputKind, Param, ParamKind};
 pub(crate) use host::Watcher;
 pub(crate) use inputs::{Geometry, Inputs};
