@@ -26,6 +26,7 @@ gusset repair joined.obj -o repaired.obj
 #! [unite]
 gusset unite repaired.obj whole.glb -o solid.obj
 #! [unite]
+
 #! [certificate]
 gusset fill left.obj -o full.obj --certificate full.json
 gusset certify left.obj right.obj joined.obj -o joined.json

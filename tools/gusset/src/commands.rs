@@ -66,6 +66,7 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
         about: "Replaces closed meshes by their union",
         example: "gusset unite handle.stl blade.stl -o tool.stl",
         smooth: &[],
+        certifies: true,
     },
     FilterCommand {
         name: "weld",
