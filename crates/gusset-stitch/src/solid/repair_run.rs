@@ -43,13 +43,7 @@ const STAGE: &str = "repairing";
 ///   [`Repaired::after`].
 pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Repaired> {
     let mut run = RepairRun::start(&[*mesh], options, &job.part(0.0, 0.1))?;
-    for round in 0..MAX_ROUNDS {
-        let changes = run.state.changes;
-        run.run_stages(round, &job.part(0.1, 0.8).share(round, MAX_ROUNDS))?;
-        if run.state.changes == changes {
-            break;
-        }
-    }
+    run.run_rounds(&job.part(0.1, 0.8))?;
     run.conclude(&[*mesh], &job.part(0.8, 1.0))
 }
 
@@ -68,9 +62,18 @@ pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<R
 ///   [`Error::TooLarge`](gusset_base::Error::TooLarge), [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 ///   [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> {
-    let options = Options::default();
+    // Faces that rounding makes flat are dropped, and what this makes intersect is united again.
+    let options = Options {
+        leave_borders: true,
+        leave_duplicates: true,
+        leave_non_manifold: true,
+        leave_holes: true,
+        leave_fins: true,
+        leave_orientation: true,
+        ..Options::default()
+    };
     let mut run = RepairRun::start(pieces, &options, &job.part(0.0, 0.05))?;
-    unite_all_faces(&mut run.state, &job.part(0.05, 0.8)).map_err(|error| match error {
+    unite_all_faces(&mut run.state, &job.part(0.05, 0.6)).map_err(|error| match error {
         Error::MeshNotClosed { mut face, .. } => {
             let mut input = 0;
             while let Some(piece) = pieces.get(input as usize).filter(|piece| face as usize >= piece.faces().len()) {
@@ -81,6 +84,7 @@ pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> 
         }
         error => error,
     })?;
+    run.run_rounds(&job.part(0.6, 0.8))?;
     run.conclude(pieces, &job.part(0.8, 1.0))
 }
 
@@ -164,6 +168,18 @@ impl<'o> RepairRun<'o> {
         let topology = Topology::new(&view, &job.part(0.3, 0.9))?;
         let border = topology.border_half_edges(&job.part(0.9, 1.0))?;
         Ok(border.iter().any(|&h| topology.opposite(h) == Opposite::Free))
+    }
+
+    /// Runs all stages until nothing changes.
+    fn run_rounds(&mut self, job: &Job<'_>) -> Result<()> {
+        for round in 0..MAX_ROUNDS {
+            let changes = self.state.changes;
+            self.run_stages(round, &job.share(round, MAX_ROUNDS))?;
+            if self.state.changes == changes {
+                break;
+            }
+        }
+        Ok(())
     }
 
     /// Runs all stages once.
