@@ -25,6 +25,9 @@ use gusset_mesh::{MeshView, NONE, Opposite, Topology, concat};
 /// sheets can have borders that coincide.
 const MAX_ROUNDS: usize = 4;
 
+/// Largest number of times that all rounds run.
+const MAX_PASSES: usize = 3;
+
 const STAGE: &str = "repairing";
 
 /// Repairs a mesh: see [the stages](super).
@@ -170,12 +173,20 @@ impl<'o> RepairRun<'o> {
         Ok(border.iter().any(|&h| topology.opposite(h) == Opposite::Free))
     }
 
-    /// Runs all stages until nothing changes.
+    /// Runs all stages until nothing changes. Borders of separated sheets stay apart within a pass, and meet in the
+    /// next one, as in a second repair.
     fn run_rounds(&mut self, job: &Job<'_>) -> Result<()> {
-        for round in 0..MAX_ROUNDS {
-            let changes = self.state.changes;
-            self.run_stages(round, &job.share(round, MAX_ROUNDS))?;
-            if self.state.changes == changes {
+        for pass in 0..MAX_PASSES {
+            let job = job.share(pass, MAX_PASSES);
+            let copies = self.split_vertices;
+            for round in 0..MAX_ROUNDS {
+                let changes = self.state.changes;
+                self.run_stages(round, &job.part(0.0, 0.95).share(round, MAX_ROUNDS))?;
+                if self.state.changes == changes {
+                    break;
+                }
+            }
+            if self.split_vertices == copies || !self.has_border(&job.part(0.95, 1.0))? {
                 break;
             }
         }
