@@ -8,7 +8,7 @@ import numpy as np
 
 from meshes import Mesh
 
-#: Faces with a corner within so many edges of a defect may change.
+#: Faces with a corner within this many edges of a defect may change.
 REACH = 3
 
 
@@ -103,6 +103,11 @@ class Work:
                 if len(chosen) == count:
                     break
         return np.array(chosen, dtype=np.int64)
+
+    def places(self, count):
+        """The rows of some faces, each when it is needed: rows move as faces are removed."""
+        for source in self.source[self.some_rows(count)].tolist():
+            yield int(np.flatnonzero(self.source == source)[0])
 
     def disc(self, size):
         """Rows of a connected set of free faces."""
@@ -226,7 +231,7 @@ def folds(work):
 
 def junctions(work):
     """Edges with vertices of only one of their faces."""
-    for row in work.some_rows(15):
+    for row in work.places(15):
         a, b, c = work.faces[row]
         work.touch([a, b, c])
         work.touch(work.faces[work.opposite_row(a, b)])
@@ -240,7 +245,7 @@ def junctions(work):
 
 def needles(work):
     """Triangles of small height: short sides, caps, caps beyond their side, and caps without area."""
-    for k, row in enumerate(work.some_rows(16)):
+    for k, row in enumerate(work.places(16)):
         a, b, c = work.faces[row]
         other = work.opposite_row(a, b)
         d = next(v for v in work.faces[other] if v not in (a, b))
