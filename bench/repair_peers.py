@@ -2,6 +2,8 @@
 writes the time. Peers run the functions that their manuals name for repair, in the order that solves most cases."""
 
 import json
+import os
+import select
 import subprocess
 import sys
 import time
@@ -23,7 +25,8 @@ manifold3d = Peer("manifold3d")
 
 
 def by_pymeshfix(mesh):
-    fixer = pymeshfix.PyTMesh(False)
+    fixer = pymeshfix.PyTMesh()
+    fixer.set_quiet(True)
     fixer.load_array(mesh.points, mesh.faces.astype(np.int32))
     fixer.fill_small_boundaries()
     fixer.clean(max_iters=10, inner_loops=3)
@@ -53,16 +56,12 @@ def by_meshlib(mesh):
 def by_pymeshlab(mesh):
     work = pymeshlab.MeshSet(verbose=False)
     work.add_mesh(pymeshlab.Mesh(mesh.points, mesh.faces.astype(np.int32)))
-    work.meshing_remove_duplicate_vertices()
-    work.meshing_remove_duplicate_faces()
-    work.meshing_remove_null_faces()
-    work.meshing_snap_mismatched_borders()
-    work.meshing_repair_non_manifold_edges()
-    work.meshing_repair_non_manifold_vertices()
-    for name, options in (("meshing_close_holes", {"maxholesize": 10_000}), ("meshing_re_orient_faces_coherently", {}),
-                          ("meshing_re_orient_faces_by_geometry", {})):
+    steps = ("meshing_remove_duplicate_vertices", "meshing_remove_duplicate_faces", "meshing_remove_null_faces")
+    manifold = ("meshing_repair_non_manifold_edges", "meshing_repair_non_manifold_vertices", "meshing_re_orient_faces_coherently")
+    for name in (*steps, *manifold, "meshing_snap_mismatched_borders", *steps, *manifold, "meshing_close_holes", *manifold,
+                 "meshing_close_holes", "meshing_re_orient_faces_by_geometry"):
         try:
-            getattr(work, name)(**options)
+            getattr(work, name)(**({"maxholesize": 10_000} if name == "meshing_close_holes" else {}))
         except Exception:  # A filter that refuses the mesh leaves it as it is.
             pass
     made = work.current_mesh()
@@ -102,22 +101,20 @@ class Worker:
 
     def ask(self, line):
         """The answer to a line, or why there is none."""
-        import select
-
         if self.child is None:
-            self.child = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            self.child = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, bufsize=0)
+        deadline, said, failed = time.monotonic() + self.patience, b"", f"not done in {self.patience:.0f} s"
         try:
-            self.child.stdin.write(line + "\n")
-            self.child.stdin.flush()
-            deadline = time.monotonic() + self.patience
-            while time.monotonic() < deadline:
-                if select.select([self.child.stdout], [], [], max(0.0, deadline - time.monotonic()))[0]:
-                    said = self.child.stdout.readline()
-                    if not said:
-                        break
-                    if said.startswith("{"):  # Peers print too.
-                        return json.loads(said)
-            failed = "died" if self.child.poll() is not None else f"not done in {self.patience:.0f} s"
+            self.child.stdin.write(line.encode() + b"\n")
+            while select.select([self.child.stdout], [], [], max(0.0, deadline - time.monotonic()))[0]:
+                part = os.read(self.child.stdout.fileno(), 1 << 16)
+                if not part:
+                    failed = "died"
+                    break
+                said += part
+                answers = [row for row in said.split(b"\n")[:-1] if row.startswith(b"{")]  # Peers print too.
+                if answers:
+                    return json.loads(answers[-1])
         except BrokenPipeError:
             failed = "died"
         self.close()

@@ -232,8 +232,8 @@ impl<'o> RepairRun<'o> {
         Sheets::find(&view, &topology, &fans, &patches, &job.part(0.6, 1.0))
     }
 
-    /// Drops the open sheets that were attached to a sheet which is closed now and has a larger area.
-    /// Attachments at patches are not known.
+    /// Drops the open sheets that were attached to a sheet which is closed now and has a larger area, and
+    /// the open sheets attached to those. Attachments at patches are not known.
     fn drop_fins(&mut self, job: &Job<'_>) -> Result<()> {
         if self.options.leave_fins || self.attached.is_empty() {
             return Ok(());
@@ -268,9 +268,18 @@ impl<'o> RepairRun<'o> {
                 Some(&f) if f != NONE => Some(components[f as usize] as usize),
                 _ => None,
             };
-            for &[sheet, host] in &self.attached {
-                let (Some(sheet), Some(host)) = (component(sheet), component(host)) else { continue };
-                is_fin[sheet] |= is_open[sheet] && !is_open[host] && areas[sheet] < areas[host];
+            // The area of a closed component, and of the host of a fin: fins can hold fins.
+            let mut host_areas = alloc::filled(0.0, faces.len())?;
+            (0..faces.len()).filter(|&f| !is_open[f]).for_each(|f| host_areas[f] = areas[f]);
+            let mut is_changed = true;
+            while std::mem::take(&mut is_changed) {
+                job.step(0.9, STAGE)?;
+                for &[sheet, host] in &self.attached {
+                    let (Some(sheet), Some(host)) = (component(sheet), component(host)) else { continue };
+                    if is_open[sheet] && !is_fin[sheet] && areas[sheet] < host_areas[host] {
+                        (is_fin[sheet], host_areas[sheet], is_changed) = (true, host_areas[host], true);
+                    }
+                }
             }
             alloc::collect(components.iter().map(|&root| is_fin[root as usize].then_some(DropReason::Fin)))?
         };

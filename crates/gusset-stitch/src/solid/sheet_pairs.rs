@@ -34,7 +34,7 @@ pub(super) struct Sheets {
     /// The pairs of half-edges that remain together at edges with three or more faces.
     pub(super) pairs: Vec<[u32; 2]>,
     /// A face of each open sheet that was attached to an edge, and a face of the sheet that keeps
-    /// the edge.
+    /// the edge, or of another open sheet there.
     pub(super) attached: Vec<[u32; 2]>,
 }
 
@@ -84,6 +84,9 @@ impl Sheets {
         closed.retain(|&h| self.reasons[face(h) as usize].is_none());
         if let Some(&host) = closed.first() {
             open.iter().try_for_each(|&h| alloc::push(&mut self.attached, [face(h), face(host)]))?;
+        }
+        for pair in open.windows(2).map(|pair| [face(pair[0]), face(pair[1])]) {
+            alloc::extend(&mut self.attached, [pair, [pair[1], pair[0]]].into_iter())?;
         }
         let is_back = |side: u32| side % 2 == 1;
         if has_solid {

@@ -47,7 +47,8 @@ pub(super) fn separate_vertex_contacts(state: &mut RepairState, job: &Job<'_>) -
         let (v, _, _, face) = group[0];
         let copy = old + copies.len() as u32;
         alloc::push(&mut copies, v)?;
-        alloc::push(&mut contacts.faces, [face, owners[v as usize]])?;
+        let before = std::mem::replace(&mut owners[v as usize], face);
+        alloc::push(&mut contacts.faces, [face, before])?;
         group.iter().for_each(|&(_, _, corner, _)| state.mesh.face_corners[corner as usize] = copy);
     }
     contacts.copies = copies.len() as u32;
