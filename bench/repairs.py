@@ -8,7 +8,6 @@ import math
 import statistics
 import sys
 import zlib
-from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -47,14 +46,10 @@ class Judge:
             raise RuntimeError(said["failed"])
         return said
 
-    def _written(self, points, faces, name="asked.mesh"):
-        path = self.folder / name
+    def _written(self, points, faces):
+        path = self.folder / "asked.mesh"
         meshes.write(Mesh(points, np.asarray(faces)), path)
         return path
-
-    @property
-    def _truth(self):
-        return self.folder / "truth.mesh"
 
     def pairs(self, points, faces):
         return np.array(self.ask(pairs=self._written(points, faces))["pairs"], dtype=np.int64).reshape(-1, 2)
@@ -120,15 +115,12 @@ def kept(case, points, faces):
 class Repairs:
     def __init__(self, prefix, tools, folder, contenders=("gusset", *CONTENDERS)):
         self.folder, self.judge = folder, Judge(tools, folder)
+        self.held = None  # The bases, as soon as they are needed.
         self.workers = {}
         for name in contenders:
             command = [str(tools / "repair_judge")] if name == "cgal" else [
                 sys.executable, str(Path(__file__).with_name("repair_peers.py")), name, str(prefix)]
             self.workers[name] = Worker(command, PATIENCE)
-
-    @cache
-    def bases(self):
-        return bases(self.judge)
 
     def repaired(self, name, given, out):
         line = json.dumps({"repair": str(given), "out": str(out)}) if name == "cgal" else f"{given}\t{out}"
@@ -151,19 +143,21 @@ class Repairs:
             said["idempotent"] = "failed" not in self.repaired(name, out, again) and again.read_bytes() == out.read_bytes()
         return said
 
-    def run(self, kind, numbers=range(CASES), report=None):
-        """Everybody's measures of each case of a kind."""
+    def run(self, kind, names, numbers=range(CASES)):
+        """The contenders' measures of each case of a kind."""
+        self.held = self.held or bases(self.judge)
         given, truth = self.folder / "given.mesh", self.folder / "original.mesh"
         cases = []
         for number in numbers:
-            case = make_case(kind, number, self.bases(), self.judge)
+            case = make_case(kind, number, self.held, self.judge)
             meshes.write(Mesh(case.points, case.faces), given)
             meshes.write(case.truth, truth)
-            found = {name: self.measured(name, case, given, truth) for name in self.workers}
-            cases.append(found)
-            if report:
-                report(case, found)
+            cases.append({name: self.measured(name, case, given, truth) for name in names})
         return cases
+
+    def close(self):
+        for worker in (self.judge.worker, *self.workers.values()):
+            worker.close()
 
 
 def summary(cases, who):
@@ -185,12 +179,13 @@ def nearer(cases, peer):
 
 
 def run(prefix, report, tools, folder, only):
+    repairs = Repairs(prefix, tools, folder)
     for kind in KINDS:
         peers = [peer for peer in CONTENDERS if only in f"repair/{kind}/{peer}"]
         if not peers:
             continue
-        repairs = Repairs(prefix, tools, folder, ("gusset", *peers))
-        cases = repairs.run(kind)
+        cases = repairs.run(kind, ("gusset", *peers))
         for peer in peers:
             quality = {"cases": len(cases), **summary(cases, "gusset"), "peer": summary(cases, peer)}
             report.add(f"repair/{kind}", peer, 1.0, nearer(cases, peer), quality, unit="distance")
+    repairs.close()
