@@ -101,9 +101,11 @@ class Worker:
 
     def ask(self, line):
         """The answer to a line, or why there is none."""
+        patience = self.patience
         if self.child is None:
+            patience *= 4  # It also loads its library.
             self.child = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, bufsize=0)
-        deadline, said, failed = time.monotonic() + self.patience, b"", f"not done in {self.patience:.0f} s"
+        deadline, said, failed = time.monotonic() + patience, b"", f"not done in {patience:.0f} s"
         try:
             self.child.stdin.write(line.encode() + b"\n")
             while select.select([self.child.stdout], [], [], max(0.0, deadline - time.monotonic()))[0]:

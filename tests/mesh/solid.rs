@@ -351,7 +351,7 @@ proptest! {
     }
 
     #[test]
-    fn narrow_gaps_are_closed(size in prop::array::uniform3(1..=SIZE), width in 1e-3..0.12, seed: u64) {
+    fn narrow_gaps_are_closed(size in prop::array::uniform3(1..=SIZE), width in 1e-3..0.12f64, seed: u64) {
         let cells = (0..size[0]).flat_map(|x| (0..size[1]).flat_map(move |y| (0..size[2]).map(move |z| [x, y, z])));
         let cells: BTreeSet<Cell> = cells.collect();
         let mut random = Random(seed);
@@ -360,7 +360,7 @@ proptest! {
         let mut apart = mesh_of(moved.iter().copied());
         for point in &mut apart.points {
             if shared.contains(&point.map(|x| x as i32)) {
-                let offset = DVec3::from_array([0; 3].map(|_| random.below(1001) as f64 - 500.0)).normalize_or_zero();
+                let offset = DVec3::from_array([0.0; 3].map(|_| random.below(1001) as f64 - 500.0)).normalize_or_zero();
                 *point = (DVec3::from_array(*point) + width * offset).to_array();
             }
         }

@@ -86,7 +86,7 @@ impl Sheets {
             open.iter().try_for_each(|&h| alloc::push(&mut self.attached, [face(h), face(host)]))?;
         }
         for pair in open.windows(2).map(|pair| [face(pair[0]), face(pair[1])]) {
-            alloc::extend(&mut self.attached, [pair, [pair[1], pair[0]]].into_iter())?;
+            alloc::extend(&mut self.attached, [pair, [pair[1], pair[0]]])?;
         }
         let is_back = |side: u32| side % 2 == 1;
         if has_solid {
