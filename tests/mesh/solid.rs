@@ -374,6 +374,23 @@ proptest! {
     }
 
     #[test]
+    fn pinholes_of_thin_walls_are_filled(size in 1..=SIZE, thickness in 1e-3..0.1f64, pick: prop::sample::Index) {
+        let cells = (0..size).flat_map(|x| (0..size).flat_map(move |y| (0..size).map(move |z| [x, y, z])));
+        let mut walls = outer_walls(&cells.collect());
+        let removed = pick.index(walls.len());
+        walls.remove(removed);
+        let outer = mesh_of(walls.iter().copied());
+        let mut inner = mesh_of(walls.iter().map(|&[a, b, c, d]| [d, c, b, a]));
+        let shrunk = |x: f64| thickness + x * (1.0 - 2.0 * thickness / f64::from(size));
+        inner.points.iter_mut().for_each(|point| *point = point.map(shrunk));
+        let repaired = repaired(&outer.and(&inner));
+        assert_manifold(&repaired);
+        prop_assert_eq!((repaired.filled_holes, repaired.welded_vertices), (2, 0));
+        let expected = f64::from(size).powi(3) - (f64::from(size) - 2.0 * thickness).powi(3);
+        prop_assert!((volume_of(&repaired) - expected).abs() < 1e-9, "{} {}", volume_of(&repaired), expected);
+    }
+
+    #[test]
     fn boxes_that_overlap_become_their_union(corners in prop::collection::vec(prop::array::uniform6(0..6i32), 2..5)) {
         let boxes: Vec<[[i32; 2]; 3]> =
             corners.iter().map(|c| [0, 1, 2].map(|k| [c[k].min(c[k + 3]), c[k].max(c[k + 3]) + 1])).collect();

@@ -220,7 +220,7 @@ fn split_vertices(
 }
 
 /// Returns the unit vector from an edge into its face, perpendicular to the edge.
-fn direction_from_edge(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> DVec3 {
+pub(super) fn direction_from_edge(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> DVec3 {
     let point = |h: u32| mesh.positions().get(mesh.faces().corner(h));
     let start = point(h);
     let along = (point(topology.next(mesh, h)) - start).normalize_or_zero();
