@@ -375,6 +375,15 @@ class Library:
         points = array(view.positions, 3 * view.vertex_count, np.float64).reshape(-1, 3)
         return points, array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)
 
+    def repair(self, mesh):
+        address = c_void_p()
+        self._check(self.c.gusset_repair(None, byref(self._view(mesh)), None, byref(address)))
+        return Handle(self.c, "gusset_result_destroy", address)
+
+    def repaired(self, repair):
+        """Points and triangles. A repair may leave larger faces only if it is given some."""
+        return self.filled(repair)
+
     def outline(self, outlines, kind):
         """The curves through the points of closed outlines, by one thread."""
         given, options, address = sized(OutlinesGiven), sized(OutlineOptions), c_void_p()

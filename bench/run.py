@@ -13,6 +13,7 @@ import hosts
 import surface
 import meshes
 import outlines
+import repairs
 import scans
 import truth
 from cases import BOUNDARIES, OUTLINES, Cases
@@ -79,6 +80,8 @@ def main():
         elbows.run(library, report, options.tools, folder, options.only)
     if fills.wanted(options.only):
         fills.run(library, report, options.tools, folder, options.only)
+    if repairs.wanted(options.only):
+        repairs.run(options.prefix, report, options.tools, folder, options.only)
     if files.wanted(options.only):
         files.run(options.files, report, folder, options.only)
     if scans.wanted(options.only):

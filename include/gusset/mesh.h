@@ -1149,7 +1149,7 @@ typedef struct gusset_repair_options {
 } gusset_repair_options;
 
 /// Makes a valid solid of a mesh, and changes only faces at its defects. Stages, in order:
-/// - Borders that coincide are sewn, as by gusset_sew.
+/// - Borders that coincide are sewn, as by gusset_sew. Without a given tolerance, narrow gaps are closed.
 /// - Faces without area are dropped; their neighbours meet in their place.
 /// - Duplicate faces are dropped, except the first.
 /// - Holes are filled, as by gusset_fill.

@@ -343,6 +343,61 @@ proptest! {
     }
 
     #[test]
+    fn fins_at_vertices_are_dropped(cells in cells(), seed: u64) {
+        // Walls outside of the solid that meet it in one corner.
+        let cells = without_cavities(cells);
+        let outer = outer_walls(&cells);
+        let corners: BTreeSet<Cell> = outer.iter().flatten().copied().collect();
+        let stands = |wall: &[Cell; 4]| wall.iter().filter(|corner| corners.contains(*corner)).count() == 1;
+        let everywhere: BTreeSet<Cell> = (-1..=SIZE).flat_map(|x| (-1..=SIZE).flat_map(move |y| (-1..=SIZE).map(move |z| [x, y, z]))).collect();
+        let free: BTreeSet<Cell> = everywhere.difference(&cells).copied().collect();
+        let fins: Vec<_> = shuffled(inner_walls(&free), seed).into_iter().filter(stands).take(1).collect();
+        let soup = mesh_of(outer.iter().chain(&fins).copied());
+        let dropped: Vec<u32> = (outer.len()..outer.len() + fins.len()).map(|f| f as u32).collect();
+        assert_solid(&soup, &repaired(&soup), cells.len(), &dropped);
+    }
+
+    #[test]
+    fn narrow_gaps_are_closed(size in prop::array::uniform3(1..=SIZE), width in 1e-3..0.12f64, seed: u64) {
+        let cells = (0..size[0]).flat_map(|x| (0..size[1]).flat_map(move |y| (0..size[2]).map(move |z| [x, y, z])));
+        let cells: BTreeSet<Cell> = cells.collect();
+        let mut random = Random(seed);
+        let (fixed, moved): (Vec<_>, Vec<_>) = outer_walls(&cells).into_iter().partition(|_| random.below(2) == 0);
+        let shared: BTreeSet<Cell> = fixed.iter().flatten().copied().collect();
+        let mut apart = mesh_of(moved.iter().copied());
+        for point in &mut apart.points {
+            if shared.contains(&point.map(|x| x as i32)) {
+                let offset = DVec3::from_array([0.0; 3].map(|_| random.below(1001) as f64 - 500.0)).normalize_or_zero();
+                *point = (DVec3::from_array(*point) + width * offset).to_array();
+            }
+        }
+        let soup = mesh_of(fixed.iter().copied()).and(&apart);
+        let repaired = repaired(&soup);
+        assert_manifold(&repaired);
+        prop_assert!(repaired.is_valid() && repaired.dropped.is_empty());
+        prop_assert_eq!((repaired.filled_holes, repaired.mesh.face_count()), (0, fixed.len() + moved.len()));
+        prop_assert!(repaired.tolerance <= width * (1.0 + 1e-9));
+        prop_assert!((volume_of(&repaired) - cells.len() as f64).abs() < 1e-9, "{}", volume_of(&repaired));
+    }
+
+    #[test]
+    fn pinholes_of_thin_walls_are_filled(size in 1..=SIZE, thickness in 1e-3..0.1f64, pick: prop::sample::Index) {
+        let cells = (0..size).flat_map(|x| (0..size).flat_map(move |y| (0..size).map(move |z| [x, y, z])));
+        let mut walls = outer_walls(&cells.collect());
+        let removed = pick.index(walls.len());
+        walls.remove(removed);
+        let outer = mesh_of(walls.iter().copied());
+        let mut inner = mesh_of(walls.iter().map(|&[a, b, c, d]| [d, c, b, a]));
+        let shrunk = |x: f64| thickness + x * (1.0 - 2.0 * thickness / f64::from(size));
+        inner.points.iter_mut().for_each(|point| *point = point.map(shrunk));
+        let repaired = repaired(&outer.and(&inner));
+        assert_manifold(&repaired);
+        prop_assert_eq!((repaired.filled_holes, repaired.welded_vertices), (2, 0));
+        let expected = f64::from(size).powi(3) - (f64::from(size) - 2.0 * thickness).powi(3);
+        prop_assert!((volume_of(&repaired) - expected).abs() < 1e-9, "{} {}", volume_of(&repaired), expected);
+    }
+
+    #[test]
     fn boxes_that_overlap_become_their_union(corners in prop::collection::vec(prop::array::uniform6(0..6i32), 2..5)) {
         let boxes: Vec<[[i32; 2]; 3]> =
             corners.iter().map(|c| [0, 1, 2].map(|k| [c[k].min(c[k + 3]), c[k].max(c[k + 3]) + 1])).collect();

@@ -50,7 +50,7 @@ impl NearBorders {
         if alone.len() < 4 {
             return Ok(NearBorders::default());
         }
-        let partner = find_near_partners(mesh, &alone, &job.part(0.0, 0.8))?;
+        let partner = find_near_partners(mesh, &alone, MAX_NEAR_TO_EDGE_RATIO, &job.part(0.0, 0.8))?;
         if alone.iter().all(|&v| partner[v as usize] == NONE) {
             return Ok(NearBorders::default());
         }
@@ -94,12 +94,18 @@ impl NearBorders {
     }
 }
 
-/// Returns the near partner of each vertex of the mesh, or [`NONE`].
-fn find_near_partners(mesh: &MeshView<'_>, alone: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
+/// Returns the near partner of each vertex of the mesh, or [`NONE`]. Partners are mutually nearest among
+/// the vertices `alone`, and at most `max_ratio` times the shortest edge at either apart.
+pub(crate) fn find_near_partners(
+    mesh: &MeshView<'_>,
+    alone: &[u32],
+    max_ratio: f64,
+    job: &Job<'_>,
+) -> Result<Vec<u32>> {
     let shortest = shortest_edge_lengths(mesh, alone, 0.0, &job.part(0.0, 0.2))?;
     let points = alloc::collect(alone.iter().map(|&v| mesh.positions().get(v)))?;
     let tree = KdTree::new(&points, &job.part(0.2, 0.4), STAGE)?;
-    let limit = |i: usize| MAX_NEAR_TO_EDGE_RATIO * shortest[alone[i] as usize];
+    let limit = |i: usize| max_ratio * shortest[alone[i] as usize];
     let mut nearest = alloc::with_capacity(alone.len())?;
     for (i, &p) in points.iter().enumerate() {
         job.part(0.4, 1.0).step_every(VERTICES_PER_REPORT, i, points.len(), STAGE)?;

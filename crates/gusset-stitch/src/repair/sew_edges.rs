@@ -34,13 +34,13 @@ pub(super) fn is_free(topology: &Topology, h: u32) -> bool {
 }
 
 /// Returns the half-edges of free edges, with their ends.
-pub(super) fn free_edges(mesh: &MeshView<'_>, topology: &Topology) -> impl Iterator<Item = (u32, [u32; 2])> {
+pub(crate) fn free_edges(mesh: &MeshView<'_>, topology: &Topology) -> impl Iterator<Item = (u32, [u32; 2])> {
     let all = (0..mesh.faces().len()).flat_map(|f| half_edges(mesh, f));
     all.filter(|&(h, ..)| is_free(topology, h)).map(|(h, u, v)| (h, [u, v]))
 }
 
 /// Returns the ends of free edges, ascending.
-pub(super) fn free_vertices(mesh: &MeshView<'_>, topology: &Topology) -> Result<Vec<u32>> {
+pub(crate) fn free_vertices(mesh: &MeshView<'_>, topology: &Topology) -> Result<Vec<u32>> {
     let mut is_free = alloc::filled(false, mesh.positions().len())?;
     free_edges(mesh, topology).flat_map(|(_, ends)| ends).for_each(|v| is_free[v as usize] = true);
     alloc::gather((0..).zip(&is_free).filter(|&(_, &free)| free).map(|(v, _)| v))

@@ -4,14 +4,14 @@
 //! faces at the defects that it removes; other faces keep their vertices, and vertices their bits.
 //! Faces that are dropped are listed with their reasons.
 //!
-//! 1. Borders that coincide are sewn.
+//! 1. Borders that coincide are sewn, and without a given tolerance borders that nearly match.
 //! 2. Faces without area are dropped; their neighbours meet in their place.
 //! 3. Duplicate faces are dropped.
-//! 4. Holes are filled.
+//! 4. Components that share vertices, but no edges, get their own vertices. Holes are filled.
 //! 5. Where edges have three or more faces, the faces divide space into cells. Faces with the solid
 //!    on both sides are dropped. The remaining faces are separated into sheets.
 //! 6. Holes that separate sheets show are filled. Open sheets that were attached to a closed one
-//!    of larger area are dropped.
+//!    of larger area, by an edge or a vertex, are dropped.
 //! 7. Closed components are turned outwards.
 //! 8. If faces of closed components intersect, these are replaced by their [union](crate::arrange).
 //!
@@ -26,8 +26,10 @@
 //! | [`corner_place`](self) | places on faces of the input |
 //! | [`repair_state`](self) | the mesh between stages, with origins |
 //! | [`sew_borders`](self) | sewing |
+//! | [`near_gaps`](self) | borders that nearly match |
 //! | [`flat_faces`](self) | faces without area |
 //! | [`duplicate_removal`](self) | duplicate faces |
+//! | [`vertex_contacts`](self) | components that share vertices |
 //! | [`edge_fans`](self) | the radial order of faces around an edge |
 //! | [`patches`](self) | faces that are connected across edges with two faces |
 //! | [`solid_sides`](self) | the cells between faces, and the faces around the solid |
@@ -44,6 +46,7 @@ mod corner_place;
 mod duplicate_removal;
 mod edge_fans;
 mod flat_faces;
+mod near_gaps;
 mod patches;
 mod repair_request;
 mod repair_run;
@@ -52,6 +55,7 @@ mod sew_borders;
 mod sheet_pairs;
 mod twin_edges;
 mod united_parts;
+mod vertex_contacts;
 
 pub use corner_place::CornerPlace;
 pub use repair_request::{DropReason, DroppedFace, History, Options, Repaired};

@@ -4,6 +4,7 @@ use super::corner_place::CornerPlace;
 use super::duplicate_removal::mark_duplicates;
 use super::edge_fans::EdgeFans;
 use super::flat_faces::remove_flat_faces;
+use super::near_gaps::close_near_gaps;
 use super::patches::Patches;
 use super::repair_request::{DropReason, History, Options, Repaired};
 use super::repair_state::RepairState;
@@ -11,6 +12,7 @@ use super::sew_borders::{SewCounts, sew_borders};
 use super::sheet_pairs::Sheets;
 use super::twin_edges::split_twin_edges;
 use super::united_parts::{Uniting, unite_all_faces, unite_parts};
+use super::vertex_contacts::separate_vertex_contacts;
 use crate::check::{check, find_intersecting_faces, find_zero_area_faces};
 use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
 use crate::repair::orient::{self, Outward, orient};
@@ -100,7 +102,7 @@ struct RepairRun<'o> {
     counts: SewCounts,
     split_vertices: u32,
     filled_holes: u32,
-    /// A face of each open sheet that was attached, and a face of the sheet that it was attached to.
+    /// A face of the input of each sheet that was attached, and one of the sheet that it was attached to.
     attached: Vec<[u32; 2]>,
     /// The pairs of faces that intersect, if the last stage found them and changed nothing.
     intersections: Option<Vec<[u32; 2]>>,
@@ -159,8 +161,11 @@ impl<'o> RepairRun<'o> {
     /// Sews borders, unless the options leave them.
     fn sew(&mut self, round: usize, job: &Job<'_>) -> Result<()> {
         if !self.options.leave_borders && self.has_border(&job.part(0.0, 0.2))? {
-            let counts = sew_borders(&mut self.state, self.options.tolerance, round == 0, &job.part(0.2, 1.0))?;
+            let counts = sew_borders(&mut self.state, self.options.tolerance, round == 0, &job.part(0.2, 0.8))?;
             self.counts.add(&counts);
+            if round == 0 && self.options.tolerance.is_none() {
+                self.counts.add(&close_near_gaps(&mut self.state, &job.part(0.8, 1.0))?);
+            }
         }
         Ok(())
     }
@@ -198,11 +203,12 @@ impl<'o> RepairRun<'o> {
         self.sew(round, &job.part(0.0, 0.05))?;
         self.drop_flat_faces(&job.part(0.05, 0.1))?;
         self.drop_duplicates(&job.part(0.1, 0.2))?;
-        self.fill_holes(&job.part(0.2, 0.5))?;
+        self.separate_contacts(&job.part(0.2, 0.25))?;
+        self.fill_holes(&job.part(0.25, 0.5))?;
         if self.separate_sheets(&job.part(0.5, 0.7))? {
             self.fill_holes(&job.part(0.7, 0.85))?;
-            self.drop_fins(&job.part(0.85, 0.9))?;
         }
+        self.drop_fins(&job.part(0.85, 0.9))?;
         self.turn_outwards(&job.part(0.9, 0.92))?;
         if !self.options.leave_intersections {
             let job = job.part(0.92, 1.0);
@@ -236,6 +242,27 @@ impl<'o> RepairRun<'o> {
         }
         let marked = mark_duplicates(&self.state.mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 1.0))?;
         marked.map_or(Ok(()), |reasons| self.state.drop_faces(&reasons))
+    }
+
+    /// Separates components that share vertices, but no edges.
+    fn separate_contacts(&mut self, job: &Job<'_>) -> Result<()> {
+        if self.options.leave_non_manifold {
+            return Ok(());
+        }
+        let contacts = separate_vertex_contacts(&mut self.state, job)?;
+        self.split_vertices += contacts.copies;
+        contacts.faces.iter().try_for_each(|&[f, g]| self.list_attached([[f, g], [g, f]]))
+    }
+
+    /// Lists pairs of an attached sheet's face and its host's face, by their faces of the input.
+    fn list_attached<const N: usize>(&mut self, pairs: [[u32; 2]; N]) -> Result<()> {
+        for pair in pairs {
+            let origins = pair.map(|f| self.state.face_origin[f as usize]);
+            if !origins.contains(&NONE) {
+                alloc::push(&mut self.attached, origins)?;
+            }
+        }
+        Ok(())
     }
 
     /// Fills the holes, without changing other faces.
@@ -273,8 +300,8 @@ impl<'o> RepairRun<'o> {
         let sheets = self.find_sheets(&job.part(0.0, 0.4))?;
         let dropped = sheets.reasons.iter().any(Option::is_some);
         let separated = sheets.pairs.len();
-        let copies;
-        (copies, self.attached) = sheets.separate(&mut self.state, &job.part(0.4, 0.6))?;
+        let (copies, attached) = sheets.separate(&mut self.state, &job.part(0.4, 0.6))?;
+        attached.into_iter().try_for_each(|pair| self.list_attached([pair]))?;
         if separated > 0 {
             let twins = self.find_sheets(&job.part(0.6, 0.9))?;
             split_twin_edges(&mut self.state, &twins.pairs, &job.part(0.9, 1.0))?;
@@ -291,7 +318,8 @@ impl<'o> RepairRun<'o> {
         Sheets::find(&view, &topology, &fans, &patches, &job.part(0.6, 1.0))
     }
 
-    /// Drops the open sheets that were attached to a sheet which is closed now and has a larger area.
+    /// Drops the open sheets that were attached to a sheet which is closed now and has a larger area, and
+    /// the open sheets attached to those. Attachments at patches are not known.
     fn drop_fins(&mut self, job: &Job<'_>) -> Result<()> {
         if self.options.leave_fins || self.attached.is_empty() {
             return Ok(());
@@ -317,9 +345,27 @@ impl<'o> RepairRun<'o> {
                 areas[root] += area(&view, f);
             }
             let mut is_fin = alloc::filled(false, faces.len())?;
-            for &[sheet, host] in &self.attached {
-                let [sheet, host] = [sheet, host].map(|f| components[f as usize] as usize);
-                is_fin[sheet] |= is_open[sheet] && !is_open[host] && areas[sheet] < areas[host];
+            let inputs = self.state.face_origin.iter().filter(|&&f| f != NONE).map(|&f| f as usize + 1).max();
+            let mut face_of_input = alloc::filled(NONE, inputs.unwrap_or(0))?;
+            for (f, &origin) in (0..).zip(&self.state.face_origin).filter(|&(_, &origin)| origin != NONE) {
+                face_of_input[origin as usize] = f;
+            }
+            let component = |origin: u32| match face_of_input.get(origin as usize) {
+                Some(&f) if f != NONE => Some(components[f as usize] as usize),
+                _ => None,
+            };
+            // The area of a closed component, and of the host of a fin: fins can hold fins.
+            let mut host_areas = alloc::filled(0.0, faces.len())?;
+            (0..faces.len()).filter(|&f| !is_open[f]).for_each(|f| host_areas[f] = areas[f]);
+            let mut is_changed = true;
+            while std::mem::take(&mut is_changed) {
+                job.step(0.9, STAGE)?;
+                for &[sheet, host] in &self.attached {
+                    let (Some(sheet), Some(host)) = (component(sheet), component(host)) else { continue };
+                    if is_open[sheet] && !is_fin[sheet] && areas[sheet] < host_areas[host] {
+                        (is_fin[sheet], host_areas[sheet], is_changed) = (true, host_areas[host], true);
+                    }
+                }
             }
             alloc::collect(components.iter().map(|&root| is_fin[root as usize].then_some(DropReason::Fin)))?
         };

@@ -34,7 +34,7 @@ pub(super) struct Sheets {
     /// The pairs of half-edges that remain together at edges with three or more faces.
     pub(super) pairs: Vec<[u32; 2]>,
     /// A face of each open sheet that was attached to an edge, and a face of the sheet that keeps
-    /// the edge.
+    /// the edge, or of another open sheet there.
     pub(super) attached: Vec<[u32; 2]>,
 }
 
@@ -84,6 +84,9 @@ impl Sheets {
         closed.retain(|&h| self.reasons[face(h) as usize].is_none());
         if let Some(&host) = closed.first() {
             open.iter().try_for_each(|&h| alloc::push(&mut self.attached, [face(h), face(host)]))?;
+        }
+        for pair in open.windows(2).map(|pair| [face(pair[0]), face(pair[1])]) {
+            alloc::extend(&mut self.attached, [pair, [pair[1], pair[0]]])?;
         }
         let is_back = |side: u32| side % 2 == 1;
         if has_solid {
@@ -217,7 +220,7 @@ fn split_vertices(
 }
 
 /// Returns the unit vector from an edge into its face, perpendicular to the edge.
-fn direction_from_edge(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> DVec3 {
+pub(super) fn direction_from_edge(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> DVec3 {
     let point = |h: u32| mesh.positions().get(mesh.faces().corner(h));
     let start = point(h);
     let along = (point(topology.next(mesh, h)) - start).normalize_or_zero();
