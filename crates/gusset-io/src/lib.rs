@@ -5,7 +5,7 @@
 //! a file only once the new one is complete.
 //!
 //! Readers accept what is clear although it breaks a format's rules, and say so in a [`Note`]. They refuse what is not clear, and name
-//! the line or element. Each reader takes time linear in the file, and memory of at most [`MEMORY_MULTIPLE`] times its size.
+//! the line or element. Each reader takes time linear in the file, and memory of at most [`MAX_MEMORY_PER_FILE_BYTE`] times its size.
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles; `precision` tells what single precision
@@ -85,4 +85,4 @@ pub use options::{ReadOptions, WriteOptions};
 pub use resources::{NoResources, Output, Resources, Target};
 
 /// Largest memory that a reader takes, as a multiple of the size of the file and of the files that it refers to.
-pub const MEMORY_MULTIPLE: u64 = 32;
+pub const MAX_MEMORY_PER_FILE_BYTE: u64 = 32;

@@ -105,9 +105,8 @@ impl<'o> RepairRun<'o> {
     fn start(pieces: &[MeshView<'_>], options: &'o Options, job: &Job<'_>) -> Result<Self> {
         let (whole, _) = concat::concatenate(pieces, job)?;
         let state = RepairState::unchanged(whole)?;
-        let counts = |piece: &MeshView<'_>| {
-            [piece.positions().len(), piece.faces().half_edge_count(), piece.faces().len()]
-        };
+        let counts =
+            |piece: &MeshView<'_>| [piece.positions().len(), piece.faces().half_edge_count(), piece.faces().len()];
         Ok(RepairRun {
             options,
             inputs: alloc::collect(pieces.iter().map(counts))?,

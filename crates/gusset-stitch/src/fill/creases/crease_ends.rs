@@ -52,7 +52,7 @@ impl CreaseEnd {
     }
 
     /// Returns the vertices of a rim of `count` vertices along which the crease runs, in rim order.
-    pub(super) fn rim_vertices(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
+    pub(super) fn rim_vertices_along_crease(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
         let first = if self.following < 0 { self.tip } else { self.base };
         (0..=self.following.unsigned_abs()).map(move |k| (first + k) % count)
     }
@@ -69,7 +69,8 @@ pub(super) struct CreaseAlongRim {
 }
 
 impl CreaseAlongRim {
-    pub(super) fn rim_vertices(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
+    /// Returns the vertices of the run on a rim of `count` vertices, in rim order.
+    pub(super) fn rim_vertices_along_crease(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
         let first = self.first;
         (0..=self.edges).map(move |k| (first + k) % count)
     }
@@ -253,10 +254,10 @@ fn drop_creases_with_shared_vertices(
     count: usize,
 ) -> Result<(Vec<CreaseEnd>, Vec<CreaseAlongRim>)> {
     let mut uses = alloc::filled(0u32, count)?;
-    ends.iter().flat_map(|end| end.rim_vertices(count)).for_each(|v| uses[v] += 1);
-    along_rim.iter().flat_map(|crease| crease.rim_vertices(count)).for_each(|v| uses[v] += 1);
-    ends.retain(|end| end.rim_vertices(count).all(|v| uses[v] == 1));
-    along_rim.retain(|crease| crease.rim_vertices(count).all(|v| uses[v] == 1));
+    ends.iter().flat_map(|end| end.rim_vertices_along_crease(count)).for_each(|v| uses[v] += 1);
+    along_rim.iter().flat_map(|crease| crease.rim_vertices_along_crease(count)).for_each(|v| uses[v] += 1);
+    ends.retain(|end| end.rim_vertices_along_crease(count).all(|v| uses[v] == 1));
+    along_rim.retain(|crease| crease.rim_vertices_along_crease(count).all(|v| uses[v] == 1));
     sort::sort_stable(&mut ends, &|x, y| x.tip.cmp(&y.tip));
     Ok((ends, along_rim))
 }
