@@ -25,8 +25,8 @@ pub enum CurveKind {
     /// Cubic segments from point to point, C2 in the knots of the method's exponent. At inner
     /// points with a given tangent they are C1.
     CubicC2,
-    /// The paper's chain of sections: [`CurveKind::Composite`] with [`Lock::DataGuide`], regardless of
-    /// the lock in the options. The control point of each section lies on the guide of the data's
+    /// The paper's chain of sections: [`CurveKind::Composite`] with [`Lock::DataGuide`], regardless
+    /// of the lock in the options. The control point of each section lies on the guide of the data's
     /// own triangle: the bisector, median or normal, as the method says.
     Chain,
 }

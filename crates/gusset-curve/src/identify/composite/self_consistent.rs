@@ -78,9 +78,10 @@ pub(super) fn is_in_xy_plane(sub: &Subcurve<'_>, solution: &CompositeSolution) -
 }
 
 impl<const D: usize> SelfConsistentNewton<D> {
-    /// Finds the self-consistent parameters and control points, starting from control points that
-    /// solve the linear equations. Returns false if the equations become singular, which requires
-    /// joint parameters other than 1/2.
+    /// Finds the self-consistent parameters of the points, and the control points, starting from
+    /// control points that solve the linear equations. Points that do not converge fall back.
+    /// Returns false if the equations become singular, which can happen only with joint parameters
+    /// other than 1/2.
     pub(super) fn solve_with_self_consistent_point_parameters(
         &mut self,
         sub: &Subcurve<'_>,

@@ -213,7 +213,8 @@ fn add_creases_at_corner(
     alloc::push(ends, CreaseEnd { base, following: 0, tip: base, from, direction, sides, normals: [n, m] })
 }
 
-/// Returns the end of the crease between the triangles k and k + 1 of a fan.
+/// Returns where the crease between the triangles k and k + 1 of a fan meets the rim, and its
+/// direction there.
 fn crease_end(rim: &PatchRim, base: usize, k: usize, fan: &[(u32, u32)]) -> Result<CreaseEnd> {
     let (after, before) = fan.split_at(k + 1);
     let [(before, n), (after, m)] = [side_of_fan(rim, before)?, side_of_fan(rim, after)?];
