@@ -2,8 +2,8 @@
 
 use crate::memory::measured;
 use gusset_io::{
-    Document, Format, MEMORY_MULTIPLE, Mesh, Positions, ReadError, ReadErrorKind, ReadOptions, Resources, Target,
-    Values, WriteErrorKind, WriteOptions, read, write,
+    Document, Format, MAX_MEMORY_PER_FILE_BYTE, Mesh, Positions, ReadError, ReadErrorKind, ReadOptions, Resources,
+    Target, Values, WriteErrorKind, WriteOptions, read, write,
 };
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -60,7 +60,7 @@ pub(crate) fn check(bytes: &[u8], files: &Files, expected: Expected) {
     files.loaded.set(0);
     let (result, memory) = measured(|| read(bytes, format, files, &options));
     let sources = bytes.len() as u64 + files.loaded.get();
-    let most = MEMORY_MULTIPLE * sources + expected.least_memory;
+    let most = MAX_MEMORY_PER_FILE_BYTE * sources + expected.least_memory;
     assert!(memory <= most, "{memory} bytes for files of {sources}");
     let document = match result {
         Ok(document) => document,

@@ -451,7 +451,7 @@ typedef struct gusset_join_options {
 
 /// Outcome of a joint.
 typedef uint32_t gusset_joint_outcome;
-/// A strip joins them.
+/// A strip joins the two sides.
 #define GUSSET_JOINT_JOINED 0
 /// Left open: the surface would become one-sided.
 #define GUSSET_JOINT_ORIENTATION_CONFLICT 1

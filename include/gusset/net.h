@@ -191,7 +191,7 @@ typedef uint32_t gusset_gluing_kind;
 /// Node element and its neighbours in the mask: east 1, south 2, west 4, north 8. Links at sides lead to the opposite
 /// side.
 #define GUSSET_GLUING_STAR 1
-/// The ends of links of cell element in the mask: top 1, right 2, bottom 4, left 8.
+/// The two ends of each link of cell element in the mask: top 1, right 2, bottom 4, left 8.
 #define GUSSET_GLUING_CELL 2
 /// Opposite corners of cell element: mask 1 for the first and third, 2 for the second and fourth.
 #define GUSSET_GLUING_DIAGONAL 3
@@ -222,23 +222,23 @@ typedef uint32_t gusset_gluing_type;
 #define GUSSET_TYPE_VERTICAL 1
 /// n(2,1): east and south links of a node.
 #define GUSSET_TYPE_EAST_SOUTH 2
-/// n(2,1): south and west.
+/// n(2,1): south and west links of a node.
 #define GUSSET_TYPE_SOUTH_WEST 3
-/// n(2,1): west and north.
+/// n(2,1): west and north links of a node.
 #define GUSSET_TYPE_WEST_NORTH 4
-/// n(2,1): north and east.
+/// n(2,1): north and east links of a node.
 #define GUSSET_TYPE_NORTH_EAST 5
-/// n(2,2): east and west.
+/// n(2,2): east and west links of a node.
 #define GUSSET_TYPE_EAST_WEST 6
-/// n(2,2): north and south.
+/// n(2,2): north and south links of a node.
 #define GUSSET_TYPE_NORTH_SOUTH 7
-/// n(3): all except north.
+/// n(3): east, south and west links of a node.
 #define GUSSET_TYPE_BUT_NORTH 8
-/// n(3): all except east.
+/// n(3): south, west and north links of a node.
 #define GUSSET_TYPE_BUT_EAST 9
-/// n(3): all except south.
+/// n(3): west, north and east links of a node.
 #define GUSSET_TYPE_BUT_SOUTH 10
-/// n(3): all except west.
+/// n(3): north, east and south links of a node.
 #define GUSSET_TYPE_BUT_WEST 11
 /// n(4): all four links of a node.
 #define GUSSET_TYPE_ALL 12
@@ -842,9 +842,9 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_grid_get_view(const struct g
 
 /// Direction within a net.
 typedef uint32_t gusset_direction;
-/// From column to column.
+/// Along the rows, from each column to the next.
 #define GUSSET_DIRECTION_RIGHT 0
-/// From row to row.
+/// Along the columns, from each row to the next.
 #define GUSSET_DIRECTION_DOWN 1
 
 /// Replicated rows or columns.

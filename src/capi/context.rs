@@ -172,7 +172,7 @@ pub(crate) fn answer<T>(
 }
 
 /// [`answer`] with an output that may be NULL.
-pub(crate) fn answer_optional<T>(
+pub(crate) fn answer_into_optional_output<T>(
     context: *const gusset_context,
     (out, name): (*mut T, &'static str),
     cleared: T,

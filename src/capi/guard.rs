@@ -29,21 +29,21 @@ fn install_silent_hook() -> Box<PanicHook> {
     outside
 }
 
-/// A call in progress.
-struct CallInProgress;
+/// A call in progress, in any thread. Panics are silent while one exists.
+struct CallWithSilentPanics;
 
-impl CallInProgress {
+impl CallWithSilentPanics {
     fn begin_call() -> Self {
         CALLS_IN_PROGRESS.fetch_add(1, Ordering::Relaxed);
         // A host's thread that is panicking must not change the hook.
         if !panicking() {
             HOOK_OUTSIDE_CALLS.get_or_init(install_silent_hook);
         }
-        CallInProgress
+        CallWithSilentPanics
     }
 }
 
-impl Drop for CallInProgress {
+impl Drop for CallWithSilentPanics {
     fn drop(&mut self) {
         CALLS_IN_PROGRESS.fetch_sub(1, Ordering::Relaxed);
     }
@@ -52,7 +52,7 @@ impl Drop for CallInProgress {
 /// Runs `body` and catches panics, which must not unwind into the host. A panic becomes
 /// `GUSSET_ERROR_PANIC` and prints nothing.
 pub fn catch_panic<T, E: From<Failure>>(body: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    let _call = CallInProgress::begin_call();
+    let _call = CallWithSilentPanics::begin_call();
     catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|panic| {
         // The payload's own destructor could panic. The payload is small and rare, so leak it.
         std::mem::forget(panic);

@@ -288,7 +288,7 @@ fn lengths_of_curves_whose_speed_is_noise_end() {
     let points: Vec<[f64; 2]> = (0..18).map(|i| [f64::from(i), 0.0]).collect();
     let outlines = gusset::curve::Outlines { points: points[..].into(), offsets: None, closed: true, constraints: &[] };
     let options = gusset::curve::Options {
-        mode: gusset::curve::Mode::Single,
+        curve: gusset::curve::CurveKind::Single,
         method: gusset::curve::Method::Symmedian,
         ..Default::default()
     };

@@ -6,13 +6,14 @@ use crate::plane::{METHODS, casteljau, data, lift};
 use glam::DVec3;
 use gusset::Job;
 use gusset::curve::{
-    Constraint, CurveView, Ends, Fit, FitStatus, JointParameter, Method, Mode, Options, Outlines, Place,
+    Constraint, CurveKind, CurveView, Ends, Fit, FitStatus, JointParameter, Method, Options, Outlines, Place,
     PointConstraint, PointStatus, Points, fit,
 };
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
-pub(crate) const MODES: [Mode; 4] = [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2];
+pub(crate) const CURVE_KINDS: [CurveKind; 4] =
+    [CurveKind::Composite, CurveKind::BlendC1, CurveKind::BlendC2, CurveKind::CubicC2];
 
 /// The tangent of an angle, in radians counter-clockwise from the x-axis, in the plane z = 0.
 pub(crate) fn tangent_of_angle(angle: f64) -> DVec3 {
@@ -81,15 +82,15 @@ pub(crate) fn assert_smooth(done: &Fit, size: f64, name: &str) {
 fn real_outlines_in_all_modes_by_all_methods() {
     for (name, points, closed) in data() {
         let size = size_of(&points);
-        for mode in MODES {
+        for curve_kind in CURVE_KINDS {
             for method in METHODS {
-                let name = format!("{name} {mode:?} {method:?}");
-                let done = one(&points, closed, &[], &Options { mode, method, ..Options::default() });
+                let name = format!("{name} {curve_kind:?} {method:?}");
+                let done = one(&points, closed, &[], &Options { curve: curve_kind, method, ..Options::default() });
                 assert_passes(&points, &done, &name);
                 assert_smooth(&done, size, &name);
                 let few = done.statuses().iter().filter(|&&s| s == PointStatus::Missed).count();
                 assert_eq!(few, 0, "{name}");
-                if mode == Mode::Composite {
+                if curve_kind == CurveKind::Composite {
                     let distinct = done.statuses().iter().filter(|&&s| s != PointStatus::Merged).count();
                     assert_eq!(done.curve(0).len(), if closed { distinct } else { distinct - 2 }, "{name}");
                 }
@@ -118,11 +119,11 @@ fn deviation(curve: CurveView<'_>, truth: &[[f64; 2]]) -> f64 {
 fn curves_are_near_what_the_points_were_taken_from() {
     let all = data();
     let dense = |name: &str| all.iter().find(|outline| outline.0 == name.replace(".csv", "_dense.csv"));
-    let median = |mode, method| {
+    let median = |curve_kind, method| {
         let mut deviations: Vec<f64> = Vec::new();
         for (name, points, _) in all.iter().filter(|outline| outline.0.starts_with("footlike")) {
             if let Some((_, truth, _)) = dense(name) {
-                let done = one(points, true, &[], &Options { mode, method, ..Options::default() });
+                let done = one(points, true, &[], &Options { curve: curve_kind, method, ..Options::default() });
                 deviations.push(deviation(done.curve(0), truth) / size_of(truth));
             }
         }
@@ -130,14 +131,14 @@ fn curves_are_near_what_the_points_were_taken_from() {
         let middle = deviations.len() / 2;
         (middle > 0).then(|| (deviations[middle - 1] + deviations[middle]) / 2.0)
     };
-    for (mode, method, bar) in [
-        (Mode::Composite, Method::Bisector, 1.85e-3),
-        (Mode::Composite, Method::Median, 1.85e-3),
-        (Mode::CubicC2, Method::Bisector, 1.40e-3),
+    for (curve_kind, method, bar) in [
+        (CurveKind::Composite, Method::Bisector, 1.85e-3),
+        (CurveKind::Composite, Method::Median, 1.85e-3),
+        (CurveKind::CubicC2, Method::Bisector, 1.40e-3),
     ] {
-        if let Some(found) = median(mode, method) {
-            println!("{mode:?} {method:?}: median of the largest deviations {found:.3e} of the size");
-            assert!(found <= bar, "{mode:?} {method:?} {found:e}");
+        if let Some(found) = median(curve_kind, method) {
+            println!("{curve_kind:?} {method:?}: median of the largest deviations {found:.3e} of the size");
+            assert!(found <= bar, "{curve_kind:?} {method:?} {found:e}");
         }
     }
 }
@@ -148,7 +149,7 @@ proptest! {
     fn wild_outlines_do_no_harm(
         points in prop::collection::vec((-3i8..4, -3i8..4, 0u8..12), 0..14),
         closed: bool,
-        mode in prop::sample::select(MODES.to_vec()),
+        curve_kind in prop::sample::select(CURVE_KINDS.to_vec()),
         method in prop::sample::select(METHODS.to_vec()),
         joint in prop::sample::select(vec![JointParameter::Half, JointParameter::Knot]),
         corner in prop::sample::select(vec![PI, 1.0, 0.1]),
@@ -163,7 +164,7 @@ proptest! {
                 [scale * small * f64::from(x), scale * small * f64::from(y)]
             })
             .collect();
-        let options = Options { mode, method, joint, ends, corner_angle: corner, ..Options::default() };
+        let options = Options { curve: curve_kind, method, joint, ends, corner_angle: corner, ..Options::default() };
         let done = one(&points, closed, &[], &options);
         assert_passes(&points, &done, "wild");
         let report = done.reports()[0];
@@ -179,7 +180,7 @@ proptest! {
         radii in prop::collection::vec(0.7f64..1.3, 5..40),
         angle in 0.0..TAU,
         shift in 1usize..4,
-        mode in prop::sample::select(MODES.to_vec()),
+        curve_kind in prop::sample::select(CURVE_KINDS.to_vec()),
         method in prop::sample::select(vec![Method::Bisector, Method::Median, Method::Symmedian]),
     ) {
         let n = radii.len();
@@ -188,7 +189,7 @@ proptest! {
             .enumerate()
             .map(|(i, r)| { let t = TAU * i as f64 / n as f64; [r * t.cos(), r * t.sin()] })
             .collect();
-        let options = Options { mode, method, ..Options::default() };
+        let options = Options { curve: curve_kind, method, ..Options::default() };
         let plain = one(&points, true, &[], &options);
         let curve = plain.curve(0);
         let (sin, cos) = angle.sin_cos();
@@ -221,7 +222,7 @@ proptest! {
     fn batches_and_threads_change_nothing(
         sizes in prop::collection::vec(0usize..9, 1..40),
         closed: bool,
-        mode in prop::sample::select(MODES.to_vec()),
+        curve_kind in prop::sample::select(CURVE_KINDS.to_vec()),
     ) {
         let mut points: Vec<[f64; 2]> = Vec::new();
         let mut offsets = vec![0u32];
@@ -239,7 +240,7 @@ proptest! {
         }
         let outlines =
             Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed, constraints: &constraints };
-        let options = Options { mode, ..Options::default() };
+        let options = Options { curve: curve_kind, ..Options::default() };
         let all = [1, 2, 3].map(|threads| fit(&outlines, &options, &Job::new(threads, &Silent)).unwrap());
         prop_assert!(all[0] == all[1] && all[1] == all[2]);
         for k in 0..sizes.len() {
@@ -262,8 +263,8 @@ proptest! {
 fn tangents_and_corners_are_kept() {
     let ring: Vec<[f64; 2]> = (0..9).map(|i| (TAU * f64::from(i) / 9.0).sin_cos()).map(|(y, x)| [2.0 * x, y]).collect();
     for closed in [true, false] {
-        for mode in MODES {
-            let options = Options { mode, ..Options::default() };
+        for curve_kind in CURVE_KINDS {
+            let options = Options { curve: curve_kind, ..Options::default() };
             let tau = tangent_of_angle(2.0);
             let constraints = [
                 Constraint { point: 0, kind: PointConstraint::Tangent(tau) },
@@ -290,16 +291,16 @@ fn tangents_and_corners_are_kept() {
                     let leg = if leg == 0 { s[1] - s[0] } else { s[s.len() - 1] - s[s.len() - 2] };
                     assert!(
                         leg.cross(tangent).length() < 1e-12 && leg.dot(tangent) > 0.0,
-                        "{mode:?} {closed} {constraint:?} {leg}"
+                        "{curve_kind:?} {closed} {constraint:?} {leg}"
                     );
                 }
             }
             // Smooth everywhere but at the corner, where it turns.
-            assert!(done.reports()[0].max_joint_sine < 1e-12, "{mode:?} {closed} {:?}", done.reports()[0]);
+            assert!(done.reports()[0].max_joint_sine < 1e-12, "{curve_kind:?} {closed} {:?}", done.reports()[0]);
             let corner = done.place(6);
             let (a, b) = (curve.segment(corner.segment as usize - 1), curve.segment(corner.segment as usize));
             let (u, v) = (a[a.len() - 1] - a[a.len() - 2], b[1] - b[0]);
-            assert!(u.cross(v).length() > 1e-6 * u.length() * v.length(), "{mode:?}");
+            assert!(u.cross(v).length() > 1e-6 * u.length() * v.length(), "{curve_kind:?}");
         }
     }
 }
@@ -307,8 +308,9 @@ fn tangents_and_corners_are_kept() {
 #[test]
 fn perpendicular_ends_are_perpendicular() {
     let points = [[0.0, 0.0], [0.5, 1.0], [2.0, 1.2], [3.0, 0.9], [4.0, 0.0]];
-    for mode in MODES {
-        let done = one(&points, false, &[], &Options { mode, ends: Ends::Perpendicular, ..Options::default() });
+    for curve_kind in CURVE_KINDS {
+        let done =
+            one(&points, false, &[], &Options { curve: curve_kind, ends: Ends::Perpendicular, ..Options::default() });
         assert_passes(&points, &done, "perpendicular");
         let curve = done.curve(0);
         let (first, last) = (curve.segment(0), curve.segment(curve.len() - 1));
@@ -342,14 +344,14 @@ fn corners_are_found_by_their_angle() {
             }
         })
         .collect();
-    for mode in MODES {
-        let done = one(&square, true, &[], &Options { mode, corner_angle: 1.0, ..Options::default() });
+    for curve_kind in CURVE_KINDS {
+        let done = one(&square, true, &[], &Options { curve: curve_kind, corner_angle: 1.0, ..Options::default() });
         // A square comes out as a square.
         for k in 0..50 {
             for segment in done.curve(0).segments() {
                 let p = casteljau(segment, f64::from(k) / 50.0);
                 let edge = p.x.abs().min((1.0 - p.x).abs()).min(p.y.abs()).min((1.0 - p.y).abs());
-                assert!(edge < 1e-14, "{mode:?} {p}");
+                assert!(edge < 1e-14, "{curve_kind:?} {p}");
             }
         }
         assert_eq!(done.reports()[0].status, FitStatus::Ok);
@@ -375,8 +377,10 @@ fn closed_composites_of_a_regular_polygon_are_regular() {
 #[test]
 fn plane_outlines_stay_in_their_plane() {
     let there_and_back = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [3.0, 3.0], [1.0, 1.0]];
-    for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2, Mode::Single] {
-        let done = one(&there_and_back, true, &[], &Options { mode, ..Options::default() });
-        assert!(done.curve(0).points().iter().all(|p| p.z == 0.0), "{mode:?}");
+    for curve_kind in
+        [CurveKind::Composite, CurveKind::BlendC1, CurveKind::BlendC2, CurveKind::CubicC2, CurveKind::Single]
+    {
+        let done = one(&there_and_back, true, &[], &Options { curve: curve_kind, ..Options::default() });
+        assert!(done.curve(0).points().iter().all(|p| p.z == 0.0), "{curve_kind:?}");
     }
 }

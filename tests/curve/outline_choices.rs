@@ -6,8 +6,8 @@ use crate::outline_data::{Line, adversarial, arc, blob, check, outlines, random,
 use glam::DVec3;
 use gusset::Job;
 use gusset::curve::{
-    Constraint, Ends, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointConstraint, PointStatus,
-    Points, Solver, fit, sections,
+    Constraint, CurveKind, Ends, FitStatus, JointParameter, Lock, Method, Options, Outlines, PointConstraint,
+    PointStatus, Points, Solver, fit, sections,
 };
 
 const METHODS: [Method; 4] = [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian];
@@ -38,7 +38,7 @@ fn chains_have_their_control_points_on_the_guides() {
         let (mut kept, mut all, mut plain_off) = (0, 0, 0.0f64);
         for line in smooth.iter().filter(|line| line.points.len() < 300).chain(&[blob(24, 0.0), blob(31, 0.7)]) {
             let n = line.points.len();
-            let chain = solve(line, &Options { mode: Mode::Chain, method, ..Options::default() });
+            let chain = solve(line, &Options { curve: CurveKind::Chain, method, ..Options::default() });
             check(line, &chain, "chain");
             let guided = Options { method, lock: Lock::DataGuide, ..Options::default() };
             assert_eq!(chain, solve(line, &guided), "{} {method:?}", line.name);
@@ -63,7 +63,7 @@ fn chains_have_their_control_points_on_the_guides() {
 #[test]
 fn bisectors_stand_in_for_normals() {
     let line = open(&[(0.0, 0.0), (2.0, 1.0), (4.0, 1.2), (3.6, 1.9), (5.0, 3.0), (7.0, 3.2)]);
-    let fit = solve(&line, &Options { mode: Mode::Chain, method: Method::Normal, ..Options::default() });
+    let fit = solve(&line, &Options { curve: CurveKind::Chain, method: Method::Normal, ..Options::default() });
     check(&line, &fit, "normals");
     let mut stood_in = 0;
     for i in 1..5 {
@@ -83,16 +83,21 @@ fn bisectors_stand_in_for_normals() {
 #[test]
 fn tangents_by_angles_are_tangents() {
     let line = arc(9);
-    for mode in [Mode::Composite, Mode::BlendC1, Mode::CubicC2, Mode::Single] {
+    for curve_kind in [CurveKind::Composite, CurveKind::BlendC1, CurveKind::CubicC2, CurveKind::Single] {
         for angle in [0.3, 2.5, -1.1, 7.0] {
             let direction = DVec3::new(f64::cos(angle), f64::sin(angle), 0.0);
-            let by =
-                |kind| solve_with(&line, &Options { mode, ..Options::default() }, &[Constraint { point: 0, kind }]);
+            let by = |kind| {
+                solve_with(
+                    &line,
+                    &Options { curve: curve_kind, ..Options::default() },
+                    &[Constraint { point: 0, kind }],
+                )
+            };
             let (angled, given) = (by(PointConstraint::TangentAngle(angle)), by(PointConstraint::Tangent(direction)));
             let far = angled.points().iter().zip(given.points()).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
-            assert!(far <= 1e-12, "{mode:?} {angle} {far:e}");
+            assert!(far <= 1e-12, "{curve_kind:?} {angle} {far:e}");
             let first = angled.curve(0).segment(0);
-            assert!((first[1] - first[0]).normalize().distance(direction) <= 1e-12, "{mode:?} {angle}");
+            assert!((first[1] - first[0]).normalize().distance(direction) <= 1e-12, "{curve_kind:?} {angle}");
         }
     }
     let points = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]];
@@ -109,29 +114,31 @@ fn tangents_by_angles_are_tangents() {
 fn ends_are_level_and_upright() {
     // From the lower left up and over to the right: the first chord is steep, the last one flat.
     let line = open(&[(0.0, 0.0), (0.2, 1.0), (1.0, 2.0), (2.5, 2.6), (4.0, 2.7)]);
-    let legs = |ends: Ends, mode: Mode, line: &Line| {
-        let fit = solve(line, &Options { mode, ends, ..Options::default() });
+    let legs = |ends: Ends, curve_kind: CurveKind, line: &Line| {
+        let fit = solve(line, &Options { curve: curve_kind, ends, ..Options::default() });
         check(line, &fit, "ends");
         let (first, last) = (fit.curve(0).segment(0), fit.curve(0).segment(fit.curve(0).len() - 1));
         [first[1] - first[0], last[last.len() - 1] - last[last.len() - 2]].map(DVec3::normalize)
     };
-    for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2, Mode::Single] {
+    for curve_kind in
+        [CurveKind::Composite, CurveKind::BlendC1, CurveKind::BlendC2, CurveKind::CubicC2, CurveKind::Single]
+    {
         for (ends, wanted) in [
             (Ends::Level, [DVec3::X, DVec3::X]),
             (Ends::Upright, [DVec3::Y, DVec3::Y]),
             // Perpendicular to a steep chord is level, to a flat one upright.
             (Ends::LevelOrUpright, [DVec3::X, DVec3::Y]),
         ] {
-            let found = legs(ends, mode, &line);
+            let found = legs(ends, curve_kind, &line);
             for (found, wanted) in found.iter().zip(wanted) {
-                assert!(found.distance(wanted) <= 1e-12, "{mode:?} {ends:?} {found}");
+                assert!(found.distance(wanted) <= 1e-12, "{curve_kind:?} {ends:?} {found}");
             }
         }
     }
     // In the sense of the legs, downwards and to the left.
     let back = Line { points: line.points.iter().map(|&p| -p).collect(), ..line };
-    assert!(legs(Ends::Level, Mode::Composite, &back)[0].distance(-DVec3::X) <= 1e-12);
-    assert!(legs(Ends::Upright, Mode::Composite, &back)[1].distance(-DVec3::Y) <= 1e-12);
+    assert!(legs(Ends::Level, CurveKind::Composite, &back)[0].distance(-DVec3::X) <= 1e-12);
+    assert!(legs(Ends::Upright, CurveKind::Composite, &back)[1].distance(-DVec3::Y) <= 1e-12);
 }
 
 #[test]
@@ -202,9 +209,9 @@ fn blends_tell_their_cusps() {
     for (line, reversals) in
         [(back, vec![]), (there, vec![2]), (open(&[(0.0, 0.0), (3.0, 0.0), (1.0, 0.0), (2.0, 1.0)]), vec![1])]
     {
-        for mode in [Mode::BlendC1, Mode::BlendC2] {
+        for curve_kind in [CurveKind::BlendC1, CurveKind::BlendC2] {
             for method in METHODS {
-                let fit = solve(&line, &Options { mode, method, ..Options::default() });
+                let fit = solve(&line, &Options { curve: curve_kind, method, ..Options::default() });
                 check_cusps(&line, &fit, &reversals, method);
             }
         }
@@ -239,13 +246,13 @@ fn check_cusps(line: &Line, fit: &gusset::curve::Fit, reversals: &[usize], metho
 fn iterations_stay_within_the_limit() {
     let mut tried = 0;
     for line in adversarial().into_iter().chain(random(10, 23)) {
-        for mode in [Mode::Composite, Mode::Single] {
+        for curve_kind in [CurveKind::Composite, CurveKind::Single] {
             for lock in [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide] {
                 for joint in [JointParameter::Half, JointParameter::Knot, JointParameter::G2] {
                     for solver in [Solver::Fast, Solver::Step] {
                         for (method, max_sweeps) in [(Method::Bisector, 1), (Method::Median, 7), (Method::Normal, 40)] {
                             let options = Options {
-                                mode,
+                                curve: curve_kind,
                                 lock,
                                 joint,
                                 solver,

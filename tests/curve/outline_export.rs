@@ -1,7 +1,7 @@
 //! Exported outlines, read back by another library (kurbo): every point is on the path.
 
 use gusset::Job;
-use gusset::curve::{Fit, Mode, Options, Outlines, Points, fit};
+use gusset::curve::{CurveKind, Fit, Options, Outlines, Points, fit};
 use kurbo::{BezPath, ParamCurve, PathEl, Point};
 
 /// A blob by formula, and the outlines of the data folder.
@@ -30,14 +30,14 @@ fn assert_on(path: &BezPath, points: &[[f64; 2]], done: &Fit, what: &str) {
 #[test]
 fn svg_paths_pass_all_points() {
     for (name, points, closed) in outlines() {
-        for mode in [Mode::Composite, Mode::BlendC1, Mode::CubicC2] {
+        for curve_kind in [CurveKind::Composite, CurveKind::BlendC1, CurveKind::CubicC2] {
             let given = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
-            let done = fit(&given, &Options { mode, ..Options::default() }, &Job::default()).unwrap();
+            let done = fit(&given, &Options { curve: curve_kind, ..Options::default() }, &Job::default()).unwrap();
             let text = done.curve(0).to_svg_path(&Job::default()).unwrap();
             let path = BezPath::from_svg(&text).unwrap();
             assert_eq!(path.segments().count(), done.curve(0).len(), "{name}");
             assert_eq!(text.ends_with('Z'), closed, "{name}");
-            assert_on(&path, &points, &done, &format!("{name} {mode:?}"));
+            assert_on(&path, &points, &done, &format!("{name} {curve_kind:?}"));
             // The numbers read back as the same bits.
             let first = done.curve(0).points()[0];
             assert_eq!(path.elements()[0], PathEl::MoveTo(Point::new(first.x, first.y)));

@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 use gusset::curve::frame::{Axis, Correspondence, Frame, FrameOptions, Measure, frame, slice};
-use gusset::curve::{Mode, Options, Outlines, Points};
+use gusset::curve::{CurveKind, Options, Outlines, Points};
 use gusset::{Element, Error, Job};
 use std::f64::consts::{PI, TAU};
 
 pub(crate) const CUBIC: Options = Options {
-    mode: Mode::CubicC2,
+    curve: CurveKind::CubicC2,
     method: gusset::curve::Method::Bisector,
     lock: gusset::curve::Lock::Parameter,
     joint: gusset::curve::JointParameter::Half,

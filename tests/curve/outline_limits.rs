@@ -1,23 +1,23 @@
 //! Outlines at the limits: few points, repeated points, large numbers, and arguments that are refused.
 
-use crate::outline::{MODES, assert_passes, one};
+use crate::outline::{CURVE_KINDS, assert_passes, one};
 use crate::plane::lift;
 use glam::DVec3;
 use gusset::curve::{
-    Constraint, Ends, FitStatus, Method, Mode, Options, Outlines, PointConstraint, PointStatus, Points, fit,
+    Constraint, CurveKind, Ends, FitStatus, Method, Options, Outlines, PointConstraint, PointStatus, Points, fit,
 };
 use gusset::{Element, Error, Job};
 
 #[test]
 fn few_points() {
     let corner = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
-    for mode in MODES {
-        let options = Options { mode, ..Options::default() };
+    for curve_kind in CURVE_KINDS {
+        let options = Options { curve: curve_kind, ..Options::default() };
         for closed in [false, true] {
             for n in 0..3 {
                 let done = one(&corner[..n], closed, &[], &options);
                 let enough = n == 2 && !closed;
-                assert_eq!(done.reports()[0].status == FitStatus::TooFewPoints, !enough, "{mode:?} {n} {closed}");
+                assert_eq!(done.reports()[0].status == FitStatus::TooFewPoints, !enough, "{curve_kind:?} {n} {closed}");
                 assert_eq!(done.curve(0).is_empty(), n < 2);
                 let same = vec![[3.0, 4.0]; n];
                 let done = one(&same, closed, &[], &options);
@@ -90,16 +90,18 @@ fn what_is_no_outline_is_refused() {
 fn repeats_at_the_end_of_a_closed_outline() {
     // Two points that repeat the first one but not each other; and with corners, which turn the
     // nodes round.
-    for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2, Mode::Single] {
+    for curve_kind in
+        [CurveKind::Composite, CurveKind::BlendC1, CurveKind::BlendC2, CurveKind::CubicC2, CurveKind::Single]
+    {
         for corner in [false, true] {
             let e = 0.7e-12;
             let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, -e], [0.0, e], [e, -0.1 * e]];
             let constraints = [Constraint { point: 2, kind: PointConstraint::Corner }];
             let constraints = if corner { &constraints[..] } else { &[] };
-            let done = one(&points, true, constraints, &Options { mode, ..Options::default() });
+            let done = one(&points, true, constraints, &Options { curve: curve_kind, ..Options::default() });
             assert_passes(&points, &done, "repeats");
-            assert_eq!(done.statuses()[4..], [PointStatus::Merged; 3], "{mode:?}");
-            assert!((4..7).all(|i| done.place(i) == done.place(0)), "{mode:?}");
+            assert_eq!(done.statuses()[4..], [PointStatus::Merged; 3], "{curve_kind:?}");
+            assert!((4..7).all(|i| done.place(i) == done.place(0)), "{curve_kind:?}");
         }
     }
 }
@@ -123,14 +125,16 @@ fn statuses_do_not_depend_on_where_an_outline_begins() {
 
 #[test]
 fn curves_beyond_the_largest_number_are_missed() {
-    for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2, Mode::Single] {
+    for curve_kind in
+        [CurveKind::Composite, CurveKind::BlendC1, CurveKind::BlendC2, CurveKind::CubicC2, CurveKind::Single]
+    {
         for s in [1e300, 4e307, 9.1e307, 1.7e308] {
             let points = [[-s, 0.0], [s, 0.0], [0.0, s]];
-            let done = one(&points, true, &[], &Options { mode, ..Options::default() });
-            assert!(done.curve(0).points().iter().all(|p| p.is_finite()), "{mode:?} {s:e}");
+            let done = one(&points, true, &[], &Options { curve: curve_kind, ..Options::default() });
+            assert!(done.curve(0).points().iter().all(|p| p.is_finite()), "{curve_kind:?} {s:e}");
             let missed = done.statuses().contains(&PointStatus::Missed);
-            assert_eq!(missed, done.reports()[0].status == FitStatus::Diverged, "{mode:?} {s:e}");
-            assert!(s > 1e300 || !missed, "{mode:?}");
+            assert_eq!(missed, done.reports()[0].status == FitStatus::Diverged, "{curve_kind:?} {s:e}");
+            assert!(s > 1e300 || !missed, "{curve_kind:?}");
         }
     }
 }

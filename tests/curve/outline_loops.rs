@@ -1,8 +1,8 @@
 //! Loops that the points lack, and crowded points: the statuses agree with dense samples of the curve.
 
-use crate::outline::{MODES, one};
+use crate::outline::{CURVE_KINDS, one};
 use glam::{DVec2, DVec3};
-use gusset::curve::{CurveView, Fit, JointParameter, Method, Mode, Options, PointStatus};
+use gusset::curve::{CurveKind, CurveView, Fit, JointParameter, Method, Options, PointStatus};
 use gusset_oracles::loops::{distances_along, largest_loop, point_of_segment, turn_back};
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
@@ -116,21 +116,22 @@ fn loops_agree_with_brute_force() {
     for case in 0..1200 {
         let (kind, count) = (case % 6, 3 + random.usize(..12));
         let points = random_points(&mut random, kind, count);
-        let (mode, joint) = [
-            (Mode::Composite, JointParameter::Half),
-            (Mode::CubicC2, JointParameter::Half),
-            (Mode::BlendC1, JointParameter::Half),
-            (Mode::BlendC2, JointParameter::Half),
-            (Mode::Composite, JointParameter::Knot),
-            (Mode::Composite, JointParameter::G2),
+        let (curve_kind, joint) = [
+            (CurveKind::Composite, JointParameter::Half),
+            (CurveKind::CubicC2, JointParameter::Half),
+            (CurveKind::BlendC1, JointParameter::Half),
+            (CurveKind::BlendC2, JointParameter::Half),
+            (CurveKind::Composite, JointParameter::Knot),
+            (CurveKind::Composite, JointParameter::G2),
         ][case / 6 % 6];
         let method = [Method::Median, Method::Bisector, Method::Normal, Method::Symmedian][random.usize(..4)];
         let corner_angle = if random.u8(..3) == 0 { 1.2 } else { 9.0 };
-        let options = Options { mode, joint, method, corner_angle, ..Options::default() };
+        let options = Options { curve: curve_kind, joint, method, corner_angle, ..Options::default() };
         let fit = one(&points, random.bool(), &[], &options);
         let truth = loops_by_brute_force(&fit, &points, SAMPLES);
         for (i, (&status, loop_size)) in fit.statuses().iter().zip(truth).enumerate().take(count) {
-            let name = format!("case {case}, {mode:?}, {joint:?}, {method:?}, point {i}: {status:?}, {loop_size:?}");
+            let name =
+                format!("case {case}, {curve_kind:?}, {joint:?}, {method:?}, point {i}: {status:?}, {loop_size:?}");
             if status == PointStatus::Looped {
                 let is_small = || loops_by_brute_force(&fit, &points, MANY_SAMPLES)[i].is_some();
                 assert!(loop_size.is_some() || is_small(), "{name}");
@@ -166,17 +167,17 @@ fn waypoints_that_are_crowded() {
 
 #[test]
 fn curves_that_cross_as_their_points_do_have_no_loops() {
-    for mode in MODES {
-        let options = Options { mode, ..Options::default() };
+    for curve_kind in CURVE_KINDS {
+        let options = Options { curve: curve_kind, ..Options::default() };
         let star: Vec<[f64; 2]> = (0..5).map(|k| TAU * 0.4 * f64::from(k)).map(|t| [t.cos(), t.sin()]).collect();
-        assert!(!one(&star, true, &[], &options).statuses().contains(&PointStatus::Looped), "{mode:?}");
+        assert!(!one(&star, true, &[], &options).statuses().contains(&PointStatus::Looped), "{curve_kind:?}");
         for count in 3..40 {
             let t = |k: usize| TAU * k as f64 / count as f64;
             let circle: Vec<[f64; 2]> = (0..count).map(|k| [t(k).cos(), t(k).sin()]).collect();
             let said = one(&circle, true, &[], &options).statuses().to_vec();
             assert!(
                 !said.iter().any(|s| matches!(s, PointStatus::Looped | PointStatus::Crowded)),
-                "{mode:?} {count} {said:?}"
+                "{curve_kind:?} {count} {said:?}"
             );
         }
     }
@@ -207,17 +208,17 @@ fn points_that_are_almost_repeated() {
                 (unit * (DVec2::from_angle(angles[k]) + off)).to_array()
             })
             .collect();
-        for mode in [Mode::Composite, Mode::CubicC2, Mode::BlendC1, Mode::BlendC2] {
-            let fit = one(&points, true, &[], &Options { mode, ..Options::default() });
+        for curve_kind in [CurveKind::Composite, CurveKind::CubicC2, CurveKind::BlendC1, CurveKind::BlendC2] {
+            let fit = one(&points, true, &[], &Options { curve: curve_kind, ..Options::default() });
             let curve = fit.curve(0);
             let off = (0..count)
                 .flat_map(|k| samples(&fit, &curve, [k, k + 1], Ordering::Equal, SAMPLES))
                 .map(|p| (DVec3::from((p, 0.0)).length() / unit - 1.0).abs())
                 .fold(0.0, f64::max);
             let said = (beside..beside + 2).any(|i| fit.statuses()[i] != PointStatus::Ok);
-            assert!(off < 1e-3 || said, "{case} {mode:?}: {off} with a gap of {gap}");
+            assert!(off < 1e-3 || said, "{case} {curve_kind:?}: {off} with a gap of {gap}");
             // Merged on request.
-            let merging = Options { mode, repeat_tolerance: 0.03, ..Options::default() };
+            let merging = Options { curve: curve_kind, repeat_tolerance: 0.03, ..Options::default() };
             let merged = one(&points, true, &[], &merging);
             assert_eq!(merged.statuses()[beside + 1], PointStatus::Merged);
         }

@@ -4,7 +4,7 @@
 
 use crate::common::Silent;
 use gusset::Job;
-use gusset::curve::{Lock, Mode, Options, Outlines, Points, fit};
+use gusset::curve::{CurveKind, Lock, Options, Outlines, Points, fit};
 use std::cell::Cell;
 
 thread_local! {
@@ -63,13 +63,13 @@ fn allocations(count: u32, options: &Options, closed: bool) -> usize {
 #[test]
 fn outlines_take_no_allocation_each() {
     for closed in [true, false] {
-        for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2] {
+        for curve_kind in [CurveKind::Composite, CurveKind::BlendC1, CurveKind::BlendC2, CurveKind::CubicC2] {
             for lock in [Lock::Parameter, Lock::SelfConsistent] {
-                let options = Options { mode, lock, ..Options::default() };
+                let options = Options { curve: curve_kind, lock, ..Options::default() };
                 let (few, many) = (allocations(100, &options, closed), allocations(30_000, &options, closed));
                 assert!(few > 0);
                 // A list of batches grows by doubling.
-                assert!(many <= few + 10, "{mode:?} {lock:?}: {few} {many}");
+                assert!(many <= few + 10, "{curve_kind:?} {lock:?}: {few} {many}");
             }
         }
     }

@@ -2,12 +2,12 @@
 
 use crate::outline_data::{Line, arc, blob, check, foot_half, sine, size, solve, solve_with};
 use glam::DVec3;
-use gusset::curve::{Constraint, FitStatus, Lock, Mode, Options, PointConstraint, PointStatus};
+use gusset::curve::{Constraint, CurveKind, FitStatus, Lock, Options, PointConstraint, PointStatus};
 
 #[test]
 fn single_curves_move_with_the_points() {
     for line in [arc(8), sine(9)] {
-        let options = Options { mode: Mode::Single, lock: Lock::DataGuide, ..Options::default() };
+        let options = Options { curve: CurveKind::Single, lock: Lock::DataGuide, ..Options::default() };
         let plain = solve(&line, &options);
         assert_eq!(plain.reports()[0].status, FitStatus::Ok);
         let far = |a: &[DVec3], b: &[DVec3]| a.iter().zip(b).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
@@ -27,7 +27,7 @@ fn single_curves_move_with_the_points() {
 
 #[test]
 fn single_curves_keep_their_guides() {
-    let options = Options { mode: Mode::Single, lock: Lock::DataGuide, ..Options::default() };
+    let options = Options { curve: CurveKind::Single, lock: Lock::DataGuide, ..Options::default() };
     let mut most = 0;
     for n in [2, 3, 4, 5, 6, 8, 10, 12, 15, 20] {
         let mut lines = vec![arc(n + 1), sine(n + 1)];
@@ -60,7 +60,7 @@ fn single_curves_keep_their_guides() {
 #[test]
 fn single_curves_by_parameters() {
     for line in [arc(6), sine(9)] {
-        let fit = solve(&line, &Options { mode: Mode::Single, ..Options::default() });
+        let fit = solve(&line, &Options { curve: CurveKind::Single, ..Options::default() });
         check(&line, &fit, "collocation");
         let mut knots = vec![0.0];
         line.points.windows(2).for_each(|pair| knots.push(knots[knots.len() - 1] + pair[0].distance(pair[1]).sqrt()));
@@ -73,7 +73,7 @@ fn single_curves_by_parameters() {
 #[test]
 fn single_curves_have_their_tangents_and_seams() {
     for lock in [Lock::Parameter, Lock::DataGuide] {
-        let options = Options { mode: Mode::Single, lock, ..Options::default() };
+        let options = Options { curve: CurveKind::Single, lock, ..Options::default() };
         let line = sine(7);
         let tangent = DVec3::new(1.0, 2.0, 0.0);
         let constraints = [
@@ -99,7 +99,7 @@ fn single_curves_have_their_tangents_and_seams() {
         }
     }
     let line = blob(80, 0.0);
-    let fit = solve(&line, &Options { mode: Mode::Single, ..Options::default() });
+    let fit = solve(&line, &Options { curve: CurveKind::Single, ..Options::default() });
     check(&line, &fit, "many");
     assert_eq!((fit.reports()[0].status, fit.curve(0).len()), (FitStatus::DegreeTooHigh, 80));
     assert!(fit.statuses().iter().all(|&status| status == PointStatus::CompositeInstead));

@@ -8,7 +8,7 @@ use crate::outline_data::{Line, adversarial, arc, blob, check, outlines, random,
 use glam::DVec3;
 use gusset::Job;
 use gusset::curve::{
-    Constraint, CurveView, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointConstraint,
+    Constraint, CurveKind, CurveView, Fit, FitStatus, JointParameter, Lock, Method, Options, Outlines, PointConstraint,
     PointStatus, Points, Solver, fit, step_section,
 };
 use proptest::prelude::*;
@@ -147,7 +147,7 @@ fn stepping_agrees_with_fast_solutions_of_outlines() {
     }
     for line in [arc(3), arc(5), sine(4), sine(5)] {
         for lock in [Lock::Parameter, Lock::DataGuide] {
-            let fast = Options { mode: Mode::Single, lock, ..Options::default() };
+            let fast = Options { curve: CurveKind::Single, lock, ..Options::default() };
             let (fast, stepped) = (solve(&line, &fast), solve(&line, &Options { solver: Solver::Step, ..fast }));
             assert_eq!(stepped.reports()[0].status, FitStatus::Ok, "{} {lock:?}", line.name);
             check(&line, &stepped, "single, stepping");
@@ -199,7 +199,7 @@ fn nothing_breaks_the_solvers() {
                 }
                 let knots = Options { joint: JointParameter::Knot, ..step };
                 check(line, &solve(line, &knots), &format!("{method:?} {lock:?} knots, steps"));
-                let single = Options { mode: Mode::Single, ..step };
+                let single = Options { curve: CurveKind::Single, ..step };
                 check(line, &solve(line, &single), &format!("single {method:?} {lock:?} steps"));
                 let single = Options { solver: Solver::Fast, ..single };
                 check(line, &solve(line, &single), &format!("single {method:?} {lock:?}"));
@@ -275,10 +275,10 @@ fn too_few_steps_or_sweeps_are_said_to_be() {
 #[test]
 fn lost_guides_are_told() {
     let (mut kept, mut lost) = (0, 0);
-    for mode in [Mode::Composite, Mode::Single] {
+    for curve_kind in [CurveKind::Composite, CurveKind::Single] {
         for line in random(40, 9) {
             let n = line.points.len();
-            let fit = solve(&line, &Options { mode, lock: Lock::DataGuide, ..Options::default() });
+            let fit = solve(&line, &Options { curve: curve_kind, lock: Lock::DataGuide, ..Options::default() });
             check(&line, &fit, "lost");
             let curve = fit.curve(0);
             for i in 1..n - 1 {
@@ -291,7 +291,7 @@ fn lost_guides_are_told() {
                 let aside = (b - p).dot(across.normalize()).abs();
                 let on = aside <= 1e-9 * b.distance(p).max(1.0);
                 let said = matches!(fit.statuses()[i], PointStatus::Ok | PointStatus::Looped);
-                assert_eq!(on, said, "{mode:?} {} {i}: {aside:e} {:?}", line.name, fit.statuses()[i]);
+                assert_eq!(on, said, "{curve_kind:?} {} {i}: {aside:e} {:?}", line.name, fit.statuses()[i]);
                 kept += u32::from(on);
                 lost += u32::from(!on);
             }
@@ -354,8 +354,8 @@ fn points_in_space() {
         let (controls, t) = section(fit.curve(0), &fit, i).unwrap();
         assert!((t - centripetal(controls[0], line.points[i], controls[2])).abs() < 1e-11);
     }
-    for mode in [Mode::Composite, Mode::Single] {
-        let fit = solve(&helix(8), &Options { mode, lock: Lock::DataGuide, ..Options::default() });
+    for curve_kind in [CurveKind::Composite, CurveKind::Single] {
+        let fit = solve(&helix(8), &Options { curve: curve_kind, lock: Lock::DataGuide, ..Options::default() });
         check(&helix(8), &fit, "helix, guides");
         assert!(fit.statuses()[1..7].iter().all(|&status| status == PointStatus::OutOfPlane), "{:?}", fit.statuses());
     }
@@ -447,7 +447,7 @@ proptest! {
             .map(|(i, &(x, y, z))| [f64::from(x), f64::from(y) + 0.1 * i as f64, f64::from(z)])
             .collect();
         let outlines = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
-        let options = Options { mode: Mode::CubicC2, method: Method::Alpha(alpha), ..Options::default() };
+        let options = Options { curve: CurveKind::CubicC2, method: Method::Alpha(alpha), ..Options::default() };
         let done = fit(&outlines, &options, &Job::default()).unwrap();
         let curve = done.curve(0);
         let n = points.len();

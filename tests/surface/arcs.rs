@@ -75,9 +75,9 @@ fn no_arc_is_lost() {
                 SearchGoal::Least => least,
             };
             for (k, &truth) in truth.iter().enumerate() {
-                assert!(found.mask.get([0, k]) || truth > within, "{case} {goal:?} {k}: {truth} {within}");
+                assert!(found.possible_cells.get([0, k]) || truth > within, "{case} {goal:?} {k}: {truth} {within}");
             }
-            kept += found.mask.count();
+            kept += found.possible_cells.count();
             arcs_in_all += truth.len();
             evaluations += found.evaluations;
         }
@@ -94,7 +94,7 @@ fn no_arc_is_lost() {
             let least = deviations.iter().copied().fold(f64::INFINITY, f64::min);
             let within = if goal == SearchGoal::Least { least } else { 0.01 };
             for (k, &truth) in deviations.iter().enumerate() {
-                assert!(found.mask.get([0, k]) || truth > within, "{case} {goal:?} {k}: {truth}");
+                assert!(found.possible_cells.get([0, k]) || truth > within, "{case} {goal:?} {k}: {truth}");
             }
         }
     }
@@ -125,11 +125,11 @@ fn no_cell_is_lost() {
             let points =
                 (0..9).map(|k| sheet.jet(cell[0], cell[1], f64::from(k / 3) / 2.0, f64::from(k % 3) / 2.0).point);
             let least = points.map(distance).fold(f64::INFINITY, f64::min);
-            assert!(found.mask.get(cell) || least > within, "{case} {cell:?}: {least}");
+            assert!(found.possible_cells.get(cell) || least > within, "{case} {cell:?}: {least}");
         }
-        let nodes: Vec<[usize; 2]> = found.mask.nodes().collect();
-        assert!(found.mask.count() > 0 || nodes.is_empty());
-        assert!(nodes.len() >= found.mask.count() / 4 && nodes.len() <= 4 * found.mask.count());
+        let nodes: Vec<[usize; 2]> = found.possible_cells.nodes().collect();
+        assert!(found.possible_cells.count() > 0 || nodes.is_empty());
+        assert!(nodes.len() >= found.possible_cells.count() / 4 && nodes.len() <= 4 * found.possible_cells.count());
         assert!(found.evaluations <= ((h + 1) * (w + 1)) as u64);
     }
 }
@@ -168,7 +168,7 @@ fn bits_of_nodes_lose_crossings_of_curves() {
     let plane = Figure::Object(PointPlaneOrLine::Plane { point: DVec3::X * 0.5, normal: DVec3::X });
     let found =
         arcs.find_arcs_near_figure(plane, &SearchOptions::new(SearchGoal::Within(0.0)), &Job::default()).unwrap();
-    assert!(found.mask.get([0, 6]) && found.mask.count() <= 3);
+    assert!(found.possible_cells.get([0, 6]) && found.possible_cells.count() <= 3);
 }
 
 #[test]

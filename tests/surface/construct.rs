@@ -4,7 +4,7 @@
 use crate::shapes::wigley;
 use glam::DVec3;
 use gusset::curve::frame::{Correspondence, FrameOptions, frame};
-use gusset::curve::{Curve, CurveView, Mode, Options, Outlines, Points};
+use gusset::curve::{Curve, CurveKind, CurveView, Options, Outlines, Points};
 use gusset::surface::construct::{CurveNet, FrameSurface, Tangents, Twists};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
 use gusset::{Element, Error, Job};
@@ -130,7 +130,7 @@ fn patches_of_mixed_degrees() {
 pub(crate) fn through(points: &[DVec3], closed: bool) -> Curve {
     let rows: Vec<[f64; 3]> = points.iter().map(DVec3::to_array).collect();
     let outlines = Outlines { points: Points::from(&rows[..]), offsets: None, closed, constraints: &[] };
-    let options = Options { mode: Mode::CubicC2, ..Options::default() };
+    let options = Options { curve: CurveKind::CubicC2, ..Options::default() };
     gusset::curve::fit(&outlines, &options, &Job::default()).unwrap().curve(0).to_owned().unwrap()
 }
 
@@ -329,21 +329,21 @@ fn frames_and_their_curves() {
     let offsets: Vec<u32> = (0..=8).map(|k| 12 * k).collect();
     let outlines =
         Outlines { points: Points::from(&sections[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
-    for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2] {
-        let curves = Options { mode, ..Options::default() };
+    for curve_kind in [CurveKind::Composite, CurveKind::BlendC1, CurveKind::BlendC2, CurveKind::CubicC2] {
+        let curves = Options { curve: curve_kind, ..Options::default() };
         let options = FrameOptions { across: curves, along: curves, ..FrameOptions::new(Correspondence::Given) };
         let made = frame(&outlines, &options, &job).unwrap();
         let grid = Sheet::from_frame(&made, [false, true], FrameSurface::Nodes, &job).unwrap();
         assert_eq!((grid.cells(), grid.is_closed(), grid.poles_at_sides()[0]), ([7, 12], [false, true], [false, true]));
         let sheet = Sheet::from_frame(&made, [false, true], FrameSurface::Curves, &job).unwrap();
-        assert_eq!((sheet.is_closed(), sheet.poles_at_sides()[0]), ([false, true], [false, true]), "{mode:?}");
+        assert_eq!((sheet.is_closed(), sheet.poles_at_sides()[0]), ([false, true], [false, true]), "{curve_kind:?}");
         for k in 0..7 {
             let apart = distance_from(&sheet, made.across.curve(k));
-            assert!(apart < 1e-12, "{mode:?} {k}: {apart}");
+            assert!(apart < 1e-12, "{curve_kind:?} {k}: {apart}");
         }
         for l in 0..12 {
             let apart = distance_from(&sheet, made.along.curve(l));
-            assert!(apart < 1e-12, "{mode:?} {l}: {apart}");
+            assert!(apart < 1e-12, "{curve_kind:?} {l}: {apart}");
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use gusset::curve::frame::{Correspondence, FrameOptions, frame};
-use gusset::curve::{Curve, CurveView, Mode, Options, Outlines, Points};
+use gusset::curve::{Curve, CurveKind, CurveView, Options, Outlines, Points};
 use gusset::surface::construct::{CurveNet, FrameSurface};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
 use gusset::{Error, Job};
@@ -27,7 +27,7 @@ fn vector(value: &Value) -> DVec3 {
 fn through(points: &[DVec3]) -> Curve {
     let rows: Vec<[f64; 3]> = points.iter().map(DVec3::to_array).collect();
     let outlines = Outlines { points: Points::from(&rows[..]), offsets: None, closed: false, constraints: &[] };
-    let options = Options { mode: Mode::CubicC2, ..Options::default() };
+    let options = Options { curve: CurveKind::CubicC2, ..Options::default() };
     gusset::curve::fit(&outlines, &options, &Job::default()).unwrap().curve(0).to_owned().unwrap()
 }
 
@@ -244,7 +244,7 @@ fn a_foot_from_its_frame() {
     }
     let sections =
         Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
-    let curves = Options { mode: Mode::CubicC2, ..Options::default() };
+    let curves = Options { curve: CurveKind::CubicC2, ..Options::default() };
     let options =
         FrameOptions { across: curves, along: curves, ..FrameOptions::new(Correspondence::ArcLength { columns: 32 }) };
     let made = frame(&sections, &options, &Job::default()).unwrap();

@@ -55,7 +55,7 @@ fn e1_nodes_on_rims_are_corners_outside() {
     let left = literal(lattice, d, |[i, j]| target.distance(strip.corner(i, j)), false);
     assert!((0..3).all(|j| !left.has_cell([3, j])), "the literal rule keeps what it is known to lose");
     let found = within(&strip, &diameters, object, 0.0);
-    assert!((0..3).all(|j| found.mask.get([3, j])));
+    assert!((0..3).all(|j| found.possible_cells.get([3, j])));
 }
 
 /// E1 on a closed surface with random planes: many lose cells to the rule as written, none to the
@@ -79,7 +79,7 @@ fn e1_random_planes() {
             if corners.iter().any(|&x| x > 0.0) && corners.iter().any(|&x| x < 0.0) {
                 crossing += 1;
                 own += usize::from(!left.has_cell(cell));
-                assert!(found.mask.get(cell), "{cell:?}");
+                assert!(found.possible_cells.get(cell), "{cell:?}");
             }
         }
         (planes, lost) = (planes + usize::from(own > 0), lost + own);
@@ -101,10 +101,10 @@ fn e2_blocks_must_not_touch() {
     // The node is at the point, and zeroed by the first one.
     assert!(!left.has_node([3, 0]) && target.distance(line.corner(3, 0)) == 0.0);
     let found = within(&line, &diameters, object, 0.0);
-    assert!(found.mask.get([2, 0]) && found.mask.get([3, 0]));
+    assert!(found.possible_cells.get([2, 0]) && found.possible_cells.get([3, 0]));
     // With tau: J = ceil((r - tau) / d) - 1.
     let found = within(&line, &diameters, object, 1.0);
-    assert!((1..5).all(|i| found.mask.get([i, 0])) && !found.mask.get([0, 0]));
+    assert!((1..5).all(|i| found.possible_cells.get([i, 0])) && !found.possible_cells.get([0, 0]));
 }
 
 /// E3: the nearest node excludes itself if it is farther than d.
@@ -160,7 +160,7 @@ fn e4_angles() {
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| phi([i, j]) - FRAC_PI_2);
             if corners.iter().any(|&x| x > 0.0) && corners.iter().any(|&x| x < 0.0) {
                 lost += usize::from(!left.has_cell(cell));
-                assert!(found.mask.get(cell));
+                assert!(found.possible_cells.get(cell));
             }
         }
     }
@@ -188,7 +188,7 @@ fn e5_lines_that_must_not_be_dropped() {
     let left = literal(lattice, 1.0, distance, true);
     assert!(!left.has_cell([0, 3]));
     let found = within(&wide, &diameters, object, 0.0);
-    assert!(found.mask.get([0, 3]) && d > 1.0);
+    assert!(found.possible_cells.get([0, 3]) && d > 1.0);
 
     // A strip that turns back: a block amid it is dropped, and the two ends, taken for neighbours,
     // exclude each other.
@@ -209,20 +209,20 @@ fn e5_lines_that_must_not_be_dropped() {
         let plain = SearchOptions { drop_lines: false, ..SearchOptions::new(SearchGoal::Within(0.0)) };
         let plain = find_cells_near_object(&strip, &diameters, object, &plain, &Job::default()).unwrap();
         // Dropping lines spares nothing else.
-        assert_eq!(found.mask, plain.mask);
+        assert_eq!(found.possible_cells, plain.possible_cells);
         dropped += found.dropped;
         for cell in all_cells(lattice) {
             let corners = corner_distances(&strip, cell, point, DVec3::X);
             if corners.iter().any(|&x| x > 0.0) && corners.iter().any(|&x| x < 0.0) {
                 lost += usize::from(!left.has_cell(cell));
-                assert!(found.mask.get(cell));
+                assert!(found.possible_cells.get(cell));
             }
         }
     }
     assert!(lost > 0 && dropped > 0, "{lost} {dropped}");
     // The negative answer at once: the first node excludes all.
     let far = within(&strip, &diameters, PointPlaneOrLine::Point(DVec3::new(0.0, 1e4, 0.0)), 0.0);
-    assert_eq!((far.mask.count(), far.evaluations, far.blocks), (0, 1, 1));
+    assert_eq!((far.possible_cells.count(), far.evaluations, far.blocks), (0, 1, 1));
 }
 
 /// A patch over the unit square, flat at its edge, with a bump of height about `height` inside.
@@ -251,7 +251,7 @@ fn e6_half_the_perimeter_is_no_bound() {
     let lattice = CellGridShape::new(&bump);
     let left = literal(lattice, half_perimeter, |[i, j]| target.distance(bump.corner(i, j)), false);
     assert!(!left.has_cell([0, 0]));
-    assert!(within(&bump, &diameters, object, 0.0).mask.get([0, 0]));
+    assert!(within(&bump, &diameters, object, 0.0).possible_cells.get([0, 0]));
 }
 
 /// E7: a section may be a loop within one cell, cross a side twice, or touch; the signs at the
@@ -304,7 +304,7 @@ fn e8_euclidean_suffices() {
         evaluations = [evaluations[0] + chord.evaluations, evaluations[1] + way.evaluations];
         let exact = cells_within(&folded, &diameters, object, 0.0, 1e-9);
         for cell in all_cells(lattice).filter(|&cell| exact.get(cell)) {
-            assert!(chord.mask.get(cell) && way.mask.get(cell));
+            assert!(chord.possible_cells.get(cell) && way.possible_cells.get(cell));
         }
     }
     assert!(evaluations[0] < evaluations[1], "{evaluations:?}");

@@ -57,7 +57,7 @@ pub(crate) fn closest(sheet: &Sheet<'_>, diameters: &Diameters, query: DVec3, to
         if node[k] <= last { (node[k] as u32, 0.0) } else { (last as u32, 1.0) }
     });
     let mut best = Nearest { distance, place: Place { sheet: 0, cell: [row, column], u, v }, bound: distance };
-    for [i, j] in found.mask.cells() {
+    for [i, j] in found.possible_cells.cells() {
         let near = sheet.corner(i, j).distance(query) - diameters.euclidean.get([i, j]);
         if near <= best.distance * (1.0 + 1e-12) {
             with_patch!(sheet, [i, j], patch => refine(patch, query, [i, j], tolerance, &mut best));
@@ -113,7 +113,7 @@ pub(crate) fn cells_within(
     tolerance: f64,
 ) -> CellMask {
     let options = SearchOptions::new(SearchGoal::Within(distance));
-    let left = find_cells_near_object(sheet, diameters, object, &options, &Job::default()).unwrap().mask;
+    let left = find_cells_near_object(sheet, diameters, object, &options, &Job::default()).unwrap().possible_cells;
     let (object, mut within) = (ObjectBox::new(object), left.clone());
     for cell in left.cells() {
         let near = with_patch!(sheet, [cell[0], cell[1]], patch => object.comes_near(patch, distance, tolerance));

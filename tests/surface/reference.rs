@@ -201,13 +201,13 @@ fn nothing_within_reach_is_lost() {
                 let found = find_cells_near_object(&sheet, &diameters, object, &options, &Job::default()).unwrap();
                 for cell in cells(lattice) {
                     let near = samples[lattice.index(cell)].iter().any(|(point, _)| truth.distance(*point) <= tau);
-                    assert!(!near || found.mask.get(cell), "{object:?} {options:?} {cell:?}");
+                    assert!(!near || found.possible_cells.get(cell), "{object:?} {options:?} {cell:?}");
                 }
                 assert!(found.evaluations <= (rows * columns) as u64);
                 spared[0] += found.evaluations;
                 spared[1] += (rows * columns) as u64;
-                least = least.min(found.mask.count());
-                assert_eq!(found.mask.cells().count(), found.mask.count());
+                least = least.min(found.possible_cells.count());
+                assert_eq!(found.possible_cells.cells().count(), found.possible_cells.count());
             }
             // The negative answer.
             if least == 0 && tau > 0.0 {
@@ -245,7 +245,7 @@ fn the_nearest_is_kept() {
                 for cell in cells(lattice) {
                     let near = &samples[lattice.index(cell)];
                     let nearer = near.iter().any(|(point, _)| point.distance(query) < found.least.1);
-                    assert!(!nearer || found.mask.get(cell), "{options:?} {cell:?}");
+                    assert!(!nearer || found.possible_cells.get(cell), "{options:?} {cell:?}");
                 }
             }
         }
@@ -278,10 +278,10 @@ fn normals_at_an_angle_are_kept() {
             for (which, variation) in [&cones, &bent].into_iter().enumerate() {
                 for options in ways(SearchGoal::Within(0.02)) {
                     let found = find_cells_with_angle(&sheet, variation, target, &options, &job).unwrap();
-                    left[which] += found.mask.count();
+                    left[which] += found.possible_cells.count();
                     for cell in cells(lattice) {
                         let near = least[lattice.index(cell)] <= 0.02;
-                        assert!(!near || found.mask.get(cell), "{} {target:?} {cell:?}", shape.name);
+                        assert!(!near || found.possible_cells.get(cell), "{} {target:?} {cell:?}", shape.name);
                     }
                 }
             }
@@ -415,8 +415,8 @@ fn bounds_hold_at_any_size_and_place() {
             let signs: Vec<_> = samples(&sheet, cell).iter().map(|(p, _)| (*p - point).dot(normal) > 0.0).collect();
             signs.iter().any(|&sign| sign != signs[0])
         });
-        let count = crossing.inspect(|&cell| assert!(found.mask.get(cell))).count();
-        assert!(count > 50 && found.mask.count() < 6 * count, "{count} {}", found.mask.count());
+        let count = crossing.inspect(|&cell| assert!(found.possible_cells.get(cell))).count();
+        assert!(count > 50 && found.possible_cells.count() < 6 * count, "{count} {}", found.possible_cells.count());
     }
 }
 
@@ -432,7 +432,7 @@ fn degenerate_sheets() {
                 let object = PointPlaneOrLine::Point(DVec3::new(0.0, 0.0, 3.0));
                 let found = find_cells_near_object(&sheet, &diameters, object, &options, &Job::default()).unwrap();
                 assert_eq!(found.least.1, 3.0);
-                assert_eq!(found.mask.count(), usize::from(goal == SearchGoal::Least));
+                assert_eq!(found.possible_cells.count(), usize::from(goal == SearchGoal::Least));
             }
         }
         let variation: CellSizeBounds = normal_variation_by_cones(&sheet, &Job::default()).unwrap();

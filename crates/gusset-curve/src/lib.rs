@@ -7,7 +7,7 @@
 //! | module | task | main items |
 //! |---|---|---|
 //! | `curve` | piecewise Bézier curves of any degrees, borrowed or owned | [`CurveView`], [`Curve`], [`Place`] |
-//! | `identify` | fits curves through points, with a report on each point | [`fit`](fit()), [`Outlines`], [`Mode`], [`Method`]; [`sections`](sections()) for single points |
+//! | `identify` | fits curves through points, with a report on each point | [`fit`](fit()), [`Outlines`], [`CurveKind`], [`Method`]; [`sections`](sections()) for single points |
 //! | [`ops`] | answers queries and builds new curves, as methods of [`CurveView`] | lengths, areas, nearest points, intersections, offsets, SVG paths |
 //! | [`frame`] | curves across and along a body, through a grid of nodes | [`frame()`](frame::frame()) |
 //!
@@ -21,7 +21,7 @@ pub mod ops;
 
 pub use curve::{Curve, CurveView, MAX_DEGREE, Place};
 pub use identify::{
-    Constraint, Cycle, Ends, Fit, FitStatus, JointParameter, Lock, MAX_POINTS, Method, Mode, Options, Outlines,
+    Constraint, CurveKind, Cycle, Ends, Fit, FitStatus, JointParameter, Lock, MAX_POINTS, Method, Options, Outlines,
     PointConstraint, PointStatus, Points, Report, Section, Sections, Solver, fit, section_by_end_tangent,
     section_by_start_tangent, section_by_tangent, sections, step_section, visit_sections,
 };

@@ -8,21 +8,21 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
 use gusset_curve::ops::SampleSpacing;
-use gusset_curve::{Curve, CurveView, Mode, Options, Outlines, Points, fit};
+use gusset_curve::{Curve, CurveKind, CurveView, Options, Outlines, Points, fit};
 
 pub(super) const CATEGORY: &str = "Curves";
 pub(super) const REFERENCE: &str = "T. Nadopta, Theoretical foundations of the identification of outline curves, 2008";
 
 choices! {
     /// The interpolating curve; none for the polyline itself.
-    CURVES_THROUGH: Option<Mode> =
+    CURVES_THROUGH: Option<CurveKind> =
         None => "Straight", "The polylines themselves.";
-        Some(Mode::Composite) => "Smooth", "Quadratic segments that meet smoothly, one for each point.";
-        Some(Mode::CubicC2) => "Cubic spline", "Cubic segments with continuous curvature.";
+        Some(CurveKind::Composite) => "Smooth", "Quadratic segments that meet smoothly, one for each point.";
+        Some(CurveKind::CubicC2) => "Cubic spline", "Cubic segments with continuous curvature.";
 }
 
 /// The interpolation of polylines.
-pub(super) const INTERPOLATION: TypedParam<Option<Mode>> =
+pub(super) const INTERPOLATION: TypedParam<Option<CurveKind>> =
     Param::choice("Between the points", "The curves through the given points.", CURVES_THROUGH);
 
 /// The fineness of curves.
@@ -45,9 +45,9 @@ pub(super) const PLANE: TypedParam<PlaneValue> = Param::plane(
 ///
 /// # Errors
 /// The errors of [`fit`].
-fn fit_curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_>) -> Result<Curve> {
-    if let Some(mode) = mode.filter(|_| !points.is_empty()) {
-        let options = Options { mode, ..Options::default() };
+fn fit_curve(points: &[[f64; 3]], closed: bool, curve_kind: Option<CurveKind>, job: &Job<'_>) -> Result<Curve> {
+    if let Some(curve_kind) = curve_kind.filter(|_| !points.is_empty()) {
+        let options = Options { curve: curve_kind, ..Options::default() };
         let outlines = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
         return fit(&outlines, &options, job)?.curve(0).to_owned();
     }
@@ -62,14 +62,14 @@ fn fit_curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_
 ///
 /// # Errors
 /// The errors of [`Curves::polylines`] and [`fit`].
-pub(super) fn fit_curves(given: &Curves, mode: Option<Mode>, job: &Job<'_>) -> Result<Vec<Curve>> {
-    fit_mapped_curves(given, mode, job, |_, points| alloc::copied(points))
+pub(super) fn fit_curves(given: &Curves, curve_kind: Option<CurveKind>, job: &Job<'_>) -> Result<Vec<Curve>> {
+    fit_mapped_curves(given, curve_kind, job, |_, points| alloc::copied(points))
 }
 
 /// The curves through mapped polylines. `map` gets the index of the first point and the points.
 fn fit_mapped_curves(
     given: &Curves,
-    mode: Option<Mode>,
+    curve_kind: Option<CurveKind>,
     job: &Job<'_>,
     map_points: impl Fn(usize, &[[f64; 3]]) -> Result<Vec<[f64; 3]>>,
 ) -> Result<Vec<Curve>> {
@@ -79,7 +79,7 @@ fn fit_mapped_curves(
     for (c, (points, closed)) in each.iter().enumerate() {
         let part = job.share(c, each.len());
         part.step(0.0, "curves")?;
-        curves.push(fit_curve(&map_points(first, points)?, *closed, mode, &part)?);
+        curves.push(fit_curve(&map_points(first, points)?, *closed, curve_kind, &part)?);
         first += points.len();
     }
     Ok(curves)
@@ -119,11 +119,16 @@ impl CurvePlane {
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`] with an index among all points, and the errors of [`fit_curves`].
-    pub(super) fn fit_curves_in_plane(&self, given: &Curves, mode: Option<Mode>, job: &Job<'_>) -> Result<Vec<Curve>> {
+    pub(super) fn fit_curves_in_plane(
+        &self,
+        given: &Curves,
+        curve_kind: Option<CurveKind>,
+        job: &Job<'_>,
+    ) -> Result<Vec<Curve>> {
         let largest = given.points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
         let size = bounding_box_of_inputs(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
         let slack = 1e-6 * size + 64.0 * f64::EPSILON * largest;
-        fit_mapped_curves(given, mode, job, |first, points| {
+        fit_mapped_curves(given, curve_kind, job, |first, points| {
             let mut flat = alloc::with_capacity(points.len())?;
             for (k, &point) in points.iter().enumerate() {
                 let [x, y, z] = self.axes.map(|axis| axis.dot(DVec3::from(point) - self.origin));

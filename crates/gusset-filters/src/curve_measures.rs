@@ -8,7 +8,7 @@ use super::signatures::{CURVES_ONLY, TO_TEXT};
 use super::typed_param::{ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_curve::{CurveView, Mode};
+use gusset_curve::{CurveKind, CurveView};
 
 /// The largest number of curves that the report lists.
 const MAX_LISTED_CURVES: usize = 1000;
@@ -24,7 +24,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 params! {
-    between: Option<Mode> = INTERPOLATION;
+    between: Option<CurveKind> = INTERPOLATION;
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {

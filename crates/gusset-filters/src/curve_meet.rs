@@ -7,7 +7,7 @@ use super::typed_param::{NON_NEGATIVE_RANGE, Param, ParamValues, params};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_curve::{Curve, Mode};
+use gusset_curve::{Curve, CurveKind};
 
 /// The largest number of intersections that the report lists.
 const MAX_LISTED_MEETINGS: usize = 1000;
@@ -23,7 +23,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 params! {
-    between: Option<Mode> = INTERPOLATION;
+    between: Option<CurveKind> = INTERPOLATION;
     within: f64 = Param::length(
         "Distance",
         "The largest distance at which curves count as meeting. 0 finds intersections up to rounding.",

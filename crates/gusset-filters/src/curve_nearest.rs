@@ -9,7 +9,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_curve::ops::nearest_of_any;
-use gusset_curve::{Curve, Mode};
+use gusset_curve::{Curve, CurveKind};
 
 /// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 16;
@@ -25,7 +25,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 params! {
-    between: Option<Mode> = INTERPOLATION;
+    between: Option<CurveKind> = INTERPOLATION;
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {

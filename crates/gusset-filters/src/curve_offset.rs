@@ -6,7 +6,7 @@ use super::signatures::{CURVES_ONLY, TO_CURVES_TEXT};
 use super::typed_param::{COORDINATE_RANGE, Param, ParamValues, PlaneValue, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_curve::Mode;
+use gusset_curve::CurveKind;
 use gusset_curve::ops::{OffsetOptions, SampleSpacing};
 
 /// The largest number of segments of an offset.
@@ -23,7 +23,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 params! {
-    between: Option<Mode> = INTERPOLATION;
+    between: Option<CurveKind> = INTERPOLATION;
     plane: PlaneValue = PLANE;
     distance: f64 = Param::length(
         "Distance",

@@ -6,7 +6,7 @@ use super::typed_param::{LENGTH_RANGE, Param, ParamValues, params};
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_curve::Mode;
+use gusset_curve::CurveKind;
 use gusset_curve::ops::SampleSpacing;
 
 pub(super) const FILTER: Filter = Filter {
@@ -21,7 +21,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 params! {
-    between: Option<Mode> = INTERPOLATION;
+    between: Option<CurveKind> = INTERPOLATION;
     spacing: MakeSpacing = Param::choice("Spacing", "The rule that places the new points.", SPACINGS);
     number: u32 = Param::int(
         "Number",

@@ -7,7 +7,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_curve::{CurveView, Mode};
+use gusset_curve::{CurveKind, CurveView};
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_svg",
@@ -20,7 +20,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 params! {
-    between: Option<Mode> = INTERPOLATION;
+    between: Option<CurveKind> = INTERPOLATION;
     plane: PlaneValue = PLANE;
     downwards: bool = Param::flag("y downwards", "Negates the second coordinate, as y points down in SVG.");
 }

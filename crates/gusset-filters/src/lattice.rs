@@ -29,8 +29,9 @@ params! {
     strength: f64 = STRENGTH;
 }
 
-/// The smallest distance of two grid coordinates, as a fraction of the lattice's extent. The
-/// largest lattice has a spacing of 1/31.
+/// The smallest distance of two distinct grid coordinates, as a fraction of the lattice's extent.
+/// Closer ones count as one. It is far below 1/31, the spacing of the 32 grid points that an axis
+/// has at most.
 const MIN_RELATIVE_SPACING: f64 = 1e-3;
 
 /// The largest distance of a vertex from its grid point, in spacings of the grid.

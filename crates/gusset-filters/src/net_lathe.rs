@@ -11,7 +11,7 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
 use gusset_base::job::Job;
 use gusset_curve::ops::SampleSpacing;
-use gusset_curve::{CurveView, Mode};
+use gusset_curve::{CurveKind, CurveView};
 use gusset_net::primitive::{Primitive, Request};
 use gusset_net::transform::{Affine, transform};
 
@@ -38,7 +38,7 @@ params! {
         "The number of rows at equal arc lengths of the curve; 0 takes the given points.",
         [0.0, 100_000.0], &[0.0],
     );
-    between: Option<Mode> = INTERPOLATION;
+    between: Option<CurveKind> = INTERPOLATION;
     triangles: bool = TRIANGLES;
 }
 

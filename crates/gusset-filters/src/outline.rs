@@ -8,11 +8,11 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_curve::ops::SampleSpacing;
 use gusset_curve::{
-    Ends, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
+    CurveKind, Ends, Fit, FitStatus, JointParameter, Lock, Method, Options, Outlines, PointStatus, Points, fit,
 };
 
 params! {
-    curve: Mode = Param::choice("Curve", "The kind of curve that is drawn.", Mode::CHOICES);
+    curve: CurveKind = Param::choice("Curve", "The kind of curve that is drawn.", CurveKind::CHOICES);
     method: Method = Param::choice("Method", "The line that holds the control point of a section.", Method::CHOICES);
     lock: Lock = Param::choice("Constraint", "The condition that fixes the section of a point.", Lock::CHOICES);
     joint: JointParameter =
@@ -47,7 +47,7 @@ pub(super) const FILTER: Filter = Filter {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
     let options = Options {
-        mode: values.curve,
+        curve: values.curve,
         method: values.method,
         lock: values.lock,
         joint: values.joint,

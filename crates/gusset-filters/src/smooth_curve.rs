@@ -7,7 +7,7 @@ use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use super::typed_param::{ParamValues, params};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_curve::Mode;
+use gusset_curve::CurveKind;
 use gusset_surface::Scheme;
 use gusset_surface::line_intersection::HitSelection;
 
@@ -26,7 +26,7 @@ pub(super) const FILTER: Filter = Filter {
 
 params! {
     scheme: Scheme = SCHEME;
-    between: Option<Mode> = INTERPOLATION;
+    between: Option<CurveKind> = INTERPOLATION;
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {

@@ -7,7 +7,7 @@ use super::typed_param::{LENGTH_RANGE, Param, ParamValues, params};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_curve::{Curve, Mode};
+use gusset_curve::{Curve, CurveKind};
 use gusset_surface::construct::CurveNet;
 use gusset_surface::{Sheet, Surface};
 
@@ -24,7 +24,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 params! {
-    between: Option<Mode> = INTERPOLATION;
+    between: Option<CurveKind> = INTERPOLATION;
     ring: bool = Param::flag(
         "Ring",
         "The first curve across follows the last one. Ignored if there are curves along, which determine it.",

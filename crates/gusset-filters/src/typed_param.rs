@@ -316,14 +316,16 @@ impl TypedParam<bool> {
 }
 
 impl TypedParam<DVec3> {
-    /// The point or direction with a default that follows from the inputs.
+    /// Sets a function that computes the default point or direction from the inputs and their
+    /// bounding box. `None` keeps the plain default.
     pub(super) const fn suggested(self, vector: fn(&[Input<'_>], &Aabb) -> Option<DVec3>) -> Self {
         self.with_suggestion(Suggestion::Vector(vector))
     }
 }
 
 impl TypedParam<PlaneValue> {
-    /// The plane with a default that follows from the inputs.
+    /// Sets a function that computes the default plane from the inputs and their bounding box.
+    /// `None` keeps the plain default.
     pub(super) const fn suggested(self, plane: fn(&[Input<'_>], &Aabb) -> Option<[f64; 4]>) -> Self {
         self.with_suggestion(Suggestion::Plane(plane))
     }

@@ -1,6 +1,6 @@
 //! A limit of the memory that a reader takes for what it makes of a file.
 
-use crate::MEMORY_MULTIPLE;
+use crate::MAX_MEMORY_PER_FILE_BYTE;
 use crate::error::{ReadError, ReadErrorKind};
 
 /// Memory in bytes that every file may take, however small it is.
@@ -23,7 +23,7 @@ impl Budget {
     /// Adds a file that the first one refers to.
     pub(crate) fn add_source(&mut self, file_bytes: usize) {
         self.source_bytes = self.source_bytes.saturating_add(file_bytes as u64);
-        self.left = self.left.saturating_add((file_bytes as u64).saturating_mul(MEMORY_MULTIPLE - 1));
+        self.left = self.left.saturating_add((file_bytes as u64).saturating_mul(MAX_MEMORY_PER_FILE_BYTE - 1));
     }
 
     /// Returns the bytes that are left.
@@ -69,5 +69,5 @@ impl Budget {
 }
 
 fn allowed_bytes(source_bytes: u64) -> u64 {
-    source_bytes.saturating_mul(MEMORY_MULTIPLE).max(MIN_BUDGET)
+    source_bytes.saturating_mul(MAX_MEMORY_PER_FILE_BYTE).max(MIN_BUDGET)
 }

@@ -17,8 +17,8 @@ pub(crate) fn nearest_step(part: f32) -> u8 {
     (255.0 * part).round() as u8
 }
 
-/// Returns whether steps hold the colours exactly, and a reader sees that they are steps: one of them exceeds 1, or all are 0.
-pub(crate) fn are_steps(colours: &[[f32; 4]], has_opacity: bool) -> bool {
+/// Returns whether bytes hold the colours exactly, and a reader recognises them as bytes: one of them exceeds 1, or all are 0.
+pub(crate) fn are_colours_exact_as_bytes(colours: &[[f32; 4]], has_opacity: bool) -> bool {
     let parts = || colours.iter().flat_map(|colour| &colour[..if has_opacity { 4 } else { 3 }]);
     let largest = parts().map(|&part| nearest_step(part)).max().unwrap_or(0);
     largest != 1 && parts().all(|part| (255.0 * part - f32::from(nearest_step(*part))).abs() <= MAX_STEP_ERROR)

@@ -19,7 +19,7 @@ enum Reach {
     Everywhere,
 }
 
-/// The folder from which a file names others.
+/// The folder of a file, in which the names of other files in that file are looked up.
 pub(crate) struct Folder {
     path: PathBuf,
     /// The path without links, if the folder exists.
@@ -28,12 +28,12 @@ pub(crate) struct Folder {
 }
 
 impl Folder {
-    /// Takes the folder of a file that is read.
+    /// Returns the folder of a file that is read. `follow_outside` allows names that lead out of the folder.
     pub(crate) fn for_reading(file: &Path, follow_outside: bool) -> Self {
         Self::new(file, if follow_outside { Reach::Everywhere } else { Reach::Folder })
     }
 
-    /// Takes the folder of a file that is written.
+    /// Returns the folder of a file that is written. Allows absolute names, which `read_file` has checked.
     pub(crate) fn for_writing(file: &Path) -> Self {
         Self::new(file, Reach::FolderAndAbsoluteNames)
     }

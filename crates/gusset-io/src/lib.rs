@@ -5,7 +5,8 @@
 //! a file only once the new one is complete.
 //!
 //! Readers accept what is clear although it breaks a format's rules, and say so in a [`Note`]. They refuse what is not clear, and name
-//! the line or element. Each reader takes time linear in the file, and memory of at most [`MEMORY_MULTIPLE`] times its size.
+//! the line or element. Each reader takes time linear in the file, and at most
+//! [`MAX_MEMORY_PER_FILE_BYTE`] bytes of memory for each of its bytes.
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles; `precision` tells what single precision
@@ -84,5 +85,6 @@ pub use mesh::{Domain, Mesh, NumberKind, Positions, Property, Values};
 pub use options::{ReadOptions, WriteOptions};
 pub use resources::{NoResources, Output, Resources, Target};
 
-/// Largest memory that a reader takes, as a multiple of the size of the file and of the files that it refers to.
-pub const MEMORY_MULTIPLE: u64 = 32;
+/// Largest memory in bytes that a reader takes for each byte of the file and of the files that it refers to. Every file may take at
+/// least 16 MiB.
+pub const MAX_MEMORY_PER_FILE_BYTE: u64 = 32;

@@ -133,7 +133,7 @@ fn fetch_suite<T>(host: &OfxHost, name: &CStr, version: c_int) -> Option<&'stati
     input::checked_reference(suite.cast(), "suite").ok()
 }
 
-/// Named values of the host. Texts must be static, because the host keeps pointers to them.
+/// A set of named values that the host holds. Texts must be static, because the host keeps pointers to them.
 #[derive(Clone, Copy)]
 pub(super) struct PropertySet {
     suite: &'static PropertySuite,

@@ -64,7 +64,7 @@ pub struct MeshParameterLines {
     /// For each face corner, the two lines that meet there, as a single number: the index of the
     /// line of u, times the number of lines of v, plus the index of the line of v. On a seam, each
     /// face refers to its own side.
-    pub corners: Vec<u32>,
+    pub line_pair_of_corner: Vec<u32>,
 }
 
 impl MeshParameterLines {
@@ -72,7 +72,10 @@ impl MeshParameterLines {
     /// is the range of the face's corners in the mesh.
     pub fn face_parameters(&self, corners: Range<usize>) -> ([u32; 2], impl ExactSizeIterator<Item = [f64; 2]>) {
         let across = self.lines[1].len();
-        let at = move |corner: usize| [self.corners[corner] as usize / across, self.corners[corner] as usize % across];
+        let at = move |corner: usize| {
+            let pair = self.line_pair_of_corner[corner] as usize;
+            [pair / across, pair % across]
+        };
         // Each line of the cell contains at least one of any three corners.
         let first = [0, 1].map(|k| corners.clone().map(|corner| at(corner)[k]).min().unwrap_or(0));
         let cell = [0, 1].map(|k| self.lines[k].get(first[k]).map_or(0, |line| line.0));
@@ -283,8 +286,11 @@ impl<'a> MeshLattice<'a> {
             }
             Ok(lines)
         };
-        let lines =
-            MeshParameterLines { cells: self.sheet.cells(), lines: [with_end(0)?, with_end(1)?], corners: lattice };
+        let lines = MeshParameterLines {
+            cells: self.sheet.cells(),
+            lines: [with_end(0)?, with_end(1)?],
+            line_pair_of_corner: lattice,
+        };
         Ok(SurfaceMesh { mesh, places, normals, deviation: self.deviation, lines })
     }
 }

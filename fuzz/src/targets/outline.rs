@@ -1,21 +1,21 @@
-//! Curves through any points, of every mode and method: finite ones, or an error.
+//! Curves through any points, of every kind and method: finite ones, or an error.
 
 use crate::input;
 use crate::input::{Cloud, places};
 use gusset::Job;
-use gusset::curve::{Ends, JointParameter, Lock, Mode, Options, Outlines, Points, fit};
+use gusset::curve::{CurveKind, Ends, JointParameter, Lock, Options, Outlines, Points, fit};
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {
     let Some(input) = input::taken::<(Cloud, bool, [u8; 4])>(bytes) else { return };
-    let (points, closed, [mode, lock, joint, ends]) = input;
+    let (points, closed, [curve_kind, lock, joint, ends]) = input;
     let points: Vec<[f64; 3]> = places(&points).iter().map(|point| point.to_array()).collect();
     if points.len() > 64 {
         return;
     }
-    use Mode::{BlendC1, BlendC2, Chain, Composite, CubicC2, Single};
+    use CurveKind::{BlendC1, BlendC2, Chain, Composite, CubicC2, Single};
     let options = Options {
-        mode: [BlendC1, BlendC2, Composite, CubicC2, Single, Chain][usize::from(mode % 6)],
+        curve: [BlendC1, BlendC2, Composite, CubicC2, Single, Chain][usize::from(curve_kind % 6)],
         lock: [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide][usize::from(lock % 3)],
         joint: [JointParameter::Half, JointParameter::Knot, JointParameter::G2][usize::from(joint % 3)],
         ends: [Ends::Free, Ends::Perpendicular, Ends::LevelOrUpright][usize::from(ends % 3)],

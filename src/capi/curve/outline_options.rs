@@ -3,7 +3,7 @@
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::choice;
 use crate::capi::status::Failure;
-use crate::curve::{Ends, JointParameter, Lock, Method, Mode, Options, Solver};
+use crate::curve::{CurveKind, Ends, JointParameter, Lock, Method, Options, Solver};
 
 /// Kind of an outline's curve.
 pub type gusset_curve_kind = u32;
@@ -208,7 +208,7 @@ pub(crate) fn to_section_method(options: &gusset_outline_options) -> Result<Meth
 }
 
 c_enum! {
-    curve: Mode {
+    curve: CurveKind {
         GUSSET_CURVE_KIND_COMPOSITE => Composite,
         GUSSET_CURVE_KIND_SINGLE => Single,
         GUSSET_CURVE_KIND_BLEND_C1 => BlendC1,
@@ -234,7 +234,7 @@ impl gusset_outline_options {
         let or = |value: f64, default: f64| if value == 0.0 { default } else { value };
         let or_count = |value: u32, default: u32| if value == 0 { default } else { value };
         Ok(Options {
-            mode: choice(self.curve)?,
+            curve: choice(self.curve)?,
             method: to_section_method(&self)?,
             lock: choice(self.lock)?,
             joint: choice(self.joint)?,

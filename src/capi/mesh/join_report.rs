@@ -12,7 +12,7 @@ use gusset_base::alloc;
 
 /// Outcome of a joint.
 pub type gusset_joint_outcome = u32;
-/// A strip joins them.
+/// A strip joins the two sides.
 pub const GUSSET_JOINT_JOINED: gusset_joint_outcome = 0;
 
 /// Left open: the surface would become one-sided.

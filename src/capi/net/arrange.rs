@@ -11,9 +11,9 @@ use crate::net::{CopyOptions, Direction, GridSymmetry, Replication, Shape};
 
 /// Direction within a net.
 pub type gusset_direction = u32;
-/// From column to column.
+/// Along the rows, from each column to the next.
 pub const GUSSET_DIRECTION_RIGHT: gusset_direction = 0;
-/// From row to row.
+/// Along the columns, from each row to the next.
 pub const GUSSET_DIRECTION_DOWN: gusset_direction = 1;
 
 /// Replicated rows or columns.

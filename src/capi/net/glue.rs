@@ -19,7 +19,7 @@ pub const GUSSET_GLUING_LINK: gusset_gluing_kind = 0;
 /// Node element and its neighbours in the mask: east 1, south 2, west 4, north 8. Links at sides
 /// lead to the opposite side.
 pub const GUSSET_GLUING_STAR: gusset_gluing_kind = 1;
-/// The ends of links of cell element in the mask: top 1, right 2, bottom 4, left 8.
+/// The two ends of each link of cell element in the mask: top 1, right 2, bottom 4, left 8.
 pub const GUSSET_GLUING_CELL: gusset_gluing_kind = 2;
 /// Opposite corners of cell element: mask 1 for the first and third, 2 for the second and fourth.
 pub const GUSSET_GLUING_DIAGONAL: gusset_gluing_kind = 3;
@@ -58,23 +58,23 @@ pub const GUSSET_TYPE_HORIZONTAL: gusset_gluing_type = 0;
 pub const GUSSET_TYPE_VERTICAL: gusset_gluing_type = 1;
 /// n(2,1): east and south links of a node.
 pub const GUSSET_TYPE_EAST_SOUTH: gusset_gluing_type = 2;
-/// n(2,1): south and west.
+/// n(2,1): south and west links of a node.
 pub const GUSSET_TYPE_SOUTH_WEST: gusset_gluing_type = 3;
-/// n(2,1): west and north.
+/// n(2,1): west and north links of a node.
 pub const GUSSET_TYPE_WEST_NORTH: gusset_gluing_type = 4;
-/// n(2,1): north and east.
+/// n(2,1): north and east links of a node.
 pub const GUSSET_TYPE_NORTH_EAST: gusset_gluing_type = 5;
-/// n(2,2): east and west.
+/// n(2,2): east and west links of a node.
 pub const GUSSET_TYPE_EAST_WEST: gusset_gluing_type = 6;
-/// n(2,2): north and south.
+/// n(2,2): north and south links of a node.
 pub const GUSSET_TYPE_NORTH_SOUTH: gusset_gluing_type = 7;
-/// n(3): all except north.
+/// n(3): east, south and west links of a node.
 pub const GUSSET_TYPE_BUT_NORTH: gusset_gluing_type = 8;
-/// n(3): all except east.
+/// n(3): south, west and north links of a node.
 pub const GUSSET_TYPE_BUT_EAST: gusset_gluing_type = 9;
-/// n(3): all except south.
+/// n(3): west, north and east links of a node.
 pub const GUSSET_TYPE_BUT_SOUTH: gusset_gluing_type = 10;
-/// n(3): all except west.
+/// n(3): north, east and south links of a node.
 pub const GUSSET_TYPE_BUT_WEST: gusset_gluing_type = 11;
 /// n(4): all four links of a node.
 pub const GUSSET_TYPE_ALL: gusset_gluing_type = 12;

@@ -1,6 +1,6 @@
 //! Normals: Unit normals, exact at poles and seams.
 
-use crate::capi::context::{answer_optional, gusset_context};
+use crate::capi::context::{answer_into_optional_output, gusset_context};
 use crate::capi::input;
 use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn gusset_net_normals(
     capacity: usize,
     missing_count: *mut u64,
 ) -> gusset_status {
-    answer_optional(context, (missing_count, "missing_count"), 0, |job| {
+    answer_into_optional_output(context, (missing_count, "missing_count"), 0, |job| {
         let net = net_of_handle(net)?;
         let mut out = match net.coordinates().scalar() {
             Scalar::F32 => Coordinates::F32(matrices_of_buffers(net, [x, y, z], capacity)?),

@@ -213,12 +213,12 @@ fn run_and_write_search(
         let (written, report, task) = (written?, report?, input::read_versioned_struct(task, false, "task")?);
         buffer?;
         let found = search(&task, job)?;
-        input::copy_to_buffer((words, capacity, "words"), found.mask.words(), written, job)?;
+        input::copy_to_buffer((words, capacity, "words"), found.possible_cells.words(), written, job)?;
         let ([row, column], min_distance) = found.least;
         if let Some(report) = report {
             report.write_known_fields(gusset_reference_report {
                 struct_size: 0,
-                cells: found.mask.count() as u64,
+                cells: found.possible_cells.count() as u64,
                 evaluations: found.evaluations,
                 blocks: found.blocks,
                 dropped: found.dropped,

@@ -139,7 +139,7 @@ impl Carrier<'_, '_> {
                 }
             })
             .collect();
-        let in_steps = self.pieces.iter().all(|piece| are_steps(colours_of(&piece.mesh)));
+        let in_steps = self.pieces.iter().all(|piece| are_colours_exact_as_bytes(colours_of(&piece.mesh)));
         let values = self.carried(domain, Rule::Linear, &given)?;
         let sources = self.origins.sources(domain)?;
         let colour = |(element, value): (usize, [f64; 4])| {
@@ -368,8 +368,8 @@ fn step(part: f32) -> u8 {
     (255.0 * part.clamp(0.0, 1.0)).round() as u8
 }
 
-/// Returns whether 256 steps hold these colours.
-fn are_steps(colours: &[[f32; 4]]) -> bool {
+/// Returns whether bytes hold these colours exactly.
+fn are_colours_exact_as_bytes(colours: &[[f32; 4]]) -> bool {
     // Six digits of a text suffice to find the step.
     const TOLERANCE: f32 = 1e-3;
     colours.iter().flatten().all(|&part| (255.0 * part - f32::from(step(part))).abs() <= TOLERANCE)

@@ -31,7 +31,8 @@ pub(super) struct AnchoredSection<'a> {
 }
 
 impl AnchoredSection<'_> {
-    /// Returns the place at a fraction of the length after the anchor.
+    /// Returns the place that the section reaches after a fraction of its total length from the
+    /// anchor.
     pub(super) fn place_at_fraction(&self, fraction: f64) -> Result<Place> {
         let total = self.lengths.total_length();
         let by = (fraction - fraction.floor()) * total;

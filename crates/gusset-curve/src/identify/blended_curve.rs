@@ -19,7 +19,7 @@
 //! blend; C. Yuksel, 2020, for blends that keep second derivatives, there trigonometric.
 
 use super::composite_solution::CompositeSolution;
-use super::identify_options::Mode;
+use super::identify_options::CurveKind;
 use super::method::{Method, section_at_parameter};
 use super::report::PointStatus;
 use super::subcurve::{Subcurve, SubcurveOutput};
@@ -67,7 +67,7 @@ pub(super) fn append_blended_curve(
         let y = backward.or_else(|| sub.tangents[1].map(|tangent| q - tangent * half));
         let middle = p.midpoint(q);
         let (x, y) = (x.or(y).unwrap_or(middle), y.or(x).unwrap_or(middle));
-        if sub.options.mode == Mode::BlendC1 {
+        if sub.options.curve == CurveKind::BlendC1 {
             out.push_span_segment(sub, i, &[(p + x * 2.0) / 3.0, (y * 2.0 + q) / 3.0, q])?;
             continue;
         }

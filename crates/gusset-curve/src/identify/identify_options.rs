@@ -6,7 +6,7 @@ use gusset_base::error::{Error, Result};
 
 /// The kind of curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Mode {
+pub enum CurveKind {
     /// Quadratic segments, with one control point for each point. Smooth (G1) everywhere.
     #[default]
     Composite,
@@ -25,13 +25,13 @@ pub enum Mode {
     /// Cubic segments from point to point, C2 in the knots of the method's exponent. At inner
     /// points with a given tangent they are C1.
     CubicC2,
-    /// The paper's chain of sections: [`Mode::Composite`] with [`Lock::DataGuide`], regardless of
-    /// the lock in the options. The control point of each section lies on the guide of the data's
+    /// The paper's chain of sections: [`CurveKind::Composite`] with [`Lock::DataGuide`], regardless
+    /// of the lock in the options. The control point of each section lies on the guide of the data's
     /// own triangle: the bisector, median or normal, as the method says.
     Chain,
 }
 
-choices! { for Mode:
+choices! { for CurveKind:
     Composite => "Composite", "Quadratic segments that meet smoothly, one for each point.";
     CubicC2 => "Cubic spline", "Cubic segments with continuous curvature.";
     BlendC1 => "Blend", "Blends of neighbouring sections: each point has local influence only.";
@@ -131,7 +131,7 @@ choices! { for Ends:
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// The kind of curve.
-    pub mode: Mode,
+    pub curve: CurveKind,
     /// The method that finds the control point of a section.
     pub method: Method,
     /// The condition that sections obey.
@@ -168,7 +168,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Options {
-            mode: Mode::default(),
+            curve: CurveKind::default(),
             method: Method::default(),
             lock: Lock::default(),
             joint: JointParameter::default(),
@@ -188,10 +188,10 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Returns the options with [`Mode::Chain`] replaced by its equivalent.
-    pub(super) fn with_chain_mode_replaced(&self) -> Options {
-        match self.mode {
-            Mode::Chain => Options { mode: Mode::Composite, lock: Lock::DataGuide, ..*self },
+    /// Returns the options with [`CurveKind::Chain`] replaced by its equivalent.
+    pub(super) fn with_chain_replaced(&self) -> Options {
+        match self.curve {
+            CurveKind::Chain => Options { curve: CurveKind::Composite, lock: Lock::DataGuide, ..*self },
             _ => *self,
         }
     }

@@ -10,7 +10,7 @@
 //! - nodes, subcurve, solution, curve_builder, residuals: one outline near the origin, its parts,
 //!   and the curve through it.
 //! - loops, span_lanes, arc_crossing: loops of the curve. crowded: nodes that almost repeat a neighbour.
-//! - composite, single, blend, cubic_spline: the solvers, one for each kind of curve ([`Mode`]).
+//! - composite, single, blend, cubic_spline: the solvers, one for each kind of curve ([`CurveKind`]).
 //! - driver: [`fit()`], which distributes outlines to threads.
 //!
 //! Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008. The
@@ -41,7 +41,7 @@ mod stepping;
 mod subcurve;
 
 pub use fit::Fit;
-pub use identify_options::{Ends, JointParameter, Lock, Mode, Options, Solver};
+pub use identify_options::{CurveKind, Ends, JointParameter, Lock, Options, Solver};
 pub use input_points::{MAX_POINTS, Points};
 pub use method::{Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent};
 pub use outline_fitting::fit;

@@ -7,7 +7,7 @@
 use super::composite::{self, CompositeWorkspace};
 use super::curve_builder::CurveBuilder;
 use super::fit::Fit;
-use super::identify_options::{JointParameter, Mode, Options};
+use super::identify_options::{CurveKind, JointParameter, Options};
 use super::loops::LoopSearch;
 use super::outline_nodes::OutlineNodes;
 use super::outlines::{Constraint, Outlines};
@@ -47,7 +47,7 @@ const BATCHES_PER_REPORT: usize = 32;
 /// Source: Nadopta; the composite and blended readings of the set of sections are ours.
 pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {
     options.check_ranges()?;
-    let options = &options.with_chain_mode_replaced();
+    let options = &options.with_chain_replaced();
     let batches = divide_into_batches(outlines, outlines.check_offsets_and_constraints()?)?;
     let threads = par::resolve_thread_count(batches.len(), job.requested_threads());
     let mut whole = OutlineWorker::new(outlines, options);
@@ -137,12 +137,12 @@ impl<'a> OutlineWorker<'a> {
     fn reserve_results(&mut self, batch: Range<usize>) -> Result<()> {
         let points = self.outlines.point_range(batch.start).start..self.outlines.point_range(batch.end - 1).end;
         let expected = points.len() + 2 * batch.len();
-        let per_segment = match self.options.mode {
-            Mode::Composite | Mode::Chain if self.options.joint == JointParameter::G2 => 3,
-            Mode::Composite | Mode::Chain => 2,
-            Mode::BlendC1 | Mode::CubicC2 => 3,
-            Mode::BlendC2 => 5,
-            Mode::Single => 1,
+        let per_segment = match self.options.curve {
+            CurveKind::Composite | CurveKind::Chain if self.options.joint == JointParameter::G2 => 3,
+            CurveKind::Composite | CurveKind::Chain => 2,
+            CurveKind::BlendC1 | CurveKind::CubicC2 => 3,
+            CurveKind::BlendC2 => 5,
+            CurveKind::Single => 1,
         };
         let done = &mut self.done;
         alloc::reserve(&mut done.points, per_segment * expected)?;
@@ -174,14 +174,14 @@ impl<'a> OutlineWorker<'a> {
         let size = placement.size * placement.unit;
         let report = Report { size, ..Report::default() };
         let mut report = ReportInProgress { report, history: self.options.history.then(Vec::new) };
-        let quadratic = self.options.mode == Mode::Composite && self.options.joint != JointParameter::G2;
+        let quadratic = self.options.curve == CurveKind::Composite && self.options.joint != JointParameter::G2;
         if self.nodes.cuts.is_empty() && quadratic {
             self.fit_smooth_closed_outline(&span, base, &mut report, job)?;
         } else {
             self.solve_subcurves(&mut report, job)?;
             long(1.0)?;
             residuals::measure_residuals(&self.nodes, &self.builder, &mut report);
-            if self.options.mode == Mode::Composite && !quadratic && !self.builder.is_empty() {
+            if self.options.curve == CurveKind::Composite && !quadratic && !self.builder.is_empty() {
                 residuals::measure_curvature_gaps(&mut self.nodes, &self.builder, &mut report);
             }
             long(1.0)?;
@@ -381,11 +381,11 @@ fn append_subcurve_curve(
 ) -> Result<()> {
     // Iterations are counted for each part; the report has the maximum.
     let before = std::mem::take(&mut out.report.iterations);
-    match sub.options.mode {
-        Mode::BlendC1 | Mode::BlendC2 => blended_curve::append_blended_curve(sub, composite.solution(), out),
-        Mode::CubicC2 => cubic_spline::append_cubic_spline(sub, composite.solution(), out),
-        Mode::Single => single::append_single_curve(sub, single, composite, out),
-        Mode::Composite | Mode::Chain => composite::append_composite_curve(sub, composite, out),
+    match sub.options.curve {
+        CurveKind::BlendC1 | CurveKind::BlendC2 => blended_curve::append_blended_curve(sub, composite.solution(), out),
+        CurveKind::CubicC2 => cubic_spline::append_cubic_spline(sub, composite.solution(), out),
+        CurveKind::Single => single::append_single_curve(sub, single, composite, out),
+        CurveKind::Composite | CurveKind::Chain => composite::append_composite_curve(sub, composite, out),
     }?;
     out.report.iterations = out.report.iterations.max(before);
     Ok(())

@@ -47,7 +47,7 @@ pub struct Intersections {
     pub undecided: bool,
 }
 
-/// A part of a curve that does not intersect itself.
+/// A part of a segment; the part does not intersect itself.
 struct SimpleSegmentPart {
     controls: Vec<DVec3>,
     segment: u32,

@@ -52,7 +52,7 @@ impl Bytes<'_> {
 /// Bytes of a view, and what follows them in the buffer.
 pub(super) struct View<'a> {
     pub(super) bytes: Bytes<'a>,
-    /// The view's bytes and all after them.
+    /// The view's bytes and all after them in the buffer.
     pub(super) with_rest: Bytes<'a>,
     /// Bytes from one element to the next, if the view says so.
     pub(super) stride: Option<usize>,
@@ -100,12 +100,16 @@ impl<'a> Buffers<'a> {
             let stride = compressed.get("byteStride").and_then(Value::whole).map(|stride| stride as usize);
             return Ok(View { bytes: bytes.clone(), with_rest: bytes, stride });
         }
-        let (bytes, with_rest) = self.range(view, &format!("buffer view {index}"))?;
+        let (bytes, with_rest) = self.bytes_without_and_with_rest(view, &format!("buffer view {index}"))?;
         Ok(View { bytes, with_rest, stride })
     }
 
-    /// Returns the bytes that `buffer`, `byteOffset` and `byteLength` name, without and with what follows them.
-    fn range(&mut self, view: Value<'a>, name: &str) -> Result<(Bytes<'a>, Bytes<'a>), ReadError> {
+    /// Returns the bytes that `buffer`, `byteOffset` and `byteLength` name, then these bytes and all after them in the buffer.
+    fn bytes_without_and_with_rest(
+        &mut self,
+        view: Value<'a>,
+        name: &str,
+    ) -> Result<(Bytes<'a>, Bytes<'a>), ReadError> {
         let number = |key: &str| match view.get(key) {
             None => Ok(None),
             Some(value) => value.whole().map(Some).ok_or_else(|| not_whole(name, key)),
@@ -122,7 +126,7 @@ impl<'a> Buffers<'a> {
             return Ok(bytes.clone());
         }
         let name = format!("buffer view {index}");
-        let (source, _) = self.range(compressed, &name)?;
+        let (source, _) = self.bytes_without_and_with_rest(compressed, &name)?;
         let codec = Codec::from_json(compressed)
             .ok_or_else(|| malformed(format!("{name} has an unknown kind of meshopt compression")))?;
         self.budget.take::<u8>((codec.count as u64).saturating_mul(codec.stride as u64))?;

@@ -79,7 +79,7 @@ pub(super) fn append_faces(
     mesh.corners.try_reserve(indices.len())?;
     let mut place = 0;
     for polygon in polygons.into_iter().flat_map(Value::items) {
-        match listed_polygon(polygon, triangles, place, first_vertex)? {
+        match read_polygon_entry(polygon, triangles, place, first_vertex)? {
             Some((first, count, vertices)) => {
                 append_fans(mesh, &triangles[place..first], is_grouped)?;
                 append_face(mesh, &vertices)?;
@@ -155,7 +155,7 @@ fn append_fans(mesh: &mut Mesh, triangles: &[[u32; 3]], is_grouped: bool) -> Res
 
 /// Reads an entry of [`POLYGON_EXTRAS`]: the first triangle, the number of triangles, and the polygon's vertices. Returns `None` if it
 /// does not fit the triangles from `place` on.
-fn listed_polygon(
+fn read_polygon_entry(
     entry: Value<'_>,
     triangles: &[[u32; 3]],
     place: usize,

@@ -22,9 +22,9 @@ pub(super) fn unite_vertices(mesh: &mut Mesh, origins: &[u32], budget: &mut Budg
         return Ok(());
     }
     let normals = std::mem::take(&mut mesh.normals);
-    mesh.normals = gathered(normals, origins, &mesh.corners, budget)?;
+    mesh.normals = move_values_to_origins_or_corners(normals, origins, &mesh.corners, budget)?;
     let texcoords = std::mem::take(&mut mesh.texcoords);
-    mesh.texcoords = gathered(texcoords, origins, &mesh.corners, budget)?;
+    mesh.texcoords = move_values_to_origins_or_corners(texcoords, origins, &mesh.corners, budget)?;
     let is_kept = |vertex: usize| origins[vertex] as usize == vertex;
     match &mut mesh.positions {
         Positions::F32(points) => keep(points, is_kept),
@@ -51,8 +51,9 @@ fn keep<T>(values: &mut Vec<T>, is_kept: impl Fn(usize) -> bool) {
     });
 }
 
-/// Returns values of the origins if all vertices agree with theirs, or else values of corners.
-fn gathered<const N: usize>(
+/// Keeps the values of the origins if each vertex has its origin's value; otherwise copies each corner's value. Returns values
+/// unchanged if they do not belong to vertices.
+fn move_values_to_origins_or_corners<const N: usize>(
     values: Values<N>,
     origins: &[u32],
     corners: &[u32],

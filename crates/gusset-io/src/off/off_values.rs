@@ -54,7 +54,7 @@ impl VertexRows {
         header.has_normals
             && header.has_colours
             && header.names_normals_first
-            && self.are_steps(0)
+            && self.are_colour_parts_bytes(0)
             && (!self.are_units(0) || self.are_units(self.parts))
     }
 
@@ -63,7 +63,7 @@ impl VertexRows {
     }
 
     /// Returns whether all parts of the colours in some columns are whole numbers up to 255.
-    fn are_steps(&self, column: usize) -> bool {
+    fn are_colour_parts_bytes(&self, column: usize) -> bool {
         let is_step = |part: &f64| (0.0..=255.0).contains(part) && part.fract() == 0.0;
         self.rows().all(|row| row[column..column + self.parts].iter().all(is_step))
     }

@@ -1,6 +1,6 @@
 //! OFF files from meshes and points.
 
-use crate::colour_steps::{are_steps, has_transparency, nearest_step};
+use crate::colour_steps::{are_colours_exact_as_bytes, has_transparency, nearest_step};
 use crate::document::{Document, PointCloud};
 use crate::error::{Loss, WriteError};
 use crate::merging::merge_vertices;
@@ -73,14 +73,14 @@ fn write_mesh(mesh: &Mesh, out: &mut TextWriter<'_>) -> std::io::Result<()> {
     out.text(" ")?;
     out.integer(mesh.face_count() as u64)?;
     out.text(" 0\n")?;
-    let are_colours_steps = are_steps(colours, true);
+    let are_colours_bytes = are_colours_exact_as_bytes(colours, true);
     for vertex in 0..mesh.positions.len() {
         write_position(&mesh.positions, vertex, out)?;
         if let Some(normals) = normals {
             write_vector(normals[vertex], out)?;
         }
         if let Some(&colour) = colours.get(vertex) {
-            write_colour(colour, true, are_colours_steps, out)?;
+            write_colour(colour, true, are_colours_bytes, out)?;
         }
         if let Some(texcoords) = texcoords {
             write_vector(texcoords[vertex], out)?;
@@ -119,7 +119,7 @@ fn write_vector<const N: usize>(vector: [f64; N], out: &mut TextWriter<'_>) -> s
 
 fn write_faces(mesh: &Mesh, out: &mut TextWriter<'_>) -> std::io::Result<()> {
     let has_opacity = has_transparency(&mesh.face_colours);
-    let are_colours_steps = are_steps(&mesh.face_colours, has_opacity);
+    let are_colours_bytes = are_colours_exact_as_bytes(&mesh.face_colours, has_opacity);
     for face in 0..mesh.face_count() {
         let vertices = mesh.face(face);
         out.integer(vertices.len() as u64)?;
@@ -128,7 +128,7 @@ fn write_faces(mesh: &Mesh, out: &mut TextWriter<'_>) -> std::io::Result<()> {
             out.integer(u64::from(vertex))?;
         }
         if let Some(&colour) = mesh.face_colours.get(face) {
-            write_colour(colour, has_opacity, are_colours_steps, out)?;
+            write_colour(colour, has_opacity, are_colours_bytes, out)?;
         }
         out.text("\n")?;
     }

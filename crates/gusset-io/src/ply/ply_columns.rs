@@ -114,8 +114,8 @@ pub(super) fn other_lists(element: &Element<'_>, used: &[usize]) -> String {
     }
 }
 
-/// Keeps the properties that all elements of one name have, in the order of the first element. Orders each element's columns alike.
-/// Returns the properties without values, and the number of columns that were left out.
+/// Keeps the properties that all `elements`, sections of one name, have in common, in the order of the first one. Orders each element's
+/// columns alike. Returns the properties without values, and the number of columns that were left out.
 pub(super) fn share_properties(
     elements: &[&Element<'_>],
     columns: &mut [&mut Vec<usize>],

@@ -26,7 +26,7 @@ pub(crate) fn read_ply(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadEr
 }
 
 /// The role of an element of a PLY file: vertices, faces, triangle strips, a range image or none.
-enum Role {
+enum ElementRole {
     Vertices(Box<VertexColumns>),
     Faces(Box<FaceColumns>),
     /// Column of the list of vertices.
@@ -48,10 +48,10 @@ impl Content {
         let mut content = Self { mesh: Mesh::default(), grid: Vec::new(), notes: Vec::new() };
         let mut roles = alloc::with_capacity(header.elements.len())?;
         for element in &header.elements {
-            roles.push(role(header, element)?);
+            roles.push(element_role(header, element)?);
             alloc::check_reserve()?;
         }
-        let count: u64 = elements_with(header, &roles, |role| matches!(role, Role::Vertices(_)))
+        let count: u64 = elements_with(header, &roles, |role| matches!(role, ElementRole::Vertices(_)))
             .map(|element| element.count)
             .fold(0, u64::saturating_add);
         let count = count.min(u64::from(u32::MAX) - 1) as u32;
@@ -62,20 +62,20 @@ impl Content {
             let believed = |list| believed_count(element, header.encoding, rows.remaining(), list);
             let mesh = &mut content.mesh;
             match role {
-                Role::Vertices(columns) => {
+                ElementRole::Vertices(columns) => {
                     let believed = believed(None);
                     read_vertices(&mut rows, element, columns, vertex_parts, believed, mesh, &mut content.notes)?;
                 }
-                Role::Faces(columns) => {
+                ElementRole::Faces(columns) => {
                     let believed = believed(Some((columns.vertices, 3)));
                     face_parts.read_faces(&mut rows, element, columns, believed, mesh)?;
                 }
-                Role::Strips(list) => face_parts.read_strips(&mut rows, element, *list, mesh)?,
-                Role::Grid => {
+                ElementRole::Strips(list) => face_parts.read_strips(&mut rows, element, *list, mesh)?,
+                ElementRole::Grid => {
                     let believed = believed(None);
                     content.grid = read_grid(&mut rows, element, believed, count)?;
                 }
-                Role::Other => rows.skip(element)?,
+                ElementRole::Other => rows.skip(element)?,
             }
         }
         let mut notes = face_parts.finish(&mut content.mesh);
@@ -89,12 +89,13 @@ impl Content {
     fn share_vertex_columns(
         &mut self,
         header: &Header<'_>,
-        roles: &mut [Role],
+        roles: &mut [ElementRole],
     ) -> Result<VertexAttributeFlags, ReadError> {
-        let is_vertices = |role: &Role| matches!(role, Role::Vertices(_));
+        let is_vertices = |role: &ElementRole| matches!(role, ElementRole::Vertices(_));
         let elements = alloc::gather(elements_with(header, roles, is_vertices))?;
-        let of_vertices =
-            roles.iter_mut().filter_map(|role| if let Role::Vertices(columns) = role { Some(columns) } else { None });
+        let of_vertices = roles
+            .iter_mut()
+            .filter_map(|role| if let ElementRole::Vertices(columns) = role { Some(columns) } else { None });
         let mut columns = alloc::gather(of_vertices)?;
         let parts = VertexAttributeFlags {
             is_single: elements
@@ -120,14 +121,15 @@ impl Content {
     fn share_face_columns(
         &mut self,
         header: &Header<'_>,
-        roles: &mut [Role],
+        roles: &mut [ElementRole],
         vertex_count: u32,
     ) -> Result<FaceParts, ReadError> {
-        let has_strips = roles.iter().any(|role| matches!(role, Role::Strips(_)));
-        let is_faces = |role: &Role| matches!(role, Role::Faces(_));
+        let has_strips = roles.iter().any(|role| matches!(role, ElementRole::Strips(_)));
+        let is_faces = |role: &ElementRole| matches!(role, ElementRole::Faces(_));
         let elements = alloc::gather(elements_with(header, roles, is_faces))?;
-        let of_faces =
-            roles.iter_mut().filter_map(|role| if let Role::Faces(columns) = role { Some(columns) } else { None });
+        let of_faces = roles
+            .iter_mut()
+            .filter_map(|role| if let ElementRole::Faces(columns) = role { Some(columns) } else { None });
         let mut columns = alloc::gather(of_faces)?;
         if has_strips {
             columns.iter_mut().for_each(|found| found.rest.clear());
@@ -155,11 +157,11 @@ impl Content {
         }
     }
 
-    fn note_left_over(&mut self, header: &Header<'_>, roles: &[Role]) {
+    fn note_left_over(&mut self, header: &Header<'_>, roles: &[ElementRole]) {
         for (element, role) in header.elements.iter().zip(roles).filter(|(element, _)| element.count > 0) {
             let lists = match role {
-                Role::Vertices(_) => other_lists(element, &[]),
-                Role::Faces(columns) => {
+                ElementRole::Vertices(_) => other_lists(element, &[]),
+                ElementRole::Faces(columns) => {
                     let texcoord = columns.texcoord.unwrap_or(columns.vertices);
                     other_lists(element, &[columns.vertices, texcoord])
                 }
@@ -173,7 +175,7 @@ impl Content {
             if !lists.is_empty() {
                 self.notes.push(Note::new(Place::Whole, format!("lists of the element {name} are left out: {lists}")));
             }
-            if matches!(role, Role::Other) {
+            if matches!(role, ElementRole::Other) {
                 let rows = if element.count == 1 { "1 row".into() } else { format!("{} rows", element.count) };
                 let text = format!("the element {name} of {rows} is left out{}", reason_of_loss(header, element));
                 self.notes.push(Note::new(Place::Whole, text));
@@ -252,36 +254,38 @@ fn points_document(mesh: Mesh, mut notes: Vec<Note>) -> Result<Document, ReadErr
 
 fn elements_with<'a>(
     header: &'a Header<'a>,
-    roles: &[Role],
-    is_wanted: impl Fn(&Role) -> bool,
+    roles: &[ElementRole],
+    is_wanted: impl Fn(&ElementRole) -> bool,
 ) -> impl Iterator<Item = &'a Element<'a>> {
     header.elements.iter().zip(roles).filter(move |(_, role)| is_wanted(role)).map(|(element, _)| element)
 }
 
-/// Decides what an element is. Elements without rows are nothing.
-fn role(header: &Header<'_>, element: &Element<'_>) -> Result<Role, ReadError> {
+/// Returns the role of an element by its name and properties. Elements without rows have none.
+fn element_role(header: &Header<'_>, element: &Element<'_>) -> Result<ElementRole, ReadError> {
     let malformed = |message: &str| Err(ReadError::new(ReadErrorKind::Malformed, message));
     if element.count == 0 {
-        return Ok(Role::Other);
+        return Ok(ElementRole::Other);
     }
     if element.is_named("vertex") {
         let columns = VertexColumns::find(element)?;
         return columns.map_or_else(
             || malformed("the vertices lack the properties x, y and z"),
-            |found| Ok(Role::Vertices(Box::new(found))),
+            |found| Ok(ElementRole::Vertices(Box::new(found))),
         );
     }
     if element.is_named("face") {
         let columns = FaceColumns::find(element)?;
         return columns.map_or_else(
             || malformed("the faces lack the list vertex_indices"),
-            |found| Ok(Role::Faces(Box::new(found))),
+            |found| Ok(ElementRole::Faces(Box::new(found))),
         );
     }
     if element.is_named("tristrips") {
         let list = index_list(element);
-        return list
-            .map_or_else(|| malformed("the strips lack the list vertex_indices"), |list| Ok(Role::Strips(list)));
+        return list.map_or_else(
+            || malformed("the strips lack the list vertex_indices"),
+            |list| Ok(ElementRole::Strips(list)),
+        );
     }
     // A place of one byte could become 36 bytes of triangles.
     let is_wide = |column: &Column<'_>| column.length.is_some() || column.number.size() > 1;
@@ -292,7 +296,7 @@ fn role(header: &Header<'_>, element: &Element<'_>) -> Result<Role, ReadError> {
             .elements
             .iter()
             .any(|other| other.count > 0 && (other.is_named("face") || other.is_named("tristrips")));
-    Ok(if is_grid { Role::Grid } else { Role::Other })
+    Ok(if is_grid { ElementRole::Grid } else { ElementRole::Other })
 }
 
 /// Reads a range image.

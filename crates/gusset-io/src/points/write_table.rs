@@ -1,6 +1,6 @@
 //! Points and polylines as tables.
 
-use crate::colour_steps::{are_steps, has_transparency, nearest_step};
+use crate::colour_steps::{are_colours_exact_as_bytes, has_transparency, nearest_step};
 use crate::document::Document;
 use crate::error::{Loss, WriteError, WriteErrorKind};
 use crate::mesh::Positions;
@@ -66,7 +66,7 @@ struct Columns {
     has_normals: bool,
     has_colours: bool,
     has_opacity: bool,
-    are_steps: bool,
+    are_colours_bytes: bool,
 }
 
 impl Columns {
@@ -74,7 +74,7 @@ impl Columns {
         let colours = &document.points.colours;
         let is_table = separator == b',';
         let is_transparent = has_transparency(colours);
-        let are_exact = are_steps(colours, is_table && is_transparent);
+        let are_exact = are_colours_exact_as_bytes(colours, is_table && is_transparent);
         if !is_table && is_transparent {
             losses.push(Loss("the opacity of points, which XYZ files do not hold".into()));
         }
@@ -86,7 +86,7 @@ impl Columns {
             has_normals: !document.points.normals.is_empty(),
             has_colours: !colours.is_empty(),
             has_opacity: is_table && is_transparent,
-            are_steps: are_exact || !is_table,
+            are_colours_bytes: are_exact || !is_table,
         }
     }
 }
@@ -159,7 +159,7 @@ impl Table<'_, '_> {
             let colour = self.document.points.colours[point];
             for &part in &colour[..if self.columns.has_opacity { 4 } else { 3 }] {
                 self.separate()?;
-                if self.columns.are_steps {
+                if self.columns.are_colours_bytes {
                     self.out.integer(u64::from(nearest_step(part)))?;
                 } else {
                     self.out.single(part)?;

@@ -80,7 +80,8 @@ fn model_target(text: &[u8]) -> Option<String> {
     }
 }
 
-/// Size of an object with all its components: meshes that it places, and objects that an expansion visits.
+/// The size of an expanded object: the meshes that it places, and the objects that its expansion visits. Repeated components count each
+/// time. Components that place no mesh are not visited.
 #[derive(Clone, Copy)]
 struct Size {
     meshes: u64,

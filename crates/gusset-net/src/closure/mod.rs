@@ -16,7 +16,8 @@ use gusset_base::error::{Error, Result};
 /// one boundary loop.
 ///
 /// # Errors
-/// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
+/// [`Error::CrossingCell`] if the net is so small that both pairs of opposite corners of a cell
+/// would be glued; [`Error::OutOfMemory`].
 pub fn moebius(shape: Shape) -> Result<Topology> {
     Topology::new(shape, ContractedLinks::Sides(Sides::SHEET), &[seam_to_reversed_column(shape)])
 }
@@ -25,7 +26,8 @@ pub fn moebius(shape: Shape) -> Result<Topology> {
 /// Euler characteristic 0, closed.
 ///
 /// # Errors
-/// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
+/// [`Error::CrossingCell`] if the net is so small that both pairs of opposite corners of a cell
+/// would be glued; [`Error::OutOfMemory`].
 pub fn klein(shape: Shape) -> Result<Topology> {
     let sides = Sides { columns_closed: true, ..Sides::SHEET };
     Topology::new(shape, ContractedLinks::Sides(sides), &[seam_to_reversed_column(shape)])
@@ -34,7 +36,8 @@ pub fn klein(shape: Shape) -> Result<Topology> {
 /// Returns a projective plane: opposite nodes of the rim are glued. Euler characteristic 1, closed.
 ///
 /// # Errors
-/// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
+/// [`Error::CrossingCell`] if the net is so small that both pairs of opposite corners of a cell
+/// would be glued; [`Error::OutOfMemory`].
 pub fn projective_plane(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     let rows = Seam { a: SeamRun::along_row(0, 0, 1), b: SeamRun::along_row(h - 1, w - 1, -1), count: w };
@@ -46,8 +49,8 @@ pub fn projective_plane(shape: Shape) -> Result<Topology> {
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for an even number of columns, because a row is folded at its first
-/// and its middle node. [`Error::CrossingCell`] for nets that are too small,
-/// [`Error::OutOfMemory`].
+/// and its middle node. [`Error::CrossingCell`] if the net is so small that both pairs of opposite
+/// corners of a cell would be glued; [`Error::OutOfMemory`].
 pub fn pillow(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     Error::require(w % 2 == 1, "columns", w.into())?;

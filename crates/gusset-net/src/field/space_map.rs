@@ -49,15 +49,15 @@ pub(super) fn map_each_point([x, y, z]: PointsMut<'_>, map: impl Fn([f64; 3]) ->
 
 /// Applies `map` to each point; for maps of plain arithmetic, which vectorise.
 pub(super) fn map_each_point_simd(points: PointsMut<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
-    simd::run(MapEachPoint { points, map });
+    simd::run(MapEachPointKernel { points, map });
 }
 
-struct MapEachPoint<'a, F> {
+struct MapEachPointKernel<'a, F> {
     points: PointsMut<'a>,
     map: F,
 }
 
-impl<F: Fn([f64; 3]) -> [f64; 3]> Kernel for MapEachPoint<'_, F> {
+impl<F: Fn([f64; 3]) -> [f64; 3]> Kernel for MapEachPointKernel<'_, F> {
     type Output = ();
 
     #[inline(always)]

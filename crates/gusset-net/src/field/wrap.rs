@@ -171,7 +171,8 @@ fn roll_line_about_origin(strength: f64, radius: f64, [along, out]: [f64; 2]) ->
     [along, out + strength * radius]
 }
 
-/// Returns the progress of the first and the second of two stages at a strength.
+/// Returns the progress of two successive stages, each from 0 to 1. At strength 1/2 the first stage
+/// is complete and the second begins.
 fn split_strength_into_two_stages(strength: f64) -> [f64; 2] {
     [(2.0 * strength).min(1.0), (2.0 * strength - 1.0).max(0.0)]
 }

@@ -59,8 +59,8 @@ const MAX_INTERVAL_HALVINGS: u32 = 48;
 const RELATIVE_ROUNDING_ERROR: f64 = 16.0 * f64::EPSILON;
 
 /// Returns the area of the bilinear patches of all existing cells; cells with coincident corners
-/// are triangles or less. All sheets of a folded patch count. O(nodes), with constant extra memory
-/// and about ten times the work of [`measure`](super::measure).
+/// are triangles or less. Every layer of a patch that folds over itself counts. O(nodes), with
+/// constant extra memory and about ten times the work of [`measure`](super::measure).
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),

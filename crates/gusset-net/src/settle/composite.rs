@@ -27,8 +27,9 @@ pub(super) struct CompositeModel {
     pub(super) motions: Vec<RigidMotion>,
     /// The units of energies and of forces, in the host's units.
     pub(super) energy_unit: [f64; 2],
-    pub(super) settled: u32,
-    pub(super) idle: u32,
+    /// The numbers of bridges with and without a force.
+    pub(super) settled_bridges: u32,
+    pub(super) idle_bridges: u32,
     /// The films: their quads, and their initial area.
     pub(super) films: Vec<(Range<usize>, f64)>,
     /// The part of the model that belongs to each bridge with forces.
@@ -142,8 +143,8 @@ pub(super) fn build_composite<'a>(
         start: Vec::new(),
         motions,
         energy_unit,
-        settled: 0,
-        idle: 0,
+        settled_bridges: 0,
+        idle_bridges: 0,
         films: Vec::new(),
         shares: Vec::new(),
     };
@@ -162,10 +163,10 @@ impl CompositeBuilder<'_> {
         job.step(0.0, "settle")?;
         let bridge = &self.net.bridges()[index];
         if properties_with_force(bridge).is_none() {
-            self.composite.idle += 1;
+            self.composite.idle_bridges += 1;
             return Ok(());
         }
-        self.composite.settled += 1;
+        self.composite.settled_bridges += 1;
         if is_rigid(bridge) {
             return Ok(());
         }

@@ -136,8 +136,8 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
         residual_force: done.residual * force_unit,
         max_displacement: displacements.fold(0.0, f64::max) * surface.unit,
         iterations: done.iterations,
-        settled: composite.settled,
-        idle: composite.idle,
+        settled: composite.settled_bridges,
+        idle: composite.idle_bridges,
         collapsed,
         converged: done.converged && collapsed == 0,
     })

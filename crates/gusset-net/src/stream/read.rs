@@ -119,7 +119,8 @@ fn read_block_table(info: &StreamInfo, mut from: ByteReader<'_>) -> Result<(Vec<
 /// Decodes the net of a stream.
 ///
 /// O(nodes); blocks are decoded in parallel. Bytes that an encoder cannot have written are
-/// rejected, and damaged ones fail their checksums. There are at most 4096 nodes for each byte.
+/// rejected, and damaged ones fail their checksums. Streams of more than 4096 nodes per byte are
+/// rejected, so that a short stream cannot demand much memory.
 ///
 /// # Errors
 /// [`Error::BadStream`], [`Error::OutOfMemory`], [`Error::Cancelled`].

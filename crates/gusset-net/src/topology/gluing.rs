@@ -36,7 +36,7 @@ pub enum Gluing {
         /// 0 to 15.
         mask: u8,
     },
-    /// The ends of the links of a cell that are in the mask: top 1, right 2, bottom 4, left 8.
+    /// The two ends of each link of a cell that is in the mask: top 1, right 2, bottom 4, left 8.
     Cell {
         /// The cell.
         cell: u32,

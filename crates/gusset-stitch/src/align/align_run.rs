@@ -5,7 +5,7 @@ use super::alignment_scene::AlignmentScene;
 use super::assess::{MAX_NEAR_SPACINGS, MAX_ON_SURFACE_SPACINGS, assess_alignment};
 use super::centred_piece::CentredPiece;
 use super::pose::Pose;
-use super::principal_axes::align_principal_axes;
+use super::principal_axes::align_each_piece_by_principal_axes;
 use super::rim_features::align_matching_rims;
 use super::sampled_piece::SampledPiece;
 use super::sampled_rims::{SampledRims, common_sampling_step};
@@ -90,7 +90,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
             Pose { rotation: pose.rotation, translation: pose.point(scan.centre * unit) / unit - origin }
                 .with_orthonormal_axes()
         }))?,
-        Start::PrincipalAxes => align_principal_axes(&scene, &started)?,
+        Start::PrincipalAxes => align_each_piece_by_principal_axes(&scene, &started)?,
         Start::Rims => align_matching_rims(&scene, &started)?,
     };
     let rounds = if options.max_rounds == 0 { DEFAULT_MAX_ROUNDS } else { options.max_rounds };

@@ -23,7 +23,7 @@ pub(super) struct AlignmentScene<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct PieceSearch {
     pub(super) pieces: [usize; 2],
-    pub(super) gate: f64,
+    pub(super) max_distance: f64,
 }
 
 impl<'a> AlignmentScene<'a> {
@@ -52,7 +52,7 @@ impl<'a> AlignmentScene<'a> {
         let count = self.members.len();
         let all = (0..count).flat_map(|i| (0..count).map(move |k| [i, k]));
         let near = all.filter(|&[i, k]| i != k && is_there(i) && is_there(k) && is_near([i, k]));
-        alloc::gather(near.map(|pieces| PieceSearch { pieces, gate: self.reach }))
+        alloc::gather(near.map(|pieces| PieceSearch { pieces, max_distance: self.reach }))
     }
 
     /// Runs the searches, each with every `sample_stride`-th sample. Points within
@@ -67,11 +67,20 @@ impl<'a> AlignmentScene<'a> {
     ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
         let reports = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
             let [a, b] = look_at.pieces.map(|k| PosedPiece { member: &self.members[k], pose: poses[k] });
-            let reach = max_on_surface_spacings * self.coarser_spacing(look_at.pieces);
+            let max_on_surface_distance = max_on_surface_spacings * self.coarser_spacing(look_at.pieces);
             let samples = a.member.samples;
             match (a.member.rim, b.member.rim) {
-                (Some((rim, _)), Some(other)) => find_rim_sample_pairs(&a, rim, &b, other, look_at.gate, reach, job),
-                _ => find_sample_pairs(&a, samples.iter().step_by(sample_stride), &b, look_at.gate, reach, job),
+                (Some((rim, _)), Some(other)) => {
+                    find_rim_sample_pairs(&a, rim, &b, other, look_at.max_distance, max_on_surface_distance, job)
+                }
+                _ => find_sample_pairs(
+                    &a,
+                    samples.iter().step_by(sample_stride),
+                    &b,
+                    look_at.max_distance,
+                    max_on_surface_distance,
+                    job,
+                ),
             }
         })?;
         alloc::collect(looks.iter().zip(reports).map(|(look, report)| (look.pieces, report)))
@@ -86,10 +95,10 @@ impl<'a> AlignmentScene<'a> {
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
         let mut looks = self.list_searches_of_near_pieces(poses)?;
-        // The gate does not exceed the reach.
+        // No pair is farther apart than the reach.
         looks
             .iter_mut()
-            .for_each(|look| look.gate = (max_spacings * self.coarser_spacing(look.pieces)).min(self.reach));
+            .for_each(|look| look.max_distance = (max_spacings * self.coarser_spacing(look.pieces)).min(self.reach));
         self.run_searches(poses, &looks, 1, max_on_surface_spacings, job)
     }
 }

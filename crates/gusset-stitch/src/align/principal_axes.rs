@@ -16,9 +16,10 @@ const ROUNDS_PER_ROTATION: u32 = 10;
 const DIAGONAL_ROTATIONS: [DVec3; 4] =
     [DVec3::ONE, DVec3::new(1.0, -1.0, -1.0), DVec3::new(-1.0, 1.0, -1.0), DVec3::new(-1.0, -1.0, 1.0)];
 
-/// Returns the poses that align each piece's principal axes with the first piece's. Chooses the one
-/// of the four ways with the largest overlap. O(pieces) alignments of two pieces.
-pub(super) fn align_principal_axes(scene: &AlignmentScene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
+/// Returns one pose for each piece, which aligns its principal axes with the first piece's axes.
+/// Tries the four diagonal rotations and keeps the one with the largest overlap. O(pieces)
+/// alignments of two pieces.
+pub(super) fn align_each_piece_by_principal_axes(scene: &AlignmentScene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
     let count = scene.members.len();
     let mut poses = alloc::filled(Pose::IDENTITY, count)?;
     let Some(first) = scene.members.first() else {

@@ -10,8 +10,8 @@ use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 
-/// The gate is this multiple of the distance of pairs in the previous round.
-const GATE_TO_PAIR_DISTANCE_RATIO: f64 = 3.0;
+/// The largest distance of a pair is this multiple of the distance of pairs in the previous round.
+const MAX_DISTANCE_TO_PAIR_DISTANCE_RATIO: f64 = 3.0;
 /// In the first stage every fourth sample is used, in the second all.
 const SAMPLE_STRIDES_PER_STAGE: [usize; 2] = [4, 1];
 /// A stage ends if every point moves by at most this fraction of the spacing.
@@ -30,10 +30,11 @@ impl AlignmentScene<'_> {
                 let part = job.share(round as usize, rounds as usize);
                 let reports = self.run_searches(poses, &looks, SAMPLE_STRIDES_PER_STAGE[stage], 1.0, &part)?;
                 for (look, (_, report)) in looks.iter_mut().zip(&reports) {
-                    look.gate = match report.near {
+                    look.max_distance = match report.near {
                         n if n < MIN_COUPLING_PAIRS => self.reach,
-                        _ => (GATE_TO_PAIR_DISTANCE_RATIO * report.distance.max(self.coarser_spacing(look.pieces)))
-                            .min(self.reach),
+                        _ => (MAX_DISTANCE_TO_PAIR_DISTANCE_RATIO
+                            * report.distance.max(self.coarser_spacing(look.pieces)))
+                        .min(self.reach),
                     };
                 }
                 done += 1;

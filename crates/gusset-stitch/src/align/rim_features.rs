@@ -97,14 +97,14 @@ fn find_coincident_samples(
     from: &SampledRims,
     pose: &Pose,
 ) -> Result<Vec<[usize; 2]>> {
-    let gate = MAX_COINCIDENCE_DISTANCE_STEPS * onto.step;
+    let max_distance = MAX_COINCIDENCE_DISTANCE_STEPS * onto.step;
     alloc::gather((0..from.points.len()).filter_map(|k| {
         let (along, normal) = (pose.direction(from.directions[k]), pose.direction(from.normals[k]));
         let fits = |w: u32| {
             onto.directions[w as usize].dot(along) < -MIN_RIM_NORMAL_COSINE
                 && onto.normals[w as usize].dot(normal) > MIN_RIM_NORMAL_COSINE
         };
-        tree.nearest(pose.point(from.points[k]), gate * gate, fits).map(|(_, w)| [k, w as usize])
+        tree.nearest(pose.point(from.points[k]), max_distance * max_distance, fits).map(|(_, w)| [k, w as usize])
     }))
 }
 

@@ -7,14 +7,15 @@ use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;
 use gusset_base::job::Job;
 
-/// Finds the samples of the rims of `a` along the rims of `b`, up to a distance.
+/// Pairs each rim sample of `a` with the nearest rim sample of `b`, at most `max_distance` away.
+/// Pairs at most `max_on_surface_distance` apart count as on the surface.
 pub(super) fn find_rim_sample_pairs(
     a: &PosedPiece<'_>,
     rim: &SampledRims,
     b: &PosedPiece<'_>,
     (other, tree): (&SampledRims, &KdTree<'_>),
-    gate: f64,
-    reach: f64,
+    max_distance: f64,
+    max_on_surface_distance: f64,
     job: &Job<'_>,
 ) -> Result<SamplePairReport> {
     let across = a.pose.then(&b.pose.inverse());
@@ -25,7 +26,7 @@ pub(super) fn find_rim_sample_pairs(
         let at = across.point(rim.points[k]);
         let (along, normal) = (across.direction(rim.directions[k]), across.direction(rim.normals[k]));
         let runs_against = |w: u32| other.directions[w as usize].dot(along) < -MIN_RIM_NORMAL_COSINE;
-        let Some((squared, w)) = tree.nearest(at, gate * gate, runs_against) else {
+        let Some((squared, w)) = tree.nearest(at, max_distance * max_distance, runs_against) else {
             continue;
         };
         let n = other.normals[w as usize];
@@ -43,5 +44,5 @@ pub(super) fn find_rim_sample_pairs(
         list.turn += 1.0 - cosine;
         list.squares += squared;
     }
-    SamplePairReport::new(&list, [a, b], rim.step, reach)
+    SamplePairReport::new(&list, [a, b], rim.step, max_on_surface_distance)
 }

@@ -38,8 +38,8 @@ pub(super) struct SamplePairReport {
     pub(super) equations: MotionEquations,
     /// The number of samples that were searched.
     pub(super) samples: usize,
-    /// The number of samples whose nearest point is within the gate, not on a rim, and faces the
-    /// same side.
+    /// The number of samples whose nearest point is at most the largest distance away, not on a
+    /// rim, and faces the same side.
     pub(super) near: usize,
     /// The number of samples whose nearest point faces the opposite side.
     pub(super) opposite: usize,
@@ -88,14 +88,14 @@ pub(super) struct SamplePairList {
     pub(super) squares: f64,
 }
 
-/// Pairs each sample of `a` with the nearest vertex of `b`, at most `gate` away, with a similar
-/// normal. Pairs at most `reach` apart count as on the surface.
+/// Pairs each sample of `a` with the nearest vertex of `b`, at most `max_distance` away, with a
+/// similar normal. Pairs at most `max_on_surface_distance` apart count as on the surface.
 pub(super) fn find_sample_pairs<'s>(
     a: &PosedPiece<'_>,
     samples: impl ExactSizeIterator<Item = &'s u32>,
     b: &PosedPiece<'_>,
-    gate: f64,
-    reach: f64,
+    max_distance: f64,
+    max_on_surface_distance: f64,
     job: &Job<'_>,
 ) -> Result<SamplePairReport> {
     let across = a.pose.then(&b.pose.inverse());
@@ -106,11 +106,11 @@ pub(super) fn find_sample_pairs<'s>(
     for (k, &v) in samples.enumerate() {
         job.step_every(SAMPLES_PER_REPORT, k, count, STAGE)?;
         let at = across.point(from.points[v as usize]);
-        if onto.bounds.distance_squared(at) > gate * gate {
+        if onto.bounds.distance_squared(at) > max_distance * max_distance {
             continue;
         }
         let is_used = |w: u32| onto.normals[w as usize] != DVec3::ZERO;
-        let Some((squared, w)) = b.member.tree.nearest(at, gate * gate, is_used) else {
+        let Some((squared, w)) = b.member.tree.nearest(at, max_distance * max_distance, is_used) else {
             continue;
         };
         if onto.rim.contains(w) {
@@ -127,7 +127,7 @@ pub(super) fn find_sample_pairs<'s>(
         list.turn += 1.0 - cosine;
         list.squares += squared;
     }
-    SamplePairReport::new(&list, [a, b], from.spacing.max(onto.spacing), reach)
+    SamplePairReport::new(&list, [a, b], from.spacing.max(onto.spacing), max_on_surface_distance)
 }
 
 impl SamplePairReport {
@@ -136,7 +136,7 @@ impl SamplePairReport {
         list: &SamplePairList,
         [a, b]: [&PosedPiece<'_>; 2],
         spacing: f64,
-        reach: f64,
+        max_on_surface_distance: f64,
     ) -> Result<SamplePairReport> {
         let near = list.pairs.len() / list.entries;
         let count = near.max(1) as f64;
@@ -167,7 +167,7 @@ impl SamplePairReport {
                 }
             }
             let square = pair.iter().map(|entry| entry.off * entry.off).sum::<f64>();
-            if square.sqrt() <= reach {
+            if square.sqrt() <= max_on_surface_distance {
                 found.on += 1;
                 found.mean += square.sqrt();
                 found.square += square;

@@ -29,7 +29,7 @@ pub(super) struct Cluster<'c> {
     pub(super) segments: &'c [Segment],
 }
 
-/// The parts of a cluster's triangles.
+/// The parts into which a cluster's triangles were split.
 pub(super) struct SplitCluster {
     /// New points, numbered from the end of the base on.
     pub(super) points: ExactPoints<'static>,

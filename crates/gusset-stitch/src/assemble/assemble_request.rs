@@ -128,7 +128,7 @@ impl Default for Options<'_> {
 /// The outcome for two loops, or runs of loops, that face each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// A strip joins them.
+    /// A strip joins the two sides.
     Joined,
     /// A strip would create a one-sided surface.
     OrientationConflict,

@@ -87,9 +87,10 @@ pub(super) struct FaceRemovals {
 }
 
 impl FaceRemovals {
-    /// Selects the faces to remove. `cuts` are pairs of intersecting faces. Parts with fewer than
-    /// `least` faces are small. If `whole`, the faces at whole rims of intersecting patches are
-    /// removed. O(size).
+    /// Selects the faces that share a vertex with a face in `cuts`, the pairs of intersecting
+    /// faces. Leaves out pairs with a patch that covers the surface. If `whole`, adds the faces at
+    /// all rim vertices of the other intersecting patches. Lists the trimmed parts with fewer than
+    /// `least` faces, except the largest part, for removal on request. O(size).
     pub(super) fn new(
         pieces: &[MeshView<'_>],
         done: &Assembly,

@@ -21,8 +21,8 @@ use gusset_base::job::Job;
 const CONDITION_SLACK: f64 = 1e-3;
 /// Number of vertices between two progress reports.
 const VERTICES_PER_REPORT: usize = 1 << 12;
-/// Smallest ratio of a ring's width to its length; narrower rings are treated as this wide.
-const MIN_RING_WIDTH_RATIO: f64 = 1e-3;
+/// Rings with a smaller ratio of width to length are treated as this wide.
+const MIN_ASSUMED_RING_WIDTH_RATIO: f64 = 1e-3;
 /// The functions x, y, x^2 / 2, y^2 / 2, x y.
 const CONDITIONS_PER_VERTEX: usize = 5;
 
@@ -119,5 +119,5 @@ fn extents_of_ring(ring: &[(u32, f64)], normal: DVec3, flat: impl Fn(u32) -> DVe
     let (sin, cos) = libm::sincos(0.5 * libm::atan2(2.0 * mean(x, y), mean(x, x) - mean(y, y)));
     let (long, short) = (x * cos + y * sin, y * cos - x * sin);
     let [length, width] = [long, short].map(|axis| mean(axis, axis).sqrt());
-    (length > 0.0).then(|| [(long, length), (short, width.max(MIN_RING_WIDTH_RATIO * length))])
+    (length > 0.0).then(|| [(long, length), (short, width.max(MIN_ASSUMED_RING_WIDTH_RATIO * length))])
 }

@@ -17,7 +17,7 @@ use gusset_base::geom::triangle_places::nearest_places;
 use gusset_base::job::Job;
 use std::cell::Cell;
 
-/// Estimated limit on the new vertices of a hole, if the caller sets none.
+/// Limit on the estimated number of new vertices of a hole, if the caller sets none.
 const DEFAULT_MAX_NEW_VERTICES: u32 = 50_000;
 /// Blends are tried until the attempts have made this many new vertices: two blends of full size.
 const MAX_VERTICES_OF_ATTEMPTS: usize = 2 * DEFAULT_MAX_NEW_VERTICES as usize;

@@ -170,7 +170,7 @@ impl FreeBorder<'_> {
                 for &place in &order[EDGES_PER_LEAF * leaf..order.len().min(EDGES_PER_LEAF * (leaf + 1))] {
                     let e = long[place as usize];
                     if let Some(at) = position_along_edge(ends(e), point, reach)
-                        && self.has_no_near_corner(v, e)
+                        && self.face_of_edge_has_no_corner_near(v, e)
                     {
                         alloc::push(&mut splits, EdgeSplit { edge: e, at, vertex: self.cluster_of(v) })?;
                     }
@@ -189,8 +189,8 @@ impl FreeBorder<'_> {
         Ok(splits)
     }
 
-    /// Returns true if the edge's face does not have a corner near `v`.
-    fn has_no_near_corner(&self, v: u32, e: u32) -> bool {
+    /// Returns true if all corners of the face of edge `e` are in other clusters than `v`.
+    fn face_of_edge_has_no_corner_near(&self, v: u32, e: u32) -> bool {
         let cluster = self.cluster_of(v);
         self.mesh.face(self.edges[e as usize].face as usize).all(|corner| self.cluster_of(corner) != cluster)
     }

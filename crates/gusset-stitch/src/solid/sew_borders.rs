@@ -29,9 +29,10 @@ impl SewCounts {
     }
 }
 
-/// Sews the borders of a mesh edge to edge. If a border still coincides with another, all
-/// coincident vertices are merged where this leaves fewer free edges. After the first round, edges
-/// with three or more faces count as free edges: separated sheets stay apart.
+/// Sews the borders of a mesh edge to edge. If vertices of coincident borders stay apart, merges
+/// coincident vertices off the borders too, provided that fewer border edges remain. Unless
+/// `is_first`, edges of three or more faces count as border edges, so that separated sheets stay
+/// apart.
 pub(super) fn sew_borders(
     state: &mut RepairState,
     tolerance: Option<f64>,

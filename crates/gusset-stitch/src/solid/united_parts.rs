@@ -18,7 +18,7 @@ use gusset_mesh::{FaceTriangles, Mesh, MeshView, NONE, Opposite, Topology};
 
 const STAGE: &str = "uniting parts";
 
-/// What uniting did to a mesh.
+/// The outcome of uniting the parts of a mesh.
 pub(super) enum Uniting {
     /// Nothing. These pairs of faces intersect.
     Unchanged(Vec<[u32; 2]>),

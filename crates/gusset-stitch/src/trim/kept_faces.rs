@@ -272,7 +272,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
         Ok(())
     }
 
-    /// Removes faces of which all sides except one are free, at least one of them by a removal.
+    /// Removes faces with at most one side at a kept face and at least one side at a removed face.
     /// Returns true if there were any.
     fn remove_faces_attached_by_one_side(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut ears = Vec::new();

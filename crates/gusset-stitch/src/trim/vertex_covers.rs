@@ -95,7 +95,7 @@ impl VertexCovers {
         (0..self.ends.len()).filter(|&v| !self.covers_at(v).is_empty()).count() as u32
     }
 
-    /// Returns the pieces that vertices lie on, ascending.
+    /// Returns the pieces that at least one vertex lies on, ascending.
     pub(super) fn covering_pieces(&self) -> Result<Vec<u32>> {
         let mut pieces = Vec::new();
         for cover in &self.places {

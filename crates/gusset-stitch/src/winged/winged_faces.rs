@@ -35,7 +35,7 @@ struct WingedSide {
     after: u32,
 }
 
-/// Returns the sides R, then L.
+/// Returns the two sides of an edge: R, then L.
 fn edge_sides(edge: &WingedEdge) -> [WingedSide; 2] {
     let &WingedEdge { m, n, b, c, d, e, left, right, .. } = edge;
     [

@@ -24,7 +24,8 @@ pub(super) struct ContourPath {
     pub(super) range: [usize; 2],
 }
 
-/// The curves on sheets, sheet by sheet, each sorted by level and lowest cell.
+/// The curves on sheets, sheet by sheet. The curves of a sheet are sorted by level, then by their
+/// first cell, row by row.
 #[derive(Debug, Default)]
 pub(super) struct ContourPaths {
     pub(super) paths: Vec<ContourPath>,
@@ -126,7 +127,7 @@ fn find_successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
     Ok((next, entered))
 }
 
-/// The paths of one level, sorted by the lowest cell of each and the key of its mark.
+/// The paths of one level, sorted by the first cell of each, row by row, then by its mark there.
 fn paths_of_level(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<ContourPaths> {
     let (next, entered) = find_successors(arcs)?;
     let count = arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>();

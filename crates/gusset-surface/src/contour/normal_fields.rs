@@ -81,7 +81,8 @@ impl<const N: usize> Hodographs<N> {
         made
     }
 
-    /// Ranges of the three components of N, from the ranges of the components of S_u and S_v.
+    /// Ranges of the three components of the normal, from the ranges of the components of S_u and
+    /// S_v.
     pub(super) fn normal_component_ranges(&self) -> [[f64; 2]; 3] {
         let part = |of: &[[f64; N]; N], rows: usize, columns: usize| {
             range_of_values(of[..rows].iter().flat_map(|row| &row[..columns]).copied())
@@ -100,7 +101,8 @@ impl<const N: usize> Hodographs<N> {
         })
     }
 
-    /// Component k of N as a field of degree 2 N - 3.
+    /// Component `k` of the normal S_u x S_v, as a field of degree 2 N - 3 for a patch of degree
+    /// N - 1.
     pub(super) fn normal_component<const M: usize>(&self, k: usize) -> BernsteinField<M> {
         const { assert!(M == 2 * N - 2) };
         let (lower, full) = const { (binomial_row::<N>(N - 2), binomial_row::<N>(N - 1)) };

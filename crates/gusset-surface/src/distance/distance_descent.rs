@@ -169,7 +169,8 @@ fn solve_for_free_parameters(
     Some(std::array::from_fn(|k| if free[k] { x[k] * scale[k] } else { 0.0 }))
 }
 
-/// The lower Cholesky factor of a matrix with unit diagonal, if it is clearly positive definite.
+/// The lower Cholesky factor of a matrix whose diagonal elements are 1; `None` unless the matrix is
+/// clearly positive definite.
 fn cholesky_factor(matrix: &MatrixOfParameters) -> Option<MatrixOfParameters> {
     let mut factor = [[0.0; 4]; 4];
     for i in 0..4 {

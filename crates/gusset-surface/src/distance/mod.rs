@@ -142,9 +142,9 @@ impl Surface<'_> {
         Ok(approach)
     }
 
-    /// Finds the point of the surface nearest to a plane, given by a point and a normal. The place
-    /// on the plane is the signed distance of the surface's point, positive on the side of the
-    /// normal. If surface and plane meet, the point is on the section. Otherwise like
+    /// Finds the point of the surface nearest to a plane, given by a point and a normal. Sets
+    /// `other` to the signed distance of the surface's point from the plane, positive on the side
+    /// of the normal. If surface and plane meet, the point is on the section. Otherwise like
     /// [`Surface::distance_to_line`].
     ///
     /// # Errors

@@ -113,8 +113,7 @@ fn try_shorter_steps<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot
     StepOutcome::Overshot
 }
 
-/// True if the descent would cross a border that the place is on, or so close to that the step
-/// would end at once.
+/// True if the place is on a border or next to it, and the descent would cross that border.
 fn is_step_blocked_by_border(at: f64, slope: f64) -> bool {
     (at <= MAX_DISTANCE_ON_BORDER && slope > 0.0) || (at >= 1.0 - MAX_DISTANCE_ON_BORDER && slope < 0.0)
 }

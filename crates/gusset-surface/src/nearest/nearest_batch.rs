@@ -76,14 +76,14 @@ fn sort_along_morton_curve(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
     order.clear();
     order.extend(queries.iter().enumerate().map(|(k, &query)| {
         let along = ((0.5 * query - 0.5 * low) * scale).to_array();
-        let [x, y, z] = along.map(|x| spread_bits(x as u32));
+        let [x, y, z] = along.map(|x| spread_to_every_third_bit(x as u32));
         (x | y << 1 | z << 2, k as u32)
     }));
     order.sort_unstable();
 }
 
-/// Spreads the lowest 21 bits of a number, each to the lowest of three bits.
-fn spread_bits(number: u32) -> u64 {
+/// Spreads the lowest 21 bits of a number: bit k becomes bit 3 k, and all others are 0.
+fn spread_to_every_third_bit(number: u32) -> u64 {
     let mut bits = u64::from(number) & 0x1f_ffff;
     for (shift, mask) in [
         (32, 0x001f_0000_0000_ffff),

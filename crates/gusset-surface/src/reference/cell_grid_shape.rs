@@ -108,8 +108,9 @@ impl CellGridShape {
         CyclicSpan::new(line + count - steps, 2 * steps, count)
     }
 
-    /// The rows and columns of the block of 2 J x 2 J cells around a node, where J is `steps`.
-    /// Chains of J cells from the node reach exactly these cells.
+    /// The range of rows and the range of columns of the 2 J x 2 J cells around a node, where J is
+    /// `steps`. Chains of J cells from the node, each sharing a node with the next, reach exactly
+    /// these cells.
     pub(crate) fn block_around_node(&self, [i, j]: [usize; 2], steps: usize) -> [CyclicSpan; 2] {
         [self.span_around_line(0, i, steps), self.span_around_line(1, j, steps)]
     }

@@ -46,8 +46,8 @@ impl SearchOptions {
 /// The outcome of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SearchOutcome {
-    /// All cells that may contain the object.
-    pub mask: CellMask,
+    /// The cells that may contain the object: all that are not excluded.
+    pub possible_cells: CellMask,
     /// The number of evaluated nodes.
     pub evaluations: u64,
     /// The number of excluded blocks.
@@ -89,7 +89,8 @@ pub(super) fn search_with_node_cost(
     let mut window =
         SpansNotYetDropped { lattice, spans: lattice.cells.map(CyclicSpan::all_intervals), rings: lattice.closed };
     let least = ([0, 0], f64::INFINITY);
-    let mut outcome = SearchOutcome { mask: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
+    let mut outcome =
+        SearchOutcome { possible_cells: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
     let [lines_u, lines_v] = lattice.lines();
     let widest = lines_u.max(lines_v).next_power_of_two();
     let mut stride = if options.by_rows { 1 } else { widest };
@@ -106,7 +107,7 @@ pub(super) fn search_with_node_cost(
             }
             let mut j = 0;
             while j < lines_v {
-                if stride == 1 && are_cells_of_nodes_excluded(&outcome.mask, i, j) {
+                if stride == 1 && are_cells_of_nodes_excluded(&outcome.possible_cells, i, j) {
                     j += 62;
                     continue;
                 }
@@ -115,7 +116,7 @@ pub(super) fn search_with_node_cost(
                     && stride < widest
                     && (i / stride).is_multiple_of(2)
                     && (j / stride).is_multiple_of(2);
-                if !seen && lattice.cells_at_node([i, j]).any(|cell| outcome.mask.get(cell)) {
+                if !seen && lattice.cells_at_node([i, j]).any(|cell| outcome.possible_cells.get(cell)) {
                     let cleared =
                         exclude_cells_around_node(&mut outcome, &mut window, sizes, [i, j], measure([i, j]), options);
                     ticker.spend_work(cleared + node_cost, 0.0)?;
@@ -153,13 +154,13 @@ fn exclude_cells_around_node(
     if steps == 0 {
         for cell in lattice.cells_at_node(node) {
             if sizes.get(cell) < distance - within {
-                found.mask.set(cell, false);
+                found.possible_cells.set(cell, false);
             }
         }
         return 8;
     }
     let block = lattice.block_around_node(node, steps);
-    found.mask.clear_block(block);
+    found.possible_cells.clear_block(block);
     found.blocks += 1;
     if options.drop_lines {
         found.dropped += window.drop_edge_lines_covered_by(block) as u64;

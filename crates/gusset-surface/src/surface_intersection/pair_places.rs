@@ -10,7 +10,8 @@ use glam::DVec4;
 const MAX_NEWTON_STEPS: usize = 16;
 /// A step shorter than this fraction of the tolerance is the last one.
 const LAST_STEP_IN_TOLERANCES: f64 = 1e-3;
-/// If parameters are farther outside their cell than this, the other surface's place is adapted.
+/// If clamping moves a parameter by more than this, the other surface's place follows, nearest to
+/// the clamped point.
 const MAX_CLAMPED_PARAMETER_ROUNDING: f64 = 1e-13;
 
 /// A point of the intersection: parameters of a pair of cells, position, and the direction of the

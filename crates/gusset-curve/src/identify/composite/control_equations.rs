@@ -21,8 +21,8 @@ use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::subcurve::Subcurve;
 use gusset_base::geom::linear::tridiagonal;
 
-/// Solves for the control points. Returns false if the equations are singular, which requires joint
-/// parameters other than 1/2.
+/// Solves for the control points. Returns false if the equations are singular, which can happen
+/// only with joint parameters other than 1/2.
 pub(super) fn solve_control_points(sub: &Subcurve<'_>, solution: &mut CompositeSolution) -> bool {
     let CompositeSolution { t, beta, handles, controls, upper, across, .. } = solution;
     let n = sub.len();

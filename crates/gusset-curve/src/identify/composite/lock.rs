@@ -39,7 +39,7 @@ pub(super) fn solve_with_lock(
         return Ok(true);
     }
     match self_consistent::is_in_xy_plane(sub, solution) {
-        true => planar.solve_self_consistent(sub, solution, out),
-        false => spatial.solve_self_consistent(sub, solution, out),
+        true => planar.solve_with_self_consistent_point_parameters(sub, solution, out),
+        false => spatial.solve_with_self_consistent_point_parameters(sub, solution, out),
     }
 }

@@ -78,10 +78,11 @@ pub(super) fn is_in_xy_plane(sub: &Subcurve<'_>, solution: &CompositeSolution) -
 }
 
 impl<const D: usize> SelfConsistentNewton<D> {
-    /// Finds the self-consistent parameters and control points, starting from control points that
-    /// solve the linear equations. Returns false if the equations become singular, which requires
-    /// joint parameters other than 1/2.
-    pub(super) fn solve_self_consistent(
+    /// Finds the self-consistent parameters of the points, and the control points, starting from
+    /// control points that solve the linear equations. Points that do not converge fall back.
+    /// Returns false if the equations become singular, which can happen only with joint parameters
+    /// other than 1/2.
+    pub(super) fn solve_with_self_consistent_point_parameters(
         &mut self,
         sub: &Subcurve<'_>,
         solution: &mut CompositeSolution,
@@ -135,12 +136,12 @@ impl<const D: usize> SelfConsistentNewton<D> {
         let (mut smallest, mut scale, mut halvings) = (f64::INFINITY, 0.0, 0);
         for sweep in 0..max_iterations {
             let overlap = (MIN_REPEATED_ROWS_PER_END << (sweep / 4).min(8)).min(MAX_REPEATED_ROWS_PER_END);
-            let mut sum = self.evaluate_rows(sub, solution, job)?;
+            let mut sum = self.evaluate_newton_rows(sub, solution, job)?;
             while sum > smallest && halvings < MAX_STEP_HALVINGS {
                 halvings += 1;
                 scale *= 0.5;
                 self.add_scaled_step(sub, solution, -scale);
-                sum = self.evaluate_rows(sub, solution, job)?;
+                sum = self.evaluate_newton_rows(sub, solution, job)?;
             }
             report.iterations += 1;
             if sum > smallest || !self.compute_newton_step(sub, overlap, job)? {
@@ -168,7 +169,12 @@ impl<const D: usize> SelfConsistentNewton<D> {
     }
 
     /// Evaluates all rows. Returns the sum of the squares of the F_i.
-    fn evaluate_rows(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution, job: &Job<'_>) -> Result<f64> {
+    fn evaluate_newton_rows(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut CompositeSolution,
+        job: &Job<'_>,
+    ) -> Result<f64> {
         let mut sum = 0.0;
         for i in sub.section_indices() {
             job.step_every(POINTS_PER_REPORT, i, sub.len(), PROGRESS_STAGE)?;

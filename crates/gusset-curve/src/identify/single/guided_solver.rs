@@ -53,7 +53,8 @@ impl Collocation {
         self.solve_linear_equations()
     }
 
-    /// Finds control points on the guides. Returns false if it fails.
+    /// Finds control points on the guides, which are lines through the points. Returns false if none
+    /// are found.
     pub(super) fn solve_on_guides(
         &mut self,
         sub: &Subcurve<'_>,

@@ -52,7 +52,7 @@ impl CreaseEnd {
     }
 
     /// Returns the vertices of a rim of `count` vertices along which the crease runs, in rim order.
-    pub(super) fn rim_vertices(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
+    pub(super) fn rim_vertices_along_crease(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
         let first = if self.following < 0 { self.tip } else { self.base };
         (0..=self.following.unsigned_abs()).map(move |k| (first + k) % count)
     }
@@ -69,7 +69,8 @@ pub(super) struct CreaseAlongRim {
 }
 
 impl CreaseAlongRim {
-    pub(super) fn rim_vertices(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
+    /// Returns the vertices of the run on a rim of `count` vertices, in rim order.
+    pub(super) fn rim_vertices_along_crease(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
         let first = self.first;
         (0..=self.edges).map(move |k| (first + k) % count)
     }
@@ -212,7 +213,8 @@ fn add_creases_at_corner(
     alloc::push(ends, CreaseEnd { base, following: 0, tip: base, from, direction, sides, normals: [n, m] })
 }
 
-/// Returns the end of the crease between the triangles k and k + 1 of a fan.
+/// Returns where the crease between the triangles k and k + 1 of a fan meets the rim, and its
+/// direction there.
 fn crease_end(rim: &PatchRim, base: usize, k: usize, fan: &[(u32, u32)]) -> Result<CreaseEnd> {
     let (after, before) = fan.split_at(k + 1);
     let [(before, n), (after, m)] = [side_of_fan(rim, before)?, side_of_fan(rim, after)?];
@@ -253,10 +255,10 @@ fn drop_creases_with_shared_vertices(
     count: usize,
 ) -> Result<(Vec<CreaseEnd>, Vec<CreaseAlongRim>)> {
     let mut uses = alloc::filled(0u32, count)?;
-    ends.iter().flat_map(|end| end.rim_vertices(count)).for_each(|v| uses[v] += 1);
-    along_rim.iter().flat_map(|crease| crease.rim_vertices(count)).for_each(|v| uses[v] += 1);
-    ends.retain(|end| end.rim_vertices(count).all(|v| uses[v] == 1));
-    along_rim.retain(|crease| crease.rim_vertices(count).all(|v| uses[v] == 1));
+    ends.iter().flat_map(|end| end.rim_vertices_along_crease(count)).for_each(|v| uses[v] += 1);
+    along_rim.iter().flat_map(|crease| crease.rim_vertices_along_crease(count)).for_each(|v| uses[v] += 1);
+    ends.retain(|end| end.rim_vertices_along_crease(count).all(|v| uses[v] == 1));
+    along_rim.retain(|crease| crease.rim_vertices_along_crease(count).all(|v| uses[v] == 1));
     sort::sort_stable(&mut ends, &|x, y| x.tip.cmp(&y.tip));
     Ok((ends, along_rim))
 }

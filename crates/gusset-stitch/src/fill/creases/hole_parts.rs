@@ -57,12 +57,12 @@ impl PartOutlines<'_> {
         // For each rim vertex, the end that has it as its tip or that follows the rim there.
         let mut end_at = alloc::filled(None, count)?;
         for (k, end) in self.ends.iter().enumerate().filter(|&(k, _)| self.bridges[k].is_some()) {
-            end.rim_vertices(count).for_each(|v| end_at[v] = Some(k));
+            end.rim_vertices_along_crease(count).for_each(|v| end_at[v] = Some(k));
         }
         let at = |v: usize| end_at[v].and_then(|k: usize| Some((&self.ends[k], self.bridges[k].as_ref()?)));
         let mut crease_at = alloc::filled(None, count)?;
         for (k, crease) in self.along_rim.iter().enumerate() {
-            crease.rim_vertices(count).for_each(|v| crease_at[v] = Some(k));
+            crease.rim_vertices_along_crease(count).for_each(|v| crease_at[v] = Some(k));
         }
         let mut parts = Vec::new();
         if self.bridges.iter().all(Option::is_none) && !self.along_rim.is_empty() {

@@ -125,7 +125,8 @@ impl<'a> StripBends<'a> {
         }
     }
 
-    /// Computes the triangles of row i, the meridians' lengths, and their squares.
+    /// Computes the normals and areas of row i's triangles, and the lengths and squared lengths of
+    /// its meridians.
     fn compute_triangles(&self, i: usize, range: Range<usize>, row: &mut StepRow, squared: &mut [f64]) {
         let (here, back) = (self.a[i], self.a[i.saturating_sub(1)] - self.a[i]);
         let b = self.b.slice(range.clone());
