@@ -26,6 +26,7 @@ mod fill;
 mod nesting;
 mod orient;
 mod outwards;
+mod partial_rims;
 mod patches;
 mod pieces;
 mod regions;

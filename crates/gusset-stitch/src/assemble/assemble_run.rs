@@ -6,7 +6,9 @@ use super::combined_pieces::CombinedPieces;
 use super::face_removals::FaceRemovals;
 use super::given_pair::GivenLoopPair;
 use super::piece_loops::PieceLoops;
+use super::unsewn_pairs::UnsewnLoopPairs;
 use crate::stitch::combine::append_strip;
+use crate::stitch::facing::Arc;
 use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::loop_pairing::mean_gap;
 use crate::stitch::stitch_rim::{have_coincident_vertices, shared_vertex};
@@ -55,7 +57,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     let Overlaps::Trim(how) = options.overlaps else {
         let mut base = CombinedPieces::new(pieces, None, options, &job.part(0.0, 0.3))?;
         base.assembly.left =
-            join_facing_loops(&mut base, options, &mut IntersectingStripTreatment::Kept, &job.part(0.3, 0.8))?;
+            join_facing_loops(pieces, &mut base, options, &mut IntersectingStripTreatment::Kept, &job.part(0.3, 0.8))?;
         return base.fill_and_turn(options, &job.part(0.8, 1.0)).map(|(assembly, _)| assembly);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
@@ -127,7 +129,7 @@ fn join_trimmed_pieces(
     let mut base = CombinedPieces::new(pieces, Some(trimmed), options, &job.part(0.0, 0.3))?;
     let mut cuts =
         if refuses { IntersectingStripTreatment::Refused } else { IntersectingStripTreatment::Listed(Vec::new()) };
-    base.assembly.left = join_facing_loops(&mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
+    base.assembly.left = join_facing_loops(pieces, &mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
     // Where three pieces meet, the first strips leave loops that face each other, now on one
     // component. The sides of such a seam may be farther apart than unrelated loops.
     let again = Options { within_components: true, pairs: &[], max_gap: wide, ..*options };
@@ -135,6 +137,7 @@ fn join_trimmed_pieces(
         let before = base.assembly.joints.len();
         alloc::grow(&mut base.piece, base.assembly.mesh.positions.len(), NONE)?;
         base.assembly.left = join_facing_loops(
+            pieces,
             &mut base,
             &again,
             &mut cuts,
@@ -153,14 +156,17 @@ fn join_trimmed_pieces(
 /// Joins the loops that face each other, as the options request, and returns the loops that are
 /// left.
 fn join_facing_loops(
+    pieces: &[MeshView<'_>],
     base: &mut CombinedPieces,
     options: &Options<'_>,
     cuts: &mut IntersectingStripTreatment,
     job: &Job<'_>,
 ) -> Result<Vec<LeftLoop>> {
-    let mut loops = PieceLoops::new(base, &job.part(0.0, 0.2))?;
-    let excluded = list_excluded_loop_pairs(base, &loops, options)?;
-    let mut found = choose_loop_pairs(base, &loops, options, &excluded, &job.part(0.2, 0.4))?;
+    let CombinedPieces { assembly, piece, seam, .. } = &*base;
+    let mut loops = PieceLoops::new(&assembly.mesh, piece, seam, &job.part(0.0, 0.15))?;
+    let excluded = loops.list_excluded_pairs(&assembly.maps, options)?;
+    let wide = list_wide_slits(pieces, base, &loops, options, &job.part(0.15, 0.2))?;
+    let mut found = choose_loop_pairs(base, &loops, options, &excluded, &wide, &job.part(0.2, 0.4))?;
     if options.within_components
         && matches!(cuts, IntersectingStripTreatment::Listed(_) | IntersectingStripTreatment::Refused)
     {
@@ -260,20 +266,37 @@ fn list_left_loops(
     Ok(left)
 }
 
-/// Returns the excluded pairs of loops (smaller, larger), in ascending order.
-fn list_excluded_loop_pairs(base: &CombinedPieces, loops: &PieceLoops, options: &Options<'_>) -> Result<Vec<[u32; 2]>> {
-    let places = loops.vertex_loop_pairs()?;
-    let mut excluded = Vec::new();
-    for (k, pair) in options.excluded.iter().enumerate() {
-        GivenLoopPair { option: "excluded", number: k as u32, pair }
-            .check_pieces_and_vertices_exist(&base.assembly.maps)?;
-        let (first, second) =
-            (loops.select_loops(base, &places, pair[0])?, loops.select_loops(base, &places, pair[1])?);
-        let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
-        alloc::extend(&mut excluded, pairs)?;
+/// Returns the wide slits to be joined with themselves, in ascending order: their sides belonged to
+/// two whole loops that faced each other before sewing.
+fn list_wide_slits(
+    pieces: &[MeshView<'_>],
+    base: &CombinedPieces,
+    loops: &PieceLoops,
+    options: &Options<'_>,
+    job: &Job<'_>,
+) -> Result<Vec<usize>> {
+    if !UnsewnLoopPairs::may_exist(options) {
+        return Ok(Vec::new());
     }
-    excluded.sort_unstable();
-    Ok(excluded)
+    let search = loops.facing_search(options, &[], &[]);
+    let is_wide = |r: &usize| {
+        let slit = loops.slits[*r].filter(|slit| slit.is_opposed);
+        slit.is_some_and(|slit| !(slit.closes && slit.gap <= search.max_slit_gap(*r)))
+    };
+    let mut wide = alloc::gather((0..loops.rims.len()).filter(is_wide))?;
+    if !wide.is_empty() {
+        let names = base.assembly.maps.iter().flat_map(|map| &map.vertices).copied();
+        let pairs = UnsewnLoopPairs::find(pieces, options, names, job)?;
+        let sides_are_paired = |&r: &usize| -> Result<bool> {
+            let (Some(slit), rim) = (loops.slits[r], &loops.rims[r]) else { return Ok(false) };
+            let side = |arc: Arc| alloc::collect(arc.places(rim.vertices.len()).map(|i| rim.vertices[i]));
+            pairs.join_runs(&side(slit.arcs[0])?, &side(slit.arcs[1])?)
+        };
+        let paired = alloc::try_collect(wide.iter().map(sides_are_paired))?;
+        let mut paired = paired.into_iter();
+        wide.retain(|_| paired.next() == Some(true));
+    }
+    Ok(wide)
 }
 
 /// Returns the given pairs, then the pairs found by the search.
@@ -282,6 +305,7 @@ fn choose_loop_pairs(
     loops: &PieceLoops,
     options: &Options<'_>,
     excluded: &[[u32; 2]],
+    wide: &[usize],
     job: &Job<'_>,
 ) -> Result<Vec<FacingLoops>> {
     let places = loops.vertex_loop_pairs()?;
@@ -291,7 +315,7 @@ fn choose_loop_pairs(
         let given = GivenLoopPair { option: "pairs", number: k as u32, pair };
         given.check_pieces_and_vertices_exist(&base.assembly.maps)?;
         let rims = given.find_named_rims(
-            |selector| loops.select_loops(base, &places, selector),
+            |selector| loops.select_loops(&base.assembly.maps, &places, selector),
             &taken,
             |r| loops.slits[r].is_some(),
         )?;
@@ -308,7 +332,7 @@ fn choose_loop_pairs(
     }
     if options.max_gap != MaxGap::Given(0.0) {
         let search = loops.facing_search(options, &taken, excluded);
-        let mut seen = alloc::gather(search.unused_slits())?;
+        let mut seen = alloc::gather(search.unused_slits(wide))?;
         seen.iter().for_each(|facing| taken[facing.rims[0]] = true);
         alloc::append(&mut seen, &loops.facing_search(options, &taken, excluded).find_facing_loops(job)?)?;
         let first = |found: &FacingLoops| found.arcs.map_or(0, |arcs| arcs[0].first);

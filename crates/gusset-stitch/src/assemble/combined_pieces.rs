@@ -3,6 +3,7 @@
 use super::assemble_request::{Assembly, LeftLoop, Options, Reason, Selector};
 use super::origin_history::History;
 use super::touching_borders::close_touching_borders;
+use super::unsewn_pairs::UnsewnLoopPairs;
 use crate::boundary::{self, boundary_loops};
 use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
 use crate::repair::near_borders::NearBorders;
@@ -68,7 +69,11 @@ impl CombinedPieces {
                 alloc::gather(named.iter().filter(|&&v| v != NONE).map(|&v| sewn_map[v as usize]))
             };
             near = sewn.near;
-            joints = close_touching_borders(&mut sewn, options, vertices_of, &part.part(0.8, 1.0))?;
+            let unsewn_pairs = |sewn_map: &[u32], job: &Job<'_>| {
+                let names = vertex_map.iter().map(|&v| if v == NONE { NONE } else { sewn_map[v as usize] });
+                UnsewnLoopPairs::find(pieces, options, names, job)
+            };
+            joints = close_touching_borders(&mut sewn, options, vertices_of, unsewn_pairs, &part.part(0.8, 1.0))?;
             (welded_vertices, sewn_edges, splits, tolerance) =
                 (sewn.welded_vertices, sewn.sewn_edges, sewn.splits, sewn.tolerance);
             let through = |before: &mut [u32], after: &[u32]| {

@@ -33,6 +33,7 @@ mod piece_loops;
 mod side_facing;
 mod slit;
 mod touching_borders;
+mod unsewn_pairs;
 mod face_removals;
 mod whole_loops;
 

@@ -6,7 +6,8 @@
 //!
 //! A lens is closed if it is narrow: no vertex of one run is farther from the other run than
 //! three tenths of the length of the shorter run, and the mean distance is at most the longest edge
-//! of both. The surfaces must face or continue each other, unless the gap is small relative to the
+//! of both. A wider lens is closed if its sides face each other, and belong to two whole loops that
+//! face each other ([`unsewn_pairs`](super::unsewn_pairs)). The surfaces of a narrow lens must face or continue each other, unless the gap is small relative to the
 //! faces along it. The common points become one vertex each, and a strip of M + N - 2 triangles
 //! joins the runs. Lenses are closed narrowest first, and each border edge belongs to at most one. A
 //! lens stays open if closing it would create a non-manifold edge. The criteria are our own.
@@ -17,6 +18,7 @@
 use super::assemble_request::{Extent, Joint, MaxGap, Options, Outcome, Selector};
 use super::loop_edges::LoopEdges;
 use super::side_facing::{EdgeDepths, RimRun, SideFacing};
+use super::unsewn_pairs::UnsewnLoopPairs;
 use crate::boundary::{self, boundary_loops};
 use crate::repair::sew::Sew;
 use crate::repair::sew_edges::{RunEnds, merge_run_ends};
@@ -24,6 +26,7 @@ use crate::repair::{border_clusters, orient};
 use crate::stitch::combine::append_strip;
 use crate::stitch::facing::Arc;
 use crate::stitch::fair_and_check::fair_and_check;
+use crate::stitch::sense::arcs_run_the_same_way;
 use crate::stitch::stitch_rim::{Rim, is_usable};
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, Finish, Rows};
@@ -81,6 +84,15 @@ impl Lens {
     }
 }
 
+/// The width of a lens, which decides whether it is closed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum LensWidth {
+    /// Narrow relative to its length and to the edges along it: it is closed.
+    Narrow,
+    /// Wider, but its sides face each other: it is closed between paired loops.
+    Wide,
+}
+
 /// A vertex of a loop at a common point.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct CommonPoint {
@@ -103,13 +115,15 @@ struct TouchingLoops {
 
 /// Closes the narrow lenses of a sewn mesh, except between loops that `options` excludes. Returns a
 /// joint for each lens; their faces follow the faces of the pieces. `vertices_of` returns the
-/// vertices of the sewn mesh that a selector names.
+/// vertices of the sewn mesh that a selector names. `unsewn_pairs` finds the whole loops that faced
+/// each other before sewing.
 ///
 /// O(B log B) for B border vertices, if some of them coincide and are not sewn.
 pub(super) fn close_touching_borders(
     sewn: &mut Sew,
     options: &Options<'_>,
     vertices_of: impl Fn(&[u32], Selector) -> Result<Vec<u32>>,
+    unsewn_pairs: impl Fn(&[u32], &Job<'_>) -> Result<UnsewnLoopPairs>,
     job: &Job<'_>,
 ) -> Result<Vec<Joint>> {
     if sewn.left_vertices.is_empty() || options.extent == Extent::WholeLoops || options.max_gap == MaxGap::Given(0.0) {
@@ -117,7 +131,8 @@ pub(super) fn close_touching_borders(
     }
     let mut loops = TouchingLoops::new(sewn, options, &job.part(0.0, 0.4))?;
     let excluded = loops.list_excluded_rims(options, |selector| vertices_of(&sewn.vertex_map, selector))?;
-    let lenses = loops.find_narrow_lenses(options, &excluded, &job.part(0.4, 0.6))?;
+    let unsewn_pairs = |job: &Job<'_>| unsewn_pairs(&sewn.vertex_map, job);
+    let lenses = loops.find_lenses(options, &excluded, unsewn_pairs, &job.part(0.4, 0.6))?;
     if lenses.is_empty() {
         return Ok(Vec::new());
     }
@@ -190,12 +205,13 @@ impl TouchingLoops {
         Ok(excluded)
     }
 
-    /// Returns the narrow lenses, narrowest first. No edge belongs to two of them, and no lens to an
-    /// excluded pair of rims.
-    fn find_narrow_lenses(
+    /// Returns the lenses to close, narrowest first. No edge belongs to two of them, and no lens to
+    /// an excluded pair of rims.
+    fn find_lenses(
         &mut self,
         options: &Options<'_>,
         excluded: &[[usize; 2]],
+        unsewn_pairs: impl Fn(&Job<'_>) -> Result<UnsewnLoopPairs>,
         job: &Job<'_>,
     ) -> Result<Vec<Lens>> {
         let mut all = alloc::gather(self.points.iter().flatten().copied())?;
@@ -219,11 +235,22 @@ impl TouchingLoops {
         }
         candidates.retain(|(runs, _)| excluded.binary_search(&runs.map(|run| run.rim)).is_err());
         sort::sort_distinct(&mut candidates);
-        let mut lenses = Vec::new();
+        let (mut lenses, mut wide) = (Vec::new(), Vec::new());
         for (number, &(runs, same_way)) in candidates.iter().enumerate() {
             job.step_every(POINTS_PER_REPORT, number, candidates.len(), STAGE)?;
-            if let Some(gap) = self.narrow_gap_between(runs, options, job)? {
-                alloc::push(&mut lenses, Lens { runs, same_way, gap })?;
+            let Some((gap, width)) = self.measure_lens(runs, options, job)? else { continue };
+            if self.fits_direction(runs, same_way)? {
+                let list = if width == LensWidth::Narrow { &mut lenses } else { &mut wide };
+                alloc::push(list, Lens { runs, same_way, gap })?;
+            }
+        }
+        if !wide.is_empty() {
+            let pairs = unsewn_pairs(job)?;
+            for lens in wide {
+                let vertices = |run: Run| alloc::collect((0..run.edges + 1).map(|k| run.vertex_at(&self.rims, k)));
+                if pairs.join_runs(&vertices(lens.runs[0])?, &vertices(lens.runs[1])?)? {
+                    alloc::push(&mut lenses, lens)?;
+                }
             }
         }
         sort::sort_stable(&mut lenses, &|x, y| x.gap.total_cmp(&y.gap));
@@ -271,12 +298,14 @@ impl TouchingLoops {
         })
     }
 
-    /// Returns the gap of a lens if the lens is narrow.
-    fn narrow_gap_between(&self, runs: [Run; 2], options: &Options<'_>, job: &Job<'_>) -> Result<Option<f64>> {
+    /// Returns the gap and the width of a lens that may be closed.
+    fn measure_lens(&self, runs: [Run; 2], options: &Options<'_>, job: &Job<'_>) -> Result<Option<(f64, LensWidth)>> {
         let sides =
             runs.map(|run| RimRun { rim: &self.rims[run.rim], arc: Arc { first: run.first, count: run.edges + 1 } });
         let [a, b] = sides.map(|side| side.edge_lengths().sum::<f64>());
-        if a.max(b) > MAX_LENGTH_RATIO * a.min(b) {
+        let may_be_wide = UnsewnLoopPairs::may_exist(options);
+        let is_alike = a.max(b) <= MAX_LENGTH_RATIO * a.min(b);
+        if !(is_alike || may_be_wide) {
             return Ok(None);
         }
         let Some(seen) = SideFacing::between(&sides[0], &sides[1], &job.part(0.0, 0.0))? else { return Ok(None) };
@@ -288,8 +317,24 @@ impl TouchingLoops {
             MaxGap::Auto => sides.iter().flat_map(RimRun::edge_lengths).fold(0.0, f64::max),
             MaxGap::Given(gap) => gap / self.unit,
         };
-        let is_open = seen.is_narrow() && (self.tolerance < seen.width) && seen.gap <= allowed;
-        Ok((is_open && seen.may_close(runs.into_iter().all(is_near))).then_some(seen.gap))
+        let is_open = self.tolerance < seen.width;
+        let is_narrow = is_alike && seen.is_narrow() && seen.gap <= allowed;
+        Ok(match () {
+            _ if !is_open => None,
+            _ if is_narrow && seen.may_close(runs.into_iter().all(is_near)) => Some((seen.gap, LensWidth::Narrow)),
+            _ if may_be_wide && seen.is_opposed() => Some((seen.gap, LensWidth::Wide)),
+            _ => None,
+        })
+    }
+
+    /// Returns true if the direction of two runs is possible. The ends of the runs decide, unless
+    /// the runs are whole rims with one common point.
+    fn fits_direction(&self, runs: [Run; 2], same_way: bool) -> Result<bool> {
+        if runs.iter().any(|run| run.edges < self.rims[run.rim].vertices.len()) {
+            return Ok(true);
+        }
+        let [a, b] = runs.map(|run| self.rims[run.rim].arc_of_run(run.first, run.edges + 1));
+        Ok(arcs_run_the_same_way(&a?.points, &b?.points)? == same_way)
     }
 
     /// Appends the strips of the lenses, whose rims are numbered as in `mesh`. Returns their joints.
