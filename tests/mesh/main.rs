@@ -23,6 +23,7 @@ mod elbows;
 mod errata;
 mod facing;
 mod fill;
+mod islands;
 mod nesting;
 mod orient;
 mod outwards;

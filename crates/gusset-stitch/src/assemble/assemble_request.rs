@@ -224,6 +224,9 @@ pub struct Assembly {
     pub turned: Vec<bool>,
     /// The number of faces that were trimmed from overlaps.
     pub trimmed_faces: u32,
+    /// The trimmed faces that no kept face covers: (piece, face), in ascending order. The kept faces
+    /// are farther away than [`trim::Options::max_distance`], or face another side.
+    pub lost_faces: Vec<[u32; 2]>,
     /// The number of vertices that were merged into others.
     pub welded_vertices: u32,
     /// The number of edges that were sewn.

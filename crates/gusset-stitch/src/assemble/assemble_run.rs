@@ -3,6 +3,7 @@
 use super::assemble_request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason};
 use super::candidates::FacingLoops;
 use super::combined_pieces::CombinedPieces;
+use super::covered_faces::list_lost_faces;
 use super::face_removals::FaceRemovals;
 use super::given_pair::GivenLoopPair;
 use super::piece_loops::PieceLoops;
@@ -67,7 +68,8 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     // Each round removes small unjoined parts, and faces around strips and patches that intersect;
     // then it starts again.
     let mut round = 0;
-    loop {
+    let same = how.surface_distance(trimmed.spacing);
+    let mut assembly = loop {
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
         let (now, then) = (job.part(part(round), part(round + 1)), job.part(part(round + 1), part(round + 1)));
         let refuses = round >= ROUNDS_WITH_INTERSECTING_STRIPS;
@@ -80,7 +82,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             join_trimmed_pieces(pieces, &trimmed, &how_wide, gap_of(DEFAULT_GAP_MEAN_EDGES[1]), refuses, &now)?;
         let is_final = refuses || cuts.is_empty();
         if is_final && round >= MAX_REMOVAL_ROUNDS {
-            return Ok(assembly);
+            break assembly;
         }
         round += 1;
         let spoilt = FaceRemovals::new(
@@ -89,6 +91,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             &cuts,
             how.min_island_faces(),
             round > MAX_ROUNDS_BEFORE_WHOLE_RIM,
+            same,
             &then,
         )?;
         let widens =
@@ -98,11 +101,16 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         }
         if !spoilt.remove_faces_from(pieces, &mut trimmed, &assembly, !widens) && !widens {
             if is_final {
-                return Ok(assembly);
+                break assembly;
             }
             round = ROUNDS_WITH_INTERSECTING_STRIPS;
         }
+    };
+    assembly.lost_faces = list_lost_faces(pieces, &assembly, same, &job.part(1.0, 1.0))?;
+    if !assembly.lost_faces.is_empty() {
+        job.note("trimming dropped faces that no kept face covers: the report of the assembly lists them");
     }
+    Ok(assembly)
 }
 
 /// The treatment of strips that intersect other faces.

@@ -112,6 +112,7 @@ impl CombinedPieces {
             maps,
             turned,
             trimmed_faces,
+            lost_faces: Vec::new(),
             welded_vertices,
             sewn_edges,
             splits,

@@ -23,6 +23,7 @@ mod assemble_request;
 mod assemble_run;
 mod assignment;
 mod combined_pieces;
+mod covered_faces;
 mod candidates;
 mod loop_edges;
 mod facing_loops;
