@@ -102,7 +102,8 @@ pub struct Options<'a> {
     /// other fields are not read.
     pub strip: stitch::Options,
     /// How remaining holes are filled; `None` disables filling. Its `outward` is not read. If the
-    /// strips are blends, so are the patches.
+    /// strips are blends, so are the patches. If overlaps are trimmed, [`fill::Keep::Auto`] acts as
+    /// [`fill::Keep::OuterBorders`]: the outer border of a scan is not a hole.
     pub fill: Option<fill::Options>,
 }
 
@@ -164,6 +165,18 @@ pub struct Joint {
     pub faces: Range<u32>,
     /// Pairs of intersecting faces; see [`Stitch::intersections`](stitch::Stitch::intersections).
     pub intersections: Option<Vec<[u32; 2]>>,
+    /// The total length of the segments in which these faces intersect.
+    pub cut_length: f64,
+    /// True if the strip intersects faces, and a blend would not. Tried only for strips with
+    /// [`Intersections::Auto`](stitch::Intersections::Auto) between pieces that are not trimmed.
+    pub blend_avoids_cuts: bool,
+}
+
+impl Joint {
+    /// Returns true if faces of the strip are known to intersect others.
+    pub fn has_cuts(&self) -> bool {
+        self.intersections.as_ref().is_some_and(|pairs| !pairs.is_empty())
+    }
 }
 
 /// The reason why a loop, or part of it, was left.
@@ -195,6 +208,9 @@ pub enum Reason {
 pub struct LeftLoop {
     /// The loop's vertices in the result, in order.
     pub vertices: Vec<u32>,
+    /// The piece of the loop's first vertex that a piece has, and that vertex of the piece;
+    /// [`NONE`] if the loop has only new vertices.
+    pub origin: [u32; 2],
     /// The reason why it was left.
     pub reason: Reason,
     /// The mean distance to the loop that is nearest to most of its vertices, measured to the
@@ -246,6 +262,12 @@ pub struct Assembly {
     pub left: Vec<LeftLoop>,
     /// The holes that were considered for filling.
     pub holes: Vec<fill::Hole>,
+    /// Pairs of intersecting faces, the first on a patch, as in
+    /// [`Filled::intersections`](fill::Filled::intersections); `None` if they were not looked
+    /// for.
+    pub hole_intersections: Option<Vec<[u32; 2]>>,
+    /// For each hole, the total length of the segments in which its patch intersects other faces.
+    pub hole_cut_lengths: Vec<f64>,
     /// The vertices of the holes' rims, in the order before closed components were turned outwards.
     pub hole_rims: Vec<u32>,
     /// The origins of the elements of the result.

@@ -9,18 +9,19 @@ use super::given_pair::GivenLoopPair;
 use super::piece_loops::PieceLoops;
 use super::unsewn_pairs::UnsewnLoopPairs;
 use crate::stitch::combine::append_strip;
+use crate::stitch::existing_edges::ExistingEdges;
 use crate::stitch::facing::Arc;
 use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::loop_pairing::mean_gap;
-use crate::stitch::stitch_rim::{have_coincident_vertices, shared_vertex};
+use crate::stitch::stitch_rim::{Rim, have_coincident_vertices, shared_vertex};
 use crate::stitch::strip::Strip;
-use crate::stitch::{self, Finish, Rows};
+use crate::stitch::{self, Finish, Intersections, Rows};
 use crate::trim::{KeptFacesOfPieces, trim};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort;
-use gusset_mesh::{MeshView, NONE};
+use gusset_mesh::{Mesh, MeshView, NONE};
 
 /// Default widths of gaps between trimmed pieces, in mean edges of the coarsest; the second applies
 /// if parts would stay unjoined.
@@ -208,6 +209,8 @@ fn join_facing_loops(
             vertices: 0..0,
             faces: 0..0,
             intersections: None,
+            cut_length: 0.0,
+            blend_avoids_cuts: false,
         };
         if outcome == Outcome::Joined {
             let existing = edges.existing_edges_between(facing.rims, &sides)?;
@@ -231,6 +234,11 @@ fn join_facing_loops(
                             continue;
                         }
                         IntersectingStripTreatment::Listed(all) => alloc::append(all, pairs)?,
+                        IntersectingStripTreatment::Kept if !pairs.is_empty() => {
+                            let sides = loops.facing_sides(facing)?;
+                            joint.blend_avoids_cuts =
+                                does_blend_avoid_cuts(mesh, sides, &existing, loops.unit, &strips, &part)?;
+                        }
                         IntersectingStripTreatment::Kept | IntersectingStripTreatment::Refused => {}
                     }
                     let attached = append_strip(&mut base.assembly.mesh, &strip, loops.unit)?;
@@ -252,6 +260,29 @@ fn join_facing_loops(
     list_left_loops(loops, options, &excluded, [&has_strip, &tried], &job.part(1.0, 1.0))
 }
 
+/// Returns true if a blend between two sides would not intersect other faces. Only strips whose
+/// intersections are avoided, and that are not blends, are compared with a blend.
+fn does_blend_avoid_cuts(
+    mesh: &Mesh,
+    [a, mut b]: [Rim; 2],
+    existing: &ExistingEdges,
+    unit: f64,
+    options: &stitch::Options,
+    job: &Job<'_>,
+) -> Result<bool> {
+    if options.finish == Finish::Blend || options.intersections != Intersections::Auto {
+        return Ok(false);
+    }
+    b.reverse();
+    let options = stitch::Options { finish: Finish::Blend, ..*options };
+    let mut strip = match Strip::build(a, b, existing, &options.strip_options(), || 1.0, job) {
+        Err(Error::NoStrip { .. }) => return Ok(false),
+        strip => strip?,
+    };
+    let checked = fair_and_check(mesh, &mut strip, unit, existing, &options.strip_options(), job)?;
+    Ok(checked.finish == Finish::Blend && checked.intersections.is_some_and(|pairs| pairs.is_empty()))
+}
+
 /// Returns the loops without a strip, and the reasons.
 fn list_left_loops(
     loops: PieceLoops,
@@ -267,7 +298,10 @@ fn list_left_loops(
         if let Some(found) = found {
             let reason = if tried[r] { Reason::NotJoined } else { found.reason };
             let [gap, allowed_gap] = [found.gap, found.allowed].map(|length| length * loops.unit);
-            alloc::push(&mut left, LeftLoop { vertices: rim.vertices, reason, gap, allowed_gap, filled: false })?;
+            alloc::push(
+                &mut left,
+                LeftLoop { vertices: rim.vertices, origin: [NONE; 2], reason, gap, allowed_gap, filled: false },
+            )?;
         }
     }
     sort::sort_stable(&mut left, &|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));

@@ -31,6 +31,7 @@ mod given_pair;
 mod origin_history;
 mod left_loops;
 mod piece_loops;
+mod report_details;
 mod side_facing;
 mod slit;
 mod touching_borders;

@@ -66,6 +66,7 @@ impl PieceLoops {
                     &mut loops.others,
                     LeftLoop {
                         vertices: alloc::copied(found.vertices)?,
+                        origin: [NONE; 2],
                         reason,
                         gap: f64::INFINITY,
                         allowed_gap: 0.0,

@@ -368,6 +368,8 @@ impl TouchingLoops {
                 vertices: 0..0,
                 faces: 0..0,
                 intersections: None,
+                cut_length: 0.0,
+                blend_avoids_cuts: false,
             };
             let existing = edges.existing_edges_between([k, k], &sides)?;
             sides[1].reverse();
