@@ -24,6 +24,7 @@ mod errata;
 mod facing;
 mod fill;
 mod islands;
+mod join_report;
 mod nesting;
 mod orient;
 mod outwards;

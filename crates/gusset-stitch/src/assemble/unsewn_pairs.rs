@@ -1,7 +1,7 @@
 //! Pairs of whole loops that face each other before borders are sewn.
 //!
 //! Two rims may coincide along a part, and be apart elsewhere. Sewing merges the common edges, and
-//! the rest of both rims becomes one loop, or several. Such a loop may be far wider than a slit or
+//! the rest of both rims becomes one loop, or several. This loop may be far wider than a slit or
 //! a lens between unrelated borders. Its two sides are joined if their rims face each other as
 //! whole loops: the search on the pieces before sewing decides.
 
