@@ -6,6 +6,7 @@ use gusset::assemble::{Assembly, Options, Outcome, Overlaps, assemble};
 use gusset::fill;
 use gusset::mesh::{MeshView, NONE};
 use gusset::trim;
+use std::f64::consts::TAU;
 
 fn run(pieces: &[Soup], options: &Options<'_>) -> Assembly {
     let views: Vec<MeshView<'_>> = pieces.iter().map(Soup::view).collect();
@@ -21,9 +22,26 @@ fn block(low: [f64; 3], high: [f64; 3]) -> Soup {
     soup
 }
 
+/// A closed ring between two radii, of this half height.
+fn ring(radii: [f64; 2], height: f64) -> Soup {
+    let n = 96;
+    let mut soup = Soup { offsets: vec![0], ..Soup::default() };
+    for (radius, z) in [(radii[0], -height), (radii[1], -height), (radii[1], height), (radii[0], height)] {
+        soup.points.extend((0..n).map(|i| {
+            let (sin, cos) = (TAU * f64::from(i) / f64::from(n)).sin_cos();
+            [radius * cos, radius * sin, z]
+        }));
+    }
+    for (k, i) in (0..4).flat_map(|k| (0..n).map(move |i| (k, i))) {
+        let [here, next] = [k * n, (k + 1) % 4 * n];
+        soup.face(&[here + i, here + (i + 1) % n, next + (i + 1) % n, next + i]);
+    }
+    soup
+}
+
 /// The upper and the lower part of a unit ball, with a gap between the heights -`rim` and `rim`.
 fn ball(rim: f64) -> [Soup; 2] {
-    [cap(96, 20, rim, 1.0), cap(96, 20, -rim, -1.0)]
+    [cap(96, 20, rim, 1.0), cap(96, 20, rim, -1.0)]
 }
 
 #[test]
@@ -44,10 +62,10 @@ fn cuts_are_measured_by_their_length() {
 fn a_blend_is_offered_where_it_cuts_nothing() {
     let [upper, lower] = ball(0.3);
     // The strip has radius 0.954 here; the blend bulges to almost 1.
-    let inside = block([0.94, -0.01, -0.01], [0.96, 0.01, 0.01]);
-    let pieces = [upper, lower, inside];
+    let pieces = [upper, lower, ring([0.93, 0.965], 0.01)];
     let done = run(&pieces, &Options::default());
-    assert!(done.joints[0].has_cuts() && done.joints[0].blend_avoids_cuts);
+    assert!(done.joints[0].has_cuts(), "the strip cuts");
+    assert!(done.joints[0].blend_avoids_cuts, "a blend is offered");
     let mut blend = Options::default();
     blend.strip.finish = gusset::stitch::Finish::Blend;
     let done = run(&pieces, &blend);

@@ -11,15 +11,16 @@ pub(crate) fn common_segment_length(t: [DVec3; 3], u: [DVec3; 3]) -> f64 {
     let normal = |[p, q, r]: [DVec3; 3]| (q - p).cross(r - p).normalize_or_zero();
     let (n, m) = (normal(t), normal(u));
     let along = n.cross(m).normalize_or_zero();
-    let (Some([a, b]), Some([c, d])) = (cut_by_plane(t, m, u[0], along), cut_by_plane(u, n, t[0], along)) else {
-        return 0.0;
-    };
+    let cuts = (cut_by_plane(t, [u[0], m], [t[0], along]), cut_by_plane(u, [t[0], n], [t[0], along]));
+    let (Some([a, b]), Some([c, d])) = cuts else { return 0.0 };
     (b.min(d) - a.max(c)).max(0.0)
 }
 
 /// Returns the places along a line, in ascending order, where the sides of a triangle cross a plane
-/// that contains the line.
-fn cut_by_plane(triangle: [DVec3; 3], normal: DVec3, on_plane: DVec3, along: DVec3) -> Option<[f64; 2]> {
+/// that contains the line. The plane has a point and a normal, and the line an origin and a
+/// direction.
+fn cut_by_plane(triangle: [DVec3; 3], [on_plane, normal]: [DVec3; 2], line: [DVec3; 2]) -> Option<[f64; 2]> {
+    let [origin, along] = line;
     let heights = triangle.map(|p| (p - on_plane).dot(normal));
     let mut range: Option<[f64; 2]> = None;
     for k in 0..3 {
@@ -28,7 +29,7 @@ fn cut_by_plane(triangle: [DVec3; 3], normal: DVec3, on_plane: DVec3, along: DVe
             continue;
         }
         let place = triangle[k].lerp(triangle[(k + 1) % 3], h / (h - g));
-        let s = (place - on_plane).dot(along);
+        let s = (place - origin).dot(along);
         range = Some(range.map_or([s, s], |[low, high]| [low.min(s), high.max(s)]));
     }
     range
@@ -38,9 +39,9 @@ fn cut_by_plane(triangle: [DVec3; 3], normal: DVec3, on_plane: DVec3, along: DVe
 mod tests {
     use super::*;
 
-    /// Returns the points of a segment on a triangle, by fine sampling of the line.
+    /// Returns the length of the common segment by samples: the cut of `t` by the plane of `u` is
+    /// walked along, and the places inside `u` are counted.
     fn sampled_length(t: [DVec3; 3], u: [DVec3; 3]) -> f64 {
-        // Walk over triangle t, and count the small cells of its cut by the plane of u that lie in u.
         let normal = (u[1] - u[0]).cross(u[2] - u[0]);
         let side = |p: DVec3| (p - u[0]).dot(normal);
         let mut ends = Vec::new();
