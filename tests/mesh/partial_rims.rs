@@ -4,20 +4,24 @@ use crate::common::{Soup, edge_counts, euler, faces_of, some_of};
 use gusset::Job;
 use gusset::assemble::{self, Assembly, Outcome, assemble};
 use gusset::mesh::{Mesh, MeshView};
+use gusset::stitch::Finish;
 use std::f64::consts::TAU;
 
-/// A closed cup whose rim has the given angles and heights: a tube of radius `radius`, and a cap at height `end`.
-fn cup(rim: &[(f64, f64)], radius: f64, end: f64) -> Soup {
+/// A tube whose rim has the given angles, radii and heights, from there to the height `end`, where it is closed unless `open`.
+fn cup(rim: &[[f64; 3]], end: f64, open: bool) -> Soup {
     let n = rim.len() as u32;
     let mut soup = Soup { offsets: vec![0], ..Soup::default() };
     for ring in 0..4 {
         let share = f64::from(ring) / 4.0;
-        for &(angle, height) in rim {
+        for &[angle, radius, height] in rim {
             let z = height + share * (end - height);
+            let radius = radius + share * (1.0 - radius);
             soup.points.push([radius * angle.cos(), radius * angle.sin(), z]);
         }
     }
-    soup.points.push([0.0, 0.0, end]);
+    if !open {
+        soup.points.push([0.0, 0.0, end]);
+    }
     let up = end > 0.0;
     let mut add = |face: &[u32]| match up {
         true => soup.face(face),
@@ -30,7 +34,9 @@ fn cup(rim: &[(f64, f64)], radius: f64, end: f64) -> Soup {
             add(&[from + i, from + j, to + j]);
             add(&[from + i, to + j, to + i]);
         }
-        add(&[3 * n + i, 3 * n + j, 4 * n]);
+        if !open {
+            add(&[3 * n + i, 3 * n + j, 4 * n]);
+        }
     }
     soup
 }
@@ -48,6 +54,10 @@ struct Case {
     gap: f64,
     /// True if the second rim rises gradually.
     ramp: bool,
+    /// The radius of the second rim between the runs.
+    flare: f64,
+    /// True if the far ends of both tubes are open.
+    open: bool,
     turned: [bool; 2],
 }
 
@@ -68,14 +78,15 @@ fn random_case(random: &mut fastrand::Rng) -> Case {
         _ => (0..random.usize(1..4)).map(|k| (k * edges / 3 + random.usize(0..edges / 6), 0)).collect(),
     };
     let gap = 0.3 + 0.9 * random.f64();
-    Case { edges, common, finer: random.usize(1..3), gap, ramp: random.bool(), turned: [random.bool(), random.bool()] }
+    let (finer, ramp, turned) = (random.usize(1..3), random.bool(), [random.bool(), random.bool()]);
+    Case { edges, common, finer, gap, ramp, flare: 0.8 + 0.4 * random.f64(), open: random.bool(), turned }
 }
 
 /// The two cups of a case.
 fn cups(case: &Case) -> [Soup; 2] {
     let n = case.edges;
     let angle = |place: f64| TAU * place / n as f64;
-    let first: Vec<(f64, f64)> = (0..n).map(|i| (angle(i as f64), 0.0)).collect();
+    let first: Vec<[f64; 3]> = (0..n).map(|i| [angle(i as f64), 1.0, 0.0]).collect();
     let mut second = Vec::new();
     // The distance in places from the runs, along the gap that contains a place.
     let from_runs = |place: f64| {
@@ -91,15 +102,15 @@ fn cups(case: &Case) -> [Soup; 2] {
         for k in 0..parts {
             let place = i as f64 + k as f64 / parts as f64;
             let away = from_runs(place);
-            let height = match case.ramp {
+            let share = match case.ramp {
                 _ if away == 0.0 => 0.0,
-                true => case.gap * (away / 4.0).min(1.0),
-                false => case.gap,
+                true => (away / 4.0).min(1.0),
+                false => 1.0,
             };
-            second.push((angle(place), height));
+            second.push([angle(place), 1.0 + share * (case.flare - 1.0), share * case.gap]);
         }
     }
-    let [below, above] = [cup(&first, 1.0, -3.0), cup(&second, 1.0, 4.0)];
+    let [below, above] = [cup(&first, -3.0, case.open), cup(&second, 4.0, case.open)];
     let turn = |soup: Soup, turned: bool| if turned { soup.turned() } else { soup };
     [turn(below, case.turned[0]), turn(above, case.turned[1])]
 }
@@ -120,15 +131,16 @@ fn joined(pieces: &[Soup], options: &assemble::Options<'_>) -> Assembly {
     assemble(&views, options, &Job::default()).unwrap()
 }
 
-/// The faults of an assembly that should be one closed surface of genus 0.
-fn faults(done: &Assembly) -> Vec<String> {
+/// The faults of an assembly that should be one sphere, or one tube with two rims of `ends` edges in all.
+fn faults(done: &Assembly, case: &Case, ends: usize) -> Vec<String> {
+    let (loops, chi) = if case.open { (2, 0) } else { (0, 2) };
     let counts = edge_counts(faces_of(&done.mesh));
     let open = counts.values().filter(|&&counts| counts != (1, 1)).count();
     let checks = [
-        (open > 0, format!("{open} edges are not shared by two faces")),
-        (euler(faces_of(&done.mesh)) != 2, format!("Euler {}", euler(faces_of(&done.mesh)))),
+        (open != ends, format!("{open} edges are not shared by two faces")),
+        (euler(faces_of(&done.mesh)) != chi, format!("Euler {}", euler(faces_of(&done.mesh)))),
         (
-            done.loops_left > 0,
+            done.loops_left != loops,
             format!(
                 "{} loops: {:?}",
                 done.loops_left,
@@ -146,8 +158,12 @@ fn rims_that_coincide_in_part_are_joined() {
     let mut bad = 0;
     for seed in some_of(5, 0..200) {
         let case = random_case(&mut fastrand::Rng::with_seed(seed));
-        let done = joined(&cups(&case), &assemble::Options { weld: Some(Default::default()), ..Default::default() });
-        let faults = faults(&done);
+        let pieces = cups(&case);
+        let mut options = assemble::Options { weld: Some(Default::default()), ..Default::default() };
+        options.strip.finish = if seed % 4 == 3 { Finish::Blend } else { Finish::Strip };
+        let done = joined(&pieces, &options);
+        let ends = if case.open { pieces.iter().map(|cup| cup.points.len() / 4).sum() } else { 0 };
+        let faults = faults(&done, &case, ends);
         if !faults.is_empty() {
             println!("{seed} {case:?}: {faults:?}");
             bad += 1;

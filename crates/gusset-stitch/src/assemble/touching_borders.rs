@@ -245,10 +245,15 @@ impl TouchingLoops {
             }
         }
         if !wide.is_empty() {
+            // Rims that a narrow lens joins are joined wholly.
+            let rims = |lens: &Lens| lens.runs.map(|run| run.rim);
+            let mut joined = alloc::gather(lenses.iter().map(rims).filter(|[r, k]| r != k))?;
+            joined.sort_unstable();
             let pairs = unsewn_pairs(job)?;
             for lens in wide {
                 let vertices = |run: Run| alloc::collect((0..run.edges + 1).map(|k| run.vertex_at(&self.rims, k)));
-                if pairs.join_runs(&vertices(lens.runs[0])?, &vertices(lens.runs[1])?)? {
+                let is_joined = joined.binary_search(&rims(&lens)).is_ok();
+                if is_joined || pairs.join_runs(&vertices(lens.runs[0])?, &vertices(lens.runs[1])?)? {
                     alloc::push(&mut lenses, lens)?;
                 }
             }
