@@ -16,15 +16,18 @@ struct Island {
     cells: u32,
     /// The scans that show it.
     shown: [bool; 2],
+    /// The part that the second scan shows begins at this row and column of the part that the first shows.
+    slide: [u32; 2],
 }
 
 /// Islands on a grid of places, at least four edges from each other.
 fn random_islands(random: &mut fastrand::Rng) -> Vec<Island> {
     (0..random.u32(1..21))
         .map(|k| Island {
-            centre: [18.0 * f64::from(k % 5), -14.0 - 18.0 * f64::from(k / 5)],
+            centre: [26.0 * f64::from(k % 5), -18.0 - 26.0 * f64::from(k / 5)],
             cells: random.u32(3..14),
             shown: [[true, true], [true, true], [true, false], [false, true]][random.usize(0..4)],
+            slide: [random.u32(0..6), random.u32(0..6)],
         })
         .collect()
 }
@@ -51,7 +54,9 @@ fn scan(islands: &[Island], k: usize, shift: f64) -> Soup {
     let mut soup = triangles(&moved(body, [left, 10.0, 0.0]));
     for island in islands.iter().filter(|island| island.shown[k]) {
         let half = f64::from(island.cells) / 2.0;
-        let patch = moved(sheet(island.cells, island.cells), [island.centre[0] - half, island.centre[1] - half, 0.0]);
+        let [right, up] = if k == 0 { [0.0; 2] } else { island.slide.map(f64::from) };
+        let corner = [island.centre[0] - half + right, island.centre[1] - half + up, 0.0];
+        let patch = moved(sheet(island.cells, island.cells), corner);
         soup = soup.and(&triangles(&patch));
     }
     let by = shift * k as f64;
@@ -112,7 +117,7 @@ fn islands_are_kept_or_covered_and_losses_are_listed() {
         for island in &islands {
             let faces = 2 * island.cells * island.cells;
             let [x, y] = island.centre;
-            let reach = f64::from(island.cells) / 2.0 + 1.0;
+            let reach = f64::from(island.cells) / 2.0 + 6.5;
             let on_island = |c: &&DVec3| (c.x - x).abs() < reach && (c.y - y).abs() < reach;
             let count = kept.iter().filter(on_island).count();
             assert!(faces < 30 || count * 10 >= faces as usize * 6, "{seed}: {count} of {faces} faces of {island:?}");

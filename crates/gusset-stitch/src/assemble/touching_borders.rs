@@ -84,13 +84,34 @@ impl Lens {
     }
 }
 
-/// The width of a lens, which decides whether it is closed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum LensWidth {
-    /// Narrow relative to its length and to the edges along it: it is closed.
-    Narrow,
-    /// Wider, but its sides face each other: it is closed between paired loops.
-    Wide,
+/// The edges of each rim that lenses use.
+struct UsedEdges(Vec<Vec<bool>>);
+
+impl UsedEdges {
+    fn new(rims: &[Rim]) -> Result<Self> {
+        alloc::try_collect(rims.iter().map(|rim| alloc::filled(false, rim.vertices.len()))).map(UsedEdges)
+    }
+
+    fn places(&self, run: Run) -> impl Iterator<Item = usize> + use<> {
+        let n = self.0[run.rim].len();
+        (run.first..run.first + run.edges).map(move |place| place % n)
+    }
+
+    fn are_free(&self, runs: &[Run; 2]) -> bool {
+        runs.iter().all(|&run| self.places(run).all(|place| !self.0[run.rim][place]))
+    }
+
+    /// Sorts lenses by their gaps, and keeps those whose edges are free when their turn comes.
+    fn keep_free_lenses(&mut self, lenses: &mut Vec<Lens>) {
+        sort::sort_stable(lenses, &|x, y| x.gap.total_cmp(&y.gap));
+        lenses.retain(|lens| {
+            let free = self.are_free(&lens.runs);
+            for run in lens.runs.iter().filter(|_| free) {
+                self.places(*run).for_each(|place| self.0[run.rim][place] = true);
+            }
+            free
+        });
+    }
 }
 
 /// A vertex of a loop at a common point.
@@ -235,40 +256,63 @@ impl TouchingLoops {
         }
         candidates.retain(|(runs, _)| excluded.binary_search(&runs.map(|run| run.rim)).is_err());
         sort::sort_distinct(&mut candidates);
-        let (mut lenses, mut wide) = (Vec::new(), Vec::new());
+        let (mut lenses, mut others) = (Vec::new(), Vec::new());
         for (number, &(runs, same_way)) in candidates.iter().enumerate() {
             job.step_every(POINTS_PER_REPORT, number, candidates.len(), STAGE)?;
-            let Some((gap, width)) = self.measure_lens(runs, options, job)? else { continue };
-            if self.fits_direction(runs, same_way)? {
-                let list = if width == LensWidth::Narrow { &mut lenses } else { &mut wide };
-                alloc::push(list, Lens { runs, same_way, gap })?;
-            }
-        }
-        if !wide.is_empty() {
-            // Rims that a narrow lens joins are joined wholly.
-            let rims = |lens: &Lens| lens.runs.map(|run| run.rim);
-            let mut joined = alloc::gather(lenses.iter().map(rims).filter(|[r, k]| r != k))?;
-            joined.sort_unstable();
-            let pairs = unsewn_pairs(job)?;
-            for lens in wide {
-                let vertices = |run: Run| alloc::collect((0..run.edges + 1).map(|k| run.vertex_at(&self.rims, k)));
-                let is_joined = joined.binary_search(&rims(&lens)).is_ok();
-                if is_joined || pairs.join_runs(&vertices(lens.runs[0])?, &vertices(lens.runs[1])?)? {
-                    alloc::push(&mut lenses, lens)?;
+            match self.narrow_gap_between(runs, options, job)? {
+                Some(gap) if self.fits_direction(runs, same_way)? => {
+                    alloc::push(&mut lenses, Lens { runs, same_way, gap })?;
                 }
+                _ => alloc::push(&mut others, (runs, same_way))?,
             }
         }
-        sort::sort_stable(&mut lenses, &|x, y| x.gap.total_cmp(&y.gap));
-        let mut used = alloc::try_collect(self.rims.iter().map(|rim| alloc::filled(false, rim.vertices.len())))?;
-        let edges = |run: Run, n: usize| (run.first..run.first + run.edges).map(move |place| place % n);
-        lenses.retain(|lens| {
-            let free = lens.runs.iter().all(|&run| edges(run, used[run.rim].len()).all(|place| !used[run.rim][place]));
-            for run in lens.runs.iter().filter(|_| free) {
-                edges(*run, used[run.rim].len()).for_each(|place| used[run.rim][place] = true);
-            }
-            free
-        });
+        let mut used = UsedEdges::new(&self.rims)?;
+        used.keep_free_lenses(&mut lenses);
+        if UnsewnLoopPairs::may_exist(options) {
+            let mut wide = self.find_wide_lenses(&others, &lenses, &used, unsewn_pairs, job)?;
+            used.keep_free_lenses(&mut wide);
+            alloc::append(&mut lenses, &wide)?;
+        }
         Ok(lenses)
+    }
+
+    /// Returns the lenses among `candidates` to close at any width: their sides face each other, and
+    /// belong to whole loops that face each other, or that one of `narrow` joins.
+    fn find_wide_lenses(
+        &self,
+        candidates: &[([Run; 2], bool)],
+        narrow: &[Lens],
+        used: &UsedEdges,
+        unsewn_pairs: impl Fn(&Job<'_>) -> Result<UnsewnLoopPairs>,
+        job: &Job<'_>,
+    ) -> Result<Vec<Lens>> {
+        let mut wide = Vec::new();
+        for (number, &(runs, same_way)) in candidates.iter().enumerate() {
+            job.step_every(POINTS_PER_REPORT, number, candidates.len(), STAGE)?;
+            if !used.are_free(&runs) {
+                continue;
+            }
+            if let Some(gap) = self.wide_gap_between(runs, job)?
+                && self.fits_direction(runs, same_way)?
+            {
+                alloc::push(&mut wide, Lens { runs, same_way, gap })?;
+            }
+        }
+        if wide.is_empty() {
+            return Ok(wide);
+        }
+        let rims = |lens: &Lens| lens.runs.map(|run| run.rim);
+        let mut joined = alloc::gather(narrow.iter().map(rims).filter(|[r, k]| r != k))?;
+        joined.sort_unstable();
+        let pairs = unsewn_pairs(job)?;
+        let is_paired = |lens: &Lens| -> Result<bool> {
+            let vertices = |run: Run| alloc::collect((0..run.edges + 1).map(|k| run.vertex_at(&self.rims, k)));
+            Ok(joined.binary_search(&rims(lens)).is_ok()
+                || pairs.join_runs(&vertices(lens.runs[0])?, &vertices(lens.runs[1])?)?)
+        };
+        let mut paired = alloc::try_collect(wide.iter().map(is_paired))?.into_iter();
+        wide.retain(|_| paired.next() == Some(true));
+        Ok(wide)
     }
 
     /// Follows two borders from a common point to the next one: the border of `x` forwards, and
@@ -303,14 +347,11 @@ impl TouchingLoops {
         })
     }
 
-    /// Returns the gap and the width of a lens that may be closed.
-    fn measure_lens(&self, runs: [Run; 2], options: &Options<'_>, job: &Job<'_>) -> Result<Option<(f64, LensWidth)>> {
-        let sides =
-            runs.map(|run| RimRun { rim: &self.rims[run.rim], arc: Arc { first: run.first, count: run.edges + 1 } });
+    /// Returns the gap of a lens if the lens is narrow.
+    fn narrow_gap_between(&self, runs: [Run; 2], options: &Options<'_>, job: &Job<'_>) -> Result<Option<f64>> {
+        let sides = self.sides_of_lens(runs);
         let [a, b] = sides.map(|side| side.edge_lengths().sum::<f64>());
-        let may_be_wide = UnsewnLoopPairs::may_exist(options);
-        let is_alike = a.max(b) <= MAX_LENGTH_RATIO * a.min(b);
-        if !(is_alike || may_be_wide) {
+        if a.max(b) > MAX_LENGTH_RATIO * a.min(b) {
             return Ok(None);
         }
         let Some(seen) = SideFacing::between(&sides[0], &sides[1], &job.part(0.0, 0.0))? else { return Ok(None) };
@@ -322,14 +363,19 @@ impl TouchingLoops {
             MaxGap::Auto => sides.iter().flat_map(RimRun::edge_lengths).fold(0.0, f64::max),
             MaxGap::Given(gap) => gap / self.unit,
         };
-        let is_open = self.tolerance < seen.width;
-        let is_narrow = is_alike && seen.is_narrow() && seen.gap <= allowed;
-        Ok(match () {
-            _ if !is_open => None,
-            _ if is_narrow && seen.may_close(runs.into_iter().all(is_near)) => Some((seen.gap, LensWidth::Narrow)),
-            _ if may_be_wide && seen.is_opposed() => Some((seen.gap, LensWidth::Wide)),
-            _ => None,
-        })
+        let is_open = seen.is_narrow() && (self.tolerance < seen.width) && seen.gap <= allowed;
+        Ok((is_open && seen.may_close(runs.into_iter().all(is_near))).then_some(seen.gap))
+    }
+
+    /// Returns the gap of a lens of any width if its sides face each other along their length.
+    fn wide_gap_between(&self, runs: [Run; 2], job: &Job<'_>) -> Result<Option<f64>> {
+        let sides = self.sides_of_lens(runs);
+        let seen = SideFacing::between(&sides[0], &sides[1], &job.part(0.0, 0.0))?;
+        Ok(seen.filter(|seen| self.tolerance < seen.width && seen.is_opposed()).map(|seen| seen.gap))
+    }
+
+    fn sides_of_lens(&self, runs: [Run; 2]) -> [RimRun<'_>; 2] {
+        runs.map(|run| RimRun { rim: &self.rims[run.rim], arc: Arc { first: run.first, count: run.edges + 1 } })
     }
 
     /// Returns true if the direction of two runs is possible. The ends of the runs decide, unless
