@@ -678,9 +678,26 @@ export interface JoinParams extends RunOptions {
    */
   align?: boolean;
   /**
-   * Keep open. The remaining loops that are not holes, if holes are filled.
+   * Keep open. The remaining loops that are not holes, if holes are filled. If overlaps are trimmed, Automatic acts as Borders.
    */
   keep?: "automatic" | "none" | "the_longest" | "borders" | number;
+  /**
+   * Most edges. Loops of more edges stay open; 0 sets no limit. From 0 to 4294967295.
+   */
+  max_edges?: number;
+  /**
+   * Greatest length. Longer loops stay open; 0 sets no limit. From 0 to 1000000000000000.
+   */
+  max_length?: number;
+  /**
+   * Greatest diameter. Loops whose bounding box has a longer diagonal stay open; 0 sets no limit. From 0 to 1000000000000000.
+   */
+  max_diameter?: number;
+  /**
+   * Greatest area. Loops with a larger area between them and their centre stay open; 0 sets no limit. The unit is the square of the
+   * positions' unit. From 0 to 1000000000000000.
+   */
+  max_area?: number;
 }
 
 /** Parameters of `outline`; what is not given is what suits the inputs. */

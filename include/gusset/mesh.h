@@ -370,6 +370,7 @@ typedef uint32_t gusset_gap;
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
 /// - Slits: one mean edge, and half the mean radius unless the slit is narrow.
 /// - Gaps between borders that share vertices: the longest edge.
+/// - Whole loops that coincide in part: as whole loops, before they are sewn.
 /// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 #define GUSSET_GAP_AUTO 0
 /// max_gap.
@@ -436,8 +437,8 @@ typedef struct gusset_join_options {
     /// Options of strips: only meridians, search, start, rows, row_count, cells, fairing, intersections and finish are
     /// used; all must be valid.
     const struct gusset_stitch_options *strip_options;
-    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
-    /// GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
+    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid. With
+    /// GUSSET_OVERLAPS_TRIM, GUSSET_KEEP_AUTO acts as GUSSET_KEEP_OUTER_BORDERS.
     const struct gusset_fill_options *fill_options;
     /// Closed components face outwards by default. Others mostly keep the first piece's orientation.
     gusset_outward outward;
@@ -575,6 +576,24 @@ typedef struct gusset_join_report {
     uint32_t near_edge_pairs;
     /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
     double near_tolerance;
+    /// Trimmed faces that no kept face covers, piece and face of each, ascending. Kept faces are farther than
+    /// max_distance of the trimming, or face another side.
+    struct gusset_indices lost_faces;
+    /// Piece and vertex of each loop in left: the first vertex on it that a piece has, UINT32_MAX twice without one.
+    struct gusset_indices left_origins;
+    /// Pairs of intersecting faces, as in gusset_fill_report.
+    struct gusset_indices hole_intersections;
+    /// Length of the segments in which the strip of each joint intersects faces.
+    const double *joint_cut_lengths;
+    /// Length of the segments in which the patch of each hole intersects faces.
+    const double *hole_cut_lengths;
+    /// For each joint, 1 if its strip intersects faces and a blend would not, else 0. Tried with
+    /// GUSSET_INTERSECTIONS_AUTO on pieces that are not trimmed.
+    const uint32_t *blend_avoids_cuts;
+    /// 1 if intersections of patches were searched for. @flag
+    uint32_t hole_intersections_known;
+    /// Joints whose strips intersect faces.
+    uint32_t cutting_joints;
 } gusset_join_report;
 
 /* ---- Stitching: Joins two loops by a strip of new faces. */

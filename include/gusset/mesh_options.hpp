@@ -158,8 +158,8 @@ struct JoinOptions {
     /// Options of strips: only meridians, search, start, rows, row_count, cells, fairing, intersections and finish are
     /// used; all must be valid.
     StitchOptions strip_options;
-    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
-    /// GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
+    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid. With
+    /// GUSSET_OVERLAPS_TRIM, GUSSET_KEEP_AUTO acts as GUSSET_KEEP_OUTER_BORDERS.
     FillOptions fill_options;
     /// Closed components face outwards by default. Others mostly keep the first piece's orientation.
     Outward outward = Outward::automatic;

@@ -601,8 +601,8 @@ class JoinOptions(TypedDict, total=False):
     #: Options of strips: only meridians, search, start, rows, row_count, cells, fairing, intersections and finish are
     #: used; all must be valid.
     strip_options: StitchOptions
-    #: Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
-    #: GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
+    #: Options of filling. Ignores groups, outward and plan_only; the last two must be valid. With
+    #: GUSSET_OVERLAPS_TRIM, GUSSET_KEEP_AUTO acts as GUSSET_KEEP_OUTER_BORDERS.
     fill_options: FillOptions
     #: Closed components face outwards by default. Others mostly keep the first piece's orientation.
     outward: choices.Outward

@@ -703,6 +703,52 @@ class JoinReport(Record):
         """Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs."""
         return self._struct.near_tolerance
 
+    @property
+    def lost_faces(self) -> NDArray[np.uint32]:
+        """Trimmed faces that no kept face covers, piece and face of each, ascending. Kept faces are farther than
+        max_distance of the trimming, or face another side.
+        """
+        return self._array('lost_faces', -1, 2)
+
+    @property
+    def left_origins(self) -> NDArray[np.uint32]:
+        """Piece and vertex of each loop in left: the first vertex on it that a piece has, UINT32_MAX twice without
+        one.
+        """
+        return self._array('left_origins', -1, 2)
+
+    @property
+    def hole_intersections(self) -> NDArray[np.uint32]:
+        """Pairs of intersecting faces, as in gusset_fill_report."""
+        return self._array('hole_intersections', -1, 2)
+
+    @property
+    def joint_cut_lengths(self) -> NDArray[np.float64]:
+        """Length of the segments in which the strip of each joint intersects faces."""
+        return self._array('joint_cut_lengths', self._struct.joint_count)
+
+    @property
+    def hole_cut_lengths(self) -> NDArray[np.float64]:
+        """Length of the segments in which the patch of each hole intersects faces."""
+        return self._array('hole_cut_lengths', self._struct.hole_count)
+
+    @property
+    def blend_avoids_cuts(self) -> NDArray[np.uint32]:
+        """For each joint, 1 if its strip intersects faces and a blend would not, else 0. Tried with
+        GUSSET_INTERSECTIONS_AUTO on pieces that are not trimmed.
+        """
+        return self._array('blend_avoids_cuts', self._struct.joint_count)
+
+    @property
+    def hole_intersections_known(self) -> bool:
+        """1 if intersections of patches were searched for."""
+        return bool(self._struct.hole_intersections_known)
+
+    @property
+    def cutting_joints(self) -> int:
+        """Joints whose strips intersect faces."""
+        return self._struct.cutting_joints
+
 
 class StitchReport(Record):
     """Parts of a stitch, by index in the result. Entry 0 is of the first mesh, 1 of the second."""

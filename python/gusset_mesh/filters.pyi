@@ -66,7 +66,8 @@ def join(
     'quads']] = ..., rows: Union[int, Literal['none', 'by_mean_edge']] = ..., fairing: Union[int, Literal['straight', 'fair']] =
     ..., finish: Union[int, Literal['strip', 'blend']] = ..., holes: Union[int, Literal['leave', 'fill', 'fill_refined_and_fair']] =
     ..., outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., keep: Union[int,
-    Literal['automatic', 'none', 'the_longest', 'borders']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
+    Literal['automatic', 'none', 'the_longest', 'borders']] = ..., max_edges: int = ..., max_length: float = ..., max_diameter:
+    float = ..., max_area: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
     """Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are made consistent, and loops that face each other across a gap are stitched. Holes are filled on request, and closed results are turned outwards. Loops that face no other loop stay as they are."""
 

@@ -76,7 +76,7 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
     let turned: Vec<Soup> = caps().iter().map(Soup::turned).collect();
     let faces: usize = turned.iter().map(|soup| soup.faces().count()).sum();
     for (id, soups, later, default) in
-        [("stitch", &turned[..], 0, 0.0), ("fill", &turned[..1], 1, 0.0), ("join", &turned[..], 3, 1.0)]
+        [("stitch", &turned[..], 0, 0.0), ("fill", &turned[..1], 1, 0.0), ("join", &turned[..], 7, 1.0)]
     {
         let params = Filter::find(id).unwrap().params;
         let place = params.iter().position(|param| param.id == "outward").unwrap();

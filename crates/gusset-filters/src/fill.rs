@@ -27,26 +27,12 @@ params! {
         "The weight that the triangulation of a rim minimises.",
         Weight::CHOICES,
     );
-    max_edges: Option<u32> = Param::int(
-        "Most edges",
-        "Loops of more edges stay open; 0 sets no limit.",
-        [0.0, MAX_COUNT], &[0.0],
-    ).none_unless_positive();
-    max_length: Option<f64> =
-        Param::length("Greatest length", "Longer loops stay open; 0 sets no limit.", NON_NEGATIVE_RANGE, &[0.0]).none_unless_positive();
+    max_edges: Option<u32> = MAX_EDGES;
+    max_length: Option<f64> = MAX_LENGTH;
     keep: Keep = KEEP_OPEN;
     together: Together = Param::choice("Patches", "The loops that share a patch.", Together::CHOICES);
-    max_diameter: Option<f64> = Param::length(
-        "Greatest diameter",
-        "Loops whose bounding box has a longer diagonal stay open; 0 sets no limit.",
-        NON_NEGATIVE_RANGE, &[0.0],
-    ).none_unless_positive();
-    max_area: Option<f64> = Param::real(
-        "Greatest area",
-        "Loops with a larger area between them and their centre stay open; 0 sets no limit. The unit is the square of the \
-         positions' unit.",
-        NON_NEGATIVE_RANGE, &[0.0],
-    ).none_unless_positive();
+    max_diameter: Option<f64> = MAX_DIAMETER;
+    max_area: Option<f64> = MAX_AREA;
     intersections: Intersections =
         Param::choice("Intersections", "The search for faces of patches that intersect others.", CUTS);
     plan_only: bool = Param::flag("Plan only", "Fills nothing. The report says what would be filled.");
@@ -77,6 +63,35 @@ pub(super) const FILTER: Filter = Filter {
 /// The loops that stay open.
 pub(super) const KEEP_OPEN: TypedParam<Keep> =
     Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
+
+/// The largest number of edges of a loop that is filled.
+pub(super) const MAX_EDGES: TypedParam<Option<u32>> =
+    Param::int("Most edges", "Loops of more edges stay open; 0 sets no limit.", [0.0, MAX_COUNT], &[0.0])
+        .none_unless_positive();
+
+/// The largest length of a loop that is filled.
+pub(super) const MAX_LENGTH: TypedParam<Option<f64>> =
+    Param::length("Greatest length", "Longer loops stay open; 0 sets no limit.", NON_NEGATIVE_RANGE, &[0.0])
+        .none_unless_positive();
+
+/// The largest diameter of a loop that is filled.
+pub(super) const MAX_DIAMETER: TypedParam<Option<f64>> = Param::length(
+    "Greatest diameter",
+    "Loops whose bounding box has a longer diagonal stay open; 0 sets no limit.",
+    NON_NEGATIVE_RANGE,
+    &[0.0],
+)
+.none_unless_positive();
+
+/// The largest area of a loop that is filled.
+pub(super) const MAX_AREA: TypedParam<Option<f64>> = Param::real(
+    "Greatest area",
+    "Loops with a larger area between them and their centre stay open; 0 sets no limit. The unit is the square of the \
+     positions' unit.",
+    NON_NEGATIVE_RANGE,
+    &[0.0],
+)
+.none_unless_positive();
 
 /// Turns closed components of a result outwards.
 pub(super) const OUTWARD: TypedParam<bool> = Param::flag(
@@ -284,6 +299,7 @@ fn report_after_sewing(done: &Assembly, coincident: u32) -> Report {
     if turned > 0 {
         push_line!(text, "{} reversed", count_with_noun(turned, FACE));
     }
+    text += &intersections_line(done.hole_intersections.as_deref());
     push_line!(text, "{} left", count_with_noun(done.loops_left, BOUNDARY_LOOP));
     values.extend([
         ("coincident_edges", ReportValue::count(coincident)),
@@ -292,6 +308,9 @@ fn report_after_sewing(done: &Assembly, coincident: u32) -> Report {
         ("boundary_loops", ReportValue::count(done.loops_left)),
     ]);
     push_open_loops(&done.holes, &mut text, &mut values);
+    if let Some(pairs) = &done.hole_intersections {
+        values.push(("intersections", ReportValue::count(pairs.len())));
+    }
     Report::new(text, &values)
 }
 

@@ -1,6 +1,6 @@
 use super::align::explain_untrusted_pose;
 use super::data::{Input, Output};
-use super::fill::{KEEP_OPEN, OUTWARD, push_open_loops};
+use super::fill::{KEEP_OPEN, MAX_AREA, MAX_DIAMETER, MAX_EDGES, MAX_LENGTH, OUTWARD, push_open_loops};
 use super::filter::{Filter, FilterBody};
 use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, ReportValue, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
@@ -11,6 +11,7 @@ use gusset_attributes::{KeepSplitVertices, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
+use gusset_mesh::NONE;
 use gusset_stitch::align::{self, Alignment, align};
 use gusset_stitch::assemble::{Assembly, Extent, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
 use gusset_stitch::fill;
@@ -53,7 +54,13 @@ params! {
         "Align first",
         "First moves overlapping pieces to where they fit, as the filter align does from where they lie.",
     );
-    keep: fill::Keep = KEEP_OPEN.with_help("The remaining loops that are not holes, if holes are filled.");
+    keep: fill::Keep = KEEP_OPEN.with_help(
+        "The remaining loops that are not holes, if holes are filled. If overlaps are trimmed, Automatic acts as Borders.",
+    );
+    max_edges: Option<u32> = MAX_EDGES;
+    max_length: Option<f64> = MAX_LENGTH;
+    max_diameter: Option<f64> = MAX_DIAMETER;
+    max_area: Option<f64> = MAX_AREA;
 }
 
 choices! {
@@ -116,6 +123,12 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
             refinement,
             fairing,
             keep: values.keep,
+            limits: fill::Limits {
+                edges: values.max_edges,
+                length: values.max_length,
+                diameter: values.max_diameter,
+                area: values.max_area,
+            },
             ..fill::Options::default()
         }),
         ..Options::default()
@@ -152,6 +165,7 @@ fn report(done: &Assembly, aligned: Option<&Alignment>, fills: bool) -> Report {
     if done.trimmed_faces > 0 {
         push_line!(text, "{} trimmed from overlaps", count_with_noun(done.trimmed_faces, FACE));
     }
+    push_lost_faces(&done.lost_faces, &mut text);
     push_line!(text, "{} sewn", count_with_noun(done.sewn_edges, EDGE));
     push_hint(&done.near, &mut text);
     for joint in &done.joints {
@@ -165,6 +179,19 @@ fn report(done: &Assembly, aligned: Option<&Alignment>, fills: bool) -> Report {
             Outcome::WouldCut => "left as holes: a strip would intersect others".to_owned(),
         };
         text += &format!("{parts} of {n} and {m} vertices, {} apart: {outcome}\n", format_short(joint.gap));
+        if let Some(pairs) = joint.intersections.as_deref().filter(|pairs| !pairs.is_empty()) {
+            push_line!(text, "the strip cuts {}", describe_cuts(pairs.len(), joint.cut_length));
+            if joint.blend_avoids_cuts {
+                push_line!(text, "a blend cuts nothing there: set the parameter finish to Blend");
+            }
+        }
+    }
+    for (hole, &length) in done.holes.iter().zip(&done.hole_cut_lengths) {
+        let is_cut = |pair: &&[u32; 2]| hole.faces.contains(&pair[0]);
+        let pairs = done.hole_intersections.iter().flatten().filter(is_cut).count();
+        if pairs > 0 {
+            push_line!(text, "the patch of a hole of {} edges cuts {}", hole.rim.len(), describe_cuts(pairs, length));
+        }
     }
     let filled = done.holes.iter().filter(|hole| hole.status == fill::HoleStatus::Filled).count();
     push_line!(
@@ -194,7 +221,11 @@ fn report(done: &Assembly, aligned: Option<&Alignment>, fills: bool) -> Report {
             Reason::TooShort => "it has fewer than three vertices".to_owned(),
             Reason::NotJoined => "no strip was possible".to_owned(),
         };
-        push_line!(text, "loop of {} vertices not joined: {why}", left.vertices.len());
+        let place = match left.origin {
+            [NONE, _] => String::new(),
+            [piece, vertex] => format!(" at vertex {vertex} of piece {piece}"),
+        };
+        push_line!(text, "loop of {} vertices{place} not joined: {why}", left.vertices.len());
     }
     let mut reasons = Vec::new();
     push_open_loops(&done.holes, &mut text, &mut reasons);
@@ -205,6 +236,8 @@ fn report(done: &Assembly, aligned: Option<&Alignment>, fills: bool) -> Report {
     if !done.zero_volume.is_empty() {
         push_line!(text, "components without volume, such as one piece given twice: {}", done.zero_volume.len());
     }
+    let strip_pairs: usize = done.joints.iter().filter_map(|joint| joint.intersections.as_ref()).map(Vec::len).sum();
+    let cut_length = done.joints.iter().map(|joint| joint.cut_length).chain(done.hole_cut_lengths.iter().copied());
     let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined)).count();
     let mut values = vec![
         ("sewn_edges", ReportValue::count(done.sewn_edges)),
@@ -218,6 +251,11 @@ fn report(done: &Assembly, aligned: Option<&Alignment>, fills: bool) -> Report {
         ("turned_faces", ReportValue::count(turned)),
         ("zero_volume_components", ReportValue::count(done.zero_volume.len())),
         ("trimmed_faces", ReportValue::count(done.trimmed_faces)),
+        ("lost_faces", ReportValue::count(done.lost_faces.len())),
+        ("strip_intersections", ReportValue::count(strip_pairs)),
+        ("patch_intersections", ReportValue::count(done.hole_intersections.iter().flatten().count())),
+        ("cut_length", ReportValue::length(cut_length.sum())),
+        ("offered_blends", ReportValue::count(done.joints.iter().filter(|joint| joint.blend_avoids_cuts).count())),
         ("blends", ReportValue::count(done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count())),
     ];
     values.extend(reasons);
@@ -225,4 +263,34 @@ fn report(done: &Assembly, aligned: Option<&Alignment>, fills: bool) -> Report {
         values.push(("trusted_pieces", ReportValue::count(trusted)));
     }
     Report::new(text, &values)
+}
+
+/// The largest number of runs of lost faces that a report lists.
+const MAX_LISTED_RUNS: usize = 8;
+
+/// Pushes the lines on trimmed faces that no kept face covers, by piece and face.
+fn push_lost_faces(lost: &[[u32; 2]], text: &mut String) {
+    for of_piece in lost.chunk_by(|a, b| a[0] == b[0]) {
+        let runs = || of_piece.chunk_by(|a, b| a[1] + 1 == b[1]);
+        let describe = |run: &[[u32; 2]]| match run {
+            [[_, only]] => only.to_string(),
+            [[_, first], .., [_, last]] => format!("{first} to {last}"),
+            [] => String::new(),
+        };
+        let listed: Vec<String> = runs().take(MAX_LISTED_RUNS).map(describe).collect();
+        let more = if runs().count() > MAX_LISTED_RUNS { ", ..." } else { "" };
+        push_line!(
+            text,
+            "{} of piece {} lost by trimming, which nothing covers: {}{more}",
+            count_with_noun(of_piece.len(), FACE),
+            of_piece[0][0],
+            listed.join(", ")
+        );
+    }
+}
+
+/// Describes cuts by the number of pairs of faces and by their length.
+fn describe_cuts(pairs: usize, length: f64) -> String {
+    let faces = count_with_noun(pairs, ["pair of faces", "pairs of faces"]);
+    format!("other faces: {faces}, {} long in all", format_short(length))
 }

@@ -37,6 +37,7 @@ pub type gusset_gap = u32;
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
 /// - Slits: one mean edge, and half the mean radius unless the slit is narrow.
 /// - Gaps between borders that share vertices: the longest edge.
+/// - Whole loops that coincide in part: as whole loops, before they are sewn.
 /// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 pub const GUSSET_GAP_AUTO: gusset_gap = 0;
 
@@ -113,8 +114,8 @@ pub struct gusset_join_options {
     /// Options of strips: only meridians, search, start, rows, row_count, cells, fairing,
     /// intersections and finish are used; all must be valid.
     pub strip_options: *const gusset_stitch_options,
-    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
-    /// GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
+    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid. With
+    /// GUSSET_OVERLAPS_TRIM, GUSSET_KEEP_AUTO acts as GUSSET_KEEP_OUTER_BORDERS.
     pub fill_options: *const gusset_fill_options,
     /// Closed components face outwards by default. Others mostly keep the first piece's
     /// orientation.

@@ -175,6 +175,32 @@ pub struct gusset_join_report {
     pub near_edge_pairs: u32,
     /// Tolerance that sews these pairs, at most a tenth of the edges there; 0 without pairs.
     pub near_tolerance: f64,
+    /// Trimmed faces that no kept face covers, piece and face of each, ascending. Kept faces are
+    /// farther than max_distance of the trimming, or face another side.
+    /// @shape * 2
+    pub lost_faces: gusset_indices,
+    /// Piece and vertex of each loop in left: the first vertex on it that a piece has, UINT32_MAX
+    /// twice without one.
+    /// @shape * 2
+    pub left_origins: gusset_indices,
+    /// Pairs of intersecting faces, as in gusset_fill_report.
+    /// @shape * 2
+    pub hole_intersections: gusset_indices,
+    /// Length of the segments in which the strip of each joint intersects faces.
+    /// @shape joint_count
+    pub joint_cut_lengths: *const f64,
+    /// Length of the segments in which the patch of each hole intersects faces.
+    /// @shape hole_count
+    pub hole_cut_lengths: *const f64,
+    /// For each joint, 1 if its strip intersects faces and a blend would not, else 0. Tried with
+    /// GUSSET_INTERSECTIONS_AUTO on pieces that are not trimmed.
+    /// @shape joint_count
+    pub blend_avoids_cuts: *const u32,
+    /// 1 if intersections of patches were searched for.
+    /// @flag
+    pub hole_intersections_known: u32,
+    /// Joints whose strips intersect faces.
+    pub cutting_joints: u32,
 }
 
 /// Joined pieces, and the reports on them.
@@ -185,6 +211,9 @@ pub(crate) struct JoinResult {
     left: Vec<gusset_left_loop>,
     holes: Vec<gusset_hole>,
     turned: Vec<u32>,
+    left_origins: Vec<[u32; 2]>,
+    joint_cut_lengths: Vec<f64>,
+    blend_avoids_cuts: Vec<u32>,
 }
 
 versioned! { gusset_join_report: 176 }
@@ -248,6 +277,9 @@ impl JoinResult {
             left: alloc::collect(done.left.iter().map(left))?,
             holes: alloc::collect(done.holes.iter().map(gusset_hole::new))?,
             turned,
+            left_origins: alloc::collect(done.left.iter().map(|left| left.origin))?,
+            joint_cut_lengths: alloc::collect(done.joints.iter().map(|joint| joint.cut_length))?,
+            blend_avoids_cuts: alloc::collect(done.joints.iter().map(|joint| joint.blend_avoids_cuts.into()))?,
             done,
         })
     }
@@ -276,6 +308,16 @@ impl JoinResult {
             trimmed_faces: self.done.trimmed_faces,
             near_edge_pairs: self.done.near.edge_pairs,
             near_tolerance: self.done.near.tolerance,
+            lost_faces: gusset_indices::lend_indices(self.done.lost_faces.as_flattened()),
+            left_origins: gusset_indices::lend_indices(self.left_origins.as_flattened()),
+            hole_intersections: gusset_indices::lend_indices(
+                self.done.hole_intersections.as_deref().unwrap_or_default().as_flattened(),
+            ),
+            joint_cut_lengths: lend_list(&self.joint_cut_lengths),
+            hole_cut_lengths: lend_list(&self.done.hole_cut_lengths),
+            blend_avoids_cuts: lend_list(&self.blend_avoids_cuts),
+            hole_intersections_known: self.done.hole_intersections.is_some().into(),
+            cutting_joints: self.done.joints.iter().filter(|joint| joint.has_cuts()).count() as u32,
         }
     }
 }

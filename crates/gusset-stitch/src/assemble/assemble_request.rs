@@ -23,6 +23,8 @@ pub enum MaxGap {
     /// * Slits that sewing left between two borders: one mean edge, and half the loop's radius
     ///   unless the slit is narrow.
     /// * Gaps between borders that share vertices: the longest edge of both sides.
+    /// * Whole loops that coincide in part: as whole loops, before they are sewn. The rest is closed
+    ///   at any gap, with [`Extent::LoopsAndParts`].
     /// * Trimmed pieces: two and a half mean edges of the coarsest piece, or four if a part would
     ///   stay unjoined.
     #[default]
@@ -102,7 +104,8 @@ pub struct Options<'a> {
     /// other fields are not read.
     pub strip: stitch::Options,
     /// How remaining holes are filled; `None` disables filling. Its `outward` is not read. If the
-    /// strips are blends, so are the patches.
+    /// strips are blends, so are the patches. If overlaps are trimmed, [`fill::Keep::Auto`] acts as
+    /// [`fill::Keep::OuterBorders`]: the outer border of a scan is not a hole.
     pub fill: Option<fill::Options>,
 }
 
@@ -164,6 +167,18 @@ pub struct Joint {
     pub faces: Range<u32>,
     /// Pairs of intersecting faces; see [`Stitch::intersections`](stitch::Stitch::intersections).
     pub intersections: Option<Vec<[u32; 2]>>,
+    /// The total length of the segments in which these faces intersect.
+    pub cut_length: f64,
+    /// True if the strip intersects faces, and a blend would not. Tried only for strips with
+    /// [`Intersections::Auto`](stitch::Intersections::Auto) between pieces that are not trimmed.
+    pub blend_avoids_cuts: bool,
+}
+
+impl Joint {
+    /// Returns true if faces of the strip are known to intersect others.
+    pub fn has_cuts(&self) -> bool {
+        self.intersections.as_ref().is_some_and(|pairs| !pairs.is_empty())
+    }
 }
 
 /// The reason why a loop, or part of it, was left.
@@ -195,6 +210,9 @@ pub enum Reason {
 pub struct LeftLoop {
     /// The loop's vertices in the result, in order.
     pub vertices: Vec<u32>,
+    /// The piece of the loop's first vertex that a piece has, and that vertex of the piece;
+    /// [`NONE`] if the loop has only new vertices.
+    pub origin: [u32; 2],
     /// The reason why it was left.
     pub reason: Reason,
     /// The mean distance to the loop that is nearest to most of its vertices, measured to the
@@ -224,6 +242,9 @@ pub struct Assembly {
     pub turned: Vec<bool>,
     /// The number of faces that were trimmed from overlaps.
     pub trimmed_faces: u32,
+    /// The trimmed faces that no kept face covers: (piece, face), in ascending order. The kept faces
+    /// are farther away than [`trim::Options::max_distance`], or face another side.
+    pub lost_faces: Vec<[u32; 2]>,
     /// The number of vertices that were merged into others.
     pub welded_vertices: u32,
     /// The number of edges that were sewn.
@@ -243,6 +264,12 @@ pub struct Assembly {
     pub left: Vec<LeftLoop>,
     /// The holes that were considered for filling.
     pub holes: Vec<fill::Hole>,
+    /// Pairs of intersecting faces, the first on a patch, as in
+    /// [`Filled::intersections`](fill::Filled::intersections); `None` if they were not looked
+    /// for.
+    pub hole_intersections: Option<Vec<[u32; 2]>>,
+    /// For each hole, the total length of the segments in which its patch intersects other faces.
+    pub hole_cut_lengths: Vec<f64>,
     /// The vertices of the holes' rims, in the order before closed components were turned outwards.
     pub hole_rims: Vec<u32>,
     /// The origins of the elements of the result.

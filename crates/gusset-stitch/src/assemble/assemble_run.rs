@@ -3,21 +3,25 @@
 use super::assemble_request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason};
 use super::candidates::FacingLoops;
 use super::combined_pieces::CombinedPieces;
+use super::covered_faces::list_lost_faces;
 use super::face_removals::FaceRemovals;
 use super::given_pair::GivenLoopPair;
 use super::piece_loops::PieceLoops;
+use super::unsewn_pairs::UnsewnLoopPairs;
 use crate::stitch::combine::append_strip;
+use crate::stitch::existing_edges::ExistingEdges;
+use crate::stitch::facing::Arc;
 use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::loop_pairing::mean_gap;
-use crate::stitch::stitch_rim::{have_coincident_vertices, shared_vertex};
+use crate::stitch::stitch_rim::{Rim, have_coincident_vertices, shared_vertex};
 use crate::stitch::strip::Strip;
-use crate::stitch::{self, Finish, Rows};
+use crate::stitch::{self, Finish, Intersections, Rows};
 use crate::trim::{KeptFacesOfPieces, trim};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort;
-use gusset_mesh::{MeshView, NONE};
+use gusset_mesh::{Mesh, MeshView, NONE};
 
 /// Default widths of gaps between trimmed pieces, in mean edges of the coarsest; the second applies
 /// if parts would stay unjoined.
@@ -55,7 +59,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     let Overlaps::Trim(how) = options.overlaps else {
         let mut base = CombinedPieces::new(pieces, None, options, &job.part(0.0, 0.3))?;
         base.assembly.left =
-            join_facing_loops(&mut base, options, &mut IntersectingStripTreatment::Kept, &job.part(0.3, 0.8))?;
+            join_facing_loops(pieces, &mut base, options, &mut IntersectingStripTreatment::Kept, &job.part(0.3, 0.8))?;
         return base.fill_and_turn(options, &job.part(0.8, 1.0)).map(|(assembly, _)| assembly);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
@@ -65,7 +69,8 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     // Each round removes small unjoined parts, and faces around strips and patches that intersect;
     // then it starts again.
     let mut round = 0;
-    loop {
+    let same = how.surface_distance(trimmed.spacing);
+    let mut assembly = loop {
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
         let (now, then) = (job.part(part(round), part(round + 1)), job.part(part(round + 1), part(round + 1)));
         let refuses = round >= ROUNDS_WITH_INTERSECTING_STRIPS;
@@ -78,7 +83,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             join_trimmed_pieces(pieces, &trimmed, &how_wide, gap_of(DEFAULT_GAP_MEAN_EDGES[1]), refuses, &now)?;
         let is_final = refuses || cuts.is_empty();
         if is_final && round >= MAX_REMOVAL_ROUNDS {
-            return Ok(assembly);
+            break assembly;
         }
         round += 1;
         let spoilt = FaceRemovals::new(
@@ -87,6 +92,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             &cuts,
             how.min_island_faces(),
             round > MAX_ROUNDS_BEFORE_WHOLE_RIM,
+            same,
             &then,
         )?;
         let widens =
@@ -96,11 +102,16 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         }
         if !spoilt.remove_faces_from(pieces, &mut trimmed, &assembly, !widens) && !widens {
             if is_final {
-                return Ok(assembly);
+                break assembly;
             }
             round = ROUNDS_WITH_INTERSECTING_STRIPS;
         }
+    };
+    assembly.lost_faces = list_lost_faces(pieces, &assembly, same, &job.part(1.0, 1.0))?;
+    if !assembly.lost_faces.is_empty() {
+        job.note("trimming dropped faces that no kept face covers: the report of the assembly lists them");
     }
+    Ok(assembly)
 }
 
 /// The treatment of strips that intersect other faces.
@@ -127,7 +138,7 @@ fn join_trimmed_pieces(
     let mut base = CombinedPieces::new(pieces, Some(trimmed), options, &job.part(0.0, 0.3))?;
     let mut cuts =
         if refuses { IntersectingStripTreatment::Refused } else { IntersectingStripTreatment::Listed(Vec::new()) };
-    base.assembly.left = join_facing_loops(&mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
+    base.assembly.left = join_facing_loops(pieces, &mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
     // Where three pieces meet, the first strips leave loops that face each other, now on one
     // component. The sides of such a seam may be farther apart than unrelated loops.
     let again = Options { within_components: true, pairs: &[], max_gap: wide, ..*options };
@@ -135,6 +146,7 @@ fn join_trimmed_pieces(
         let before = base.assembly.joints.len();
         alloc::grow(&mut base.piece, base.assembly.mesh.positions.len(), NONE)?;
         base.assembly.left = join_facing_loops(
+            pieces,
             &mut base,
             &again,
             &mut cuts,
@@ -153,14 +165,17 @@ fn join_trimmed_pieces(
 /// Joins the loops that face each other, as the options request, and returns the loops that are
 /// left.
 fn join_facing_loops(
+    pieces: &[MeshView<'_>],
     base: &mut CombinedPieces,
     options: &Options<'_>,
     cuts: &mut IntersectingStripTreatment,
     job: &Job<'_>,
 ) -> Result<Vec<LeftLoop>> {
-    let mut loops = PieceLoops::new(base, &job.part(0.0, 0.2))?;
-    let excluded = list_excluded_loop_pairs(base, &loops, options)?;
-    let mut found = choose_loop_pairs(base, &loops, options, &excluded, &job.part(0.2, 0.4))?;
+    let CombinedPieces { assembly, piece, seam, .. } = &*base;
+    let mut loops = PieceLoops::new(&assembly.mesh, piece, seam, &job.part(0.0, 0.15))?;
+    let excluded = loops.list_excluded_pairs(&assembly.maps, options)?;
+    let wide = list_wide_slits(pieces, base, &loops, options, &job.part(0.15, 0.2))?;
+    let mut found = choose_loop_pairs(base, &loops, options, &excluded, &wide, &job.part(0.2, 0.4))?;
     if options.within_components
         && matches!(cuts, IntersectingStripTreatment::Listed(_) | IntersectingStripTreatment::Refused)
     {
@@ -194,6 +209,8 @@ fn join_facing_loops(
             vertices: 0..0,
             faces: 0..0,
             intersections: None,
+            cut_length: 0.0,
+            blend_avoids_cuts: false,
         };
         if outcome == Outcome::Joined {
             let existing = edges.existing_edges_between(facing.rims, &sides)?;
@@ -217,6 +234,11 @@ fn join_facing_loops(
                             continue;
                         }
                         IntersectingStripTreatment::Listed(all) => alloc::append(all, pairs)?,
+                        IntersectingStripTreatment::Kept if !pairs.is_empty() => {
+                            let sides = loops.facing_sides(facing)?;
+                            joint.blend_avoids_cuts =
+                                does_blend_avoid_cuts(mesh, sides, &existing, loops.unit, &strips, &part)?;
+                        }
                         IntersectingStripTreatment::Kept | IntersectingStripTreatment::Refused => {}
                     }
                     let attached = append_strip(&mut base.assembly.mesh, &strip, loops.unit)?;
@@ -238,6 +260,29 @@ fn join_facing_loops(
     list_left_loops(loops, options, &excluded, [&has_strip, &tried], &job.part(1.0, 1.0))
 }
 
+/// Returns true if a blend between two sides would not intersect other faces. Only strips whose
+/// intersections are avoided, and that are not blends, are compared with a blend.
+fn does_blend_avoid_cuts(
+    mesh: &Mesh,
+    [a, mut b]: [Rim; 2],
+    existing: &ExistingEdges,
+    unit: f64,
+    options: &stitch::Options,
+    job: &Job<'_>,
+) -> Result<bool> {
+    if options.finish == Finish::Blend || options.intersections != Intersections::Auto {
+        return Ok(false);
+    }
+    b.reverse();
+    let options = stitch::Options { finish: Finish::Blend, ..*options };
+    let mut strip = match Strip::build(a, b, existing, &options.strip_options(), || 1.0, job) {
+        Err(Error::NoStrip { .. }) => return Ok(false),
+        strip => strip?,
+    };
+    let checked = fair_and_check(mesh, &mut strip, unit, existing, &options.strip_options(), job)?;
+    Ok(checked.finish == Finish::Blend && checked.intersections.is_some_and(|pairs| pairs.is_empty()))
+}
+
 /// Returns the loops without a strip, and the reasons.
 fn list_left_loops(
     loops: PieceLoops,
@@ -253,27 +298,47 @@ fn list_left_loops(
         if let Some(found) = found {
             let reason = if tried[r] { Reason::NotJoined } else { found.reason };
             let [gap, allowed_gap] = [found.gap, found.allowed].map(|length| length * loops.unit);
-            alloc::push(&mut left, LeftLoop { vertices: rim.vertices, reason, gap, allowed_gap, filled: false })?;
+            alloc::push(
+                &mut left,
+                LeftLoop { vertices: rim.vertices, origin: [NONE; 2], reason, gap, allowed_gap, filled: false },
+            )?;
         }
     }
     sort::sort_stable(&mut left, &|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));
     Ok(left)
 }
 
-/// Returns the excluded pairs of loops (smaller, larger), in ascending order.
-fn list_excluded_loop_pairs(base: &CombinedPieces, loops: &PieceLoops, options: &Options<'_>) -> Result<Vec<[u32; 2]>> {
-    let places = loops.vertex_loop_pairs()?;
-    let mut excluded = Vec::new();
-    for (k, pair) in options.excluded.iter().enumerate() {
-        GivenLoopPair { option: "excluded", number: k as u32, pair }
-            .check_pieces_and_vertices_exist(&base.assembly.maps)?;
-        let (first, second) =
-            (loops.select_loops(base, &places, pair[0])?, loops.select_loops(base, &places, pair[1])?);
-        let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
-        alloc::extend(&mut excluded, pairs)?;
+/// Returns the wide slits to be joined with themselves, in ascending order: their sides belonged to
+/// two whole loops that faced each other before sewing.
+fn list_wide_slits(
+    pieces: &[MeshView<'_>],
+    base: &CombinedPieces,
+    loops: &PieceLoops,
+    options: &Options<'_>,
+    job: &Job<'_>,
+) -> Result<Vec<usize>> {
+    if !UnsewnLoopPairs::may_exist(options) {
+        return Ok(Vec::new());
     }
-    excluded.sort_unstable();
-    Ok(excluded)
+    let search = loops.facing_search(options, &[], &[]);
+    let is_wide = |r: &usize| {
+        let slit = loops.slits[*r].filter(|slit| slit.is_opposed);
+        slit.is_some_and(|slit| !(slit.closes && slit.gap <= search.max_slit_gap(*r)))
+    };
+    let mut wide = alloc::gather((0..loops.rims.len()).filter(is_wide))?;
+    if !wide.is_empty() {
+        let names = base.assembly.maps.iter().flat_map(|map| &map.vertices).copied();
+        let pairs = UnsewnLoopPairs::find(pieces, options, names, job)?;
+        let sides_are_paired = |&r: &usize| -> Result<bool> {
+            let (Some(slit), rim) = (loops.slits[r], &loops.rims[r]) else { return Ok(false) };
+            let side = |arc: Arc| alloc::collect(arc.places(rim.vertices.len()).map(|i| rim.vertices[i]));
+            pairs.join_runs(&side(slit.arcs[0])?, &side(slit.arcs[1])?)
+        };
+        let paired = alloc::try_collect(wide.iter().map(sides_are_paired))?;
+        let mut paired = paired.into_iter();
+        wide.retain(|_| paired.next() == Some(true));
+    }
+    Ok(wide)
 }
 
 /// Returns the given pairs, then the pairs found by the search.
@@ -282,6 +347,7 @@ fn choose_loop_pairs(
     loops: &PieceLoops,
     options: &Options<'_>,
     excluded: &[[u32; 2]],
+    wide: &[usize],
     job: &Job<'_>,
 ) -> Result<Vec<FacingLoops>> {
     let places = loops.vertex_loop_pairs()?;
@@ -291,7 +357,7 @@ fn choose_loop_pairs(
         let given = GivenLoopPair { option: "pairs", number: k as u32, pair };
         given.check_pieces_and_vertices_exist(&base.assembly.maps)?;
         let rims = given.find_named_rims(
-            |selector| loops.select_loops(base, &places, selector),
+            |selector| loops.select_loops(&base.assembly.maps, &places, selector),
             &taken,
             |r| loops.slits[r].is_some(),
         )?;
@@ -308,7 +374,7 @@ fn choose_loop_pairs(
     }
     if options.max_gap != MaxGap::Given(0.0) {
         let search = loops.facing_search(options, &taken, excluded);
-        let mut seen = alloc::gather(search.unused_slits())?;
+        let mut seen = alloc::gather(search.unused_slits(wide))?;
         seen.iter().for_each(|facing| taken[facing.rims[0]] = true);
         alloc::append(&mut seen, &loops.facing_search(options, &taken, excluded).find_facing_loops(job)?)?;
         let first = |found: &FacingLoops| found.arcs.map_or(0, |arcs| arcs[0].first);

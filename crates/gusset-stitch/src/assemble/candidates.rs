@@ -53,6 +53,8 @@ pub(super) struct SlitLoop {
     pub(super) gap: f64,
     /// True if the sides are near each other relative to their length.
     pub(super) is_narrow: bool,
+    /// True if the sides face each other along their length, at any distance.
+    pub(super) is_opposed: bool,
     /// True if the sides face each other, are near, or bound surfaces that continue each other.
     pub(super) closes: bool,
 }

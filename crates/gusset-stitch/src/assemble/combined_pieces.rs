@@ -1,15 +1,16 @@
 //! The combined pieces: welded, oriented, and finally filled and turned outwards.
 
-use super::assemble_request::{Assembly, LeftLoop, Options, Reason, Selector};
+use super::assemble_request::{Assembly, LeftLoop, Options, Overlaps, Reason, Selector};
 use super::origin_history::History;
 use super::touching_borders::close_touching_borders;
+use super::unsewn_pairs::UnsewnLoopPairs;
 use crate::boundary::{self, boundary_loops};
-use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
+use crate::fill::{self, HoleStatus, Keep, LoopSelection, fill_holes};
 use crate::repair::near_borders::NearBorders;
 use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
-use crate::stitch::{Finish, IndexMap, Intersections};
+use crate::stitch::{Finish, IndexMap};
 use crate::trim::{KeptFacesOfPieces, TrimmedPieces};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -68,7 +69,11 @@ impl CombinedPieces {
                 alloc::gather(named.iter().filter(|&&v| v != NONE).map(|&v| sewn_map[v as usize]))
             };
             near = sewn.near;
-            joints = close_touching_borders(&mut sewn, options, vertices_of, &part.part(0.8, 1.0))?;
+            let unsewn_pairs = |sewn_map: &[u32], job: &Job<'_>| {
+                let names = vertex_map.iter().map(|&v| if v == NONE { NONE } else { sewn_map[v as usize] });
+                UnsewnLoopPairs::find(pieces, options, names, job)
+            };
+            joints = close_touching_borders(&mut sewn, options, vertices_of, unsewn_pairs, &part.part(0.8, 1.0))?;
             (welded_vertices, sewn_edges, splits, tolerance) =
                 (sewn.welded_vertices, sewn.sewn_edges, sewn.splits, sewn.tolerance);
             let through = |before: &mut [u32], after: &[u32]| {
@@ -107,6 +112,7 @@ impl CombinedPieces {
             maps,
             turned,
             trimmed_faces,
+            lost_faces: Vec::new(),
             welded_vertices,
             sewn_edges,
             splits,
@@ -116,6 +122,8 @@ impl CombinedPieces {
             joints,
             left: Vec::new(),
             holes: Vec::new(),
+            hole_intersections: None,
+            hole_cut_lengths: Vec::new(),
             hole_rims: Vec::new(),
             history,
             loops_left: 0,
@@ -142,20 +150,20 @@ impl CombinedPieces {
             return Ok((assembly, cuts));
         }
         if let Some(how) = &options.fill {
-            // The report of an assembly does not list intersections of patches.
-            let intersections = match how.intersections {
-                Intersections::Report => Intersections::Ignore,
-                other => other,
-            };
             let finish = match options.strip.finish {
                 Finish::Blend => Finish::Blend,
                 Finish::Strip => how.finish,
             };
-            let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, finish, ..*how };
+            let keep = match (how.keep, options.overlaps) {
+                (Keep::Auto, Overlaps::Trim(_)) => Keep::OuterBorders,
+                (keep, _) => keep,
+            };
+            let how = fill::Options { outward: Outward::Keep, plan_only: false, keep, finish, ..*how };
             let filled =
                 fill_holes(&assembly.mesh.view(&job.part(0.0, 0.1))?, LoopSelection::All, &how, &job.part(0.1, 0.4))?;
             (assembly.mesh, assembly.holes, assembly.hole_rims) = (filled.mesh, filled.holes, filled.rims);
-            cuts = filled.intersections.unwrap_or_default();
+            cuts = alloc::copied(filled.intersections.as_deref().unwrap_or_default())?;
+            assembly.hole_intersections = filled.intersections;
             mark_filled_loops(&mut assembly)?;
             assembly.history.add_parents(filled.parents.into_iter().zip(filled.weights))?;
         }
@@ -182,6 +190,7 @@ impl CombinedPieces {
         assembly.loops_left = boundary.len() as u32;
         let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
         assembly.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
+        assembly.add_report_details(&job.part(1.0, 1.0))?;
         Ok((assembly, cuts))
     }
 }

@@ -1,7 +1,8 @@
 //! Removal of faces from trimmed pieces after a trial joint.
 
 use super::assemble_request::Assembly;
-use crate::trim::KeptFacesOfPieces;
+use super::covered_faces::visit_covers;
+use crate::trim::{KeptFacesOfPieces, SurfaceDistance};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bit_set::BitSet;
@@ -75,28 +76,33 @@ impl IntersectingPatches {
     }
 }
 
-/// The faces to remove: small parts that were cut and stay unjoined, and one ring of faces around
+/// The faces to remove: small parts that were cut, stay unjoined and are covered by other parts, and
+/// one ring of faces around
 /// the patches and strips that intersect.
 pub(super) struct FaceRemovals {
     /// Vertices of the result whose faces are removed.
     vertices: BitSet,
-    /// Faces of the result on unjoined parts.
-    alone: BitSet,
+    /// Faces of the result on unjoined parts that other parts cover.
+    covered: BitSet,
     cuts: bool,
+    /// True if there are small unjoined parts.
     parts: bool,
+    /// True if other parts cover some of them.
+    covers: bool,
 }
 
 impl FaceRemovals {
-    /// Selects the faces that share a vertex with a face in `cuts`, the pairs of intersecting
-    /// faces. Leaves out pairs with a patch that covers the surface. If `whole`, adds the faces at
-    /// all rim vertices of the other intersecting patches. Lists the trimmed parts with fewer than
-    /// `least` faces, except the largest part, for removal on request. O(size).
+    /// Selects the faces to remove. `cuts` are pairs of intersecting faces. Parts with fewer than
+    /// `least` faces are small. If `whole`, the faces at whole rims of intersecting patches are
+    /// removed. An unjoined part is removed only if each of its faces is within `same` of a face of
+    /// another part. O(size log size).
     pub(super) fn new(
         pieces: &[MeshView<'_>],
         done: &Assembly,
         cuts: &[[u32; 2]],
         least: u32,
         whole: bool,
+        same: SurfaceDistance,
         job: &Job<'_>,
     ) -> Result<FaceRemovals> {
         let mesh = &done.mesh;
@@ -160,7 +166,31 @@ impl FaceRemovals {
                 alone.insert(f as u32);
             }
         }
-        Ok(FaceRemovals { vertices: spoilt, alone, cuts: is_spoilt, parts: parts_alone })
+        let mut of_alone_parts = Vec::new();
+        for (map, k) in done.maps.iter().zip(0..) {
+            let is_alone = |&(_, &name): &(u32, &u32)| name != NONE && alone.contains(name);
+            alloc::extend(&mut of_alone_parts, (0..).zip(&map.faces).filter(is_alone).map(|(f, _)| [k, f]))?;
+        }
+        let part_of_face = |name: u32| roots[mesh.corner(mesh.face_offsets[name as usize] as usize) as usize];
+        let mut is_bare = alloc::filled(false, roots.len())?;
+        visit_covers(
+            pieces,
+            done,
+            &of_alone_parts,
+            |f| !alone.contains(f),
+            same,
+            job,
+            |[k, f], is_covered| {
+                is_bare[part_of_face(done.maps[k as usize].faces[f as usize]) as usize] |= !is_covered;
+                Ok(())
+            },
+        )?;
+        let (mut covers, mut covered) = (false, BitSet::new(mesh.face_count())?);
+        for f in (0..old as u32).filter(|&f| alone.contains(f) && !is_bare[part_of_face(f) as usize]) {
+            covers = true;
+            covered.insert(f);
+        }
+        Ok(FaceRemovals { vertices: spoilt, covered, cuts: is_spoilt, parts: parts_alone, covers })
     }
 
     /// Returns true if there are unjoined parts.
@@ -177,7 +207,7 @@ impl FaceRemovals {
         done: &Assembly,
         parts: bool,
     ) -> bool {
-        if !(self.cuts || self.parts && parts) {
+        if !(self.cuts || self.covers && parts) {
             return false;
         }
         let mut less = false;
@@ -185,9 +215,9 @@ impl FaceRemovals {
             let before = kept.len();
             kept.retain(|&f| {
                 let name = map.faces[f as usize];
-                let is_alone = parts && name != NONE && self.alone.contains(name);
+                let is_dropped = parts && name != NONE && self.covered.contains(name);
                 let mut corners = piece.face(f as usize).map(|v| map.vertices[v as usize]);
-                !is_alone && !corners.any(|v| v != NONE && self.vertices.contains(v))
+                !is_dropped && !corners.any(|v| v != NONE && self.vertices.contains(v))
             });
             less |= kept.len() < before;
         }

@@ -2,9 +2,10 @@
 
 use super::assemble_request::{LeftLoop, MaxGap, Options, Reason, Selector};
 use super::candidates::{FacingLoops, FacingSearch, LoopMeasures, STAGE, SlitLoop};
-use super::combined_pieces::CombinedPieces;
+use super::given_pair::GivenLoopPair;
 use super::loop_edges::{LoopEdges, entries_of_vertex};
 use crate::boundary::{self, Boundary, boundary_loops};
+use crate::stitch::IndexMap;
 use crate::stitch::stitch_rim::{Rim, is_usable};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -31,11 +32,14 @@ pub(super) struct PieceLoops {
     pub(super) others: Vec<LeftLoop>,
     /// The unit of the rims' points.
     pub(super) unit: f64,
+    /// The number of vertices of the mesh.
+    vertex_count: usize,
 }
 
 impl PieceLoops {
-    pub(super) fn new(base: &CombinedPieces, job: &Job<'_>) -> Result<Self> {
-        let mesh = &base.assembly.mesh;
+    /// Finds the loops of `mesh`. `piece` has the first piece of each vertex, and `seam` the
+    /// vertices that sewing merged, ascending.
+    pub(super) fn new(mesh: &Mesh, piece: &[u32], seam: &[u32], job: &Job<'_>) -> Result<Self> {
         let mut loops = PieceLoops {
             rims: Vec::new(),
             candidates: Vec::new(),
@@ -43,6 +47,7 @@ impl PieceLoops {
             slits: Vec::new(),
             others: Vec::new(),
             unit: 1.0,
+            vertex_count: mesh.positions.len(),
         };
         if mesh.face_count() == 0 {
             return Ok(loops);
@@ -61,6 +66,7 @@ impl PieceLoops {
                     &mut loops.others,
                     LeftLoop {
                         vertices: alloc::copied(found.vertices)?,
+                        origin: [NONE; 2],
                         reason,
                         gap: f64::INFINITY,
                         allowed_gap: 0.0,
@@ -75,10 +81,10 @@ impl PieceLoops {
             rim.points.iter_mut().for_each(|p| *p /= loops.unit);
             alloc::push(
                 &mut loops.slits,
-                SlitLoop::find_in_loop(&view, &found, rim, loops.unit, &base.seam, &job.part(1.0, 1.0))?,
+                SlitLoop::find_in_loop(&view, &found, rim, loops.unit, seam, &job.part(1.0, 1.0))?,
             )?;
             let component = loops.components.find(rim.vertices[0]);
-            let piece = base.piece[rim.vertices[0] as usize];
+            let piece = piece[rim.vertices[0] as usize];
             alloc::push(&mut loops.candidates, LoopMeasures::new(rim, component, piece, size / loops.unit))?;
         }
         Ok(loops)
@@ -145,14 +151,15 @@ impl PieceLoops {
         Ok(places)
     }
 
-    /// Returns the loops that a selector names, in ascending order.
+    /// Returns the loops that a selector names, in ascending order. `maps` leads from the vertices
+    /// of the pieces to the vertices of the mesh.
     pub(super) fn select_loops(
         &self,
-        base: &CombinedPieces,
+        maps: &[IndexMap],
         places: &[(u32, u32)],
         selector: Selector,
     ) -> Result<Vec<usize>> {
-        let Some(map) = base.assembly.maps.get(selector.piece as usize) else {
+        let Some(map) = maps.get(selector.piece as usize) else {
             return Ok(Vec::new());
         };
         if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
@@ -161,10 +168,25 @@ impl PieceLoops {
         if selector.vertex != NONE {
             return Ok(Vec::new());
         }
-        let mut of_piece = alloc::filled(false, base.assembly.mesh.positions.len())?;
+        let mut of_piece = alloc::filled(false, self.vertex_count)?;
         map.vertices.iter().filter(|&&v| v != NONE).for_each(|&v| of_piece[v as usize] = true);
         let has_one = |&r: &usize| self.rims[r].vertices.iter().any(|&v| of_piece[v as usize]);
         alloc::gather((0..self.rims.len()).filter(has_one))
+    }
+
+    /// Returns the excluded pairs of loops (smaller, larger), in ascending order.
+    pub(super) fn list_excluded_pairs(&self, maps: &[IndexMap], options: &Options<'_>) -> Result<Vec<[u32; 2]>> {
+        let places = self.vertex_loop_pairs()?;
+        let mut excluded = Vec::new();
+        for (k, pair) in options.excluded.iter().enumerate() {
+            GivenLoopPair { option: "excluded", number: k as u32, pair }.check_pieces_and_vertices_exist(maps)?;
+            let [first, second] =
+                [self.select_loops(maps, &places, pair[0])?, self.select_loops(maps, &places, pair[1])?];
+            let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
+            alloc::extend(&mut excluded, pairs)?;
+        }
+        excluded.sort_unstable();
+        Ok(excluded)
     }
 }
 

@@ -27,6 +27,10 @@ const MIN_FACING_COSINE_SUM_OF_STEP: f64 = -0.3;
 /// Largest distance between the sides of a narrow opening, relative to the shorter side.
 const MAX_WIDTH_TO_LENGTH_RATIO: f64 = 0.3;
 
+/// Smallest fraction of the length of one side that sees the other side between its ends, for sides
+/// that face each other at any distance.
+const MIN_LENGTH_SHARE_BETWEEN_ENDS: f64 = 0.5;
+
 /// A run of vertices of a rim.
 #[derive(Clone, Copy)]
 pub(super) struct RimRun<'a> {
@@ -45,6 +49,8 @@ pub(super) struct SideFacing {
     pub(super) cosine: f64,
     /// The mean cosine between conormals of both runs.
     pub(super) agreement: f64,
+    /// The fraction of the length whose nearest place on the other run is between its ends.
+    pub(super) between_ends: f64,
     /// The length of the shorter run.
     pub(super) length: f64,
 }
@@ -75,14 +81,16 @@ impl RimRun<'_> {
         let (points, n) = (&self.rim.points, self.rim.points.len());
         let side = |i: usize| points[i].distance(points[(i + 1) % n]);
         let mut sum = 0.0;
-        let mut all = SideFacing { gap: 0.0, width: 0.0, cosine: 0.0, agreement: 0.0, length: 0.0 };
+        let mut all = SideFacing { gap: 0.0, width: 0.0, cosine: 0.0, agreement: 0.0, between_ends: 0.0, length: 0.0 };
         for (k, i) in places(self).enumerate().take(self.arc.count - 1).skip(1) {
             job.part(0.5, 1.0).step_every(1 << 12, k, self.arc.count, STAGE)?;
             let p = points[i];
             let Some((_, v)) = tree.nearest(p, f64::INFINITY, |_| true) else {
                 continue;
             };
-            let way = nearest_point_on_adjacent_edges(&line, false, v as usize, p) - p;
+            let nearest = nearest_point_on_adjacent_edges(&line, false, v as usize, p);
+            let is_between = nearest != line[0] && nearest != line[line.len() - 1];
+            let way = nearest - p;
             let (weight, distance) = (side((i + n - 1) % n) + side(i), way.length());
             let conormal = self.conormal_at(k);
             sum += weight;
@@ -90,6 +98,7 @@ impl RimRun<'_> {
             all.width = all.width.max(distance);
             all.cosine += weight * if distance > 0.0 { way.dot(conormal) / distance } else { 1.0 };
             all.agreement += weight * conormal.dot(other.conormal_at(v as usize));
+            all.between_ends += if is_between { weight } else { 0.0 };
         }
         let mean = |total: f64| total / sum;
         Ok((sum > 0.0).then(|| SideFacing {
@@ -97,6 +106,7 @@ impl RimRun<'_> {
             width: all.width,
             cosine: mean(all.cosine),
             agreement: mean(all.agreement),
+            between_ends: mean(all.between_ends),
             length: self.edge_lengths().sum::<f64>().min(other.edge_lengths().sum()),
         }))
     }
@@ -113,13 +123,23 @@ impl SideFacing {
         is_near || continues || self.cosine >= MIN_FACING_COSINE_SUM
     }
 
+    /// Returns true if the sides face each other along their length, at any distance.
+    ///
+    /// The sides of a hole that a seam crosses see each other's ends instead, and their conormals
+    /// agree there.
+    pub(super) fn is_opposed(&self) -> bool {
+        self.agreement < 0.0
+            && self.cosine >= MIN_FACING_COSINE_SUM
+            && self.between_ends >= MIN_LENGTH_SHARE_BETWEEN_ENDS
+    }
+
     /// Returns true if the opening is narrow relative to its length.
     pub(super) fn is_narrow(&self) -> bool {
         self.width <= MAX_WIDTH_TO_LENGTH_RATIO * self.length
     }
 
-    /// Measures how two runs see each other: the larger distances, and the sums of the cosines. A
-    /// side without inner vertices sees what the other sees.
+    /// Measures how two runs see each other: the larger distances and shares, and the sums of the
+    /// cosines. A side without inner vertices sees what the other sees.
     pub(super) fn between(first: &RimRun<'_>, second: &RimRun<'_>, job: &Job<'_>) -> Result<Option<Self>> {
         let (there, back) = (first.measure_facing(second, job)?, second.measure_facing(first, job)?);
         let sum = |(x, y): (Self, Self)| SideFacing {
@@ -127,6 +147,7 @@ impl SideFacing {
             width: x.width.max(y.width),
             cosine: x.cosine + y.cosine,
             agreement: x.agreement + y.agreement,
+            between_ends: x.between_ends.max(y.between_ends),
             length: x.length,
         };
         Ok(there.or(back).zip(back.or(there)).map(sum))

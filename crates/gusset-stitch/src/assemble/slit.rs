@@ -82,6 +82,7 @@ impl SlitLoop {
             arcs,
             gap: seen.gap,
             is_narrow: seen.is_narrow(),
+            is_opposed: seen.is_opposed(),
             closes: seen.may_close(is_near(seen.gap)),
         }))
     }
@@ -93,11 +94,13 @@ impl SlitLoop {
 }
 
 impl FacingSearch<'_> {
-    /// Returns the slits to be joined with themselves.
-    pub(super) fn unused_slits(&self) -> impl Iterator<Item = FacingLoops> + '_ {
-        let closes = |&(r, slit): &(usize, SlitLoop)| {
-            let (wanted, near) = (self.extent != Extent::WholeLoops && !self.used[r], slit.gap <= self.max_slit_gap(r));
-            slit.closes && wanted && near && !self.is_excluded_pair(r, r)
+    /// Returns the slits to be joined with themselves. `wide` lists loops to be joined at any gap,
+    /// in ascending order.
+    pub(super) fn unused_slits<'s>(&'s self, wide: &'s [usize]) -> impl Iterator<Item = FacingLoops> + 's {
+        let closes = move |&(r, slit): &(usize, SlitLoop)| {
+            let wanted = self.extent != Extent::WholeLoops && !self.used[r];
+            let is_near = slit.closes && slit.gap <= self.max_slit_gap(r);
+            wanted && (is_near || wide.binary_search(&r).is_ok()) && !self.is_excluded_pair(r, r)
         };
         let all = self.slits.iter().enumerate().filter_map(|(r, slit)| Some((r, (*slit)?)));
         all.filter(closes).map(|(r, slit)| slit.as_facing_loops(r))

@@ -6,7 +6,8 @@
 //!
 //! A lens is closed if it is narrow: no vertex of one run is farther from the other run than
 //! three tenths of the length of the shorter run, and the mean distance is at most the longest edge
-//! of both. The surfaces must face or continue each other, unless the gap is small relative to the
+//! of both. A wider lens is closed if its sides face each other, and belong to two whole loops that
+//! face each other ([`unsewn_pairs`](super::unsewn_pairs)). The surfaces of a narrow lens must face or continue each other, unless the gap is small relative to the
 //! faces along it. The common points become one vertex each, and a strip of M + N - 2 triangles
 //! joins the runs. Lenses are closed narrowest first, and each border edge belongs to at most one. A
 //! lens stays open if closing it would create a non-manifold edge. The criteria are our own.
@@ -17,6 +18,7 @@
 use super::assemble_request::{Extent, Joint, MaxGap, Options, Outcome, Selector};
 use super::loop_edges::LoopEdges;
 use super::side_facing::{EdgeDepths, RimRun, SideFacing};
+use super::unsewn_pairs::UnsewnLoopPairs;
 use crate::boundary::{self, boundary_loops};
 use crate::repair::sew::Sew;
 use crate::repair::sew_edges::{RunEnds, merge_run_ends};
@@ -24,6 +26,7 @@ use crate::repair::{border_clusters, orient};
 use crate::stitch::combine::append_strip;
 use crate::stitch::facing::Arc;
 use crate::stitch::fair_and_check::fair_and_check;
+use crate::stitch::sense::arcs_run_the_same_way;
 use crate::stitch::stitch_rim::{Rim, is_usable};
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, Finish, Rows};
@@ -81,6 +84,36 @@ impl Lens {
     }
 }
 
+/// The edges of each rim that lenses use.
+struct UsedEdges(Vec<Vec<bool>>);
+
+impl UsedEdges {
+    fn new(rims: &[Rim]) -> Result<Self> {
+        alloc::try_collect(rims.iter().map(|rim| alloc::filled(false, rim.vertices.len()))).map(UsedEdges)
+    }
+
+    fn places(&self, run: Run) -> impl Iterator<Item = usize> + use<> {
+        let n = self.0[run.rim].len();
+        (run.first..run.first + run.edges).map(move |place| place % n)
+    }
+
+    fn are_free(&self, runs: &[Run; 2]) -> bool {
+        runs.iter().all(|&run| self.places(run).all(|place| !self.0[run.rim][place]))
+    }
+
+    /// Sorts lenses by their gaps, and keeps those whose edges are free when their turn comes.
+    fn keep_free_lenses(&mut self, lenses: &mut Vec<Lens>) {
+        sort::sort_stable(lenses, &|x, y| x.gap.total_cmp(&y.gap));
+        lenses.retain(|lens| {
+            let free = self.are_free(&lens.runs);
+            for run in lens.runs.iter().filter(|_| free) {
+                self.places(*run).for_each(|place| self.0[run.rim][place] = true);
+            }
+            free
+        });
+    }
+}
+
 /// A vertex of a loop at a common point.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct CommonPoint {
@@ -103,13 +136,15 @@ struct TouchingLoops {
 
 /// Closes the narrow lenses of a sewn mesh, except between loops that `options` excludes. Returns a
 /// joint for each lens; their faces follow the faces of the pieces. `vertices_of` returns the
-/// vertices of the sewn mesh that a selector names.
+/// vertices of the sewn mesh that a selector names. `unsewn_pairs` finds the whole loops that faced
+/// each other before sewing.
 ///
 /// O(B log B) for B border vertices, if some of them coincide and are not sewn.
 pub(super) fn close_touching_borders(
     sewn: &mut Sew,
     options: &Options<'_>,
     vertices_of: impl Fn(&[u32], Selector) -> Result<Vec<u32>>,
+    unsewn_pairs: impl Fn(&[u32], &Job<'_>) -> Result<UnsewnLoopPairs>,
     job: &Job<'_>,
 ) -> Result<Vec<Joint>> {
     if sewn.left_vertices.is_empty() || options.extent == Extent::WholeLoops || options.max_gap == MaxGap::Given(0.0) {
@@ -117,7 +152,8 @@ pub(super) fn close_touching_borders(
     }
     let mut loops = TouchingLoops::new(sewn, options, &job.part(0.0, 0.4))?;
     let excluded = loops.list_excluded_rims(options, |selector| vertices_of(&sewn.vertex_map, selector))?;
-    let lenses = loops.find_narrow_lenses(options, &excluded, &job.part(0.4, 0.6))?;
+    let unsewn_pairs = |job: &Job<'_>| unsewn_pairs(&sewn.vertex_map, job);
+    let lenses = loops.find_lenses(options, &excluded, unsewn_pairs, &job.part(0.4, 0.6))?;
     if lenses.is_empty() {
         return Ok(Vec::new());
     }
@@ -190,12 +226,13 @@ impl TouchingLoops {
         Ok(excluded)
     }
 
-    /// Returns the narrow lenses, narrowest first. No edge belongs to two of them, and no lens to an
-    /// excluded pair of rims.
-    fn find_narrow_lenses(
+    /// Returns the lenses to close, narrowest first. No edge belongs to two of them, and no lens to
+    /// an excluded pair of rims.
+    fn find_lenses(
         &mut self,
         options: &Options<'_>,
         excluded: &[[usize; 2]],
+        unsewn_pairs: impl Fn(&Job<'_>) -> Result<UnsewnLoopPairs>,
         job: &Job<'_>,
     ) -> Result<Vec<Lens>> {
         let mut all = alloc::gather(self.points.iter().flatten().copied())?;
@@ -219,24 +256,63 @@ impl TouchingLoops {
         }
         candidates.retain(|(runs, _)| excluded.binary_search(&runs.map(|run| run.rim)).is_err());
         sort::sort_distinct(&mut candidates);
-        let mut lenses = Vec::new();
+        let (mut lenses, mut others) = (Vec::new(), Vec::new());
         for (number, &(runs, same_way)) in candidates.iter().enumerate() {
             job.step_every(POINTS_PER_REPORT, number, candidates.len(), STAGE)?;
-            if let Some(gap) = self.narrow_gap_between(runs, options, job)? {
-                alloc::push(&mut lenses, Lens { runs, same_way, gap })?;
+            match self.narrow_gap_between(runs, options, job)? {
+                Some(gap) if self.fits_direction(runs, same_way)? => {
+                    alloc::push(&mut lenses, Lens { runs, same_way, gap })?;
+                }
+                _ => alloc::push(&mut others, (runs, same_way))?,
             }
         }
-        sort::sort_stable(&mut lenses, &|x, y| x.gap.total_cmp(&y.gap));
-        let mut used = alloc::try_collect(self.rims.iter().map(|rim| alloc::filled(false, rim.vertices.len())))?;
-        let edges = |run: Run, n: usize| (run.first..run.first + run.edges).map(move |place| place % n);
-        lenses.retain(|lens| {
-            let free = lens.runs.iter().all(|&run| edges(run, used[run.rim].len()).all(|place| !used[run.rim][place]));
-            for run in lens.runs.iter().filter(|_| free) {
-                edges(*run, used[run.rim].len()).for_each(|place| used[run.rim][place] = true);
-            }
-            free
-        });
+        let mut used = UsedEdges::new(&self.rims)?;
+        used.keep_free_lenses(&mut lenses);
+        if UnsewnLoopPairs::may_exist(options) {
+            let mut wide = self.find_wide_lenses(&others, &lenses, &used, unsewn_pairs, job)?;
+            used.keep_free_lenses(&mut wide);
+            alloc::append(&mut lenses, &wide)?;
+        }
         Ok(lenses)
+    }
+
+    /// Returns the lenses among `candidates` to close at any width: their sides face each other, and
+    /// belong to whole loops that face each other, or that one of `narrow` joins.
+    fn find_wide_lenses(
+        &self,
+        candidates: &[([Run; 2], bool)],
+        narrow: &[Lens],
+        used: &UsedEdges,
+        unsewn_pairs: impl Fn(&Job<'_>) -> Result<UnsewnLoopPairs>,
+        job: &Job<'_>,
+    ) -> Result<Vec<Lens>> {
+        let mut wide = Vec::new();
+        for (number, &(runs, same_way)) in candidates.iter().enumerate() {
+            job.step_every(POINTS_PER_REPORT, number, candidates.len(), STAGE)?;
+            if !used.are_free(&runs) {
+                continue;
+            }
+            if let Some(gap) = self.wide_gap_between(runs, job)?
+                && self.fits_direction(runs, same_way)?
+            {
+                alloc::push(&mut wide, Lens { runs, same_way, gap })?;
+            }
+        }
+        if wide.is_empty() {
+            return Ok(wide);
+        }
+        let rims = |lens: &Lens| lens.runs.map(|run| run.rim);
+        let mut joined = alloc::gather(narrow.iter().map(rims).filter(|[r, k]| r != k))?;
+        joined.sort_unstable();
+        let pairs = unsewn_pairs(job)?;
+        let is_paired = |lens: &Lens| -> Result<bool> {
+            let vertices = |run: Run| alloc::collect((0..run.edges + 1).map(|k| run.vertex_at(&self.rims, k)));
+            Ok(joined.binary_search(&rims(lens)).is_ok()
+                || pairs.join_runs(&vertices(lens.runs[0])?, &vertices(lens.runs[1])?)?)
+        };
+        let mut paired = alloc::try_collect(wide.iter().map(is_paired))?.into_iter();
+        wide.retain(|_| paired.next() == Some(true));
+        Ok(wide)
     }
 
     /// Follows two borders from a common point to the next one: the border of `x` forwards, and
@@ -273,8 +349,7 @@ impl TouchingLoops {
 
     /// Returns the gap of a lens if the lens is narrow.
     fn narrow_gap_between(&self, runs: [Run; 2], options: &Options<'_>, job: &Job<'_>) -> Result<Option<f64>> {
-        let sides =
-            runs.map(|run| RimRun { rim: &self.rims[run.rim], arc: Arc { first: run.first, count: run.edges + 1 } });
+        let sides = self.sides_of_lens(runs);
         let [a, b] = sides.map(|side| side.edge_lengths().sum::<f64>());
         if a.max(b) > MAX_LENGTH_RATIO * a.min(b) {
             return Ok(None);
@@ -290,6 +365,27 @@ impl TouchingLoops {
         };
         let is_open = seen.is_narrow() && (self.tolerance < seen.width) && seen.gap <= allowed;
         Ok((is_open && seen.may_close(runs.into_iter().all(is_near))).then_some(seen.gap))
+    }
+
+    /// Returns the gap of a lens of any width if its sides face each other along their length.
+    fn wide_gap_between(&self, runs: [Run; 2], job: &Job<'_>) -> Result<Option<f64>> {
+        let sides = self.sides_of_lens(runs);
+        let seen = SideFacing::between(&sides[0], &sides[1], &job.part(0.0, 0.0))?;
+        Ok(seen.filter(|seen| self.tolerance < seen.width && seen.is_opposed()).map(|seen| seen.gap))
+    }
+
+    fn sides_of_lens(&self, runs: [Run; 2]) -> [RimRun<'_>; 2] {
+        runs.map(|run| RimRun { rim: &self.rims[run.rim], arc: Arc { first: run.first, count: run.edges + 1 } })
+    }
+
+    /// Returns true if the direction of two runs is possible. The ends of the runs decide, unless
+    /// the runs are whole rims with one common point.
+    fn fits_direction(&self, runs: [Run; 2], same_way: bool) -> Result<bool> {
+        if runs.iter().any(|run| run.edges < self.rims[run.rim].vertices.len()) {
+            return Ok(true);
+        }
+        let [a, b] = runs.map(|run| self.rims[run.rim].arc_of_run(run.first, run.edges + 1));
+        Ok(arcs_run_the_same_way(&a?.points, &b?.points)? == same_way)
     }
 
     /// Appends the strips of the lenses, whose rims are numbered as in `mesh`. Returns their joints.
@@ -323,6 +419,8 @@ impl TouchingLoops {
                 vertices: 0..0,
                 faces: 0..0,
                 intersections: None,
+                cut_length: 0.0,
+                blend_avoids_cuts: false,
             };
             let existing = edges.existing_edges_between([k, k], &sides)?;
             sides[1].reverse();

@@ -28,6 +28,9 @@ use gusset_mesh::{MeshView, concat, vertex_components};
 /// An arc with one vertex gets a fan of triangles, which touches its piece only at that vertex. Two
 /// arcs with one vertex each get one meridian and no face.
 ///
+/// Rims with points in common get faces of no area there, and a note reports it.
+/// [`assemble`](crate::assemble::assemble()) merges such points instead.
+///
 /// O(H log d) for the meshes' H half-edges and at most d edges at a vertex. Exact meridians take
 /// O(N M) up to 2^21 pairs of vertices; larger lattices and the simple choices take O((N + M) log
 /// M). The choice of loops adds a box test for each pair. Fairing n new vertices in k rows takes
@@ -96,6 +99,9 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     b.reverse();
     let mean_side = || whole.mean_side_length() / unit;
     let mut strip = Strip::build(a, b, &existing, options, mean_side, &job.part(0.4, 0.6))?;
+    if strip.meridians.iter().any(|&[i, j]| strip.a.point(i) == strip.b.point(j)) {
+        job.note("the rims have points in common, where faces of the strip have no area: joining merges such points");
+    }
     let checked = fair_and_check(&whole, &mut strip, unit, &existing, options, &job.part(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
     let attached = append_strip(&mut whole, &strip, unit)?;

@@ -35,6 +35,8 @@ mod kept_meshes;
 mod trim_request;
 mod trim_run;
 
+pub(crate) use trim_request::SurfaceDistance;
+
 pub use kept_meshes::TrimmedPieces;
 pub use trim_request::{KeptFacesOfPieces, Options};
 pub use trim_run::trim;

@@ -30,10 +30,36 @@ impl Options<'_> {
         if self.min_faces == 0 { DEFAULT_MIN_FACES } else { self.min_faces }
     }
 
+    /// Returns the smallest cosine between normals of one surface.
+    pub(super) fn min_normal_cosine(&self) -> f64 {
+        libm::cos(if self.max_angle == 0.0 { DEFAULT_MAX_NORMAL_RADIANS } else { self.max_angle })
+    }
+
+    /// Returns the largest difference between places of one surface, on pieces whose coarsest has
+    /// the mean edge `spacing`.
+    pub(crate) fn surface_distance(&self, spacing: f64) -> SurfaceDistance {
+        let distance = self.max_distance.unwrap_or(DEFAULT_MAX_DISTANCE_MEAN_EDGES * spacing);
+        SurfaceDistance { distance, cosine: self.min_normal_cosine() }
+    }
+
     /// Returns the smallest number of faces of a part that other pieces show too.
     pub(crate) fn min_island_faces(&self) -> u32 {
         SPARE_ISLAND_FACTOR.saturating_mul(self.min_part_faces())
     }
+}
+
+/// Default largest distance between meshes of one surface, in mean edges.
+pub(super) const DEFAULT_MAX_DISTANCE_MEAN_EDGES: f64 = 4.0;
+/// Default largest angle between normals of one surface, in radians.
+const DEFAULT_MAX_NORMAL_RADIANS: f64 = std::f64::consts::FRAC_PI_3;
+
+/// The largest difference between places of one surface.
+#[derive(Clone, Copy)]
+pub(crate) struct SurfaceDistance {
+    /// The largest distance, in the unit of the positions.
+    pub(crate) distance: f64,
+    /// The smallest cosine between normals.
+    pub(crate) cosine: f64,
 }
 
 /// The kept faces of the pieces.

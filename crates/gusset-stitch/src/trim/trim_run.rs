@@ -4,7 +4,7 @@ use super::STAGE;
 use super::crossing_faces::{add_touching_faces, find_crossing_faces};
 use super::kept_faces::{KeptFaceRims, KeptFaces};
 use super::trim_piece::TrimPiece;
-use super::trim_request::{KeptFacesOfPieces, Options};
+use super::trim_request::{DEFAULT_MAX_DISTANCE_MEAN_EDGES, KeptFacesOfPieces, Options};
 use super::vertex_covers::{SameSurfaceCriterion, VertexCovers};
 use crate::align::common_length_unit;
 use gusset_base::alloc;
@@ -17,10 +17,6 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::MeshView;
 use std::ops::ControlFlow;
 
-/// Default largest distance between meshes of one surface, in mean edges.
-const DEFAULT_MAX_DISTANCE_MEAN_EDGES: f64 = 4.0;
-/// Default largest angle between normals of one surface, in radians.
-const DEFAULT_MAX_NORMAL_RADIANS: f64 = std::f64::consts::FRAC_PI_3;
 /// Smallest width of gaps, in mean edges.
 const MIN_GAP_MEAN_EDGES: f64 = 0.5;
 /// Advantage of earlier pieces in confidence, in mean edges. At a common border, noise must not
@@ -75,7 +71,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     let same = SameSurfaceCriterion {
         distance: options.max_distance.map(|distance| distance / unit),
         edges: DEFAULT_MAX_DISTANCE_MEAN_EDGES,
-        cosine: libm::cos(if angle == 0.0 { DEFAULT_MAX_NORMAL_RADIANS } else { angle }),
+        cosine: options.min_normal_cosine(),
     };
     let covers =
         alloc::try_collect((0..count).map(|k| VertexCovers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
