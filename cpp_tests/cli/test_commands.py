@@ -59,6 +59,12 @@ class Commands(unittest.TestCase):
         self.expect(DONE, "join", "low.obj", "high.obj", "--holes", "fill", "-o", "whole.glb",
                     says="2 holes filled, 0 boundary loops left")
 
+    def test_a_list_of_scans_is_many_meshes(self):
+        self.at("two.conf").write_text("bmesh low.obj 0 0 0 0 0 0 1\nbmesh high.obj 0 0 0.25 0 0 0 2\n")
+        report = json.loads(self.expect(DONE, "join", "two.conf", "--json", "-o", "two.obj").stdout)
+        self.assertEqual([one["path"].split(": ")[1] for one in report["inputs"]], ["low", "high"])
+        self.assertEqual(rims(read_obj(self.at("two.obj"))[1]), 21)
+
     def test_weld_and_check_agree(self):
         self.expect(DONE, "check", "beside.off", says="8 vertices, 8 edges, 2 faces, 2 pieces, 2 walks round the boundary\n")
         self.expect(DONE, "weld", "beside.off", "-o", "welded.off", says="2 vertices welded, 1 edge sewn, 0 faces dropped\n")

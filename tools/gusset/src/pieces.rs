@@ -2,7 +2,8 @@
 
 use crate::failure::{Exit, Failure};
 use gusset_io::{
-    Document, Image, Material, Mesh, NO_MATERIAL, ReadError, ReadErrorKind, Values, WriteError, WriteErrorKind,
+    Document, Image, Material, Mesh, NO_MATERIAL, Placement, ReadError, ReadErrorKind, Values, WriteError,
+    WriteErrorKind,
 };
 
 /// A mesh from a file.
@@ -30,6 +31,25 @@ impl Piece {
         let mesh = meshes.pop().unwrap_or_default();
         let notes = notes.into_iter().map(|note| note.text).collect();
         Ok(Self { path: path.to_owned(), mesh, materials, images, notes, metres_per_unit })
+    }
+
+    /// Makes a piece of each placed mesh of a document, in the coordinates of the scene. Each piece is named for its placement.
+    pub(crate) fn from_placements(document: Document, path: &str, size: u64) -> Result<Vec<Self>, Failure> {
+        let Document { meshes, placements, materials, images, metres_per_unit, mut notes, .. } = document;
+        let of_placement = |placement: Placement| {
+            let document = Document {
+                meshes: vec![meshes[placement.mesh as usize].clone()],
+                materials: materials.clone(),
+                images: images.clone(),
+                metres_per_unit,
+                // Notes are about the whole file.
+                notes: std::mem::take(&mut notes),
+                placements: vec![Placement { mesh: 0, ..placement.clone() }],
+                ..Document::default()
+            };
+            Self::from_document(document, &format!("{path}: {}", placement.name), size)
+        };
+        placements.into_iter().map(of_placement).collect()
     }
 
     /// Makes a document for a writer.

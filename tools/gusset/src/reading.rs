@@ -82,6 +82,24 @@ impl Reading {
         Ok(piece)
     }
 
+    /// Reads meshes that stay apart: each scan of a list, or else one mesh. Writes the reader's notes to standard error.
+    pub(crate) fn pieces(&self, file: &FileName) -> Result<Vec<Piece>, Failure> {
+        let format = match file {
+            FileName::Path(path) => Format::from_name(&path.to_string_lossy()),
+            FileName::Standard => self.from,
+        };
+        if format != Some(Format::ScanList) {
+            return Ok(vec![self.mesh(file)?]);
+        }
+        let shown = file.shown();
+        let pieces = Piece::from_placements(self.document(file)?, &shown, u64::MAX)?;
+        pieces.iter().for_each(|piece| tell_notes(&shown, &piece.notes));
+        match pieces.iter().find(|piece| piece.mesh.face_count() == 0) {
+            Some(piece) => Err(Failure::file(format!("{}: it has no faces", piece.path))),
+            None => Ok(pieces),
+        }
+    }
+
     /// Reads curves. Writes the reader's notes to standard error.
     pub(crate) fn curves(&self, file: &FileName) -> Result<Curves, Failure> {
         let shown = file.shown();

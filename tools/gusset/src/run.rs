@@ -56,7 +56,7 @@ pub(crate) fn run(filter: Filter, request: &RunRequest) -> Result<Value, Failure
     let mut report = json!({
         "command": request.command,
         "filter": filter.id(),
-        "inputs": request.inputs.iter().zip(geometry).map(|(file, one)| describe_geometry(&file.shown(), one)).collect::<Vec<_>>(),
+        "inputs": loaded.names.iter().zip(geometry).map(|(name, one)| describe_geometry(name, one)).collect::<Vec<_>>(),
         "parameters": describe_values(filter, &values),
         "outputs": [],
     });
@@ -65,7 +65,7 @@ pub(crate) fn run(filter: Filter, request: &RunRequest) -> Result<Value, Failure
     let outputs = filter.run(&loaded.inputs, &values, request.threads, origins, &steering);
     let late = steering.time_since_deadline();
     steering.finish();
-    let outputs = outputs.map_err(|error| failure(error, filter, request, late))?;
+    let outputs = outputs.map_err(|error| failure(error, filter, &loaded.names, late))?;
     write_outputs(&outputs, &files, &loaded, request, &mut report)?;
     if let Some(path) = &request.html {
         write_page(path, &outputs, &loaded, request, &report)?;
@@ -83,19 +83,32 @@ pub(crate) fn run(filter: Filter, request: &RunRequest) -> Result<Value, Failure
 /// Inputs that were read.
 struct Loaded {
     inputs: Inputs,
+    /// The name of each input.
+    names: Vec<String>,
 }
 
 impl Loaded {
     fn read(filter: Filter, request: &RunRequest) -> Result<Self, Failure> {
-        let read = |(place, file): (usize, &FileName)| {
-            Ok(if filter.input_kind(place) == OutputKind::Curves {
-                Geometry::Curves(request.reading.curves(file)?)
-            } else {
-                Geometry::Mesh(Box::new(request.reading.mesh(file)?))
-            })
-        };
-        let geometry = request.inputs.iter().enumerate().map(read).collect::<Result<_, Failure>>()?;
-        Ok(Self { inputs: Inputs::new(geometry) })
+        let (mut geometry, mut names) = (Vec::new(), Vec::new());
+        for file in &request.inputs {
+            if filter.input_kind(geometry.len()) == OutputKind::Curves {
+                geometry.push(Geometry::Curves(request.reading.curves(file)?));
+                names.push(file.shown());
+                continue;
+            }
+            // A filter of one mesh takes a list of scans as one.
+            let pieces = match filter.max_inputs() {
+                Some(1) => vec![request.reading.mesh(file)?],
+                _ => request.reading.pieces(file)?,
+            };
+            for piece in pieces {
+                names.push(piece.path.clone());
+                geometry.push(Geometry::Mesh(Box::new(piece)));
+            }
+        }
+        check_count(filter, geometry.len())?;
+        make_one_precision(&mut geometry);
+        Ok(Self { inputs: Inputs::new(geometry), names })
     }
 
     fn meshes(&self) -> Vec<&Piece> {
@@ -112,6 +125,21 @@ impl Loaded {
     /// Returns whether all meshes have single precision.
     fn are_single(&self) -> bool {
         self.meshes().iter().all(|piece| matches!(piece.mesh.positions, Positions::F32(_)))
+    }
+}
+
+/// Converts all meshes to double precision if one has it.
+fn make_one_precision(geometry: &mut [Geometry]) {
+    let is_double =
+        |one: &Geometry| matches!(one, Geometry::Mesh(piece) if matches!(piece.mesh.positions, Positions::F64(_)));
+    if geometry.iter().any(is_double) {
+        for one in geometry {
+            if let Geometry::Mesh(piece) = one
+                && let Positions::F32(points) = &piece.mesh.positions
+            {
+                piece.mesh.positions = Positions::F64(points.iter().map(|point| point.map(f64::from)).collect());
+            }
+        }
     }
 }
 
@@ -161,7 +189,7 @@ fn assign_outputs(filter: Filter, request: &RunRequest) -> Result<Vec<Option<Fil
     Ok(files)
 }
 
-fn failure(error: RunError, filter: Filter, request: &RunRequest, late: Option<Duration>) -> Failure {
+fn failure(error: RunError, filter: Filter, names: &[String], late: Option<Duration>) -> Failure {
     match error {
         RunError::Cancelled => {
             let late = late.map(|time| format!(", {} ms after the request", time.as_millis())).unwrap_or_default();
@@ -174,8 +202,8 @@ fn failure(error: RunError, filter: Filter, request: &RunRequest, late: Option<D
             if let Some(parameter) = parameter {
                 text += &format!(", parameter {parameter}");
             }
-            if let Some(file) = input.and_then(|input| request.inputs.get(input as usize)) {
-                text += &format!(", input {}: {}", input.unwrap_or(0) + 1, file.shown());
+            if let Some(name) = input.and_then(|input| names.get(input as usize)) {
+                text += &format!(", input {}: {name}", input.unwrap_or(0) + 1);
             }
             if let Some((element, index)) = element {
                 text += &format!(", {element} {index}");
@@ -282,9 +310,8 @@ fn write_page(
     let input =
         |face: usize| sources.as_ref().map_or(Some(0), |sources| sources.single(face).map(|(input, _)| input as u32));
     let inputs = (0..mesh.face_count()).map(input).collect();
-    let names: Vec<String> = request.inputs.iter().map(FileName::shown).collect();
     let lines: Vec<&str> = report["report"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-    let title = format!("{}: {}", request.command, names.join(", "));
+    let title = format!("{}: {}", request.command, loaded.names.join(", "));
     html::write_page(path, &title, &lines.join("; "), &loaded.meshes(), &html::Body { mesh: &mesh, inputs })
 }
 

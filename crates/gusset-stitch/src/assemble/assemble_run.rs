@@ -236,8 +236,14 @@ fn join_facing_loops(
                         IntersectingStripTreatment::Listed(all) => alloc::append(all, pairs)?,
                         IntersectingStripTreatment::Kept if !pairs.is_empty() => {
                             let sides = loops.facing_sides(facing)?;
-                            joint.blend_avoids_cuts =
-                                does_blend_avoid_cuts(mesh, sides, &existing, loops.unit, &strips, &part)?;
+                            joint.blend_avoids_cuts = does_blend_avoid_cuts(
+                                mesh,
+                                sides,
+                                &existing,
+                                loops.unit,
+                                &strips,
+                                &part.part(1.0, 1.0),
+                            )?;
                         }
                         IntersectingStripTreatment::Kept | IntersectingStripTreatment::Refused => {}
                     }
