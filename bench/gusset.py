@@ -118,6 +118,10 @@ class PieceMap(Structure):
     _fields_ = [("vertices", Indices), ("faces", Indices)]
 
 
+class RepairReport(Structure):
+    _fields_ = [("struct_size", c_size_t), ("valid", c_uint32), ("rest", c_uint32 * 37)]
+
+
 class JoinReport(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("pieces", POINTER(PieceMap)), ("piece_count", c_size_t), ("joints", POINTER(Joint)),
@@ -383,6 +387,16 @@ class Library:
     def repaired(self, repair):
         """Points and triangles. A repair may leave larger faces only if it is given some."""
         return self.filled(repair)
+
+    def unite(self, meshes):
+        views, address = (View * len(meshes))(*map(self._view, meshes)), c_void_p()
+        self._check(self.c.gusset_unite(None, views, c_size_t(len(meshes)), byref(address)))
+        return Handle(self.c, "gusset_result_destroy", address)
+
+    def is_valid(self, union):
+        report = sized(RepairReport)
+        self._check(self.c.gusset_result_get_repair(union.address, byref(report)))
+        return report.valid == 1
 
     def outline(self, outlines, kind):
         """The curves through the points of closed outlines, by one thread."""

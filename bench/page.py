@@ -84,6 +84,10 @@ valid; distances are at least 1e-7 of the diagonal). `valid`: CGAL finds the res
 faces, and bounding a volume. `lost`: parts of the originals of which the result has less than half. `kept`: the share of faces farther
 than three edges from a defect that are there bit for bit. `again`: results that a second repair does not change. MeshLib computes in single
 precision, and so do the cases.""",
+    "unite": """## Unions
+
+1,000 pairs of random solids: balls, tori, boxes, cylinders and capsules, and a quarter of them a solid and its moved copy. Times are
+medians, from arrays to arrays. `volume_difference`: the largest relative difference of the volumes of both unions.""",
     "align": """## Scans aligned
 
 The ten views of the Stanford bunny at their published poses, each but the first disturbed by 3 degrees and 3 % of the size, 20 times.

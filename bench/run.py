@@ -16,6 +16,7 @@ import outlines
 import repairs
 import scans
 import truth
+import unions
 from cases import BOUNDARIES, OUTLINES, Cases
 from gusset import Library
 from net_cases import CPP as NETS
@@ -82,6 +83,8 @@ def main():
         fills.run(library, report, options.tools, folder, options.only)
     if repairs.wanted(options.only):
         repairs.run(options.prefix, report, options.tools, folder, options.only)
+    if unions.wanted(options.only):
+        unions.run(library, report)
     if files.wanted(options.only):
         files.run(options.files, report, folder, options.only)
     if scans.wanted(options.only):
