@@ -135,6 +135,23 @@ class Certificates(unittest.TestCase):
         self.program.expect(self, USAGE, "fill", "low.obj", "-n", "--certificate", "c.json", says="name the result with -o")
         self.program.expect(self, USAGE, "fill", "low.obj", "-o", "-", "--to", "ply", "--certificate", "c.json", says="name files instead of -")
         self.program.expect(self, USAGE, "fill", "low.obj", "--out-dir", "more", "--certificate", "c.json", says="the result of one file")
+        # No mesh is lost under a page or certificate.
+        for words in (("fill", "low.obj", "-o", "full.obj", "--certificate", "low.obj"), ("fill", "low.obj", "-o", "full.obj", "--certificate", "full.obj"),
+                      ("fill", "low.obj", "-o", "full.obj", "--html", "./full.obj"), ("certify", "low.obj", "low.obj", "-o", "low.obj")):
+            self.program.expect(self, USAGE, *words, says="is a mesh of this command")
+        self.program.expect(self, USAGE, "certify", "low.obj", "-o", "c.json", says="takes one or more inputs")
+
+    def test_parts_of_polygons_have_three_corners(self):
+        # A triangle cuts the quad, which a part with four corners would hide.
+        write_obj(self.at("cut.obj"), [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.4, -1), (0.6, 0.5, 1), (0.4, 0.6, 1)], [(0, 1, 2, 3), (4, 5, 6)])
+        stated = self.certified(["cut.obj"], "cut.obj")
+        self.assertEqual(self.verified("stated.json")[0], CONFIRMED)
+        self.assertIs(stated["claims"]["no_intersecting_faces"], False)
+        for parts in ([[0, 1, 2, 3], [2]], [[0, 1, 2, 3], [7]], [[0, 1, 2], [0, 2, 9]]):
+            lie = {**stated, "polygon_triangles": parts, "claims": {**stated["claims"], "no_intersecting_faces": True, "intersecting_pairs": 0}}
+            self.at("lie.json").write_text(json.dumps(lie))
+            status, _, refuted, _ = self.verified("lie.json")
+            self.assertEqual((status, {"polygon_triangles", "no_intersecting_faces"} <= refuted), (REFUTED, True))
 
     def test_files_that_cannot_be_read(self):
         self.write_cubes()

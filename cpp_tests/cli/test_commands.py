@@ -62,7 +62,7 @@ class Commands(unittest.TestCase):
     def test_a_list_of_scans_is_many_meshes(self):
         self.at("two.conf").write_text("bmesh low.obj 0 0 0 0 0 0 1\nbmesh high.obj 0 0 0.25 0 0 0 2\n")
         report = json.loads(self.expect(DONE, "join", "two.conf", "--json", "-o", "two.obj").stdout)
-        self.assertEqual([one["path"].split(": ")[1] for one in report["inputs"]], ["low", "high"])
+        self.assertEqual([one["file"].split(": ")[1] for one in report["inputs"]], ["low", "high"])
         self.assertEqual(rims(read_obj(self.at("two.obj"))[1]), 21)
 
     def test_weld_and_check_agree(self):

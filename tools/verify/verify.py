@@ -463,7 +463,8 @@ class Verifier:
             sides = collections.Counter((a, b) for t in split for a, b in zip(t, t[1:] + t[:1]))
             border = {(k, (k + 1) % n) for k in range(n)}
             inner = set(sides) - border
-            if max(sides.values()) > 1 or not border <= set(sides) or not all((b, a) in inner for a, b in inner):
+            sound = all(len(t) == 3 and all(isinstance(k, int) and 0 <= k < n for k in t) for t in split)
+            if not sound or max(sides.values()) > 1 or not border <= set(sides) or not all((b, a) in inner for a, b in inner):
                 objection = objection or f"its triangles do not split face {f}"
                 split = [(0, k, k + 1) for k in range(1, n - 1)]
             for triangle in split:
@@ -583,10 +584,10 @@ def main(words):
             raise Unreadable(f"{path}: the certificate is about {len(stated)} files, and {len(files)} are named")
         verifier = Verifier(certificate, files)
         verifier.verify()
-    except (Unreadable, OSError, json.JSONDecodeError, UnicodeDecodeError) as error:
+    except (Unreadable, OSError, json.JSONDecodeError, RecursionError, UnicodeDecodeError) as error:
         print(f"verify.py: {error}", file=sys.stderr)
         return UNREADABLE
-    except (AttributeError, KeyError, TypeError, ValueError, OverflowError) as error:
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError, OverflowError) as error:
         print(f"verify.py: {words[0]}: not a sound certificate ({error!r})", file=sys.stderr)
         return UNREADABLE
     return REFUTED if verifier.is_refuted else CONFIRMED

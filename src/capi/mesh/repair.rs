@@ -115,15 +115,16 @@ pub unsafe extern "C" fn gusset_repair(
 
 /// Unites closed pieces: returns the border of all points with a winding number of at least 1. Pieces may
 /// intersect, touch, coincide or lie within each other, and intersect themselves. Walls of cavities look into the
-/// cavities. Faces that no other meets stay as they are, and old vertices keep their bits. New vertices are rounded
-/// to the first piece's scalar type.
+/// cavities. Inverted parts outside vanish. Faces that no other meets stay as they are, and old vertices keep their
+/// bits. New vertices are rounded to the first piece's scalar type. Border edges of two pieces may close each other.
 ///
 /// gusset_result_get_repair lends the report. Old vertices and faces are numbered piece after piece.
 /// Dropped faces have the reason GUSSET_DROP_OVERLAP. Intersecting pairs remain only where
 /// rounding makes them again and again.
 ///
 /// @param pieces at least one; struct_size of the first holds for all.
-/// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, MESH_NOT_CLOSED (input is the piece), TOO_LARGE
+/// @errors as gusset_mesh_view, EMPTY_MESH (also if nothing remains), MIXED_SCALARS, MESH_NOT_CLOSED (input and index
+///     name a face at an open edge), TOO_LARGE
 /// @complexity O((n + k) log n) for n triangles of which k pairs intersect.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -9,7 +9,7 @@ use crate::writing::print;
 use gusset_io::Mesh;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The format of the file, which `verify.py` knows.
 const FORMAT: &str = "gusset certificate 1";
@@ -53,6 +53,24 @@ pub(crate) fn check_files(inputs: &[FileName], result: &FileName) -> Result<(), 
             "{} would be replaced, and a certificate is about inputs and result: name another file for the result",
             file.shown()
         ))),
+        None => Ok(()),
+    }
+}
+
+/// Refuses to write a page or certificate over one of the meshes.
+pub(crate) fn refuse_replacing_mesh<'f>(
+    written: &FileName,
+    mut meshes: impl Iterator<Item = &'f FileName>,
+) -> Result<(), Failure> {
+    /// The folder and name of a file that need not exist yet.
+    fn place(file: &FileName) -> Option<PathBuf> {
+        let FileName::Path(path) = file else { return None };
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        path.canonicalize().ok().or_else(|| Some(folder.canonicalize().ok()?.join(path.file_name()?)))
+    }
+    let own = place(written);
+    match meshes.find(|mesh| own.is_some() && place(mesh) == own) {
+        Some(mesh) => Err(Failure::usage(format!("{} is a mesh of this command: name another file", mesh.shown()))),
         None => Ok(()),
     }
 }

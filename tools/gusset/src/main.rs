@@ -294,8 +294,12 @@ fn convert_file(
 
 fn certify(plugin: Plugin, options: &ArgMatches) -> Result<(), Failure> {
     let files = request::inputs(options)?;
+    if files.len() < 2 {
+        return Err(Failure::usage("certify takes one or more inputs, then their result"));
+    }
     let split = files.split_at(files.len() - 1);
     let output = options.get_one::<OsString>("output").map_or(reading::FileName::Standard, reading::FileName::new);
+    certificate::refuse_replacing_mesh(&output, files.iter())?;
     let (threads, steering) = request::steering(options);
     certificate::write_certificate(plugin, split.into(), &output, &request::reading(options), threads, &steering)
 }

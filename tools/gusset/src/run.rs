@@ -1,7 +1,7 @@
 //! A run of a filter from files to files.
 
 use crate::carry::carry;
-use crate::certificate::{check_files, write_certificate};
+use crate::certificate::{check_files, refuse_replacing_mesh, write_certificate};
 use crate::failure::{Exit, Failure, Refusal, counted};
 use crate::html;
 use crate::pieces::{Piece, attribute_names};
@@ -45,6 +45,10 @@ pub(crate) fn run(filter: Filter, request: &RunRequest) -> Result<Value, Failure
         let result = request.outputs.first().filter(|_| !request.is_dry);
         let result = result.ok_or_else(|| Failure::usage("--certificate is about a file: name the result with -o"))?;
         check_files(&request.inputs, result)?;
+    }
+    let page = request.html.clone().map(FileName::Path);
+    for written in request.certificate.iter().chain(&page) {
+        refuse_replacing_mesh(written, request.inputs.iter().chain(&request.outputs))?;
     }
     // Wrong words are refused before files are read.
     parse_values(filter, filter.default_values(), &request.params)?;

@@ -78,19 +78,30 @@ pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> 
         ..Options::default()
     };
     let mut run = RepairRun::start(pieces, &options, &job.part(0.0, 0.05))?;
-    unite_all_faces(&mut run.state, &job.part(0.05, 0.6)).map_err(|error| match error {
-        Error::MeshNotClosed { mut face, .. } => {
-            let mut input = 0;
-            while let Some(piece) = pieces.get(input as usize).filter(|piece| face as usize >= piece.faces().len()) {
-                face -= piece.faces().len() as u32;
-                input += 1;
-            }
-            Error::MeshNotClosed { input, face }
+    for pass in 0..MAX_PASSES {
+        let job = job.part(0.05, 0.8).share(pass, MAX_PASSES);
+        match unite_all_faces(&mut run.state, &job.part(0.0, 0.6)) {
+            Err(Error::MeshNotClosed { face, .. }) if pass == 0 => return Err(not_closed(pieces, face)),
+            Err(Error::MeshNotClosed { .. }) => break,
+            done => done?,
         }
-        error => error,
-    })?;
-    run.run_rounds(&job.part(0.6, 0.8))?;
+        run.run_rounds(&job.part(0.6, 0.95))?;
+        // Rounding can fold faces onto each other, which the next union removes.
+        if run.intersections.as_ref().is_some_and(Vec::is_empty) && !run.has_border(|_| true, &job.part(0.95, 1.0))? {
+            break;
+        }
+    }
     run.conclude(pieces, &job.part(0.8, 1.0))
+}
+
+/// Returns the error for a face of the concatenated pieces, with the piece and its face.
+fn not_closed(pieces: &[MeshView<'_>], mut face: u32) -> Error {
+    let mut input = 0;
+    while let Some(piece) = pieces.get(input as usize).filter(|piece| face as usize >= piece.faces().len()) {
+        face -= piece.faces().len() as u32;
+        input += 1;
+    }
+    Error::MeshNotClosed { input, face }
 }
 
 /// A repair in progress.
@@ -160,7 +171,7 @@ impl<'o> RepairRun<'o> {
 
     /// Sews borders, unless the options leave them.
     fn sew(&mut self, round: usize, job: &Job<'_>) -> Result<()> {
-        if !self.options.leave_borders && self.has_border(&job.part(0.0, 0.2))? {
+        if !self.options.leave_borders && self.has_border(is_free, &job.part(0.0, 0.2))? {
             let counts = sew_borders(&mut self.state, self.options.tolerance, round == 0, &job.part(0.2, 0.8))?;
             self.counts.add(&counts);
             if round == 0 && self.options.tolerance.is_none() {
@@ -170,12 +181,12 @@ impl<'o> RepairRun<'o> {
         Ok(())
     }
 
-    /// Returns true if an edge is free.
-    fn has_border(&self, job: &Job<'_>) -> Result<bool> {
+    /// Returns true if `counts` returns true for an edge that does not have exactly two faces.
+    fn has_border(&self, counts: impl Fn(Opposite) -> bool, job: &Job<'_>) -> Result<bool> {
         let view = self.state.mesh.view(&job.part(0.0, 0.3))?;
         let topology = Topology::new(&view, &job.part(0.3, 0.9))?;
         let border = topology.border_half_edges(&job.part(0.9, 1.0))?;
-        Ok(border.iter().any(|&h| topology.opposite(h) == Opposite::Free))
+        Ok(border.iter().any(|&h| counts(topology.opposite(h))))
     }
 
     /// Runs all stages until nothing changes. Borders of separated sheets stay apart within a pass, and meet in the
@@ -191,7 +202,7 @@ impl<'o> RepairRun<'o> {
                     break;
                 }
             }
-            if self.split_vertices == copies || !self.has_border(&job.part(0.95, 1.0))? {
+            if self.split_vertices == copies || !self.has_border(is_free, &job.part(0.95, 1.0))? {
                 break;
             }
         }
@@ -267,7 +278,7 @@ impl<'o> RepairRun<'o> {
 
     /// Fills the holes, without changing other faces.
     fn fill_holes(&mut self, job: &Job<'_>) -> Result<()> {
-        if self.options.leave_holes || !self.has_border(&job.part(0.0, 0.2))? {
+        if self.options.leave_holes || !self.has_border(is_free, &job.part(0.0, 0.2))? {
             return Ok(());
         }
         let options = fill::Options { plan_only: false, outward: Outward::Keep, ..self.options.fill };
@@ -384,6 +395,10 @@ impl<'o> RepairRun<'o> {
         (0..oriented.turned.len()).filter(|&f| oriented.turned[f]).for_each(|f| self.state.turn_face(f));
         Ok(())
     }
+}
+
+fn is_free(opposite: Opposite) -> bool {
+    opposite == Opposite::Free
 }
 
 /// Returns the area of a face: the length of its vector area.
