@@ -204,6 +204,7 @@ static void repair(void) {
 static void unite(void) {
     static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
     static const double four[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double apart[4][3] = {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}};
     gusset_mesh_view pieces[2] = {{.struct_size = sizeof *pieces, .positions = four, .vertex_count = 4, .scalar = GUSSET_F64,
                                    .face_corners = faces, .face_count = 4, .face_size = 3}};
     gusset_error_report error = {sizeof error, 0, 0, 0, 0.0, 0, 0};
@@ -218,10 +219,12 @@ static void unite(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_unite(misaligned(), pieces, 2, &united));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_unite(context, misaligned(), 2, &united));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_unite(context, pieces, 2, misaligned()));
+    pieces[1].positions = apart;
     pieces[1].face_count = 3;
     EXPECT(GUSSET_ERROR_MESH_NOT_CLOSED, gusset_unite(context, pieces, 2, &united));
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &error));
     CHECK(error.element == GUSSET_ELEMENT_FACE && error.input == 1 && error.index < 3);
+    pieces[1].positions = four;
     pieces[1].face_count = 4;
     gusset_context_cancel(context);
     EXPECT(GUSSET_ERROR_CANCELLED, gusset_unite(context, pieces, 2, &united));

@@ -21,7 +21,7 @@ static void layouts(void) {
         CHECK(sizeof(gusset_winged_options) == 16 && sizeof(gusset_winged_faces_view) == 56);
         CHECK(sizeof(gusset_strip_options) == 40 && sizeof(gusset_strip_report) == 80);
         CHECK(sizeof(gusset_join_options) == 112 && offsetof(gusset_join_options, max_gap) == 32);
-        CHECK(sizeof(gusset_join_report) == 176 && offsetof(gusset_join_report, loops_left) == 144);
+        CHECK(sizeof(gusset_join_report) == 256 && offsetof(gusset_join_report, loops_left) == 144);
         CHECK(sizeof(gusset_joint) == 104 && offsetof(gusset_joint, outcome) == 92);
         CHECK(sizeof(gusset_left_loop) == 40 && sizeof(gusset_piece_map) == 32 && sizeof(gusset_loop_pair) == 16);
         CHECK(sizeof(gusset_alignment_options) == 48 && offsetof(gusset_alignment_options, max_distance) == 32);

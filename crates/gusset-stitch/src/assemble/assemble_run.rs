@@ -310,7 +310,8 @@ fn list_left_loops(
             )?;
         }
     }
-    sort::sort_stable(&mut left, &|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));
+    let smallest = |left: &LeftLoop| left.vertices.iter().fold(NONE, |smallest, &v| smallest.min(v));
+    sort::sort_stable(&mut left, &|x, y| smallest(x).cmp(&smallest(y)));
     Ok(left)
 }
 
