@@ -291,7 +291,7 @@ fn does_blend_avoid_cuts(
 
 /// Returns the loops without a strip, and the reasons.
 fn list_left_loops(
-    loops: PieceLoops,
+    mut loops: PieceLoops,
     options: &Options<'_>,
     excluded: &[[u32; 2]],
     [has_strip, tried]: [&[bool]; 2],
@@ -299,16 +299,13 @@ fn list_left_loops(
 ) -> Result<Vec<LeftLoop>> {
     let without = alloc::collect(has_strip.iter().map(|&has_strip| !has_strip))?;
     let explained = loops.facing_search(options, has_strip, excluded).explain_left_loops(&without, job)?;
-    let mut left = loops.others;
-    for (r, (rim, found)) in loops.rims.into_iter().zip(explained).enumerate() {
-        if let Some(found) = found {
-            let reason = if tried[r] { Reason::NotJoined } else { found.reason };
-            let [gap, allowed_gap] = [found.gap, found.allowed].map(|length| length * loops.unit);
-            alloc::push(
-                &mut left,
-                LeftLoop { vertices: rim.vertices, origin: [NONE; 2], reason, gap, allowed_gap, filled: false },
-            )?;
-        }
+    let mut left = std::mem::take(&mut loops.others);
+    for (r, found) in explained.iter().enumerate() {
+        let Some(found) = found else { continue };
+        let vertices = std::mem::take(&mut loops.rims[r].vertices);
+        let reason = if tried[r] { Reason::NotJoined } else { found.reason };
+        let [gap, allowed_gap] = [found.gap, found.allowed].map(|length| length * loops.unit);
+        alloc::push(&mut left, LeftLoop { vertices, origin: [NONE; 2], reason, gap, allowed_gap, filled: false })?;
     }
     let smallest = |left: &LeftLoop| left.vertices.iter().fold(NONE, |smallest, &v| smallest.min(v));
     sort::sort_stable(&mut left, &|x, y| smallest(x).cmp(&smallest(y)));

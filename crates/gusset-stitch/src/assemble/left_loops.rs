@@ -4,7 +4,7 @@
 //! take precedence over loops of the same component.
 
 use super::assemble_request::Reason;
-use super::candidates::{FacingSearch, LoopVisitCounter, STAGE, SlitLoop};
+use super::candidates::{FacingSearch, LoopVisitCounter, STAGE};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;
@@ -63,9 +63,9 @@ impl FacingSearch<'_> {
                 return Ok(None);
             }
             let allowed = self.max_slit_gap(r);
-            let is_wide = |slit: &SlitLoop| slit.closes && slit.gap > allowed && !self.is_excluded_pair(r, r);
-            if let Some(slit) = self.slits[r].filter(is_wide) {
-                return Ok(Some(LeftLoopExplanation { reason: Reason::TooFar, gap: slit.gap, allowed }));
+            let gap = self.slits[r].filter(|slit| slit.closes).map_or(0.0, |slit| slit.gap);
+            if gap > allowed && !self.is_excluded_pair(r, r) {
+                return Ok(Some(LeftLoopExplanation { reason: Reason::TooFar, gap, allowed }));
             }
             let share = job.share(r, left.len());
             let (found, own) = match nearest(r, self.within_components, &share)? {
