@@ -296,17 +296,21 @@ mod tests {
         }
 
         #[test]
-        fn quotients_are_rounded_to_nearest(m in 1u64..1 << 53, factor in 1u64..u64::MAX, near in -2i128..3, half in any::<bool>()) {
-            // (2 m + half) factor + near over 2 factor.
-            let top = i128::from(2 * (m % (1 << 40)) + u64::from(half)) * i128::from(factor) / 2;
-            let (top, bottom) = (2 * top + near, 2 * i128::from(factor));
-            prop_assume!(top > 0);
-            let made = rounded_quotient(&from_i128(top), &from_i128(bottom));
-            // |made bottom - top| is at most half an ulp times bottom.
-            let scaled = (made * 4096.0) as i128;
-            prop_assert_eq!(scaled as f64, made * 4096.0);
-            let ulp = made * f64::EPSILON;
-            prop_assert!((made - top as f64 / bottom as f64).abs() <= ulp);
+        fn quotients_are_rounded_to_nearest(
+            m in 1u64 << 52..1 << 53,
+            factor in 8u64..,
+            near in -2i64..3,
+            half in any::<bool>(),
+            shifts in any::<[u8; 2]>(),
+        ) {
+            // The quotient is m + half / 2 + near / (2 factor). Doubles near m lie 1 apart, or 1/2 below 2^52.
+            let twice = from_i128(i128::from(2 * m + u64::from(half)));
+            let top = twice.times(&from_i128(factor.into())).plus(&from_i128(near.into()));
+            let bottom = from_i128(2 * i128::from(factor));
+            let up = half && (near > 0 || near == 0 && m % 2 == 1);
+            let made = rounded_quotient(&top.shifted(shifts[0].into()), &bottom.shifted(shifts[1].into()));
+            let scale = power_of_two(i32::from(shifts[0]) - i32::from(shifts[1]));
+            prop_assert_eq!(made, (m + u64::from(up)) as f64 * scale);
         }
     }
 
