@@ -194,6 +194,23 @@ fn only_components_that_lie_apart_within_others_are_cavities() {
         let alone = !turn_outwards(&mut mesh, &Job::default()).unwrap().turned.is_empty();
         assert_eq!(turned, [false, !alone]);
     }
+    // All vertices of the inner component lie on the outer one: within it, or outside in a notch.
+    let octahedron = |at: [[f64; 3]; 6]| {
+        Soup::new(
+            at.to_vec(),
+            &[&[0, 2, 4], &[2, 1, 4], &[1, 3, 4], &[3, 0, 4], &[2, 0, 5], &[1, 2, 5], &[3, 1, 5], &[0, 3, 5]],
+        )
+    };
+    let centres = [0, 0, 1, 1, 2, 2].map(|k| [0, 1, 2].map(|j| if j == k { 0.5 } else { 0.0 }));
+    let sign = |k: usize| if k % 2 == 0 { 1.0 } else { -1.0 };
+    let inscribed = octahedron([0, 1, 2, 3, 4, 5].map(|k| centres[k].map(|x| x * sign(k))));
+    assert_eq!(two(&cube, &inscribed), [false, true]);
+    assert_eq!(two(&cube, &inscribed.turned()), [false, false]);
+    let mut notched = cube.clone();
+    notched.points[top] = [0.0, 0.0, -0.25];
+    let middles = [[0.0, 0.0, -0.25], [0.5, 0.0, 0.5], [0.0, 0.5, 0.5], [-0.5, 0.0, 0.5]];
+    let plug = Soup::new(middles.to_vec(), &[&[0, 2, 1], &[0, 3, 2], &[0, 1, 3], &[1, 2, 3]]);
+    assert_eq!([two(&notched, &plug)[1], two(&notched, &plug.turned())[1]], [false, true]);
     // Open components enclose nothing, and stay.
     let bowl = moved(&cap(12, 4, 0.2, 1.0), 4.0, [0.0; 3]);
     assert_eq!(two(&bowl, &small([0.0, 0.0, 1.0]).turned()), [false, true]);

@@ -2,8 +2,9 @@
 //!
 //! Component D encloses component C if a vertex of C lies inside D, and their surfaces meet at most
 //! in common vertices and edges. Components that cross, or touch elsewhere, do not nest. Vertices
-//! of C on the surface of D do not count. If D consists of several closed sheets of faces, a point
-//! lies inside where a ray from it meets an odd number of faces.
+//! of C on the surface of D do not count. If all vertices lie there, points on the edges and faces
+//! of C decide. If D consists of several closed sheets of faces, a point lies inside where a ray
+//! from it meets an odd number of faces.
 //!
 //! Rays run along the shortest side of the box around all enclosing components. They are moved
 //! sideways by an infinitesimal, so that they meet no edge. All signs are exact.
@@ -170,10 +171,13 @@ impl<'m> NestingSearch<'m> {
                 job.step_every(RAYS_PER_REPORT, inner, self.boxes.len(), STAGE)?;
                 // The components whose surfaces contain all vertices so far; at first, any.
                 let mut undecided: Option<Vec<u32>> = None;
-                for v in self.triangles[self.ranges[inner].clone()].as_flattened() {
-                    let from = self.at(*v);
+                let triangles = &self.triangles[self.ranges[inner].clone()];
+                let vertices = triangles.as_flattened().iter().map(|&v| (self.at(v), 0.0));
+                let inner_points = triangles.iter().flat_map(|t| inner_points(t.map(|v| self.at(v))));
+                for (from, slack) in vertices.chain(inner_points) {
                     let mut ray = Aabb { low: from, high: from };
                     ray.high[axis] = f64::INFINITY;
+                    (ray.low, ray.high) = (ray.low - slack, ray.high + slack);
                     let (mut met, mut touched) = (Vec::new(), Vec::new());
                     tree.visit_overlapping(&ray, 0.0, |leaf| {
                         for &place in order.chunks(MAX_LEAF_BOXES).nth(leaf).unwrap_or_default() {
@@ -188,7 +192,7 @@ impl<'m> NestingSearch<'m> {
                                 continue;
                             }
                             let corners = self.triangles[t].map(|v| self.at(v));
-                            if is_on_triangle(from, corners) {
+                            if is_on_triangle(from, corners) || is_within(from, corners, slack) {
                                 alloc::push(&mut touched, outer)?;
                             } else if ray_meets_triangle(from, axis, corners) {
                                 alloc::push(&mut met, outer)?;
@@ -212,6 +216,23 @@ impl<'m> NestingSearch<'m> {
         pairs.sort_unstable();
         Ok(pairs)
     }
+}
+
+/// Returns points on the sides and in the middle of a triangle, with bounds of their rounding errors.
+fn inner_points([a, b, c]: [DVec3; 3]) -> [(DVec3, f64); 4] {
+    let slack = 4.0 * f64::EPSILON * a.abs().max(b.abs()).max(c.abs()).max_element();
+    [(a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0, (a + b + c) / 3.0].map(|p| (p, slack))
+}
+
+/// Returns true if a point may lie within a positive distance of a triangle.
+fn is_within(p: DVec3, [a, b, c]: [DVec3; 3], distance: f64) -> bool {
+    let (u, v, w) = (b - a, c - a, p - a);
+    let normal = u.cross(v);
+    let rounding = 8.0 * f64::EPSILON * u.length() * v.length() * w.length();
+    let around = Aabb { low: p - distance, high: p + distance };
+    distance > 0.0
+        && Aabb::from_points([a, b, c]).overlaps(&around)
+        && normal.dot(w).abs() <= distance * normal.length() + rounding
 }
 
 fn contains_box(outer: &Aabb, inner: &Aabb) -> bool {
