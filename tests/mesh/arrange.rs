@@ -329,6 +329,16 @@ fn solids_are_united_piece_by_piece() {
     open.offsets.truncate(6);
     let refused = unite_solids(&[closed.view(), closed.view(), open.view()], &job);
     assert!(matches!(refused, Err(Error::MeshNotClosed { input: 2, face: 0..5 })));
+    // A piece that coincides with a part of a closed one; two that close each other.
+    let first_of = |faces: std::ops::Range<usize>| {
+        let faces: Vec<&[u32]> = closed.faces().skip(faces.start).take(faces.len()).collect();
+        Soup::new(closed.points.clone(), &faces)
+    };
+    let (start, rest) = (first_of(0..3), first_of(3..closed.faces().count()));
+    let refused = unite_solids(&[closed.view(), start.view()], &job);
+    assert!(matches!(refused, Err(Error::MeshNotClosed { input: 1, .. })));
+    let refused = unite_solids(&[closed.view(), start.view(), rest.view()], &job);
+    assert!(matches!(refused, Err(Error::MeshNotClosed { input: 1, .. })));
     assert!(matches!(unite_solids(&[], &job), Err(Error::EmptyMesh { .. })));
 }
 

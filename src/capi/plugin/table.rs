@@ -280,7 +280,10 @@ fn run_and_locate_fault(
             Error::OptionOutOfRange { option, .. } => filter.params.iter().position(|param| param.id == option),
             _ => None,
         };
-        let unfit = if let Error::InputUnfit { input, .. } = error { Some(input) } else { None };
+        let unfit = match error {
+            Error::InputUnfit { input, .. } | Error::MeshNotClosed { input, .. } => Some(input),
+            _ => None,
+        };
         let (side, fault) = (error.side(), RunFault::from(error));
         // An element may belong to any input, unless there is only one, or the error names one of
         // two.

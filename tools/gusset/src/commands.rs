@@ -214,6 +214,14 @@ impl Builder {
         let writes = filter.is_none_or(|filter| filter.output_kinds().iter().any(|&kind| kind != OutputKind::Text));
         if writes {
             made = made.args(output_options(false));
+            if filter.is_some_and(|filter| filter.max_inputs() != Some(1)) {
+                // All inputs make one result.
+                made = made
+                    .mut_arg("output", |output| output.help("File to write; - is standard output"))
+                    .mut_arg("to", |format| format.help("Format of standard output, such as ply"))
+                    .mut_arg("out-dir", |folder| folder.hide(true))
+                    .mut_arg("jobs", |jobs| jobs.hide(true));
+            }
         }
         if !command.smooth.is_empty() {
             made = made.arg(

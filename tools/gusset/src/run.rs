@@ -202,11 +202,15 @@ fn failure(error: RunError, filter: Filter, names: &[String], late: Option<Durat
         RunError::OutOfMemory(message) => Failure::new(Exit::Memory, format!("{}: {message}", filter.id())),
         RunError::Internal(message) => Failure::new(Exit::Plugin, format!("{}: {message}", filter.id())),
         RunError::Refused { message, status, parameter, input, element } => {
+            // The library counts inputs from 0; people have files.
+            let name = input.and_then(|input| names.get(input as usize));
+            let named = name.zip(input.and_then(|input| message.strip_prefix(&format!("input {input}"))));
+            let message = named.map_or_else(|| message.clone(), |(name, rest)| format!("{name}{rest}"));
             let mut text = format!("{}: {message} (status {status}", filter.id());
             if let Some(parameter) = parameter {
                 text += &format!(", parameter {parameter}");
             }
-            if let Some(name) = input.and_then(|input| names.get(input as usize)) {
+            if let Some(name) = name {
                 text += &format!(", input {}: {name}", input.unwrap_or(0) + 1);
             }
             if let Some((element, index)) = element {

@@ -35,5 +35,5 @@ mod unite;
 mod wide_int;
 
 pub use split::{SplitFaces, split_intersecting_faces};
-pub(crate) use unite::unite_with_suspects;
 pub use unite::{Options, Union, unite};
+pub(crate) use unite::{find_unbalanced_face, unite_with_suspects};

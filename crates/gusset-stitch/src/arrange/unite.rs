@@ -66,6 +66,17 @@ pub fn unite(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Un
     unite_with_suspects(mesh, None, options, job)
 }
 
+/// Returns a face at an edge that more faces pass in one direction than in the other, or `None` if
+/// the surface is closed. Coincident vertices count as one, as for [`unite`].
+///
+/// O((n + k) log n) for n triangles and k intersecting pairs.
+pub(crate) fn find_unbalanced_face(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<u32>> {
+    let solid = Solid::from_mesh(mesh, &job.part(0.0, 0.1))?;
+    let arrangement = solid.find_pairs(&job.part(0.1, 0.5))?.arrange(&job.part(0.5, 0.8))?;
+    let groups = FaceGroups::new(&arrangement, &job.part(0.8, 1.0))?;
+    Ok(unbalanced_triangle(&arrangement, &groups).map(|triangle| solid.faces[triangle as usize]))
+}
+
 /// Returns the union as [`unite`] does. If there are `suspects`, only pairs of faces with one of them intersect.
 pub(crate) fn unite_with_suspects(
     mesh: &MeshView<'_>,

@@ -13,6 +13,7 @@ use super::sheet_pairs::Sheets;
 use super::twin_edges::split_twin_edges;
 use super::united_parts::{Uniting, unite_all_faces, unite_parts};
 use super::vertex_contacts::separate_vertex_contacts;
+use crate::arrange::find_unbalanced_face;
 use crate::check::{check, find_intersecting_faces, find_zero_area_faces};
 use crate::fill::{self, HoleStatus, LoopSelection, fill_holes};
 use crate::repair::orient::{self, Outward, orient};
@@ -78,10 +79,14 @@ pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> 
         ..Options::default()
     };
     let mut run = RepairRun::start(pieces, &options, &job.part(0.0, 0.05))?;
+    require_closed(pieces, |piece, job| has_border(piece, |_| true, job), &job.part(0.05, 0.1))?;
     for pass in 0..MAX_PASSES {
-        let job = job.part(0.05, 0.8).share(pass, MAX_PASSES);
+        let job = job.part(0.1, 0.8).share(pass, MAX_PASSES);
         match unite_all_faces(&mut run.state, &job.part(0.0, 0.6)) {
-            Err(Error::MeshNotClosed { face, .. }) if pass == 0 => return Err(not_closed(pieces, face)),
+            // All edges have two faces, but some pass an edge in the same direction.
+            Err(Error::MeshNotClosed { .. }) if pass == 0 => {
+                require_closed(pieces, |_, _| Ok(true), &job.part(0.9, 1.0))?
+            }
             Err(Error::MeshNotClosed { .. }) => break,
             done => done?,
         }
@@ -94,14 +99,27 @@ pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> 
     run.conclude(pieces, &job.part(0.8, 1.0))
 }
 
-/// Returns the error for a face of the concatenated pieces, with the piece and its face.
-fn not_closed(pieces: &[MeshView<'_>], mut face: u32) -> Error {
-    let mut input = 0;
-    while let Some(piece) = pieces.get(input as usize).filter(|piece| face as usize >= piece.faces().len()) {
-        face -= piece.faces().len() as u32;
-        input += 1;
+/// Fails for the first piece that `is_doubtful` and not closed by itself.
+fn require_closed(
+    pieces: &[MeshView<'_>],
+    is_doubtful: impl Fn(&MeshView<'_>, &Job<'_>) -> Result<bool>,
+    job: &Job<'_>,
+) -> Result<()> {
+    for (input, piece) in pieces.iter().enumerate() {
+        let job = job.share(input, pieces.len());
+        if is_doubtful(piece, &job.part(0.0, 0.3))? {
+            let found = find_unbalanced_face(piece, &job.part(0.3, 1.0))?;
+            found.map_or(Ok(()), |face| Err(Error::MeshNotClosed { input: input as u32, face }))?;
+        }
     }
-    Error::MeshNotClosed { input, face }
+    Ok(())
+}
+
+/// Returns true if `counts` returns true for an edge that does not have exactly two faces.
+fn has_border(mesh: &MeshView<'_>, counts: impl Fn(Opposite) -> bool, job: &Job<'_>) -> Result<bool> {
+    let topology = Topology::new(mesh, &job.part(0.0, 0.9))?;
+    let border = topology.border_half_edges(&job.part(0.9, 1.0))?;
+    Ok(border.iter().any(|&h| counts(topology.opposite(h))))
 }
 
 /// A repair in progress.
@@ -183,10 +201,7 @@ impl<'o> RepairRun<'o> {
 
     /// Returns true if `counts` returns true for an edge that does not have exactly two faces.
     fn has_border(&self, counts: impl Fn(Opposite) -> bool, job: &Job<'_>) -> Result<bool> {
-        let view = self.state.mesh.view(&job.part(0.0, 0.3))?;
-        let topology = Topology::new(&view, &job.part(0.3, 0.9))?;
-        let border = topology.border_half_edges(&job.part(0.9, 1.0))?;
-        Ok(border.iter().any(|&h| counts(topology.opposite(h))))
+        has_border(&self.state.mesh.view(&job.part(0.0, 0.3))?, counts, &job.part(0.3, 1.0))
     }
 
     /// Runs all stages until nothing changes. Borders of separated sheets stay apart within a pass, and meet in the
