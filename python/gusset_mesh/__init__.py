@@ -29,8 +29,8 @@ from ._reports import (
 from ._reports import (
     Bridge, BridgeProperties, DistanceReport, FacingView, FrameView, GluingOccurrence, GluingOccurrenceArray, NearestAngleReport,
     NetAnalysisView, NetComplexView, NetFinding, NetFindingArray, NetGridView, NetGroupsView, NetPlanarityReport, NetValidationView,
-    MeshSectionsView, OutlineReport, PlanariseReport, SceneEntryReport, SceneInstance, SceneInstanceArray, SceneReport, Seam, SeamArray, SectionPath, SectionPathArray,
-    SettleReport,
+    MeshSectionsView, OutlineReport, PlanariseReport, SceneEntryReport, SceneInstance, SceneInstanceArray, SceneReport, Seam, SeamArray,
+    SectionPath, SectionPathArray, SettleReport,
     SheetMeasures, StreamReport, StripReport, SurfaceCell, SurfaceCellArray, SurfaceCellsView, SurfacePointsView, Transform, TransformArray,
     WingedEdge, WingedEdgeArray, WingedFacesView, WingedView,
 )

@@ -99,7 +99,7 @@ def sections(
     >>> found = sections((corners, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]), [0, 0, 0], [0, 0, 1], [1, 2])
     >>> found.paths.area.tolist()
     [1.6875, 0.75]
-    >>> found.carry([0, 0, 0, 1]).tolist()
+    >>> found.carry([0.0, 0.0, 0.0, 1.0]).tolist()
     [0.25, 0.25, 0.25, 0.5, 0.5, 0.5]
     """
     values = numbers(offsets, (-1,), "offsets")

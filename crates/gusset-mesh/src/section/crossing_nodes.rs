@@ -114,7 +114,7 @@ impl CrossingNodes {
     /// the next one counter-clockwise that arrives there bound a sector of the inside.
     fn pair_around_node(&mut self, mut around: Vec<(f64, u32)>) -> Result<()> {
         let arrives = |end: u32| end % 2 == 1;
-        // Of two equal directions, the segment that arrives closes the sector before.
+        // The segment that arrives comes first in a direction: it closes the sector before.
         around.sort_unstable_by(|(a, e), (b, f)| a.total_cmp(b).then(arrives(*f).cmp(&arrives(*e))).then(e.cmp(f)));
         let mut leaving: Vec<u32> = alloc::with_capacity(around.len())?;
         for &(_, end) in &around {

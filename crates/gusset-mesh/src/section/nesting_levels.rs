@@ -27,7 +27,7 @@ struct LoopEdge {
 
 impl LoopEdge {
     /// Returns the second coordinate of the edge at the first coordinate `x`, if the edge has a
-    /// point there. Of two edges that meet at x, one counts.
+    /// point there. If two edges meet at x, one counts.
     fn height_at(&self, x: f64) -> Option<f64> {
         let [low, high] = if self.from.x < self.to.x { [self.from, self.to] } else { [self.to, self.from] };
         (low.x <= x && x < high.x).then(|| low.y + (high.y - low.y) * ((x - low.x) / (high.x - low.x)))
