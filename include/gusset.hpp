@@ -30,6 +30,7 @@
 #include <gusset/outline.hpp>
 #include <gusset/repair.hpp>
 #include <gusset/scene.hpp>
+#include <gusset/section.hpp>
 #include <gusset/sheet.hpp>
 #include <gusset/sheet_mesh.hpp>
 #include <gusset/stitch.hpp>

@@ -31,6 +31,9 @@ static void layouts(void) {
         CHECK(sizeof(gusset_winged_edge) == 36 && offsetof(gusset_winged_edge, marks) == 32);
         CHECK(sizeof(gusset_winged_view) == 120 && offsetof(gusset_winged_view, loop_offsets) == 104);
         CHECK(sizeof(gusset_check_view) == 192 && offsetof(gusset_check_view, unused_vertices) == 176);
+        CHECK(sizeof(gusset_cutting_planes) == 128 && offsetof(gusset_cutting_planes, values) == 88);
+        CHECK(sizeof(gusset_mesh_section_options) == 24 && sizeof(gusset_section_path) == 32);
+        CHECK(sizeof(gusset_mesh_sections_view) == 96 && offsetof(gusset_mesh_sections_view, faces) == 80);
         CHECK(sizeof(gusset_quality_report) == 56 && offsetof(gusset_quality_report, loops_left) == 44);
     }
 }

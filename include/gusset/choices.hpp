@@ -367,6 +367,17 @@ enum class ChartFinish : uint32_t {
 /// Reason for a cut. See ::gusset_cut_kind.
 enum class CutKind : uint32_t { given = GUSSET_CUT_GIVEN, opening = GUSSET_CUT_OPENING, dart = GUSSET_CUT_DART };
 
+/// The side of a plane to which vertices in the plane belong. See ::gusset_in_plane.
+enum class InPlane : uint32_t { above = GUSSET_IN_PLANE_ABOVE, below = GUSSET_IN_PLANE_BELOW };
+
+/// How cutting planes are given. See ::gusset_cutting_kind.
+enum class CuttingKind : uint32_t {
+    stack = GUSSET_CUTTING_STACK,
+    planes = GUSSET_CUTTING_PLANES,
+    axis = GUSSET_CUTTING_AXIS,
+    curve = GUSSET_CUTTING_CURVE
+};
+
 /// Kind of element. See ::gusset_domain.
 enum class Domain : uint32_t {
     vertices = GUSSET_DOMAIN_VERTICES,
@@ -747,6 +758,8 @@ constexpr const char *choice_name(DefectKind) { return "gusset_defect_kind"; }
 constexpr const char *choice_name(Distortion) { return "gusset_distortion"; }
 constexpr const char *choice_name(ChartFinish) { return "gusset_chart_finish"; }
 constexpr const char *choice_name(CutKind) { return "gusset_cut_kind"; }
+constexpr const char *choice_name(InPlane) { return "gusset_in_plane"; }
+constexpr const char *choice_name(CuttingKind) { return "gusset_cutting_kind"; }
 constexpr const char *choice_name(Domain) { return "gusset_domain"; }
 constexpr const char *choice_name(ValueType) { return "gusset_value_type"; }
 constexpr const char *choice_name(Rule) { return "gusset_rule"; }

@@ -1951,6 +1951,133 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_facing_get_view(const struct gus
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_meridians_index(uint32_t n, uint32_t m, uint32_t *j, size_t capacity,
     size_t *written);
 
+/* ---- Mesh sections: Cuts meshes by planes into ordered polylines. */
+
+/// The side of a plane to which vertices in the plane belong.
+typedef uint32_t gusset_in_plane;
+/// They count as above: the section is the limit of sections just below the plane.
+#define GUSSET_IN_PLANE_ABOVE 0
+/// They count as below: the section is the limit of sections just above the plane.
+#define GUSSET_IN_PLANE_BELOW 1
+
+/// How cutting planes are given.
+typedef uint32_t gusset_cutting_kind;
+/// Parallel planes with the normal `direction`, at the rising distances `values` from `point`.
+#define GUSSET_CUTTING_STACK 0
+/// Planes through `points`, each with its normal in `normals`.
+#define GUSSET_CUTTING_PLANES 1
+/// Planes that contain the axis through `point` along `direction`, turned from `reference` by the angles `values` about
+/// the axis. Normals point to larger angles.
+#define GUSSET_CUTTING_AXIS 2
+/// Planes across the polyline `points`, at the distances `values` from its first point along it. They turn evenly from
+/// the bisector at one vertex to the bisector at the next.
+#define GUSSET_CUTTING_CURVE 3
+
+/// Planes that cut a mesh. Only the fields of their kind are read.
+typedef struct gusset_cutting_planes {
+    size_t struct_size;
+    gusset_cutting_kind kind;
+    /// CURVE. 1: the polyline returns to its first point.
+    uint32_t closed;
+    /// STACK, AXIS: a point at distance 0, or of the axis.
+    double point[3];
+    /// STACK, AXIS: not 0.
+    double direction[3];
+    /// AXIS: not parallel to `direction`.
+    double reference[3];
+    /// STACK, AXIS, CURVE: distances or angles.
+    const double *values;
+    size_t value_count;
+    /// PLANES, CURVE: x, y, z each.
+    const double *points;
+    /// PLANES: x, y, z each, not 0.
+    const double *normals;
+    /// Number of points, and of normals.
+    size_t point_count;
+} gusset_cutting_planes;
+
+/// Options of gusset_mesh_sections_create.
+typedef struct gusset_mesh_section_options {
+    size_t struct_size;
+    /// Leaves out points while no left-out point is farther than this from the polyline; finite. 0: keeps all points.
+    double tolerance;
+    gusset_in_plane in_plane;
+    uint32_t reserved;
+} gusset_mesh_section_options;
+
+/// A polyline of a section.
+typedef struct gusset_section_path {
+    /// Index of the plane.
+    uint32_t plane;
+    /// 1: returns to its first point, which is not repeated. @flag
+    uint32_t closed;
+    /// Smallest closed path of the same plane around a closed path, or UINT32_MAX.
+    uint32_t parent;
+    /// Number of closed paths around a closed path; else 0.
+    uint32_t depth;
+    /// Length, with all points.
+    double length;
+    /// Area inside a closed path, with all points; positive if counter-clockwise seen against the plane's normal. Else
+    /// 0.
+    double area;
+} gusset_section_path;
+
+/// Sections of a mesh.
+typedef struct gusset_mesh_sections gusset_mesh_sections;
+
+/// Lent polylines, by plane, then by lowest face.
+typedef struct gusset_mesh_sections_view {
+    size_t struct_size;
+    size_t plane_count;
+    size_t path_count;
+    size_t point_count;
+    /// The polylines.
+    const struct gusset_section_path *paths;
+    /// Polyline k has the points starts[k] to starts[k + 1] - 1.
+    struct gusset_indices starts;
+    /// The points.
+    const double *points;
+    /// Ends of the edge of each point; equal at a vertex in the plane.
+    const uint32_t *edges;
+    /// Parameter of each point on its edge, 0 to 1.
+    const double *parameters;
+    /// Face of the segment after each point, the first of several after leaving out points; UINT32_MAX at the end of an
+    /// open path.
+    struct gusset_indices faces;
+} gusset_mesh_sections_view;
+
+/// Cuts a mesh by planes into ordered polylines, with their nesting and the source of each point.
+/// A polyline runs along the plane's normal x the face's normal: around a solid, outer loops are counter-clockwise seen
+/// against the plane's normal, holes clockwise.
+/// Each vertex is on a side of each plane exactly. Vertices in a plane count as above it (GUSSET_IN_PLANE_BELOW:
+/// below). A closed mesh therefore gives closed loops only, and
+/// - an edge in the plane appears where a face beside it is below (above);
+/// - a face in the plane is not drawn, only its edges by this rule;
+/// - a ridge with both faces below (above) gives a loop there and back;
+/// - a peak gives nothing.
+/// At an edge with more than two faces, loops around the inside of solids touch but do not cross. A path ends at a
+/// border. A face with fewer than three sides between different vertices is left out.
+/// @errors OUT_OF_RANGE (vectors, values, tolerance, coordinates beyond 1e150), NOT_FINITE (point), EMPTY_CURVE
+///     (polyline without length), TOO_LARGE, as gusset_mesh_view
+/// @complexity O(V log n + H + s log s) for n planes of a stack and s crossed faces, parallel; else O(n (V + H) + s log
+///     s). Loops with many loops around them take O(points) each.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_mesh_sections_create(const struct gusset_context *context,
+    const struct gusset_mesh_view *mesh, const struct gusset_cutting_planes *planes,
+    const struct gusset_mesh_section_options *options, struct gusset_mesh_sections **sections);
+
+/// Destroys sections.
+GUSSET_API void gusset_mesh_sections_destroy(struct gusset_mesh_sections *sections);
+
+/// Lends the polylines.
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_mesh_sections_get_view(const struct gusset_mesh_sections *sections,
+    struct gusset_mesh_sections_view *view);
+
+/// Finds the sources of the points of sections: the vertices of their edges, weighted by the parameter. The faces of
+/// the origins are the segments, one for each point, with the mesh's faces as sources. Corners are empty.
+/// @complexity O(points).
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_mesh_sections_origins_create(const struct gusset_context *context,
+    const struct gusset_mesh_sections *sections, struct gusset_origins **origins);
+
 /* ---- Origins: Sources of elements. */
 
 /// Kind of element.

@@ -273,6 +273,14 @@ struct FacingOptions {
     Centres centres = Centres::vertices;
 };
 
+/// Options of gusset_mesh_sections_create. See ::gusset_mesh_section_options.
+struct MeshSectionOptions {
+    /// Leaves out points while no left-out point is farther than this from the polyline; finite. 0: keeps all points.
+    double tolerance = 0.0;
+    /// The side of a plane to which vertices in the plane belong.
+    InPlane in_plane = InPlane::above;
+};
+
 namespace detail {
 inline gusset_weld_options as_c(const WeldOptions &options) {
     auto given = sized<gusset_weld_options>();
@@ -479,6 +487,13 @@ inline gusset_facing_options as_c(const FacingOptions &options) {
         given.tolerance = *options.tolerance;
         given.tolerance_mode = GUSSET_TOLERANCE_GIVEN;
     }
+    return given;
+}
+
+inline gusset_mesh_section_options as_c(const MeshSectionOptions &options) {
+    auto given = sized<gusset_mesh_section_options>();
+    given.tolerance = options.tolerance;
+    given.in_plane = static_cast<gusset_in_plane>(options.in_plane);
     return given;
 }
 } // namespace detail

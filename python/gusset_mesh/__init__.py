@@ -14,7 +14,7 @@ from ._options import (
     SurfaceOptions, TrimOptions, WeldOptions,
 )
 from ._options import (
-    FacingOptions, FrameOptions, NetPrimitive, PlanariseOptions, SettleOptions, StreamOptions, StripOptions, WingedOptions,
+    FacingOptions, FrameOptions, MeshSectionOptions, NetPrimitive, PlanariseOptions, SettleOptions, StreamOptions, StripOptions, WingedOptions,
 )
 from ._plugin import Curves
 from ._records import FlagArray, Record, RecordArray
@@ -29,7 +29,8 @@ from ._reports import (
 from ._reports import (
     Bridge, BridgeProperties, DistanceReport, FacingView, FrameView, GluingOccurrence, GluingOccurrenceArray, NearestAngleReport,
     NetAnalysisView, NetComplexView, NetFinding, NetFindingArray, NetGridView, NetGroupsView, NetPlanarityReport, NetValidationView,
-    OutlineReport, PlanariseReport, SceneEntryReport, SceneInstance, SceneInstanceArray, SceneReport, Seam, SeamArray, SettleReport,
+    MeshSectionsView, OutlineReport, PlanariseReport, SceneEntryReport, SceneInstance, SceneInstanceArray, SceneReport, Seam, SeamArray,
+    SectionPath, SectionPathArray, SettleReport,
     SheetMeasures, StreamReport, StripReport, SurfaceCell, SurfaceCellArray, SurfaceCellsView, SurfacePointsView, Transform, TransformArray,
     WingedEdge, WingedEdgeArray, WingedFacesView, WingedView,
 )
@@ -54,6 +55,7 @@ from .outline import Curve, Outline, Places, find_sections
 from .querying import Line, Plane, SurfaceCells, SurfacePoints
 from .reshaping import DecimatedNet, NetGrid
 from .scene import Scene
+from .sectioning import MeshSections, sections, sections_about_axis, sections_across, sections_by_planes
 from .stream import StreamDecoder
 from .surface import Sheet, SheetMesh, Surface, SurfaceHits, SurfacePaths
 from .winged_edges import Winged, WingedFaces, winged, winged_faces
@@ -87,4 +89,8 @@ __all__ += [
     "SurfacePointsView", "Transform", "TransformArray", "Winged", "WingedEdge", "WingedEdgeArray", "WingedFaces", "WingedFacesView",
     "WingedOptions", "WingedView", "facing", "fields", "files", "find_merge", "find_sections", "meridians_index", "read", "save", "seam",
     "stream_inspect", "strip", "winged", "winged_faces",
+]
+__all__ += [
+    "MeshSectionOptions", "MeshSections", "MeshSectionsView", "SectionPath", "SectionPathArray", "sections", "sections_about_axis",
+    "sections_across", "sections_by_planes",
 ]

@@ -279,6 +279,15 @@ class FacingOptions(TypedDict, total=False):
     centres: choices.Centres
 
 
+class MeshSectionOptions(TypedDict, total=False):
+    """Fields of ``gusset_mesh_section_options``; what is not given is as by default."""
+
+    #: Leaves out points while no left-out point is farther than this from the polyline; finite. 0: keeps all points.
+    tolerance: float
+    #: The side of a plane to which vertices in the plane belong.
+    in_plane: choices.InPlane
+
+
 class GlueOptions(TypedDict, total=False):
     """Fields of ``gusset_glue_options``; what is not given is as by default."""
 
@@ -750,6 +759,10 @@ FIELDS: dict[str, dict[str, Keyword]] = {
         "tolerance_mode": Keyword('choice', choices.NUMBERS['gusset_tolerance_mode']),
         "tolerance": Keyword('float', needs=('tolerance_mode', 'given')),
         "centres": Keyword('choice', choices.NUMBERS['gusset_centres']),
+    },
+    "gusset_mesh_section_options": {
+        "tolerance": Keyword('float'),
+        "in_plane": Keyword('choice', choices.NUMBERS['gusset_in_plane']),
     },
     "gusset_glue_options": {
         "tolerance": Keyword('float'),

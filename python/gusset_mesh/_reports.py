@@ -2124,6 +2124,129 @@ class FacingView(Record):
         return self._array('taken')
 
 
+class SectionPath(Record):
+    """A polyline of a section."""
+
+    __slots__ = ()
+    _NAME = 'gusset_section_path'
+
+    @property
+    def plane(self) -> int:
+        """Index of the plane."""
+        return self._struct.plane
+
+    @property
+    def closed(self) -> bool:
+        """1: returns to its first point, which is not repeated."""
+        return bool(self._struct.closed)
+
+    @property
+    def parent(self) -> int:
+        """Smallest closed path of the same plane around a closed path, or UINT32_MAX."""
+        return self._struct.parent
+
+    @property
+    def depth(self) -> int:
+        """Number of closed paths around a closed path; else 0."""
+        return self._struct.depth
+
+    @property
+    def length(self) -> float:
+        """Length, with all points."""
+        return self._struct.length
+
+    @property
+    def area(self) -> float:
+        """Area inside a closed path, with all points; positive if counter-clockwise seen against the plane's normal.
+        Else 0.
+        """
+        return self._struct.area
+
+
+class SectionPathArray(RecordArray[SectionPath]):
+    """A polyline of a section."""
+
+    __slots__ = ()
+    RECORD = SectionPath
+
+    @property
+    def plane(self) -> NDArray[np.uint32]:
+        """Index of the plane."""
+        return self.array['plane']
+
+    @property
+    def closed(self) -> NDArray[np.bool_]:
+        """1: returns to its first point, which is not repeated."""
+        return self.array['closed'] != 0
+
+    @property
+    def parent(self) -> NDArray[np.uint32]:
+        """Smallest closed path of the same plane around a closed path, or UINT32_MAX."""
+        return self.array['parent']
+
+    @property
+    def depth(self) -> NDArray[np.uint32]:
+        """Number of closed paths around a closed path; else 0."""
+        return self.array['depth']
+
+    @property
+    def length(self) -> NDArray[np.float64]:
+        """Length, with all points."""
+        return self.array['length']
+
+    @property
+    def area(self) -> NDArray[np.float64]:
+        """Area inside a closed path, with all points; positive if counter-clockwise seen against the plane's normal.
+        Else 0.
+        """
+        return self.array['area']
+
+
+class MeshSectionsView(Record):
+    """Lent polylines, by plane, then by lowest face."""
+
+    __slots__ = ()
+    _NAME = 'gusset_mesh_sections_view'
+    _GETTER = 'gusset_mesh_sections_get_view'
+
+    @property
+    def plane_count(self) -> int:
+        """Number of planes."""
+        return self._struct.plane_count
+
+    @property
+    def paths(self) -> SectionPathArray:
+        """The polylines."""
+        return SectionPathArray(self._array('paths', self._struct.path_count))
+
+    @property
+    def starts(self) -> NDArray[np.uint32]:
+        """Polyline k has the points starts[k] to starts[k + 1] - 1."""
+        return self._array('starts')
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """The points."""
+        return self._array('points', self._struct.point_count, 3)
+
+    @property
+    def edges(self) -> NDArray[np.uint32]:
+        """Ends of the edge of each point; equal at a vertex in the plane."""
+        return self._array('edges', self._struct.point_count, 2)
+
+    @property
+    def parameters(self) -> NDArray[np.float64]:
+        """Parameter of each point on its edge, 0 to 1."""
+        return self._array('parameters', self._struct.point_count)
+
+    @property
+    def faces(self) -> NDArray[np.uint32]:
+        """Face of the segment after each point, the first of several after leaving out points; UINT32_MAX at the end
+        of an open path.
+        """
+        return self._array('faces')
+
+
 class OriginsView(Record):
     """Origins of the elements of one domain."""
 

@@ -184,6 +184,12 @@ ChartFinish = Literal['exact', 'converged', 'iteration_limit', 'conformal', 'not
 #: Reason for a cut.
 CutKind = Literal['given', 'opening', 'dart']
 
+#: The side of a plane to which vertices in the plane belong.
+InPlane = Literal['above', 'below']
+
+#: How cutting planes are given.
+CuttingKind = Literal['stack', 'planes', 'axis', 'curve']
+
 #: Kind of element.
 Domain = Literal['vertices', 'corners', 'faces']
 
@@ -410,6 +416,8 @@ NUMBERS: dict[str, dict[str, int]] = {
     'gusset_chart_finish': {'exact': 0, 'converged': 1, 'iteration_limit': 2, 'conformal': 3, 'not_conformal': 4,
     'folded': 5, 'stalled': 6},
     'gusset_cut_kind': {'given': 0, 'opening': 1, 'dart': 2},
+    'gusset_in_plane': {'above': 0, 'below': 1},
+    'gusset_cutting_kind': {'stack': 0, 'planes': 1, 'axis': 2, 'curve': 3},
     'gusset_domain': {'vertices': 0, 'corners': 1, 'faces': 2},
     'gusset_value_type': {'f32': 1, 'f64': 2, 'u8': 3, 'u16': 4, 'u32': 5},
     'gusset_rule': {'linear': 0, 'normal': 1, 'skin_weights': 2, 'nearest': 3, 'texture': 4},

@@ -353,6 +353,16 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (1, c"To open a component to a disc."),
         (2, c"For a dart."),
     ]),
+    ("gusset_in_plane", &[
+        (0, c"They count as above: the section is the limit of sections just below the plane."),
+        (1, c"They count as below: the section is the limit of sections just above the plane."),
+    ]),
+    ("gusset_cutting_kind", &[
+        (0, c"Parallel planes with the normal `direction`, at the rising distances `values` from `point`."),
+        (1, c"Planes through `points`, each with its normal in `normals`."),
+        (2, c"Planes that contain the axis through `point` along `direction`, turned from `reference` by the angles `values` about the axis."),
+        (3, c"Planes across the polyline `points`, at the distances `values` from its first point along it."),
+    ]),
     ("gusset_domain", &[
         (0, c"Vertices, points of polylines, nodes of nets and sheets."),
         (1, c"Corners of faces, in the order of face_corners; nodes of nets and sheets."),

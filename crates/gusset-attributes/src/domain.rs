@@ -27,7 +27,7 @@ pub struct Counts {
 
 impl Counts {
     /// Counts the elements of a mesh.
-    pub(super) fn from_mesh(mesh: &MeshView<'_>) -> Self {
+    pub fn from_mesh(mesh: &MeshView<'_>) -> Self {
         let faces = mesh.faces();
         Counts { vertices: mesh.positions().len(), corners: faces.half_edge_count(), faces: faces.len() }
     }

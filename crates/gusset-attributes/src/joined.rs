@@ -8,6 +8,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::job::Job;
+use gusset_mesh::section::Sections;
 use gusset_mesh::{Mesh, MeshView};
 use gusset_stitch::develop::Developed;
 use gusset_stitch::fill::Filled;
@@ -129,6 +130,28 @@ impl Origins {
         let parents = ruled.parents.iter().zip(&ruled.weights);
         let parents = parents.map(|(&[a, b], &weight)| ([a, b, b], [1.0 - weight, weight, 0.0]));
         Origins::new(&ruled.mesh, kept, parents, &job.part(0.1, 1.0))
+    }
+
+    /// The origins of the sections of a mesh with these counts. The vertices of the result are the
+    /// points, its faces the segments after the points; it has no corners.
+    ///
+    /// # Errors
+    /// The errors of [`Origins::from_stitch`].
+    pub fn from_sections(sections: &Sections, counts: Counts, job: &Job<'_>) -> Result<Origins> {
+        let points = sections.points().len();
+        let mut vertices = SourceTable::with_capacity(points, 2 * points)?;
+        job.part(0.0, 0.6).work_in_ranges(STAGE, points, |range| {
+            range.clone().try_for_each(|k| {
+                let ([a, b], t) = (sections.edges()[k], sections.parameters()[k]);
+                vertices.push([(a, 1.0 - t), (b, t)])
+            })
+        })?;
+        Origins::from_kept(KeptElements {
+            inputs: vec![counts],
+            vertices,
+            corners: SourceTable::with_capacity(0, 0)?,
+            faces: SourceTable::from_single_sources(sections.faces().iter().copied(), &job.part(0.6, 1.0))?,
+        })
     }
 }
 

@@ -9,6 +9,7 @@
 //! - [`triangulate()`] splits faces into triangles.
 //! - [`merge`] finds vertices that coincide but are kept apart for the values that they carry.
 //! - [`Topology`] tells which half-edges share an edge.
+//! - [`section`] cuts a mesh by planes.
 //!
 //! **Half-edges** have the indices of corners. Half-edge `h` starts at the vertex of corner `h` in
 //! the corner array and ends at the vertex of the next corner of the face.
@@ -21,6 +22,7 @@ mod half_edge_pairing;
 pub mod merge;
 mod owned;
 mod positions;
+pub mod section;
 mod topology;
 mod view;
 

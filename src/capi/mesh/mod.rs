@@ -24,6 +24,7 @@ pub mod certificate;
 pub mod develop;
 pub mod develop_report;
 pub mod facing;
+pub mod section;
 pub mod origins;
 pub mod attributes;
 
