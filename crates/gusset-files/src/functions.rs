@@ -168,7 +168,7 @@ fn written(name: &str, document: &Document, folder: &Folder, flags: u32) -> Resu
     let mut add = |name: &str, bytes: &[u8]| {
         let mut file = MemoryFile::default();
         file.write_all(bytes)?;
-        beside.push((CString::new(name).unwrap_or_default(), file.bytes));
+        beside.push((CString::new(name).unwrap_or_default(), file.into_bytes()));
         Ok(())
     };
     let stem = name.rsplit('/').next().and_then(|name| name.rsplit_once('.')).map_or("mesh", |(stem, _)| stem);
@@ -176,7 +176,7 @@ fn written(name: &str, document: &Document, folder: &Folder, flags: u32) -> Resu
     let losses = gusset_io::write(document, format, &mut target, &options)?;
     let losses: Vec<String> = losses.into_iter().map(|Loss(what)| what).collect();
     let losses = serde_json::json!(losses).to_string().into_bytes();
-    Ok([(c"losses".into(), losses), (c"file".into(), main.bytes)].into_iter().chain(beside).collect())
+    Ok([(c"losses".into(), losses), (c"file".into(), main.into_bytes())].into_iter().chain(beside).collect())
 }
 
 unsafe fn part<'a>(result: *const gusset_file, which: u32) -> Option<&'a (CString, Vec<u8>)> {

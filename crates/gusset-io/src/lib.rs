@@ -42,6 +42,7 @@ mod precision;
 #[cfg(not(target_family = "wasm"))]
 mod regular_file;
 mod repeated_points;
+mod row_blocks;
 mod resources;
 mod scene;
 mod text;

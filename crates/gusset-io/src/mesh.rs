@@ -253,6 +253,12 @@ impl Mesh {
         self.face_offsets[face] as usize..self.face_offsets[face + 1] as usize
     }
 
+    /// Returns the vertices of all faces; `None` if a face is not a triangle.
+    pub(crate) fn triangles(&self) -> Option<&[[u32; 3]]> {
+        let is_triangle = |(face, &end): (usize, &u32)| end as usize == 3 * face;
+        self.face_offsets.iter().enumerate().all(is_triangle).then(|| self.corners.as_chunks().0)
+    }
+
     /// Returns the representative of a vertex.
     #[must_use]
     pub fn representative(&self, vertex: u32) -> u32 {

@@ -24,12 +24,21 @@ pub(crate) fn make_vector<T: Zeroable + Send>(
     value: impl Fn(usize) -> T + Sync,
 ) -> Result<Vec<T>, ReadError> {
     let mut values = bytemuck::allocation::try_zeroed_vec(count).map_err(|()| ReadError::out_of_memory())?;
-    let part_length = count.div_ceil(thread_count()).max(MIN_PART);
+    fill_parts(&mut values, value);
+    Ok(values)
+}
+
+/// Sets each value to `value(index)`. Each thread fills one part.
+pub(crate) fn fill_parts<T: Send>(values: &mut [T], value: impl Fn(usize) -> T + Sync) {
+    let part_length = values.len().div_ceil(thread_count()).max(MIN_PART);
     let fill = |part: usize, values: &mut [T]| {
         for (offset, place) in values.iter_mut().enumerate() {
             *place = value(part * part_length + offset);
         }
     };
+    if values.len() <= part_length {
+        return fill(0, values);
+    }
     let mut is_left = Vec::new();
     std::thread::scope(|scope| {
         let fill = &fill;
@@ -46,7 +55,7 @@ pub(crate) fn make_vector<T: Zeroable + Send>(
     });
     for part in is_left {
         let start = part * part_length;
-        fill(part, &mut values[start..count.min(start + part_length)]);
+        let end = values.len().min(start + part_length);
+        fill(part, &mut values[start..end]);
     }
-    Ok(values)
 }

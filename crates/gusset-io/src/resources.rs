@@ -36,6 +36,19 @@ pub trait Output: Write {
     fn reserve(&mut self, _bytes: usize) -> std::io::Result<()> {
         Ok(())
     }
+
+    /// Makes room for bytes that the caller fills in place, if the output keeps them in memory. See [`next_bytes`](Self::next_bytes).
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    fn reserve_in_place(&mut self, bytes: usize) -> std::io::Result<()> {
+        self.reserve(bytes)
+    }
+
+    /// Appends bytes that the caller fills. Returns `None` if the output cannot lend them in place.
+    fn next_bytes(&mut self, _count: usize) -> Option<&mut [u8]> {
+        None
+    }
 }
 
 impl<W: Write> Output for BufWriter<W> {}

@@ -75,14 +75,14 @@ fn check_mesh(mesh: &Mesh, material_count: usize) -> Result<(), String> {
     if let Some(face) = mesh.face_offsets.windows(2).position(|pair| pair[1] - pair[0] < MIN_CORNERS) {
         return Err(format!("face {face} has {} corners", mesh.face(face).len()));
     }
-    for (corner, &vertex) in mesh.corners.iter().enumerate() {
-        if vertex as usize >= vertices {
-            let face = mesh.face_offsets.partition_point(|&first| first as usize <= corner) - 1;
-            let place = corner - mesh.face_offsets[face] as usize;
-            return Err(format!(
-                "face {face}, corner {place}: vertex {vertex} does not exist (the mesh has {vertices})"
-            ));
-        }
+    // A pass without a branch finds out first whether there is anything to find.
+    let largest = mesh.corners.iter().fold(0, |largest, &vertex| vertex.max(largest));
+    if largest as usize >= vertices
+        && let Some(corner) = mesh.corners.iter().position(|&vertex| vertex as usize >= vertices)
+    {
+        let face = mesh.face_offsets.partition_point(|&first| first as usize <= corner) - 1;
+        let (place, vertex) = (corner - mesh.face_offsets[face] as usize, mesh.corners[corner]);
+        return Err(format!("face {face}, corner {place}: vertex {vertex} does not exist (the mesh has {vertices})"));
     }
     check_length(mesh.merge.len(), vertices, "merge")?;
     for (vertex, &representative) in mesh.merge.iter().enumerate() {

@@ -25,18 +25,20 @@ pub(crate) fn run_all(
 ) -> Result<Vec<Value>, Failure> {
     let next = AtomicUsize::new(0);
     let results: Vec<Mutex<Option<Result<FileReport, Failure>>>> = files.iter().map(|_| Mutex::new(None)).collect();
-    std::thread::scope(|scope| {
-        for _ in 0..options.jobs.min(files.len()) {
-            scope.spawn(|| {
-                while let Some(place) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|&place| place < files.len())
-                {
-                    let done = work(place);
-                    if let Ok(mut slot) = results[place].lock() {
-                        *slot = Some(done);
-                    }
-                }
-            });
+    let work_through = || {
+        while let Some(place) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|&place| place < files.len()) {
+            let done = work(place);
+            if let Ok(mut slot) = results[place].lock() {
+                *slot = Some(done);
+            }
         }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..options.jobs.min(files.len()) {
+            // The other threads do the work of one that does not start, as when memory runs out.
+            let _ = std::thread::Builder::new().spawn_scoped(scope, work_through);
+        }
+        work_through();
     });
     let mut first_failure = None;
     let mut reports = Vec::new();

@@ -72,17 +72,16 @@ impl Binary {
 
     /// Appends positions, with their bounds. Returns the index of their accessor.
     pub(super) fn push_positions(&mut self, points: &[[f32; 3]]) -> Result<u32, TryReserveError> {
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for point in points {
             for axis in 0..3 {
-                let x = f64::from(point[axis]);
-                if x.is_finite() {
-                    low[axis] = low[axis].min(x);
-                    high[axis] = high[axis].max(x);
-                }
+                let x = point[axis];
+                low[axis] = low[axis].min(if x.is_finite() { x } else { f32::INFINITY });
+                high[axis] = high[axis].max(if x.is_finite() { x } else { f32::NEG_INFINITY });
             }
         }
-        self.push_bounded(points.iter().copied(), Target::Vertices, Some([low, high]))
+        let bounds = [low, high].map(|corner| corner.map(f64::from));
+        self.push_slice(points, Target::Vertices, Some(bounds))
     }
 
     fn push_bounded<T: Number, const N: usize>(
@@ -91,13 +90,47 @@ impl Binary {
         target: Target,
         bounds: Option<[[f64; 3]; 2]>,
     ) -> Result<u32, TryReserveError> {
-        let (start, count) = (self.bytes.len(), elements.len());
+        let start = self.bytes.len();
+        let count = elements.len();
         self.bytes.try_reserve(count * N * size_of::<T>() + 4)?;
         for element in elements {
             for number in element {
                 number.push(&mut self.bytes);
             }
         }
+        self.close_array::<T, N>(start, count, target, bounds)
+    }
+
+    /// Appends elements of a slice, in one copy if the machine has the file's order of bytes. Returns the index of their accessor.
+    fn push_slice<T: Number, const N: usize>(
+        &mut self,
+        elements: &[[T; N]],
+        target: Target,
+        bounds: Option<[[f64; 3]; 2]>,
+    ) -> Result<u32, TryReserveError> {
+        if cfg!(target_endian = "big") {
+            return self.push_bounded(elements.iter().copied(), target, bounds);
+        }
+        let start = self.bytes.len();
+        let bytes: &[u8] = bytemuck::cast_slice(elements.as_flattened());
+        self.bytes.try_reserve(bytes.len() + 4)?;
+        self.bytes.extend_from_slice(bytes);
+        self.close_array::<T, N>(start, elements.len(), target, bounds)
+    }
+
+    /// Appends indices of 32 bits. Returns the index of their accessor.
+    pub(super) fn push_indices(&mut self, indices: &[u32]) -> Result<u32, TryReserveError> {
+        self.push_slice(indices.as_chunks::<1>().0, Target::Indices, None)
+    }
+
+    /// Makes the accessor of `count` elements since `start`.
+    fn close_array<T: Number, const N: usize>(
+        &mut self,
+        start: usize,
+        count: usize,
+        target: Target,
+        bounds: Option<[[f64; 3]; 2]>,
+    ) -> Result<u32, TryReserveError> {
         let view = self.close_view(start, target)?;
         let kind = ["SCALAR", "VEC2", "VEC3", "VEC4"][N - 1];
         let mut text =

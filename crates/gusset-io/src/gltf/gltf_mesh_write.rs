@@ -297,7 +297,7 @@ fn push_indices(indices: &[u32], vertices: usize, binary: &mut Binary) -> Result
     if vertices < usize::from(u16::MAX) {
         binary.push_elements(indices.iter().map(|&index| [index as u16]), Target::Indices)
     } else {
-        binary.push_elements(indices.iter().map(|&index| [index]), Target::Indices)
+        binary.push_indices(indices)
     }
 }
 

@@ -133,7 +133,7 @@ pub(super) fn write_library(
         )));
     }
     let library = format!("{}.mtl", one_line(target.stem)?);
-    target.write_beside(&library, &bytes.bytes)?;
+    target.write_beside(&library, bytes.bytes())?;
     Ok(Some(library))
 }
 

@@ -6,6 +6,7 @@ use crate::error::{Place, ReadError};
 use crate::json_tape::{OUT_OF_MEMORY, Tape, Value};
 use crate::material::{Image, ImageData, Material, NativeMaterial};
 use crate::mesh::{Domain, Mesh, NumberKind, Positions, Property, Values};
+use crate::parallel_fill::make_vector;
 use crate::text_encoding::owned_text;
 use bytemuck::AnyBitPattern;
 use gusset_base::alloc;
@@ -82,7 +83,7 @@ impl PackedArrays<'_> {
     }
 
     /// Returns the elements of an array, each of `WIDTH` numbers; none if it is absent.
-    fn array<T: AnyBitPattern, const WIDTH: usize>(
+    fn array<T: AnyBitPattern + Send, const WIDTH: usize>(
         &self,
         value: Option<Value<'_>>,
         kind: &str,
@@ -100,15 +101,19 @@ impl PackedArrays<'_> {
         let Some(bytes) = range.filter(|_| is_right) else {
             return Err(wrong(&format!("{name} is not an array of {WIDTH} x {kind} within the given bytes")));
         };
-        let item = |chunk: &[u8]| {
-            std::array::from_fn(|place| {
-                bytemuck::pod_read_unaligned(&chunk[place * size_of::<T>()..][..size_of::<T>()])
-            })
-        };
-        Ok(alloc::collect(bytes.chunks_exact(WIDTH * size_of::<T>()).map(item))?)
+        let size = WIDTH * size_of::<T>();
+        let number = |start: usize| bytemuck::pod_read_unaligned(&bytes[start..][..size_of::<T>()]);
+        make_vector(bytes.len() / size, |item| {
+            std::array::from_fn(|place| number(item * size + place * size_of::<T>()))
+        })
     }
 
-    fn numbers<T: AnyBitPattern>(&self, value: Option<Value<'_>>, kind: &str, name: &str) -> Result<Vec<T>, ReadError> {
+    fn numbers<T: AnyBitPattern + Send>(
+        &self,
+        value: Option<Value<'_>>,
+        kind: &str,
+        name: &str,
+    ) -> Result<Vec<T>, ReadError> {
         Ok(self.array::<T, 1>(value, kind, name)?.into_flattened())
     }
 

@@ -114,8 +114,8 @@ pub(super) fn other_lists(element: &Element<'_>, used: &[usize]) -> String {
     }
 }
 
-/// Keeps the properties that all `elements`, sections of one name, have in common, in the order of the first one. Orders each element's
-/// columns alike. Returns the properties without values, and the number of columns that were left out.
+/// Keeps the properties that all `elements`, sections of one name, have in common, in the order of the first one. Keeps only the first of
+/// equal names. Orders each element's columns alike. Returns the properties without values, and the number of columns that were left out.
 pub(super) fn share_properties(
     elements: &[&Element<'_>],
     columns: &mut [&mut Vec<usize>],
@@ -123,6 +123,11 @@ pub(super) fn share_properties(
 ) -> Result<(Vec<Property>, usize), ReadError> {
     let before: usize = columns.iter().map(|columns| columns.len()).sum();
     let Some((first, others)) = columns.split_first_mut() else { return Ok((Vec::new(), 0)) };
+    if !others.is_empty() {
+        // A name that the first section has twice matches one column of another section.
+        let by_name = columns_by_name(elements[0], first)?;
+        first.retain(|&column| by_name[elements[0].columns[column].name] == column);
+    }
     for (element, other) in elements[1..].iter().zip(others.iter_mut()) {
         let by_name = columns_by_name(element, other)?;
         first.retain(|&column| by_name.contains_key(elements[0].columns[column].name));

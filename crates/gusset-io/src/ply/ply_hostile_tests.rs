@@ -8,6 +8,22 @@ use proptest::prelude::*;
 use std::time::Instant;
 
 #[test]
+fn a_name_that_one_section_has_twice_is_shared_once() {
+    let twice = format!("element vertex 1\n{XYZ}property int a\nproperty int a\n");
+    let once = format!("element vertex 1\n{XYZ}property int a\n");
+    for (lines, rows) in [
+        (format!("{twice}{once}{once}"), "0 0 0 1 9\n1 0 0 2\n0 1 0 3\n"),
+        (format!("{once}{twice}{once}"), "0 0 0 1\n1 0 0 2 9\n0 1 0 3\n"),
+    ] {
+        let document = read(encoded(&format!("{lines}element face 1\n{LIST}"), &format!("{rows}3 0 1 2"), "ascii"));
+        let [property] = &document.meshes[0].properties[..] else { panic!("one property") };
+        assert_eq!((&*property.name, &property.values[..]), ("a", &[1.0, 2.0, 3.0][..]));
+        let notes = note_texts(&document);
+        assert!(notes.iter().all(|note| !note.contains("18446744073709551615")), "{notes:?}");
+    }
+}
+
+#[test]
 fn invalid_files_are_explained() {
     let body = |lines: &str, rows: &str| String::from_utf8(encoded(lines, rows, "ascii")).expect("text");
     let xyz = format!("element vertex 1\n{XYZ}");

@@ -30,23 +30,6 @@ impl<'a> RowWriter<'a> {
         if is_single { self.out.bytes(&(value as f32).to_le_bytes()) } else { self.out.bytes(&value.to_le_bytes()) }
     }
 
-    /// Writes a binary row of three numbers of single precision.
-    pub(super) fn singles(&mut self, [x, y, z]: &[f32; 3]) -> io::Result<()> {
-        let row = [x.to_le_bytes(), y.to_le_bytes(), z.to_le_bytes()];
-        self.out.bytes(row.as_flattened())
-    }
-
-    /// Writes a binary row that is a list of at most 255 indices.
-    pub(super) fn short_list(&mut self, list: &[u32]) -> io::Result<()> {
-        let &[a, b, c] = list else {
-            self.out.bytes(&[list.len() as u8])?;
-            return list.iter().try_for_each(|&index| self.index(index));
-        };
-        let mut row = [3; 13];
-        row[1..].copy_from_slice([a.to_le_bytes(), b.to_le_bytes(), c.to_le_bytes()].as_flattened());
-        self.out.bytes(&row)
-    }
-
     /// Writes a number of a vector that may be missing: 0 for NaN.
     pub(super) fn present(&mut self, value: f64, is_single: bool) -> io::Result<()> {
         self.real(if value.is_nan() { 0.0 } else { value }, is_single)

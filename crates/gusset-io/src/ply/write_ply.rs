@@ -8,6 +8,7 @@ use crate::merging::merge_vertices;
 use crate::mesh::{NumberKind, Positions, Property};
 use crate::options::WriteOptions;
 use crate::resources::Target;
+use crate::row_blocks::write_rows;
 use crate::scene::colour_step;
 use crate::text::TextWriter;
 use std::io;
@@ -72,7 +73,7 @@ fn write_file(
     if !options.text {
         const HEADER_ROOM: usize = 4096;
         let corners = faces.map_or(0, |faces| faces.mesh.face_count() + 4 * faces.mesh.corners.len());
-        target.main.reserve(HEADER_ROOM + 12 * vertices.positions.len() + corners)?;
+        target.main.reserve_in_place(HEADER_ROOM + 12 * vertices.positions.len() + corners)?;
     }
     let mut out = TextWriter::new(target.main)?;
     out.text("ply\nformat ")?;
@@ -86,20 +87,40 @@ fn write_file(
         announce_faces(&mut out, faces)?;
     }
     out.text("end_header\n")?;
-    let mut rows = RowWriter::new(out, options.text);
+    out.finish()?;
     match vertices.positions {
         Positions::F32(points) if !options.text && vertices.has_positions_only() => {
-            points.iter().try_for_each(|point| rows.singles(point))?;
+            write_rows(target.main, points.len(), |point| {
+                let mut row = [0; 12];
+                row.copy_from_slice(points[point].map(f32::to_le_bytes).as_flattened());
+                row
+            })?;
         }
-        _ => (0..vertices.positions.len()).try_for_each(|vertex| write_vertex(&mut rows, vertices, vertex))?,
+        _ => {
+            let mut rows = RowWriter::new(TextWriter::new(target.main)?, options.text);
+            (0..vertices.positions.len()).try_for_each(|vertex| write_vertex(&mut rows, vertices, vertex))?;
+            rows.out.finish()?;
+        }
     }
-    let Some(faces) = faces else { return rows.out.finish() };
-    if !options.text && faces.has_corners_only() {
-        (0..faces.mesh.face_count()).try_for_each(|face| rows.short_list(faces.mesh.face(face)))?;
-    } else {
-        (0..faces.mesh.face_count()).try_for_each(|face| write_face(&mut rows, faces, face))?;
+    let Some(faces) = faces else { return Ok(()) };
+    match faces.mesh.triangles() {
+        Some(triangles) if !options.text && faces.has_corners_only() => {
+            write_rows(target.main, triangles.len(), |triangle| triangle_bytes(triangles[triangle]))?;
+            target.main.flush()
+        }
+        _ => {
+            let mut rows = RowWriter::new(TextWriter::new(target.main)?, options.text);
+            (0..faces.mesh.face_count()).try_for_each(|face| write_face(&mut rows, faces, face))?;
+            rows.out.finish()
+        }
     }
-    rows.out.finish()
+}
+
+/// Returns a triangle as a list with a length of one byte.
+fn triangle_bytes(vertices: [u32; 3]) -> [u8; 13] {
+    let mut row = [3; 13];
+    row[1..].copy_from_slice(vertices.map(u32::to_le_bytes).as_flattened());
+    row
 }
 
 fn announce_vertices(out: &mut TextWriter<'_>, vertices: &VertexLayout<'_>) -> io::Result<()> {

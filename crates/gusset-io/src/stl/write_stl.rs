@@ -9,14 +9,14 @@ use crate::polygons::triangulate_face;
 use crate::precision::check_rounding;
 use crate::repeated_points::count_repeated_points;
 use crate::resources::Target;
+use crate::row_blocks::write_rows;
 use crate::scene::{counted, list_lost_content, scene_mesh};
 use crate::text::TextWriter;
 use gusset_base::alloc;
+use std::borrow::Cow;
 
 /// Name of a solid whose mesh has none, and header of binary files.
 const DEFAULT_NAME: &str = "gusset";
-/// Bytes of facets that are written at a time.
-const BUFFER_BYTES: usize = FACET_BYTES << 10;
 
 pub(crate) fn write_stl(
     document: &Document,
@@ -25,10 +25,9 @@ pub(crate) fn write_stl(
 ) -> Result<Vec<Loss>, WriteError> {
     let mesh = scene_mesh(document)?;
     let mut losses = list_lost_content(document, &mesh, "STL", &[]);
-    let (mut triangles, mut polygons, mut left_out) = (0_u64, 0, 0);
+    let (mut polygons, mut left_out) = (0, 0);
     for face in 0..mesh.face_count() {
         let corners = mesh.face_range(face).len();
-        triangles += corners.saturating_sub(2) as u64;
         polygons += usize::from(corners > 3);
         left_out += usize::from(corners < 3);
     }
@@ -47,61 +46,63 @@ pub(crate) fn write_stl(
         if largest > 0.0 {
             losses.push(Loss(format!("positions rounded to single precision, by up to {largest:.1e}")));
         }
-        let Ok(count) = u32::try_from(triangles) else {
-            return Err(WriteError::new(
-                WriteErrorKind::Unsupported,
-                format!("{triangles} triangles are more than 2^32 - 1"),
-            ));
-        };
-        write_binary(&mesh, count, target)?;
+        write_binary(&mesh, target)?;
     }
     list_lost_vertices(&mesh, options.text, &mut losses)?;
     Ok(losses)
 }
 
-/// Calls `write` with the corners of each triangle.
-fn for_each_triangle(
-    mesh: &Mesh,
-    mut write: impl FnMut([[f64; 3]; 3]) -> Result<(), WriteError>,
-) -> Result<(), WriteError> {
-    let mut triangles = Vec::new();
+/// Returns the vertices of all triangles.
+fn all_triangles(mesh: &Mesh) -> Result<Cow<'_, [[u32; 3]]>, WriteError> {
+    if let Some(triangles) = mesh.triangles() {
+        return Ok(Cow::Borrowed(triangles));
+    }
+    let (mut all, mut places) = (alloc::with_capacity(mesh.corners.len() / 2)?, Vec::new());
     for face in 0..mesh.face_count() {
         let vertices = mesh.face(face);
         if let &[a, b, c] = vertices {
-            write([a, b, c].map(|vertex| mesh.positions.get(vertex as usize)))?;
+            alloc::push(&mut all, [a, b, c])?;
             continue;
         }
-        triangulate_face(mesh, face, &mut triangles)?;
-        for places in &triangles {
-            write(places.map(|place| mesh.positions.get(vertices[place as usize] as usize)))?;
-        }
+        triangulate_face(mesh, face, &mut places)?;
+        alloc::extend(&mut all, places.iter().map(|places| places.map(|place| vertices[place as usize])))?;
     }
-    Ok(())
+    Ok(Cow::Owned(all))
 }
 
-fn write_binary(mesh: &Mesh, count: u32, target: &mut Target<'_>) -> Result<(), WriteError> {
-    target.main.reserve(FACETS_START + FACET_BYTES * count as usize)?;
-    let mut buffer = alloc::with_capacity(BUFFER_BYTES)?;
-    buffer.extend_from_slice(DEFAULT_NAME.as_bytes());
-    buffer.resize(HEADER_BYTES, b' ');
-    buffer.extend_from_slice(&count.to_le_bytes());
-    target.main.write_all(&buffer)?;
-    buffer.clear();
-    for_each_triangle(mesh, |corners| {
-        if buffer.len() == BUFFER_BYTES {
-            target.main.write_all(&buffer)?;
-            buffer.clear();
+fn write_binary(mesh: &Mesh, target: &mut Target<'_>) -> Result<(), WriteError> {
+    let triangles = all_triangles(mesh)?;
+    let Ok(count) = u32::try_from(triangles.len()) else {
+        let message = format!("{} triangles are more than 2^32 - 1", triangles.len());
+        return Err(WriteError::new(WriteErrorKind::Unsupported, message));
+    };
+    target.main.reserve_in_place(FACETS_START + FACET_BYTES * triangles.len())?;
+    let mut head = [b' '; FACETS_START];
+    head[..DEFAULT_NAME.len()].copy_from_slice(DEFAULT_NAME.as_bytes());
+    head[HEADER_BYTES..].copy_from_slice(&count.to_le_bytes());
+    target.main.write_all(&head)?;
+    match &mesh.positions {
+        Positions::F32(points) => {
+            let facet =
+                |index: usize| facet_bytes(triangles[index].map(|vertex: u32| points[vertex as usize].map(f64::from)));
+            write_rows(target.main, triangles.len(), facet)?;
         }
-        let mut facet = [0; FACET_BYTES];
-        let vectors = [unit_normal(corners), corners[0], corners[1], corners[2]];
-        for (bytes, part) in facet.as_chunks_mut::<4>().0.iter_mut().zip(vectors.as_flattened()) {
-            *bytes = (*part as f32).to_le_bytes();
+        Positions::F64(points) => {
+            let facet = |index: usize| facet_bytes(triangles[index].map(|vertex: u32| points[vertex as usize]));
+            write_rows(target.main, triangles.len(), facet)?;
         }
-        buffer.extend_from_slice(&facet);
-        Ok(())
-    })?;
-    target.main.write_all(&buffer)?;
+    }
     Ok(target.main.flush()?)
+}
+
+/// Returns the normal and the corners of a triangle as a facet without attributes.
+fn facet_bytes(corners: [[f64; 3]; 3]) -> [u8; FACET_BYTES] {
+    let mut facet = [0; FACET_BYTES];
+    let vectors = [unit_normal(corners), corners[0], corners[1], corners[2]];
+    for (bytes, part) in facet.as_chunks_mut::<4>().0.iter_mut().zip(vectors.as_flattened()) {
+        *bytes = (*part as f32).to_le_bytes();
+    }
+    facet
 }
 
 fn write_text(mesh: &Mesh, target: &mut Target<'_>) -> Result<(), WriteError> {
@@ -111,7 +112,8 @@ fn write_text(mesh: &Mesh, target: &mut Target<'_>) -> Result<(), WriteError> {
     let mut out = TextWriter::new(target.main)?;
     out.text("solid ")?;
     out.text(&name)?;
-    for_each_triangle(mesh, |corners| {
+    for triangle in &*all_triangles(mesh)? {
+        let corners = triangle.map(|vertex| mesh.positions.get(vertex as usize));
         out.text("\nfacet normal")?;
         for part in unit_normal(corners) {
             out.text(" ")?;
@@ -125,8 +127,8 @@ fn write_text(mesh: &Mesh, target: &mut Target<'_>) -> Result<(), WriteError> {
                 if is_single { out.single(coordinate as f32)? } else { out.double(coordinate)? }
             }
         }
-        Ok(out.text("\nendloop\nendfacet")?)
-    })?;
+        out.text("\nendloop\nendfacet")?;
+    }
     out.text("\nendsolid ")?;
     out.text(&name)?;
     out.text("\n")?;
