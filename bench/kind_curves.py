@@ -203,7 +203,7 @@ def almost_repeated(random):
 
     def run():
         more, statuses = error(given)
-        if "crowded" in statuses:
+        if statuses & {"crowded", "looped"}:
             more, _ = error(given, repeat_tolerance=1e-4)
         return more - error(ring)[0], ""
     return Case(run, lambda more: more < 1e-3, raw=True)

@@ -248,24 +248,29 @@ def split_ridge(random):
 
 
 def far_origin(random):
-    """A solid in two parts far from the origin, in single precision, whose lattice the numbers hold exactly."""
-    n, place = int(random.integers(2, 6)), 2.0 ** int(random.integers(8, 16))
-    origin = np.round(random.uniform(-1, 1, 3) * place)
-    height = float(n)
-    points, faces = tube(4 * n, 0, height, 1)
+    """Stitching, filling, joining and repair far from the origin, in single precision: the same faces, and points moved by the origin.
+
+    The numbers hold both places exactly."""
+    n, job = int(random.integers(2, 6)), ("stitch", "fill", "join", "repair")[random.integers(4)]
+    origin = np.round(random.uniform(-1, 1, 3) * 2.0 ** random.integers(8, 15))
+    points, faces = tube(4 * n, 0, n)
     points = np.round(points * 64) / 64
-    upper = points.copy()
-    upper[:, 2] += height
-    lower, above = (points, faces), (upper, faces)
-    near = [(p.astype(np.float32), f) for p, f in (lower, above)]
-    far = [((p + origin).astype(np.float32), f) for p, f in (lower, above)]
+    upper = points + [0, 0, n + (job in ("stitch", "join")) * random.integers(1, n)]
+
+    def at(origin):
+        pieces = [((p + origin).astype(np.float32), faces) for p in (points, upper)]
+        if job == "stitch":
+            return filters.stitch(*pieces)
+        if job == "join":
+            return filters.join(*pieces, holes="fill")
+        whole = united(*pieces)
+        return filters.fill(whole) if job == "fill" else filters.repair(whole)
 
     def run():
-        mesh, text = filters.join(*far, holes="fill")
-        other, _ = filters.join(*near, holes="fill")
-        same = np.array_equal(mesh.points.astype(float) - origin, other.points) and np.array_equal(mesh.corners, other.corners)
-        return (mesh if same else None), text
-    return Case(run, lambda look: look.closed and look.euler == 2)
+        (near, _), (far, text) = at(np.zeros(3)), at(origin)
+        same = np.array_equal(far.points.astype(float) - origin, near.points) and np.array_equal(far.corners, near.corners)
+        return same and far.points.dtype == np.float32, text
+    return Case(run, lambda same: same, raw=True)
 
 
 def poles(random):
