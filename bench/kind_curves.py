@@ -136,8 +136,8 @@ def networks(random):
     return Case(run, lambda off: off < 2e-3, raw=True)
 
 
-def crosses(points):
-    """Whether a closed polyline crosses itself, by the signs of areas."""
+def crosses(points, closed=True):
+    """Whether a polyline crosses itself, by the signs of areas."""
     a, b = points, np.roll(points, -1, axis=0)
     n = len(a)
 
@@ -147,7 +147,8 @@ def crosses(points):
     found = (side(p, q, a[None]) * side(p, q, b[None]) < 0) & (side(a[None], b[None], p) * side(a[None], b[None], q) < 0)
     i, j = np.indices((n, n))
     apart = (i - j) % n
-    return bool((found & (apart > 1) & (apart < n - 1)).any())
+    found &= (apart > 1) & (apart < n - 1)
+    return bool((found if closed else found[:-1, :-1]).any())
 
 
 KINDS_OF_CURVES = {}, {"method": "median"}, {"curve": "cubic_c2"}, {"curve": "blend_c2"}

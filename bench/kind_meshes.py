@@ -4,7 +4,7 @@ import numpy as np
 
 import gusset_mesh as gm
 from gusset_mesh import filters
-from kind_judge import Case, Look, Place, area_of, close, solid_volume
+from kind_judge import Case, Place, area_of, close, solid_volume
 
 
 def tube(segments, base, top, radius=1.0):
