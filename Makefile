@@ -42,7 +42,7 @@ demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages) libegl1 nlohmann-json3-dev python3-venv
 figures_packages := $(host_packages)
 
-.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx files test test-units test-programs test-hosts test-rust check mutants lint lint-prose lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-program install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx files test test-units test-programs test-hosts test-rust check mutants lint lint-prose lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench kinds install install-library install-program install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -65,6 +65,7 @@ help:
 	@echo 'make figures                      draws the figures of the papers anew, into docs/figures'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
+	@echo 'make kinds [ONLY=tubes]           random cases of each kind of fault that people report, judged by trimesh; minutes'
 	@echo 'make cli                          the program gusset, its manual and its completions, into build/cli'
 	@echo 'make scans FOLDER=views OUT=model.ply  overlapping scans of a folder, PLY files, made one closed mesh; pictures if PyVista is there'
 	@echo 'make check-cancel [ONLY=weld]     how fast the filters stop on large meshes, on a machine that does nothing else; minutes'
@@ -262,6 +263,14 @@ figures: stage
 
 bench: stage files
 	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' '$(files)' $(bench_packages)
+
+# Random cases of each kind of fault that people report, and the small cases of ../shared/data. Needs cffi, numpy, scipy, trimesh in PYTHON.
+PYTHON ?= python3
+kinds: build files
+	@cd python && $(PYTHON) build_backend.py ../$(release)/libgusset.so ../build/kinds/gusset_mesh ../$(release)/libgusset_files.so
+	@cp python/gusset_mesh/*.py python/gusset_mesh/py.typed build/kinds/gusset_mesh
+	PYTHONPATH=build/kinds $(PYTHON) bench/reported.py '$(or $(GUSSET_DATA),$(abspath ../shared/data))/cases'
+	PYTHONPATH=build/kinds $(PYTHON) bench/kinds.py --only '$(ONLY)'
 
 # Strips debug data of both. The static library also loses the Rust compiler's bitcode, half of its size, which C
 # linkers ignore and nm misreads beside clang.
