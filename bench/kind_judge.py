@@ -1,4 +1,4 @@
-"""What the random cases of kinds.py share: random places, and measures by trimesh, which knows nothing of the library."""
+"""Shared by the random cases of kinds.py: random places, and measures by trimesh, which knows nothing of the library."""
 
 from collections import Counter
 from dataclasses import dataclass

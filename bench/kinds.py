@@ -16,7 +16,7 @@ from kind_judge import Look
 from kind_meshes import MESHES
 
 CASES, LEAST_SHARE = 200, 0.98
-#: What a report says of a result that is not what was asked for.
+#: Words in a report about a result that differs from the request.
 SAID = re.compile(r"not joined|left open|not welded: [1-9]|cuts other faces|remain|refus|not simple|intersect: |skipped|stay.* open")
 
 
