@@ -298,19 +298,24 @@ mod tests {
         #[test]
         fn quotients_are_rounded_to_nearest(
             m in 1u64 << 52..1 << 53,
-            factor in 8u64..,
-            near in -2i64..3,
-            half in any::<bool>(),
+            bottom in 2u64..,
+            any_rest in any::<u64>(),
+            near_half in prop::option::of(-2i64..3),
             shifts in any::<[u8; 2]>(),
         ) {
-            // The quotient is m + half / 2 + near / (2 factor). Doubles near m lie 1 apart, or 1/2 below 2^52.
-            let twice = from_i128(i128::from(2 * m + u64::from(half)));
-            let top = twice.times(&from_i128(factor.into())).plus(&from_i128(near.into()));
-            let bottom = from_i128(2 * i128::from(factor));
-            let up = half && (near > 0 || near == 0 && m % 2 == 1);
-            let made = rounded_quotient(&top.shifted(shifts[0].into()), &bottom.shifted(shifts[1].into()));
+            // The quotient is m + rest / bottom. Doubles from m to m + 1 lie 1 apart.
+            let around_half = |near| (bottom / 2).saturating_add_signed(near).min(bottom - 1);
+            let rest = near_half.map_or(any_rest % bottom, around_half);
+            let [whole, divisor, remainder] = [m, bottom, rest].map(|x| from_i128(x.into()));
+            let top = whole.times(&divisor).plus(&remainder).shifted(shifts[0].into());
+            let made = rounded_quotient(&top, &divisor.shifted(shifts[1].into()));
+            let goes_up = match (2 * u128::from(rest)).cmp(&bottom.into()) {
+                Ordering::Less => false,
+                Ordering::Equal => m % 2 == 1,
+                Ordering::Greater => true,
+            };
             let scale = power_of_two(i32::from(shifts[0]) - i32::from(shifts[1]));
-            prop_assert_eq!(made, (m + u64::from(up)) as f64 * scale);
+            prop_assert_eq!(made, (m + u64::from(goes_up)) as f64 * scale);
         }
     }
 
