@@ -11,7 +11,7 @@ use gusset::{Job, Result};
 fn main() -> Result<()> {
     // ! [torus]
     let job = Job::default();
-    let torus = Request::new(Primitive::Torus { radius: 2.0, minor_radius: 0.5 }).net(&job)?;
+    let torus = Request::new(Primitive::Torus { radius: 2.0, minor_radius: 0.5 }).build_net(&job)?;
     let options = MeshOptions { triangles: Some(Diagonal::Shorter), ..MeshOptions::default() };
     let converted = torus.to_mesh(&options, &job)?;
 

@@ -101,11 +101,11 @@ impl ContextState {
 
 /// Runs `body` with the context's job, or with the defaults if the context is NULL, and records the
 /// outcome in the context. A call that took memory from the reserve fails.
-pub(crate) fn guard(
+pub(crate) fn guard_call(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
-    guard_change(context, |job| run_and_finish(body, job))
+    guard_changing_call(context, |job| run_and_finish(body, job))
 }
 
 /// Returns the result of `body`, or an error if the reserve had to provide memory, or if the host
@@ -116,10 +116,10 @@ fn run_and_finish<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Jo
     Ok(made)
 }
 
-/// [`guard`] for a `body` that modifies the caller's data, writes to its outputs, or makes handles.
+/// [`guard_call`] for a `body` that modifies the caller's data, writes to its outputs, or makes handles.
 /// These changes cannot be undone, so `body` calls [`Job::finish`] itself before it makes them, or
 /// [`Job::check_memory`] if it reports while it makes them.
-pub(crate) fn guard_change(
+pub(crate) fn guard_changing_call(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
@@ -154,16 +154,16 @@ fn run_guarded_call(
     outcome.unwrap_or_else(|failure: Failure| failure.status)
 }
 
-/// Runs `body` like [`guard`] and stores its result in `out`. It first sets `out` to `cleared`,
+/// Runs `body` like [`guard_call`] and stores its result in `out`. It first sets `out` to `cleared`,
 /// which the host then finds there after any failure.
-pub(crate) fn answer<T>(
+pub(crate) fn answer_into_output<T>(
     context: *const gusset_context,
     (out, name): (*mut T, &'static str),
     cleared: T,
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
     let slot = input::cleared_output(out, cleared, name);
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         // First of all, the result needs a place.
         let slot = slot?;
         *slot = run_and_finish(body, job)?;
@@ -171,7 +171,7 @@ pub(crate) fn answer<T>(
     })
 }
 
-/// [`answer`] with an output that may be NULL.
+/// [`answer_into_output`] with an output that may be NULL.
 pub(crate) fn answer_into_optional_output<T>(
     context: *const gusset_context,
     (out, name): (*mut T, &'static str),
@@ -179,40 +179,40 @@ pub(crate) fn answer_into_optional_output<T>(
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
     let slot = input::cleared_optional_output(out, cleared, name);
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let slot = slot?;
         input::set_optional_output(slot, run_and_finish(body, job)?);
         Ok(())
     })
 }
 
-/// [`answer`] with a struct that has a `struct_size`.
-pub(crate) fn answer_struct<T: VersionedStruct>(
+/// [`answer_into_output`] with a struct that has a `struct_size`.
+pub(crate) fn answer_into_struct<T: VersionedStruct>(
     context: *const gusset_context,
     (out, name): (*mut T, &'static str),
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
     let out = input::output_struct(out, name);
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let out = out?;
         out.write_known_fields(run_and_finish(body, job)?);
         Ok(())
     })
 }
 
-/// [`answer`] with a new handle.
-pub(crate) fn create<T: OpaqueHandle>(
+/// [`answer_into_output`] with a new handle.
+pub(crate) fn create_handle<T: OpaqueHandle>(
     context: *const gusset_context,
     out: *mut *mut T,
     name: &'static str,
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
-    create_with_further_outputs(context, out, name, |job| Ok((body(job)?, ())), |()| ())
+    create_handle_and_outputs(context, out, name, |job| Ok((body(job)?, ())), |()| ())
 }
 
-/// [`create`] for a body that produces more than the handle. `tell` writes the rest to other
+/// [`create_handle`] for a body that produces more than the handle. `tell` writes the rest to other
 /// outputs.
-pub(crate) fn create_with_further_outputs<T: OpaqueHandle, U>(
+pub(crate) fn create_handle_and_outputs<T: OpaqueHandle, U>(
     context: *const gusset_context,
     out: *mut *mut T,
     name: &'static str,
@@ -220,9 +220,9 @@ pub(crate) fn create_with_further_outputs<T: OpaqueHandle, U>(
     tell: impl FnOnce(U),
 ) -> gusset_status {
     let slot = input::cleared_output(out, ptr::null_mut(), name);
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let slot = slot?;
-        let boxed = |job: &Job<'_>| body(job).map(|(made, told)| (handle::boxed(made), told));
+        let boxed = |job: &Job<'_>| body(job).map(|(made, told)| (handle::box_with_kind(made), told));
         let (made, told) = run_and_finish(boxed, job)?;
         tell(told);
         *slot = handle::into_handle(made);
@@ -234,7 +234,7 @@ pub(crate) fn create_with_further_outputs<T: OpaqueHandle, U>(
 /// The body may use `?`.
 macro_rules! lend {
     ($handle:ident, $out:ident, |$it:pat_param| $body:expr) => {
-        $crate::capi::context::answer_struct(std::ptr::null(), ($out, stringify!($out)), |_| {
+        $crate::capi::context::answer_into_struct(std::ptr::null(), ($out, stringify!($out)), |_| {
             let $it = $crate::capi::handle::get_object($handle, stringify!($handle))?;
             Ok($body)
         })
@@ -248,7 +248,7 @@ pub(crate) use lend;
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context) -> gusset_status {
-    create(ptr::null(), context, "context", |_| {
+    create_handle(ptr::null(), context, "context", |_| {
         let none = ptr::null_mut();
         let callbacks = HostCallbacks { progress: None, progress_user: none, log: None, log_user: none };
         let (message, report) = (Cow::Borrowed(c""), gusset_error_report::default());
@@ -303,7 +303,7 @@ pub unsafe extern "C" fn gusset_context_set_log(
 }
 
 fn change_state(context: *const gusset_context, set: impl FnOnce(&mut ContextState)) -> gusset_status {
-    guard(ptr::null(), |_| {
+    guard_call(ptr::null(), |_| {
         let mut state = handle::get_object(context, "context")?.lock_state()?;
         set(&mut state);
         state.record_outcome(Ok(()));

@@ -33,7 +33,7 @@ fn install_silent_hook() -> Box<PanicHook> {
 struct CallWithSilentPanics;
 
 impl CallWithSilentPanics {
-    fn begin_call() -> Self {
+    fn begin_silent_call() -> Self {
         CALLS_IN_PROGRESS.fetch_add(1, Ordering::Relaxed);
         // A host's thread that is panicking must not change the hook.
         if !panicking() {
@@ -52,7 +52,7 @@ impl Drop for CallWithSilentPanics {
 /// Runs `body` and catches panics, which must not unwind into the host. A panic becomes
 /// `GUSSET_ERROR_PANIC` and prints nothing.
 pub fn catch_panic<T, E: From<Failure>>(body: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    let _call = CallWithSilentPanics::begin_call();
+    let _call = CallWithSilentPanics::begin_silent_call();
     catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|panic| {
         // The payload's own destructor could panic. The payload is small and rare, so leak it.
         std::mem::forget(panic);
@@ -63,7 +63,7 @@ pub fn catch_panic<T, E: From<Failure>>(body: impl FnOnce() -> Result<T, E>) -> 
 #[cfg(test)]
 mod tests {
     use crate::capi::context::{
-        guard, gusset_context, gusset_context_create, gusset_context_destroy, gusset_context_get_message,
+        guard_call, gusset_context, gusset_context_create, gusset_context_destroy, gusset_context_get_message,
     };
     use crate::capi::scene::{gusset_scene_add, gusset_scene_create, gusset_scene_destroy};
     use crate::capi::status::gusset_status::{GUSSET_ERROR_PANIC, GUSSET_OK};
@@ -84,8 +84,8 @@ mod tests {
             assert_eq!(gusset_context_create(&raw mut context), GUSSET_OK);
             assert_eq!(gusset_scene_create(context, &raw mut scene), GUSSET_OK);
             for context in [context, ptr::null_mut()] {
-                assert_eq!(guard(context, |_| panic!("planted")), GUSSET_ERROR_PANIC);
-                let status = guard(context, |_| {
+                assert_eq!(guard_call(context, |_| panic!("planted")), GUSSET_ERROR_PANIC);
+                let status = guard_call(context, |_| {
                     thread::scope(|scope| {
                         scope.spawn(|| panic!("planted"));
                     });
@@ -93,7 +93,7 @@ mod tests {
                 });
                 assert_eq!(status, GUSSET_ERROR_PANIC);
             }
-            assert_eq!(guard(context, |_| panic!("planted")), GUSSET_ERROR_PANIC);
+            assert_eq!(guard_call(context, |_| panic!("planted")), GUSSET_ERROR_PANIC);
             assert_eq!(CStr::from_ptr(gusset_context_get_message(context)), c"internal error: please report it");
             assert_eq!(gusset_scene_add(context, scene, ptr::null(), &raw mut group), GUSSET_OK);
             assert_eq!(CStr::from_ptr(gusset_context_get_message(context)), c"");

@@ -26,7 +26,7 @@ pub(crate) struct TaggedObject<T> {
 impl<T: OpaqueHandle> TaggedObject<T> {
     /// Creates an object that is lent to C as a part of another object and dies with it. C can read
     /// but not destroy it.
-    pub(crate) fn new_part(object: T) -> Self {
+    pub(crate) fn new_embedded(object: T) -> Self {
         TaggedObject { kind: !T::KIND, object }
     }
 
@@ -44,7 +44,7 @@ impl<T> std::ops::Deref for TaggedObject<T> {
 }
 
 /// Allocates an object with its kind.
-pub(crate) fn boxed<T: OpaqueHandle>(object: T) -> Box<TaggedObject<T>> {
+pub(crate) fn box_with_kind<T: OpaqueHandle>(object: T) -> Box<TaggedObject<T>> {
     Box::new(TaggedObject { kind: T::KIND, object })
 }
 

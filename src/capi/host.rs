@@ -37,7 +37,7 @@ pub(crate) struct HostProgress<'a> {
     callbacks: HostCallbacks,
     /// Whether the callback cancelled. The call then stays cancelled, whatever the callback returns
     /// later.
-    stopped: Cell<bool>,
+    is_stopped: Cell<bool>,
     /// The stage of the last report; none before the first.
     stage: Cell<Option<&'static str>>,
 }
@@ -46,7 +46,7 @@ impl<'a> HostProgress<'a> {
     /// Creates the host at the start of a call.
     pub(crate) fn new(watch: &'a CallWatch, callbacks: HostCallbacks) -> Self {
         watch.fraction.store(0, Ordering::Relaxed);
-        HostProgress { watch, callbacks, stopped: Cell::new(false), stage: Cell::new(None) }
+        HostProgress { watch, callbacks, is_stopped: Cell::new(false), stage: Cell::new(None) }
     }
 }
 
@@ -56,7 +56,7 @@ impl Progress for HostProgress<'_> {
         self.watch.fraction.store(fraction.to_bits(), Ordering::Relaxed);
         self.stage.set(Some(stage));
         if let Some(callback) = self.callbacks.progress
-            && !self.stopped.get()
+            && !self.is_stopped.get()
         {
             // Without an allocation: a host may be called often, and while the system has no
             // memory.
@@ -66,9 +66,9 @@ impl Progress for HostProgress<'_> {
             // SAFETY: the host provided this function for this purpose, and the 0-terminated text
             // lives during the call.
             let answer = unsafe { callback(self.callbacks.progress_user, fraction, text.as_ptr().cast()) };
-            self.stopped.set(answer != 0);
+            self.is_stopped.set(answer != 0);
         }
-        if self.stopped.get() || self.watch.cancelled.load(Ordering::Relaxed) {
+        if self.is_stopped.get() || self.watch.cancelled.load(Ordering::Relaxed) {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())

@@ -161,7 +161,7 @@ pub(crate) fn copy_input_items<T: bytemuck::AnyBitPattern>(
 }
 
 /// Reads a flag, 0 or 1.
-pub(crate) fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
+pub(crate) fn read_flag(value: u32, name: &'static str) -> Result<bool, Failure> {
     match value {
         0 | 1 => Ok(value == 1),
         other => Err(Failure::unknown_value(name, other.into())),
@@ -181,7 +181,7 @@ pub(crate) trait Choice: Sized {
 }
 
 /// Converts a constant to a variant.
-pub(crate) fn choice<T: Choice>(value: u32) -> Result<T, Failure> {
+pub(crate) fn read_choice<T: Choice>(value: u32) -> Result<T, Failure> {
     T::from_constant(value).ok_or_else(|| Failure::unknown_value(T::NAME, value.into()))
 }
 

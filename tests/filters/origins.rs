@@ -153,7 +153,7 @@ fn corners_of_grids_are_those_of_their_own_cells() {
                 [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / points.len() as f64)
             };
             let old: Vec<_> = faces
-                .corners(faces.corner_range(faces.face_of(source as u32) as usize))
+                .corners(faces.corner_range(faces.face_of_half_edge(source as u32) as usize))
                 .map(|v| soup.points[v as usize])
                 .collect();
             let f = made.face_offsets.partition_point(|&end| end as usize <= c) - 1;

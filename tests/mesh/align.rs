@@ -54,7 +54,7 @@ fn mean_residual(scans: &[Soup], poses: &[Pose]) -> f64 {
     let cell = |p: DVec3| (p / CELL).floor().to_array().map(|x| x as i64);
     let mut views = Vec::new();
     for (scan, pose) in scans.iter().zip(poses) {
-        let points: Vec<DVec3> = scan.points.iter().map(|&p| pose.point(p.into())).collect();
+        let points: Vec<DVec3> = scan.points.iter().map(|&p| pose.transform_point(p.into())).collect();
         let mut normals = vec![DVec3::ZERO; points.len()];
         for face in scan.faces() {
             let [p, q, r] = [0, 1, 2].map(|k| points[face[k] as usize]);
@@ -105,8 +105,8 @@ fn views_of_the_bunny_find_back() {
         let mut disturbed = poses.clone();
         for (pose, scan) in disturbed.iter_mut().zip(&scans).skip(1) {
             let [axis, shift] = [(); 2].map(|()| direction(&mut random));
-            let centre = pose.point(middle(scan));
-            *pose = pose.then(&motion(centre, axis, 3f64.to_radians(), 0.03 * size * shift));
+            let centre = pose.transform_point(middle(scan));
+            *pose = pose.followed_by(&motion(centre, axis, 3f64.to_radians(), 0.03 * size * shift));
         }
         let options = Options { start: Start::Poses(&disturbed), ..Options::default() };
         let found = align(&views, &options, &Job::default()).unwrap();
@@ -119,7 +119,7 @@ fn views_of_the_bunny_find_back() {
             assert_eq!(piece.reason, Reason::Trusted, "{seed}");
             let turn = DQuat::from_mat3(&(piece.pose.rotation * pose.rotation.transpose())).to_axis_angle().1;
             assert!(turn.to_degrees() < 0.5, "{seed}: {turn}");
-            let off = piece.pose.point(middle(scan)).distance(pose.point(middle(scan)));
+            let off = piece.pose.transform_point(middle(scan)).distance(pose.transform_point(middle(scan)));
             assert!(off < 0.005 * size, "{seed}: {off}");
         }
     }
@@ -150,12 +150,12 @@ fn rims_that_run_alike_put_pieces_together() {
         let mut random = fastrand::Rng::with_seed(seed);
         let [axis, shift] = [(); 2].map(|()| direction(&mut random));
         let away = motion(middle(&two), axis, 3.0 * random.f64(), 5.0 * shift);
-        let moved = two.points.iter().map(|&p| away.point(DVec3::from_array(p)).to_array()).collect();
+        let moved = two.points.iter().map(|&p| away.transform_point(DVec3::from_array(p)).to_array()).collect();
         let moved = Soup { points: moved, ..two.clone() };
         let options = Options { start: Start::Rims, ..Options::default() };
         let found = align(&[one.view(), moved.view()], &options, &Job::default()).unwrap();
-        let back = away.then(&found.pieces[1].pose);
-        let worst = two.points.iter().map(|&p| back.point(p.into()).distance(p.into())).fold(0.0, f64::max);
+        let back = away.followed_by(&found.pieces[1].pose);
+        let worst = two.points.iter().map(|&p| back.transform_point(p.into()).distance(p.into())).fold(0.0, f64::max);
         assert!(worst < 1e-3, "{seed}: {worst}");
         assert_eq!(found.pieces[1].reason, Reason::Trusted, "{seed}");
     }
@@ -166,7 +166,7 @@ fn rims_that_run_alike_put_pieces_together() {
 fn the_same_bits_for_any_number_of_threads() {
     let [one, _] = halves();
     let away = motion(middle(&one), DVec3::Z, 0.02, DVec3::new(0.02, -0.01, 0.03));
-    let moved = one.points.iter().map(|&p| away.point(DVec3::from_array(p)).to_array()).collect();
+    let moved = one.points.iter().map(|&p| away.transform_point(DVec3::from_array(p)).to_array()).collect();
     let moved = Soup { points: moved, ..one.clone() };
     let views = [one.view(), moved.view()];
     let run = |threads| align(&views, &Options::default(), &Job::new(threads, &Silent)).unwrap();
@@ -181,7 +181,7 @@ fn the_same_bits_for_any_number_of_threads() {
         let (a, b) = (place(&one), place(&moved));
         let found = align(&[a.view(), b.view()], &Options::default(), &Job::default()).unwrap();
         for (p, q) in a.points.iter().zip(&b.points) {
-            let off = found.pieces[1].pose.point(DVec3::from_array(*q)).distance(DVec3::from_array(*p));
+            let off = found.pieces[1].pose.transform_point(DVec3::from_array(*q)).distance(DVec3::from_array(*p));
             assert!(off < 1e-4 * unit, "{unit} {shift}: {off}");
         }
     }
@@ -189,7 +189,7 @@ fn the_same_bits_for_any_number_of_threads() {
 
 /// The faces that are there, moved.
 fn placed(soup: &Soup, pose: &Pose) -> Soup {
-    let points = soup.points.iter().map(|&p| pose.point(p.into()).to_array()).collect();
+    let points = soup.points.iter().map(|&p| pose.transform_point(p.into()).to_array()).collect();
     Soup { points, ..soup.clone() }
 }
 

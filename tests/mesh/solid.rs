@@ -152,7 +152,7 @@ fn assert_origins(soup: &Soup, repaired: &Repaired) {
         let found = repaired.mesh.positions.get(repaired.mesh.corner(corner));
         assert!(expected.distance(found) < 1e-12, "{expected} {found}");
         assert!((sources().map(|(_, weight)| weight).sum::<f64>() - 1.0).abs() < 1e-12);
-        let face = repaired.face_origin[repaired.mesh.face_of(corner as u32)];
+        let face = repaired.face_origin[repaired.mesh.face_of_corner(corner as u32)];
         assert!(sources().all(|(source, _)| face_of(source) as u32 == face));
     }
     let old = repaired.vertex_origin.iter().take_while(|&&v| v != NONE).count();

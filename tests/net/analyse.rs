@@ -196,7 +196,7 @@ fn surfaces(scalar: Scalar) -> Vec<Net<'static>> {
         Primitive::Klein { radius: 3.0, minor_radius: 1.0 },
         Primitive::Pillow { size: [2.0, 1.0], thickness: 0.5 },
     ]
-    .map(|primitive| Request { primitive, rows: 33, columns: 65, scalar }.net(&Job::default()).unwrap())
+    .map(|primitive| Request { primitive, rows: 33, columns: 65, scalar }.build_net(&Job::default()).unwrap())
     .into()
 }
 

@@ -453,7 +453,7 @@ fn triangles_of_glued_nets_are_manifold() {
     ] {
         for (rows, columns) in [(4, 5), (5, 5), (6, 7), (9, 13)] {
             let request = Request { rows, columns, ..Request::new(primitive) };
-            let net = request.net(&job()).unwrap();
+            let net = request.build_net(&job()).unwrap();
             for diagonal in [Diagonal::Shorter, Diagonal::Fixed] {
                 let options = MeshOptions { triangles: Some(diagonal), ..MeshOptions::default() };
                 let mesh = net.to_mesh(&options, &job()).unwrap().mesh;

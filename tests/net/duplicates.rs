@@ -31,7 +31,7 @@ fn shapes() -> Vec<Net<'static>> {
     ];
     let nets = primitives.into_iter().flat_map(|primitive| {
         [Scalar::F32, Scalar::F64].map(|scalar| {
-            Request { rows: 14, columns: 23, scalar, ..Request::new(primitive) }.net(&Job::default()).unwrap()
+            Request { rows: 14, columns: 23, scalar, ..Request::new(primitive) }.build_net(&Job::default()).unwrap()
         })
     });
     nets.collect()

@@ -18,7 +18,7 @@ const HOURGLASS: [[f64; 2]; 5] = [[0.0, -2.0], [1.0, -1.0], [0.0, 0.0], [1.0, 1.
 const RING: [[f64; 2]; 5] = [[2.0, 0.0], [1.0, 0.0], [1.0, 1.0], [2.0, 1.0], [2.0, 0.0]];
 
 fn net(primitive: Primitive<'_>, rows: usize, columns: usize, scalar: Scalar) -> Net<'static> {
-    Request { primitive, rows, columns, scalar }.net(&Job::default()).unwrap()
+    Request { primitive, rows, columns, scalar }.build_net(&Job::default()).unwrap()
 }
 
 /// All kinds, with Euler's characteristic, boundary loops, and whether they have an inside.
@@ -200,7 +200,7 @@ fn what_makes_no_sense_is_refused() {
     let job = Job::default();
     let refused = |primitive, rows, columns, option: &str| {
         let request = Request { primitive, rows, columns, scalar: Scalar::F32 };
-        match request.net(&job) {
+        match request.build_net(&job) {
             Err(Error::OptionOutOfRange { option: found, .. }) => assert_eq!(found, option),
             other => panic!("{other:?}"),
         }
@@ -221,7 +221,7 @@ fn what_makes_no_sense_is_refused() {
     let cuboid = Cuboid { kind: BoxKind::Slit, cells: [1, 0, 1] };
     refused(Primitive::Cuboid { cuboid, size: [1.0; 3] }, 0, 0, "cells");
     let huge = Request { rows: usize::MAX, columns: usize::MAX, ..Request::new(Primitive::Plane { size: [1.0; 2] }) };
-    assert!(matches!(huge.net(&job), Err(Error::TooLarge { .. })));
+    assert!(matches!(huge.build_net(&job), Err(Error::TooLarge { .. })));
 }
 
 #[test]

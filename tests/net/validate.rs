@@ -9,7 +9,9 @@ use gusset::net::{FindingKind, Net, NodeClasses, Seam, Shape, Sides, Topology, c
 use gusset::{Element, Error, Job};
 
 fn sphere() -> Net<'static> {
-    Request { rows: 7, columns: 9, ..Request::new(Primitive::Sphere { radius: 1.0 }) }.net(&Job::default()).unwrap()
+    Request { rows: 7, columns: 9, ..Request::new(Primitive::Sphere { radius: 1.0 }) }
+        .build_net(&Job::default())
+        .unwrap()
 }
 
 fn sheet(shape: Shape) -> Net<'static> {
@@ -181,7 +183,7 @@ fn gluing_and_ungluing_undo_each_other() {
 fn a_cut_opens() {
     // A torus, cut along its last column: both rims retreat along the rows.
     let torus = Primitive::Torus { radius: 2.0, minor_radius: 0.5 };
-    let mut net = Request { rows: 9, columns: 17, ..Request::new(torus) }.net(&Job::default()).unwrap();
+    let mut net = Request { rows: 9, columns: 17, ..Request::new(torus) }.build_net(&Job::default()).unwrap();
     let before: Vec<_> = (0..9).map(|i| net.get(i, 0)).collect();
     let links: Vec<_> = (0..9).map(|i| Gluing::Link(2 * (i * 17 + 16))).collect();
     assert_eq!(net.unglue(&links, 0.02).unwrap(), 16);

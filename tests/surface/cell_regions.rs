@@ -3,7 +3,9 @@
 use crate::reference::{empty, samples, sheets};
 use crate::shapes::Random;
 use glam::DVec3;
-use gusset::surface::reference::{CellGridShape, CellMask, Diameters, chain, euler_characteristic, integer_diameter};
+use gusset::surface::reference::{
+    CellGridShape, CellMask, Diameters, euler_characteristic, integer_diameter, shortest_chain,
+};
 use gusset::{Element, Error, Job};
 
 /// The shortest chains between all pairs of cells, by relaxation.
@@ -56,7 +58,7 @@ fn chains_and_integer_diameters() {
             assert_eq!(integer_diameter(&region, &job).unwrap(), if region.count() == 0 { Some(0) } else { truth });
             let all: Vec<_> = region.cells().collect();
             let Some((&from, &to)) = all.first().zip(all.last()) else { continue };
-            let Some(found) = chain(&region, from, to, &job).unwrap() else {
+            let Some(found) = shortest_chain(&region, from, to, &job).unwrap() else {
                 assert!(truth.is_none());
                 continue;
             };
@@ -67,8 +69,8 @@ fn chains_and_integer_diameters() {
     }
     let region = empty(CellGridShape { cells: [2, 2], closed: [false; 2] });
     assert_eq!(integer_diameter(&region, &job), Ok(Some(0)));
-    assert_eq!(chain(&region, [0, 0], [1, 1], &job), Err(Error::NoSuch { element: Element::Cell, index: 0 }));
-    assert!(chain(&region, [0, 2], [1, 1], &job).is_err());
+    assert_eq!(shortest_chain(&region, [0, 0], [1, 1], &job), Err(Error::NoSuch { element: Element::Cell, index: 0 }));
+    assert!(shortest_chain(&region, [0, 2], [1, 1], &job).is_err());
 }
 
 #[test]
@@ -100,7 +102,7 @@ fn regions_are_no_wider_than_their_bounds() {
         let sizes = Diameters::new(&sheet, &Job::default()).unwrap().euclidean;
         let lattice = sizes.lattice();
         let whole = CellMask::full(lattice).unwrap();
-        let path = chain(&whole, [0, 0], lattice.cell(lattice.len() - 1), &Job::default()).unwrap().unwrap();
+        let path = shortest_chain(&whole, [0, 0], lattice.cell(lattice.len() - 1), &Job::default()).unwrap().unwrap();
         let points: Vec<_> = path.iter().flat_map(|&cell| samples(&sheet, cell)).collect();
         let width = |points: &[(DVec3, DVec3)]| {
             points.iter().flat_map(|a| points.iter().map(move |b| a.0.distance(b.0))).fold(0.0, f64::max)

@@ -127,7 +127,7 @@ fn e3_the_rule_does_not_find_the_nearest() {
         let found =
             find_cells_near_object(&bumpy, &diameters, PointPlaneOrLine::Point(query), &options, &Job::default())
                 .unwrap();
-        assert_eq!(found.least.1, distance(nearest));
+        assert_eq!(found.nearest_node_and_distance.1, distance(nearest));
     }
     println!("{lost} of 500 nearest nodes lost");
     assert!(lost > 350, "{lost}");

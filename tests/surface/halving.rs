@@ -51,7 +51,7 @@ pub(crate) fn closest(sheet: &Sheet<'_>, diameters: &Diameters, query: DVec3, to
     let options = SearchOptions::new(SearchGoal::Least);
     let found =
         find_cells_near_object(sheet, diameters, PointPlaneOrLine::Point(query), &options, &Job::default()).unwrap();
-    let (node, distance) = found.least;
+    let (node, distance) = found.nearest_node_and_distance;
     let [(row, u), (column, v)] = [0, 1].map(|k| {
         let last = sheet.cells()[k] - 1;
         if node[k] <= last { (node[k] as u32, 0.0) } else { (last as u32, 1.0) }

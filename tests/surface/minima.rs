@@ -130,7 +130,7 @@ fn regions_by_force() {
             let query = random.point(1.5);
             let radius = 0.2 + random.next();
             let region = surface.cells_in_ball(query, radius, &Job::default()).unwrap();
-            assert_eq!(region.first, [0, (h * w) as u64]);
+            assert_eq!(region.first_bit_of_sheet, [0, (h * w) as u64]);
             let bits: u32 = region.mask.iter().map(|word| word.count_ones()).sum();
             assert_eq!(bits as usize, region.cells.len());
             for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
@@ -151,13 +151,13 @@ fn regions_by_force() {
                     assert!(at.is_err(), "{}: {query} {radius}: {i} {j} {least}", shape.name);
                 }
                 if let Ok(at) = at {
-                    assert!(!region.whole[at] || most <= radius);
+                    assert!(!region.is_whole_cell_inside[at] || most <= radius);
                 }
             }
         }
         let everything = surface.cells_in_ball(DVec3::ZERO, 1e9, &Job::default()).unwrap();
         assert_eq!(everything.cells.len(), h * w);
-        assert!(everything.whole.iter().all(|&whole| whole));
+        assert!(everything.is_whole_cell_inside.iter().all(|&whole| whole));
         assert!(surface.cells_in_ball(DVec3::splat(100.0), 1.0, &Job::default()).unwrap().cells.is_empty());
     }
 }

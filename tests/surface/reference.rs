@@ -241,10 +241,11 @@ fn the_nearest_is_kept() {
                     &Job::default(),
                 )
                 .unwrap();
-                assert_eq!(found.least.1, distance(nearest), "{options:?}");
+                assert_eq!(found.nearest_node_and_distance.1, distance(nearest), "{options:?}");
                 for cell in cells(lattice) {
                     let near = &samples[lattice.index(cell)];
-                    let nearer = near.iter().any(|(point, _)| point.distance(query) < found.least.1);
+                    let nearer =
+                        near.iter().any(|(point, _)| point.distance(query) < found.nearest_node_and_distance.1);
                     assert!(!nearer || found.possible_cells.get(cell), "{options:?} {cell:?}");
                 }
             }
@@ -431,7 +432,7 @@ fn degenerate_sheets() {
             for options in ways(goal) {
                 let object = PointPlaneOrLine::Point(DVec3::new(0.0, 0.0, 3.0));
                 let found = find_cells_near_object(&sheet, &diameters, object, &options, &Job::default()).unwrap();
-                assert_eq!(found.least.1, 3.0);
+                assert_eq!(found.nearest_node_and_distance.1, 3.0);
                 assert_eq!(found.possible_cells.count(), usize::from(goal == SearchGoal::Least));
             }
         }

@@ -31,8 +31,8 @@ const MIN_STEP_RADIANS: f64 = 1e-15;
 /// [`Error::InputsDiffer`], [`Error::ValuesDiffer`], [`Error::BadValue`], [`Error::ArrayTooShort`]
 /// if `out` is too small, [`Error::OptionOutOfRange`] if its values have another type or number of
 /// components, [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
-    channel.check_inputs(origins.inputs(), &job.part(0.0, 0.2))?;
+pub fn carry_values_over(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
+    channel.check_inputs(origins.inputs(), &job.sub_job(0.0, 0.2))?;
     let table = origins.table(channel.domain);
     // The output must have the type and number of components of the channel.
     Error::require(out.value_type == channel.value_type && out.components == channel.components, "output", 0.0)?;
@@ -47,12 +47,12 @@ pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job
         .zip(par::split_into_ranges(table.len(), ELEMENTS_PER_TASK));
     let chunks = alloc::collect(chunks)?;
     let stride = out.stride;
-    let done = par::map_cancellable(&job.part(0.2, 0.9), STAGE, chunks.into_iter(), |(bytes, rows)| {
+    let done = par::map_cancellable(&job.sub_job(0.2, 0.9), STAGE, chunks.into_iter(), |(bytes, rows)| {
         mixer.mix_rows(rows, bytes, stride)
     })?;
     done.into_iter().collect::<Result<()>>()?;
     if channel.rule == Rule::Texture && channel.domain == Domain::Corners {
-        origins.continuation.extend_charts(out, &job.part(0.9, 1.0))?;
+        origins.continuation.extend_charts(out, &job.sub_job(0.9, 1.0))?;
     }
     Ok(())
 }
@@ -61,33 +61,33 @@ pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job
 struct ValueMixer<'a> {
     channel: &'a Channel<'a>,
     table: &'a SourceTable,
-    turned: Option<&'a BitSet>,
+    turned_sources: Option<&'a BitSet>,
     /// The first source of each input, then the number of all sources.
-    starts: &'a [u32],
+    first_sources: &'a [u32],
 }
 
 impl<'a> ValueMixer<'a> {
     fn new(origins: &'a Origins, channel: &'a Channel<'a>) -> Self {
-        let turned = origins.turned.as_ref().map(|sets| &sets[channel.domain as usize]);
+        let turned = origins.turned_sources.as_ref().map(|sets| &sets[channel.domain as usize]);
         let turned = turned.filter(|_| channel.rule == Rule::Normal);
         ValueMixer {
             channel,
             table: origins.table(channel.domain),
-            turned,
-            starts: origins.first_sources_of_inputs(channel.domain),
+            turned_sources: turned,
+            first_sources: origins.first_sources_of_inputs(channel.domain),
         }
     }
 
     /// The values of a source, if its input has the channel.
     #[inline]
     fn values_of_source(&self, source: u32) -> Option<&'a [u8]> {
-        let input = match self.starts.len() {
+        let input = match self.first_sources.len() {
             2 => 0,
-            3 => usize::from(source >= self.starts[1]),
-            _ => self.starts.partition_point(|&start| start <= source) - 1,
+            3 => usize::from(source >= self.first_sources[1]),
+            _ => self.first_sources.partition_point(|&start| start <= source) - 1,
         };
         let values = self.channel.inputs[input].as_ref()?;
-        Some(values.bytes((source - self.starts[input]) as usize))
+        Some(values.bytes((source - self.first_sources[input]) as usize))
     }
 
     fn mix_rows(&self, rows: Range<usize>, out: &mut [u8], stride: usize) -> Result<()> {
@@ -115,7 +115,7 @@ impl<'a> ValueMixer<'a> {
             let out = &mut out[..size];
             let (sources, weights) = self.table.row(k);
             match sources {
-                &[source] if self.turned.is_none_or(|turned| !turned.contains(source)) => {
+                &[source] if self.turned_sources.is_none_or(|turned| !turned.contains(source)) => {
                     match self.values_of_source(source) {
                         Some(values) => out.copy_from_slice(&values[..size]),
                         None => out.fill(0),
@@ -142,7 +142,8 @@ impl<'a> ValueMixer<'a> {
             }
             Rule::Normal => {
                 let normal = |&(source, values, weight): &(u32, &[u8], f64)| {
-                    let sign = if self.turned.is_some_and(|turned| turned.contains(source)) { -1.0 } else { 1.0 };
+                    let sign =
+                        if self.turned_sources.is_some_and(|turned| turned.contains(source)) { -1.0 } else { 1.0 };
                     (sign * read_vector(value_type, values), weight)
                 };
                 let mut all = entries();

@@ -62,9 +62,9 @@ struct FaceBase {
 /// The cuts of charts: whether there are any, the long jumps in both directions, and the square of
 /// the usual length of a base.
 struct ChartCuts {
-    any: bool,
-    jumps: Vec<Vec<f64>>,
-    usual_way: f64,
+    has_cuts: bool,
+    long_jumps: Vec<Vec<f64>>,
+    usual_squared_base_length: f64,
 }
 
 /// An old corner whose value a new corner uses, across a cut if there is a jump.
@@ -84,11 +84,11 @@ pub(super) struct ChartContinuation {
     /// The rim edge of each new face, or [`NONE`].
     base_of: Vec<u32>,
     /// For each new corner, the weights of its base's three corners in the extended chart.
-    weights: Vec<[f64; 3]>,
+    base_corner_weights: Vec<[f64; 3]>,
     /// For each new corner, the old vertices whose values are interpolated.
-    shares: SourceTable,
+    interpolated_vertices: SourceTable,
     /// Both ends of the rim edges, sorted by vertex.
-    ends: Vec<RimEdgeEnd>,
+    rim_edge_ends: Vec<RimEdgeEnd>,
 }
 
 impl ChartContinuation {
@@ -107,8 +107,8 @@ impl ChartContinuation {
         let (first, end) = (offsets[0], offsets[offsets.len() - 1]);
         let mut weights = alloc::with_capacity((end - first) as usize)?;
         let mut shares = SourceTable::with_capacity((end - first) as usize, (end - first) as usize)?;
-        for (f, (range, &base)) in offsets.windows(2).zip(&rims.bases).enumerate() {
-            job.step_every(FACES_PER_REPORT, f, rims.bases.len(), STAGE)?;
+        for (f, (range, &base)) in offsets.windows(2).zip(&rims.base_of_new_face).enumerate() {
+            job.step_every(FACES_PER_REPORT, f, rims.base_of_new_face.len(), STAGE)?;
             for corner in range[0]..range[1] {
                 let Some(own) = bases.get(base as usize) else {
                     weights.push([0.0; 3]);
@@ -125,7 +125,14 @@ impl ChartContinuation {
                 shares.push(spread(v))?;
             }
         }
-        Ok(ChartContinuation { offsets, bases, base_of: rims.bases, weights, shares, ends: rims.ends })
+        Ok(ChartContinuation {
+            offsets,
+            bases,
+            base_of: rims.base_of_new_face,
+            base_corner_weights: weights,
+            interpolated_vertices: shares,
+            rim_edge_ends: rims.edge_ends,
+        })
     }
 
     /// Where charts differ, replaces the interpolated values of new corners by the extended charts
@@ -136,16 +143,18 @@ impl ChartContinuation {
         }
         let mut charts = self.charts_along_rims(values, job)?;
         let cuts = self.find_chart_cuts(&mut charts, values, job)?;
-        let edges = self.choose_chart_sides(&cuts, values, &job.part(0.0, 0.3))?;
-        self.merge_charts_by_vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
-        let job = job.part(0.7, 1.0);
+        let edges = self.choose_chart_sides(&cuts, values, &job.sub_job(0.0, 0.3))?;
+        self.merge_charts_by_vote(&mut charts, &edges, values, &job.sub_job(0.3, 0.7))?;
+        let job = job.sub_job(0.7, 1.0);
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
             let corners = range[0]..range[1];
             let mut all = corners.clone().flat_map(|corner| self.rim_edges_at(&edges, corner));
             let is_one = base == NONE || all.all(|edge| charts.find(edge) == charts.find(base));
             if is_one
-                && !(cuts.any && base != NONE && self.face_crosses_cut(values, corners.clone(), base, cuts.usual_way))
+                && !(cuts.has_cuts
+                    && base != NONE
+                    && self.face_crosses_cut(values, corners.clone(), base, cuts.usual_squared_base_length))
             {
                 continue;
             }
@@ -161,27 +170,27 @@ impl ChartContinuation {
 
     /// The rim edges whose values are interpolated at a new corner.
     fn rim_edges_at<'a>(&self, edges: &'a [u32], corner: u32) -> impl Iterator<Item = u32> + 'a {
-        let own = &edges[self.shares.entry_range((corner - self.offsets[0]) as usize)];
+        let own = &edges[self.interpolated_vertices.entry_range((corner - self.offsets[0]) as usize)];
         own.iter().copied().filter(|&edge| edge != NONE)
     }
 
     /// For each share, the rim edge at whose end it takes its value; [`NONE`] if its vertex is not
     /// on a rim edge. Where charts are cut, interpolates again with the values on the base's side.
     fn choose_chart_sides(&self, cuts: &ChartCuts, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
-        let mut edges = alloc::filled(NONE, self.shares.source_indices().len())?;
+        let mut edges = alloc::filled(NONE, self.interpolated_vertices.source_indices().len())?;
         let mut chosen = Vec::new();
         let first = self.offsets[0];
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
             for corner in range[0]..range[1] {
-                let places = self.shares.entry_range((corner - first) as usize);
+                let places = self.interpolated_vertices.entry_range((corner - first) as usize);
                 let mut other = false;
                 chosen.clear();
-                let shares = self.shares.entries((corner - first) as usize);
+                let shares = self.interpolated_vertices.entries((corner - first) as usize);
                 for (edge, (vertex, weight)) in edges[places.clone()].iter_mut().zip(shares) {
                     let ends = self.rim_ends_at(vertex);
                     let Some(usual) = ends.iter().find(|end| end.edge == base).or(ends.first()) else { continue };
-                    let (end, jump) = match cuts.any && usual.edge != base {
+                    let (end, jump) = match cuts.has_cuts && usual.edge != base {
                         true => self.nearest_rim_end(values, ends, (corner, base), cuts),
                         false => (usual, None),
                     };
@@ -208,7 +217,7 @@ impl ChartContinuation {
     ) -> (&'a RimEdgeEnd, Option<&'a [f64]>) {
         let mut best = (f64::INFINITY, &ends[0], None);
         for end in ends {
-            for jump in std::iter::once(None).chain(cuts.jumps.iter().map(|jump| Some(&jump[..]))) {
+            for jump in std::iter::once(None).chain(cuts.long_jumps.iter().map(|jump| Some(&jump[..]))) {
                 let off = |c| {
                     value_with_jump(values, end.corner, jump, c) - self.extended_chart_value(values, corner, base, c)
                 };
@@ -223,26 +232,31 @@ impl ChartContinuation {
 
     /// Finds where charts are cut along the rims.
     fn find_chart_cuts(&self, charts: &mut DisjointSets, values: &Output<'_>, job: &Job<'_>) -> Result<ChartCuts> {
-        let mut cuts = ChartCuts { any: false, jumps: Vec::new(), usual_way: self.median_squared_base_length(values)? };
-        for (k, ends) in self.ends.chunk_by(|a, b| a.vertex == b.vertex).enumerate() {
+        let mut cuts = ChartCuts {
+            has_cuts: false,
+            long_jumps: Vec::new(),
+            usual_squared_base_length: self.median_squared_base_length(values)?,
+        };
+        for (k, ends) in self.rim_edge_ends.chunk_by(|a, b| a.vertex == b.vertex).enumerate() {
             job.step_within_list(k, STAGE)?;
             let &[a, b] = ends else { continue };
             // A vertex where different charts meet is not a cut.
             if have_same_values(values, [a.corner, b.corner]) || charts.find(a.edge) != charts.find(b.edge) {
                 continue;
             }
-            cuts.any = true;
+            cuts.has_cuts = true;
             let jump = |c| values.get(a.corner as usize, c) - values.get(b.corner as usize, c);
             let size: f64 = (0..values.components).map(|c| jump(c).powi(2)).sum();
             let is_known = |known: &Vec<f64>| {
                 let off: f64 = known.iter().enumerate().map(|(c, x)| (jump(c) - x).powi(2)).sum();
                 off <= MAX_RELATIVE_JUMP_DIFFERENCE * MAX_RELATIVE_JUMP_DIFFERENCE * size
             };
-            let is_long = size > MIN_LONG_JUMP_IN_BASE_LENGTHS * MIN_LONG_JUMP_IN_BASE_LENGTHS * cuts.usual_way;
-            if is_long && cuts.jumps.len() < MAX_CHART_JUMPS && !cuts.jumps.iter().any(is_known) {
+            let is_long =
+                size > MIN_LONG_JUMP_IN_BASE_LENGTHS * MIN_LONG_JUMP_IN_BASE_LENGTHS * cuts.usual_squared_base_length;
+            if is_long && cuts.long_jumps.len() < MAX_CHART_JUMPS && !cuts.long_jumps.iter().any(is_known) {
                 for sign in [1.0, -1.0] {
                     let there = alloc::collect((0..values.components).map(|c| sign * jump(c)))?;
-                    alloc::push(&mut cuts.jumps, there)?;
+                    alloc::push(&mut cuts.long_jumps, there)?;
                 }
             }
         }
@@ -261,15 +275,15 @@ impl ChartContinuation {
     }
 
     fn rim_ends_at(&self, vertex: u32) -> &[RimEdgeEnd] {
-        let start = self.ends.partition_point(|end| end.vertex < vertex);
-        let count = self.ends[start..].partition_point(|end| end.vertex == vertex);
-        &self.ends[start..start + count]
+        let start = self.rim_edge_ends.partition_point(|end| end.vertex < vertex);
+        let count = self.rim_edge_ends[start..].partition_point(|end| end.vertex == vertex);
+        &self.rim_edge_ends[start..start + count]
     }
 
     /// The charts of rim edges, as far as the values at their ends determine them.
     fn charts_along_rims(&self, values: &Output<'_>, job: &Job<'_>) -> Result<DisjointSets> {
         let mut charts = DisjointSets::new(self.bases.len())?;
-        let pairs = self.ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex);
+        let pairs = self.rim_edge_ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex);
         for (k, pair) in pairs.enumerate() {
             job.step_within_list(k, STAGE)?;
             if have_same_values(values, [pair[0].corner, pair[1].corner]) {
@@ -304,7 +318,7 @@ impl ChartContinuation {
                 }
             }
         }
-        let job = job.part(1.0, 1.0);
+        let job = job.sub_job(1.0, 1.0);
         sort(&mut votes, Ord::cmp, &job, STAGE)?;
         for (k, between) in votes.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)).enumerate() {
             job.step_within_list(k, STAGE)?;
@@ -351,7 +365,7 @@ impl ChartContinuation {
 
     /// A component of the value at a new corner in the extended chart of its base.
     fn extended_chart_value(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
-        let weights = self.weights[(corner - self.offsets[0]) as usize];
+        let weights = self.base_corner_weights[(corner - self.offsets[0]) as usize];
         let at = self.bases[base as usize].corners.map(|corner| values.get(corner as usize, c));
         let there: f64 = at.iter().zip(weights).map(|(value, weight)| weight * value).sum();
         // If the extension overflows, it stops at the base.
@@ -362,7 +376,7 @@ impl ChartContinuation {
 impl FaceBase {
     /// Creates the base, with the corner of the face farthest from the line of the edge.
     fn new(mesh: &Mesh, [start, end]: [u32; 2]) -> FaceBase {
-        let f = mesh.face_of(start);
+        let f = mesh.face_of_corner(start);
         let at = |corner: u32| mesh.positions.get(mesh.corner(corner as usize));
         let (p, way) = (at(start), at(end) - at(start));
         let off = |corner: u32| (at(corner) - p).reject_from_normalized(way.normalize_or_zero()).length_squared();

@@ -24,11 +24,11 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_net_mesh(net: &NetMesh, job: &Job<'_>) -> Result<Origins> {
         let (mesh, columns) = (&net.mesh, net.columns);
-        let vertices = SourceTable::from_single_sources(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
-        let faces = SourceTable::from_single_sources(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
+        let vertices = SourceTable::from_single_sources(net.node_of_vertex.iter().copied(), &job.sub_job(0.0, 0.2))?;
+        let faces = SourceTable::from_single_sources(net.cell_of_face.iter().copied(), &job.sub_job(0.2, 0.4))?;
         let mut corners = SourceTable::with_capacity(mesh.face_corners.len(), mesh.face_corners.len())?;
         for (f, (&cell, face)) in net.cell_of_face.iter().zip(mesh.faces()).enumerate() {
-            job.part(0.4, 1.0).step_within_list(f, STAGE)?;
+            job.sub_job(0.4, 1.0).step_within_list(f, STAGE)?;
             let cell = cell as usize;
             let first = cell / (columns - 1) * columns + cell % (columns - 1);
             let nodes = [first, first + columns, first + columns + 1, first + 1];
@@ -64,12 +64,12 @@ impl Origins {
         let face_at = |cell: [usize; 2]| grid.face_of_cell[wide(cell, shape.columns() - 1)];
         let split = |k: u32, columns: usize| [k as usize / columns, k as usize % columns];
         let sources = made.node_of_vertex.iter().map(|&node| vertex_at(split(node, made.columns)));
-        let vertices = SourceTable::from_single_sources(sources, &job.part(0.0, 0.2))?;
+        let vertices = SourceTable::from_single_sources(sources, &job.sub_job(0.0, 0.2))?;
         let count = made.mesh.face_count();
         let mut corners = SourceTable::with_capacity(made.mesh.face_corners.len(), made.mesh.face_corners.len())?;
         let mut of_faces = SourceTable::with_capacity(count, count)?;
         for (f, (&cell, face)) in made.cell_of_face.iter().zip(made.mesh.faces()).enumerate() {
-            job.part(0.2, 1.0).step_within_list(f, STAGE)?;
+            job.sub_job(0.2, 1.0).step_within_list(f, STAGE)?;
             let [i, j] = split(cell, made.columns - 1);
             of_faces.push([(face_at([rows[i], columns[j]]), 1.0)])?;
             for &v in face {
@@ -105,13 +105,13 @@ impl Origins {
         let mut vertices = SourceTable::with_capacity(sheet.places.len(), 4 * sheet.places.len())?;
         job.step(0.0, STAGE)?;
         for (k, place) in sheet.places.iter().enumerate() {
-            job.part(0.0, 0.3).step_within_list(k, STAGE)?;
+            job.sub_job(0.0, 0.3).step_within_list(k, STAGE)?;
             vertices.push(nodes(place.cell, [place.u, place.v]))?;
         }
         let mut corners = SourceTable::with_capacity(mesh.face_corners.len(), 4 * mesh.face_corners.len())?;
         let mut faces = SourceTable::with_capacity(mesh.face_count(), mesh.face_count())?;
         for (f, range) in mesh.face_offsets.windows(2).enumerate() {
-            job.part(0.3, 1.0).step_within_list(f, STAGE)?;
+            job.sub_job(0.3, 1.0).step_within_list(f, STAGE)?;
             let (cell, parameters) = lines.face_parameters(range[0] as usize..range[1] as usize);
             for place in parameters {
                 corners.push(nodes(cell, place))?;

@@ -37,12 +37,12 @@ impl Origins {
         stitch.turned_faces.iter().for_each(|&f| turned.toggle(f));
         let is_turned = |f: usize| turned.contains(f as u32);
         let old = inputs.iter().map(|counts| counts.vertices).sum();
-        let kept = collect_kept_elements(mesh, inputs, old, first_face, is_turned, &job.part(0.0, 0.3))?;
+        let kept = collect_kept_elements(mesh, inputs, old, first_face, is_turned, &job.sub_job(0.0, 0.3))?;
         let parents = stitch.parents.iter().copied().zip(stitch.weights.iter().copied());
-        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned_faces(
+        Origins::new(mesh, kept, parents, &job.sub_job(0.3, 0.9))?.with_turned_faces(
             mesh,
             |f| f < first_face && is_turned(f),
-            &job.part(0.9, 1.0),
+            &job.sub_job(0.9, 1.0),
         )
     }
 
@@ -58,12 +58,12 @@ impl Origins {
         let turned = face_bit_set(mesh, &filled.turned_outwards)?;
         let is_turned = |f: usize| turned.contains(f as u32);
         let counts = Counts { vertices: old, corners: mesh.face_offsets[old_faces] as usize, faces: old_faces };
-        let kept = collect_kept_elements(mesh, vec![counts], old, old_faces, is_turned, &job.part(0.0, 0.3))?;
+        let kept = collect_kept_elements(mesh, vec![counts], old, old_faces, is_turned, &job.sub_job(0.0, 0.3))?;
         let parents = filled.parents.iter().copied().zip(filled.weights.iter().copied());
-        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned_faces(
+        Origins::new(mesh, kept, parents, &job.sub_job(0.3, 0.9))?.with_turned_faces(
             mesh,
             |f| f < old_faces && is_turned(f),
-            &job.part(0.9, 1.0),
+            &job.sub_job(0.9, 1.0),
         )
     }
 
@@ -75,8 +75,8 @@ impl Origins {
         let (mesh, is_turned) = (&oriented.mesh, |f: usize| oriented.turned[f]);
         let (vertices, corners, faces) = (mesh.positions.len(), mesh.face_corners.len(), mesh.face_count());
         let counts = Counts { vertices, corners, faces };
-        let kept = collect_kept_elements(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
-        Origins::from_kept(kept)?.with_turned_faces(mesh, is_turned, &job.part(0.7, 1.0))
+        let kept = collect_kept_elements(mesh, vec![counts], vertices, faces, is_turned, &job.sub_job(0.0, 0.7))?;
+        Origins::from_kept(kept)?.with_turned_faces(mesh, is_turned, &job.sub_job(0.7, 1.0))
     }
 
     /// The origins of a developed mesh.
@@ -87,9 +87,9 @@ impl Origins {
         let (corners, faces) = (done.mesh.face_corners.len(), done.mesh.face_count());
         Origins::from_kept(KeptElements {
             inputs: vec![Counts { vertices: done.old_vertices, corners, faces }],
-            vertices: SourceTable::from_single_sources(done.vertex_map.iter().copied(), &job.part(0.0, 0.3))?,
-            corners: SourceTable::from_single_sources(0..corners as u32, &job.part(0.3, 0.7))?,
-            faces: SourceTable::from_single_sources(0..faces as u32, &job.part(0.7, 1.0))?,
+            vertices: SourceTable::from_single_sources(done.vertex_map.iter().copied(), &job.sub_job(0.0, 0.3))?,
+            corners: SourceTable::from_single_sources(0..corners as u32, &job.sub_job(0.3, 0.7))?,
+            faces: SourceTable::from_single_sources(0..faces as u32, &job.sub_job(0.7, 1.0))?,
         })
     }
 
@@ -124,12 +124,12 @@ impl Origins {
         let [n, m] = ruled.counts;
         let points = |count: u32| Counts { vertices: count as usize, ..Counts::default() };
         let inputs = vec![points(n), points(m)];
-        let vertices = SourceTable::from_single_sources(0..n + m, &job.part(0.0, 0.1))?;
+        let vertices = SourceTable::from_single_sources(0..n + m, &job.sub_job(0.0, 0.1))?;
         let none = || SourceTable::with_capacity(0, 0);
         let kept = KeptElements { inputs, vertices, corners: none()?, faces: none()? };
         let parents = ruled.parents.iter().zip(&ruled.weights);
         let parents = parents.map(|(&[a, b], &weight)| ([a, b, b], [1.0 - weight, weight, 0.0]));
-        Origins::new(&ruled.mesh, kept, parents, &job.part(0.1, 1.0))
+        Origins::new(&ruled.mesh, kept, parents, &job.sub_job(0.1, 1.0))
     }
 
     /// The origins of the sections of a mesh with these counts. The vertices of the result are the
@@ -140,7 +140,7 @@ impl Origins {
     pub fn from_sections(sections: &Sections, counts: Counts, job: &Job<'_>) -> Result<Origins> {
         let points = sections.points().len();
         let mut vertices = SourceTable::with_capacity(points, 2 * points)?;
-        job.part(0.0, 0.6).work_in_ranges(STAGE, points, |range| {
+        job.sub_job(0.0, 0.6).work_in_ranges(STAGE, points, |range| {
             range.clone().try_for_each(|k| {
                 let ([a, b], t) = (sections.edges()[k], sections.parameters()[k]);
                 vertices.push([(a, 1.0 - t), (b, t)])
@@ -150,7 +150,7 @@ impl Origins {
             inputs: vec![counts],
             vertices,
             corners: SourceTable::with_capacity(0, 0)?,
-            faces: SourceTable::from_single_sources(sections.faces().iter().copied(), &job.part(0.6, 1.0))?,
+            faces: SourceTable::from_single_sources(sections.faces().iter().copied(), &job.sub_job(0.6, 1.0))?,
         })
     }
 }
@@ -159,9 +159,9 @@ impl Origins {
 fn origins_of_first_elements(inputs: Vec<Counts>, count: Counts, job: &Job<'_>) -> Result<Origins> {
     Origins::from_kept(KeptElements {
         inputs,
-        vertices: SourceTable::from_single_sources(0..count.vertices as u32, &job.part(0.0, 0.2))?,
-        corners: SourceTable::from_single_sources(0..count.corners as u32, &job.part(0.2, 0.8))?,
-        faces: SourceTable::from_single_sources(0..count.faces as u32, &job.part(0.8, 1.0))?,
+        vertices: SourceTable::from_single_sources(0..count.vertices as u32, &job.sub_job(0.0, 0.2))?,
+        corners: SourceTable::from_single_sources(0..count.corners as u32, &job.sub_job(0.2, 0.8))?,
+        faces: SourceTable::from_single_sources(0..count.faces as u32, &job.sub_job(0.8, 1.0))?,
     })
 }
 
@@ -188,9 +188,9 @@ fn collect_kept_elements(
     }
     Ok(KeptElements {
         inputs,
-        vertices: SourceTable::from_single_sources(0..vertices as u32, &job.part(0.2, 0.4))?,
-        corners: SourceTable::from_single_sources(corners.into_iter(), &job.part(0.4, 0.8))?,
-        faces: SourceTable::from_single_sources(0..faces as u32, &job.part(0.8, 1.0))?,
+        vertices: SourceTable::from_single_sources(0..vertices as u32, &job.sub_job(0.2, 0.4))?,
+        corners: SourceTable::from_single_sources(corners.into_iter(), &job.sub_job(0.4, 0.8))?,
+        faces: SourceTable::from_single_sources(0..faces as u32, &job.sub_job(0.8, 1.0))?,
     })
 }
 

@@ -2,7 +2,7 @@
 //! results.
 //!
 //! [`Origins`] tells, once for an operation, which elements of the inputs each element of its
-//! result comes from. [`apply()`] uses it to transfer any number of [`Channel`]s: colours, normals,
+//! result comes from. [`carry_values_over`] uses it to transfer any number of [`Channel`]s: colours, normals,
 //! texture coordinates, skin weights, materials, numbers.
 //!
 //! | file | what it does |
@@ -18,7 +18,7 @@
 //! | [`splits`](self) | vertices that stay split because of their values |
 //! | [`values`](self) | types of values, and the output of a result |
 //! | [`channel`](self) | values of one kind, and the rule for mixing them |
-//! | [`apply()`] | transfers a channel |
+//! | [`carry_values_over`] | transfers a channel |
 
 mod apply;
 mod channel;
@@ -33,7 +33,7 @@ mod splits;
 mod table;
 mod values;
 
-pub use apply::apply;
+pub use apply::carry_values_over;
 pub use channel::{Channel, Rule};
 pub use domain::{Counts, Domain};
 pub use origins::Origins;

@@ -24,10 +24,10 @@ const MAX_SPREAD_SOURCES: usize = 16;
 pub struct Origins {
     inputs: Vec<Counts>,
     /// For each domain, the first source of each input, then the number of all sources.
-    starts: [Vec<u32>; 3],
+    first_sources: [Vec<u32>; 3],
     pub(super) tables: [SourceTable; 3],
     /// For each domain, the sources whose faces were turned over; `None` if no face was turned.
-    pub(super) turned: Option<[BitSet; 3]>,
+    pub(super) turned_sources: Option<[BitSet; 3]>,
     pub(super) continuation: ChartContinuation,
 }
 
@@ -56,7 +56,7 @@ impl Origins {
 
     /// The first source of each input in a domain, then the number of all sources.
     pub fn first_sources_of_inputs(&self, domain: Domain) -> &[u32] {
-        &self.starts[domain as usize]
+        &self.first_sources[domain as usize]
     }
 
     /// The origins of a result without new faces.
@@ -77,7 +77,7 @@ impl Origins {
             Ok::<_, Error>(starts)
         };
         let starts = [starts(Domain::Vertices)?, starts(Domain::Corners)?, starts(Domain::Faces)?];
-        Ok(Origins { inputs, starts, tables, turned: None, continuation })
+        Ok(Origins { inputs, first_sources: starts, tables, turned_sources: None, continuation })
     }
 
     /// The origins of a result. The vertices after the kept ones have `parents`, which precede
@@ -94,7 +94,7 @@ impl Origins {
         // vertices, and new ones on edges of old faces.
         let mut is_end = BitSet::new(mesh.positions.len())?;
         (0..old_vertices as u32).for_each(|v| is_end.insert(v));
-        job.part(0.0, 0.0).work_in_ranges(STAGE, mesh.face_offsets[old_faces] as usize, |corners| {
+        job.sub_job(0.0, 0.0).work_in_ranges(STAGE, mesh.face_offsets[old_faces] as usize, |corners| {
             corners.for_each(|corner| is_end.insert(mesh.corner(corner)));
             Ok(())
         })?;
@@ -129,9 +129,9 @@ impl Origins {
             }
             vertices.push(row.iter().copied())?;
         }
-        let rims = RimEdges::find(mesh, old_faces, &job.part(0.0, 0.7))?;
-        for (f, &base) in (old_faces..mesh.face_count()).zip(&rims.bases) {
-            job.part(0.7, 0.8).step_every(FACES_PER_REPORT, f - old_faces, rims.bases.len(), STAGE)?;
+        let rims = RimEdges::find(mesh, old_faces, &job.sub_job(0.0, 0.7))?;
+        for (f, &base) in (old_faces..mesh.face_count()).zip(&rims.base_of_new_face) {
+            job.sub_job(0.7, 0.8).step_every(FACES_PER_REPORT, f - old_faces, rims.base_of_new_face.len(), STAGE)?;
             let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
             for corner in first..end {
                 row.clear();
@@ -146,7 +146,7 @@ impl Origins {
                 }
                 corners.push(row.iter().copied())?;
             }
-            let across = rims.edges.get(base as usize).map(|&[corner, _]| mesh.face_of(corner));
+            let across = rims.edges.get(base as usize).map(|&[corner, _]| mesh.face_of_corner(corner));
             let source = across.map_or(NONE, |face| faces.main_source(face));
             faces.push((source != NONE).then_some((source, 1.0)))?;
         }
@@ -155,7 +155,7 @@ impl Origins {
             old_faces,
             rims,
             |v| sources_after_spreading(&spread, &is_end, old_vertices, v),
-            &job.part(0.8, 1.0),
+            &job.sub_job(0.8, 1.0),
         )?;
         Origins::from_tables(inputs, [vertices, corners, faces], continuation)
     }
@@ -179,8 +179,8 @@ impl Origins {
                 insert(&mut turned[2], &self.tables[2], f);
                 // If pieces were welded, only the vertices of the face's own piece are turned.
                 let face = self.tables[2].main_source(f);
-                let input = self.starts[2].partition_point(|&start| start <= face).saturating_sub(1);
-                let own = self.starts[0][input]..self.starts[0][(input + 1).min(self.inputs.len())];
+                let input = self.first_sources[2].partition_point(|&start| start <= face).saturating_sub(1);
+                let own = self.first_sources[0][input]..self.first_sources[0][(input + 1).min(self.inputs.len())];
                 for c in mesh.face_offsets[f] as usize..mesh.face_offsets[f + 1] as usize {
                     insert(&mut turned[1], &self.tables[1], c);
                     let vertices = self.tables[0].row(mesh.face_corners[c] as usize).0;
@@ -189,7 +189,7 @@ impl Origins {
             }
             Ok(())
         })?;
-        self.turned = any.then_some(turned);
+        self.turned_sources = any.then_some(turned);
         Ok(self)
     }
 }

@@ -25,8 +25,8 @@ impl Origins {
         let (vertices, corners, faces) = (weld.vertex_map.len(), weld.old_corners, weld.face_map.len());
         let repaired = RepairedMesh {
             mesh: &weld.mesh,
-            faces: weld.mesh.face_count(),
-            new_vertices: 0,
+            old_face_count: weld.mesh.face_count(),
+            new_vertex_count: 0,
             corner_origins: weld.corners_left.as_deref().map(|corners| (corners, &[][..])),
         };
         let face_origin =
@@ -44,16 +44,16 @@ impl Origins {
     pub fn from_sew(sew: &Sew, job: &Job<'_>) -> Result<Origins> {
         let repaired = RepairedMesh {
             mesh: &sew.mesh,
-            faces: sew.mesh.face_count(),
-            new_vertices: sew.new_vertices.len(),
+            old_face_count: sew.mesh.face_count(),
+            new_vertex_count: sew.new_vertices.len(),
             corner_origins: sew.corner_origins.as_ref().map(corner_origin_parts),
         };
         let (vertices, corners, faces) = (sew.vertex_map.len(), sew.old_corners, sew.face_map.len());
         let counts = vec![Counts { vertices, corners, faces }];
         let map = sew.vertex_map.iter().copied();
-        let kept = repaired.kept_elements(counts, map, Some(&sew.face_origin), |_| false, &job.part(0.0, 0.7))?;
+        let kept = repaired.kept_elements(counts, map, Some(&sew.face_origin), |_| false, &job.sub_job(0.0, 0.7))?;
         let new = sew.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0]));
-        Origins::new(&sew.mesh, kept, new, &job.part(0.7, 1.0))
+        Origins::new(&sew.mesh, kept, new, &job.sub_job(0.7, 1.0))
     }
 
     /// The origins of a repaired mesh.
@@ -68,7 +68,7 @@ impl Origins {
             [&done.vertex_origin, &done.face_origin].map(|origins| origins.iter().take_while(is_old).count());
         let mut corner_sources = SourceTable::with_capacity(history.corners.len(), history.corners.len())?;
         for (k, place) in history.corners.iter().enumerate() {
-            job.part(0.0, 0.2).step_within_list(k, STAGE)?;
+            job.sub_job(0.0, 0.2).step_within_list(k, STAGE)?;
             let sources = place.corners.into_iter().zip(place.weights);
             corner_sources.push(sources.filter(|&(corner, _)| corner != NONE))?;
         }
@@ -78,21 +78,21 @@ impl Origins {
         let kept = KeptElements {
             inputs: alloc::collect(history.inputs.iter().map(counts))?,
             vertices: {
-                let mut vertices = of_old(&done.vertex_origin, old_vertices, &job.part(0.2, 0.3))?;
+                let mut vertices = of_old(&done.vertex_origin, old_vertices, &job.sub_job(0.2, 0.3))?;
                 for &(sources, weights) in &history.placed {
                     vertices.push(sources.into_iter().zip(weights))?;
                 }
                 vertices
             },
             corners: corner_sources,
-            faces: of_old(&done.face_origin, old_faces, &job.part(0.3, 0.4))?,
+            faces: of_old(&done.face_origin, old_faces, &job.sub_job(0.3, 0.4))?,
         };
         let new = history.parents.iter().copied().zip(history.weights.iter().copied());
         let is_turned = |f: usize| f < old_faces && done.turned[f];
-        Origins::new(&done.mesh, kept, new, &job.part(0.4, 0.9))?.with_turned_faces(
+        Origins::new(&done.mesh, kept, new, &job.sub_job(0.4, 0.9))?.with_turned_faces(
             &done.mesh,
             is_turned,
-            &job.part(0.9, 1.0),
+            &job.sub_job(0.9, 1.0),
         )
     }
 
@@ -104,8 +104,8 @@ impl Origins {
         let (mesh, history) = (&assembly.mesh, &assembly.history);
         let repaired = RepairedMesh {
             mesh,
-            faces: assembly.turned.len(),
-            new_vertices: history.parents.len(),
+            old_face_count: assembly.turned.len(),
+            new_vertex_count: history.parents.len(),
             corner_origins: history.corner_origins.as_ref().map(corner_origin_parts),
         };
         let counts = assembly.maps.iter().zip(&history.corner_counts);
@@ -118,9 +118,13 @@ impl Origins {
         assembly.maps.iter().for_each(|piece| map.extend_from_slice(&piece.vertices));
         let is_turned = |f: usize| assembly.turned.get(f) == Some(&true);
         let origin = history.face_origin.as_deref();
-        let kept = repaired.kept_elements(counts, map.into_iter(), origin, is_turned, &job.part(0.0, 0.3))?;
+        let kept = repaired.kept_elements(counts, map.into_iter(), origin, is_turned, &job.sub_job(0.0, 0.3))?;
         let new = history.parents.iter().copied().zip(history.weights.iter().copied());
-        Origins::new(mesh, kept, new, &job.part(0.3, 0.9))?.with_turned_faces(mesh, is_turned, &job.part(0.9, 1.0))
+        Origins::new(mesh, kept, new, &job.sub_job(0.3, 0.9))?.with_turned_faces(
+            mesh,
+            is_turned,
+            &job.sub_job(0.9, 1.0),
+        )
     }
 
     /// The origins of a mesh whose faces were split into triangles.
@@ -134,9 +138,9 @@ impl Origins {
         let counts = Counts { vertices, corners: triangles + 2 * faces, faces };
         Origins::from_kept(KeptElements {
             inputs: vec![counts],
-            vertices: SourceTable::from_single_sources(0..vertices as u32, &job.part(0.0, 0.3))?,
-            corners: SourceTable::from_single_sources(split.corners.iter().copied(), &job.part(0.3, 0.8))?,
-            faces: SourceTable::from_single_sources(split.faces.iter().copied(), &job.part(0.8, 1.0))?,
+            vertices: SourceTable::from_single_sources(0..vertices as u32, &job.sub_job(0.0, 0.3))?,
+            corners: SourceTable::from_single_sources(split.corners.iter().copied(), &job.sub_job(0.3, 0.8))?,
+            faces: SourceTable::from_single_sources(split.faces.iter().copied(), &job.sub_job(0.8, 1.0))?,
         })
     }
 
@@ -149,9 +153,9 @@ impl Origins {
         let (count, map) = (remains.mesh.positions.len(), remains.vertex_map.iter().copied());
         Origins::from_kept(KeptElements {
             inputs,
-            vertices: SourceTable::from_map(count, map, &job.part(0.0, 0.3))?,
-            corners: SourceTable::from_single_sources(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
-            faces: SourceTable::from_single_sources(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
+            vertices: SourceTable::from_map(count, map, &job.sub_job(0.0, 0.3))?,
+            corners: SourceTable::from_single_sources(remains.corners.iter().copied(), &job.sub_job(0.3, 0.8))?,
+            faces: SourceTable::from_single_sources(remains.faces.iter().copied(), &job.sub_job(0.8, 1.0))?,
         })
     }
 }
@@ -167,9 +171,9 @@ fn corner_origin_parts(origins: &CornerOrigins) -> RepairedCorners<'_> {
 struct RepairedMesh<'a> {
     mesh: &'a Mesh,
     /// The number of faces that are old ones, or parts of old ones.
-    faces: usize,
+    old_face_count: usize,
     /// The number of new vertices, which are the last ones.
-    new_vertices: usize,
+    new_vertex_count: usize,
     /// The origins of corners; `None` if all corners remain.
     corner_origins: Option<RepairedCorners<'a>>,
 }
@@ -185,19 +189,20 @@ impl RepairedMesh<'_> {
         is_turned: impl Fn(usize) -> bool,
         job: &Job<'_>,
     ) -> Result<KeptElements> {
-        let vertices = SourceTable::from_map(self.mesh.positions.len() - self.new_vertices, map, &job.part(0.0, 0.4))?;
-        let count = self.mesh.face_offsets[self.faces] as usize;
+        let vertices =
+            SourceTable::from_map(self.mesh.positions.len() - self.new_vertex_count, map, &job.sub_job(0.0, 0.4))?;
+        let count = self.mesh.face_offsets[self.old_face_count] as usize;
         let mut corners = SourceTable::with_capacity(count, count)?;
-        for f in 0..self.faces {
+        for f in 0..self.old_face_count {
             job.step_within_list(f, STAGE)?;
             for corner in corners_before_turning(self.mesh, f, is_turned(f)) {
                 corners.push(self.sources_of_corner(corner))?;
             }
         }
-        let faces = self.faces as u32;
+        let faces = self.old_face_count as u32;
         let faces = match face_origin {
-            Some(origin) => SourceTable::from_single_sources(origin.iter().copied(), &job.part(0.8, 1.0))?,
-            None => SourceTable::from_single_sources(0..faces, &job.part(0.8, 1.0))?,
+            Some(origin) => SourceTable::from_single_sources(origin.iter().copied(), &job.sub_job(0.8, 1.0))?,
+            None => SourceTable::from_single_sources(0..faces, &job.sub_job(0.8, 1.0))?,
         };
         Ok(KeptElements { inputs, vertices, corners, faces })
     }
@@ -209,7 +214,8 @@ impl RepairedMesh<'_> {
         };
         let start = corners[corner as usize];
         match on_edges.binary_search_by_key(&corner, |on| on.corner) {
-            Ok(k) => [(start, 1.0 - on_edges[k].at), (on_edges[k].end, on_edges[k].at)].into_iter(),
+            Ok(k) => [(start, 1.0 - on_edges[k].edge_parameter), (on_edges[k].end_corner, on_edges[k].edge_parameter)]
+                .into_iter(),
             Err(_) => [(start, 1.0), (start, 0.0)].into_iter(),
         }
     }

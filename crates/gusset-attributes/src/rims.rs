@@ -26,12 +26,12 @@ pub(super) struct RimEdges {
     /// For each rim edge, the corners of its old face at the start and the end.
     pub(super) edges: Vec<[u32; 2]>,
     /// The base of each new face; [`NONE`] if the face is not connected to an old one.
-    pub(super) bases: Vec<u32>,
+    pub(super) base_of_new_face: Vec<u32>,
     /// Both ends of all edges, sorted by vertex and edge.
-    pub(super) ends: Vec<RimEdgeEnd>,
+    pub(super) edge_ends: Vec<RimEdgeEnd>,
     /// For each old vertex of a new face that is not on a rim edge: the vertex, and a corner of an
     /// old face there. Sorted by vertex.
-    loose: Vec<(u32, u32)>,
+    vertices_and_corners_off_rims: Vec<(u32, u32)>,
 }
 
 impl RimEdges {
@@ -49,7 +49,7 @@ impl RimEdges {
             job.step_within_list(f, STAGE)?;
             sides.extend(face_sides(mesh, f));
         }
-        job.part(0.0, 0.4).work_in_ranges(STAGE, first_face, |faces| {
+        job.sub_job(0.0, 0.4).work_in_ranges(STAGE, first_face, |faces| {
             for f in faces {
                 let may = |&([u, v], _): &([u32; 2], u32)| is_new.contains(u) && is_new.contains(v);
                 alloc::extend(&mut sides, face_sides(mesh, f).filter(may))?;
@@ -58,12 +58,12 @@ impl RimEdges {
         })?;
         // All three lists are sorted as triples of numbers, so that the sort is compiled once.
         let mut keyed = alloc::collect(sides.iter().map(|&([u, v], corner)| (u.min(v), u.max(v), corner)))?;
-        sort(&mut keyed, Ord::cmp, &job.part(0.4, 0.6), STAGE)?;
+        sort(&mut keyed, Ord::cmp, &job.sub_job(0.4, 0.6), STAGE)?;
         let count = mesh.face_count() - first_face;
-        let face_of = |corner: u32| mesh.face_of(corner) as u32;
+        let face_of = |corner: u32| mesh.face_of_corner(corner) as u32;
         let (mut edges, mut own, mut links) = (Vec::new(), Vec::new(), Vec::new());
         for (k, together) in keyed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).enumerate() {
-            job.part(0.6, 0.6).step_within_list(k, STAGE)?;
+            job.sub_job(0.6, 0.6).step_within_list(k, STAGE)?;
             let old = together.partition_point(|&(_, _, corner)| corner < first_corner);
             let faces = together[old..].iter().map(|&(_, _, corner)| face_of(corner) - first_face as u32);
             if old > 0 && old < together.len() {
@@ -77,8 +77,8 @@ impl RimEdges {
             }
         }
         // Sorted in the order of the faces' corners.
-        sort(&mut own, Ord::cmp, &job.part(0.6, 0.7), STAGE)?;
-        let bases = find_face_bases(count, &own, &links, &job.part(0.7, 0.8))?;
+        sort(&mut own, Ord::cmp, &job.sub_job(0.6, 0.7), STAGE)?;
+        let bases = find_face_bases(count, &own, &links, &job.sub_job(0.7, 0.8))?;
         job.step(0.8, STAGE)?;
         let after = |corner: u32| {
             let f = face_of(corner) as usize;
@@ -89,10 +89,11 @@ impl RimEdges {
         let mut ends = alloc::gather(
             edges.iter().zip(0..).flat_map(|(corners, edge)| corners.map(|corner| (at(corner), edge, corner))),
         )?;
-        sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
+        sort(&mut ends, Ord::cmp, &job.sub_job(0.8, 0.9), STAGE)?;
         let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| RimEdgeEnd { vertex, edge, corner }))?;
-        let mut rims = RimEdges { edges, bases, ends, loose: Vec::new() };
-        rims.find_corners_off_rims(mesh, &new, &job.part(0.9, 1.0))?;
+        let mut rims =
+            RimEdges { edges, base_of_new_face: bases, edge_ends: ends, vertices_and_corners_off_rims: Vec::new() };
+        rims.find_corners_off_rims(mesh, &new, &job.sub_job(0.9, 1.0))?;
         Ok(rims)
     }
 
@@ -112,26 +113,30 @@ impl RimEdges {
             job.work_in_ranges(STAGE, old, |range| {
                 let named = range.map(|corner| (mesh.corner(corner), corner as u32));
                 let found = named.filter(|&(v, _)| wanted.contains(v));
-                alloc::extend(&mut self.loose, found)
+                alloc::extend(&mut self.vertices_and_corners_off_rims, found)
             })?;
-            sort(&mut self.loose, Ord::cmp, &job.part(1.0, 1.0), STAGE)?;
-            self.loose.dedup_by_key(|&mut (v, _)| v);
+            sort(&mut self.vertices_and_corners_off_rims, Ord::cmp, &job.sub_job(1.0, 1.0), STAGE)?;
+            self.vertices_and_corners_off_rims.dedup_by_key(|&mut (v, _)| v);
         }
         Ok(())
     }
 
     fn first_rim_end_at(&self, v: u32) -> Option<&RimEdgeEnd> {
-        self.ends.get(self.ends.partition_point(|end| end.vertex < v)).filter(|end| end.vertex == v)
+        self.edge_ends.get(self.edge_ends.partition_point(|end| end.vertex < v)).filter(|end| end.vertex == v)
     }
 
     /// The old corner whose values a new face with this base uses at an old vertex; [`NONE`] if it
     /// does not exist.
     pub(super) fn old_corner_at(&self, v: u32, base: u32) -> u32 {
         let key = (v, base);
-        let own = self.ends.binary_search_by(|end| (end.vertex, end.edge).cmp(&key)).ok().map(|at| &self.ends[at]);
+        let own =
+            self.edge_ends.binary_search_by(|end| (end.vertex, end.edge).cmp(&key)).ok().map(|at| &self.edge_ends[at]);
         match own.or_else(|| self.first_rim_end_at(v)) {
             Some(end) => end.corner,
-            None => self.loose.binary_search_by_key(&v, |&(v, _)| v).map_or(NONE, |at| self.loose[at].1),
+            None => self
+                .vertices_and_corners_off_rims
+                .binary_search_by_key(&v, |&(v, _)| v)
+                .map_or(NONE, |at| self.vertices_and_corners_off_rims[at].1),
         }
     }
 }

@@ -36,54 +36,54 @@ pub trait KeepSplitVertices {
 impl KeepSplitVertices for Stitch {
     fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
-        let origins = Origins::from_stitch(self, &job.part(0.0, 0.6))?;
+        let origins = Origins::from_stitch(self, &job.sub_job(0.0, 0.6))?;
         let [a, b] = &self.maps;
         let map = |input: usize, v: u32| if input == 0 { a.vertices[v as usize] } else { b.vertices[v as usize] };
-        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.sub_job(0.6, 1.0))
     }
 }
 
 impl KeepSplitVertices for Filled {
     fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
-        let origins = Origins::from_filled(self, &job.part(0.0, 0.6))?;
-        splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
+        let origins = Origins::from_filled(self, &job.sub_job(0.0, 0.6))?;
+        splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.sub_job(0.6, 1.0))
     }
 }
 
 impl KeepSplitVertices for Assembly {
     fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
-        let origins = Origins::from_assembly(self, &job.part(0.0, 0.6))?;
+        let origins = Origins::from_assembly(self, &job.sub_job(0.0, 0.6))?;
         let maps = &self.maps;
         let map = |input: usize, v: u32| maps[input].vertices[v as usize];
-        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.sub_job(0.6, 1.0))
     }
 }
 
 impl KeepSplitVertices for Weld {
     fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
-        let origins = Origins::from_weld(self, &job.part(0.0, 0.6))?;
+        let origins = Origins::from_weld(self, &job.sub_job(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
-        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.sub_job(0.6, 1.0))
     }
 }
 
 impl KeepSplitVertices for Sew {
     fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
-        let origins = Origins::from_sew(self, &job.part(0.0, 0.6))?;
+        let origins = Origins::from_sew(self, &job.sub_job(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
-        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.sub_job(0.6, 1.0))
     }
 }
 
 impl KeepSplitVertices for Oriented {
     fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
-        let origins = Origins::from_oriented(self, &job.part(0.0, 0.6))?;
-        splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
+        let origins = Origins::from_oriented(self, &job.sub_job(0.0, 0.6))?;
+        splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.sub_job(0.6, 1.0))
     }
 }
 
@@ -92,9 +92,9 @@ impl KeepSplitVertices for (Mesh, Vec<PieceOffsets>) {
     fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
-        let origins = Origins::from_side_by_side(&views, &job.part(0.0, 0.6))?;
+        let origins = Origins::from_side_by_side(&views, &job.sub_job(0.0, 0.6))?;
         let (mesh, places) = self;
-        splits.restore_split_vertices(mesh, &origins, |input, v| places[input].first_vertex + v, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(mesh, &origins, |input, v| places[input].first_vertex + v, &job.sub_job(0.6, 1.0))
     }
 }
 
@@ -102,10 +102,10 @@ impl KeepSplitVertices for TrimmedPieces {
     fn keep_split_vertices(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
         let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
-        let origins = Origins::from_trimmed(&views, self, &job.part(0.0, 0.6))?;
-        let (map, places) = (&self.vertex_map, &self.places);
+        let origins = Origins::from_trimmed(&views, self, &job.sub_job(0.0, 0.6))?;
+        let (map, places) = (&self.vertex_map, &self.piece_offsets);
         let map = |input: usize, v: u32| map[(places[input].first_vertex + v) as usize];
-        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
+        splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.sub_job(0.6, 1.0))
     }
 }
 
@@ -130,7 +130,7 @@ impl<'a> InputsWithSplitVertices<'a> {
         let mut merge = alloc::collect(0..mesh.positions.len() as u32)?;
         for (input, view) in self.0.iter().enumerate() {
             for v in 0..view.positions().len() as u32 {
-                job.part(0.0, 0.3).step_within_list(v as usize, STAGE)?;
+                job.sub_job(0.0, 0.3).step_within_list(v as usize, STAGE)?;
                 let (own, of) = (map(input, v), map(input, view.faces().merged_vertex(v)));
                 if own != NONE && of != NONE {
                     merge[own as usize] = of;
@@ -139,7 +139,7 @@ impl<'a> InputsWithSplitVertices<'a> {
         }
         let (starts, corners) = (origins.first_sources_of_inputs(Domain::Corners), origins.table(Domain::Corners));
         for (k, corner) in mesh.face_corners.iter_mut().enumerate() {
-            job.part(0.3, 1.0).step_within_list(k, STAGE)?;
+            job.sub_job(0.3, 1.0).step_within_list(k, STAGE)?;
             // A corner with several sources is at a new vertex between old ones.
             let &[source] = corners.row(k).0 else { continue };
             let input = starts.partition_point(|&start| start <= source) - 1;

@@ -36,17 +36,23 @@ impl Progress for SilentProgress {
 pub struct Job<'a> {
     threads: usize,
     progress: &'a dyn Progress,
-    from: f64,
-    to: f64,
+    first_fraction: f64,
+    last_fraction: f64,
     /// The bytes taken from the memory reserve before the job began.
-    drawn: u64,
+    bytes_drawn_at_start: u64,
 }
 
 impl<'a> Job<'a> {
     /// Creates a job. If `threads` is 0, it uses as many threads as the machine has; 1 means the
     /// calling thread only. The result does not depend on the number of threads.
     pub fn new(threads: usize, progress: &'a dyn Progress) -> Self {
-        Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::bytes_drawn_since_start() }
+        Job {
+            threads,
+            progress,
+            first_fraction: 0.0,
+            last_fraction: 1.0,
+            bytes_drawn_at_start: reserve::bytes_drawn_since_start(),
+        }
     }
 
     /// Returns the requested number of threads; 0 means automatic.
@@ -60,14 +66,18 @@ impl<'a> Job<'a> {
     }
 
     /// Returns the job of one part of the work. The part's range 0..1 is `from..to` of the whole.
-    pub fn part(&self, from: f64, to: f64) -> Job<'a> {
-        let span = self.to - self.from;
-        Job { from: self.from + span * from, to: self.from + span * to, ..*self }
+    pub fn sub_job(&self, from: f64, to: f64) -> Job<'a> {
+        let span = self.last_fraction - self.first_fraction;
+        Job {
+            first_fraction: self.first_fraction + span * from,
+            last_fraction: self.first_fraction + span * to,
+            ..*self
+        }
     }
 
     /// Returns the job of part `k` of `count` equal parts.
-    pub fn share(&self, k: usize, count: usize) -> Job<'a> {
-        self.part(k as f64 / count as f64, (k + 1) as f64 / count as f64)
+    pub fn sub_job_of_item(&self, k: usize, count: usize) -> Job<'a> {
+        self.sub_job(k as f64 / count as f64, (k + 1) as f64 / count as f64)
     }
 
     /// Reports progress. Returns [`Error::Cancelled`] if the host cancels. In the libraries for C,
@@ -83,7 +93,9 @@ impl<'a> Job<'a> {
     pub fn step_without_memory_check(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Work without elements reports 0 / 0.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
-        error_if_cancelled(self.progress.step(self.from + (self.to - self.from) * fraction, stage))
+        error_if_cancelled(
+            self.progress.step(self.first_fraction + (self.last_fraction - self.first_fraction) * fraction, stage),
+        )
     }
 
     /// Reports that the computation is complete. Call it after the last step, before modifying the
@@ -101,7 +113,7 @@ impl<'a> Job<'a> {
     /// began. Call it before modifying the caller's data.
     #[inline]
     pub fn check_memory(&self) -> Result<()> {
-        match reserve::bytes_drawn_since_start() - self.drawn {
+        match reserve::bytes_drawn_since_start() - self.bytes_drawn_at_start {
             0 => Ok(()),
             bytes => Err(Error::OutOfMemory { bytes }),
         }
@@ -179,11 +191,11 @@ mod tests {
     #[test]
     fn parts_nest_and_break_cancels() {
         let recorder = ProgressRecorder(RefCell::default());
-        let job = Job::new(1, &recorder).part(0.5, 1.0).part(0.0, 0.5);
+        let job = Job::new(1, &recorder).sub_job(0.5, 1.0).sub_job(0.0, 0.5);
         assert_eq!(job.step(0.0, "a"), Ok(()));
         assert_eq!(job.step(f64::NAN, "a"), Ok(()));
         assert_eq!(job.step(2.0, "b"), Err(Error::Cancelled));
-        assert_eq!(Job::new(1, &recorder).share(1, 4).step(0.5, "c"), Ok(()));
+        assert_eq!(Job::new(1, &recorder).sub_job_of_item(1, 4).step(0.5, "c"), Ok(()));
         assert_eq!(*recorder.0.borrow(), [0.5, 0.5, 0.75, 0.375]);
     }
 

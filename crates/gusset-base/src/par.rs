@@ -122,7 +122,7 @@ fn run_items_with_jobs(
     let mut lead = |_| {
         let stop = SetFlagOnDrop(&stopped);
         let ask = |done: usize| job.step(done as f64 / count.max(1) as f64, stage);
-        let own_job = |i: usize| ask(i).map(|()| job.share(i, count).with_threads(1));
+        let own_job = |i: usize| ask(i).map(|()| job.sub_job_of_item(i, count).with_threads(1));
         reported = (|| {
             while take_next(&own_job)? {}
             busy.wait_until_idle(|| ask(count))
@@ -209,7 +209,7 @@ pub fn run_both<R, S: Send>(
     second: impl FnOnce(&Job<'_>) -> Result<S> + Send,
 ) -> Result<(R, S)> {
     if resolve_thread_count(2, job.requested_threads()) < 2 {
-        return Ok((first(&job.part(0.0, 0.5))?, second(&job.part(0.5, 1.0))?));
+        return Ok((first(&job.sub_job(0.0, 0.5))?, second(&job.sub_job(0.5, 1.0))?));
     }
     let stopped = AtomicBool::new(false);
     let (second, done) = (Mutex::new(Some(second)), Mutex::new(None));
@@ -223,10 +223,10 @@ pub fn run_both<R, S: Send>(
     let mut lead = |_| {
         let stop = SetFlagOnDrop(&stopped);
         first_result = first.take().map(|first| {
-            let found = first(&job.part(0.0, 0.5))?;
+            let found = first(&job.sub_job(0.0, 0.5))?;
             // Runs the second closure here if the other thread has not begun it.
             let late = lock(&second).take();
-            let late = late.map(|second| second(&job.part(0.5, 1.0))).transpose()?;
+            let late = late.map(|second| second(&job.sub_job(0.5, 1.0))).transpose()?;
             busy.wait_until_idle(|| job.step(0.5, stage))?;
             Ok((found, late))
         });
@@ -247,8 +247,8 @@ pub fn run_both<R, S: Send>(
 struct BusyThreadCount {
     count: AtomicUsize,
     /// Held by a waiting thread from its look at the count until it sleeps.
-    looking: Mutex<()>,
-    fewer: Condvar,
+    wake_lock: Mutex<()>,
+    count_fell: Condvar,
 }
 
 impl BusyThreadCount {
@@ -262,9 +262,9 @@ impl BusyThreadCount {
     fn wait_until_idle(&self, ask: impl Fn() -> Result<()>) -> Result<()> {
         while self.count.load(Ordering::Acquire) > 0 {
             ask()?;
-            let looking = lock(&self.looking);
+            let looking = lock(&self.wake_lock);
             if self.count.load(Ordering::Acquire) > 0 {
-                drop(self.fewer.wait_timeout(looking, MAX_TIME_BETWEEN_REPORTS));
+                drop(self.count_fell.wait_timeout(looking, MAX_TIME_BETWEEN_REPORTS));
             }
         }
         Ok(())
@@ -277,8 +277,8 @@ struct BusyThreadGuard<'a>(&'a BusyThreadCount);
 impl Drop for BusyThreadGuard<'_> {
     fn drop(&mut self) {
         self.0.count.fetch_sub(1, Ordering::Release);
-        drop(lock(&self.0.looking));
-        self.0.fewer.notify_one();
+        drop(lock(&self.0.wake_lock));
+        self.0.count_fell.notify_one();
     }
 }
 

@@ -24,13 +24,13 @@ pub fn run<K: Kernel>(kernel: K) -> K::Output {
     if std::arch::is_x86_feature_detected!("avx2") {
         // SAFETY: the processor has AVX2.
         #[allow(unsafe_code, reason = "the compiler cannot know the processor")]
-        return unsafe { with_avx2(kernel) };
+        return unsafe { run_with_avx2(kernel) };
     }
     kernel.run()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn with_avx2<K: Kernel>(kernel: K) -> K::Output {
+fn run_with_avx2<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }

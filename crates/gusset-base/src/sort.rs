@@ -28,7 +28,7 @@ pub fn sort<T>(
     let whole = items.len().max(1) as f64;
     // Returns early if the elements are in order; an unordered list fails this test soon.
     let in_order = |k: usize| k == 0 || compare(&items[k - 1], &items[k]).is_le();
-    let (mut ordered, looking) = (0, job.part(0.0, 0.0));
+    let (mut ordered, looking) = (0, job.sub_job(0.0, 0.0));
     while ordered < items.len() && in_order(ordered) {
         looking.step_every(ELEMENTS_PER_REPORT, ordered, items.len(), stage)?;
         ordered += 1;
@@ -215,7 +215,7 @@ pub fn sort_distinct<T: Ord>(items: &mut Vec<T>) {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Buckets<T> {
     /// Bucket k has the items from `start[k]` to `start[k + 1]`.
-    start: Vec<u32>,
+    bucket_starts: Vec<u32>,
     items: Vec<T>,
 }
 
@@ -234,7 +234,7 @@ impl<T: Copy> Buckets<T> {
         job: &Job<'_>,
         stage: &'static str,
     ) -> Result<Self> {
-        let job = job.part(0.0, 0.0);
+        let job = job.sub_job(0.0, 0.0);
         // Counts two buckets ahead, so that the running sums become the starts of the buckets while
         // they are filled.
         let mut start = alloc::filled(0u32, count + 2)?;
@@ -258,13 +258,13 @@ impl<T: Copy> Buckets<T> {
             *place += 1;
         }
         start.truncate(count + 1);
-        Ok(Buckets { start, items })
+        Ok(Buckets { bucket_starts: start, items })
     }
 
     /// Returns the range of a bucket in [`items`](Self::items).
     #[inline]
     pub fn range(&self, bucket: usize) -> Range<usize> {
-        self.start[bucket] as usize..self.start[bucket + 1] as usize
+        self.bucket_starts[bucket] as usize..self.bucket_starts[bucket + 1] as usize
     }
 
     /// Returns the items of a bucket.
@@ -287,7 +287,7 @@ impl<T: Copy> Buckets<T> {
 
     /// Returns the end offsets of the buckets (after a leading 0) and the items.
     pub fn into_parts(self) -> (Vec<u32>, Vec<T>) {
-        (self.start, self.items)
+        (self.bucket_starts, self.items)
     }
 }
 

@@ -52,7 +52,7 @@ type Parts = Vec<(CString, Vec<u8>)>;
 ///
 /// # Safety
 /// `result` is NULL or valid for a write.
-unsafe fn answer(result: *mut *mut gusset_file, body: impl FnOnce() -> Result<Parts, Refusal>) -> i32 {
+unsafe fn store_parts_or_refusal(result: *mut *mut gusset_file, body: impl FnOnce() -> Result<Parts, Refusal>) -> i32 {
     if result.is_null() {
         return GUSSET_FILES_BAD_ARGUMENT;
     }
@@ -114,14 +114,15 @@ pub(crate) unsafe extern "C" fn read(
 ) -> i32 {
     // SAFETY: the host promises that its arguments are as the descriptor says.
     unsafe {
-        answer(result, || {
+        store_parts_or_refusal(result, || {
             let format = named_format(given_text(name, "name")?)?;
             let bytes = given_bytes(bytes, size).ok_or_else(|| Refusal::argument("bytes is NULL"))?;
             check_flags(flags, GUSSET_FILES_JOINED | GUSSET_FILES_UNMERGED)?;
             let options = ReadOptions { merge_repeated: flags & GUSSET_FILES_UNMERGED == 0, ..ReadOptions::default() };
             let document = gusset_io::read(bytes, format, &Folder::new(folder), &options)?;
             let size = bytes.len() as u64;
-            let document = if flags & GUSSET_FILES_JOINED != 0 { joined(document, size)? } else { document };
+            let document =
+                if flags & GUSSET_FILES_JOINED != 0 { join_meshes_within_limit(document, size)? } else { document };
             let Packed { description, arrays } = pack(&document)?;
             Ok(vec![(c"document".into(), description.into_bytes()), (c"arrays".into(), arrays)])
         })
@@ -129,7 +130,7 @@ pub(crate) unsafe extern "C" fn read(
 }
 
 /// Joins all meshes of a scene. Copies of meshes are limited by the size of the file in bytes.
-fn joined(document: Document, size: u64) -> Result<Document, ReadError> {
+fn join_meshes_within_limit(document: Document, size: u64) -> Result<Document, ReadError> {
     /// Number of points and corners that the meshes of any scene may have in all their copies.
     const MIN_SCENE_ELEMENTS: u64 = 1 << 22;
     if document.placements.is_empty() { Ok(document) } else { document.into_joined(size.max(MIN_SCENE_ELEMENTS)) }
@@ -147,17 +148,17 @@ pub(crate) unsafe extern "C" fn write(
 ) -> i32 {
     // SAFETY: the host promises that its arguments are as the descriptor says.
     unsafe {
-        answer(result, || {
+        store_parts_or_refusal(result, || {
             let name = given_text(name, "name")?;
             check_flags(flags, GUSSET_FILES_TEXT | GUSSET_FILES_LOSSY)?;
             let arrays = given_bytes(arrays, size).ok_or_else(|| Refusal::argument("arrays is NULL"))?;
             let document = unpack(given_text(document, "document")?, arrays)?;
-            written(name, &document, &Folder::new(folder), flags)
+            write_document_parts(name, &document, &Folder::new(folder), flags)
         })
     }
 }
 
-fn written(name: &str, document: &Document, folder: &Folder, flags: u32) -> Result<Parts, Refusal> {
+fn write_document_parts(name: &str, document: &Document, folder: &Folder, flags: u32) -> Result<Parts, Refusal> {
     let format = named_format(name)?;
     let options = WriteOptions {
         text: flags & GUSSET_FILES_TEXT != 0,
@@ -172,14 +173,14 @@ fn written(name: &str, document: &Document, folder: &Folder, flags: u32) -> Resu
         Ok(())
     };
     let stem = name.rsplit('/').next().and_then(|name| name.rsplit_once('.')).map_or("mesh", |(stem, _)| stem);
-    let mut target = Target { main: &mut main, stem, beside: &mut add, resources: folder };
+    let mut target = Target { main_file: &mut main, stem, beside: &mut add, resources: folder };
     let losses = gusset_io::write(document, format, &mut target, &options)?;
     let losses: Vec<String> = losses.into_iter().map(|Loss(what)| what).collect();
     let losses = serde_json::json!(losses).to_string().into_bytes();
     Ok([(c"losses".into(), losses), (c"file".into(), main.into_bytes())].into_iter().chain(beside).collect())
 }
 
-unsafe fn part<'a>(result: *const gusset_file, which: u32) -> Option<&'a (CString, Vec<u8>)> {
+unsafe fn part_at<'a>(result: *const gusset_file, which: u32) -> Option<&'a (CString, Vec<u8>)> {
     // SAFETY: the host promises that the result is NULL or alive.
     unsafe { result.as_ref() }?.parts.get(which as usize)
 }
@@ -191,13 +192,13 @@ pub(crate) unsafe extern "C" fn part_count(result: *const gusset_file) -> u32 {
 
 pub(crate) unsafe extern "C" fn part_name(result: *const gusset_file, which: u32) -> *const c_char {
     // SAFETY: as above.
-    unsafe { part(result, which) }.map_or(ptr::null(), |(name, _)| name.as_ptr())
+    unsafe { part_at(result, which) }.map_or(ptr::null(), |(name, _)| name.as_ptr())
 }
 
 pub(crate) unsafe extern "C" fn part_bytes(result: *const gusset_file, which: u32, size: *mut usize) -> *const u8 {
     // SAFETY: as above; `size` is NULL or valid for a write.
     unsafe {
-        let bytes = part(result, which).map_or(&[][..], |(_, bytes)| bytes);
+        let bytes = part_at(result, which).map_or(&[][..], |(_, bytes)| bytes);
         if let Some(size) = size.as_mut() {
             *size = bytes.len();
         }

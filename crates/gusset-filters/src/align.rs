@@ -62,10 +62,10 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         samples: values.samples,
         max_rounds: values.max_rounds,
     };
-    let found = align(&pieces, &options, &job.part(0.0, 0.9))?;
-    let mut moved = found.moved(&pieces, &job.part(0.9, 1.0))?;
-    moved.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
-    let origins = values.trace_origins(|| Origins::from_side_by_side(&pieces, &job.part(1.0, 1.0)))?;
+    let found = align(&pieces, &options, &job.sub_job(0.0, 0.9))?;
+    let mut moved = found.move_pieces(&pieces, &job.sub_job(0.9, 1.0))?;
+    moved.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.sub_job(1.0, 1.0))?;
+    let origins = values.trace_origins(|| Origins::from_side_by_side(&pieces, &job.sub_job(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(moved.0, origins), Output::Text(report(&found))])
 }
 

@@ -31,7 +31,7 @@ params! {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
-    let found = check(mesh, &job.part(0.0, if values.intersections { 0.5 } else { 1.0 }))?;
+    let found = check(mesh, &job.sub_job(0.0, if values.intersections { 0.5 } else { 1.0 }))?;
     let mut text = check_summary(&found);
     let max = values.listed as usize;
     let faces = mesh.faces();
@@ -49,7 +49,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     }
     let mut numbers = report_values(&found);
     if values.intersections {
-        let pairs = find_intersecting_faces(mesh, &job.part(0.5, 1.0))?;
+        let pairs = find_intersecting_faces(mesh, &job.sub_job(0.5, 1.0))?;
         text += &intersecting_pairs_line(&pairs, max);
         numbers.push(("intersections", ReportValue::count(pairs.len())));
     }

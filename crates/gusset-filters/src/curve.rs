@@ -77,7 +77,7 @@ fn fit_mapped_curves(
     let mut curves = alloc::with_capacity(each.len())?;
     let mut first = 0;
     for (c, (points, closed)) in each.iter().enumerate() {
-        let part = job.share(c, each.len());
+        let part = job.sub_job_of_item(c, each.len());
         part.step(0.0, "curves")?;
         curves.push(fit_curve(&map_points(first, points)?, *closed, curve_kind, &part)?);
         first += points.len();

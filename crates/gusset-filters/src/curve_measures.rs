@@ -28,16 +28,16 @@ params! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.5))?;
+    let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.sub_job(0.0, 0.5))?;
     let (mut text, mut total) = (String::new(), 0.0);
     for (c, curve) in curves.iter().enumerate() {
-        let part = job.part(0.5, 1.0).share(c, curves.len());
+        let part = job.sub_job(0.5, 1.0).sub_job_of_item(c, curves.len());
         part.step(0.0, "measuring curves")?;
         let curve = curve.view();
-        let length = if curve.is_empty() { 0.0 } else { curve.arc_lengths(&part.part(0.0, 0.5))?.total_length() };
+        let length = if curve.is_empty() { 0.0 } else { curve.arc_lengths(&part.sub_job(0.0, 0.5))?.total_length() };
         total += length;
         if c < MAX_LISTED_CURVES {
-            push_line!(text, "curve {c}: {}", measures_line(&curve, length, &part.part(0.5, 1.0))?);
+            push_line!(text, "curve {c}: {}", measures_line(&curve, length, &part.sub_job(0.5, 1.0))?);
         }
     }
     push_unlisted_count(&mut text, curves.len(), MAX_LISTED_CURVES);
@@ -51,7 +51,7 @@ fn measures_line(curve: &CurveView<'_>, length: f64, job: &Job<'_>) -> Result<St
     if curve.points().is_empty() {
         return Ok(format!("{kind}, without points"));
     }
-    let (area, bounds) = (curve.area_vector(&job.part(0.0, 0.5))?, curve.bounding_box(&job.part(0.5, 1.0))?);
+    let (area, bounds) = (curve.area_vector(&job.sub_job(0.0, 0.5))?, curve.bounding_box(&job.sub_job(0.5, 1.0))?);
     Ok(format!(
         "{kind}, length {}, area {}, seen along {}, box {} to {}",
         format_short(length),

@@ -33,38 +33,39 @@ params! {
 
 /// The intersections found.
 struct CurveMeetings {
-    places: Curves,
+    meeting_points: Curves,
     text: String,
     overlaps: usize,
     undecided: usize,
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.3))?;
-    let mut found = CurveMeetings { places: Curves::without_curves(), text: String::new(), overlaps: 0, undecided: 0 };
+    let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.sub_job(0.0, 0.3))?;
+    let mut found =
+        CurveMeetings { meeting_points: Curves::without_curves(), text: String::new(), overlaps: 0, undecided: 0 };
     let box_of = |curve: &Curve| match curve.view() {
         view if view.points().is_empty() => Ok(None),
-        view => view.bounding_box(&job.part(0.3, 0.3)).map(Some),
+        view => view.bounding_box(&job.sub_job(0.3, 0.3)).map(Some),
     };
     let boxes = alloc::try_collect(curves.iter().map(box_of))?;
     let (within, count) = (values.within, curves.len());
     for i in 0..count {
-        let job = job.part(0.3, 1.0).share(i, count);
+        let job = job.sub_job(0.3, 1.0).sub_job_of_item(i, count);
         job.step(0.0, "intersections")?;
         // Self-intersections are defined for curves in the plane z = 0 only.
         if curves[i].view().points().iter().all(|point| point.z == 0.0) {
-            found.add_self_intersections(i, &curves[i], &job.part(0.0, 0.5))?;
+            found.add_self_intersections(i, &curves[i], &job.sub_job(0.0, 0.5))?;
         }
         for k in i + 1..count {
             let (Some(a), Some(b)) = (&boxes[i], &boxes[k]) else { continue };
             let apart = (a.low - b.high).max(b.low - a.high).max_element() > within;
             if !apart && !curves[i].view().is_empty() && !curves[k].view().is_empty() {
-                let part = job.part(0.5, 1.0).share(k - i - 1, count);
+                let part = job.sub_job(0.5, 1.0).sub_job_of_item(k - i - 1, count);
                 found.add_near_misses([i, k], [&curves[i], &curves[k]], within, &part)?;
             }
         }
     }
-    let CurveMeetings { places, mut text, overlaps, undecided } = found;
+    let CurveMeetings { meeting_points: places, mut text, overlaps, undecided } = found;
     push_line!(
         text,
         "{}, {} shared or within the distance, {} undecided",
@@ -79,7 +80,7 @@ impl CurveMeetings {
     fn add_self_intersections(&mut self, number: usize, curve: &Curve, job: &Job<'_>) -> Result<()> {
         let met = curve.view().self_intersections(job)?;
         for meeting in &met.points {
-            self.places.add_curve([curve.view().point(meeting.a)?].into_iter(), false)?;
+            self.meeting_points.add_curve([curve.view().point(meeting.a)?].into_iter(), false)?;
             self.push_listed_line(format_args!("curve {number} with itself: {} + {}", meeting.a.segment, meeting.a.t));
         }
         self.overlaps += met.overlaps.len();
@@ -91,7 +92,7 @@ impl CurveMeetings {
         let near = a.view().near_misses(&b.view(), within, job)?;
         for place in &near.places {
             let middle = a.view().point(place.a)?.midpoint(b.view().point(place.b)?);
-            self.places.add_curve([middle].into_iter(), false)?;
+            self.meeting_points.add_curve([middle].into_iter(), false)?;
             self.push_listed_line(format_args!(
                 "curves {i} and {k}: {} + {} and {} + {}, {:.1e} apart",
                 place.a.segment, place.a.t, place.b.segment, place.b.t, place.distance
@@ -104,7 +105,7 @@ impl CurveMeetings {
 
     /// Adds a line to the report, unless it is long already.
     fn push_listed_line(&mut self, line: std::fmt::Arguments<'_>) {
-        if self.places.closed.len() <= MAX_LISTED_MEETINGS {
+        if self.meeting_points.closed.len() <= MAX_LISTED_MEETINGS {
             push_line!(self.text, "{line}");
         }
     }

@@ -31,11 +31,11 @@ params! {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let from = inputs[0].curves()?;
     from.polylines()?;
-    let curves = curve::fit_curves(inputs[1].curves()?, values.between, &job.part(0.0, 0.2))?;
+    let curves = curve::fit_curves(inputs[1].curves()?, values.between, &job.sub_job(0.0, 0.2))?;
     let queries = alloc::collect(from.points.iter().map(|&point| DVec3::from(point)))?;
     let views = alloc::collect(curves.iter().map(Curve::view))?;
-    let found = nearest_of_any(&views, &queries, &job.part(0.2, 0.9))?;
-    let (mut ways, drawing) = (Curves::without_curves(), job.part(0.9, 1.0));
+    let found = nearest_of_any(&views, &queries, &job.sub_job(0.2, 0.9))?;
+    let (mut ways, drawing) = (Curves::without_curves(), job.sub_job(0.9, 1.0));
     for (k, (&query, (_, nearest))) in queries.iter().zip(&found).enumerate() {
         drawing.step_every(POINTS_PER_REPORT, k, queries.len(), "segments")?;
         ways.add_curve([query, nearest.point].into_iter(), false)?;

@@ -35,20 +35,20 @@ params! {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (given, flat) = (inputs[0].curves()?, CurvePlane::new(values.plane));
-    let curves = flat.fit_curves_in_plane(given, values.between, &job.part(0.0, 0.3))?;
+    let curves = flat.fit_curves_in_plane(given, values.between, &job.sub_job(0.0, 0.3))?;
     let tolerance = curve::absolute_chord_error(given, values.chord_error);
     let options = OffsetOptions { degree: 3, tolerance: 0.5 * tolerance, max_segments: MAX_OFFSET_SEGMENTS };
     let (mut drawn, mut text) = (Curves::without_curves(), String::new());
     for (c, curve) in curves.iter().enumerate() {
-        let part = job.part(0.3, 1.0).share(c, curves.len());
+        let part = job.sub_job(0.3, 1.0).sub_job_of_item(c, curves.len());
         part.step(0.0, "offset")?;
         if curve.view().is_empty() {
             push_line!(text, "curve {c}: left out, as it has no length");
             continue;
         }
-        let offset = curve.view().offset(values.distance, &options, &part.part(0.0, 0.8))?;
+        let offset = curve.view().offset(values.distance, &options, &part.sub_job(0.0, 0.8))?;
         let points =
-            curve::sample_curve(&offset.curve.view(), SampleSpacing::Chord(0.5 * tolerance), &part.part(0.8, 1.0))?;
+            curve::sample_curve(&offset.curve.view(), SampleSpacing::Chord(0.5 * tolerance), &part.sub_job(0.8, 1.0))?;
         drawn.add_curve(points.iter().map(|&point| flat.to_space(point)), offset.curve.view().is_closed())?;
         let tight = if offset.tight { ", some radii of curvature are less than the distance" } else { "" };
         let reached = if offset.reached { "" } else { ", more than the chord error allows" };

@@ -47,11 +47,11 @@ choices! {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
-    let curves = curve::fit_curves(given, values.between, &job.part(0.0, 0.5))?;
+    let curves = curve::fit_curves(given, values.between, &job.sub_job(0.0, 0.5))?;
     let mut drawn = Curves::without_curves();
     let spacing = (values.spacing)(values, given);
     for (c, curve) in curves.iter().enumerate() {
-        let part = job.part(0.5, 1.0).share(c, curves.len());
+        let part = job.sub_job(0.5, 1.0).sub_job_of_item(c, curves.len());
         drawn.add_curve(curve::sample_curve(&curve.view(), spacing, &part)?.into_iter(), curve.view().is_closed())?;
     }
     Ok(vec![Output::Curves(drawn)])

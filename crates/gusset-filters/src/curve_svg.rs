@@ -27,10 +27,10 @@ params! {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let flat = CurvePlane::new(values.plane);
-    let curves = flat.fit_curves_in_plane(inputs[0].curves()?, values.between, &job.part(0.0, 0.5))?;
+    let curves = flat.fit_curves_in_plane(inputs[0].curves()?, values.between, &job.sub_job(0.0, 0.5))?;
     let mut text = String::new();
     for (c, curve) in curves.iter().enumerate() {
-        let part = job.part(0.5, 1.0).share(c, curves.len());
+        let part = job.sub_job(0.5, 1.0).sub_job_of_item(c, curves.len());
         part.step(0.0, "writing a path")?;
         let path = match values.downwards {
             true => svg_path_with_y_down(&curve.view(), &part)?,

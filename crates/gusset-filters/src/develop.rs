@@ -45,7 +45,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let done = develop(inputs[0].mesh()?, &options, job)?;
     let report = report(&done);
-    let origins = values.trace_origins(|| Origins::from_developed(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_developed(&done, &job.sub_job(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

@@ -30,8 +30,8 @@ params! {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let input = inputs[0].mesh()?;
-    let mut grid = quads::recognise_grid(input, &job.part(0.0, 0.5))?;
-    displace_along_normals(&mut grid.net, values.distance, &job.part(0.5, 0.7))?;
+    let mut grid = quads::recognise_grid(input, &job.sub_job(0.0, 0.5))?;
+    displace_along_normals(&mut grid.net, values.distance, &job.sub_job(0.5, 0.7))?;
     let all = |count: usize| alloc::collect(0..count);
     let (rows, columns) = (all(grid.net.shape().rows())?, all(grid.net.shape().columns())?);
     Ok(vec![quads::output_of_resampled_grid(
@@ -39,6 +39,6 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         (input, &grid),
         [&rows, &columns],
         (values, values.triangles),
-        &job.part(0.7, 1.0),
+        &job.sub_job(0.7, 1.0),
     )?])
 }

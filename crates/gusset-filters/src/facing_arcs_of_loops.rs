@@ -54,7 +54,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     };
     let loops = [points("curve_a", values.curve_a)?, points("curve_b", values.curve_b)?];
     let options = Options { run: values.run, tolerance: values.tolerance, centres: values.centres };
-    let found = facing(&loops[0], &loops[1], &options, &job.part(0.1, 1.0))?;
+    let found = facing(&loops[0], &loops[1], &options, &job.sub_job(0.1, 1.0))?;
     let (mut arcs, mut text) = (Curves::without_curves(), String::new());
     let taken = (0..2).map(|side| (side, found.taken[side]));
     let others = (0..2).flat_map(|side| found.runs[side].iter().map(move |&arc| (side, arc)));

@@ -144,15 +144,15 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         ..Options::default()
     };
     let old = inputs[0].mesh()?;
-    let survey = HoleSurvey::new(old, LoopSelection::All, &job.part(0.0, 0.2))?;
+    let survey = HoleSurvey::new(old, LoopSelection::All, &job.sub_job(0.0, 0.2))?;
     let coincident = survey.coincident_edges();
     if values.sew && !options.plan_only && coincident > 0 {
-        return sew_and_fill(old, coincident, &options, values, &job.part(0.2, 1.0));
+        return sew_and_fill(old, coincident, &options, values, &job.sub_job(0.2, 1.0));
     }
-    let mut done = survey.fill(&options, &job.part(0.2, 1.0))?;
-    done.keep_split_vertices(&[old], &job.part(1.0, 1.0))?;
+    let mut done = survey.fill(&options, &job.sub_job(0.2, 1.0))?;
+    done.keep_split_vertices(&[old], &job.sub_job(1.0, 1.0))?;
     let report = report(old, &done, &options);
-    let origins = values.trace_origins(|| Origins::from_filled(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_filled(&done, &job.sub_job(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
@@ -172,9 +172,9 @@ fn sew_and_fill(
         ..assemble::Options::default()
     };
     let mut done = assemble(&[*old], &how, job)?;
-    done.keep_split_vertices(&[old], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[old], &job.sub_job(1.0, 1.0))?;
     let report = report_after_sewing(&done, coincident);
-    let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.sub_job(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

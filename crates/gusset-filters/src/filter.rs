@@ -36,7 +36,7 @@ pub struct Filter {
     pub has_origins: bool,
     /// The parameters, in the order of their values.
     pub params: &'static [Param],
-    pub(super) body: &'static dyn RunFilter,
+    pub(super) run_function: &'static dyn RunFilter,
 }
 
 /// A function of the inputs of a filter and of the values of its parameters.
@@ -78,7 +78,7 @@ impl Filter {
             replaces: false,
             has_origins: false,
             params: P::PARAMS,
-            body,
+            run_function: body,
         }
     }
 
@@ -187,6 +187,6 @@ impl Filter {
         let mut all = if values.len() < self.value_count() { self.defaults(inputs) } else { values.to_vec() };
         all[..values.len()].copy_from_slice(values);
         self.components_of_params_mut(&mut all).try_for_each(|(param, own)| param.check(own))?;
-        self.body.run(inputs, &all, traced, job)
+        self.run_function.run(inputs, &all, traced, job)
     }
 }

@@ -134,19 +134,19 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         ..Options::default()
     };
     let aligned = match values.align {
-        true => Some(align(&pieces, &align::Options::default(), &job.part(0.0, 0.2))?),
+        true => Some(align(&pieces, &align::Options::default(), &job.sub_job(0.0, 0.2))?),
         false => None,
     };
-    let moved = aligned.as_ref().map(|found| found.moved(&pieces, &job.part(0.2, 0.2))).transpose()?;
+    let moved = aligned.as_ref().map(|found| found.move_pieces(&pieces, &job.sub_job(0.2, 0.2))).transpose()?;
     let placed = match &moved {
-        Some(moved) => align::views_of_moved(moved, &pieces, &job.part(0.2, 0.2))?,
+        Some(moved) => align::views_of_moved_pieces(moved, &pieces, &job.sub_job(0.2, 0.2))?,
         None => alloc::copied(&pieces)?,
     };
-    let job = &if moved.is_some() { job.part(0.2, 1.0) } else { job.part(0.0, 1.0) };
+    let job = &if moved.is_some() { job.sub_job(0.2, 1.0) } else { job.sub_job(0.0, 1.0) };
     let mut done = assemble(&placed, &options, job)?;
-    done.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.sub_job(1.0, 1.0))?;
     let report = report(&done, aligned.as_ref(), values.holes.is_some());
-    let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_assembly(&done, &job.sub_job(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

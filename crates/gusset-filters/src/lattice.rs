@@ -41,8 +41,8 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let (rest, changed) = (inputs[1].mesh()?, inputs[2].mesh()?);
     job.step(0.0, "lattice")?;
     require_same_faces(rest, changed, 2)?;
-    let lattice = lattice_from_meshes(rest, changed, &job.part(0.0, 0.1))?;
-    let moved = move_mesh(inputs[0].mesh()?, &lattice, values.strength, &job.part(0.1, 1.0))?;
+    let lattice = lattice_from_meshes(rest, changed, &job.sub_job(0.0, 0.1))?;
+    let moved = move_mesh(inputs[0].mesh()?, &lattice, values.strength, &job.sub_job(0.1, 1.0))?;
     Ok(vec![output_of_moved_mesh(moved, inputs, values, job)?])
 }
 

@@ -105,14 +105,14 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     if let Some(angle) = values.corner_angle {
         (options.across.corner_angle, options.smooth_corners) = (angle, angle >= PI);
     }
-    let made = frame(&outlines, &options, &job.part(0.0, 0.4)).map_err(|error| match error {
+    let made = frame(&outlines, &options, &job.sub_job(0.0, 0.4)).map_err(|error| match error {
         Error::OptionOutOfRange { option: "sections", .. } => too_few,
         error => error,
     })?;
-    let sheet = Sheet::from_frame(&made, [values.ring, closed], values.through, &job.part(0.4, 0.6))?;
-    let surface = Surface::new(vec![sheet], None, &job.part(0.6, 0.7))?;
+    let sheet = Sheet::from_frame(&made, [values.ring, closed], values.through, &job.sub_job(0.4, 0.6))?;
+    let surface = Surface::new(vec![sheet], None, &job.sub_job(0.6, 0.7))?;
     let (mesh, meshed) =
-        smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.7, 1.0))?;
+        smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.sub_job(0.7, 1.0))?;
     let text = format!("{meshed}{}", report(&made));
     Ok(vec![Output::Mesh(mesh, None), Output::Text(Report::new(text, meshed.values()))])
 }

@@ -37,8 +37,8 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let scalars = [from, to].map(|mesh| mesh.positions().scalar());
     let scalar = if scalars.contains(&Scalar::F64) { Scalar::F64 } else { Scalar::F32 };
     let (a, b) =
-        (net_of_vertices(from, scalar, &job.part(0.1, 0.2))?, net_of_vertices(to, scalar, &job.part(0.2, 0.3))?);
-    let between = gusset_net::morph(&a, &b, values.ratio, values.path, &job.part(0.3, 0.9))?;
+        (net_of_vertices(from, scalar, &job.sub_job(0.1, 0.2))?, net_of_vertices(to, scalar, &job.sub_job(0.2, 0.3))?);
+    let between = gusset_net::morph(&a, &b, values.ratio, values.path, &job.sub_job(0.3, 0.9))?;
     job.step(0.9, "nodes to vertices")?;
     let mut positions = PositionBuffer::with_capacity(scalar, from.positions().len())?;
     let places = (0..from.positions().len() as u32).map(|v| between.shape().row_and_column(v));

@@ -30,10 +30,10 @@ pub(super) const STRENGTH: TypedParam<f64> = Param::real(
 /// # Errors
 /// [`Error::FieldUndefined`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub(super) fn move_mesh(mesh: &MeshView<'_>, field: &dyn Field, strength: f64, job: &Job<'_>) -> Result<Mesh> {
-    let mut moved = copy_mesh(mesh, &job.part(0.0, 0.2))?;
+    let mut moved = copy_mesh(mesh, &job.sub_job(0.0, 0.2))?;
     // At strength 0 the domain of the field does not matter.
     if strength > 0.0 {
-        let job = job.part(0.2, 1.0);
+        let job = job.sub_job(0.2, 1.0);
         match &mut moved.positions {
             PositionBuffer::F32(points) => move_points(field, strength, points, |x| x as f32, &job)?,
             PositionBuffer::F64(points) => move_points(field, strength, points, |x| x, &job)?,
@@ -91,7 +91,7 @@ pub(super) fn output_of_moved_mesh<P: Parameters>(
 ) -> Result<Output> {
     let origins = values.trace_origins(|| {
         let meshes = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
-        Origins::from_moved(&meshes, &job.part(1.0, 1.0))
+        Origins::from_moved(&meshes, &job.sub_job(1.0, 1.0))
     })?;
     Ok(Output::Mesh(mesh, origins))
 }

@@ -34,9 +34,9 @@ params! {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (before, after) = (inputs[0].mesh()?, inputs[1].mesh()?);
-    let grid = net_of_grid(before, None, &job.part(0.0, 0.4))?;
-    let moved = net_with_positions(&grid, before, after, &job.part(0.4, 0.5))?;
-    let found = analyse(&grid.net, &moved, values.tolerance, &job.part(0.5, 1.0))?;
+    let grid = net_of_grid(before, None, &job.sub_job(0.0, 0.4))?;
+    let moved = net_with_positions(&grid, before, after, &job.sub_job(0.4, 0.5))?;
+    let found = analyse(&grid.net, &moved, values.tolerance, &job.sub_job(0.5, 1.0))?;
     let mut edges = Curves::without_curves();
     let shape = grid.net.shape();
     for link in found.contracted.iter().map(|contracted| contracted.link).chain(found.torn.iter().copied()) {

@@ -30,9 +30,9 @@ params! {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let input = inputs[0].mesh()?;
-    let grid = quads::recognise_grid(input, &job.part(0.0, 0.4))?;
+    let grid = quads::recognise_grid(input, &job.sub_job(0.0, 0.4))?;
     let net = &grid.net;
-    let made = decimate(net, values.tolerance, &job.part(0.4, 0.8))?;
+    let made = decimate(net, values.tolerance, &job.sub_job(0.4, 0.8))?;
     let text = format!(
         "{} of {} rows and {} of {} columns kept, deviation {:.3e}\n",
         made.rows.len(),
@@ -48,7 +48,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
             (input, &grid),
             lines,
             (values, values.triangles),
-            &job.part(0.8, 1.0),
+            &job.sub_job(0.8, 1.0),
         )?,
         Output::Text(text.into()),
     ])

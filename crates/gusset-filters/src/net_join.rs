@@ -80,7 +80,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         turn: values.turn,
         ..JoinOptions::new(values.direction)
     };
-    let joined = join_grids(inputs, &options, &job.part(0.0, 0.7))?;
+    let joined = join_grids(inputs, &options, &job.sub_job(0.0, 0.7))?;
     let shape = joined.shape();
     let text = format!(
         "{} joined to {} and {}\n",
@@ -89,7 +89,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         count_with_noun(shape.columns(), COLUMN)
     );
     Ok(vec![
-        Output::Mesh(quads::mesh_of_net(&joined, values.triangles, &job.part(0.7, 1.0))?, None),
+        Output::Mesh(quads::mesh_of_net(&joined, values.triangles, &job.sub_job(0.7, 1.0))?, None),
         Output::Text(text.into()),
     ])
 }
@@ -100,9 +100,10 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 /// The errors of [`concatenate_all`], and [`Error::NoGrid`](gusset_base::error::Error::NoGrid).
 pub(super) fn join_grids(inputs: &[Input<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
     let grids = inputs.iter().enumerate();
-    let nets = alloc::try_collect(
-        grids.map(|(k, grid)| quads::recognise_net(grid.mesh()?, &job.part(0.0, 0.7).share(k, inputs.len()))),
-    )?;
+    let nets =
+        alloc::try_collect(grids.map(|(k, grid)| {
+            quads::recognise_net(grid.mesh()?, &job.sub_job(0.0, 0.7).sub_job_of_item(k, inputs.len()))
+        }))?;
     let all = alloc::collect(nets.iter())?;
-    concatenate_all(&all, options, &job.part(0.7, 1.0))
+    concatenate_all(&all, options, &job.sub_job(0.7, 1.0))
 }

@@ -54,7 +54,7 @@ fn suggested_axis(extent: &Aabb) -> (DVec3, DVec3) {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (origin, axis) = (values.point, values.direction);
-    let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.1))?;
+    let curves = curve::fit_curves(inputs[0].curves()?, values.between, &job.sub_job(0.0, 0.1))?;
     let [curve] = curves.as_slice() else {
         return Err(Error::InputUnfit { input: 0, why: "one curve is needed" });
     };
@@ -66,7 +66,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         0 => curve_joints(&curve)?,
         rows => {
             let count = rows.max(if curve.is_closed() { 3 } else { 2 });
-            curve.sample_points(SampleSpacing::Count(count), &job.part(0.1, 0.2))?.points
+            curve.sample_points(SampleSpacing::Count(count), &job.sub_job(0.1, 0.2))?.points
         }
     };
     if curve.is_closed() {
@@ -83,17 +83,17 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     }))?;
     let request =
         Request { columns: values.columns as usize + 1, ..Request::new(Primitive::Lathe { profile: &profile }) };
-    let mut net = request.net(&job.part(0.2, 0.5))?;
+    let mut net = request.build_net(&job.sub_job(0.2, 0.5))?;
     let (u, v) = axis.any_orthonormal_pair();
     let rows = [0, 1, 2].map(|k| [u[k], v[k], axis[k], origin[k]]);
-    transform(&mut net, &Affine::new(rows)?, &job.part(0.5, 0.6))?;
+    transform(&mut net, &Affine::new(rows)?, &job.sub_job(0.5, 0.6))?;
     let text = format!(
         "{} of {}\n",
         count_with_noun(net.shape().rows() - 1, ROW),
         count_with_noun(net.shape().columns() - 1, QUAD)
     );
     Ok(vec![
-        Output::Mesh(quads::mesh_of_net(&net, values.triangles, &job.part(0.6, 1.0))?, None),
+        Output::Mesh(quads::mesh_of_net(&net, values.triangles, &job.sub_job(0.6, 1.0))?, None),
         Output::Text(text.into()),
     ])
 }

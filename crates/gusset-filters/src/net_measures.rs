@@ -30,10 +30,10 @@ params! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let net = quads::recognise_net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
-    let measures = measure(&net, &job.part(0.4, 0.5))?;
-    let plane = planarity(&net, values.planarity, &job.part(0.5, 0.6))?;
-    let complex = Complex::from_topology(net.topology(), &job.part(0.6, 0.8))?;
+    let net = quads::recognise_net(inputs[0].mesh()?, &job.sub_job(0.0, 0.4))?;
+    let measures = measure(&net, &job.sub_job(0.4, 0.5))?;
+    let plane = planarity(&net, values.planarity, &job.sub_job(0.5, 0.6))?;
+    let complex = Complex::from_topology(net.topology(), &job.sub_job(0.6, 0.8))?;
     let sided = if complex.orientable { "two-sided" } else { "one-sided" };
     let mut text = format!(
         "{}, {} of vertices\n{sided}, Euler characteristic {}, {}\narea {}, box {} to {}\n\
@@ -58,7 +58,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         ("area", ReportValue::area(measures.area)),
     ];
     if complex.is_closed() && complex.orientable {
-        let body = moments(&net, &job.part(0.8, 1.0))?;
+        let body = moments(&net, &job.sub_job(0.8, 1.0))?;
         let [x, y, z] = [0, 1, 2].map(|k| format_short_point(body.inertia.col(k)));
         let (volume, centre) = (format_short(body.volume), format_short_point(body.centroid));
         text += &format!("volume {volume}, centre {centre}\ninertia {x} {y} {z}\n");

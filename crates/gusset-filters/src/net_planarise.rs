@@ -35,21 +35,21 @@ params! {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let input = inputs[0].mesh()?;
-    let mut grid = quads::recognise_grid(input, &job.part(0.0, 0.3))?;
+    let mut grid = quads::recognise_grid(input, &job.sub_job(0.0, 0.3))?;
     let options = PlanariseOptions {
         tolerance: values.tolerance,
         max_iterations: values.max_steps,
         keep_boundary: values.keep_boundary,
         fixed: &[],
     };
-    let done = planarise(&mut grid.net, &options, &job.part(0.3, 0.8))?;
+    let done = planarise(&mut grid.net, &options, &job.sub_job(0.3, 0.8))?;
     let [rows, columns] = [grid.net.shape().rows(), grid.net.shape().columns()].map(|count| alloc::collect(0..count));
     let made = quads::output_of_resampled_grid(
         &grid.net,
         (input, &grid),
         [&rows?, &columns?],
         (values, false),
-        &job.part(0.8, 1.0),
+        &job.sub_job(0.8, 1.0),
     )?;
     Ok(vec![made, Output::Text(report(&done))])
 }

@@ -49,9 +49,9 @@ fn suggested_count(inputs: &[Input<'_>], _: &Aabb) -> Option<f64> {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let net = quads::recognise_net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
+    let net = quads::recognise_net(inputs[0].mesh()?, &job.sub_job(0.0, 0.4))?;
     let [rows, columns] = [values.rows, values.columns].map(|count| count as usize);
-    let made = resample(&net, rows, columns, values.interpolation, &job.part(0.4, 0.7))?;
+    let made = resample(&net, rows, columns, values.interpolation, &job.sub_job(0.4, 0.7))?;
     let shape = net.shape();
     let text = format!(
         "{} and {} made {rows} and {columns}\n",
@@ -59,7 +59,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         count_with_noun(shape.columns(), COLUMN)
     );
     Ok(vec![
-        Output::Mesh(quads::mesh_of_net(&made, values.triangles, &job.part(0.7, 1.0))?, None),
+        Output::Mesh(quads::mesh_of_net(&made, values.triangles, &job.sub_job(0.7, 1.0))?, None),
         Output::Text(text.into()),
     ])
 }

@@ -65,11 +65,11 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         rows: values.rows,
         ..JoinOptions::new(values.direction)
     };
-    let mut net = join_grids(inputs, &options, &job.part(0.0, 0.4))?;
+    let mut net = join_grids(inputs, &options, &job.sub_job(0.0, 0.4))?;
     let options =
         SettleOptions { rest_ratio: values.rest_ratio, max_iterations: values.max_steps, ..SettleOptions::default() };
-    let done = settle(&mut net, &options, &job.part(0.4, 0.8))?;
-    let made = quads::mesh_of_net(&net, values.triangles, &job.part(0.8, 1.0))?;
+    let done = settle(&mut net, &options, &job.sub_job(0.4, 0.8))?;
+    let made = quads::mesh_of_net(&net, values.triangles, &job.sub_job(0.8, 1.0))?;
     Ok(vec![Output::Mesh(made, None), Output::Text(report(&done))])
 }
 

@@ -83,15 +83,15 @@ choices! {
 fn run(_: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let [rows, columns] = [values.rows, values.columns].map(|count| count as usize);
     let request = Request { rows, columns, ..Request::new((values.shape)(values)) };
-    let net = request.net(&job.part(0.0, 0.5)).map_err(|error| match error {
+    let net = request.build_net(&job.sub_job(0.0, 0.5)).map_err(|error| match error {
         // The core names the parameter with a space. Other measures fit by their ranges.
         Error::OptionOutOfRange { option: "minor radius", value } => {
             Error::OptionOutOfRange { option: "minor_radius", value }
         }
         error => error,
     })?;
-    let complex = Complex::from_topology(net.topology(), &job.part(0.5, 0.7))?;
-    let mesh = quads::mesh_of_net(&net, values.triangles, &job.part(0.7, 1.0))?;
+    let complex = Complex::from_topology(net.topology(), &job.sub_job(0.5, 0.7))?;
+    let mesh = quads::mesh_of_net(&net, values.triangles, &job.sub_job(0.7, 1.0))?;
     let text = format!(
         "{}, {}, {}, {}\nEuler characteristic {}, {}\n",
         count_with_noun(complex.vertices, VERTEX),

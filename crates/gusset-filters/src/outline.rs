@@ -59,11 +59,11 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let (mut drawn, mut text) = (Curves::without_curves(), String::new());
     let curves = given.polylines()?;
     for (c, &(points, closed)) in curves.iter().enumerate() {
-        let part = job.share(c, curves.len());
+        let part = job.sub_job_of_item(c, curves.len());
         let outline = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
-        let done = fit(&outline, &options, &part.part(0.0, 0.8))?;
+        let done = fit(&outline, &options, &part.sub_job(0.0, 0.8))?;
         let chord = (values.chord_error * done.reports()[0].size).max(f64::MIN_POSITIVE);
-        let points = sample_curve(&done.curve(0), SampleSpacing::Chord(chord), &part.part(0.8, 1.0))?;
+        let points = sample_curve(&done.curve(0), SampleSpacing::Chord(chord), &part.sub_job(0.8, 1.0))?;
         drawn.add_curve(points.into_iter(), closed)?;
         push_line!(text, "curve {c}: {}", report(&done));
     }

@@ -61,7 +61,8 @@ pub(super) fn output_of_resampled_grid<P: Parameters>(
     (values, triangles): (&ParamValues<P>, bool),
     job: &Job<'_>,
 ) -> Result<Output> {
-    let made = net_mesh(net, triangles, &job.part(0.0, 0.5))?;
-    let origins = values.trace_origins(|| Origins::from_grid_mesh(input, grid, lines, &made, &job.part(0.5, 1.0)))?;
+    let made = net_mesh(net, triangles, &job.sub_job(0.0, 0.5))?;
+    let origins =
+        values.trace_origins(|| Origins::from_grid_mesh(input, grid, lines, &made, &job.sub_job(0.5, 1.0)))?;
     Ok(Output::Mesh(made.mesh, origins))
 }

@@ -54,7 +54,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         fill: fill::Options { keep: values.keep, ..fill::Options::default() },
     };
     let done = repair(inputs[0].mesh()?, &options, job)?;
-    let origins = values.trace_origins(|| Origins::from_repaired(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_repaired(&done, &job.sub_job(1.0, 1.0)))?;
     let report = solid_report(&done, "nothing to repair");
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }

@@ -31,9 +31,9 @@ params! {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options { tolerance: values.tolerance, remove_unused: values.unused, ..Options::default() };
     let mut done = sew(inputs[0].mesh()?, &options, job)?;
-    done.keep_split_vertices(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[inputs[0].mesh()?], &job.sub_job(1.0, 1.0))?;
     let report = report(&done);
-    let origins = values.trace_origins(|| Origins::from_sew(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_sew(&done, &job.sub_job(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

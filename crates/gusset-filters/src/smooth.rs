@@ -45,7 +45,7 @@ pub(super) const TRIANGLES: TypedParam<bool> = Param::flag("Triangles", "Makes t
 /// The surface through a mesh. Its normals point to the side from which faces run
 /// counter-clockwise.
 pub(super) fn surface_through_mesh(mesh: &MeshView<'_>, scheme: Scheme, job: &Job<'_>) -> Result<Surface<'static>> {
-    let found = net_of_grid(mesh, None, &job.part(0.0, 0.6))?;
+    let found = net_of_grid(mesh, None, &job.sub_job(0.0, 0.6))?;
     let (rows, columns) = (found.net.shape().rows(), found.net.shape().columns());
     let vertex = |i: usize, j: usize| found.vertex_of_node[i * columns + j];
     // The surface's first parameter runs along rows, as faces do.
@@ -55,7 +55,7 @@ pub(super) fn surface_through_mesh(mesh: &MeshView<'_>, scheme: Scheme, job: &Jo
     let data = alloc::gather(places.flat_map(|(i, j)| mesh.positions().get(vertex(i, j)).to_array()))?;
     let nodes = Nodes::strided(data, columns, rows, 0, 0)?;
     let sheet = Sheet::Grid(Grid::new(nodes, [closed_u, closed_v], scheme)?);
-    Surface::new(vec![sheet], None, &job.part(0.6, 1.0))
+    Surface::new(vec![sheet], None, &job.sub_job(0.6, 1.0))
 }
 
 /// The largest distance of chords that a relative [`CHORD_ERROR`] allows.

@@ -30,12 +30,12 @@ params! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let curves = curve::fit_curves(inputs[1].curves()?, values.between, &job.part(0.0, 0.2))?;
-    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.2, 0.6))?;
+    let curves = curve::fit_curves(inputs[1].curves()?, values.between, &job.sub_job(0.0, 0.2))?;
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.sub_job(0.2, 0.6))?;
     let (mut points, mut text) = (Curves::without_curves(), String::new());
-    let job = job.part(0.6, 1.0);
+    let job = job.sub_job(0.6, 1.0);
     for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.view().is_empty()) {
-        let part = job.share(c, curves.len());
+        let part = job.sub_job_of_item(c, curves.len());
         let hits = surface.curve(&curve.view(), HitSelection::All, &part).map_err(|error| match error {
             Error::OptionOutOfRange { .. } => Error::InputUnfit { input: 1, why: "coordinates up to 1e150 are needed" },
             error => error,

@@ -30,10 +30,10 @@ params! {
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
-    let surface = smooth::surface_through_mesh(inputs[1].mesh()?, values.scheme, &job.part(0.0, 0.3))?;
+    let surface = smooth::surface_through_mesh(inputs[1].mesh()?, values.scheme, &job.sub_job(0.0, 0.3))?;
     let positions = mesh.positions();
     let from = alloc::collect((0..positions.len()).map(|v| positions.get(v as u32)))?;
-    let nearest = smooth::nearest_surface_points(&surface, &from, Element::Vertex, &job.part(0.3, 1.0))?;
+    let nearest = smooth::nearest_surface_points(&surface, &from, Element::Vertex, &job.sub_job(0.3, 1.0))?;
     job.step(1.0, "moving vertices")?;
     let mut moved = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
     moved.extend(from.iter().zip(&nearest).map(|(from, to)| from.lerp(to.point, values.strength)))?;

@@ -25,11 +25,11 @@ params! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let a = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.2))?;
-    let b = smooth::surface_through_mesh(inputs[1].mesh()?, values.scheme, &job.part(0.2, 0.4))?;
+    let a = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.sub_job(0.0, 0.2))?;
+    let b = smooth::surface_through_mesh(inputs[1].mesh()?, values.scheme, &job.sub_job(0.2, 0.4))?;
     let size = |[low, high]: [glam::DVec3; 2]| low.distance(high);
     let chord = values.chord_error * size(a.bounds()).min(size(b.bounds()));
     let options = Options { chord: Some(chord.max(f64::MIN_POSITIVE)), ..Options::default() };
-    let paths = a.meet(&b, &options, &job.part(0.4, 1.0))?;
+    let paths = a.meet(&b, &options, &job.sub_job(0.4, 1.0))?;
     Ok(vec![Output::Curves(smooth::paths_to_curves(&paths)?), Output::Text(smooth::paths_summary(&paths).into())])
 }

@@ -37,7 +37,7 @@ choices! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.sub_job(0.0, 0.4))?;
     let (number, unsigned) = (values.number as usize, values.sides);
     let most = if unsigned { FRAC_PI_2 } else { PI };
     // Half a step remains at each end.
@@ -47,7 +47,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         &angles,
         unsigned,
         smooth::chord_spacing(&surface, values.chord_error),
-        &job.part(0.4, 1.0),
+        &job.sub_job(0.4, 1.0),
     )?;
     let mut text = smooth::paths_summary(&paths);
     let mut counts = alloc::filled(0, number)?;

@@ -41,7 +41,7 @@ choices! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.9))?;
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.sub_job(0.0, 0.9))?;
     job.step(0.9, "line")?;
     let (is_ray, selection) = values.which;
     let line = if is_ray { Line::ray } else { Line::new }(values.point, values.direction);

@@ -27,9 +27,9 @@ params! {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[1].curves()?;
     given.polylines()?;
-    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.sub_job(0.0, 0.4))?;
     let queries = alloc::collect(given.points.iter().map(|&point| DVec3::from(point)))?;
-    let nearest = smooth::nearest_surface_points(&surface, &queries, Element::Query, &job.part(0.4, 1.0))?;
+    let nearest = smooth::nearest_surface_points(&surface, &queries, Element::Query, &job.sub_job(0.4, 1.0))?;
     let mut ways = Curves::without_curves();
     for (&query, nearest) in queries.iter().zip(&nearest) {
         ways.add_curve([query, nearest.point].into_iter(), false)?;

@@ -41,9 +41,9 @@ params! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let across = curve::fit_curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.1))?;
+    let across = curve::fit_curves(inputs[0].curves()?, values.between, &job.sub_job(0.0, 0.1))?;
     let along = match inputs.get(1) {
-        Some(given) => curve::fit_curves(given.curves()?, values.between, &job.part(0.1, 0.2))?,
+        Some(given) => curve::fit_curves(given.curves()?, values.between, &job.sub_job(0.1, 0.2))?,
         None => Vec::new(),
     };
     let closed = [&across, &along].map(|curves| common_closedness(curves));
@@ -54,10 +54,10 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let columns = alloc::collect(along.iter().map(Curve::view))?;
     let net =
         CurveNet { rows: &rows, columns: &columns, closed: [ring, closed_across], tolerance: Some(values.tolerance) };
-    let sheet = Sheet::from_curves(&net, &job.part(0.2, 0.5))?;
-    let surface = Surface::new(vec![sheet], None, &job.part(0.5, 0.6))?;
+    let sheet = Sheet::from_curves(&net, &job.sub_job(0.2, 0.5))?;
+    let surface = Surface::new(vec![sheet], None, &job.sub_job(0.5, 0.6))?;
     let (mesh, report) =
-        smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.6, 1.0))?;
+        smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.sub_job(0.6, 1.0))?;
     Ok(vec![Output::Mesh(mesh, None), Output::Text(report)])
 }
 

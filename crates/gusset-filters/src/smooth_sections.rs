@@ -49,8 +49,8 @@ fn extent_in_z(extent: &Aabb) -> f64 {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
-    let paths = cut_by_planes(&surface, values, &job.part(0.4, 1.0))?;
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.sub_job(0.0, 0.4))?;
+    let paths = cut_by_planes(&surface, values, &job.sub_job(0.4, 1.0))?;
     Ok(vec![Output::Curves(smooth::paths_to_curves(&paths)?), Output::Text(smooth::paths_summary(&paths).into())])
 }
 

@@ -27,9 +27,9 @@ params! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.sub_job(0.0, 0.4))?;
     let (direction, angles) = (values.direction, [values.angle]);
     let between = smooth::chord_spacing(&surface, values.chord_error);
-    let paths = surface.isophotes(direction, &angles, false, between, &job.part(0.4, 1.0))?;
+    let paths = surface.isophotes(direction, &angles, false, between, &job.sub_job(0.4, 1.0))?;
     Ok(vec![Output::Curves(smooth::paths_to_curves(&paths)?), Output::Text(smooth::paths_summary(&paths).into())])
 }

@@ -25,8 +25,8 @@ params! {
 }
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
+    let surface = smooth::surface_through_mesh(inputs[0].mesh()?, values.scheme, &job.sub_job(0.0, 0.4))?;
     let (mesh, report) =
-        smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.4, 1.0))?;
+        smooth::mesh_surface(&surface, (values.deviation, values.parts, values.triangles), &job.sub_job(0.4, 1.0))?;
     Ok(vec![Output::Mesh(mesh, None), Output::Text(report)])
 }

@@ -113,8 +113,8 @@ const fn loop_number_param(label: &'static str) -> TypedParam<Option<u32>> {
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let a = inputs[0].mesh()?;
     let b = inputs.get(1).map(Input::mesh).transpose()?;
-    let loop_a = boundary_loop_by_number(a, ("loop_a", values.loop_a), &job.part(0.0, 0.1))?;
-    let loop_b = boundary_loop_by_number(b.unwrap_or(a), ("loop_b", values.loop_b), &job.part(0.1, 0.2))?;
+    let loop_a = boundary_loop_by_number(a, ("loop_a", values.loop_a), &job.sub_job(0.0, 0.1))?;
+    let loop_b = boundary_loop_by_number(b.unwrap_or(a), ("loop_b", values.loop_b), &job.sub_job(0.1, 0.2))?;
     let request = Request { a, loop_a: loop_a.as_deref(), b, loop_b: loop_b.as_deref() };
     let options = Options {
         meridians: values.meridians,
@@ -131,10 +131,13 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         outward: if values.outward { Outward::Closed } else { Outward::Keep },
         ..Options::default()
     };
-    let mut done = stitch(&request, &options, &job.part(0.2, 1.0))?;
-    done.keep_split_vertices(&alloc::gather([Some(request.a), request.b].into_iter().flatten())?, &job.part(1.0, 1.0))?;
+    let mut done = stitch(&request, &options, &job.sub_job(0.2, 1.0))?;
+    done.keep_split_vertices(
+        &alloc::gather([Some(request.a), request.b].into_iter().flatten())?,
+        &job.sub_job(1.0, 1.0),
+    )?;
     let report = report(&done);
-    let origins = values.trace_origins(|| Origins::from_stitch(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_stitch(&done, &job.sub_job(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

@@ -50,11 +50,11 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         min_faces: values.min_faces,
         ..Options::default()
     };
-    let trimmed = trim(&pieces, &options, &job.part(0.0, 0.9))?;
-    let mut left = TrimmedPieces::new(&pieces, &trimmed, &job.part(0.9, 1.0))?;
-    left.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
+    let trimmed = trim(&pieces, &options, &job.sub_job(0.0, 0.9))?;
+    let mut left = TrimmedPieces::new(&pieces, &trimmed, &job.sub_job(0.9, 1.0))?;
+    left.keep_split_vertices(&alloc::gather(pieces.iter())?, &job.sub_job(1.0, 1.0))?;
     let report = report(&pieces, &trimmed);
-    let origins = values.trace_origins(|| Origins::from_trimmed(&pieces, &left, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_trimmed(&pieces, &left, &job.sub_job(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(left.mesh, origins), Output::Text(report)])
 }
 

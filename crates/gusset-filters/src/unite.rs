@@ -24,7 +24,7 @@ pub(super) const FILTER: Filter = Filter {
 fn run(inputs: &[Input<'_>], values: &ParamValues<()>, job: &Job<'_>) -> Result<Vec<Output>> {
     let pieces = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
     let done = unite_solids(&pieces, job)?;
-    let origins = values.trace_origins(|| Origins::from_repaired(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_repaired(&done, &job.sub_job(1.0, 1.0)))?;
     let report = solid_report(&done, "no faces dropped");
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }

@@ -70,9 +70,9 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         remove_unused: values.unused,
     };
     let mut done = weld(inputs[0].mesh()?, &options, job)?;
-    done.keep_split_vertices(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
+    done.keep_split_vertices(&[inputs[0].mesh()?], &job.sub_job(1.0, 1.0))?;
     let report = report(&done);
-    let origins = values.trace_origins(|| Origins::from_weld(&done, &job.part(1.0, 1.0)))?;
+    let origins = values.trace_origins(|| Origins::from_weld(&done, &job.sub_job(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 

@@ -59,9 +59,9 @@ pub struct Document {
     /// The scene. A mesh may occur in it several times, or not at all.
     pub placements: Vec<Placement>,
     /// All polylines, in the coordinates of the scene.
-    pub curves: Curves,
+    pub unpack_curves: Curves,
     /// All points without faces, in the coordinates of the scene.
-    pub points: PointCloud,
+    pub unpack_points: PointCloud,
     /// Materials.
     pub materials: Vec<Material>,
     /// Images of materials.

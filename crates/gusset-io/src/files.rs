@@ -53,7 +53,7 @@ pub fn write_file(path: &Path, document: &Document, options: &WriteOptions) -> R
             .map_err(|error: std::io::Error| std::io::Error::other(format!("{name}: {}", write_reason(&error))))
     };
     let resources = Folder::for_writing(path);
-    let mut target = Target { main: &mut out, stem: &stem, beside: &mut add, resources: &resources };
+    let mut target = Target { main_file: &mut out, stem: &stem, beside: &mut add, resources: &resources };
     let losses = write(document, format, &mut target, options)?;
     out.flush()?;
     drop(out);

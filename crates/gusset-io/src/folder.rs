@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// Files that names may lead to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Reach {
+enum AllowedFolders {
     /// Files of the folder and of its folders.
     Folder,
     /// Also files with absolute names, which `read_file` has checked.
@@ -24,34 +24,34 @@ pub(crate) struct Folder {
     path: PathBuf,
     /// The path without links, if the folder exists.
     absolute: PathBuf,
-    reach: Reach,
+    allowed_folders: AllowedFolders,
 }
 
 impl Folder {
     /// Returns the folder of a file that is read. `follow_outside` allows names that lead out of the folder.
     pub(crate) fn for_reading(file: &Path, follow_outside: bool) -> Self {
-        Self::new(file, if follow_outside { Reach::Everywhere } else { Reach::Folder })
+        Self::new(file, if follow_outside { AllowedFolders::Everywhere } else { AllowedFolders::Folder })
     }
 
     /// Returns the folder of a file that is written. Allows absolute names, which `read_file` has checked.
     pub(crate) fn for_writing(file: &Path) -> Self {
-        Self::new(file, Reach::FolderAndAbsoluteNames)
+        Self::new(file, AllowedFolders::FolderAndAbsoluteNames)
     }
 
-    fn new(file: &Path, reach: Reach) -> Self {
+    fn new(file: &Path, reach: AllowedFolders) -> Self {
         let path = folder_path(file);
         let absolute = path.canonicalize().or_else(|_| std::path::absolute(&path)).unwrap_or_else(|_| path.clone());
-        Self { path, absolute, reach }
+        Self { path, absolute, allowed_folders: reach }
     }
 
     /// Returns the path of a named file. Fails if the file is outside of the reach.
     fn path_from_name(&self, name: &str) -> Result<PathBuf, ReadError> {
         let relative = Path::new(name);
         let path = self.path.join(relative);
-        let is_allowed = match self.reach {
-            Reach::Folder => false,
-            Reach::FolderAndAbsoluteNames => relative.is_absolute(),
-            Reach::Everywhere => true,
+        let is_allowed = match self.allowed_folders {
+            AllowedFolders::Folder => false,
+            AllowedFolders::FolderAndAbsoluteNames => relative.is_absolute(),
+            AllowedFolders::Everywhere => true,
         };
         let is_inside = || {
             lexically_normal(relative).components().all(|part| matches!(part, Component::Normal(_)))

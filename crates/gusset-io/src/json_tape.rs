@@ -9,14 +9,14 @@ use gusset_base::alloc;
 use std::borrow::Cow;
 use std::cell::Cell;
 
-/// A value or a key. Its subtree lies between it and `next`.
+/// A value or a key. Its subtree lies between it and `entry_after_subtree`.
 struct Entry {
     /// First byte of the text.
     start: u32,
     /// Byte after the text.
     end: u32,
     /// Index of the entry after the subtree. While a container is open: index of the container around it.
-    next: u32,
+    entry_after_subtree: u32,
 }
 
 /// Message of [`JsonError`] if memory ran out.
@@ -32,7 +32,7 @@ pub(crate) struct Tape<'a> {
     /// Whether commas precede closing brackets.
     pub(crate) has_trailing_commas: bool,
     /// Whether other text follows the value.
-    pub(crate) has_rest: bool,
+    pub(crate) has_text_after_value: bool,
     /// Whether a text was not decoded because memory ran out.
     pub(crate) is_out_of_memory: Cell<bool>,
 }
@@ -74,22 +74,22 @@ impl<'a> Tape<'a> {
                 text,
                 entries,
                 has_trailing_commas: false,
-                has_rest: false,
+                has_text_after_value: false,
                 is_out_of_memory: Cell::default(),
             },
-            place: 0,
-            parent: NO_PARENT,
+            offset: 0,
+            open_container: NO_PARENT,
             after_comma: false,
         };
         let mut expected = Expected::Value;
         loop {
             parser.skip_blanks();
-            if expected == Expected::Separator && parser.parent == NO_PARENT {
+            if expected == Expected::Separator && parser.open_container == NO_PARENT {
                 break;
             }
-            expected = parser.step(expected)?;
+            expected = parser.parse_next_token(expected)?;
         }
-        parser.tape.has_rest = text[parser.place..].iter().any(|&byte| byte != 0);
+        parser.tape.has_text_after_value = text[parser.offset..].iter().any(|&byte| byte != 0);
         Ok(parser.tape)
     }
 
@@ -111,29 +111,32 @@ impl<'a> Tape<'a> {
 
 struct Parser<'a> {
     tape: Tape<'a>,
-    place: usize,
-    parent: u32,
+    offset: usize,
+    open_container: u32,
     after_comma: bool,
 }
 
 impl Parser<'_> {
     fn error(&self, message: &'static str) -> JsonError {
-        JsonError { offset: self.place.min(self.tape.text.len()), message }
+        JsonError { offset: self.offset.min(self.tape.text.len()), message }
     }
 
     fn skip_blanks(&mut self) {
-        let rest = &self.tape.text[self.place..];
-        self.place += rest.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(rest.len());
+        let rest = &self.tape.text[self.offset..];
+        self.offset += rest.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(rest.len());
     }
 
     fn push(&mut self, start: usize, end: usize) -> u32 {
         let index = self.tape.entries.len() as u32;
-        self.tape.entries.push(Entry { start: start as u32, end: end as u32, next: index + 1 });
+        self.tape.entries.push(Entry { start: start as u32, end: end as u32, entry_after_subtree: index + 1 });
         index
     }
 
     fn is_in_object(&self) -> bool {
-        self.tape.entries.get(self.parent as usize).is_some_and(|entry| self.tape.text[entry.start as usize] == b'{')
+        self.tape
+            .entries
+            .get(self.open_container as usize)
+            .is_some_and(|entry| self.tape.text[entry.start as usize] == b'{')
     }
 
     /// Returns what follows a comma or an opening bracket.
@@ -142,58 +145,58 @@ impl Parser<'_> {
     }
 
     /// Reads one token.
-    fn step(&mut self, expected: Expected) -> Result<Expected, JsonError> {
-        let Some(&byte) = self.tape.text.get(self.place) else {
+    fn parse_next_token(&mut self, expected: Expected) -> Result<Expected, JsonError> {
+        let Some(&byte) = self.tape.text.get(self.offset) else {
             return Err(self.error("the JSON text ends too early"));
         };
         match (byte, expected) {
-            (b'}' | b']', Expected::Key | Expected::Item | Expected::Separator) => self.close(byte),
+            (b'}' | b']', Expected::Key | Expected::Item | Expected::Separator) => self.close_container(byte),
             (b',', Expected::Separator) => {
-                self.place += 1;
+                self.offset += 1;
                 self.after_comma = true;
                 Ok(self.expected_inside())
             }
             (_, Expected::Separator) => Err(self.error("a comma or a closing bracket is missing")),
             (b'"', Expected::Key) => {
-                self.string()?;
+                self.parse_string()?;
                 self.skip_blanks();
-                if self.tape.text.get(self.place) != Some(&b':') {
+                if self.tape.text.get(self.offset) != Some(&b':') {
                     return Err(self.error("a colon is missing"));
                 }
-                self.place += 1;
+                self.offset += 1;
                 Ok(Expected::Value)
             }
             (_, Expected::Key) => Err(self.error("a name in quotation marks is missing")),
             (b'{' | b'[', _) => {
-                let index = self.push(self.place, self.place);
-                self.tape.entries[index as usize].next = self.parent;
-                self.parent = index;
-                self.place += 1;
+                let index = self.push(self.offset, self.offset);
+                self.tape.entries[index as usize].entry_after_subtree = self.open_container;
+                self.open_container = index;
+                self.offset += 1;
                 self.after_comma = false;
                 Ok(self.expected_inside())
             }
-            (b'"', _) => self.string(),
-            _ => self.literal(),
+            (b'"', _) => self.parse_string(),
+            _ => self.parse_literal(),
         }
     }
 
-    fn close(&mut self, byte: u8) -> Result<Expected, JsonError> {
-        if self.parent == NO_PARENT || self.is_in_object() != (byte == b'}') {
+    fn close_container(&mut self, byte: u8) -> Result<Expected, JsonError> {
+        if self.open_container == NO_PARENT || self.is_in_object() != (byte == b'}') {
             return Err(self.error("a closing bracket does not fit"));
         }
         self.tape.has_trailing_commas |= self.after_comma;
         self.after_comma = false;
-        self.place += 1;
+        self.offset += 1;
         let next = self.tape.entries.len() as u32;
-        let entry = &mut self.tape.entries[self.parent as usize];
-        self.parent = entry.next;
-        entry.next = next;
-        entry.end = self.place as u32;
+        let entry = &mut self.tape.entries[self.open_container as usize];
+        self.open_container = entry.entry_after_subtree;
+        entry.entry_after_subtree = next;
+        entry.end = self.offset as u32;
         Ok(Expected::Separator)
     }
 
-    fn string(&mut self) -> Result<Expected, JsonError> {
-        let start = self.place;
+    fn parse_string(&mut self) -> Result<Expected, JsonError> {
+        let start = self.offset;
         let mut place = start + 1;
         loop {
             match self.tape.text.get(place) {
@@ -203,14 +206,14 @@ impl Parser<'_> {
                 Some(_) => place += 1,
             }
         }
-        self.place = place + 1;
-        self.push(start, self.place);
+        self.offset = place + 1;
+        self.push(start, self.offset);
         self.after_comma = false;
         Ok(Expected::Separator)
     }
 
-    fn literal(&mut self) -> Result<Expected, JsonError> {
-        let rest = &self.tape.text[self.place..];
+    fn parse_literal(&mut self) -> Result<Expected, JsonError> {
+        let rest = &self.tape.text[self.offset..];
         let length = rest
             .iter()
             .position(|byte| !byte.is_ascii_alphanumeric() && !matches!(byte, b'+' | b'-' | b'.'))
@@ -220,8 +223,8 @@ impl Parser<'_> {
         if !is_known {
             return Err(self.error("a value is neither a number nor a text, list, object, true, false or null"));
         }
-        self.push(self.place, self.place + length);
-        self.place += length;
+        self.push(self.offset, self.offset + length);
+        self.offset += length;
         self.after_comma = false;
         Ok(Expected::Separator)
     }
@@ -240,7 +243,7 @@ impl<'t> Value<'t> {
     }
 
     /// Returns the bytes of the value in the text.
-    pub(crate) fn raw(self) -> &'t [u8] {
+    pub(crate) fn raw_text(self) -> &'t [u8] {
         let entry = self.entry();
         &self.tape.text[entry.start as usize..entry.end as usize]
     }
@@ -263,23 +266,23 @@ impl<'t> Value<'t> {
 
     /// Iterates over the values of an array; over nothing if this is not an array.
     pub(crate) fn items(self) -> impl Iterator<Item = Value<'t>> {
-        let end = if self.is_array() { self.entry().next } else { self.index + 1 };
+        let end = if self.is_array() { self.entry().entry_after_subtree } else { self.index + 1 };
         let mut index = self.index + 1;
         std::iter::from_fn(move || {
             let item = (index < end).then_some(Value { tape: self.tape, index })?;
-            index = item.entry().next;
+            index = item.entry().entry_after_subtree;
             Some(item)
         })
     }
 
     /// Iterates over the names and values of an object; over nothing if this is not an object.
     pub(crate) fn members(self) -> impl Iterator<Item = (Value<'t>, Value<'t>)> {
-        let end = if self.is_object() { self.entry().next } else { self.index + 1 };
+        let end = if self.is_object() { self.entry().entry_after_subtree } else { self.index + 1 };
         let mut index = self.index + 1;
         std::iter::from_fn(move || {
             let key = (index < end).then_some(Value { tape: self.tape, index })?;
             let value = Value { tape: self.tape, index: index + 1 };
-            index = value.entry().next;
+            index = value.entry().entry_after_subtree;
             Some((key, value))
         })
     }
@@ -291,24 +294,31 @@ impl<'t> Value<'t> {
 
     /// Returns the value of a name in an object. `null` counts as absent.
     pub(crate) fn get(self, name: &str) -> Option<Value<'t>> {
-        self.members().find(|(key, _)| key.is(name)).map(|(_, value)| value).filter(|value| value.raw() != b"null")
+        self.members()
+            .find(|(key, _)| key.equals_text(name))
+            .map(|(_, value)| value)
+            .filter(|value| value.raw_text() != b"null")
     }
 
     /// Returns whether this is a text of these characters.
-    pub(crate) fn is(self, text: &str) -> bool {
-        let raw = self.raw();
-        if raw.contains(&b'\\') { self.text().is_some_and(|own| own == text) } else { self.inner() == text.as_bytes() }
+    pub(crate) fn equals_text(self, text: &str) -> bool {
+        let raw = self.raw_text();
+        if raw.contains(&b'\\') {
+            self.text().is_some_and(|own| own == text)
+        } else {
+            self.text_between_quotes() == text.as_bytes()
+        }
     }
 
     /// Returns the bytes between the quotation marks.
-    fn inner(self) -> &'t [u8] {
-        let raw = self.raw();
+    fn text_between_quotes(self) -> &'t [u8] {
+        let raw = self.raw_text();
         if raw.len() >= 2 && raw[0] == b'"' { &raw[1..raw.len() - 1] } else { &[] }
     }
 
     /// Returns the text that this is. If memory runs out, returns `None` and marks the tape.
     pub(crate) fn text(self) -> Option<Cow<'t, str>> {
-        let inner = self.inner();
+        let inner = self.text_between_quotes();
         let decoded = if inner.contains(&b'\\') { unescaped(inner).map(Cow::Owned) } else { lossy_text(inner) };
         self.tape.is_out_of_memory.set(self.tape.is_out_of_memory.get() | decoded.is_err());
         decoded.ok().filter(|_| self.is_text())
@@ -316,13 +326,13 @@ impl<'t> Value<'t> {
 
     /// Returns the number that this is.
     pub(crate) fn number(self) -> Option<f64> {
-        let raw = self.raw();
+        let raw = self.raw_text();
         matches!(raw.first(), Some(b'0'..=b'9' | b'-' | b'+' | b'.')).then(|| crate::text::number(raw))?
     }
 
     /// Returns the whole number that this is, if it is at least 0 and below 2^53.
-    pub(crate) fn whole(self) -> Option<u64> {
-        let raw = self.raw();
+    pub(crate) fn whole_number(self) -> Option<u64> {
+        let raw = self.raw_text();
         if raw.len() <= 15 && raw.iter().all(u8::is_ascii_digit) {
             return Some(raw.iter().fold(0, |value, digit| 10 * value + u64::from(digit - b'0')));
         }
@@ -331,7 +341,7 @@ impl<'t> Value<'t> {
     }
 
     pub(crate) fn is_true(self) -> bool {
-        self.raw() == b"true"
+        self.raw_text() == b"true"
     }
 
     /// Returns the `N` numbers of an array of this length.

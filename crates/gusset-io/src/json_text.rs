@@ -106,9 +106,9 @@ fn push_start<'t>(out: &mut String, open: &mut Vec<Open<'t>>, name: Option<Value
     } else if let Some(text) = value.text() {
         push_text(out, &text);
     } else if let Some(number) = value.number() {
-        push_literal(out, value.raw(), number);
+        push_literal(out, value.raw_text(), number);
     } else {
-        let raw = value.raw();
+        let raw = value.raw_text();
         out.push_str(if raw == b"true" {
             "true"
         } else if raw == b"false" {

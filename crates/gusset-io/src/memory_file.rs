@@ -8,7 +8,7 @@ use std::io::{Error, ErrorKind, Result, Write};
 #[derive(Default)]
 pub struct MemoryFile {
     /// The written bytes, and room for further ones.
-    room: Vec<u8>,
+    bytes_and_spare_room: Vec<u8>,
     length: usize,
 }
 
@@ -16,35 +16,35 @@ impl MemoryFile {
     /// Returns the bytes.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
-        &self.room[..self.length]
+        &self.bytes_and_spare_room[..self.length]
     }
 
     /// Returns the bytes.
     #[must_use]
     pub fn into_bytes(mut self) -> Vec<u8> {
-        self.room.truncate(self.length);
-        self.room
+        self.bytes_and_spare_room.truncate(self.length);
+        self.bytes_and_spare_room
     }
 }
 
 impl Output for MemoryFile {
     fn reserve(&mut self, bytes: usize) -> Result<()> {
-        self.room.truncate(self.length);
-        self.room.try_reserve_exact(bytes).map_err(|_| Error::from(ErrorKind::OutOfMemory))
+        self.bytes_and_spare_room.truncate(self.length);
+        self.bytes_and_spare_room.try_reserve_exact(bytes).map_err(|_| Error::from(ErrorKind::OutOfMemory))
     }
 
     /// Makes room whose pages the system maps when they are written, by the thread that writes them.
     fn reserve_in_place(&mut self, bytes: usize) -> Result<()> {
-        if self.room.len() - self.length < bytes {
+        if self.bytes_and_spare_room.len() - self.length < bytes {
             let mut room = alloc::zeroed(self.length + bytes).map_err(|_| Error::from(ErrorKind::OutOfMemory))?;
             room[..self.length].copy_from_slice(self.bytes());
-            self.room = room;
+            self.bytes_and_spare_room = room;
         }
         Ok(())
     }
 
     fn next_bytes(&mut self, count: usize) -> Option<&mut [u8]> {
-        let room = self.room.get_mut(self.length..)?.get_mut(..count)?;
+        let room = self.bytes_and_spare_room.get_mut(self.length..)?.get_mut(..count)?;
         self.length += count;
         Some(room)
     }
@@ -56,13 +56,15 @@ impl Write for MemoryFile {
             room.copy_from_slice(added);
             return Ok(added.len());
         }
-        self.room.truncate(self.length);
+        self.bytes_and_spare_room.truncate(self.length);
         // Most growth doubles the memory. Near the end of memory, only the exact size may fit.
-        if self.room.try_reserve(added.len()).is_err() {
-            self.room.try_reserve_exact(added.len()).map_err(|_| Error::from(ErrorKind::OutOfMemory))?;
+        if self.bytes_and_spare_room.try_reserve(added.len()).is_err() {
+            self.bytes_and_spare_room
+                .try_reserve_exact(added.len())
+                .map_err(|_| Error::from(ErrorKind::OutOfMemory))?;
         }
-        self.room.extend_from_slice(added);
-        self.length = self.room.len();
+        self.bytes_and_spare_room.extend_from_slice(added);
+        self.length = self.bytes_and_spare_room.len();
         Ok(added.len())
     }
 

@@ -9,7 +9,7 @@ use std::borrow::Cow;
 pub(crate) struct Merged<'a> {
     pub(crate) mesh: Cow<'a, Mesh>,
     /// Whether vertices that became one had different colours.
-    pub(crate) lost_colours: bool,
+    pub(crate) loses_colours: bool,
     /// Names of the properties that vertices which became one had different values of.
     pub(crate) lost_properties: Vec<String>,
 }
@@ -18,7 +18,7 @@ pub(crate) struct Merged<'a> {
 /// vertex keeps the colour and the properties of the representative.
 pub(crate) fn merge_vertices(mesh: &Mesh) -> Result<Merged<'_>, ReadError> {
     let vertex_count = mesh.positions.len() as u32;
-    let mut merged = Merged { mesh: Cow::Borrowed(mesh), lost_colours: false, lost_properties: Vec::new() };
+    let mut merged = Merged { mesh: Cow::Borrowed(mesh), loses_colours: false, lost_properties: Vec::new() };
     if (0..vertex_count).all(|vertex| mesh.representative(vertex) == vertex) {
         return Ok(merged);
     }
@@ -28,29 +28,30 @@ pub(crate) fn merge_vertices(mesh: &Mesh) -> Result<Merged<'_>, ReadError> {
         indices[vertex as usize] = index as u32;
     }
     let corners = alloc::collect(mesh.corners.iter().map(|&vertex| indices[mesh.representative(vertex) as usize]))?;
-    merged.lost_colours = differs(mesh, &mesh.vertex_colours);
+    merged.loses_colours = differs(mesh, &mesh.vertex_colours);
     let mut properties = alloc::with_capacity(mesh.properties.len())?;
     for property in &mesh.properties {
         let is_of_vertices = property.domain == Domain::Vertices;
         if is_of_vertices && differs(mesh, &property.values) {
             alloc::push(&mut merged.lost_properties, property.name.clone())?;
         }
-        let values = if is_of_vertices { selected(&property.values, &kept)? } else { alloc::copied(&property.values)? };
+        let values =
+            if is_of_vertices { select_values(&property.values, &kept)? } else { alloc::copied(&property.values)? };
         properties.push(Property { name: property.name.clone(), values, ..*property });
         alloc::check_reserve()?;
     }
     merged.mesh = Cow::Owned(Mesh {
         name: mesh.name.clone(),
         positions: match &mesh.positions {
-            Positions::F32(points) => Positions::F32(selected(points, &kept)?),
-            Positions::F64(points) => Positions::F64(selected(points, &kept)?),
+            Positions::F32(points) => Positions::F32(select_values(points, &kept)?),
+            Positions::F64(points) => Positions::F64(select_values(points, &kept)?),
         },
         face_offsets: alloc::copied(&mesh.face_offsets)?,
         merge: Vec::new(),
         normals: merged_values(mesh, &mesh.normals, &corners, &kept)?,
         texcoords: merged_values(mesh, &mesh.texcoords, &corners, &kept)?,
         corners,
-        vertex_colours: selected(&mesh.vertex_colours, &kept)?,
+        vertex_colours: select_values(&mesh.vertex_colours, &kept)?,
         face_colours: alloc::copied(&mesh.face_colours)?,
         face_materials: alloc::copied(&mesh.face_materials)?,
         properties,
@@ -59,7 +60,7 @@ pub(crate) fn merge_vertices(mesh: &Mesh) -> Result<Merged<'_>, ReadError> {
 }
 
 /// Returns the values of the kept vertices; none if `values` is empty.
-fn selected<T: Copy>(values: &[T], kept: &[u32]) -> Result<Vec<T>, ReadError> {
+fn select_values<T: Copy>(values: &[T], kept: &[u32]) -> Result<Vec<T>, ReadError> {
     if values.is_empty() {
         return Ok(Vec::new());
     }
@@ -82,9 +83,9 @@ fn merged_values<const N: usize>(
         Values::Vertices(values) => {
             let bits = |vertex: u32| values[vertex as usize].map(f64::to_bits);
             if (0..values.len() as u32).all(|vertex| bits(vertex) == bits(mesh.representative(vertex))) {
-                return Ok(Values::Vertices(selected(values, kept)?));
+                return Ok(Values::Vertices(select_values(values, kept)?));
             }
-            selected(values, &mesh.corners)?
+            select_values(values, &mesh.corners)?
         }
         Values::Corners(values) => alloc::copied(values)?,
     };

@@ -32,7 +32,7 @@ pub(crate) struct OutlinePen {
     points: Vec<Vector>,
     offsets: Vec<u32>,
     closed: Vec<bool>,
-    start: usize,
+    first_point_of_outline: usize,
     point_limit: usize,
     is_full: bool,
     has_curved_parts: bool,
@@ -77,7 +77,7 @@ impl OutlinePen {
             points: Vec::new(),
             offsets: vec![0],
             closed: Vec::new(),
-            start: 0,
+            first_point_of_outline: 0,
             point_limit: (file_bytes / MIN_POINT_BYTES).clamp(MIN_POINT_LIMIT, u32::MAX as usize - 1),
             is_full: false,
             has_curved_parts: false,
@@ -100,14 +100,14 @@ impl OutlinePen {
     }
 
     /// Begins an outline. The one before stays open.
-    pub(crate) fn begin(&mut self, point: Vector) -> Result<(), ReadError> {
-        self.end(false)?;
+    pub(crate) fn begin_outline(&mut self, point: Vector) -> Result<(), ReadError> {
+        self.end_outline(false)?;
         self.line_to(point)
     }
 
     /// Returns the last point of the outline that is being drawn.
     pub(crate) fn last_point(&self) -> Option<Vector> {
-        self.points[self.start..].last().copied()
+        self.points[self.first_point_of_outline..].last().copied()
     }
 
     /// Adds a point, unless it equals the last one.
@@ -128,29 +128,29 @@ impl OutlinePen {
     }
 
     /// Ends an outline. It is closed if `is_closed`, or if its ends are equal. An outline of one point is dropped.
-    pub(crate) fn end(&mut self, is_closed: bool) -> Result<(), ReadError> {
-        let drawn = &self.points[self.start..];
+    pub(crate) fn end_outline(&mut self, is_closed: bool) -> Result<(), ReadError> {
+        let drawn = &self.points[self.first_point_of_outline..];
         let bits = |point: &Vector| point.map(f64::to_bits);
         let is_repeated =
             drawn.len() > 3 && (drawn.first() == drawn.last() || drawn.first().map(bits) == drawn.last().map(bits));
         if is_repeated {
             self.points.pop();
         }
-        if self.points.len() - self.start < 2 {
-            self.points.truncate(self.start);
+        if self.points.len() - self.first_point_of_outline < 2 {
+            self.points.truncate(self.first_point_of_outline);
             return Ok(());
         }
-        let is_polygon = self.points.len() - self.start > 2;
+        let is_polygon = self.points.len() - self.first_point_of_outline > 2;
         self.offsets.try_reserve(1)?;
         self.offsets.push(self.points.len() as u32);
         self.closed.try_reserve(1)?;
         self.closed.push(is_polygon && (is_closed || is_repeated));
-        self.start = self.points.len();
+        self.first_point_of_outline = self.points.len();
         Ok(())
     }
 
     /// Draws a Bezier curve of degree `N - 1` from its first point.
-    pub(crate) fn bezier<const N: usize>(&mut self, control: [Vector; N]) -> Result<(), ReadError> {
+    pub(crate) fn bezier_to<const N: usize>(&mut self, control: [Vector; N]) -> Result<(), ReadError> {
         self.has_curved_parts = true;
         // The distance to a chord is at most the bound of the second derivative times the squared step over 8.
         let bend = (0..N.saturating_sub(2))
@@ -166,7 +166,7 @@ impl OutlinePen {
         self.line_to(control[N - 1])
     }
 
-    /// Draws an arc of the ellipse `centre + cos(angle) u + sin(angle) v` to the exact point `end`. Begins at the last point.
+    /// Draws an arc of the ellipse `centre + cos(angle) u + sin(angle) v` to the exact point `end_outline`. Begins at the last point.
     pub(crate) fn arc_to(&mut self, ellipse: [Vector; 3], angles: [f64; 2], end: Vector) -> Result<(), ReadError> {
         self.has_curved_parts = true;
         let [start, sweep] = angles;
@@ -178,10 +178,10 @@ impl OutlinePen {
     }
 
     /// Draws a whole ellipse as an outline.
-    pub(crate) fn ellipse(&mut self, ellipse: [Vector; 3]) -> Result<(), ReadError> {
-        self.begin(ellipse_point(ellipse, 0.0))?;
+    pub(crate) fn draw_ellipse(&mut self, ellipse: [Vector; 3]) -> Result<(), ReadError> {
+        self.begin_outline(ellipse_point(ellipse, 0.0))?;
         self.arc_to(ellipse, [0.0, TAU], ellipse_point(ellipse, 0.0))?;
-        self.end(true)
+        self.end_outline(true)
     }
 
     fn arc_segments(&self, [_, u, v]: [Vector; 3], sweep: f64) -> usize {

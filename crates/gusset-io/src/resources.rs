@@ -62,7 +62,7 @@ impl Output for Vec<u8> {
 /// Receives a written file and the files beside it.
 pub struct Target<'a> {
     /// The file.
-    pub main: &'a mut dyn Output,
+    pub main_file: &'a mut dyn Output,
     /// Name of the file without folder and extension, from which names of files beside it are made.
     pub stem: &'a str,
     /// Receives files beside it: name and bytes. Returns an error of kind `Unsupported` if there can be none.

@@ -66,7 +66,7 @@ pub(crate) fn write_to_bytes(
 ) -> Result<(Vec<u8>, Vec<String>), WriteError> {
     let mut bytes = Vec::new();
     let mut refuse = |name: &str, _: &[u8]| Err(std::io::Error::other(name.to_string()));
-    let mut target = Target { main: &mut bytes, stem: "test", beside: &mut refuse, resources: &NoResources };
+    let mut target = Target { main_file: &mut bytes, stem: "test", beside: &mut refuse, resources: &NoResources };
     let losses = write(document, format, &mut target, options)?;
     Ok((bytes, losses.into_iter().map(|Loss(text)| text).collect()))
 }

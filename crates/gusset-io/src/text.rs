@@ -6,19 +6,19 @@ use std::io::{self, Write};
 /// Reads words of lines. A comment lasts from its character to the end of the line.
 pub(crate) struct Scanner<'a> {
     bytes: &'a [u8],
-    place: usize,
+    offset: usize,
     line: u64,
     comment: Option<u8>,
 }
 
 impl<'a> Scanner<'a> {
     pub(crate) fn new(bytes: &'a [u8], comment: Option<u8>) -> Self {
-        Self { bytes, place: 0, line: 1, comment }
+        Self { bytes, offset: 0, line: 1, comment }
     }
 
     /// Starts within a file: at a byte and the line that it is in.
     pub(crate) fn new_at(bytes: &'a [u8], place: usize, line: u64, comment: Option<u8>) -> Self {
-        Self { bytes, place: place.min(bytes.len()), line, comment }
+        Self { bytes, offset: place.min(bytes.len()), line, comment }
     }
 
     /// Returns the number of the current line, from 1.
@@ -28,18 +28,18 @@ impl<'a> Scanner<'a> {
 
     /// Returns the index of the next byte.
     pub(crate) fn place(&self) -> usize {
-        self.place
+        self.offset
     }
 
     /// Returns the number of bytes that follow.
     pub(crate) fn remaining(&self) -> usize {
-        self.bytes.len() - self.place
+        self.bytes.len() - self.offset
     }
 
     /// Returns the next word of this line, or `None` at its end, which it does not pass.
     pub(crate) fn word_in_line(&mut self) -> Option<&'a [u8]> {
         loop {
-            let &byte = self.bytes.get(self.place)?;
+            let &byte = self.bytes.get(self.offset)?;
             if byte == b'\n' {
                 return None;
             }
@@ -50,14 +50,14 @@ impl<'a> Scanner<'a> {
             if !is_blank(byte) {
                 break;
             }
-            self.place += 1;
+            self.offset += 1;
         }
-        let rest = &self.bytes[self.place..];
+        let rest = &self.bytes[self.offset..];
         let length = rest
             .iter()
             .position(|&byte| is_blank(byte) || byte == b'\n' || Some(byte) == self.comment)
             .unwrap_or(rest.len());
-        self.place += length;
+        self.offset += length;
         Some(&rest[..length])
     }
 
@@ -75,9 +75,9 @@ impl<'a> Scanner<'a> {
 
     /// Returns the rest of this line without blanks and comment at its ends.
     pub(crate) fn rest_of_line(&mut self) -> &'a [u8] {
-        let start = self.place;
+        let start = self.offset;
         self.skip_to_line_end();
-        let rest = &self.bytes[start..self.place];
+        let rest = &self.bytes[start..self.offset];
         let end = self.comment.and_then(|comment| rest.iter().position(|&byte| byte == comment)).unwrap_or(rest.len());
         rest[..end].trim_ascii()
     }
@@ -85,22 +85,22 @@ impl<'a> Scanner<'a> {
     /// Goes to the start of the next line. Returns false at the end of the file.
     pub(crate) fn next_line(&mut self) -> bool {
         self.skip_to_line_end();
-        if self.place == self.bytes.len() {
+        if self.offset == self.bytes.len() {
             return false;
         }
-        self.place += 1;
+        self.offset += 1;
         self.line += 1;
         true
     }
 
     fn skip_to_line_end(&mut self) {
-        let rest = &self.bytes[self.place..];
-        self.place += rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
+        let rest = &self.bytes[self.offset..];
+        self.offset += rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
     }
 
     /// Passes blanks, comments and ends of lines. Returns whether a word follows.
     fn seek_word(&mut self) -> bool {
-        while let Some(&byte) = self.bytes.get(self.place) {
+        while let Some(&byte) = self.bytes.get(self.offset) {
             if byte == b'\n' {
                 self.line += 1;
             } else if Some(byte) == self.comment {
@@ -109,7 +109,7 @@ impl<'a> Scanner<'a> {
             } else if !is_blank(byte) {
                 return true;
             }
-            self.place += 1;
+            self.offset += 1;
         }
         false
     }
@@ -125,16 +125,16 @@ impl<'a> Scanner<'a> {
         if !self.seek_word() {
             return None;
         }
-        if let Ok((value, length)) = fast_float2::parse_partial(&self.bytes[self.place..])
-            && self.is_word_end(self.place + length)
+        if let Ok((value, length)) = fast_float2::parse_partial(&self.bytes[self.offset..])
+            && self.is_word_end(self.offset + length)
         {
-            self.place += length;
+            self.offset += length;
             return Some(value);
         }
-        let [place, line] = [self.place as u64, self.line];
+        let [place, line] = [self.offset as u64, self.line];
         let value = self.word().and_then(parsed);
         if value.is_none() {
-            self.place = place as usize;
+            self.offset = place as usize;
             self.line = line;
         }
         value
@@ -150,17 +150,17 @@ impl<'a> Scanner<'a> {
         }
         let mut value = 0;
         let mut length = 0;
-        while let Some(digit) = self.bytes.get(self.place + length).filter(|byte| byte.is_ascii_digit()) {
+        while let Some(digit) = self.bytes.get(self.offset + length).filter(|byte| byte.is_ascii_digit()) {
             if length == MAX_DIGITS {
                 return None;
             }
             value = 10 * value + u32::from(digit - b'0');
             length += 1;
         }
-        if length == 0 || !self.is_word_end(self.place + length) {
+        if length == 0 || !self.is_word_end(self.offset + length) {
             return None;
         }
-        self.place += length;
+        self.offset += length;
         Some(value)
     }
 

@@ -69,7 +69,7 @@ pub fn append_piece(
     mut must_flip: impl FnMut(usize) -> bool,
 ) -> Result<PieceOffsets> {
     let place = PieceOffsets { first_vertex: whole.positions.len() as u32, first_face: whole.face_count() as u32 };
-    let (positions, place_them) = (piece.positions(), job.part(0.0, 0.0));
+    let (positions, place_them) = (piece.positions(), job.sub_job(0.0, 0.0));
     place_them.work_in_ranges(STAGE, positions.len(), |range| whole.positions.append(positions, range))?;
     job.step(0.0, STAGE)?;
     for f in 0..piece.faces().len() {

@@ -21,7 +21,7 @@ pub struct FaceTriangles {
     /// The face of each triangle.
     pub faces: Vec<u32>,
     points: Vec<DVec3>,
-    places: Vec<[u32; 3]>,
+    corner_places: Vec<[u32; 3]>,
 }
 
 impl FaceTriangles {
@@ -58,7 +58,13 @@ impl FaceTriangles {
             let range = faces.corner_range(f);
             let half_edge = |k: usize| (range.start + k) as u32;
             let at = |k: usize| mesh.positions().get(faces.corner(half_edge(k)));
-            split.append_face(range.len(), at, |k| name(half_edge(k)), f as u32, &job.share(f, faces.len()))?;
+            split.append_face(
+                range.len(),
+                at,
+                |k| name(half_edge(k)),
+                f as u32,
+                &job.sub_job_of_item(f, faces.len()),
+            )?;
         }
         Ok(split)
     }
@@ -83,9 +89,9 @@ impl FaceTriangles {
         }
         self.points.clear();
         alloc::extend(&mut self.points, (0..count).map(at))?;
-        triangulate_polygon(&self.points, &mut self.places, job)?;
-        alloc::extend(&mut self.corners, self.places.iter().map(|triangle| triangle.map(|k| name(k as usize))))?;
-        alloc::extend(&mut self.faces, self.places.iter().map(|_| face))
+        triangulate_polygon(&self.points, &mut self.corner_places, job)?;
+        alloc::extend(&mut self.corners, self.corner_places.iter().map(|triangle| triangle.map(|k| name(k as usize))))?;
+        alloc::extend(&mut self.faces, self.corner_places.iter().map(|_| face))
     }
 }
 
@@ -109,7 +115,7 @@ pub struct TriangulatedMesh {
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn triangulate(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<TriangulatedMesh> {
-    let split = FaceTriangles::with_half_edges(mesh, &job.part(0.0, 0.8))?;
+    let split = FaceTriangles::with_half_edges(mesh, &job.sub_job(0.0, 0.8))?;
     job.step(0.8, STAGE)?;
     let (faces, count) = (mesh.faces(), mesh.positions().len());
     let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), count)?;

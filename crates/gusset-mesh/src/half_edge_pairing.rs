@@ -64,19 +64,19 @@ impl Topology {
     pub fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
         let faces = mesh.faces();
         let mut parts = divide_faces_among_threads(mesh, job.requested_threads())?;
-        run_on_each_thread(&mut parts, &job.part(0.0, 0.3), |part, range| {
-            faces.visit_faces(range, &mut HalfEdgeCounter { faces, part })
+        run_on_each_thread(&mut parts, &job.sub_job(0.0, 0.3), |part, range| {
+            faces.visit_faces(range, &mut HalfEdgeCounter { faces, thread_faces: part })
         })?;
         job.step(0.3, STAGE)?;
         let (corner_count, mut defects) = sum_corner_counts(&mut parts)?;
         job.step(0.3, STAGE)?;
-        let count = turn_counts_into_offsets(&mut parts, mesh.positions().len(), &job.part(0.3, 0.3))?;
+        let count = turn_counts_into_offsets(&mut parts, mesh.positions().len(), &job.sub_job(0.3, 0.3))?;
 
         // Each entry packs (far end, half-edge) into one word. No two threads write to the same
         // entry.
         let entries: Vec<AtomicU64> = alloc::zeroed(count as usize)?;
-        run_on_each_thread(&mut parts, &job.part(0.3, 0.6), |part, range| {
-            faces.visit_faces(range, &mut BucketFiller { part, entries: &entries })
+        run_on_each_thread(&mut parts, &job.sub_job(0.3, 0.6), |part, range| {
+            faces.visit_faces(range, &mut BucketFiller { thread_faces: part, entries: &entries })
         })?;
         let threads = parts.len();
         job.step(0.6, STAGE)?;
@@ -84,8 +84,8 @@ impl Topology {
         // new memory, so free the parts first.
         let (mut ends, mut ignored) = (Vec::new(), Vec::new());
         for part in parts {
-            alloc::append(&mut ignored, &part.ignored)?;
-            ends = part.places;
+            alloc::append(&mut ignored, &part.ignored_half_edges)?;
+            ends = part.bucket_positions;
         }
         let mate: Vec<AtomicU32> = alloc::zeroed(faces.half_edge_count())?;
         ignored.iter().for_each(|&h| mate[h as usize].store(h, Ordering::Relaxed));
@@ -108,10 +108,10 @@ impl Topology {
             for found in found {
                 let found = found?;
                 alloc::append(&mut defects, &found.defects)?;
-                alloc::extend(&mut long, found.long)?;
+                alloc::extend(&mut long, found.long_buckets)?;
             }
         }
-        let job = job.part(1.0, 1.0);
+        let job = job.sub_job(1.0, 1.0);
         for bucket in long {
             let bucket = &mut entries[bucket];
             sort(bucket, Ord::cmp, &job, STAGE)?;
@@ -135,11 +135,11 @@ fn split_into_blocks(range: Range<usize>, length: usize) -> impl Iterator<Item =
 struct ThreadFaces {
     faces: Range<usize>,
     /// Per bucket: first the number of its half-edges, later the position of the next one.
-    places: Vec<u32>,
+    bucket_positions: Vec<u32>,
     /// Per vertex: the number of half-edges that start there.
     corner_count: Vec<u32>,
     /// Half-edges that belong to no bucket.
-    ignored: Vec<u32>,
+    ignored_half_edges: Vec<u32>,
     defects: Vec<Defect>,
 }
 
@@ -150,7 +150,13 @@ fn divide_faces_among_threads(mesh: &MeshView<'_>, threads: usize) -> Result<Vec
     let mut parts = Vec::new();
     for faces in split_into_blocks(0..faces, faces.div_ceil(threads)) {
         let (places, corner_count) = (alloc::zeroed(2 * vertices)?, alloc::zeroed(vertices)?);
-        parts.push(ThreadFaces { faces, places, corner_count, ignored: Vec::new(), defects: Vec::new() });
+        parts.push(ThreadFaces {
+            faces,
+            bucket_positions: places,
+            corner_count,
+            ignored_half_edges: Vec::new(),
+            defects: Vec::new(),
+        });
     }
     Ok(parts)
 }
@@ -196,7 +202,7 @@ fn turn_counts_into_offsets(parts: &mut [ThreadFaces], vertices: usize, job: &Jo
     job.work_in_ranges(STAGE, 2 * vertices, |buckets| {
         for bucket in buckets {
             for part in parts.iter_mut() {
-                let place = &mut part.places[bucket];
+                let place = &mut part.bucket_positions[bucket];
                 next += std::mem::replace(place, next);
             }
         }
@@ -242,19 +248,19 @@ fn find_repeated_vertex(corners: &[u32]) -> Result<Option<u32>> {
 /// Counts half-edges and collects degenerate faces.
 struct HalfEdgeCounter<'p> {
     faces: &'p Faces<'p>,
-    part: &'p mut ThreadFaces,
+    thread_faces: &'p mut ThreadFaces,
 }
 
 impl FaceVisitor for HalfEdgeCounter<'_> {
     #[inline(always)]
     fn visit_face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
         if let Some(vertex) = find_repeated_vertex(corners)? {
-            let face = self.faces.face_of(first);
-            alloc::push(&mut self.part.defects, Defect::DegenerateFace { face, vertex })?;
+            let face = self.faces.face_of_half_edge(first);
+            alloc::push(&mut self.thread_faces.defects, Defect::DegenerateFace { face, vertex })?;
         }
         visit_proper_half_edges(first, corners, |_, u, v| {
-            self.part.places[bucket_of_half_edge(u, v)] += 1;
-            self.part.corner_count[u as usize] += 1;
+            self.thread_faces.bucket_positions[bucket_of_half_edge(u, v)] += 1;
+            self.thread_faces.corner_count[u as usize] += 1;
         });
         Ok(())
     }
@@ -262,14 +268,14 @@ impl FaceVisitor for HalfEdgeCounter<'_> {
 
 /// Puts half-edges into their buckets.
 struct BucketFiller<'p> {
-    part: &'p mut ThreadFaces,
+    thread_faces: &'p mut ThreadFaces,
     entries: &'p [AtomicU64],
 }
 
 impl FaceVisitor for BucketFiller<'_> {
     #[inline(always)]
     fn visit_face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
-        let places = &mut self.part.places;
+        let places = &mut self.thread_faces.bucket_positions;
         let shown = visit_proper_half_edges(first, corners, |h, u, v| {
             let place = &mut places[bucket_of_half_edge(u, v)];
             self.entries[*place as usize].store(u64::from(u.max(v)) << 32 | u64::from(h), Ordering::Relaxed);
@@ -285,7 +291,7 @@ impl BucketFiller<'_> {
     fn record_ignored_half_edges(&mut self, first: u32, corners: &[u32], shown: usize) -> Result<()> {
         let after = corners.iter().cycle().skip(1);
         let ignored = corners.iter().zip(after).zip(first..).filter(|&((u, v), _)| shown == 0 || u == v);
-        alloc::extend(&mut self.part.ignored, ignored.map(|(_, h)| h))
+        alloc::extend(&mut self.thread_faces.ignored_half_edges, ignored.map(|(_, h)| h))
     }
 }
 
@@ -294,7 +300,7 @@ impl BucketFiller<'_> {
 struct PairingLeftovers {
     defects: Vec<Defect>,
     /// The buckets that are too long to process without progress reports.
-    long: Vec<Range<usize>>,
+    long_buckets: Vec<Range<usize>>,
 }
 
 /// Pairs the half-edges in the buckets of some vertices. The buckets start at `first` and end at
@@ -318,7 +324,7 @@ fn pair_half_edges_in_buckets(
             continue;
         }
         if own.len() > MAX_UNREPORTED_BUCKET_ENTRIES {
-            alloc::push(&mut found.long, bucket)?;
+            alloc::push(&mut found.long_buckets, bucket)?;
             continue;
         }
         own.sort_unstable();

@@ -16,7 +16,7 @@ const STAGE: &str = "finding equal vertices";
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-pub fn merge_map(mesh: &MeshView<'_>, keys: Option<&[u32]>, job: &Job<'_>) -> Result<Vec<u32>> {
+pub fn map_to_equal_vertices(mesh: &MeshView<'_>, keys: Option<&[u32]>, job: &Job<'_>) -> Result<Vec<u32>> {
     let positions = mesh.positions();
     let mut order = alloc::collect(0..positions.len() as u32)?;
     let place = |v: u32| positions.get(v).to_array();
@@ -30,11 +30,11 @@ pub fn merge_map(mesh: &MeshView<'_>, keys: Option<&[u32]>, job: &Job<'_>) -> Re
             .find(|o| o.is_ne())
             .unwrap_or(Ordering::Equal),
     };
-    sort(&mut order, |u, v| compare(u, v).then(u.cmp(v)), &job.part(0.0, 0.9), STAGE)?;
+    sort(&mut order, |u, v| compare(u, v).then(u.cmp(v)), &job.sub_job(0.0, 0.9), STAGE)?;
     let mut merge = alloc::collect(0..positions.len() as u32)?;
     let is_one = |u: u32, v: u32| compare(&u, &v).is_eq() && (keys.is_some() || positions.get(u).is_finite());
     for (k, pair) in order.windows(2).enumerate() {
-        job.part(0.9, 1.0).step_within_list(k, STAGE)?;
+        job.sub_job(0.9, 1.0).step_within_list(k, STAGE)?;
         if is_one(pair[0], pair[1]) {
             merge[pair[1] as usize] = merge[pair[0] as usize];
         }

@@ -136,7 +136,7 @@ impl Mesh {
 
     /// Returns the face that a corner belongs to, by bisection.
     #[inline]
-    pub fn face_of(&self, corner: u32) -> usize {
+    pub fn face_of_corner(&self, corner: u32) -> usize {
         self.face_offsets.partition_point(|&start| start <= corner) - 1
     }
 

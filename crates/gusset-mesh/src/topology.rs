@@ -68,7 +68,7 @@ impl Topology {
     /// Returns the next half-edge of the same face, skipping half-edges without length.
     #[inline]
     pub fn next(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
-        let range = mesh.faces().corner_range(mesh.faces().face_of(h) as usize);
+        let range = mesh.faces().corner_range(mesh.faces().face_of_half_edge(h) as usize);
         let (before, after) = (range.start as u32..h, h + 1..range.end as u32);
         after.chain(before).find(|&n| !self.is_ignored(n)).unwrap_or(h)
     }
@@ -76,7 +76,7 @@ impl Topology {
     /// Returns the previous half-edge of the same face, skipping half-edges without length.
     #[inline]
     pub fn previous(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
-        let range = mesh.faces().corner_range(mesh.faces().face_of(h) as usize);
+        let range = mesh.faces().corner_range(mesh.faces().face_of_half_edge(h) as usize);
         let (before, after) = (range.start as u32..h, h + 1..range.end as u32);
         before.rev().chain(after.rev()).find(|&n| !self.is_ignored(n)).unwrap_or(h)
     }

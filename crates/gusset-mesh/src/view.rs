@@ -68,9 +68,9 @@ pub trait FaceVisitor {
 pub struct Faces<'a> {
     corners: PackedIndices<'a>,
     layout: FaceLayout<'a>,
-    count: usize,
+    face_count: usize,
     /// The merge map and the corners before merging, if the faces are merged.
-    split: Option<CornersBeforeMerging<'a>>,
+    corners_before_merging: Option<CornersBeforeMerging<'a>>,
 }
 
 /// The corners of faces before vertices were merged, and the vertex that each vertex is merged
@@ -93,8 +93,8 @@ impl<'a> Faces<'a> {
         Ok(Faces {
             corners: read_packed_indices(corners, needed, "corners")?,
             layout: FaceLayout::Uniform(face_size),
-            count,
-            split: None,
+            face_count: count,
+            corners_before_merging: None,
         })
     }
 
@@ -110,21 +110,21 @@ impl<'a> Faces<'a> {
         Ok(Faces {
             corners: read_packed_indices(corners, needed, "corners")?,
             layout: FaceLayout::Offsets(offsets),
-            count,
-            split: None,
+            face_count: count,
+            corners_before_merging: None,
         })
     }
 
     /// Returns true if the faces have a merge map.
     #[inline]
     pub fn is_merged(&self) -> bool {
-        self.split.is_some()
+        self.corners_before_merging.is_some()
     }
 
     /// Returns the vertex that `v` is merged into; `v` itself if the map does not cover it.
     #[inline]
     pub fn merged_vertex(&self, v: u32) -> u32 {
-        match self.split {
+        match self.corners_before_merging {
             Some(split) if (v as usize) < split.merge.len() => split.merge.get(v as usize),
             _ => v,
         }
@@ -133,10 +133,10 @@ impl<'a> Faces<'a> {
     /// Returns the vertex at corner `h` before merging.
     #[inline]
     pub fn corner_vertex_before_merging(&self, h: u32) -> u32 {
-        self.split.map_or(self.corners, |split| split.corners).get(h as usize)
+        self.corners_before_merging.map_or(self.corners, |split| split.corners).get(h as usize)
     }
 
-    /// Returns the number of corners of `count` faces with `face_size` corners each.
+    /// Returns the number of corners of `face_count` faces with `face_size` corners each.
     ///
     /// # Errors
     /// [`Error::FaceTooSmall`], [`Error::TooLarge`].
@@ -149,7 +149,7 @@ impl<'a> Faces<'a> {
         Ok(total as usize)
     }
 
-    /// Returns the number of offsets for `count` faces.
+    /// Returns the number of offsets for `face_count` faces.
     ///
     /// # Errors
     /// [`Error::TooLarge`].
@@ -159,7 +159,7 @@ impl<'a> Faces<'a> {
         Ok(count + 1)
     }
 
-    /// Validates the offsets of `count` faces without the corners, and returns the required number
+    /// Validates the offsets of `face_count` faces without the corners, and returns the required number
     /// of corners. It serves callers that learn the length of the corner array from the offsets
     /// alone.
     ///
@@ -206,13 +206,13 @@ impl<'a> Faces<'a> {
     /// Returns the number of faces.
     #[inline]
     pub fn len(&self) -> usize {
-        self.count
+        self.face_count
     }
 
     /// Returns true if the list of faces is empty.
     #[inline]
     pub fn is_empty(&self) -> bool {
-        self.count == 0
+        self.face_count == 0
     }
 
     /// Returns the range of corners (half-edges) of face `f`.
@@ -227,11 +227,11 @@ impl<'a> Faces<'a> {
     /// Returns the face that corner (half-edge) `h` belongs to. O(1) for uniform faces, otherwise
     /// by bisection.
     #[inline]
-    pub fn face_of(&self, h: u32) -> u32 {
+    pub fn face_of_half_edge(&self, h: u32) -> u32 {
         match self.layout {
             FaceLayout::Uniform(n) => h / n,
             FaceLayout::Offsets(offsets) => {
-                let (mut low, mut high) = (0, self.count);
+                let (mut low, mut high) = (0, self.face_count);
                 while high - low > 1 {
                     let middle = usize::midpoint(low, high);
                     if offsets.get(middle) <= h { low = middle } else { high = middle }
@@ -244,7 +244,7 @@ impl<'a> Faces<'a> {
     /// Returns the next half-edge of the face.
     #[inline]
     pub fn next(&self, h: u32) -> u32 {
-        let range = self.corner_range(self.face_of(h) as usize);
+        let range = self.corner_range(self.face_of_half_edge(h) as usize);
         if h as usize + 1 == range.end { range.start as u32 } else { h + 1 }
     }
 
@@ -388,12 +388,12 @@ impl<'a> MeshView<'a> {
             let of = merge.get(v);
             of as usize >= count || merge.get(of as usize) != of
         };
-        job.part(0.0, 0.3).work_in_ranges(STAGE, count, |mut range| match range.find(is_bad) {
+        job.sub_job(0.0, 0.3).work_in_ranges(STAGE, count, |mut range| match range.find(is_bad) {
             Some(v) => Err(Error::BadMerge { vertex: v as u32, value: merge.get(v) }),
             None => Ok(()),
         })?;
         let mut corners = alloc::with_capacity(self.faces.half_edge_count())?;
-        job.part(0.3, 1.0).work_in_ranges(STAGE, self.faces.half_edge_count(), |range| {
+        job.sub_job(0.3, 1.0).work_in_ranges(STAGE, self.faces.half_edge_count(), |range| {
             corners.extend(self.faces.corners(range).map(|v| merge.get(v as usize)));
             Ok(())
         })?;
@@ -413,7 +413,10 @@ impl<'a> MeshView<'a> {
             corners: self.faces.corners,
         };
         let corners = PackedIndices(bytemuck::cast_slice(corners));
-        MeshView { positions: self.positions, faces: Faces { corners, split: Some(split), ..self.faces } }
+        MeshView {
+            positions: self.positions,
+            faces: Faces { corners, corners_before_merging: Some(split), ..self.faces },
+        }
     }
 
     /// Returns the vertices of face `f`, in order.
@@ -432,6 +435,10 @@ impl<'a> MeshView<'a> {
         }
         let corner = self.faces.corners(range.clone()).position(|v| v as usize >= count).unwrap_or(0);
         let corner = (range.start + corner) as u32;
-        Err(Error::IndexOutOfRange { face: self.faces.face_of(corner), corner, vertex: self.faces.corner(corner) })
+        Err(Error::IndexOutOfRange {
+            face: self.faces.face_of_half_edge(corner),
+            corner,
+            vertex: self.faces.corner(corner),
+        })
     }
 }

@@ -76,10 +76,10 @@ pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>)
         let (a, b) = (before.shape().node_count() as u32, after.shape().node_count() as u32);
         return Err(Error::SidesDiffer { a, b });
     }
-    let mut found = analyse_without_signs(before, after, tolerance, &job.part(0.0, 0.5))?;
+    let mut found = analyse_without_signs(before, after, tolerance, &job.sub_job(0.0, 0.5))?;
     negate_ratios_of_folded_cells(
         &mut found,
-        &fold::signs_of_turned_over_cells(before, after, tolerance, &job.part(0.5, 1.0))?,
+        &fold::signs_of_turned_over_cells(before, after, tolerance, &job.sub_job(0.5, 1.0))?,
     );
     Ok(found)
 }
@@ -98,13 +98,14 @@ pub fn analyse_field(
     job: &Job<'_>,
 ) -> Result<DeformationAnalysis> {
     let mut after = net.copied()?;
-    deform(&mut after, steps, &job.part(0.0, 0.3))?;
-    let mut found = analyse_without_signs(net, &after, tolerance, &job.part(0.3, 0.6))?;
-    found.determinants = each!(net.coordinates(), planes => jacobian_determinants(planes, steps, &job.part(0.6, 0.8)))?;
+    deform(&mut after, steps, &job.sub_job(0.0, 0.3))?;
+    let mut found = analyse_without_signs(net, &after, tolerance, &job.sub_job(0.3, 0.6))?;
+    found.determinants =
+        each!(net.coordinates(), planes => jacobian_determinants(planes, steps, &job.sub_job(0.6, 0.8)))?;
     if !mark_minority_signs_as_folds(&mut found) {
         negate_ratios_of_folded_cells(
             &mut found,
-            &fold::signs_of_turned_over_cells(net, &after, tolerance, &job.part(0.8, 1.0))?,
+            &fold::signs_of_turned_over_cells(net, &after, tolerance, &job.sub_job(0.8, 1.0))?,
         );
     }
     Ok(found)
@@ -141,7 +142,7 @@ fn analyse_without_signs(
     let width = 2 * shape.columns();
     let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let row = |i: usize, ratios: &mut [f64]| write_length_ratios_of_row((old, new), i, ratios, &classes, tolerance);
-        chunks::map_rows(&mut links, width, (&job.part(0.0, 0.5), "analyse"), row)?.collect()
+        chunks::map_rows(&mut links, width, (&job.sub_job(0.0, 0.5), "analyse"), row)?.collect()
     }));
     let (mut contracted, mut torn) = (Vec::new(), Vec::new());
     for change in changes {
@@ -149,11 +150,11 @@ fn analyse_without_signs(
         alloc::append(&mut contracted, &new)?;
         alloc::append(&mut torn, &lost)?;
     }
-    let contracted = classify_contracted_links(before.topology(), &contracted, &job.part(0.5, 0.5))?;
+    let contracted = classify_contracted_links(before.topology(), &contracted, &job.sub_job(0.5, 0.5))?;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     let hidden = HiddenCells::new(before)?;
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        chunks::map_rows(&mut cells, shape.columns() - 1, (&job.part(0.5, 1.0), "analyse"), |i, ratios| {
+        chunks::map_rows(&mut cells, shape.columns() - 1, (&job.sub_job(0.5, 1.0), "analyse"), |i, ratios| {
             for (j, ratio) in ratios.iter_mut().enumerate().filter(|&(j, _)| !hidden.contains(i, j)) {
                 *ratio = area_vector(new, i, j).length() / area_vector(old, i, j).length();
                 // 0 / 0 is NaN already; the ratio of an area grown from 0 is NaN too.

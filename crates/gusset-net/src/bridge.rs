@@ -54,10 +54,10 @@ pub struct BridgeProperties {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct NetAdaptation {
     /// The size at which it was joined. A part of any other size is not this net any more.
-    pub(crate) joined: Shape,
+    pub(crate) joined_shape: Shape,
     /// Step 1: whether its rows were flipped, because its faces had the opposite orientation.
     pub(crate) flipped: bool,
-    /// Step 2: the rows of `joined` (or columns, across the direction) that are copies.
+    /// Step 2: the rows of `joined_shape` (or columns, across the direction) that are copies.
     pub(crate) copies: Vec<u32>,
     /// Step 3: the number of places by which it was rotated along its closed side.
     pub(crate) twist: u32,

@@ -41,8 +41,8 @@ impl Net<'_> {
         let turns = options.turn != GridSymmetry::None;
         let wanted = [options.part.is_some(), options.compact, enlarges, turns, scalar.is_some()];
         let steps = wanted.into_iter().filter(|&wanted| wanted).count();
-        let mut shares = (0..steps).map(|k| job.share(k, steps));
-        let mut share = || shares.next().unwrap_or_else(|| job.part(1.0, 1.0));
+        let mut shares = (0..steps).map(|k| job.sub_job_of_item(k, steps));
+        let mut share = || shares.next().unwrap_or_else(|| job.sub_job(1.0, 1.0));
         let mut made: Option<Net<'static>> = None;
         if let Some([rows, columns]) = options.part.clone() {
             made = Some(self.sub_net(rows, columns, &share())?);

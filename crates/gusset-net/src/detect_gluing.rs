@@ -33,7 +33,7 @@ pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_
     Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
     let shape = coordinates.shape();
     let mut matrix = LinkMatrix::empty(shape)?;
-    each!(coordinates, planes => for_each_coincident_link(planes, tolerance, &job.part(0.0, 0.5), |link| {
+    each!(coordinates, planes => for_each_coincident_link(planes, tolerance, &job.sub_job(0.0, 0.5), |link| {
         if shape.joins_neighbours(link) {
             matrix.set_contracted(link, true);
         }
@@ -139,8 +139,8 @@ impl NetRim<'_> {
             let mut sorted = alloc::gather(pairs.iter().flat_map(|&[k, l]| [(line(k, l), k), (line(l, k), l)]))?;
             sort_distinct(&mut sorted);
             for line in sorted.chunk_by(|a, b| a.0 == b.0) {
-                let pairing = RimPairing { line: line[0].0, reversed, n };
-                for (start, count) in cyclic_runs(line, n) {
+                let pairing = RimPairing { place_sum_or_difference: line[0].0, reversed, rim_node_count: n };
+                for (start, count) in runs_modulo(line, n) {
                     self.add_seam_run(pairing, start, count, classes, &mut seams)?;
                 }
             }
@@ -208,20 +208,24 @@ fn compare_cells(a: &GridCell, b: &GridCell) -> Ordering {
 #[derive(Clone, Copy)]
 struct RimPairing {
     /// The sum of the two places, or their difference.
-    line: usize,
+    place_sum_or_difference: usize,
     reversed: bool,
-    n: usize,
+    rim_node_count: usize,
 }
 
 impl RimPairing {
     fn partner_of_rim_node(self, k: usize) -> usize {
-        let k = k % self.n;
-        (if self.reversed { self.line + self.n - k } else { k + self.line }) % self.n
+        let k = k % self.rim_node_count;
+        (if self.reversed {
+            self.place_sum_or_difference + self.rim_node_count - k
+        } else {
+            k + self.place_sum_or_difference
+        }) % self.rim_node_count
     }
 }
 
 /// Runs of consecutive numbers modulo n, as first number and count.
-fn cyclic_runs(line: &[(usize, usize)], n: usize) -> impl Iterator<Item = (usize, usize)> {
+fn runs_modulo(line: &[(usize, usize)], n: usize) -> impl Iterator<Item = (usize, usize)> {
     let wraps = line.len() < n && line[0].1 == 0 && line[line.len() - 1].1 == n - 1;
     let runs = move || line.chunk_by(|a, b| a.1 + 1 == b.1).map(|run| (run[0].1, run.len()));
     let head = if wraps { runs().next().map_or(0, |run| run.1) } else { 0 };

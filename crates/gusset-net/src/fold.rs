@@ -48,12 +48,12 @@ pub(super) fn signs_of_turned_over_cells(
 ) -> Result<Vec<i8>> {
     let (shape, classes, hidden) = (before.shape(), NodeClasses::new(before.topology())?, HiddenCells::new(before)?);
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        let search = FoldSearch { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
-        let (lines, part) = ((CELLS_PER_REPORT / shape.columns()).max(1), job.part(0.0, 0.5));
+        let search = FoldSearch { shape, classes: &classes, hidden: &hidden, old_positions: old, new_positions: new, tolerance };
+        let (lines, part) = ((CELLS_PER_REPORT / shape.columns()).max(1), job.sub_job(0.0, 0.5));
         let blocks = par::map_cancellable(&part, STAGE, par::split_into_ranges(shape.rows() - 1, lines), |mut rows| {
             rows.any(|i| search.has_fold_in_row(i))
         })?;
-        if blocks.contains(&true) { search.cell_signs(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }
+        if blocks.contains(&true) { search.cell_signs(&job.sub_job(0.5, 1.0)) } else { Ok(Vec::new()) }
     }))
 }
 
@@ -64,8 +64,8 @@ struct FoldSearch<'a, A, B> {
     shape: Shape,
     classes: &'a NodeClasses,
     hidden: &'a HiddenCells,
-    old: &'a XyzMatrices<'a, A>,
-    new: &'a XyzMatrices<'a, B>,
+    old_positions: &'a XyzMatrices<'a, A>,
+    new_positions: &'a XyzMatrices<'a, B>,
     tolerance: f64,
 }
 
@@ -98,8 +98,9 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     /// Tests whether two cells are folded onto each other now and were not before.
     fn test_new_fold(&self, (cells, link): AdjacentCells) -> FoldTestResult {
         let cells = cells.map(|cell| self.shape.row_and_column_of_cell(cell));
-        let before = || test_fold_at_link(self.old, link, cells, self.tolerance, MARGIN_FACTOR_BEFORE_DEFORMATION);
-        match test_fold_at_link(self.new, link, cells, self.tolerance, 1.0) {
+        let before =
+            || test_fold_at_link(self.old_positions, link, cells, self.tolerance, MARGIN_FACTOR_BEFORE_DEFORMATION);
+        match test_fold_at_link(self.new_positions, link, cells, self.tolerance, 1.0) {
             FoldTestResult::Folded if before() != FoldTestResult::Unfolded => FoldTestResult::Unfolded,
             now => now,
         }
@@ -107,8 +108,8 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
 
     /// Returns true if opposite sides of cell (i, j) cross and did not before.
     fn is_newly_crossed(&self, i: usize, j: usize) -> bool {
-        test_crossed_sides(self.new, i, j, self.tolerance, 1.0) == FoldTestResult::Folded
-            && test_crossed_sides(self.old, i, j, self.tolerance, MARGIN_FACTOR_BEFORE_DEFORMATION)
+        test_crossed_sides(self.new_positions, i, j, self.tolerance, 1.0) == FoldTestResult::Folded
+            && test_crossed_sides(self.old_positions, i, j, self.tolerance, MARGIN_FACTOR_BEFORE_DEFORMATION)
                 == FoldTestResult::Unfolded
             && !self.hidden.contains(i, j)
     }
@@ -120,8 +121,9 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
         let cells = || (0..count as u32).map(|cell| self.shape.row_and_column_of_cell(cell));
         let mut sets = ParitySets::new(count)?;
         let mut folded = Vec::new();
-        let step =
-            |cell: u32, from: f64| job.part(from, from + 0.4).step_every(CELLS_PER_REPORT, cell as usize, count, STAGE);
+        let step = |cell: u32, from: f64| {
+            job.sub_job(from, from + 0.4).step_every(CELLS_PER_REPORT, cell as usize, count, STAGE)
+        };
         for pair in cells().flat_map(|(i, j)| self.adjacent_cells(i, j)) {
             let [a, b] = pair.0;
             step(a, 0.0)?;

@@ -35,20 +35,20 @@ pub struct GlueOptions<'a> {
 pub fn find_gluing(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Result<Option<Topology>> {
     let mut made: Option<Topology> = None;
     if let Some(tolerance) = options.detect {
-        let topology = detect_gluing(net.coordinates(), tolerance, &job.part(0.0, 0.5))?;
+        let topology = detect_gluing(net.coordinates(), tolerance, &job.sub_job(0.0, 0.5))?;
         made = Some(topology.with_reversed(net.topology().is_reversed()));
     }
     if !options.gluings.is_empty() {
         let old = made.as_ref().unwrap_or(net.topology());
-        made = Some(old.glued_cancellable(options.gluings, &job.part(0.5, 0.7), "gluing")?);
+        made = Some(old.glued_cancellable(options.gluings, &job.sub_job(0.5, 0.7), "gluing")?);
     }
     if !options.links.is_empty() {
         let old = made.as_ref().unwrap_or(net.topology());
-        made = Some(contract_links(old, options.links.iter().copied(), &job.part(0.7, 0.9))?);
+        made = Some(contract_links(old, options.links.iter().copied(), &job.sub_job(0.7, 0.9))?);
     }
     if options.saturate {
         let old = made.as_ref().unwrap_or(net.topology());
-        made = Some(old.canonical_form_cancellable(&job.part(0.9, 1.0), "saturating")?);
+        made = Some(old.canonical_form_cancellable(&job.sub_job(0.9, 1.0), "saturating")?);
     }
     Ok(made)
 }

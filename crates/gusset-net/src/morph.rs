@@ -48,8 +48,8 @@ pub fn morph(a: &Net<'_>, b: &Net<'_>, t: f64, path: MorphPath, job: &Job<'_>) -
     if t == 0.0 {
         return Ok(made);
     }
-    let way = MorphMotion::new(a, b, t, path, &job.part(0.0, 0.3))?;
-    let (shape, job) = (a.shape(), job.part(0.3, 1.0));
+    let way = MorphMotion::new(a, b, t, path, &job.sub_job(0.0, 0.3))?;
+    let (shape, job) = (a.shape(), job.sub_job(0.3, 1.0));
     each!(made.coordinates_mut(), planes => {
         for i in 0..shape.rows() {
             job.step_every((1 << 16) / shape.columns() + 1, i, shape.rows(), "morph")?;

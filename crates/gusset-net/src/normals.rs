@@ -70,8 +70,8 @@ fn write_normals<T: Real>(
 ) -> Result<u64> {
     job.step(0.0, STAGE)?;
     let corners = CornerNormalSums::new(net, planes)?;
-    let without: u64 = write_unglued_normals(&corners, out, &job.part(0.0, 0.8))?.into_iter().sum();
-    Ok(without + write_glued_normals(&corners, out, &job.part(0.8, 1.0))?)
+    let without: u64 = write_unglued_normals(&corners, out, &job.sub_job(0.0, 0.8))?.into_iter().sum();
+    Ok(without + write_glued_normals(&corners, out, &job.sub_job(0.8, 1.0))?)
 }
 
 /// The data for sums over the corners at a node.
@@ -151,7 +151,7 @@ impl<'a, T: Real> CornerNormalSums<'a, T> {
     fn normalise_sum(&self, sum: BoundedVectorSum) -> DVec3 {
         // Scaled first, as squares of small sums would underflow.
         let largest = sum.vector.abs().max_element();
-        if largest.is_finite() && largest > 8.0 * f64::EPSILON * sum.size {
+        if largest.is_finite() && largest > 8.0 * f64::EPSILON * sum.sum_of_norms {
             self.sign * (sum.vector / largest).normalize()
         } else {
             DVec3::ZERO
@@ -172,16 +172,16 @@ impl<'a, T: Real> CornerNormalSums<'a, T> {
 #[derive(Debug, Clone, Copy, Default)]
 struct BoundedVectorSum {
     vector: DVec3,
-    size: f64,
+    sum_of_norms: f64,
 }
 
 impl BoundedVectorSum {
     fn new(vector: DVec3) -> Self {
-        BoundedVectorSum { vector, size: vector.abs().element_sum() }
+        BoundedVectorSum { vector, sum_of_norms: vector.abs().element_sum() }
     }
 
     fn add(self, other: Self) -> Self {
-        BoundedVectorSum { vector: self.vector + other.vector, size: self.size + other.size }
+        BoundedVectorSum { vector: self.vector + other.vector, sum_of_norms: self.sum_of_norms + other.sum_of_norms }
     }
 }
 

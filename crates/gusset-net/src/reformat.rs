@@ -75,9 +75,9 @@ impl Net<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn compacted(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let rows = self.duplicate_lines(Direction::Down)?;
-        let net = self.without_lines(Direction::Down, &rows, &job.part(0.0, 0.5))?;
+        let net = self.without_lines(Direction::Down, &rows, &job.sub_job(0.0, 0.5))?;
         let columns = net.duplicate_lines(Direction::Right)?;
-        net.without_lines(Direction::Right, &columns, &job.part(0.5, 1.0))
+        net.without_lines(Direction::Right, &columns, &job.sub_job(0.5, 1.0))
     }
 
     /// Returns the rows (`Down`) or columns that duplicate the previous one.

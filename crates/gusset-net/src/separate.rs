@@ -56,9 +56,9 @@ impl Net<'_> {
 /// The vertices that fall apart into components.
 struct VerticesToSplit {
     /// (representative of the vertex, representative of the component, node), in order.
-    nodes: Vec<[u32; 3]>,
+    component_nodes: Vec<[u32; 3]>,
     /// All these nodes in order.
-    split: Vec<u32>,
+    split_nodes: Vec<u32>,
 }
 
 impl VerticesToSplit {
@@ -73,7 +73,7 @@ impl VerticesToSplit {
         }
         nodes.sort_unstable();
         split.sort_unstable();
-        Ok(VerticesToSplit { nodes, split })
+        Ok(VerticesToSplit { component_nodes: nodes, split_nodes: split })
     }
 
     /// Returns the components that move, and their new positions.
@@ -84,7 +84,7 @@ impl VerticesToSplit {
         step: f64,
     ) -> Result<Vec<(Vec<u32>, DVec3)>> {
         let mut moves = Vec::new();
-        for component in self.nodes.chunk_by(|a, b| a[1] == b[1]) {
+        for component in self.component_nodes.chunk_by(|a, b| a[1] == b[1]) {
             let links = [true, false].map(|whole| self.sum_of_outward_links(net, before, component, whole));
             if let Some(direction) = links.into_iter().find_map(DVec3::try_normalize) {
                 let nodes = alloc::collect(component.iter().map(|&[.., node]| node))?;
@@ -99,7 +99,7 @@ impl VerticesToSplit {
     fn sum_of_outward_links(&self, net: &Net<'_>, before: &NodeClasses, component: &[[u32; 3]], whole: bool) -> DVec3 {
         let out = |&(node, neighbour): &(u32, u32)| {
             before.representative(neighbour) != before.representative(node)
-                && !(whole && self.split.binary_search(&neighbour).is_ok())
+                && !(whole && self.split_nodes.binary_search(&neighbour).is_ok())
         };
         let links =
             component.iter().flat_map(|&[.., node]| neighbour_nodes(net.shape(), node).map(move |other| (node, other)));

@@ -89,7 +89,7 @@ impl Net<'_> {
             add(FindingKind::FewNodes, link, shape.ends_of_link(link))?;
         }
         let key = |finding: &ValidationFinding| (finding.kind, finding.element, finding.nodes);
-        sort::sort(&mut findings, |a, b| key(a).cmp(&key(b)), &job.part(1.0, 1.0), "sorting findings")?;
+        sort::sort(&mut findings, |a, b| key(a).cmp(&key(b)), &job.sub_job(1.0, 1.0), "sorting findings")?;
         Ok(findings)
     }
 }

@@ -62,7 +62,7 @@ fn run_filter(effect: &FilterEffect, suites: &HostSuites, instance: HostHandle, 
     let hosts = open_inputs(effect, suites, instance, time)?;
     let mut read: Vec<(InputKind, HostMeshData<'_>)> = Vec::new();
     for (number, (kind, mesh)) in hosts.iter().enumerate() {
-        match HostMeshData::new(mesh, &job.part(0.0, 0.0))? {
+        match HostMeshData::new(mesh, &job.sub_job(0.0, 0.0))? {
             Some(mut mesh) => {
                 if let Some((_, first)) = read.first() {
                     mesh.transform_to_space_of(first)?;
@@ -80,11 +80,11 @@ fn run_filter(effect: &FilterEffect, suites: &HostSuites, instance: HostHandle, 
         })
     }))?;
     let inputs = alloc::try_collect(given.iter().map(|given| match given {
-        OwnedInput::Mesh(mesh, polygons) => mesh.to_mesh_input(polygons, &job.part(0.0, 0.05)),
+        OwnedInput::Mesh(mesh, polygons) => mesh.to_mesh_input(polygons, &job.sub_job(0.0, 0.05)),
         OwnedInput::Curves(curves) => Ok(Input::Curves(curves)),
     }))?;
     let values = read_parameter_values(effect, &suites.parameters_of_effect(instance)?, time, &inputs)?;
-    let outputs = effect.filter.run(&inputs, &values, &job.part(0.05, 1.0))?;
+    let outputs = effect.filter.run(&inputs, &values, &job.sub_job(0.05, 1.0))?;
     for output in &outputs {
         if let Output::Text(text) = output {
             suites.show_message(instance, MESSAGE_LOG, text);
@@ -128,7 +128,7 @@ fn read_parameter_values(
 ) -> Result<Vec<f64>, OfxStatus> {
     let mut values = effect.filter.plain_defaults();
     for knob in &effect.knobs {
-        read_parameter(parameters, knob, time, &mut values[knob.first..])?;
+        read_parameter(parameters, knob, time, &mut values[knob.first_value..])?;
     }
     if effect.filter.has_suggestions() {
         let mut suit = 1;

@@ -12,18 +12,22 @@ use gusset_base::sort::Buckets;
 struct EdgeGraph<'a> {
     edges: &'a [[u32; 2]],
     /// The edges at each vertex.
-    at: Buckets<u32>,
-    used: Vec<bool>,
+    edges_at_vertex: Buckets<u32>,
+    is_used_edge: Vec<bool>,
 }
 
 impl<'a> EdgeGraph<'a> {
     fn new(edges: &'a [[u32; 2]], vertex_count: usize) -> Result<Self> {
         let ends = edges.iter().zip(0..).flat_map(|(ends, edge)| ends.map(|vertex| (vertex as usize, edge)));
-        Ok(EdgeGraph { edges, at: Buckets::new(vertex_count, NONE, ends)?, used: alloc::filled(false, edges.len())? })
+        Ok(EdgeGraph {
+            edges,
+            edges_at_vertex: Buckets::new(vertex_count, NONE, ends)?,
+            is_used_edge: alloc::filled(false, edges.len())?,
+        })
     }
 
     fn edges_at(&self, vertex: u32) -> &[u32] {
-        self.at.get(vertex as usize)
+        self.edges_at_vertex.get(vertex as usize)
     }
 
     /// True if curves continue through a vertex, because it has two edges.
@@ -33,8 +37,8 @@ impl<'a> EdgeGraph<'a> {
 
     /// Uses an edge at a vertex. Returns its other end.
     fn take_unused_edge(&mut self, vertex: u32) -> Option<u32> {
-        let edge = *self.edges_at(vertex).iter().find(|&&edge| !self.used[edge as usize])?;
-        self.used[edge as usize] = true;
+        let edge = *self.edges_at(vertex).iter().find(|&&edge| !self.is_used_edge[edge as usize])?;
+        self.is_used_edge[edge as usize] = true;
         let [a, b] = self.edges[edge as usize];
         Some(if a == vertex { b } else { a })
     }

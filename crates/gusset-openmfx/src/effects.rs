@@ -52,7 +52,7 @@ pub(super) struct EffectParameter {
     pub(super) hint: CString,
     pub(super) choices: Vec<CString>,
     /// The index of its first value among the filter's values.
-    pub(super) first: usize,
+    pub(super) first_value: usize,
     pub(super) param: &'static Param,
     /// The default values.
     pub(super) default: &'static [f64],
@@ -105,7 +105,7 @@ fn effect_parameters(filter: &'static Filter) -> Vec<EffectParameter> {
             label: to_c_string(&format!("{}{label}", param.label)),
             hint: to_c_string(&help_with_choices(param)),
             choices: param.choices.iter().map(|choice| to_c_string(choice.label)).collect(),
-            first: first + at,
+            first_value: first + at,
             param,
             default,
         };

@@ -38,13 +38,13 @@ pub(crate) type BezierWeights = [[f64; NODES_PER_CUBIC]; 4];
 #[derive(Debug, Clone)]
 pub(crate) struct GridAxis {
     /// Number of lines of nodes, including the repeated line of a closed direction.
-    lines: usize,
+    line_count: usize,
     closed: bool,
     scheme: Scheme,
     /// Indexed by the position of the interval among the nodes that it depends on.
     weights: Box<[BezierWeights; NODES_PER_CUBIC - 1]>,
-    lebesgue: f64,
-    outside: f64,
+    lebesgue_constant: f64,
+    max_sum_without_end_nodes: f64,
 }
 
 impl GridAxis {
@@ -54,16 +54,16 @@ impl GridAxis {
         if closed { 4 } else { 2 }
     }
 
-    /// `lines` is at least [`GridAxis::min_line_count`]. In a closed direction the last line repeats
+    /// `line_count` is at least [`GridAxis::min_line_count`]. In a closed direction the last line repeats
     /// the first one.
     pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
         let mut axis = GridAxis {
-            lines,
+            line_count: lines,
             closed,
             scheme,
             weights: Box::new([[[0.0; NODES_PER_CUBIC]; 4]; NODES_PER_CUBIC - 1]),
-            lebesgue: 1.0,
-            outside: 0.0,
+            lebesgue_constant: 1.0,
+            max_sum_without_end_nodes: 0.0,
         };
         if closed {
             // Every interval has the weights of an interval in the middle of a long row.
@@ -75,9 +75,10 @@ impl GridAxis {
                 axis.weights[place] = interval_weights(place, nodes, nodes.min(5), nodes.min(4), scheme);
             }
         }
-        axis.lebesgue = axis.weights.iter().map(|of| max_absolute_weight_sum(of, |_| true)).fold(1.0, f64::max);
+        axis.lebesgue_constant =
+            axis.weights.iter().map(|of| max_absolute_weight_sum(of, |_| true)).fold(1.0, f64::max);
         let others = |(place, of)| max_absolute_weight_sum(of, |node| node != place && node != place + 1);
-        axis.outside = axis.weights.iter().enumerate().map(others).fold(0.0, f64::max);
+        axis.max_sum_without_end_nodes = axis.weights.iter().enumerate().map(others).fold(0.0, f64::max);
         axis
     }
 
@@ -94,7 +95,7 @@ impl GridAxis {
 
     /// The number of intervals.
     pub(crate) fn interval_count(&self) -> usize {
-        self.lines - 1
+        self.line_count - 1
     }
 
     /// True if the direction is closed: the last line repeats the first one.
@@ -112,7 +113,7 @@ impl GridAxis {
     pub(crate) fn nodes_and_weights(&self, cell: usize) -> ([usize; NODES_PER_CUBIC], &BezierWeights) {
         let mut lines = [0; NODES_PER_CUBIC];
         if self.closed {
-            let distinct = self.lines - 1;
+            let distinct = self.line_count - 1;
             let mut next = if cell < 2 { cell + distinct - 2 } else { cell - 2 };
             for line in &mut lines {
                 *line = next;
@@ -120,23 +121,23 @@ impl GridAxis {
             }
             return (lines, &self.weights[2]);
         }
-        let first = cell.saturating_sub(2).min(self.lines.saturating_sub(NODES_PER_CUBIC));
+        let first = cell.saturating_sub(2).min(self.line_count.saturating_sub(NODES_PER_CUBIC));
         for (k, line) in lines.iter_mut().enumerate() {
-            *line = (first + k).min(self.lines - 1);
+            *line = (first + k).min(self.line_count - 1);
         }
         (lines, &self.weights[cell - first])
     }
 
     /// The position of interval `cell` among the nodes that it depends on.
     pub(crate) fn index_of_interval_among_its_nodes(&self, cell: usize) -> usize {
-        let first = cell.saturating_sub(2).min(self.lines.saturating_sub(NODES_PER_CUBIC));
+        let first = cell.saturating_sub(2).min(self.line_count.saturating_sub(NODES_PER_CUBIC));
         if self.closed { 2 } else { cell - first }
     }
 
     /// The weights of intervals at `position` among their nodes; `None` if no interval has
     /// this position.
     pub(crate) fn weights_of_interval_at_index(&self, position: usize) -> Option<&BezierWeights> {
-        let exists = if self.closed { position == 2 } else { position + 1 < self.lines.min(NODES_PER_CUBIC) };
+        let exists = if self.closed { position == 2 } else { position + 1 < self.line_count.min(NODES_PER_CUBIC) };
         exists.then(|| &self.weights[position])
     }
 
@@ -156,25 +157,25 @@ impl GridAxis {
     /// All lines that a range of intervals depends on, each line once.
     pub(crate) fn lines_of_cells(&self, cells: Range<usize>) -> impl Iterator<Item = usize> {
         let (before, count) = if self.closed {
-            let distinct = self.lines - 1;
+            let distinct = self.line_count - 1;
             (cells.start + 2 * distinct - 2, (cells.len() + NODES_PER_CUBIC - 1).min(distinct))
         } else {
-            let first = cells.start.saturating_sub(2).min(self.lines.saturating_sub(NODES_PER_CUBIC));
-            let end = (cells.end + NODES_PER_CUBIC - 3).max(first + NODES_PER_CUBIC).min(self.lines);
+            let first = cells.start.saturating_sub(2).min(self.line_count.saturating_sub(NODES_PER_CUBIC));
+            let end = (cells.end + NODES_PER_CUBIC - 3).max(first + NODES_PER_CUBIC).min(self.line_count);
             (first, end - first)
         };
-        let modulus = if self.closed { self.lines - 1 } else { usize::MAX };
+        let modulus = if self.closed { self.line_count - 1 } else { usize::MAX };
         (before..before + count).map(move |line| line % modulus)
     }
 
     /// The largest sum of the absolute weights of an interval's nodes.
     pub(crate) fn lebesgue_constant(&self) -> f64 {
-        self.lebesgue
+        self.lebesgue_constant
     }
 
     /// The largest sum of the absolute weights of an interval's nodes, without the two at its ends.
     pub(crate) fn max_weight_sum_without_end_nodes(&self) -> f64 {
-        self.outside
+        self.max_sum_without_end_nodes
     }
 }
 

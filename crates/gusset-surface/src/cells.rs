@@ -91,7 +91,7 @@ pub(crate) trait SheetCells<const N: usize>: Sync {
     ) -> [BernsteinField<N>; 2] {
         let patch = self.cell_patch(i, j);
         directions.map(|direction| BernsteinField {
-            c: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))),
+            coefficients: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))),
         })
     }
 

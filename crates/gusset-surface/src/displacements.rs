@@ -44,7 +44,7 @@ pub(super) fn compute_displacement_boxes(
     block_rows: Range<usize>,
     boxes: &mut [Aabb],
 ) -> Result<()> {
-    let sweep = WeightedSumRanges { nodes, u, v, sums: chord_deviation_weights };
+    let sweep = WeightedSumRanges { nodes, u, v, sums_of_weights: chord_deviation_weights };
     let mut along = alloc::filled(Aabb::EMPTY, boxes.len())?;
     sweep.sweep_rows(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
     sweep.sweep_across_rows(block_rows, |k, columns, ranges| {

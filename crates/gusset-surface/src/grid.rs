@@ -156,12 +156,12 @@ impl SheetCells<4> for Grid<'_> {
             }
             *points = bezier_points_of_pairs(&heights, from_column, column_weights);
         }
-        let mut fields = [BernsteinField { c: [[0.0; 4]; 4] }; 2];
+        let mut fields = [BernsteinField { coefficients: [[0.0; 4]; 4] }; 2];
         for b in 0..4 {
             let mut column = [DVec2::ZERO; NODES_PER_CUBIC];
             column.iter_mut().zip(&along).for_each(|(height, row)| *height = row[b]);
             for (a, pair) in bezier_points_of_pairs(&column, from_row, row_weights).into_iter().enumerate() {
-                (fields[0].c[a][b], fields[1].c[a][b]) = (pair.x, pair.y);
+                (fields[0].coefficients[a][b], fields[1].coefficients[a][b]) = (pair.x, pair.y);
             }
         }
         fields

@@ -130,8 +130,8 @@ impl Sheet<'_> {
     pub fn to_mesh(&self, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<SurfaceMesh> {
         Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
         Error::require(!options.least.contains(&0), "parts", 0.0)?;
-        let lattice = MeshLattice::new(self, options, &job.part(0.0, 0.3))?;
-        lattice.mesh_on_lines(options.triangles, &job.part(0.3, 1.0))
+        let lattice = MeshLattice::new(self, options, &job.sub_job(0.0, 0.3))?;
+        lattice.mesh_on_lines(options.triangles, &job.sub_job(0.3, 1.0))
     }
 
     fn second_derivative_bounds(&self, i: usize, j: usize) -> SecondDerivativeBounds {
@@ -171,10 +171,10 @@ struct MeshLattice<'a> {
     /// Lines in u and in v, without the lines that close the sheet.
     lines: [Vec<ParameterLine>; 2],
     /// Whether each line is a single point.
-    points: [Vec<bool>; 2],
+    is_line_a_point: [Vec<bool>; 2],
     /// If both directions have lines that are single points: the first such line of v. All these
     /// lines are the same point.
-    meeting: Option<usize>,
+    first_point_line_of_v: Option<usize>,
     deviation: f64,
 }
 
@@ -215,13 +215,19 @@ impl<'a> MeshLattice<'a> {
         let (lines_u, points_u) = parameter_lines(sheet, 0, &parts[0], counts[0] as usize)?;
         let (lines_v, points_v) = parameter_lines(sheet, 1, &parts[1], counts[1] as usize)?;
         let meeting = if points_u.contains(&true) { points_v.iter().position(|&point| point) } else { None };
-        Ok(MeshLattice { sheet, lines: [lines_u, lines_v], points: [points_u, points_v], meeting, deviation })
+        Ok(MeshLattice {
+            sheet,
+            lines: [lines_u, lines_v],
+            is_line_a_point: [points_u, points_v],
+            first_point_line_of_v: meeting,
+            deviation,
+        })
     }
 
     /// The first pair of lines that meet at the vertex where lines a and b meet.
     fn first_line_pair_of_vertex(&self, a: usize, b: usize) -> (usize, usize) {
         let (a, b) = (a % self.lines[0].len(), b % self.lines[1].len());
-        match (self.points[0][a], self.points[1][b], self.meeting) {
+        match (self.is_line_a_point[0][a], self.is_line_a_point[1][b], self.first_point_line_of_v) {
             (false, false, _) => (a, b),
             (_, _, Some(column)) => (0, column),
             (true, ..) => (a, 0),

@@ -51,7 +51,7 @@ impl<'a> Surface<'a> {
         let mut bounds = Aabb::EMPTY;
         let count = sheets.len();
         for (k, sheet) in sheets.into_iter().enumerate() {
-            let part = job.share(k, count);
+            let part = job.sub_job_of_item(k, count);
             let index = each_sheet!(&sheet, cells => BoxPyramid::build(cells, &part))?;
             check_single_precision_range(k, index.bounding_box())?;
             bounds = bounds.union(index.bounding_box());
@@ -153,7 +153,7 @@ impl<'a> Surface<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn build_cones(&self, job: &Job<'_>) -> Result<()> {
-        (0..self.len()).try_for_each(|k| self.cones_of_sheet(k, &job.share(k, self.len())).map(|_| ()))
+        (0..self.len()).try_for_each(|k| self.cones_of_sheet(k, &job.sub_job_of_item(k, self.len())).map(|_| ()))
     }
 
     /// The cones of sheet k. Builds them if necessary.

@@ -35,7 +35,7 @@ impl std::ops::Deref for NodeData<'_> {
 /// Nodes in rows: x, y, z of node (i, j) begin at index `i * row_stride + j * column_stride`.
 #[derive(Debug, Clone)]
 pub struct Nodes<'a> {
-    data: NodeData<'a>,
+    coordinates: NodeData<'a>,
     rows: usize,
     columns: usize,
     row_stride: usize,
@@ -80,7 +80,7 @@ impl<'a> Nodes<'a> {
             let (needed, given) = (8 * span as u64, 8 * data.len() as u64);
             return Err(Error::ArrayTooShort { what: "nodes", needed, given });
         }
-        Ok(Nodes { data, rows, columns, row_stride, column_stride })
+        Ok(Nodes { coordinates: data, rows, columns, row_stride, column_stride })
     }
 
     /// The number of rows.
@@ -97,14 +97,14 @@ impl<'a> Nodes<'a> {
     #[inline]
     pub fn get(&self, i: usize, j: usize) -> DVec3 {
         let at = i * self.row_stride + j * self.column_stride;
-        DVec3::from_slice(&self.data[at..at + 3])
+        DVec3::from_slice(&self.coordinates[at..at + 3])
     }
 
     /// `K` numbers that begin with node (i, j), if the nodes of a row are contiguous and K numbers
     /// exist.
     #[inline(always)]
     pub(super) fn contiguous_numbers<const K: usize>(&self, i: usize, j: usize) -> Option<&[f64; K]> {
-        if self.column_stride == 3 { self.data[i * self.row_stride + 3 * j..].first_chunk() } else { None }
+        if self.column_stride == 3 { self.coordinates[i * self.row_stride + 3 * j..].first_chunk() } else { None }
     }
 
     /// The coordinates of six nodes of a row without a copy, if the nodes are contiguous.
@@ -121,7 +121,7 @@ impl<'a> Nodes<'a> {
     /// padding.
     #[inline(always)]
     pub(super) fn reader_of_four_numbers(&self) -> impl Fn(usize, usize) -> [f64; 4] {
-        let (data, strides): (&[f64], _) = (&self.data, [self.row_stride, self.column_stride]);
+        let (data, strides): (&[f64], _) = (&self.coordinates, [self.row_stride, self.column_stride]);
         move |i, j| {
             let at = i * strides[0] + j * strides[1];
             match data[at..].first_chunk() {
@@ -137,7 +137,7 @@ impl<'a> Nodes<'a> {
         let mut window = [0.0; 3 * NODES_PER_CUBIC];
         for (node, &column) in window.chunks_exact_mut(3).zip(columns) {
             let at = i * self.row_stride + column * self.column_stride;
-            node.copy_from_slice(&self.data[at..at + 3]);
+            node.copy_from_slice(&self.coordinates[at..at + 3]);
         }
         window
     }
@@ -146,7 +146,7 @@ impl<'a> Nodes<'a> {
     #[inline]
     pub(super) fn contiguous_row(&self, i: usize) -> Option<&[f64]> {
         let at = i * self.row_stride;
-        (self.column_stride == 3).then(|| &self.data[at..at + 3 * self.columns])
+        (self.column_stride == 3).then(|| &self.coordinates[at..at + 3 * self.columns])
     }
 
     /// Returns [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.

@@ -23,7 +23,7 @@ pub struct Patches<const N: usize> {
     rows: usize,
     columns: usize,
     closed: [bool; 2],
-    origin: Option<Arc<SplineOrigin>>,
+    spline_origin: Option<Arc<SplineOrigin>>,
 }
 
 /// The spline from which patches were converted.
@@ -61,7 +61,8 @@ impl<const N: usize> Patches<N> {
 
     /// Creates a sheet of `rows * columns` patches. At least one patch is required.
     pub(crate) fn from_patches(patches: Vec<Patch<N>>, rows: usize, columns: usize) -> Self {
-        let mut made = Patches { patches: Arc::new(patches), rows, columns, closed: [false, false], origin: None };
+        let mut made =
+            Patches { patches: Arc::new(patches), rows, columns, closed: [false, false], spline_origin: None };
         let closed_u = |j: usize| made.get(0, j).points[0] == made.get(rows - 1, j).points[N - 1];
         let closed_v = |i: usize| {
             let (first, last) = (made.get(i, 0), made.get(i, columns - 1));
@@ -73,12 +74,12 @@ impl<const N: usize> Patches<N> {
 
     /// Returns the patches with a record of the spline they were converted from.
     pub(crate) fn with_spline_origin(self, origin: SplineOrigin) -> Self {
-        Patches { origin: Some(Arc::new(origin)), ..self }
+        Patches { spline_origin: Some(Arc::new(origin)), ..self }
     }
 
     /// The spline that the patches were converted from, if any.
     pub(crate) fn spline_origin(&self) -> Option<&SplineOrigin> {
-        self.origin.as_deref()
+        self.spline_origin.as_deref()
     }
 
     /// The numbers of cells in u and in v.

@@ -26,25 +26,27 @@ fn weights_of_control_vectors(weights: &BezierWeights) -> SumWeights<3> {
 /// Boxes of control vectors: on a block's own lines, and on all lines that its cells depend on.
 #[derive(Clone, Copy)]
 struct ControlVectorBoxes {
-    own: Aabb,
-    all: Aabb,
+    box_of_own_lines: Aabb,
+    box_of_all_lines: Aabb,
 }
 
 impl ControlVectorBoxes {
-    const EMPTY: ControlVectorBoxes = ControlVectorBoxes { own: Aabb::EMPTY, all: Aabb::EMPTY };
+    const EMPTY: ControlVectorBoxes =
+        ControlVectorBoxes { box_of_own_lines: Aabb::EMPTY, box_of_all_lines: Aabb::EMPTY };
 
     fn add_box(&mut self, bounds: Aabb, own: bool) {
-        self.all = self.all.union(bounds);
+        self.box_of_all_lines = self.box_of_all_lines.union(bounds);
         if own {
-            self.own = self.own.union(bounds);
+            self.box_of_own_lines = self.box_of_own_lines.union(bounds);
         }
     }
 
     /// A box of the weighted sums of lines along `axis`.
     fn box_of_weighted_line_sums(&self, axis: &GridAxis) -> Aabb {
-        let beside =
-            (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.max_weight_sum_without_end_nodes();
-        let grown = box_of_weighted_sums(self.own, axis.lebesgue_constant());
+        let beside = (self.box_of_own_lines.low - self.box_of_all_lines.low)
+            .max(self.box_of_all_lines.high - self.box_of_own_lines.high)
+            * axis.max_weight_sum_without_end_nodes();
+        let grown = box_of_weighted_sums(self.box_of_own_lines, axis.lebesgue_constant());
         Aabb { low: grown.low - beside, high: grown.high + beside }
     }
 }
@@ -56,7 +58,7 @@ pub(super) fn compute_tangent_boxes(
     block_rows: Range<usize>,
     boxes: &mut [[Aabb; 2]],
 ) -> Result<()> {
-    let sweep = WeightedSumRanges { nodes, u, v, sums: weights_of_control_vectors };
+    let sweep = WeightedSumRanges { nodes, u, v, sums_of_weights: weights_of_control_vectors };
     // S_v.
     let mut along = alloc::filled(ControlVectorBoxes::EMPTY, boxes.len())?;
     sweep.sweep_rows(block_rows.clone(), |k, found, own| along[k].add_box(found, own))?;

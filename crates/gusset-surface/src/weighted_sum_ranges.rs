@@ -19,7 +19,7 @@ pub(super) struct WeightedSumRanges<'a, const K: usize> {
     pub(super) nodes: &'a Nodes<'a>,
     pub(super) u: &'a GridAxis,
     pub(super) v: &'a GridAxis,
-    pub(super) sums: fn(&BezierWeights) -> SumWeights<K>,
+    pub(super) sums_of_weights: fn(&BezierWeights) -> SumWeights<K>,
 }
 
 /// Ranges of coordinates along a row, one for each cell or each column.
@@ -118,7 +118,7 @@ impl<const K: usize> WeightedSumRanges<'_, K> {
             let nodes = columns.map(node);
             let (low, high) = (&mut ranges.low[3 * j..3 * j + 3], &mut ranges.high[3 * j..3 * j + 3]);
             let lines: [&[f64]; NODES_PER_CUBIC] = std::array::from_fn(|k| &nodes[k][..]);
-            widen_ranges(&(self.sums)(weights), lines, low, high);
+            widen_ranges(&(self.sums_of_weights)(weights), lines, low, high);
         }
         if !inner.is_empty() {
             let count = 3 * inner.len();
@@ -126,7 +126,7 @@ impl<const K: usize> WeightedSumRanges<'_, K> {
             let low = &mut ranges.low[3 * inner.start..3 * inner.end];
             let high = &mut ranges.high[3 * inner.start..3 * inner.end];
             simd::run(WidenRangesKernel {
-                sums: (self.sums)(self.v.nodes_and_weights(inner.start).1),
+                sums: (self.sums_of_weights)(self.v.nodes_and_weights(inner.start).1),
                 lines,
                 low,
                 high,
@@ -137,7 +137,7 @@ impl<const K: usize> WeightedSumRanges<'_, K> {
     /// Widens the ranges of columns by the sums across the rows of interval i.
     fn widen_across_rows(&self, i: usize, ranges: &mut CoordinateRanges) {
         let (rows, weights) = self.u.nodes_and_weights(i);
-        let sums = (self.sums)(weights);
+        let sums = (self.sums_of_weights)(weights);
         let packed = rows.map(|row| self.nodes.contiguous_row(row));
         if let [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f)] = packed {
             let (low, high) = (&mut ranges.low[..], &mut ranges.high[..]);

@@ -5,9 +5,9 @@
 use crate::agree::agreed;
 use crate::input::{self, Soup};
 use bytemuck::cast_slice;
-use gusset::attributes::{Channel, Domain, KeepSplitVertices, Origins, Output, Rule, ValueType, apply};
+use gusset::attributes::{Channel, Domain, KeepSplitVertices, Origins, Output, Rule, ValueType, carry_values_over};
 use gusset::fill::{self, LoopSelection, fill_holes};
-use gusset::mesh::merge::merge_map;
+use gusset::mesh::merge::map_to_equal_vertices;
 use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{self, Outward, orient};
 use gusset::repair::sew::sew;
@@ -22,7 +22,7 @@ pub(crate) fn run(bytes: &[u8]) {
         // Vertices at equal positions, or any that some bytes name.
         let keys: Vec<u32> = (0..mesh.positions().len()).map(|v| v as u32 >> (seams[v % 8] % 32 / 31)).collect();
         let keys = (seams[0] % 2 == 1).then_some(&keys[..]);
-        let merge = merge_map(mesh, keys, &Job::default()).expect("a map of any keys");
+        let merge = map_to_equal_vertices(mesh, keys, &Job::default()).expect("a map of any keys");
         let Ok(corners) = mesh.merged_corners(cast_slice(&merge), &Job::default()) else { return };
         carried(&mesh.merged(cast_slice(&merge), &corners), way, choice);
     });
@@ -43,7 +43,7 @@ fn carried(mesh: &MeshView<'_>, way: u8, choice: u8) {
             made.positions.len(),
             channel.value_type_and_components(),
         )?;
-        apply(&origins, &channel, &mut out, job)?;
+        carry_values_over(&origins, &channel, &mut out, job)?;
         Ok((made, origins, all))
     };
     let welding = weld::Options {
@@ -53,32 +53,32 @@ fn carried(mesh: &MeshView<'_>, way: u8, choice: u8) {
         remove_unused: way & 128 != 0,
     };
     let made = agreed(choice, |job| {
-        let (work, rest) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
+        let (work, rest) = (job.sub_job(0.0, 0.5), job.sub_job(0.5, 1.0));
         match way % 4 {
             0 => {
                 let mut done = weld(mesh, &welding, &work)?;
-                done.keep_split_vertices(&[mesh], &rest.part(0.0, 0.3))?;
-                let origins = Origins::from_weld(&done, &rest.part(0.3, 0.6))?;
-                values(done.mesh, origins, &rest.part(0.6, 1.0))
+                done.keep_split_vertices(&[mesh], &rest.sub_job(0.0, 0.3))?;
+                let origins = Origins::from_weld(&done, &rest.sub_job(0.3, 0.6))?;
+                values(done.mesh, origins, &rest.sub_job(0.6, 1.0))
             }
             1 => {
                 let mut done = sew(mesh, &welding, &work)?;
-                done.keep_split_vertices(&[mesh], &rest.part(0.0, 0.3))?;
-                let origins = Origins::from_sew(&done, &rest.part(0.3, 0.6))?;
-                values(done.mesh, origins, &rest.part(0.6, 1.0))
+                done.keep_split_vertices(&[mesh], &rest.sub_job(0.0, 0.3))?;
+                let origins = Origins::from_sew(&done, &rest.sub_job(0.3, 0.6))?;
+                values(done.mesh, origins, &rest.sub_job(0.6, 1.0))
             }
             2 => {
                 let outward = if way & 16 == 0 { Outward::Keep } else { Outward::Closed };
                 let mut done = orient(mesh, &orient::Options { outward }, &work)?;
-                done.keep_split_vertices(&[mesh], &rest.part(0.0, 0.3))?;
-                let origins = Origins::from_oriented(&done, &rest.part(0.3, 0.6))?;
-                values(done.mesh, origins, &rest.part(0.6, 1.0))
+                done.keep_split_vertices(&[mesh], &rest.sub_job(0.0, 0.3))?;
+                let origins = Origins::from_oriented(&done, &rest.sub_job(0.3, 0.6))?;
+                values(done.mesh, origins, &rest.sub_job(0.6, 1.0))
             }
             _ => {
                 let mut done = fill_holes(mesh, LoopSelection::All, &fill::Options::default(), &work)?;
-                done.keep_split_vertices(&[mesh], &rest.part(0.0, 0.3))?;
-                let origins = Origins::from_filled(&done, &rest.part(0.3, 0.6))?;
-                values(done.mesh, origins, &rest.part(0.6, 1.0))
+                done.keep_split_vertices(&[mesh], &rest.sub_job(0.0, 0.3))?;
+                let origins = Origins::from_filled(&done, &rest.sub_job(0.3, 0.6))?;
+                values(done.mesh, origins, &rest.sub_job(0.6, 1.0))
             }
         }
     });

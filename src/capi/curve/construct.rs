@@ -1,6 +1,6 @@
 //! Curves from curves: Parts, other degrees, offsets.
 
-use crate::capi::context::{create, create_with_further_outputs, gusset_context};
+use crate::capi::context::{create_handle, create_handle_and_outputs, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::input;
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn gusset_curve_part_create(
     to: gusset_place,
     part: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, part, "part", |job| {
+    create_handle(context, part, "part", |job| {
         Ok(gusset_curve(view_of_curve(curve, "curve")?.sub_curve(from.checked()?, to.checked()?, job)?))
     })
 }
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
     curve: *const gusset_curve,
     reversed: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, reversed, "reversed", |job| Ok(gusset_curve(view_of_curve(curve, "curve")?.reversed(job)?)))
+    create_handle(context, reversed, "reversed", |job| Ok(gusset_curve(view_of_curve(curve, "curve")?.reversed(job)?)))
 }
 
 /// Raises and lowers degrees of segments.
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn gusset_curve_change_degree_create(
     deviations: *mut f64,
     changed: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, changed, "changed", |job| {
+    create_handle(context, changed, "changed", |job| {
         let done = view_of_curve(curve, "curve")?.with_degrees([lowest as usize, highest as usize], tolerance, job)?;
         if !deviations.is_null() {
             input::result_buffer(deviations, done.deviations.len(), "deviations")?.copy_from_slice(&done.deviations);
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
         };
         Ok((gusset_curve(done.curve), out.map(|out| (out, told))))
     };
-    create_with_further_outputs(context, offset, "offset", moved, |told| {
+    create_handle_and_outputs(context, offset, "offset", moved, |told| {
         if let Some((out, report)) = told {
             out.write_known_fields(report);
         }

@@ -1,6 +1,6 @@
 //! Curves in other forms: SVG paths, TrueType contours, B-splines.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn gusset_curve_export_create(
     tolerance: f64,
     form: *mut *mut gusset_curve_form,
 ) -> gusset_status {
-    create(context, form, "form", |job| {
+    create_handle(context, form, "form", |job| {
         let view = view_of_curve(curve, "curve")?;
         match format {
             GUSSET_CURVE_FORMAT_SVG => {

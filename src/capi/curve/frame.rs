@@ -2,13 +2,13 @@
 //!
 //! @source Nadopta, introduction.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::curve::outline::{GivenOutlines, gusset_outline, gusset_outlines};
 use crate::capi::curve::outline_options::gusset_outline_options;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::TaggedObject;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, flag, lend_list};
+use crate::capi::input::{self, lend_list, read_choice, read_flag};
 use crate::capi::mesh::{self, gusset_indices};
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::Options;
@@ -157,9 +157,9 @@ impl gusset_frame_options {
         missing: &'a [u32],
         axis: Option<&'a [DVec3]>,
     ) -> Result<FrameOptions<'a>, Failure> {
-        let ring = flag(self.ring, "ring")?;
-        let given_starts = flag(self.given_starts, "given_starts")?;
-        let smooth_corners = flag(self.smooth_corners, "smooth_corners")?;
+        let ring = read_flag(self.ring, "ring")?;
+        let given_starts = read_flag(self.given_starts, "given_starts")?;
+        let smooth_corners = read_flag(self.smooth_corners, "smooth_corners")?;
         let columns = self.columns as usize;
         let correspondence = match self.correspondence {
             GUSSET_CORRESPONDENCE_GIVEN => Correspondence::Given,
@@ -203,7 +203,7 @@ pub unsafe extern "C" fn gusset_frame_create(
     options: *const gusset_frame_options,
     frame: *mut *mut gusset_frame,
 ) -> gusset_status {
-    create(context, frame, "frame", |job| {
+    create_handle(context, frame, "frame", |job| {
         let options = input::read_versioned_struct(options, true, "options")?;
         let landmarks = mesh::read_indices(&raw const options.landmarks, "landmarks")?.unwrap_or_default();
         let axis =
@@ -216,7 +216,7 @@ pub unsafe extern "C" fn gusset_frame_create(
         let Frame { grid, across, along } = self::frame(&given.as_outlines(), &options, job)?;
         let closed = given.as_outlines().closed;
         let (across, along) =
-            (TaggedObject::new_part(gusset_outline(across)), TaggedObject::new_part(gusset_outline(along)));
+            (TaggedObject::new_embedded(gusset_outline(across)), TaggedObject::new_embedded(gusset_outline(along)));
         Ok(gusset_frame {
             grid,
             across,
@@ -256,7 +256,7 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
     direction: gusset_offset_direction,
     offset: *mut *mut gusset_frame,
 ) -> gusset_status {
-    create(context, offset, "offset", |job| {
+    create_handle(context, offset, "offset", |job| {
         let frame = handle::get_object(frame, "frame")?;
         let distances = input::copy_input_items(distances, distance_count, "distances")?;
         let options = FrameOptions {
@@ -266,9 +266,9 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
             ..FrameOptions::new(Correspondence::Given)
         };
         let Frame { grid, across, along } =
-            crate::curve::frame::offset(&frame.grid, frame.closed, &distances, choice(direction)?, &options, job)?;
+            crate::curve::frame::offset(&frame.grid, frame.closed, &distances, read_choice(direction)?, &options, job)?;
         let (across, along) =
-            (TaggedObject::new_part(gusset_outline(across)), TaggedObject::new_part(gusset_outline(along)));
+            (TaggedObject::new_embedded(gusset_outline(across)), TaggedObject::new_embedded(gusset_outline(along)));
         let (options, options_along, closed, ring) = (frame.options, frame.options_along, frame.closed, frame.ring);
         Ok(gusset_frame { grid, across, along, options, options_along, closed, ring })
     })
@@ -328,7 +328,7 @@ pub unsafe extern "C" fn gusset_frame_slice_create(
     normal: *const f64,
     section: *mut *mut gusset_outline,
 ) -> gusset_status {
-    create(context, section, "section", |job| {
+    create_handle(context, section, "section", |job| {
         let frame = handle::get_object(frame, "frame")?;
         let (point, normal) = (input::read_vector(point, "point")?, input::read_vector(normal, "normal")?);
         let cut = slice(&frame.along.0, point, normal, frame.closed, &frame.options, job)?;

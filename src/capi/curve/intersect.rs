@@ -1,6 +1,6 @@
 //! Intersections of curves: Intersections, tangency points and samples.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
@@ -126,16 +126,16 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     normal: *const f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
-    create(context, places, "places", |job| {
+    create_handle(context, places, "places", |job| {
         let (view, point, normal) = (
             view_of_curve(curve, "curve")?,
             input::read_vector(point, "point")?,
             input::read_vector(normal, "normal")?,
         );
         gusset_places::from_plane_intersections(
-            view.intersect_plane(point, normal, &job.part(0.0, 0.9))?,
+            view.intersect_plane(point, normal, &job.sub_job(0.0, 0.9))?,
             &view,
-            &job.part(0.9, 1.0),
+            &job.sub_job(0.9, 1.0),
         )
     })
 }
@@ -161,11 +161,11 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     within: f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
-    create(context, places, "places", |job| {
+    create_handle(context, places, "places", |job| {
         let one = view_of_curve(curve, "curve")?;
         let other = (!other.is_null()).then(|| view_of_curve(other, "other")).transpose()?;
-        let found = one.intersections_or_near_misses(other.as_ref(), within, &job.part(0.0, 0.9))?;
-        gusset_places::from_near_misses(&found, &one, &job.part(0.9, 1.0))
+        let found = one.intersections_or_near_misses(other.as_ref(), within, &job.sub_job(0.0, 0.9))?;
+        gusset_places::from_near_misses(&found, &one, &job.sub_job(0.9, 1.0))
     })
 }
 
@@ -190,12 +190,12 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
     angle: f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
-    create(context, places, "places", |job| {
+    create_handle(context, places, "places", |job| {
         let (view, direction) = (view_of_curve(curve, "curve")?, input::read_vector(direction, "direction")?);
         gusset_places::from_tangent_angles(
-            view.tangents_at_angle(direction, angle, &job.part(0.0, 0.9))?,
+            view.tangents_at_angle(direction, angle, &job.sub_job(0.0, 0.9))?,
             &view,
-            &job.part(0.9, 1.0),
+            &job.sub_job(0.9, 1.0),
         )
     })
 }
@@ -214,7 +214,7 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
     amount: f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
-    create(context, places, "places", |job| {
+    create_handle(context, places, "places", |job| {
         let view = view_of_curve(curve, "curve")?;
         let spacing = match rule {
             GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => SampleSpacing::Count(amount as usize),

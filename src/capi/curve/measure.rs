@@ -1,6 +1,6 @@
 //! Measures of curves: Derivatives, lengths, nearest points, bounds and moments.
 
-use crate::capi::context::{answer_struct, guard, gusset_context};
+use crate::capi::context::{answer_into_struct, guard_call, gusset_context};
 use crate::capi::curve::{
     checked_product, gusset_curve, gusset_place, read_places, read_points, view_of_curve, write_points,
 };
@@ -79,7 +79,9 @@ fn compute_at_places(
     (places, count): (*const gusset_place, usize),
     answer: impl FnOnce(&CurveView<'_>, &[Place], &Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
-    guard(context, |job| answer(&view_of_curve(curve, "curve")?, &self::read_places(places, count, "places")?, job))
+    guard_call(context, |job| {
+        answer(&view_of_curve(curve, "curve")?, &self::read_places(places, count, "places")?, job)
+    })
 }
 
 /// Pairs a result with the caller's buffer for it.
@@ -121,7 +123,7 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
         let parts = asked.iter().filter(|&&asked| asked).count();
         let share = |k: usize| {
             let before = asked[..k].iter().filter(|&&asked| asked).count();
-            asked[k].then(|| job.share(before, parts))
+            asked[k].then(|| job.sub_job_of_item(before, parts))
         };
         let points = share(0).map(|job| curve.derivatives_at(places, order as usize, &job)).transpose()?;
         let directions = share(1).map(|job| curve.tangents_at(places, &job)).transpose()?;
@@ -157,7 +159,7 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     count: usize,
     out: *mut gusset_curve_nearest_point,
 ) -> gusset_status {
-    guard(context, |job| {
+    guard_call(context, |job| {
         let (view, points) = (view_of_curve(curve, "curve")?, self::read_points(points, count, 3)?);
         let out = input::result_buffer(out, count, "out")?;
         for (to, n) in out.iter_mut().zip(view.nearest_to_each_query(&points, job)?) {
@@ -183,8 +185,8 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
 ) -> gusset_status {
     compute_at_places(context, curve, (places, count), |curve, places, job| {
         let out = input::result_buffer(out, count, "out")?;
-        let lengths = curve.arc_lengths(&job.part(0.0, 0.5))?;
-        let job = job.part(0.5, 1.0);
+        let lengths = curve.arc_lengths(&job.sub_job(0.0, 0.5))?;
+        let job = job.sub_job(0.5, 1.0);
         for (k, (to, &place)) in out.iter_mut().zip(places).enumerate() {
             job.step_every(PLACES_PER_REPORT, k, count, "lengths at places")?;
             *to = lengths.length_to(place)?;
@@ -208,9 +210,9 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     count: usize,
     out: *mut gusset_place,
 ) -> gusset_status {
-    guard(context, |job| {
-        let measured = view_of_curve(curve, "curve")?.arc_lengths(&job.part(0.0, 0.5))?;
-        let (lengths, job) = (input::copy_input_items(lengths, count, "lengths")?, job.part(0.5, 1.0));
+    guard_call(context, |job| {
+        let measured = view_of_curve(curve, "curve")?.arc_lengths(&job.sub_job(0.0, 0.5))?;
+        let (lengths, job) = (input::copy_input_items(lengths, count, "lengths")?, job.sub_job(0.5, 1.0));
         for (k, (to, length)) in input::result_buffer(out, count, "out")?.iter_mut().zip(lengths).enumerate() {
             job.step_every(PLACES_PER_REPORT, k, count, "places at lengths")?;
             *to = measured.place_at_length(length)?.into();
@@ -234,7 +236,7 @@ pub unsafe extern "C" fn gusset_curve_measure(
     flags: gusset_curve_measure_flags,
     measures: *mut gusset_curve_measures,
 ) -> gusset_status {
-    answer_struct(context, (measures, "measures"), |job| {
+    answer_into_struct(context, (measures, "measures"), |job| {
         Ok(view_of_curve(curve, "curve")?.measures(measure_selection(flags)?, job)?.into())
     })
 }

@@ -10,10 +10,10 @@ pub mod construct;
 pub mod export;
 pub mod frame;
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, flag, lend_list};
+use crate::capi::input::{self, lend_list, read_flag};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_OFFSETS;
 use crate::capi::status::{Failure, gusset_status};
@@ -137,7 +137,7 @@ pub unsafe extern "C" fn gusset_curve_create(
     closed: u32,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, curve, "curve", |job| {
+    create_handle(context, curve, "curve", |job| {
         let controls = read_named_points(controls, (control_count, dimension as usize), "controls")?;
         if end_count == 0 || end_count > control_count.max(1) {
             let message =
@@ -145,7 +145,7 @@ pub unsafe extern "C" fn gusset_curve_create(
             return Err(Failure { value: end_count as f64, ..Failure::new(GUSSET_ERROR_BAD_OFFSETS, message) });
         }
         let ends = input::copy_input_items(ends, end_count, "ends")?;
-        Ok(gusset_curve(CurveView::new(&controls, &ends, flag(closed, "closed")?)?.to_owned_cancellable(job)?))
+        Ok(gusset_curve(CurveView::new(&controls, &ends, read_flag(closed, "closed")?)?.to_owned_cancellable(job)?))
     })
 }
 

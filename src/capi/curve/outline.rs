@@ -2,12 +2,12 @@
 //!
 //! @source Nadopta.
 
-use crate::capi::context::{create, guard, gusset_context, lend};
+use crate::capi::context::{create_handle, guard_call, gusset_context, lend};
 use crate::capi::curve::outline_options::{gusset_fit_status, gusset_outline_options};
 use crate::capi::curve::{checked_product, gusset_curve};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, flag, lend_list};
+use crate::capi::input::{self, lend_list, read_flag};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::{
@@ -166,7 +166,7 @@ pub(crate) struct GivenOutlines<'a> {
 impl GivenOutlines<'_> {
     pub(crate) fn read_outlines(outlines: *const gusset_outlines) -> Result<Self, Failure> {
         let given = input::read_versioned_struct(outlines, false, "outlines")?;
-        let closed = flag(given.closed, "closed")?;
+        let closed = read_flag(given.closed, "closed")?;
         let dimension = given.dimension as usize;
         let size = Points::bytes_needed(given.point_stride, given.point_count, dimension)?;
         let points = input::input_bytes(given.points, size, 1, "points")?;
@@ -221,7 +221,7 @@ pub unsafe extern "C" fn gusset_outline_create(
     options: *const gusset_outline_options,
     outline: *mut *mut gusset_outline,
 ) -> gusset_status {
-    create(context, outline, "outline", |job| {
+    create_handle(context, outline, "outline", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given = GivenOutlines::read_outlines(outlines)?;
         Ok(gusset_outline(fit(&given.as_outlines(), &options, job)?))
@@ -297,7 +297,7 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     index: usize,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, curve, "curve", |job| {
+    create_handle(context, curve, "curve", |job| {
         Ok(gusset_curve(
             handle::get_object(outline, "outline")?.curve_through_outline(index)?.to_owned_cancellable(job)?,
         ))
@@ -334,7 +334,7 @@ pub unsafe extern "C" fn gusset_outlines_find_sections(
     steps: *mut u64,
 ) -> gusset_status {
     let steps = input::cleared_optional_output(steps, 0, "steps");
-    guard(context, |job| {
+    guard_call(context, |job| {
         let steps = steps?;
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let given = GivenOutlines::read_outlines(outlines)?;

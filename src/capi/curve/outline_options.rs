@@ -1,7 +1,7 @@
 //! Options of outlines: Kinds of curves, and the outcome at each point.
 
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::choice;
+use crate::capi::input::read_choice;
 use crate::capi::status::Failure;
 use crate::curve::{CurveKind, Ends, JointParameter, Lock, Method, Options, Solver};
 
@@ -234,12 +234,12 @@ impl gusset_outline_options {
         let or = |value: f64, default: f64| if value == 0.0 { default } else { value };
         let or_count = |value: u32, default: u32| if value == 0 { default } else { value };
         Ok(Options {
-            curve: choice(self.curve)?,
+            curve: read_choice(self.curve)?,
             method: to_section_method(&self)?,
-            lock: choice(self.lock)?,
-            joint: choice(self.joint)?,
-            solver: choice(self.solver)?,
-            ends: choice(self.ends)?,
+            lock: read_choice(self.lock)?,
+            joint: read_choice(self.joint)?,
+            solver: read_choice(self.solver)?,
+            ends: read_choice(self.ends)?,
             parameter_limit: or(self.parameter_limit, plain.parameter_limit),
             repeat_tolerance: or(self.repeat_tolerance, plain.repeat_tolerance),
             corner_angle: or(self.corner_angle, plain.corner_angle),

@@ -4,7 +4,7 @@
 //!     (1994); P. Neugebauer (1997); S. Rusinkiewicz (2019).
 
 use crate::align::{Aligned, Alignment, Options, Overlap, Pose, Reason, Start, align};
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, Choice};
@@ -215,7 +215,7 @@ pub unsafe extern "C" fn gusset_alignment_create(
     options: *const gusset_alignment_options,
     alignment: *mut *mut gusset_alignment,
 ) -> gusset_status {
-    create(context, alignment, "alignment", |job| {
+    create_handle(context, alignment, "alignment", |job| {
         let options = input::read_versioned_struct(options, true, "options")?;
         let poses = alloc::collect(input::input_items(options.poses, options.pose_count, "poses")?.map(to_pose))?;
         let start = match options.start {
@@ -227,9 +227,9 @@ pub unsafe extern "C" fn gusset_alignment_create(
         };
         let max_distance = (options.max_distance != 0.0).then_some(options.max_distance);
         let how = Options { start, max_distance, samples: options.samples, max_rounds: options.max_rounds };
-        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.sub_job(0.0, 0.1))?;
         let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
-        Ok(gusset_alignment::new(&align(&views, &how, &job.part(0.1, 1.0))?)?)
+        Ok(gusset_alignment::new(&align(&views, &how, &job.sub_job(0.1, 1.0))?)?)
     })
 }
 

@@ -3,18 +3,18 @@
 //! @source Means of directions after S. Buss and J. Fillmore (2001); charts across gaps are our
 //!     own.
 
-use crate::attributes::{Channel, Origins, Output, Rule, ValueType, apply};
-use crate::capi::context::{guard, gusset_context};
+use crate::attributes::{Channel, Origins, Output, Rule, ValueType, carry_values_over};
+use crate::capi::context::{guard_call, gusset_context};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle;
-use crate::capi::input::{self, choice};
+use crate::capi::input::{self, read_choice};
 use crate::capi::mesh::origins::{gusset_domain, gusset_origins};
 use crate::capi::mesh::{self, gusset_mesh_view};
 use crate::capi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::job::Job;
-use crate::mesh::merge::merge_map;
+use crate::mesh::merge::map_to_equal_vertices;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
 
@@ -135,7 +135,7 @@ pub unsafe extern "C" fn gusset_attributes_apply(
     count: usize,
     stride: usize,
 ) -> gusset_status {
-    guard(context, |job| {
+    guard_call(context, |job| {
         let given = input::read_versioned_struct(channel, false, "channel")?;
         let origins = &handle::get_object(origins, "origins")?.0;
         carry_over_channel(origins, given, (inputs, input_count), (values, count, stride), job)
@@ -150,8 +150,8 @@ pub(crate) fn carry_over_channel(
     (values, count, stride): (*mut c_void, usize, usize),
     job: &Job<'_>,
 ) -> Result<(), Failure> {
-    let domain = choice(given.domain)?;
-    let made = Channel::new(domain, choice(given.value_type)?, given.components, choice(given.rule)?);
+    let domain = read_choice(given.domain)?;
+    let made = Channel::new(domain, read_choice(given.value_type)?, given.components, read_choice(given.rule)?);
     let mut channel = made
         .map_err(|error| match error {
             Error::OptionOutOfRange { option: "value_type", .. } => {
@@ -190,7 +190,7 @@ pub(crate) fn carry_over_channel(
     }
     let out = input::result_buffer(values.cast::<u8>(), room, "values")?;
     let mut out = Output::new(out, stride, count, channel.value_type_and_components())?;
-    Ok(apply(origins, &channel, &mut out, job)?)
+    Ok(carry_values_over(origins, &channel, &mut out, job)?)
 }
 
 /// Finds which vertices are one, for merge of gusset_mesh_view.
@@ -210,12 +210,12 @@ pub unsafe extern "C" fn gusset_mesh_find_merge(
     keys: *const u32,
     merge: *mut u32,
 ) -> gusset_status {
-    guard(context, |job| {
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+    guard_call(context, |job| {
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.1))?;
         let mesh = given_mesh.mesh_view();
         let count = mesh.positions().len();
         let keys = (!keys.is_null()).then(|| input::copy_input_items(keys, count, "keys")).transpose()?;
-        let found = merge_map(&mesh, keys.as_deref(), &job.part(0.1, 1.0))?;
+        let found = map_to_equal_vertices(&mesh, keys.as_deref(), &job.sub_job(0.1, 1.0))?;
         if merge.is_null() {
             return Err(Failure::null_argument("merge"));
         }

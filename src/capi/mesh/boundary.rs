@@ -3,10 +3,10 @@
 //! @source Nesterenko, algorithm 1, as corrected.
 
 use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey, boundary_loops};
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, lend_list};
+use crate::capi::input::{self, lend_list, read_choice};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
 use crate::mesh::{Defect, NONE};
@@ -170,7 +170,7 @@ c_enum! {
 
 impl gusset_boundary_options {
     fn checked(self) -> Result<boundary::Options, Failure> {
-        Ok(boundary::Options { non_manifold: choice(self.non_manifold)?, survey: choice(self.survey)? })
+        Ok(boundary::Options { non_manifold: read_choice(self.non_manifold)?, survey: read_choice(self.survey)? })
     }
 }
 
@@ -208,11 +208,11 @@ pub unsafe extern "C" fn gusset_boundary_create(
     options: *const gusset_boundary_options,
     boundary: *mut *mut gusset_boundary,
 ) -> gusset_status {
-    create(context, boundary, "boundary", |job| {
+    create_handle(context, boundary, "boundary", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.2))?;
         let mesh = given_mesh.mesh_view();
-        let boundary = boundary_loops(&mesh, &options, &job.part(0.2, 1.0))?;
+        let boundary = boundary_loops(&mesh, &options, &job.sub_job(0.2, 1.0))?;
         let defects = alloc::collect(boundary.defects().iter().map(gusset_defect::from))?;
         Ok(gusset_boundary { boundary, defects })
     })

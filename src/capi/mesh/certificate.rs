@@ -2,7 +2,7 @@
 //!
 //! @source Y. Shiloach, Fast canonization of circular strings (1981), for matching faces.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
@@ -102,12 +102,12 @@ pub unsafe extern "C" fn gusset_certificate_create(
     result: *const gusset_mesh_view,
     certificate: *mut *mut gusset_certificate,
 ) -> gusset_status {
-    create(context, certificate, "certificate", |job| {
-        let given_pieces = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let given_result = mesh::read_and_validate_mesh(result, "result", &job.part(0.1, 0.2))
+    create_handle(context, certificate, "certificate", |job| {
+        let given_pieces = mesh::read_meshes(pieces, piece_count, &job.sub_job(0.0, 0.1))?;
+        let given_result = mesh::read_and_validate_mesh(result, "result", &job.sub_job(0.1, 0.2))
             .map_err(|failure| failure.with_input(piece_count as u32))?;
         let views = alloc::collect(given_pieces.iter().map(GivenMesh::mesh_view))?;
-        Ok(gusset_certificate(certify(&views, &given_result.mesh_view(), &job.part(0.2, 1.0))?))
+        Ok(gusset_certificate(certify(&views, &given_result.mesh_view(), &job.sub_job(0.2, 1.0))?))
     })
 }
 

@@ -2,7 +2,7 @@
 //!
 //! @source Textbook topology of polygon meshes.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
@@ -82,10 +82,10 @@ pub unsafe extern "C" fn gusset_check_create(
     mesh: *const gusset_mesh_view,
     check: *mut *mut gusset_check,
 ) -> gusset_status {
-    create(context, check, "check", |job| {
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+    create_handle(context, check, "check", |job| {
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.2))?;
         let mesh = given_mesh.mesh_view();
-        Ok(gusset_check(self::check(&mesh, &job.part(0.2, 1.0))?))
+        Ok(gusset_check(self::check(&mesh, &job.sub_job(0.2, 1.0))?))
     })
 }
 

@@ -3,9 +3,9 @@
 //! @source W. Tutte (1963); B. Levy and others (2002); J. Erickson and K. Whittlesey (2005); M.
 //!     Ben-Chen and others (2008); M. Rabinovich and others (2017).
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::{self, choice};
+use crate::capi::input::{self, read_choice};
 use crate::capi::mesh::develop_report::{DevelopedSurface, gusset_develop_report};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
@@ -54,7 +54,7 @@ c_enum! { distortion: Distortion {
 impl gusset_develop_options {
     fn checked<'a>(&self, vertices: &'a [u32], offsets: &'a [u32]) -> Result<Options<'a>, Failure> {
         Ok(Options {
-            distortion: choice(self.distortion)?,
+            distortion: read_choice(self.distortion)?,
             cuts: Cuts { vertices, offsets },
             max_darts: self.max_darts,
             max_stretch: (self.max_stretch != 0.0).then_some(self.max_stretch),
@@ -98,14 +98,14 @@ pub unsafe extern "C" fn gusset_develop(
     options: *const gusset_develop_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let options = input::read_versioned_struct(options, true, "options")?;
         let cuts = mesh::read_indices(&raw const options.cuts, "cuts")?.unwrap_or_default();
         let offsets = mesh::read_indices(&raw const options.cut_offsets, "cut_offsets")?.unwrap_or_default();
         let options = options.checked(&cuts, &offsets)?;
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let done = self::develop(&given_mesh.mesh_view(), &options, &job.part(0.1, 1.0))?;
-        Ok(gusset_result(OperationResult::Develop(DevelopedSurface::new(done, &job.part(1.0, 1.0))?)))
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.1))?;
+        let done = self::develop(&given_mesh.mesh_view(), &options, &job.sub_job(0.1, 1.0))?;
+        Ok(gusset_result(OperationResult::Develop(DevelopedSurface::new(done, &job.sub_job(1.0, 1.0))?)))
     })
 }
 

@@ -143,7 +143,7 @@ fn cut_kind_code(kind: CutKind) -> u32 {
 
 /// A surface in the plane, and the reports on its charts and cuts.
 pub(crate) struct DevelopedSurface {
-    pub(crate) done: Developed,
+    pub(crate) developed: Developed,
     charts: Vec<gusset_chart>,
     cut_edges: Vec<u32>,
     cut_kinds: Vec<u32>,
@@ -156,22 +156,22 @@ impl DevelopedSurface {
             charts: alloc::collect_cancellable(done.charts.iter().map(gusset_chart::from), job, stage)?,
             cut_edges: alloc::gather(done.cut_edges.iter().flat_map(|&(ends, _)| ends))?,
             cut_kinds: alloc::collect(done.cut_edges.iter().map(|&(_, why)| cut_kind_code(why)))?,
-            done,
+            developed: done,
         })
     }
 
     pub(crate) fn develop_report(&self) -> gusset_develop_report {
         gusset_develop_report {
             struct_size: size_of::<gusset_develop_report>(),
-            points: lend_list(&self.done.points).cast(),
-            vertex_map: gusset_indices::lend_indices(&self.done.vertex_map),
-            face_charts: gusset_indices::lend_indices(&self.done.face_charts),
-            stretches: lend_list(&self.done.stretches).cast(),
+            points: lend_list(&self.developed.points).cast(),
+            vertex_map: gusset_indices::lend_indices(&self.developed.vertex_map),
+            face_charts: gusset_indices::lend_indices(&self.developed.face_charts),
+            stretches: lend_list(&self.developed.stretches).cast(),
             charts: lend_list(&self.charts),
             chart_count: self.charts.len(),
             cut_edges: gusset_indices::lend_indices(&self.cut_edges),
             cut_kinds: gusset_indices::lend_indices(&self.cut_kinds),
-            darts: self.done.darts,
+            darts: self.developed.darts,
             reserved: 0,
         }
     }

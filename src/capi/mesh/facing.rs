@@ -2,10 +2,10 @@
 //!
 //! @source Nesterenko, algorithm 2.
 
-use crate::capi::context::{create, guard_change, gusset_context, lend};
+use crate::capi::context::{create_handle, guard_changing_call, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, fill_buffer, lend_list};
+use crate::capi::input::{self, fill_buffer, lend_list, read_choice};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::mesh::stitch_options::{gusset_centres, gusset_facing_run, gusset_tolerance_mode, to_tolerance};
 use crate::capi::status::{Failure, gusset_status};
@@ -19,7 +19,7 @@ use std::ptr;
 
 /// Facing vertices of two loops.
 pub struct gusset_facing {
-    found: Facing,
+    facing: Facing,
     runs: [Vec<[u32; 2]>; 2],
 }
 
@@ -72,7 +72,7 @@ versioned! { gusset_facing_options: 24 reserved, gusset_facing_view: 184 }
 impl gusset_facing_options {
     fn checked(self) -> Result<Options, Failure> {
         let tolerance = to_tolerance(self.tolerance_mode, self.tolerance)?;
-        Ok(Options { run: choice(self.run)?, tolerance, centres: choice(self.centres)? })
+        Ok(Options { run: read_choice(self.run)?, tolerance, centres: read_choice(self.centres)? })
     }
 }
 
@@ -106,14 +106,14 @@ pub unsafe extern "C" fn gusset_facing_create(
     options: *const gusset_facing_options,
     facing: *mut *mut gusset_facing,
 ) -> gusset_status {
-    create(context, facing, "facing", |job| {
+    create_handle(context, facing, "facing", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let a = read_loop_points(points_a, count_a, "points_a")?;
         let b = read_loop_points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
         let found = self::facing(&a, &b, &options, job)?;
         let pairs = |arcs: &[Arc]| alloc::collect(arcs.iter().map(first_and_count));
         let runs = [pairs(&found.runs[0])?, pairs(&found.runs[1])?];
-        Ok(gusset_facing { found, runs })
+        Ok(gusset_facing { facing: found, runs })
     })
 }
 
@@ -130,7 +130,7 @@ pub unsafe extern "C" fn gusset_facing_get_view(
     facing: *const gusset_facing,
     view: *mut gusset_facing_view,
 ) -> gusset_status {
-    lend!(facing, view, |gusset_facing { found, runs }| gusset_facing_view {
+    lend!(facing, view, |gusset_facing { facing: found, runs }| gusset_facing_view {
         struct_size: size_of::<gusset_facing_view>(),
         centre: found.planes.centres.map(|c| c.to_array()),
         normal: found.planes.normals.map(|n| n.to_array()),
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn gusset_meridians_index(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    guard_change(ptr::null(), |job| {
+    guard_changing_call(ptr::null(), |job| {
         let written = input::cleared_output(written, 0, "written")?;
         if m > n {
             return Err(Error::OptionOutOfRange { option: "m", value: m.into() }.into());

@@ -3,9 +3,9 @@
 //! @source G. Barequet and M. Sharir (1995); P. Liepa (2003).
 
 use crate::attributes::KeepSplitVertices;
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::{self, choice, flag};
+use crate::capi::input::{self, read_choice, read_flag};
 use crate::capi::mesh::fill_report::{FillResult, gusset_fill_report, gusset_fill_weight};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{
@@ -151,17 +151,17 @@ impl gusset_fill_options {
             area: (self.max_area != 0.0).then_some(self.max_area),
         };
         Ok(Options {
-            weight: choice(self.weight)?,
-            finish: choice(self.finish)?,
+            weight: read_choice(self.weight)?,
+            finish: read_choice(self.finish)?,
             refinement,
-            fairing: choice(self.fairing)?,
-            continuity: choice(self.continuity)?,
-            ignore_creases: flag(self.ignore_creases, "ignore_creases")?,
-            intersections: choice(self.intersections)?,
+            fairing: read_choice(self.fairing)?,
+            continuity: read_choice(self.continuity)?,
+            ignore_creases: read_flag(self.ignore_creases, "ignore_creases")?,
+            intersections: read_choice(self.intersections)?,
             limits,
-            keep: choice(self.keep)?,
-            together: choice(self.together)?,
-            plan_only: flag(self.plan_only, "plan_only")?,
+            keep: read_choice(self.keep)?,
+            together: read_choice(self.together)?,
+            plan_only: read_flag(self.plan_only, "plan_only")?,
             outward: to_outward(self.outward, Outward::Keep)?,
         })
     }
@@ -228,10 +228,10 @@ pub unsafe extern "C" fn gusset_fill(
     options: *const gusset_fill_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let given_options = input::read_versioned_struct(options, true, "options")?;
         let options = given_options.checked()?;
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.1))?;
         let mesh = given_mesh.mesh_view();
         let given = read_loops(loops, loop_count)?;
         let merged = |loops: Vec<Vec<u32>>| {
@@ -249,8 +249,8 @@ pub unsafe extern "C" fn gusset_fill(
             (Some(loops), None) => LoopSelection::Loops(loops),
             (Some(_), Some(_)) => LoopSelection::Groups(&groups),
         };
-        let mut filled = fill_holes(&mesh, selection, &options, &job.part(0.1, 0.95))?;
-        filled.keep_split_vertices(&[&mesh], &job.part(0.95, 1.0))?;
+        let mut filled = fill_holes(&mesh, selection, &options, &job.sub_job(0.1, 0.95))?;
+        filled.keep_split_vertices(&[&mesh], &job.sub_job(0.95, 1.0))?;
         Ok(gusset_result(OperationResult::Fill(FillResult::new(filled)?)))
     })
 }

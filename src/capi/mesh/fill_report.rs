@@ -179,18 +179,18 @@ impl gusset_hole {
 
 /// A mesh with filled holes, and the reports on its loops.
 pub(crate) struct FillResult {
-    pub(crate) done: Filled,
+    pub(crate) filled: Filled,
     holes: Vec<gusset_hole>,
 }
 
 impl FillResult {
     pub(crate) fn new(done: Filled) -> Result<Self, Error> {
         let holes = alloc::collect(done.holes.iter().map(gusset_hole::new))?;
-        Ok(FillResult { done, holes })
+        Ok(FillResult { filled: done, holes })
     }
 
     pub(crate) fn fill_report(&self) -> gusset_fill_report {
-        let FillResult { done, holes } = self;
+        let FillResult { filled: done, holes } = self;
         gusset_fill_report {
             struct_size: size_of::<gusset_fill_report>(),
             holes: lend_list(holes),

@@ -4,7 +4,7 @@
 
 use crate::assemble::assemble;
 use crate::attributes::KeepSplitVertices;
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::input;
 use crate::capi::mesh::join_options::{gusset_join_options, read_loop_pairs};
 use crate::capi::mesh::join_report::{JoinResult, gusset_join_report};
@@ -45,13 +45,13 @@ pub unsafe extern "C" fn gusset_join(
     options: *const gusset_join_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let options = input::read_versioned_struct(options, true, "options")?;
         let trim = input::read_nested_or_default(options.trim_options, "trim_options", Ok)?;
         let viewpoints = trim.read_viewpoints().map_err(|failure| failure.with_field("trim_options"))?;
         let mut given = read_loop_pairs(options.pairs, options.pair_count, "pairs")?;
         let mut excluded = read_loop_pairs(options.excluded, options.excluded_count, "excluded")?;
-        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.sub_job(0.0, 0.1))?;
         let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         for selector in given.iter_mut().chain(&mut excluded).flatten() {
             if let Some(view) = views.get(selector.piece as usize) {
@@ -59,8 +59,8 @@ pub unsafe extern "C" fn gusset_join(
             }
         }
         let options = options.checked([&given, &excluded], trim, &viewpoints)?;
-        let mut done = assemble(&views, &options, &job.part(0.1, 0.95))?;
-        done.keep_split_vertices(&alloc::gather(views.iter())?, &job.part(0.95, 1.0))?;
+        let mut done = assemble(&views, &options, &job.sub_job(0.1, 0.95))?;
+        done.keep_split_vertices(&alloc::gather(views.iter())?, &job.sub_job(0.95, 1.0))?;
         Ok(gusset_result(OperationResult::Join(JoinResult::new(done)?)))
     })
 }

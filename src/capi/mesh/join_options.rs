@@ -2,7 +2,7 @@
 
 use crate::assemble::{Extent, MaxGap, Options, Overlaps, Selector};
 use crate::capi::glue::{fixed, versioned};
-use crate::capi::input::{self, flag};
+use crate::capi::input::{self, read_flag};
 use crate::capi::mesh::fill::gusset_fill_options;
 use crate::capi::mesh::stitch_options::{
     GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_orientation, gusset_outward, gusset_stitch_options,
@@ -185,11 +185,11 @@ impl gusset_join_options {
             outward: to_outward(self.outward, Outward::Closed)?,
             max_gap,
             extent,
-            within_components: flag(self.within_components, "within_components")?,
+            within_components: read_flag(self.within_components, "within_components")?,
             pairs,
             excluded,
             strip: input::read_nested_or_default(self.strip_options, "strip_options", gusset_stitch_options::checked)?,
-            fill: flag(self.fill, "fill")?.then_some(fill),
+            fill: read_flag(self.fill, "fill")?.then_some(fill),
         })
     }
 }

@@ -205,7 +205,7 @@ pub struct gusset_join_report {
 
 /// Joined pieces, and the reports on them.
 pub(crate) struct JoinResult {
-    pub(crate) done: Assembly,
+    pub(crate) assembly: Assembly,
     pieces: Vec<gusset_piece_map>,
     joints: Vec<gusset_joint>,
     left: Vec<gusset_left_loop>,
@@ -280,7 +280,7 @@ impl JoinResult {
             left_origins: alloc::collect(done.left.iter().map(|left| left.origin))?,
             joint_cut_lengths: alloc::collect(done.joints.iter().map(|joint| joint.cut_length))?,
             blend_avoids_cuts: alloc::collect(done.joints.iter().map(|joint| joint.blend_avoids_cuts.into()))?,
-            done,
+            assembly: done,
         })
     }
 
@@ -295,29 +295,29 @@ impl JoinResult {
             left_count: self.left.len(),
             holes: lend_list(&self.holes),
             hole_count: self.holes.len(),
-            hole_rims: gusset_indices::lend_indices(&self.done.hole_rims),
+            hole_rims: gusset_indices::lend_indices(&self.assembly.hole_rims),
             turned: gusset_indices::lend_indices(&self.turned),
-            one_sided: gusset_indices::lend_indices(&self.done.one_sided),
-            zero_volume: gusset_indices::lend_indices(&self.done.zero_volume),
-            welded_vertices: self.done.welded_vertices,
-            sewn_edges: self.done.sewn_edges,
-            loops_left: self.done.loops_left,
-            non_manifold_edges: self.done.non_manifold_edges,
-            splits: self.done.splits,
-            near_loops_left: self.done.near_loops_left,
-            trimmed_faces: self.done.trimmed_faces,
-            near_edge_pairs: self.done.near.edge_pairs,
-            near_tolerance: self.done.near.tolerance,
-            lost_faces: gusset_indices::lend_indices(self.done.lost_faces.as_flattened()),
+            one_sided: gusset_indices::lend_indices(&self.assembly.one_sided),
+            zero_volume: gusset_indices::lend_indices(&self.assembly.zero_volume),
+            welded_vertices: self.assembly.welded_vertices,
+            sewn_edges: self.assembly.sewn_edges,
+            loops_left: self.assembly.loops_left,
+            non_manifold_edges: self.assembly.non_manifold_edges,
+            splits: self.assembly.splits,
+            near_loops_left: self.assembly.near_loops_left,
+            trimmed_faces: self.assembly.trimmed_faces,
+            near_edge_pairs: self.assembly.near.edge_pairs,
+            near_tolerance: self.assembly.near.tolerance,
+            lost_faces: gusset_indices::lend_indices(self.assembly.lost_faces.as_flattened()),
             left_origins: gusset_indices::lend_indices(self.left_origins.as_flattened()),
             hole_intersections: gusset_indices::lend_indices(
-                self.done.hole_intersections.as_deref().unwrap_or_default().as_flattened(),
+                self.assembly.hole_intersections.as_deref().unwrap_or_default().as_flattened(),
             ),
             joint_cut_lengths: lend_list(&self.joint_cut_lengths),
-            hole_cut_lengths: lend_list(&self.done.hole_cut_lengths),
+            hole_cut_lengths: lend_list(&self.assembly.hole_cut_lengths),
             blend_avoids_cuts: lend_list(&self.blend_avoids_cuts),
-            hole_intersections_known: self.done.hole_intersections.is_some().into(),
-            cutting_joints: self.done.joints.iter().filter(|joint| joint.has_cuts()).count() as u32,
+            hole_intersections_known: self.assembly.hole_intersections.is_some().into(),
+            cutting_joints: self.assembly.joints.iter().filter(|joint| joint.has_cuts()).count() as u32,
         }
     }
 }

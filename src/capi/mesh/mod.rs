@@ -29,7 +29,7 @@ pub mod origins;
 pub mod attributes;
 
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::{self, Choice, choice, lend_list};
+use crate::capi::input::{self, Choice, lend_list, read_choice};
 use crate::capi::status::Failure;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_FACE_LAYOUT;
 use crate::error::Error;
@@ -118,7 +118,11 @@ impl GivenMesh<'_> {
 }
 
 /// Reads and validates the caller's mesh number `number`.
-pub(crate) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>) -> Result<GivenMesh<'a>, Failure> {
+pub(crate) fn read_numbered_mesh<'a>(
+    view: *const gusset_mesh_view,
+    number: u32,
+    job: &Job<'_>,
+) -> Result<GivenMesh<'a>, Failure> {
     read_and_validate_mesh(view, "mesh", job).map_err(|failure| failure.with_input(number))
 }
 
@@ -131,7 +135,7 @@ pub(crate) fn read_meshes<'a>(
     Error::check_count("pieces", count as u64, MAX_ELEMENTS)?;
     let views = input::struct_pointers(views, count, "pieces")?.enumerate();
     alloc::try_collect(views.map(|(k, view)| {
-        let read = |view| read_and_validate_mesh(view, "piece", &job.share(k, count));
+        let read = |view| read_and_validate_mesh(view, "piece", &job.sub_job_of_item(k, count));
         view.and_then(read).map_err(|failure| failure.with_input(k as u32))
     }))
 }
@@ -143,7 +147,7 @@ pub(crate) fn read_and_validate_mesh<'a>(
     job: &Job<'_>,
 ) -> Result<GivenMesh<'a>, Failure> {
     let view = input::read_versioned_struct(view, false, name)?;
-    let scalar = choice(view.scalar)?;
+    let scalar = read_choice(view.scalar)?;
     if view.index != GUSSET_U32 {
         return Err(Failure::unknown_value("index", view.index.into()));
     }
@@ -177,8 +181,8 @@ pub(crate) fn read_and_validate_mesh<'a>(
         return Ok(GivenMesh { mesh: MeshView::new(positions, faces, job)?, merged: None });
     }
     let merge = input::input_bytes(view.merge, view.vertex_count, 4, "merge")?;
-    let mesh = MeshView::new(positions, faces, &job.part(0.0, 0.7))?;
-    let corners = mesh.merged_corners(merge, &job.part(0.7, 1.0))?;
+    let mesh = MeshView::new(positions, faces, &job.sub_job(0.0, 0.7))?;
+    let corners = mesh.merged_corners(merge, &job.sub_job(0.7, 1.0))?;
     Ok(GivenMesh { mesh, merged: Some((merge, corners)) })
 }
 

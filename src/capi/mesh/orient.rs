@@ -3,7 +3,7 @@
 //! @source Textbook; the least number of faces is our own.
 
 use crate::attributes::KeepSplitVertices;
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, lend_list};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
@@ -69,14 +69,14 @@ pub unsafe extern "C" fn gusset_orient(
     options: *const gusset_orient_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let options = Options {
             outward: to_outward(input::read_versioned_struct(options, true, "options")?.outward, Outward::Keep)?,
         };
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.2))?;
         let mesh = given_mesh.mesh_view();
-        let mut done = self::orient(&mesh, &options, &job.part(0.2, 0.9))?;
-        done.keep_split_vertices(&[&mesh], &job.part(0.9, 1.0))?;
+        let mut done = self::orient(&mesh, &options, &job.sub_job(0.2, 0.9))?;
+        done.keep_split_vertices(&[&mesh], &job.sub_job(0.9, 1.0))?;
         let one_sided = [
             alloc::collect(done.one_sided.iter().map(|found| found.face))?,
             alloc::collect(done.one_sided.iter().map(|found| found.half_edge))?,

@@ -4,7 +4,7 @@ use crate::attributes::{Domain, Origins};
 use crate::capi::context::lend;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{choice, lend_list};
+use crate::capi::input::{lend_list, read_choice};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::gusset_status;
 
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn gusset_origins_get_view(
     view: *mut gusset_origins_view,
 ) -> gusset_status {
     lend!(origins, view, |gusset_origins(of)| {
-        let domain = choice(domain)?;
+        let domain = read_choice(domain)?;
         let table = of.table(domain);
         gusset_origins_view {
             struct_size: 0,

@@ -3,9 +3,9 @@
 //! @source Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, Mesh arrangements for solid geometry (2016),
 //! for cells; M. Attene, A lightweight approach to repairing digitized polygon meshes (2010).
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, flag};
+use crate::capi::input::{self, read_flag};
 use crate::capi::mesh::fill::gusset_fill_options;
 use crate::capi::mesh::repair_report::{RepairResult, gusset_repair_report};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
@@ -62,14 +62,14 @@ impl gusset_repair_options {
     fn checked(self) -> Result<Options, Failure> {
         Ok(Options {
             tolerance: to_tolerance(self.tolerance_mode, self.tolerance)?,
-            leave_borders: flag(self.leave_borders, "leave_borders")?,
-            leave_flat_faces: flag(self.leave_flat_faces, "leave_flat_faces")?,
-            leave_duplicates: flag(self.leave_duplicates, "leave_duplicates")?,
-            leave_non_manifold: flag(self.leave_non_manifold, "leave_non_manifold")?,
-            leave_holes: flag(self.leave_holes, "leave_holes")?,
-            leave_orientation: flag(self.leave_orientation, "leave_orientation")?,
-            leave_fins: flag(self.leave_fins, "leave_fins")?,
-            leave_intersections: flag(self.leave_intersections, "leave_intersections")?,
+            leave_borders: read_flag(self.leave_borders, "leave_borders")?,
+            leave_flat_faces: read_flag(self.leave_flat_faces, "leave_flat_faces")?,
+            leave_duplicates: read_flag(self.leave_duplicates, "leave_duplicates")?,
+            leave_non_manifold: read_flag(self.leave_non_manifold, "leave_non_manifold")?,
+            leave_holes: read_flag(self.leave_holes, "leave_holes")?,
+            leave_orientation: read_flag(self.leave_orientation, "leave_orientation")?,
+            leave_fins: read_flag(self.leave_fins, "leave_fins")?,
+            leave_intersections: read_flag(self.leave_intersections, "leave_intersections")?,
             fill: input::read_nested_or_default(self.fill_options, "fill_options", gusset_fill_options::checked)?,
         })
     }
@@ -105,10 +105,10 @@ pub unsafe extern "C" fn gusset_repair(
     options: *const gusset_repair_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let done = self::repair(&given_mesh.mesh_view(), &options, &job.part(0.1, 1.0))?;
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.1))?;
+        let done = self::repair(&given_mesh.mesh_view(), &options, &job.sub_job(0.1, 1.0))?;
         Ok(gusset_result(OperationResult::Repair(RepairResult::new(done)?)))
     })
 }
@@ -134,10 +134,10 @@ pub unsafe extern "C" fn gusset_unite(
     piece_count: usize,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
-        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+    create_handle(context, result, "result", |job| {
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.sub_job(0.0, 0.1))?;
         let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
-        let done = unite_solids(&views, &job.part(0.1, 1.0))?;
+        let done = unite_solids(&views, &job.sub_job(0.1, 1.0))?;
         Ok(gusset_result(OperationResult::Repair(RepairResult::new(done)?)))
     })
 }

@@ -94,7 +94,7 @@ c_enum! {
 
 /// A repair, and its dropped faces in the form that C takes.
 pub(crate) struct RepairResult {
-    pub(crate) done: Repaired,
+    pub(crate) repaired: Repaired,
     dropped_faces: Vec<u32>,
     drop_reasons: Vec<u32>,
 }
@@ -103,11 +103,11 @@ impl RepairResult {
     pub(crate) fn new(done: Repaired) -> Result<Self, Error> {
         let dropped_faces = alloc::collect(done.dropped.iter().map(|dropped| dropped.face))?;
         let drop_reasons = alloc::collect(done.dropped.iter().map(|dropped| dropped.reason.number()))?;
-        Ok(RepairResult { done, dropped_faces, drop_reasons })
+        Ok(RepairResult { repaired: done, dropped_faces, drop_reasons })
     }
 
     pub(crate) fn lend_report(&self) -> gusset_repair_report {
-        let (done, after) = (&self.done, &self.done.after);
+        let (done, after) = (&self.repaired, &self.repaired.after);
         let bad_faces = [&after.degenerate_faces, &after.duplicate_faces, &after.zero_area_faces];
         gusset_repair_report {
             struct_size: size_of::<gusset_repair_report>(),

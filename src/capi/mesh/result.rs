@@ -1,7 +1,7 @@
 //! Results: The mesh that an operation makes, with the report of the operation.
 
 use crate::attributes::Origins;
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::mesh::develop_report::DevelopedSurface;
@@ -75,15 +75,15 @@ impl OperationResult {
 
     fn result_mesh(&self) -> &Mesh {
         match self {
-            OperationResult::Join(join) => &join.done.mesh,
+            OperationResult::Join(join) => &join.assembly.mesh,
             OperationResult::Stitch(stitch) => &stitch.mesh,
             OperationResult::Strip(strip) => &strip.mesh,
-            OperationResult::Fill(fill) => &fill.done.mesh,
+            OperationResult::Fill(fill) => &fill.filled.mesh,
             OperationResult::Weld(weld) => &weld.mesh,
             OperationResult::Sew(sew) => &sew.mesh,
-            OperationResult::Repair(repair) => &repair.done.mesh,
+            OperationResult::Repair(repair) => &repair.repaired.mesh,
             OperationResult::Orient(orient, _) => &orient.mesh,
-            OperationResult::Develop(development) => &development.done.mesh,
+            OperationResult::Develop(development) => &development.developed.mesh,
             OperationResult::Triangulate(split) => &split.mesh,
             OperationResult::NetMesh(net) => &net.mesh,
             OperationResult::SheetMesh(sheet, _) => &sheet.mesh,
@@ -92,15 +92,15 @@ impl OperationResult {
 
     fn result_origins(&self, job: &Job<'_>) -> Result<Origins, Error> {
         match self {
-            OperationResult::Join(join) => Origins::from_assembly(&join.done, job),
+            OperationResult::Join(join) => Origins::from_assembly(&join.assembly, job),
             OperationResult::Stitch(stitch) => Origins::from_stitch(stitch, job),
             OperationResult::Strip(strip) => Origins::from_ruled(strip, job),
-            OperationResult::Fill(fill) => Origins::from_filled(&fill.done, job),
+            OperationResult::Fill(fill) => Origins::from_filled(&fill.filled, job),
             OperationResult::Weld(weld) => Origins::from_weld(weld, job),
             OperationResult::Sew(sew) => Origins::from_sew(sew, job),
-            OperationResult::Repair(repair) => Origins::from_repaired(&repair.done, job),
+            OperationResult::Repair(repair) => Origins::from_repaired(&repair.repaired, job),
             OperationResult::Orient(orient, _) => Origins::from_oriented(orient, job),
-            OperationResult::Develop(development) => Origins::from_developed(&development.done, job),
+            OperationResult::Develop(development) => Origins::from_developed(&development.developed, job),
             OperationResult::Triangulate(split) => Origins::from_triangulated(split, job),
             OperationResult::NetMesh(net) => Origins::from_net_mesh(net, job),
             OperationResult::SheetMesh(sheet, _) => Origins::from_surface_mesh(sheet, job),
@@ -190,7 +190,7 @@ pub unsafe extern "C" fn gusset_result_get_quality(
 ) -> gusset_status {
     lend!(result, report, |result| match &result.0 {
         OperationResult::Stitch(stitch) => (&stitch.quality).into(),
-        OperationResult::Fill(fill) => (&fill.done.quality).into(),
+        OperationResult::Fill(fill) => (&fill.filled.quality).into(),
         other => return Err(other.wrong_operation_failure("gusset_stitch or gusset_fill")),
     })
 }
@@ -217,7 +217,7 @@ pub unsafe extern "C" fn gusset_result_origins_create(
     result: *const gusset_result,
     origins: *mut *mut gusset_origins,
 ) -> gusset_status {
-    create(context, origins, "origins", |job| {
+    create_handle(context, origins, "origins", |job| {
         Ok(gusset_origins(handle::get_object(result, "result")?.0.result_origins(job)?))
     })
 }

@@ -1,11 +1,11 @@
 //! Mesh sections: Cuts meshes by planes into ordered polylines.
 
 use crate::attributes::Origins;
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::curve::checked_product;
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, flag, lend_list};
+use crate::capi::input::{self, lend_list, read_choice, read_flag};
 use crate::capi::mesh::origins::gusset_origins;
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
@@ -192,15 +192,15 @@ pub unsafe extern "C" fn gusset_mesh_sections_create(
     options: *const gusset_mesh_section_options,
     sections: *mut *mut gusset_mesh_sections,
 ) -> gusset_status {
-    create(context, sections, "sections", |job| {
+    create_handle(context, sections, "sections", |job| {
         let options = input::read_versioned_struct(options, true, "options")?;
-        let options = Options { in_plane: choice(options.in_plane)?, tolerance: options.tolerance };
+        let options = Options { in_plane: read_choice(options.in_plane)?, tolerance: options.tolerance };
         let planes = input::read_versioned_struct(planes, false, "planes")?;
         let [point, direction, reference] = [planes.point, planes.direction, planes.reference].map(DVec3::from_array);
         let values = || input::copy_input_items(planes.values, planes.value_count, "values");
         let points = || read_vectors(planes.points, planes.point_count, "points");
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let (mesh, job) = (given_mesh.mesh_view(), job.part(0.2, 1.0));
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.2))?;
+        let (mesh, job) = (given_mesh.mesh_view(), job.sub_job(0.2, 1.0));
         let sections = match planes.kind {
             GUSSET_CUTTING_STACK => {
                 let stack = PlaneStack { point, normal: direction, offsets: &values()? };
@@ -216,7 +216,7 @@ pub unsafe extern "C" fn gusset_mesh_sections_create(
                 cut_by_planes(&mesh, &about, &options, &job)?
             }
             GUSSET_CUTTING_CURVE => {
-                let is_closed = flag(planes.closed, "closed")?;
+                let is_closed = read_flag(planes.closed, "closed")?;
                 cut_by_planes(&mesh, &planes_across_polyline(&points()?, is_closed, &values()?)?, &options, &job)?
             }
             other => return Err(Failure::unknown_value("kind", other.into())),
@@ -265,7 +265,7 @@ pub unsafe extern "C" fn gusset_mesh_sections_origins_create(
     sections: *const gusset_mesh_sections,
     origins: *mut *mut gusset_origins,
 ) -> gusset_status {
-    create(context, origins, "origins", |job| {
+    create_handle(context, origins, "origins", |job| {
         let gusset_mesh_sections { sections, counts, .. } = handle::get_object(sections, "sections")?;
         Ok(gusset_origins(Origins::from_sections(sections, *counts, job)?))
     })

@@ -1,7 +1,7 @@
 //! Sewing: Joins coincident borders, also where their vertices do not match.
 
 use crate::attributes::KeepSplitVertices;
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input;
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
@@ -68,12 +68,12 @@ pub unsafe extern "C" fn gusset_sew(
     options: *const gusset_weld_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.1))?;
         let mesh = given_mesh.mesh_view();
-        let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;
-        done.keep_split_vertices(&[&mesh], &job.part(0.9, 1.0))?;
+        let mut done = self::sew(&mesh, &options, &job.sub_job(0.1, 0.9))?;
+        done.keep_split_vertices(&[&mesh], &job.sub_job(0.9, 1.0))?;
         Ok(gusset_result(OperationResult::Sew(done)))
     })
 }

@@ -4,7 +4,7 @@
 //!     Kedem and S. Uselton (1977).
 
 use crate::attributes::KeepSplitVertices;
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, Choice, lend_list};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
@@ -110,18 +110,19 @@ pub unsafe extern "C" fn gusset_stitch(
     options: *const gusset_stitch_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
-        let given_a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
-        let given_b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
+        let given_a = mesh::read_numbered_mesh(mesh_a, 0, &job.sub_job(0.0, 0.1))?;
+        let given_b =
+            (!mesh_b.is_null()).then(|| mesh::read_numbered_mesh(mesh_b, 1, &job.sub_job(0.1, 0.2))).transpose()?;
         let (a, b) = (given_a.mesh_view(), given_b.as_ref().map(GivenMesh::mesh_view));
         let loop_a = mesh::read_indices(loop_a, "loop_a")?.map(|vertices| mesh::map_to_merged_vertices(&a, vertices));
         let loop_b = mesh::read_indices(loop_b, "loop_b").map_err(|failure| failure.with_input(1))?;
         let loop_b = loop_b.map(|vertices| mesh::map_to_merged_vertices(b.as_ref().unwrap_or(&a), vertices));
         let request = Request { a: &a, loop_a: loop_a.as_deref(), b: b.as_ref(), loop_b: loop_b.as_deref() };
-        let mut done = self::stitch(&request, &options, &job.part(0.2, 0.95))?;
+        let mut done = self::stitch(&request, &options, &job.sub_job(0.2, 0.95))?;
         let inputs = [Some(&a), b.as_ref()];
-        done.keep_split_vertices(&alloc::gather(inputs.into_iter().flatten())?, &job.part(0.95, 1.0))?;
+        done.keep_split_vertices(&alloc::gather(inputs.into_iter().flatten())?, &job.sub_job(0.95, 1.0))?;
         Ok(gusset_result(OperationResult::Stitch(done)))
     })
 }

@@ -1,7 +1,7 @@
 //! Options of stitching: How a strip is chosen, subdivided and smoothed.
 
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::choice;
+use crate::capi::input::read_choice;
 use crate::capi::status::Failure;
 use crate::repair::orient::Outward;
 use crate::stitch::facing::{Arc, Centres, Run};
@@ -272,20 +272,20 @@ impl gusset_stitch_options {
         };
         let rows = to_rows(self.rows, self.row_count)?;
         Ok(Options {
-            meridians: choice(self.meridians)?,
-            search: choice(self.search)?,
-            start: choice(self.start)?,
-            orientation: choice(self.orientation)?,
+            meridians: read_choice(self.meridians)?,
+            search: read_choice(self.search)?,
+            start: read_choice(self.start)?,
+            orientation: read_choice(self.orientation)?,
             twist: self.twist,
             extent,
-            run: choice(self.run)?,
+            run: read_choice(self.run)?,
             tolerance: to_tolerance(self.tolerance_mode, self.tolerance)?,
-            centres: choice(self.centres)?,
+            centres: read_choice(self.centres)?,
             rows,
-            cells: choice(self.cells)?,
-            fairing: choice(self.fairing)?,
-            finish: choice(self.finish)?,
-            intersections: choice(self.intersections)?,
+            cells: read_choice(self.cells)?,
+            fairing: read_choice(self.fairing)?,
+            finish: read_choice(self.finish)?,
+            intersections: read_choice(self.intersections)?,
             outward: to_outward(self.outward, Outward::Keep)?,
         })
     }

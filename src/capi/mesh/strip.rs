@@ -2,9 +2,9 @@
 //!
 //! @source H. Fuchs, Z. Kedem and S. Uselton (1977); Nesterenko.
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, choice, flag, lend_list};
+use crate::capi::input::{self, lend_list, read_choice, read_flag};
 use crate::capi::mesh::facing::read_loop_points;
 use crate::capi::mesh::gusset_indices;
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
@@ -78,9 +78,9 @@ impl gusset_strip_options {
             GUSSET_START_GIVEN => None,
             other => return Err(Failure::unknown_value("start", other.into())),
         };
-        let closed = flag(self.closed, "closed")?;
-        let (meridians, search) = (choice(self.meridians)?, choice(self.search)?);
-        let (rows, cells) = (to_rows(self.rows, self.row_count)?, choice(self.cells)?);
+        let closed = read_flag(self.closed, "closed")?;
+        let (meridians, search) = (read_choice(self.meridians)?, read_choice(self.search)?);
+        let (rows, cells) = (to_rows(self.rows, self.row_count)?, read_choice(self.cells)?);
         Ok((closed, RuledOptions { meridians, search, start, rows, cells }))
     }
 }
@@ -108,7 +108,7 @@ pub unsafe extern "C" fn gusset_strip(
     options: *const gusset_strip_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let (closed, options) = input::read_versioned_struct(options, true, "options")?.checked()?;
         let a = read_loop_points(points_a, count_a, "points_a")?;
         let b = read_loop_points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;

@@ -3,7 +3,7 @@
 //! @source G. Meisters, Polygons have ears, 1975; G. Klincsek, Minimal triangulations of polygonal
 //!     domains, 1980.
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::mesh::result::{OperationResult, gusset_result};
 use crate::capi::mesh::{self, gusset_mesh_view};
 use crate::capi::status::gusset_status;
@@ -32,9 +32,9 @@ pub unsafe extern "C" fn gusset_triangulate(
     mesh: *const gusset_mesh_view,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let done = triangulate(&given_mesh.mesh_view(), &job.part(0.2, 1.0))?;
+    create_handle(context, result, "result", |job| {
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.2))?;
+        let done = triangulate(&given_mesh.mesh_view(), &job.sub_job(0.2, 1.0))?;
         Ok(gusset_result(OperationResult::Triangulate(done)))
     })
 }

@@ -3,7 +3,7 @@
 //! @source The idea is of G. Turk and M. Levoy, Zippered polygon meshes from range images
 //!     (1994).
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input;
@@ -65,7 +65,7 @@ pub struct gusset_trim_view {
 
 /// Result of trimming.
 pub struct gusset_trim {
-    done: KeptFacesOfPieces,
+    kept_faces: KeptFacesOfPieces,
     pieces: Vec<gusset_trimmed_piece>,
 }
 
@@ -116,18 +116,18 @@ pub unsafe extern "C" fn gusset_trim_create(
     options: *const gusset_trim_options,
     trim: *mut *mut gusset_trim,
 ) -> gusset_status {
-    create(context, trim, "trim", |job| {
+    create_handle(context, trim, "trim", |job| {
         let options = input::read_versioned_struct(options, true, "options")?;
         let viewpoints = options.read_viewpoints()?;
-        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.sub_job(0.0, 0.1))?;
         let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
-        let done = self::trim(&views, &options.checked(&viewpoints), &job.part(0.1, 1.0))?;
+        let done = self::trim(&views, &options.checked(&viewpoints), &job.sub_job(0.1, 1.0))?;
         // The lists behind these pointers lie on the heap and do not move.
         let pieces = done.kept.iter().zip(&done.covered).map(|(kept, &covered)| gusset_trimmed_piece {
             kept: gusset_indices::lend_indices(kept),
             covered_vertices: covered as usize,
         });
-        Ok(gusset_trim { pieces: alloc::collect(pieces)?, done })
+        Ok(gusset_trim { pieces: alloc::collect(pieces)?, kept_faces: done })
     })
 }
 
@@ -145,7 +145,7 @@ pub unsafe extern "C" fn gusset_trim_get_view(trim: *const gusset_trim, view: *m
         struct_size: size_of::<gusset_trim_view>(),
         pieces: input::lend_list(&trim.pieces),
         piece_count: trim.pieces.len(),
-        crossings: trim.done.crossings,
+        crossings: trim.kept_faces.crossings,
         reserved: 0,
     })
 }

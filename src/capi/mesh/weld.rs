@@ -1,9 +1,9 @@
 //! Welding: Merges coincident vertices.
 
 use crate::attributes::KeepSplitVertices;
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::{self, choice, flag};
+use crate::capi::input::{self, read_choice, read_flag};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{gusset_tolerance_mode, to_tolerance};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
@@ -95,10 +95,10 @@ c_enum! { vertices: Vertices { GUSSET_WELD_BOUNDARY => Boundary, GUSSET_WELD_ALL
 impl gusset_weld_options {
     pub(crate) fn checked(self) -> Result<Options, Failure> {
         Ok(Options {
-            vertices: choice(self.vertices)?,
+            vertices: read_choice(self.vertices)?,
             tolerance: to_tolerance(self.tolerance_mode, self.tolerance)?,
-            collapse: flag(self.collapse, "collapse")?,
-            remove_unused: flag(self.unused, "unused")?,
+            collapse: read_flag(self.collapse, "collapse")?,
+            remove_unused: read_flag(self.unused, "unused")?,
         })
     }
 }
@@ -126,12 +126,12 @@ pub unsafe extern "C" fn gusset_weld(
     options: *const gusset_weld_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.1))?;
         let mesh = given_mesh.mesh_view();
-        let mut done = self::weld(&mesh, &options, &job.part(0.1, 0.9))?;
-        done.keep_split_vertices(&[&mesh], &job.part(0.9, 1.0))?;
+        let mut done = self::weld(&mesh, &options, &job.sub_job(0.1, 0.9))?;
+        done.keep_split_vertices(&[&mesh], &job.sub_job(0.9, 1.0))?;
         Ok(gusset_result(OperationResult::Weld(done)))
     })
 }

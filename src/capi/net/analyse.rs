@@ -1,6 +1,6 @@
 //! Effects of a deformation: New gluing, tears, folds and stretching.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list};
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn gusset_net_analysis_create(
     options: *const gusset_net_analysis_options,
     analysis: *mut *mut gusset_net_analysis,
 ) -> gusset_status {
-    create(context, analysis, "analysis", |job| {
+    create_handle(context, analysis, "analysis", |job| {
         let options = input::read_versioned_struct(options, true, "options")?;
         let given = read_fields(options.fields, options.field_count, options.time)?;
         let found = if options.after.is_null() {

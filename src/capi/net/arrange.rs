@@ -1,9 +1,9 @@
 //! Rows and columns: Parts, symmetries and conversions of nets.
 
-use crate::capi::context::{create, guard_change, gusset_context};
+use crate::capi::context::{create_handle, guard_changing_call, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
-use crate::capi::input::{self, choice, flag};
+use crate::capi::input::{self, read_choice, read_flag};
 use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
@@ -132,15 +132,15 @@ impl gusset_net_copy_options {
         let columns = range(self.column_first, self.column_count, shape.columns());
         Ok(CopyOptions {
             part: part.then_some([rows, columns]),
-            compact: flag(self.compact, "compact")?,
+            compact: read_flag(self.compact, "compact")?,
             rows: (self.rows != 0).then_some(self.rows),
             columns: (self.columns != 0).then_some(self.columns),
             replication: [
                 to_replication(self.row_replication, self.row_index)?,
                 to_replication(self.column_replication, self.column_index)?,
             ],
-            turn: choice(self.turn)?,
-            scalar: if self.scalar == 0 { None } else { Some(choice(self.scalar)?) },
+            turn: read_choice(self.turn)?,
+            scalar: if self.scalar == 0 { None } else { Some(read_choice(self.scalar)?) },
         })
     }
 }
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn gusset_net_copy_create(
     options: *const gusset_net_copy_options,
     copy: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, copy, "copy", |job| {
+    create_handle(context, copy, "copy", |job| {
         let (handle, options) =
             (handle::get_object(net, "net")?, input::read_versioned_struct(options, true, "options")?);
         let net = handle.net();
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn gusset_net_clear_no_data(
     net: *mut gusset_net,
     value: f64,
 ) -> gusset_status {
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         net_of_handle_mut(net, job)?.clear_no_data(value);
         Ok(())
     })

@@ -1,9 +1,9 @@
 //! Local gluings: How nodes and cells are glued.
 
-use crate::capi::context::{answer, create, guard_change, gusset_context, lend};
+use crate::capi::context::{answer_into_output, create_handle, guard_changing_call, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, fill_buffer, flag};
+use crate::capi::input::{self, fill_buffer, read_flag};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::net::glue::{GUSSET_TYPE_NONE, gusset_gluing_type};
 use crate::capi::net::{gusset_net, net_of_handle};
@@ -32,11 +32,11 @@ pub unsafe extern "C" fn gusset_net_classes(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::cleared_output(written, 0, "written");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let net = net_of_handle(net)?;
         fill_buffer((classes, capacity, "classes"), net.shape().node_count(), written?, job, || {
-            let classes = NodeClasses::new_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
-            Ok(classes.representatives_cancellable(&job.part(0.8, 1.0), "classes")?)
+            let classes = NodeClasses::new_cancellable(net.topology(), &job.sub_job(0.0, 0.8), "classes")?;
+            Ok(classes.representatives_cancellable(&job.sub_job(0.8, 1.0), "classes")?)
         })
     })
 }
@@ -57,7 +57,7 @@ pub unsafe extern "C" fn gusset_net_groups_create(
     net: *const gusset_net,
     groups: *mut *mut gusset_net_groups,
 ) -> gusset_status {
-    create(context, groups, "groups", |job| {
+    create_handle(context, groups, "groups", |job| {
         Ok(gusset_net_groups(
             NodeClasses::new_cancellable(net_of_handle(net)?.topology(), job, "groups")?.glued_classes()?,
         ))
@@ -124,8 +124,8 @@ pub unsafe extern "C" fn gusset_net_classify(
     cyclic: u32,
     found: *mut gusset_gluing_type,
 ) -> gusset_status {
-    answer(context, (found, "found"), GUSSET_TYPE_NONE, |job| {
-        let (topology, cyclic) = (net_of_handle(net)?.topology(), flag(cyclic, "cyclic")?);
+    answer_into_output(context, (found, "found"), GUSSET_TYPE_NONE, |job| {
+        let (topology, cyclic) = (net_of_handle(net)?.topology(), read_flag(cyclic, "cyclic")?);
         Ok(gluing_type_code(match place {
             GUSSET_GLUING_PLACE_NODE => topology.gluing_type_at_node(element, cyclic, job)?,
             GUSSET_GLUING_PLACE_CELL => topology.gluing_type_at_cell(element, job)?,
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn gusset_net_histogram(
     cells: *mut u64,
 ) -> gusset_status {
     let outputs = [(nodes, "nodes"), (cells, "cells")].map(|(out, name)| count_buffer(out, name));
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let [nodes, cells] = outputs;
         let (nodes, cells) = (nodes?, cells?);
         let histogram = crate::net::topology::gluing_histogram(net_of_handle(net)?.topology(), job)?;
@@ -223,9 +223,9 @@ pub unsafe extern "C" fn gusset_net_gluing_occurrences(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::cleared_output(written, 0, "written");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let written = written?;
-        let all = find_gluing_occurrences(net_of_handle(net)?.topology(), flag(cyclic, "cyclic")?, job)?;
+        let all = find_gluing_occurrences(net_of_handle(net)?.topology(), read_flag(cyclic, "cyclic")?, job)?;
         fill_buffer((found, capacity, "found"), all.len(), written, job, || {
             Ok(all.iter().map(gusset_gluing_occurrence::from))
         })

@@ -1,6 +1,6 @@
 //! The quotient surface: The surface of a net with glued nodes merged.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::mesh::gusset_indices;
@@ -99,7 +99,7 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     cells: gusset_net_cells,
     quotient: *mut *mut gusset_net_complex,
 ) -> gusset_status {
-    create(context, quotient, "quotient", |job| {
+    create_handle(context, quotient, "quotient", |job| {
         let net = net_of_handle(net)?;
         Ok(gusset_net_complex(match cells {
             GUSSET_NET_CELLS_ALL => Complex::from_topology(net.topology(), job)?,

@@ -1,8 +1,8 @@
 //! Fields: Deforms and projects nets by chains of fields.
 
-use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::context::{guard_changing_call, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::{self, choice};
+use crate::capi::input::{self, read_choice};
 use crate::capi::net::transform::{affine_from_numbers, first_three_numbers, gusset_axis};
 use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
@@ -140,7 +140,7 @@ pub(crate) fn read_fields(fields: *const gusset_field, count: usize, time: f64) 
 }
 
 /// Reads groups of N numbers, at any alignment.
-fn read_groups_of<const N: usize>(
+fn read_number_groups<const N: usize>(
     data: *const f64,
     count: usize,
     name: &'static str,
@@ -152,13 +152,13 @@ c_enum! { easing: Easing { GUSSET_EASING_LINEAR => Linear, GUSSET_EASING_SMOOTH 
 
 impl gusset_field {
     fn checked(&self) -> Result<Box<dyn Field>, Failure> {
-        let (v, about) = (&self.values, || choice(self.axis));
+        let (v, about) = (&self.values, || read_choice(self.axis));
         Ok(match self.kind {
             GUSSET_FIELD_AFFINE => Box::new(affine_from_numbers(v)?),
             GUSSET_FIELD_TWIST => Box::new(twist(about()?, v[0], v[1])?),
             GUSSET_FIELD_TAPER => Box::new(taper(about()?, v[0], v[1])?),
             GUSSET_FIELD_BEND => Box::new(bend(about()?, v[0], v[1], v[2])?),
-            GUSSET_FIELD_SHEAR => Box::new(shear(about()?, choice(self.other_axis)?, v[0])?),
+            GUSSET_FIELD_SHEAR => Box::new(shear(about()?, read_choice(self.other_axis)?, v[0])?),
             GUSSET_FIELD_SPHERIFY => Box::new(spherify(first_three_numbers(v), v[3])?),
             GUSSET_FIELD_CYLINDER_WRAP => Box::new(cylinder_wrap(about()?, v[0])?),
             GUSSET_FIELD_TORUS_WRAP => Box::new(torus_wrap(about()?, v[0], v[1])?),
@@ -188,7 +188,7 @@ impl gusset_field {
         // Counts that will be rejected do not tell how much there is to read.
         let good = counts.iter().all(|count| (2..=Lattice::MAX_POINTS).contains(count));
         let count = if good { counts.iter().product() } else { 0 };
-        let offsets: Vec<[f64; 3]> = read_groups_of(self.offsets, count, "offsets")?;
+        let offsets: Vec<[f64; 3]> = read_number_groups(self.offsets, count, "offsets")?;
         Ok(Lattice::new(low, high, counts, &alloc::collect(offsets.into_iter().map(DVec3::from_array))?)?)
     }
 
@@ -196,11 +196,11 @@ impl gusset_field {
         if self.keys.is_null() && self.key_count == 0 {
             return Ok(self.strength);
         }
-        let keys = read_groups_of(self.keys, self.key_count, "keys")?;
+        let keys = read_number_groups(self.keys, self.key_count, "keys")?;
         if !time.is_finite() {
             return Err(Error::OptionOutOfRange { option: "time", value: time }.into());
         }
-        Ok(self.strength * TimedStrength::new(&keys, choice(self.easing)?)?.strength_at(time))
+        Ok(self.strength * TimedStrength::new(&keys, read_choice(self.easing)?)?.strength_at(time))
     }
 }
 
@@ -226,7 +226,7 @@ pub unsafe extern "C" fn gusset_net_deform(
     count: usize,
     time: f64,
 ) -> gusset_status {
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let given = self::read_fields(fields, count, time)?;
         let steps = alloc::collect(given.iter().map(GivenField::to_step))?;
         Ok(deform(net_of_handle_mut(net, job)?, &steps, job)?)
@@ -245,5 +245,5 @@ pub unsafe extern "C" fn gusset_net_displace(
     net: *mut gusset_net,
     distance: f64,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(displace_along_normals(net_of_handle_mut(net, job)?, distance, job)?))
+    guard_changing_call(context, |job| Ok(displace_along_normals(net_of_handle_mut(net, job)?, distance, job)?))
 }

@@ -1,8 +1,8 @@
 //! Gluing of nodes: Glues and unglues nodes; the 18 local gluings.
 
-use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::context::{guard_changing_call, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, flag};
+use crate::capi::input::{self, read_flag};
 use crate::capi::net::gluing::{gusset_seam, to_seam};
 use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
@@ -175,10 +175,10 @@ pub unsafe extern "C" fn gusset_net_glue(
     moved: *mut u64,
 ) -> gusset_status {
     let moved = input::cleared_optional_output(moved, 0, "moved");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (moved, options) = (moved?, input::read_versioned_struct(options, false, "options")?);
-        let detect = flag(options.detect, "detect")?.then_some(options.tolerance);
-        let (saturate, snap) = (flag(options.saturate, "saturate")?, flag(options.snap, "snap")?);
+        let detect = read_flag(options.detect, "detect")?.then_some(options.tolerance);
+        let (saturate, snap) = (read_flag(options.saturate, "saturate")?, read_flag(options.snap, "snap")?);
         let gluings = read_gluings(options.gluings, options.gluing_count)?;
         Error::check_count("links", options.link_count as u64, 2 * MAX_NODES)?;
         let links = input::copy_input_items(options.links, options.link_count, "links")?;
@@ -210,7 +210,7 @@ pub unsafe extern "C" fn gusset_net_unglue(
     moved: *mut u64,
 ) -> gusset_status {
     let moved = input::cleared_optional_output(moved, 0, "moved");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (moved, gluings) = (moved?, self::read_gluings(gluings, count)?);
         input::set_optional_output(moved, net_of_handle_mut(net, job)?.unglue(&gluings, separation)? as u64);
         Ok(())

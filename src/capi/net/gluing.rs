@@ -1,8 +1,8 @@
 //! Gluing of sides: Sides, the characteristic matrix, seams.
 
-use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::context::{guard_changing_call, gusset_context};
 use crate::capi::glue::{fixed, versioned};
-use crate::capi::input::{self, fill_buffer, flag};
+use crate::capi::input::{self, fill_buffer, read_flag};
 use crate::capi::net::net_handle::{gusset_net, net_of_handle, replace_gluing};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
@@ -168,7 +168,7 @@ pub(crate) fn read_topology(
     };
     let seams = read_seams(gluing.seams, gluing.seam_count)?;
     Ok(Topology::new_cancellable(shape, links, &seams, job, "gluing")?
-        .with_reversed(flag(gluing.reversed, "reversed")?))
+        .with_reversed(read_flag(gluing.reversed, "reversed")?))
 }
 
 /// Replaces the gluing; positions stay.
@@ -225,7 +225,7 @@ pub unsafe extern "C" fn gusset_net_get_gluing(
     report: *mut gusset_net_gluing_report,
 ) -> gusset_status {
     let report = input::output_struct(report, "report");
-    guard_change(ptr::null(), |job| {
+    guard_changing_call(ptr::null(), |job| {
         let (report, net) = (report?, net_of_handle(net)?);
         let (topology, shape) = (net.topology(), net.shape());
         let all = topology.seams();

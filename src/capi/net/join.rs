@@ -1,9 +1,9 @@
 //! Bridges: Joins nets into one, and splits them again.
 
-use crate::capi::context::{create, guard_change, gusset_context, lend};
+use crate::capi::context::{create_handle, guard_changing_call, gusset_context, lend};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
-use crate::capi::input::{self, Choice, choice, flag};
+use crate::capi::input::{self, Choice, read_choice, read_flag};
 use crate::capi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, to_replication};
 use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
 use crate::capi::status::gusset_status::GUSSET_ERROR_OVERLAP;
@@ -123,12 +123,12 @@ impl gusset_concatenate_options {
     pub(crate) fn checked(self) -> Result<JoinOptions, Failure> {
         let refuse = self.equalise == GUSSET_REPLICATE_REFUSE;
         Ok(JoinOptions {
-            direction: choice(self.direction)?,
-            mode: choice(self.mode)?,
+            direction: read_choice(self.direction)?,
+            mode: read_choice(self.mode)?,
             tolerance: self.tolerance,
             equalise: if refuse { None } else { Some(to_replication(self.equalise, self.equalise_index)?) },
             twist: self.twist,
-            turn: flag(self.turn, "turn")?,
+            turn: read_flag(self.turn, "turn")?,
             properties: self.properties.into(),
             rows: self.rows,
         })
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
     options: *const gusset_concatenate_options,
     joined: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, joined, "joined", |job| {
+    create_handle(context, joined, "joined", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         Ok(gusset_net::new(concatenate_all(&self::nets_of_handles(nets, net_count)?, &options, job)?))
     })
@@ -192,13 +192,13 @@ pub unsafe extern "C" fn gusset_net_split_create(
         input::cleared_output(first, ptr::null_mut(), "first"),
         input::cleared_output(second, ptr::null_mut(), "second"),
     ];
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let [first, second] = slots;
         let (first, second) = (first?, second?);
         if ptr::eq(first, second) {
             return Err(Failure::new(GUSSET_ERROR_OVERLAP, "first and second are the same place"));
         }
-        let parts = net_of_handle(net)?.split(bridge, job)?.map(|part| handle::boxed(gusset_net::new(part)));
+        let parts = net_of_handle(net)?.split(bridge, job)?.map(|part| handle::box_with_kind(gusset_net::new(part)));
         job.finish()?;
         [*first, *second] = parts.map(handle::into_handle);
         Ok(())
@@ -253,8 +253,8 @@ pub unsafe extern "C" fn gusset_net_set_bridge(
     tolerance: f64,
     properties: *const gusset_bridge_properties,
 ) -> gusset_status {
-    guard_change(context, |job| {
-        let mode = choice(mode)?;
+    guard_changing_call(context, |job| {
+        let mode = read_choice(mode)?;
         let given = (!properties.is_null()).then(|| input::checked_reference(properties, "properties")).transpose()?;
         let net = net_of_handle_mut(net, job)?;
         net.set_bridge_mode(index, mode, tolerance)?;

@@ -1,6 +1,6 @@
 //! Measures of nets: Area, volume, moments, planarity.
 
-use crate::capi::context::{answer_struct, guard_change, gusset_context};
+use crate::capi::context::{answer_into_struct, guard_changing_call, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input;
 use crate::capi::net::{gusset_net, net_of_handle};
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn gusset_net_measure(
     measures: gusset_net_measures,
     report: *mut gusset_net_measure_report,
 ) -> gusset_status {
-    answer_struct(context, (report, "report"), |job| {
+    answer_into_struct(context, (report, "report"), |job| {
         let net = net_of_handle(net)?;
         if measures > 7 {
             return Err(Failure::unknown_value("measures", measures.into()));
@@ -92,17 +92,17 @@ pub unsafe extern "C" fn gusset_net_measure(
         let wanted = |which: gusset_net_measures| measures & which != 0;
         let mut report = gusset_net_measure_report::default();
         if wanted(GUSSET_NET_MEASURES_EXTENT) {
-            let found = measure(net, &job.part(0.0, 0.1))?;
+            let found = measure(net, &job.sub_job(0.0, 0.1))?;
             (report.area, report.volume) = (found.area, found.volume);
             report.area_vector = found.area_vector.to_array();
             (report.low, report.high) = (found.low.to_array(), found.high.to_array());
         }
         if wanted(GUSSET_NET_MEASURES_BILINEAR) {
-            let found = bilinear_area(net, &job.part(0.1, 0.6))?;
-            (report.bilinear_area, report.bilinear_error) = (found.area, found.error);
+            let found = bilinear_area(net, &job.sub_job(0.1, 0.6))?;
+            (report.bilinear_area, report.bilinear_error) = (found.area, found.error_bound);
         }
         if wanted(GUSSET_NET_MEASURES_BODY) {
-            let found = moments(net, &job.part(0.6, 1.0))?;
+            let found = moments(net, &job.sub_job(0.6, 1.0))?;
             (report.body_volume, report.centroid) = (found.volume, found.centroid.to_array());
             // The matrix is symmetric, so rows equal columns.
             report.inertia = found.inertia.to_cols_array();
@@ -133,7 +133,7 @@ pub unsafe extern "C" fn gusset_net_planarity(
     report: *mut gusset_net_planarity_report,
 ) -> gusset_status {
     let (written, report) = (input::cleared_output(written, 0, "written"), input::output_struct(report, "report"));
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (written, report) = (written?, report?);
         let found = planarity(net_of_handle(net)?, tolerance, job)?;
         input::copy_to_buffer((cells, capacity, "cells"), &found.cells, written, job)?;

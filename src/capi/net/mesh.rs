@@ -1,9 +1,9 @@
 //! Meshes and heights: Converts nets to meshes and back, and heights to nets.
 
-use crate::capi::context::{create, create_with_further_outputs, gusset_context, lend};
+use crate::capi::context::{create_handle, create_handle_and_outputs, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, flag, lend_list};
+use crate::capi::input::{self, lend_list, read_choice, read_flag};
 use crate::capi::mesh::gusset_scalar;
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
@@ -167,10 +167,10 @@ impl gusset_net_mesh_options {
                 GUSSET_NET_TRIANGLES_FIXED => Some(Diagonal::Fixed),
                 other => return Err(Failure::unknown_value("faces", other.into())),
             },
-            weld: !flag(self.no_weld, "no_weld")?,
-            keep_unused: flag(self.keep_unused, "keep_unused")?,
-            fill_corners: flag(self.fill_corners, "fill_corners")?,
-            texture: flag(self.texture, "texture")?,
+            weld: !read_flag(self.no_weld, "no_weld")?,
+            keep_unused: read_flag(self.keep_unused, "keep_unused")?,
+            fill_corners: read_flag(self.fill_corners, "fill_corners")?,
+            texture: read_flag(self.texture, "texture")?,
             max_edge_ratio: (self.max_edge_ratio != 0.0).then_some(self.max_edge_ratio),
         })
     }
@@ -191,7 +191,7 @@ pub unsafe extern "C" fn gusset_net_to_mesh(
     options: *const gusset_net_mesh_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         Ok(gusset_result(OperationResult::NetMesh(net_of_handle(net)?.to_mesh(&options, job)?)))
     })
@@ -240,7 +240,7 @@ where
     Coordinates<'static>: From<XyzMatrices<'static, T>>,
 {
     let shape = Shape::new(heights.rows, heights.columns)?;
-    let has_no_data = flag(heights.has_no_data, "has_no_data")?;
+    let has_no_data = read_flag(heights.has_no_data, "has_no_data")?;
     let values = read_heights::<T>(shape, heights)?;
     let heights = Heights {
         shape,
@@ -267,9 +267,9 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
     heights: *const gusset_heights,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| {
+    create_handle(context, net, "net", |job| {
         let heights = input::read_versioned_struct(heights, false, "heights")?;
-        Ok(gusset_net::new(match choice(heights.scalar)? {
+        Ok(gusset_net::new(match read_choice(heights.scalar)? {
             Scalar::F32 => net_of_c_heights::<f32>(&heights, job)?,
             Scalar::F64 => net_of_c_heights::<f64>(&heights, job)?,
         }))
@@ -305,18 +305,21 @@ pub unsafe extern "C" fn gusset_net_from_mesh_create(
     let found = |job: &Job<'_>| {
         let slot = slot?;
         let options = input::read_versioned_struct(options, true, "options")?;
-        let face = flag(options.has_face, "has_face")?.then_some(options.face);
-        let given_mesh = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let (view, job) = (given_mesh.mesh_view(), job.part(0.1, 1.0));
+        let face = read_flag(options.has_face, "has_face")?.then_some(options.face);
+        let given_mesh = self::mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.1))?;
+        let (view, job) = (given_mesh.mesh_view(), job.sub_job(0.1, 1.0));
         let found = match options.cells {
             GUSSET_GRID_QUADS => net_of_grid(&view, face, &job)?,
             GUSSET_GRID_TRIANGLES => net_of_triangles(&view, &job)?,
             other => return Err(Failure::unknown_value("cells", other.into())),
         };
         let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
-        Ok((gusset_net::new(found.net), (slot, handle::boxed(gusset_net_grid { vertex_of_node, face_of_cell }))))
+        Ok((
+            gusset_net::new(found.net),
+            (slot, handle::box_with_kind(gusset_net_grid { vertex_of_node, face_of_cell })),
+        ))
     };
-    create_with_further_outputs(context, net, "net", found, |(slot, grid)| {
+    create_handle_and_outputs(context, net, "net", found, |(slot, grid)| {
         if let Some(slot) = slot {
             *slot = handle::into_handle(grid);
         }

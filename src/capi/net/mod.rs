@@ -22,10 +22,10 @@ pub mod planarise;
 pub mod settle;
 pub mod validate;
 
-use crate::capi::context::{create, guard, guard_change, gusset_context, lend};
+use crate::capi::context::{create_handle, guard_call, guard_changing_call, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
-use crate::capi::input::{self, Choice, choice};
+use crate::capi::input::{self, Choice, read_choice};
 use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::gluing::{gusset_net_gluing, read_topology};
 use crate::capi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
@@ -80,9 +80,9 @@ pub const GUSSET_NET_MEMORY_BORROW: gusset_net_memory = 1;
 /// The layout of the caller's matrices: bytes from row to row, from number to number, and spanned
 /// by one matrix.
 struct MatrixLayout {
-    row: usize,
-    column: usize,
-    span: usize,
+    row_stride: usize,
+    column_stride: usize,
+    byte_span: usize,
 }
 
 impl MatrixLayout {
@@ -104,14 +104,18 @@ impl MatrixLayout {
             (row, width)
         } else {
             let span = extent(shape.rows(), row, width)?;
-            return if span <= isize::MAX as usize { Ok(MatrixLayout { row, column, span }) } else { Err(overflow()) };
+            return if span <= isize::MAX as usize {
+                Ok(MatrixLayout { row_stride: row, column_stride: column, byte_span: span })
+            } else {
+                Err(overflow())
+            };
         };
         Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 }.into())
     }
 
     /// Returns the offset of number (i, j).
     fn byte_offset(&self, i: usize, j: usize) -> usize {
-        i * self.row + j * self.column
+        i * self.row_stride + j * self.column_stride
     }
 }
 
@@ -130,15 +134,16 @@ fn copy_matrices<T: Real>(
     let layout = MatrixLayout::new(shape, arrays, size)?;
     let mut planes = XyzMatrices::zeroed(shape)?;
     for (axis, (from, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
-        let (from, job) = (input::input_bytes(from, layout.span, 1, name)?, job.share(axis, 3));
+        let (from, job) = (input::input_bytes(from, layout.byte_span, 1, name)?, job.sub_job_of_item(axis, 3));
         for i in 0..shape.rows() {
             job.step_every(rows_per_report(shape), i, shape.rows(), "copying a net")?;
             let to = &mut planes.row_mut(i)[axis];
             let from = &from[layout.byte_offset(i, 0)..];
-            if layout.column == size {
+            if layout.column_stride == size {
                 bytemuck::cast_slice_mut::<T, u8>(to).copy_from_slice(&from[..shape.columns() * size]);
             } else {
-                let numbers = from.chunks(layout.column).map(|bytes| bytemuck::pod_read_unaligned(&bytes[..size]));
+                let numbers =
+                    from.chunks(layout.column_stride).map(|bytes| bytemuck::pod_read_unaligned(&bytes[..size]));
                 to.iter_mut().zip(numbers).for_each(|(to, number)| *to = number);
             }
         }
@@ -150,17 +155,19 @@ fn copy_matrices<T: Real>(
 fn borrow_matrices<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<XyzMatrices<'static, T>, Failure> {
     let size = size_of::<T>();
     let layout = MatrixLayout::new(shape, arrays, size)?;
-    if layout.column != size || !layout.row.is_multiple_of(size) {
+    if layout.column_stride != size || !layout.row_stride.is_multiple_of(size) {
         let message = "a net in the caller's memory needs contiguous numbers in a row, and rows a multiple of the number size apart";
-        return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
+        return Err(Failure { value: layout.column_stride as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
     }
     let starts = [arrays.x, arrays.y, arrays.z].map(|matrix| matrix as usize);
-    if (0..3).any(|k| starts[k].abs_diff(starts[(k + 1) % 3]) < layout.span) && starts.iter().all(|&start| start != 0) {
+    if (0..3).any(|k| starts[k].abs_diff(starts[(k + 1) % 3]) < layout.byte_span)
+        && starts.iter().all(|&start| start != 0)
+    {
         return Err(Failure::new(GUSSET_ERROR_OVERLAP, "the matrices x, y and z overlap"));
     }
-    let matrix = |data: *mut c_void, name| input::result_buffer::<T>(data.cast(), layout.span / size, name);
+    let matrix = |data: *mut c_void, name| input::result_buffer::<T>(data.cast(), layout.byte_span / size, name);
     let matrices = [matrix(arrays.x, "x")?, matrix(arrays.y, "y")?, matrix(arrays.z, "z")?];
-    Ok(XyzMatrices::borrowed(shape, layout.row / size, matrices)?)
+    Ok(XyzMatrices::borrowed(shape, layout.row_stride / size, matrices)?)
 }
 
 /// Copies coordinates to the caller's matrices, which may have any alignment.
@@ -168,7 +175,7 @@ fn write_matrices<T: Real>(net: &Net<'_>, arrays: &gusset_net_view, job: &Job<'_
     let (shape, size) = (net.shape(), size_of::<T>());
     let layout = MatrixLayout::new(shape, arrays, size)?;
     for (axis, (to, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
-        let (to, job) = (input::result_buffer::<u8>(to.cast(), layout.span, name)?, job.share(axis, 3));
+        let (to, job) = (input::result_buffer::<u8>(to.cast(), layout.byte_span, name)?, job.sub_job_of_item(axis, 3));
         for i in 0..shape.rows() {
             job.step_every(rows_per_report(shape), i, shape.rows(), "reading a net")?;
             each!(net.coordinates(), planes => {
@@ -211,7 +218,7 @@ pub unsafe extern "C" fn gusset_net_create(
     memory: gusset_net_memory,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| match memory {
+    create_handle(context, net, "net", |job| match memory {
         GUSSET_NET_MEMORY_COPY => create_net_of_view(view, gluing, false, job),
         GUSSET_NET_MEMORY_BORROW => create_net_of_view(view, gluing, true, job),
         other => Err(Failure::unknown_value("memory", other.into())),
@@ -234,11 +241,11 @@ fn create_net_of_view(
         if borrow { borrow_matrices(shape, arrays) } else { copy_matrices(shape, arrays, job) }
     }
     let (arrays, shape) = read_view(view)?;
-    let coordinates = match choice(arrays.scalar)? {
-        Scalar::F32 => Coordinates::F32(read_matrices(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
-        Scalar::F64 => Coordinates::F64(read_matrices(shape, &arrays, borrow, &job.part(0.0, 0.5))?),
+    let coordinates = match read_choice(arrays.scalar)? {
+        Scalar::F32 => Coordinates::F32(read_matrices(shape, &arrays, borrow, &job.sub_job(0.0, 0.5))?),
+        Scalar::F64 => Coordinates::F64(read_matrices(shape, &arrays, borrow, &job.sub_job(0.0, 0.5))?),
     };
-    Ok(gusset_net::new(Net::new(coordinates, read_topology(shape, gluing, &job.part(0.5, 1.0))?)))
+    Ok(gusset_net::new(Net::new(coordinates, read_topology(shape, gluing, &job.sub_job(0.5, 1.0))?)))
 }
 
 fn read_view(view: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
@@ -293,7 +300,7 @@ pub unsafe extern "C" fn gusset_net_edit(
     view: *mut gusset_net_view,
 ) -> gusset_status {
     let out = input::output_struct(view, "view");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let out = out?;
         let net = net_of_handle_mut(net, job)?;
         let mut lent = lend_net(net);
@@ -321,14 +328,14 @@ pub unsafe extern "C" fn gusset_net_read(
     net: *const gusset_net,
     view: *const gusset_net_view,
 ) -> gusset_status {
-    guard(context, |job| {
+    guard_call(context, |job| {
         let net = net_of_handle(net)?;
         let (arrays, shape) = read_view(view)?;
         let (given, needed) = ([shape.rows(), shape.columns()], [net.shape().rows(), net.shape().columns()]);
         if let Some(k) = (0..2).find(|&k| given[k] != needed[k]) {
             return Err(Error::SidesDiffer { a: needed[k] as u32, b: given[k] as u32 }.into());
         }
-        match choice(arrays.scalar)? {
+        match read_choice(arrays.scalar)? {
             Scalar::F32 => write_matrices::<f32>(net, &arrays, job),
             Scalar::F64 => write_matrices::<f64>(net, &arrays, job),
         }

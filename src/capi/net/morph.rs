@@ -1,8 +1,8 @@
 //! Morphs: Interpolates between two nets.
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::c_enum;
-use crate::capi::input::choice;
+use crate::capi::input::read_choice;
 use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status;
 use crate::net::{MorphPath, morph};
@@ -37,7 +37,7 @@ pub unsafe extern "C" fn gusset_net_morph_create(
     path: gusset_morph_path,
     between: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, between, "between", |job| {
-        Ok(gusset_net::new(morph(net_of_handle(first)?, net_of_handle(second)?, t, choice(path)?, job)?))
+    create_handle(context, between, "between", |job| {
+        Ok(gusset_net::new(morph(net_of_handle(first)?, net_of_handle(second)?, t, read_choice(path)?, job)?))
     })
 }

@@ -1,6 +1,6 @@
 //! The handle of a net: Indices of nodes, cells and links.
 
-use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::context::{guard_changing_call, gusset_context};
 use crate::capi::handle::{self, handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
@@ -66,7 +66,7 @@ pub(crate) fn replace_gluing(
     net: *mut gusset_net,
     topology: impl FnOnce(&Net<'_>, &Job<'_>) -> Result<Topology, Failure>,
 ) -> gusset_status {
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let topology = topology(net_of_handle(net)?, job)?;
         net_of_handle_mut(net, job)?.set_topology(topology);
         Ok(())

@@ -1,8 +1,8 @@
 //! Planar cells: Moves nodes until all cells are planar.
 
-use crate::capi::context::{answer_struct, gusset_context};
+use crate::capi::context::{answer_into_struct, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, flag};
+use crate::capi::input::{self, read_flag};
 use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::gusset_status;
 use crate::error::Error;
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn gusset_net_planarise(
     options: *const gusset_planarise_options,
     report: *mut gusset_planarise_report,
 ) -> gusset_status {
-    answer_struct(context, (report, "report"), |job| {
+    answer_into_struct(context, (report, "report"), |job| {
         let given = input::read_versioned_struct(options, true, "options")?;
         let net = net_of_handle_mut(net, job)?;
         let (needed, count) = (net.shape().node_count(), given.fixed_count);
@@ -85,11 +85,11 @@ pub unsafe extern "C" fn gusset_net_planarise(
         }
         let count = if given.fixed.is_null() { count } else { needed };
         let bytes = input::input_bytes(given.fixed.cast(), count, 1, "fixed")?;
-        let fixed: Vec<bool> = alloc::try_collect(bytes.iter().map(|&byte| flag(byte.into(), "fixed")))?;
+        let fixed: Vec<bool> = alloc::try_collect(bytes.iter().map(|&byte| read_flag(byte.into(), "fixed")))?;
         let options = PlanariseOptions {
             tolerance: given.tolerance,
             max_iterations: given.max_iterations,
-            keep_boundary: flag(given.keep_boundary, "keep_boundary")?,
+            keep_boundary: read_flag(given.keep_boundary, "keep_boundary")?,
             fixed: &fixed,
         };
         let done = planarise(net, &options, job)?;

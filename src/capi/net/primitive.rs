@@ -1,8 +1,8 @@
 //! Shapes: Spheres, cylinders, boxes, tori, one-sided surfaces and others.
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
-use crate::capi::input::{self, choice};
+use crate::capi::input::{self, read_choice};
 use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::gusset_net;
 use crate::capi::status::{Failure, gusset_status};
@@ -111,7 +111,7 @@ impl gusset_net_primitive {
             GUSSET_NET_LATHE => Primitive::Lathe { profile },
             GUSSET_NET_TORUS => Primitive::Torus { radius, minor_radius },
             GUSSET_NET_BOX => {
-                Primitive::Cuboid { cuboid: Cuboid { kind: choice(self.box_kind)?, cells: self.cells }, size }
+                Primitive::Cuboid { cuboid: Cuboid { kind: read_choice(self.box_kind)?, cells: self.cells }, size }
             }
             GUSSET_NET_MOEBIUS => Primitive::Moebius { radius, width: size[0] },
             GUSSET_NET_KLEIN => Primitive::Klein { radius, minor_radius },
@@ -136,12 +136,12 @@ pub unsafe extern "C" fn gusset_net_primitive_create(
     primitive: *const gusset_net_primitive,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| {
+    create_handle(context, net, "net", |job| {
         let given = input::read_versioned_struct(primitive, false, "primitive")?;
         let point_count = if given.shape == GUSSET_NET_LATHE { given.profile_count } else { 0 };
         let profile: Vec<[f64; 2]> = input::copy_input_items(given.profile.cast(), point_count, "profile")?;
-        let (primitive, scalar) = (given.read_primitive(&profile)?, choice(given.scalar)?);
+        let (primitive, scalar) = (given.read_primitive(&profile)?, read_choice(given.scalar)?);
         let request = Request { primitive, rows: given.rows, columns: given.columns, scalar };
-        Ok(gusset_net::new(request.net(job)?))
+        Ok(gusset_net::new(request.build_net(job)?))
     })
 }

@@ -1,9 +1,9 @@
 //! Resolutions: Resamples and decimates nets; levels of detail.
 
-use crate::capi::context::{create, create_with_further_outputs, guard_change, gusset_context};
+use crate::capi::context::{create_handle, create_handle_and_outputs, guard_changing_call, gusset_context};
 use crate::capi::glue::c_enum;
 use crate::capi::handle;
-use crate::capi::input::{self, choice};
+use crate::capi::input::{self, read_choice};
 use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
 use crate::capi::status::{Failure, gusset_status};
@@ -44,8 +44,8 @@ pub unsafe extern "C" fn gusset_net_resample_create(
     interpolation: gusset_interpolation,
     resampled: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, resampled, "resampled", |job| {
-        let interpolation = choice(interpolation)?;
+    create_handle(context, resampled, "resampled", |job| {
+        let interpolation = read_choice(interpolation)?;
         Ok(gusset_net::new(resample(net_of_handle(net)?, rows, columns, interpolation, job)?))
     })
 }
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn gusset_net_decimate_create(
         write_indices(&found.columns, columns, "columns")?;
         Ok((gusset_net::new(found.net), (deviation, found.deviation)))
     };
-    create_with_further_outputs(context, decimated, "decimated", decimated_net, |(to, deviation)| {
+    create_handle_and_outputs(context, decimated, "decimated", decimated_net, |(to, deviation)| {
         input::set_optional_output(to, deviation);
     })
 }
@@ -113,10 +113,10 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
     count: *mut usize,
 ) -> gusset_status {
     let (count, slots) = (input::cleared_output(count, 0, "count"), input::handle_buffer(levels, capacity, "levels"));
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (count, slots) = (count?, slots?);
-        let made = pyramid(net_of_handle(net)?, choice(interpolation)?, job)?;
-        let made = alloc::collect(made.into_iter().map(|level| handle::boxed(gusset_net::new(level))))?;
+        let made = pyramid(net_of_handle(net)?, read_choice(interpolation)?, job)?;
+        let made = alloc::collect(made.into_iter().map(|level| handle::box_with_kind(gusset_net::new(level))))?;
         job.finish()?;
         *count = made.len();
         if capacity < made.len() {

@@ -1,8 +1,8 @@
 //! Bridges at rest: Settles bridges under tension, elasticity and stiffness.
 
-use crate::capi::context::{answer_struct, gusset_context};
+use crate::capi::context::{answer_into_struct, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, flag};
+use crate::capi::input::{self, read_flag};
 use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
 use crate::capi::status::gusset_status;
 use crate::net::settle::{SettleOptions, settle};
@@ -97,12 +97,12 @@ pub unsafe extern "C" fn gusset_net_settle(
     options: *const gusset_settle_options,
     report: *mut gusset_settle_report,
 ) -> gusset_status {
-    answer_struct(context, (report, "report"), |job| {
+    answer_into_struct(context, (report, "report"), |job| {
         let given = input::read_versioned_struct(options, true, "options")?;
         // The reference may be the net itself.
         let reference = if given.reference.is_null() { None } else { Some(net_of_handle(given.reference)?.copied()?) };
         let bytes = input::input_bytes(given.free.cast(), given.free_count, 1, "free")?;
-        let free: Vec<bool> = alloc::try_collect(bytes.iter().map(|&byte| flag(byte.into(), "free")))?;
+        let free: Vec<bool> = alloc::try_collect(bytes.iter().map(|&byte| read_flag(byte.into(), "free")))?;
         let options = SettleOptions {
             tolerance: given.tolerance,
             max_iterations: given.max_iterations,

@@ -1,8 +1,8 @@
 //! Affine maps: Moves, rotates and scales nets.
 
-use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::context::{guard_changing_call, gusset_context};
 use crate::capi::glue::{c_enum, fixed};
-use crate::capi::input::{self, choice};
+use crate::capi::input::{self, read_choice};
 use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::transform::{Affine, Axis, RotationSense, transform};
@@ -79,7 +79,7 @@ impl gusset_operation {
                 Affine::rotation(first_three_numbers(v), v[3], first_three_numbers(&v[4..]), RotationSense::AsPrinted)?
             }
             GUSSET_OPERATION_SCALE => Affine::scaling(v[0])?,
-            GUSSET_OPERATION_COMPRESS => Affine::compression(choice(self.axis)?, v[0])?,
+            GUSSET_OPERATION_COMPRESS => Affine::compression(read_choice(self.axis)?, v[0])?,
             GUSSET_OPERATION_STRETCH => Affine::stretching(first_three_numbers(v))?,
             GUSSET_OPERATION_MATRIX => affine_from_numbers(v)?,
             other => return Err(Failure::unknown_value("kind", other.into())),
@@ -116,7 +116,7 @@ pub unsafe extern "C" fn gusset_net_transform(
     operations: *const gusset_operation,
     count: usize,
 ) -> gusset_status {
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let affine = compose_operations(operations, count)?;
         Ok(transform(net_of_handle_mut(net, job)?, &affine, job)?)
     })

@@ -1,6 +1,6 @@
 //! Validation: Checks coordinates against the gluing.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{Choice, lend_list};
@@ -85,16 +85,16 @@ pub unsafe extern "C" fn gusset_net_validation_create(
     tolerance: f64,
     validation: *mut *mut gusset_net_validation,
 ) -> gusset_status {
-    create(context, validation, "validation", |job| {
+    create_handle(context, validation, "validation", |job| {
         let finding = |ValidationFinding { kind, element, nodes, distance }| gusset_net_finding {
             kind: kind.number(),
             element,
             nodes,
             distance,
         };
-        let findings = net_of_handle(net)?.validate(tolerance, &job.part(0.0, 0.9))?;
+        let findings = net_of_handle(net)?.validate(tolerance, &job.sub_job(0.0, 0.9))?;
         let findings = findings.into_iter().map(finding);
-        Ok(gusset_net_validation(alloc::collect_cancellable(findings, &job.part(0.9, 1.0), "findings")?))
+        Ok(gusset_net_validation(alloc::collect_cancellable(findings, &job.sub_job(0.9, 1.0), "findings")?))
     })
 }
 

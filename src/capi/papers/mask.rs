@@ -3,15 +3,17 @@
 //! @source V. Leus (see the README).
 
 use crate::attributes::Domain;
-use crate::capi::context::{answer_struct, guard_change, gusset_context};
+use crate::capi::context::{answer_into_struct, guard_changing_call, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, choice, fill_buffer};
+use crate::capi::input::{self, fill_buffer, read_choice};
 use crate::capi::mesh::origins::gusset_domain;
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::{gusset_sheet, sheet_of_handle};
 use crate::job::Job;
 use crate::surface::Sheet;
-use crate::surface::reference::{CellGridShape, CellMask, Diameters, chain, euler_characteristic, integer_diameter};
+use crate::surface::reference::{
+    CellGridShape, CellMask, Diameters, euler_characteristic, integer_diameter, shortest_chain,
+};
 
 /// Measures of a region of cells.
 #[repr(C)]
@@ -76,10 +78,10 @@ pub unsafe extern "C" fn gusset_sheet_mask_chain(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::cleared_output(written, 0, "written");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (written, region) = (written?, read_region(sheet_of_handle(sheet)?, words, count)?);
         let [from, to] = [read_cell(from, "from")?, read_cell(to, "to")?];
-        let found = chain(&region, from, to, job)?.unwrap_or_default();
+        let found = shortest_chain(&region, from, to, job)?.unwrap_or_default();
         write_pairs((cells, capacity, "cells"), (found.len(), found.into_iter()), written, job)
     })
 }
@@ -98,12 +100,12 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
     count: usize,
     report: *mut gusset_mask_report,
 ) -> gusset_status {
-    answer_struct(context, (report, "report"), |job| {
+    answer_into_struct(context, (report, "report"), |job| {
         let sheet = sheet_of_handle(sheet)?;
         let region = read_region(sheet, words, count)?;
-        let sizes = Diameters::new(sheet, &job.part(0.0, 0.4))?.euclidean;
-        let euler = euler_characteristic(&region, &job.part(0.4, 0.5))?;
-        let integer = integer_diameter(&region, &job.part(0.5, 1.0))?;
+        let sizes = Diameters::new(sheet, &job.sub_job(0.0, 0.4))?.euclidean;
+        let euler = euler_characteristic(&region, &job.sub_job(0.4, 0.5))?;
+        let integer = integer_diameter(&region, &job.sub_job(0.5, 1.0))?;
         Ok(gusset_mask_report {
             struct_size: 0,
             cells: region.count() as u64,
@@ -138,10 +140,10 @@ pub unsafe extern "C" fn gusset_sheet_mask_elements(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::cleared_output(written, 0, "written");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (written, region, out) =
             (written?, read_region(sheet_of_handle(sheet)?, words, count)?, (elements, capacity, "elements"));
-        match choice(domain)? {
+        match read_choice(domain)? {
             Domain::Faces => write_pairs(out, (region.count(), region.cells()), written, job),
             Domain::Vertices | Domain::Corners => {
                 write_pairs(out, (region.nodes().count(), region.nodes()), written, job)

@@ -2,11 +2,11 @@
 //!
 //! @source V. Leus (see the README).
 
-use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::context::{guard_changing_call, gusset_context};
 use crate::capi::curve::{gusset_curve, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
-use crate::capi::input::{self, flag};
+use crate::capi::input::{self, read_flag};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::evaluate::read_surface_places;
 use crate::capi::surface::sheet::{gusset_sheet, sheet_of_handle};
@@ -106,12 +106,12 @@ versioned! { gusset_reference_task: 104, gusset_reference_report: 56 }
 
 impl gusset_reference_task {
     fn search_options(&self) -> Result<SearchOptions, Failure> {
-        let nearest = flag(self.find_nearest, "find_nearest")?;
+        let nearest = read_flag(self.find_nearest, "find_nearest")?;
         Ok(SearchOptions {
             goal: if nearest { SearchGoal::Least } else { SearchGoal::Within(self.within) },
-            sum: if flag(self.by_rings, "by_rings")? { CellBoundSum::Rings } else { CellBoundSum::Greatest },
-            by_rows: flag(self.by_rows, "by_rows")?,
-            drop_lines: !flag(self.keep_lines, "keep_lines")?,
+            sum: if read_flag(self.by_rings, "by_rings")? { CellBoundSum::Rings } else { CellBoundSum::Greatest },
+            by_rows: read_flag(self.by_rows, "by_rows")?,
+            drop_lines: !read_flag(self.keep_lines, "keep_lines")?,
         })
     }
 
@@ -132,7 +132,7 @@ impl gusset_reference_task {
     }
 
     fn angle_target(&self) -> Result<AngleTarget, Failure> {
-        let unsigned = flag(self.unsigned_normals, "unsigned_normals")?;
+        let unsigned = read_flag(self.unsigned_normals, "unsigned_normals")?;
         Ok(AngleTarget { direction: DVec3::from_array(self.direction), angle: self.angle, unsigned })
     }
 
@@ -141,14 +141,14 @@ impl gusset_reference_task {
         let Some(figure) = self.distance_figure()? else {
             return self.search_angle_incidence(sheet, target, &options, job);
         };
-        let diameters = Diameters::new(sheet, &job.part(0.0, 0.5))?;
-        Ok(find_cells_near_figure(sheet, &diameters, figure, &options, &job.part(0.5, 1.0))?)
+        let diameters = Diameters::new(sheet, &job.sub_job(0.0, 0.5))?;
+        Ok(find_cells_near_figure(sheet, &diameters, figure, &options, &job.sub_job(0.5, 1.0))?)
     }
 
     fn search_curve(&self, curve: &CurveView<'_>, parts: usize, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
         let (options, target, figure) = (self.search_options()?, self.angle_target()?, self.distance_figure()?);
-        let arcs = CurveArcs::new(curve, parts, &job.part(0.0, 0.5))?;
-        let job = job.part(0.5, 1.0);
+        let arcs = CurveArcs::new(curve, parts, &job.sub_job(0.0, 0.5))?;
+        let job = job.sub_job(0.5, 1.0);
         Ok(match figure {
             Some(figure) => arcs.find_arcs_near_figure(figure, &options, &job)?,
             None => arcs.find_cells_with_angle(target, &options, &job)?,
@@ -162,13 +162,13 @@ impl gusset_reference_task {
         options: &SearchOptions,
         job: &Job<'_>,
     ) -> Result<SearchOutcome, Failure> {
-        let (first, second) = (job.part(0.0, 0.3), job.part(0.3, 0.6));
+        let (first, second) = (job.sub_job(0.0, 0.3), job.sub_job(0.3, 0.6));
         let variation = if self.curvature == 0.0 {
             normal_variation_by_cones(sheet, &second)?
         } else {
             normal_variation_by_curvature(sheet, &Diameters::new(sheet, &first)?, self.curvature, &second)?
         };
-        Ok(find_cells_with_angle(sheet, &variation, target, options, &job.part(0.6, 1.0))?)
+        Ok(find_cells_with_angle(sheet, &variation, target, options, &job.sub_job(0.6, 1.0))?)
     }
 }
 
@@ -209,12 +209,12 @@ fn run_and_write_search(
     let written = input::cleared_output(written, 0, "written");
     let buffer = input::cleared_result_buffer(words, if words.is_null() { 0 } else { capacity }, "words");
     let report = if report.is_null() { Ok(None) } else { input::output_struct(report, "report").map(Some) };
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (written, report, task) = (written?, report?, input::read_versioned_struct(task, false, "task")?);
         buffer?;
         let found = search(&task, job)?;
         input::copy_to_buffer((words, capacity, "words"), found.possible_cells.words(), written, job)?;
-        let ([row, column], min_distance) = found.least;
+        let ([row, column], min_distance) = found.nearest_node_and_distance;
         if let Some(report) = report {
             report.write_known_fields(gusset_reference_report {
                 struct_size: 0,
@@ -281,7 +281,7 @@ pub unsafe extern "C" fn gusset_sheet_normals_by_sections(
     normals: *mut f64,
 ) -> gusset_status {
     let out = input::cleared_result_buffer(normals.cast::<[f64; 3]>(), count, "normals");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (out, sheet, places) = (out?, sheet_of_handle(sheet)?, read_surface_places(places, count)?);
         let done = normals_at(sheet, &places, out, job).and_then(|()| Ok(job.finish()?));
         done.inspect_err(|_| out.fill([0.0; 3]))

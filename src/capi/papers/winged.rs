@@ -2,10 +2,10 @@
 //!
 //! @source Nesterenko, equations 1 to 3, after Baumgart.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::{c_enum, laid_out_like, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, lend_list};
+use crate::capi::input::{self, lend_list, read_choice};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::error::Error;
@@ -147,12 +147,12 @@ pub unsafe extern "C" fn gusset_winged_create(
     options: *const gusset_winged_options,
     winged: *mut *mut gusset_winged,
 ) -> gusset_status {
-    create(context, winged, "winged", |job| {
-        let winding = choice(input::read_versioned_struct(options, true, "options")?.winding)?;
-        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+    create_handle(context, winged, "winged", |job| {
+        let winding = read_choice(input::read_versioned_struct(options, true, "options")?.winding)?;
+        let given_mesh = mesh::read_numbered_mesh(mesh, 0, &job.sub_job(0.0, 0.2))?;
         let mesh = given_mesh.mesh_view();
-        let tables = WingedEdges::new(&mesh, winding, &job.part(0.2, 0.9))?;
-        let loops = free_loops(&tables, &job.part(0.9, 1.0))?;
+        let tables = WingedEdges::new(&mesh, winding, &job.sub_job(0.2, 0.9))?;
+        let loops = free_loops(&tables, &job.sub_job(0.9, 1.0))?;
         Ok(gusset_winged { tables, loops })
     })
 }
@@ -208,8 +208,8 @@ pub unsafe extern "C" fn gusset_winged_faces_create(
     options: *const gusset_winged_options,
     faces: *mut *mut gusset_winged_faces,
 ) -> gusset_status {
-    create(context, faces, "faces", |job| {
-        let winding = choice(input::read_versioned_struct(options, true, "options")?.winding)?;
+    create_handle(context, faces, "faces", |job| {
+        let winding = read_choice(input::read_versioned_struct(options, true, "options")?.winding)?;
         Error::check_count("edges", edge_count as u64, MAX_ELEMENTS)?;
         let edges: Vec<WingedEdge> = input::copy_input_items(edges.cast(), edge_count, "edges")?;
         let first_edges = mesh::read_indices(first_edges, "first_edges")?;

@@ -12,7 +12,7 @@ use crate::attributes::Origins;
 use crate::capi::context::lend;
 use crate::capi::guard::catch_panic;
 use crate::capi::host::{CallWatch, HostProgress};
-use crate::capi::input::{self, choice, lend_list};
+use crate::capi::input::{self, lend_list, read_choice};
 use crate::capi::mesh::attributes::{carry_over_channel, gusset_channel};
 use crate::capi::status::{self, Failure};
 use crate::job::Job;
@@ -45,7 +45,7 @@ unsafe extern "C" fn output_origins(
 ) -> i32 {
     let status = lend!(outputs, origins, |outputs| {
         let of = origins_of_output(outputs.held_output(index)?, index)?;
-        let domain = choice(domain)?;
+        let domain = read_choice(domain)?;
         let (table, starts) = (of.table(domain), of.first_sources_of_inputs(domain));
         gusset_plugin_origins {
             struct_size: 0,

@@ -6,7 +6,7 @@ use super::descriptor::{
 use super::outcome::RunFault;
 use crate::capi::glue::laid_out_like;
 use crate::capi::host::HostCallbacks;
-use crate::capi::input::{self, choice};
+use crate::capi::input::{self, read_choice};
 use crate::capi::mesh::{self, GUSSET_F32, GUSSET_F64, GivenMesh, gusset_mesh_view};
 use crate::capi::status::Failure;
 use crate::error::{Element, Error};
@@ -51,7 +51,7 @@ pub(super) fn read_inputs<'a>(
     filter.check_input_count(count as usize)?;
     let given = input::struct_pointers(given, count as usize, "inputs")?;
     alloc::try_collect(given.enumerate().map(|(k, one)| {
-        let part = job.share(k, count as usize);
+        let part = job.sub_job_of_item(k, count as usize);
         one.map_err(RunFault::from)
             .and_then(|one| read_input(filter, one, k, &part))
             .map_err(|fault| fault.with_input(k as u32))
@@ -65,7 +65,7 @@ fn read_input<'a>(
     job: &Job<'_>,
 ) -> Result<GivenInput<'a>, RunFault> {
     let given = input::read_versioned_struct(given, false, "inputs")?;
-    let kind = choice(given.kind)?;
+    let kind = read_choice(given.kind)?;
     filter.check_input_kind(place, kind)?;
     Ok(match kind {
         InputKind::Mesh => GivenInput::Mesh(mesh::read_and_validate_mesh(given.view.cast(), "view", job)?),
@@ -75,7 +75,7 @@ fn read_input<'a>(
 
 fn read_curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Failure> {
     let view = input::read_versioned_struct(view, false, "view")?;
-    let scalar = choice(view.scalar)?;
+    let scalar = read_choice(view.scalar)?;
     Error::check_count("points", view.point_count as u64, MAX_ELEMENTS)?;
     Error::check_count("curves", view.curve_count as u64, MAX_ELEMENTS)?;
     let size = Positions::bytes_needed(view.point_stride, view.point_count, scalar)?;

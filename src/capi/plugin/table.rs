@@ -209,13 +209,13 @@ unsafe extern "C" fn run_filter(
         let job = Job::new(threads, &host);
         // Before reading the inputs, so that a host that has cancelled does not wait.
         job.step(0.0, "reading inputs")?;
-        let given = inputs::read_inputs(filter, given, input_count, &job.part(0.0, 0.05))?;
+        let given = inputs::read_inputs(filter, given, input_count, &job.sub_job(0.0, 0.05))?;
         let given: Vec<Input<'_>> = given.iter().map(GivenInput::as_filter_input).collect();
         // Read at most as many values as the filter has.
         filter.check_value_count(value_count as usize)?;
         let values = input::copy_input_items(values, value_count as usize, "values")?;
-        let outputs = run_and_locate_fault(filter, &given, &values, traced, &job.part(0.05, 1.0))?;
-        let outputs = handle::boxed(gusset_outputs::from_outputs(outputs)?);
+        let outputs = run_and_locate_fault(filter, &given, &values, traced, &job.sub_job(0.05, 1.0))?;
+        let outputs = handle::box_with_kind(gusset_outputs::from_outputs(outputs)?);
         job.finish()?;
         Ok(outputs)
     });
@@ -226,7 +226,9 @@ unsafe extern "C" fn run_filter(
         }
         Err(fault) => {
             let status = fault.failure.status as i32;
-            if let Ok(failed) = catch_panic(|| Ok::<_, Failure>(handle::boxed(gusset_outputs::from_fault(fault)))) {
+            if let Ok(failed) =
+                catch_panic(|| Ok::<_, Failure>(handle::box_with_kind(gusset_outputs::from_fault(fault))))
+            {
                 *slot = handle::into_handle(failed);
             }
             status

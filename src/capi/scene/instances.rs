@@ -1,8 +1,8 @@
 //! Visible nets of a scene: Lists instances, and joins their nets into one.
 
-use crate::capi::context::{create, guard_change, gusset_context};
+use crate::capi::context::{create_handle, guard_changing_call, gusset_context};
 use crate::capi::glue::fixed;
-use crate::capi::input::{self, choice, fill_buffer};
+use crate::capi::input::{self, fill_buffer, read_choice};
 use crate::capi::net::arrange::gusset_direction;
 use crate::capi::net::join::gusset_concatenate_options;
 use crate::capi::net::{gusset_net, net_of_handle};
@@ -47,7 +47,7 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::cleared_output(written, 0, "written");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let written = written?;
         let scene = self::scene_of_handle(scene)?;
         fill_buffer((instances, capacity, "instances"), scene.instance_count()?, written, job, || {
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
     options: *const gusset_concatenate_options,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| {
+    create_handle(context, net, "net", |job| {
         let options = if options.is_null() {
             JoinOptions { mode: BridgeMode::Hide, ..JoinOptions::new(Direction::Down) }
         } else {
@@ -100,7 +100,7 @@ pub unsafe extern "C" fn gusset_scene_unflatten_create(
     direction: gusset_direction,
     scene: *mut *mut gusset_scene,
 ) -> gusset_status {
-    create(context, scene, "scene", |job| {
-        Ok(gusset_scene(Scene::from_flat_net(net_of_handle(net)?, choice(direction)?, job)?))
+    create_handle(context, scene, "scene", |job| {
+        Ok(gusset_scene(Scene::from_flat_net(net_of_handle(net)?, read_choice(direction)?, job)?))
     })
 }

@@ -4,7 +4,7 @@
 
 pub mod instances;
 
-use crate::capi::context::{create, guard_change, gusset_context, lend};
+use crate::capi::context::{create_handle, guard_changing_call, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::input;
@@ -92,7 +92,7 @@ pub unsafe extern "C" fn gusset_scene_create(
     context: *const gusset_context,
     scene: *mut *mut gusset_scene,
 ) -> gusset_status {
-    create(context, scene, "scene", |_| Ok(gusset_scene(Scene::new())))
+    create_handle(context, scene, "scene", |_| Ok(gusset_scene(Scene::new())))
 }
 
 /// Destroys a scene.
@@ -116,7 +116,7 @@ pub unsafe extern "C" fn gusset_scene_add(
     entry: *mut u32,
 ) -> gusset_status {
     let entry = input::cleared_output(entry, u32::MAX, "entry");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (entry, net) = (entry?, share_net_of_handle(net)?);
         let scene = scene_of_handle_mut(scene, job)?;
         *entry = match net {
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn gusset_scene_add_child(
     group: u32,
     child: u32,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(scene_of_handle_mut(scene, job)?.add_child(group, child)?))
+    guard_changing_call(context, |job| Ok(scene_of_handle_mut(scene, job)?.add_child(group, child)?))
 }
 
 /// Removes the first occurrence of an entry from a group.
@@ -159,7 +159,7 @@ pub unsafe extern "C" fn gusset_scene_remove_child(
     group: u32,
     child: u32,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(scene_of_handle_mut(scene, job)?.remove_child(group, child)?))
+    guard_changing_call(context, |job| Ok(scene_of_handle_mut(scene, job)?.remove_child(group, child)?))
 }
 
 /// Removes an entry from the scene and its groups; its children stay.
@@ -174,7 +174,7 @@ pub unsafe extern "C" fn gusset_scene_remove(
     scene: *mut gusset_scene,
     entry: u32,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(scene_of_handle_mut(scene, job)?.remove(entry)?))
+    guard_changing_call(context, |job| Ok(scene_of_handle_mut(scene, job)?.remove(entry)?))
 }
 
 /// Change of visibility.
@@ -217,7 +217,7 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
     entry: u32,
     changes: *const gusset_scene_changes,
 ) -> gusset_status {
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let given = input::read_versioned_struct(changes, false, "changes")?;
         let transform = (!given.transform.is_null()).then(|| input::checked_reference(given.transform, "transform"));
         let changes = EntryChanges {
@@ -274,7 +274,9 @@ pub unsafe extern "C" fn gusset_scene_net_create(
     entry: u32,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::from_shared(self::scene_of_handle(scene)?.net(entry)?.clone())))
+    create_handle(context, net, "net", |_| {
+        Ok(gusset_net::from_shared(self::scene_of_handle(scene)?.net(entry)?.clone()))
+    })
 }
 
 /// Writes the entries of a group, in order.
@@ -295,7 +297,7 @@ pub unsafe extern "C" fn gusset_scene_get_children(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::cleared_output(written, 0, "written");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let written = written?;
         input::copy_to_buffer(
             (children, capacity, "children"),

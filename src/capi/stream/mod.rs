@@ -1,9 +1,9 @@
 //! Streams: Encodes nets as bytes, and decodes them.
 
-use crate::capi::context::{answer_struct, create, guard_change, gusset_context, lend};
+use crate::capi::context::{answer_into_struct, create_handle, guard_changing_call, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, Choice, flag, lend_list};
+use crate::capi::input::{self, Choice, lend_list, read_flag};
 use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
@@ -123,7 +123,7 @@ impl gusset_stream_options {
             }
             (other, _) => return Err(Failure::unknown_value("mode", other.into())),
         };
-        let per_axis = flag(self.per_axis, "per_axis")?;
+        let per_axis = read_flag(self.per_axis, "per_axis")?;
         if per_axis && !matches!(mode, StreamMode::Quantised { .. }) {
             return Err(Failure::unknown_value("per_axis", self.per_axis.into()));
         }
@@ -162,7 +162,7 @@ pub unsafe extern "C" fn gusset_net_encode_create(
     options: *const gusset_stream_options,
     stream: *mut *mut gusset_stream,
 ) -> gusset_status {
-    create(context, stream, "stream", |job| {
+    create_handle(context, stream, "stream", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         Ok(gusset_stream(encode(net_of_handle(net)?, &options, job)?))
     })
@@ -202,7 +202,7 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     size: usize,
     report: *mut gusset_stream_report,
 ) -> gusset_status {
-    answer_struct(context, (report, "report"), |_| {
+    answer_into_struct(context, (report, "report"), |_| {
         let info = StreamInfo::read(input::input_bytes(data, size, 1, "data")?)?;
         let (mode, bits) = match info.mode {
             StreamMode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
@@ -243,7 +243,7 @@ pub unsafe extern "C" fn gusset_net_decode_create(
     node_limit: u64,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| {
+    create_handle(context, net, "net", |job| {
         let data = input::input_bytes(data, size, 1, "data")?;
         let limit = if node_limit == 0 { u64::MAX } else { node_limit };
         Ok(gusset_net::new(decode_within(data, limit, job)?))
@@ -261,7 +261,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
     node_limit: u64,
     decoder: *mut *mut gusset_stream_decoder,
 ) -> gusset_status {
-    create(context, decoder, "decoder", |_| {
+    create_handle(context, decoder, "decoder", |_| {
         let limit = if node_limit == 0 { MAX_NODES } else { node_limit };
         Ok(gusset_stream_decoder(StreamDecoder::new(limit)))
     })
@@ -287,7 +287,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     rows_done: *mut usize,
 ) -> gusset_status {
     let rows_done = input::cleared_optional_output(rows_done, 0, "rows_done");
-    guard_change(context, |_| {
+    guard_changing_call(context, |_| {
         let rows_done = rows_done?;
         let decoder = handle::get_object_mut(decoder, "decoder")?;
         input::set_optional_output(rows_done, decoder.0.decode_next_bytes(input::input_bytes(data, size, 1, "data")?)?);
@@ -306,7 +306,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
     decoder: *const gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| {
+    create_handle(context, net, "net", |job| {
         Ok(gusset_net::new(handle::get_object(decoder, "decoder")?.0.net_of_complete_rows(job)?))
     })
 }
@@ -323,10 +323,10 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
     net: *mut *mut gusset_net,
 ) -> gusset_status {
     let slot = input::cleared_output(net, ptr::null_mut(), "net");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (slot, decoder) = (slot?, handle::get_object_mut(decoder, "decoder")?);
         job.finish()?;
-        *slot = handle::into_handle(handle::boxed(gusset_net::new(decoder.0.finish()?)));
+        *slot = handle::into_handle(handle::box_with_kind(gusset_net::new(decoder.0.finish()?)));
         Ok(())
     })
 }

@@ -1,6 +1,6 @@
 //! Cells: Pairs of near cells, and cells of a region.
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list};
@@ -84,9 +84,10 @@ pub unsafe extern "C" fn gusset_surface_region_create(
     radius: f64,
     cells: *mut *mut gusset_surface_cells,
 ) -> gusset_status {
-    create(context, cells, "cells", |job| {
+    create_handle(context, cells, "cells", |job| {
         let (surface, query) = (surface_of_handle(surface)?, input::read_vector(query, "query")?);
-        let CellsInBall { cells, whole, mask, first } = surface.cells_in_ball(query, radius, job)?;
+        let CellsInBall { cells, is_whole_cell_inside: whole, mask, first_bit_of_sheet: first } =
+            surface.cells_in_ball(query, radius, job)?;
         let cell = |[sheet, row, column]: [u32; 3]| gusset_surface_cell { sheet, row, column };
         Ok(gusset_surface_cells {
             cells: alloc::collect(cells.into_iter().map(cell))?,
@@ -114,7 +115,7 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
     within: f64,
     cells: *mut *mut gusset_surface_cells,
 ) -> gusset_status {
-    create(context, cells, "cells", |job| {
+    create_handle(context, cells, "cells", |job| {
         let found =
             surface_of_handle(surface)?.candidate_cell_pairs(&handle::get_object(other, "other")?.0, within, job)?;
         let part = |which: usize| {

@@ -1,8 +1,8 @@
 //! Sections: Sections by planes, contours, isophotes and silhouettes.
 
-use crate::capi::context::{answer_struct, create, gusset_context};
+use crate::capi::context::{answer_into_struct, create_handle, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, flag};
+use crate::capi::input::{self, read_flag};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, surface_of_handle};
 use crate::surface::contour::{Planes, PointSpacing};
@@ -140,7 +140,7 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
     options: *const gusset_contour_options,
     paths: *mut *mut gusset_surface_paths,
 ) -> gusset_status {
-    create(context, paths, "paths", |job| {
+    create_handle(context, paths, "paths", |job| {
         let (surface, options) = (surface_of_handle(surface)?, input::read_versioned_struct(options, true, "options")?);
         let between = to_point_spacing(options.spacing, options.chord, options.points)?;
         let (function, levels) = (
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
             input::copy_input_items(levels, count, "levels")?,
         );
         let [point, direction] = [function.point, function.direction].map(DVec3::from_array);
-        let unsigned = flag(function.unsigned_normals, "unsigned_normals")?;
+        let unsigned = read_flag(function.unsigned_normals, "unsigned_normals")?;
         let found = match function.kind {
             GUSSET_CONTOUR_HEIGHT => {
                 surface.section(&Planes { point, normal: direction, levels: &levels }, between, job)?
@@ -182,8 +182,8 @@ pub unsafe extern "C" fn gusset_surface_nearest_angle(
     unsigned_normals: u32,
     report: *mut gusset_nearest_angle_report,
 ) -> gusset_status {
-    answer_struct(context, (report, "report"), |job| {
-        let (surface, unsigned) = (surface_of_handle(surface)?, flag(unsigned_normals, "unsigned_normals")?);
+    answer_into_struct(context, (report, "report"), |job| {
+        let (surface, unsigned) = (surface_of_handle(surface)?, read_flag(unsigned_normals, "unsigned_normals")?);
         let direction = input::read_vector(direction, "direction")?;
         let none = gusset_nearest_angle_report { deviation: f64::INFINITY, ..Default::default() };
         Ok(surface.nearest_angle(direction, angle, unsigned, job)?.map_or(none, |found| gusset_nearest_angle_report {

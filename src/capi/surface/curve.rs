@@ -1,10 +1,10 @@
 //! Curves and surfaces: Curves through points, along sheets, and near lines.
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::curve::intersect::gusset_places;
 use crate::capi::curve::{gusset_curve, read_points, view_of_curve};
 use crate::capi::handle;
-use crate::capi::input::{choice, flag};
+use crate::capi::input::{read_choice, read_flag};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::line_intersection::{gusset_line, read_lines};
 use crate::capi::surface::sheet::{gusset_scheme, gusset_sheet};
@@ -35,8 +35,8 @@ pub unsafe extern "C" fn gusset_curve_through_create(
     scheme: gusset_scheme,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, curve, "curve", |job| {
-        let (scheme, closed) = (choice(scheme)?, flag(closed, "closed")?);
+    create_handle(context, curve, "curve", |job| {
+        let (scheme, closed) = (read_choice(scheme)?, read_flag(closed, "closed")?);
         Ok(gusset_curve(curve_through(&read_points(nodes, count, 3)?, closed, scheme, job)?))
     })
 }
@@ -55,7 +55,7 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
     parameter: f64,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, curve, "curve", |job| {
+    create_handle(context, curve, "curve", |job| {
         let sheet = &handle::get_object(sheet, "sheet")?.0;
         Ok(gusset_curve(match along {
             GUSSET_ALONG_ROWS => sheet.row_curve(parameter, job)?,
@@ -83,9 +83,9 @@ pub unsafe extern "C" fn gusset_curve_intersect_line_create(
     within: f64,
     places: *mut *mut gusset_places,
 ) -> gusset_status {
-    create(context, places, "places", |job| {
+    create_handle(context, places, "places", |job| {
         let (curve, line) = (view_of_curve(curve, "curve")?, read_lines(line, 1)?[0]);
-        let found = line.intersections_or_near_misses(&curve, within, &job.part(0.0, 0.9))?;
-        gusset_places::from_near_misses(&found, &curve, &job.part(0.9, 1.0))
+        let found = line.intersections_or_near_misses(&curve, within, &job.sub_job(0.0, 0.9))?;
+        gusset_places::from_near_misses(&found, &curve, &job.sub_job(0.9, 1.0))
     })
 }

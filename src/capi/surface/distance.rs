@@ -1,6 +1,6 @@
 //! Distances: Nearest points of a surface and a line, plane, curve or surface.
 
-use crate::capi::context::{answer_struct, gusset_context};
+use crate::capi::context::{answer_into_struct, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn gusset_surface_distance(
     tolerance: f64,
     report: *mut gusset_distance_report,
 ) -> gusset_status {
-    answer_struct(context, (report, "report"), |job| {
+    answer_into_struct(context, (report, "report"), |job| {
         let (surface, target) = (surface_of_handle(surface)?, input::read_versioned_struct(target, false, "target")?);
         let tolerance = (tolerance != 0.0).then_some(tolerance);
         let field = |failure: Failure| failure.with_field("target");

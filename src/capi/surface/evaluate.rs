@@ -1,6 +1,6 @@
 //! Points: Points, normals and curvatures at places of a surface.
 
-use crate::capi::context::{guard_change, gusset_context};
+use crate::capi::context::{guard_changing_call, gusset_context};
 use crate::capi::curve::checked_product;
 use crate::capi::glue::{c_enum, fixed};
 use crate::capi::input::{self, Choice};
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     results: *mut gusset_surface_point,
 ) -> gusset_status {
     let results = input::cleared_result_buffer(results, count, "results");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (results, surface, places) = (results?, surface_of_handle(surface)?, read_surface_places(places, count)?);
         let found = surface.evaluate(&places, job)?;
         job.finish()?;
@@ -140,7 +140,7 @@ pub unsafe extern "C" fn gusset_surface_locate(
     places: *mut gusset_surface_place,
 ) -> gusset_status {
     let places = input::cleared_result_buffer(places, count, "places");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (places, surface) = (places?, surface_of_handle(surface)?);
         let bytes = input::input_bytes(parameters.cast(), checked_product(count, 2, "parameters")?, 8, "parameters")?;
         let mut found = alloc::with_capacity(count)?;

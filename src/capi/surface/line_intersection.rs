@@ -1,10 +1,10 @@
 //! Lines: Hits of lines and curves on a surface.
 
-use crate::capi::context::{create, guard_change, gusset_context, lend};
+use crate::capi::context::{create_handle, guard_changing_call, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, lend_list};
+use crate::capi::input::{self, lend_list, read_choice};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
 use crate::curve::Place;
@@ -153,15 +153,15 @@ pub unsafe extern "C" fn gusset_surface_hits_create(
     selection: gusset_hit_selection,
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
-    create(context, hits, "hits", |job| {
-        let (surface, selection) = (surface_of_handle(surface)?, choice(selection)?);
+    create_handle(context, hits, "hits", |job| {
+        let (surface, selection) = (surface_of_handle(surface)?, read_choice(selection)?);
         let split = if curve.is_null() { 1.0 } else { 0.5 };
         let Lines { mut ends, hits } =
-            surface.lines(&self::read_lines(lines, count)?, selection, &job.part(0.0, split))?;
+            surface.lines(&self::read_lines(lines, count)?, selection, &job.sub_job(0.0, split))?;
         let mut hits = alloc::collect(hits.iter().map(gusset_surface_hit::from))?;
         let mut on_curve = Vec::new();
         if !curve.is_null() {
-            let found = surface.curve(&view_of_curve(curve, "curve")?, selection, &job.part(split, 1.0))?;
+            let found = surface.curve(&view_of_curve(curve, "curve")?, selection, &job.sub_job(split, 1.0))?;
             let number = |place: Place| f64::from(place.segment) + place.t;
             let hit = |&CurveHit { at, span, place, point, normal, tangent, multiplicity }: &CurveHit| {
                 (&Hit { at: number(at), span: span.map(number), place, point, normal, tangent, multiplicity }).into()
@@ -190,7 +190,7 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
     hits: *mut gusset_surface_hit,
 ) -> gusset_status {
     let out = input::cleared_result_buffer(hits, count, "hits");
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (out, surface) = (out?, surface_of_handle(surface)?);
         let found = surface.first_hits(&self::read_lines(lines, count)?, job)?;
         job.finish()?;

@@ -16,10 +16,10 @@ pub mod sheet_mesh;
 pub mod cells;
 pub mod curve;
 
-use crate::capi::context::{create, gusset_context, lend};
+use crate::capi::context::{create_handle, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, Choice, flag, lend_list};
+use crate::capi::input::{self, Choice, lend_list, read_flag};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::gusset_sheet;
@@ -254,15 +254,15 @@ pub unsafe extern "C" fn gusset_surface_create(
     options: *const gusset_surface_options,
     surface: *mut *mut gusset_surface,
 ) -> gusset_status {
-    create(context, surface, "surface", |job| {
+    create_handle(context, surface, "surface", |job| {
         let options = input::read_versioned_struct(options, true, "options")?;
         let given = self::sheets_of_handles(sheets, count)?;
         let tolerance = if options.tolerance == 0.0 { None } else { Some(options.tolerance) };
-        let with_cones = flag(options.cones, "cones")?;
+        let with_cones = read_flag(options.cones, "cones")?;
         let split = if with_cones { 0.8 } else { 1.0 };
-        let made = Surface::new(given, tolerance, &job.part(0.0, split))?;
+        let made = Surface::new(given, tolerance, &job.sub_job(0.0, split))?;
         if with_cones {
-            made.build_cones(&job.part(split, 1.0))?;
+            made.build_cones(&job.sub_job(split, 1.0))?;
         }
         let sheets = gusset_surface_sheet::views_of_sheets(&made)?;
         Ok(gusset_surface(made, sheets))

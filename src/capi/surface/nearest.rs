@@ -1,6 +1,6 @@
 //! Nearest points: Nearest points and local minima of the distance.
 
-use crate::capi::context::{create, guard_change, gusset_context, lend};
+use crate::capi::context::{create_handle, guard_changing_call, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list};
@@ -138,7 +138,7 @@ pub unsafe extern "C" fn gusset_surface_nearest(
 ) -> gusset_status {
     let mut out = input::result_buffer(points, count, "points");
     out.iter_mut().for_each(|out| out.fill(None.into()));
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (out, limit) = (out?, input::read_versioned_struct(options, true, "options")?.limit_or_infinity());
         let surface = surface_of_handle(surface)?;
         Error::check_count("queries", count as u64, u32::MAX.into())?;
@@ -168,7 +168,7 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
     options: *const gusset_nearest_options,
     points: *mut *mut gusset_surface_points,
 ) -> gusset_status {
-    create(context, points, "points", |job| {
+    create_handle(context, points, "points", |job| {
         let options = input::read_versioned_struct(options, true, "options")?;
         let (surface, query) = (surface_of_handle(surface)?, input::read_vector(query, "query")?);
         let found = surface.local_minima(query, options.limit_or_infinity(), options.max_count, job)?;

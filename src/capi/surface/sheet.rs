@@ -2,11 +2,11 @@
 //!
 //! @source Leus, "Carcasses on smooth surfaces".
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::curve::read_points;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, flag};
+use crate::capi::input::{self, read_choice, read_flag};
 use crate::capi::mesh::gusset_scalar;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
 use crate::capi::status::{Failure, gusset_status};
@@ -97,9 +97,9 @@ versioned! { gusset_nodes: 64, gusset_tangents: 40 reserved }
 
 /// The layout of the caller's nodes, in bytes.
 struct NodeLayout {
-    row: usize,
-    column: usize,
-    span: usize,
+    row_stride: usize,
+    column_stride: usize,
+    byte_span: usize,
 }
 
 impl NodeLayout {
@@ -113,7 +113,11 @@ impl NodeLayout {
         // With at least two columns these are at most twice the width, so the product does not
         // overflow.
         let row = if nodes.row_stride == 0 { columns * column } else { nodes.row_stride };
-        Ok(NodeLayout { row, column, span: Strided::byte_span(rows, row, width, "rows of nodes")? })
+        Ok(NodeLayout {
+            row_stride: row,
+            column_stride: column,
+            byte_span: Strided::byte_span(rows, row, width, "rows of nodes")?,
+        })
     }
 }
 
@@ -127,18 +131,18 @@ const NODES_PER_REPORT: usize = 1 << 17;
 
 /// Copies the caller's numbers into packed form.
 fn copy_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, Failure> {
-    let kind: Scalar = choice(nodes.scalar)?;
+    let kind: Scalar = read_choice(nodes.scalar)?;
     let layout = NodeLayout::new(nodes, kind.position_size() / 3)?;
     // Reject the size before reading anything.
     let count = nodes.rows.saturating_mul(nodes.columns);
     Error::check_count("nodes", count as u64, MAX_NODES)?;
-    let bytes = input::input_bytes(nodes.nodes, layout.span, 1, "nodes")?;
+    let bytes = input::input_bytes(nodes.nodes, layout.byte_span, 1, "nodes")?;
     let mut numbers = alloc::with_capacity(3 * count)?;
     let interval = (NODES_PER_REPORT / nodes.columns.max(1)).max(1);
     for i in 0..nodes.rows {
         job.step_every(interval, i, nodes.rows, "copying nodes")?;
         for j in 0..nodes.columns {
-            let node = &bytes[i * layout.row + j * layout.column..];
+            let node = &bytes[i * layout.row_stride + j * layout.column_stride..];
             numbers.extend((0..3).map(|k| match kind {
                 Scalar::F32 => f64::from(bytemuck::pod_read_unaligned::<f32>(&node[4 * k..4 * k + 4])),
                 Scalar::F64 => bytemuck::pod_read_unaligned::<f64>(&node[8 * k..8 * k + 8]),
@@ -151,15 +155,16 @@ fn copy_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, Fai
 /// Borrows the caller's numbers.
 fn borrow_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
     let layout = NodeLayout::new(nodes, 8)?;
-    if choice::<Scalar>(nodes.scalar)? != Scalar::F64
-        || !layout.row.is_multiple_of(8)
-        || !layout.column.is_multiple_of(8)
+    if read_choice::<Scalar>(nodes.scalar)? != Scalar::F64
+        || !layout.row_stride.is_multiple_of(8)
+        || !layout.column_stride.is_multiple_of(8)
     {
         let message = "nodes in the caller's memory must be f64, with strides that are multiples of 8 bytes";
-        return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
+        return Err(Failure { value: layout.column_stride as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
     }
-    let numbers: &'static [f64] = input::result_buffer(nodes.nodes.cast::<f64>().cast_mut(), layout.span / 8, "nodes")?;
-    Ok(Nodes::strided(numbers, nodes.rows, nodes.columns, layout.row / 8, layout.column / 8)?)
+    let numbers: &'static [f64] =
+        input::result_buffer(nodes.nodes.cast::<f64>().cast_mut(), layout.byte_span / 8, "nodes")?;
+    Ok(Nodes::strided(numbers, nodes.rows, nodes.columns, layout.row_stride / 8, layout.column_stride / 8)?)
 }
 
 c_enum! { scheme: Scheme { GUSSET_SCHEME_SIX_TAP => SixTap, GUSSET_SCHEME_FOUR_POINT => FourPoint } }
@@ -209,19 +214,22 @@ pub unsafe extern "C" fn gusset_sheet_create(
     borrow: u32,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |job| {
+    create_handle(context, sheet, "sheet", |job| {
         let given = input::read_versioned_struct(nodes, false, "nodes")?;
         let with =
             if tangents.is_null() { None } else { Some(input::read_versioned_struct(tangents, false, "tangents")?) };
         let split = if with.is_some() { 0.1 } else { 1.0 };
-        let nodes =
-            if flag(borrow, "borrow")? { borrow_nodes(&given)? } else { copy_nodes(&given, &job.part(0.0, split))? };
-        let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
+        let nodes = if read_flag(borrow, "borrow")? {
+            borrow_nodes(&given)?
+        } else {
+            copy_nodes(&given, &job.sub_job(0.0, split))?
+        };
+        let closed = [read_flag(given.closed_u, "closed_u")?, read_flag(given.closed_v, "closed_v")?];
         Ok(gusset_sheet(match with {
             Some(with) => {
-                sheet_with_tangents(&nodes, closed, &with, given.rows * given.columns, &job.part(split, 1.0))?
+                sheet_with_tangents(&nodes, closed, &with, given.rows * given.columns, &job.sub_job(split, 1.0))?
             }
-            None => Sheet::Grid(Grid::new(nodes, closed, choice(given.scheme)?)?),
+            None => Sheet::Grid(Grid::new(nodes, closed, read_choice(given.scheme)?)?),
         }))
     })
 }

@@ -1,12 +1,12 @@
 //! Other sheets: Sheets from patches, B-splines (NURBS included), nets of curves, frames, and
 //! offsets.
 
-use crate::capi::context::{create, create_with_further_outputs, gusset_context};
+use crate::capi::context::{create_handle, create_handle_and_outputs, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
 use crate::capi::curve::{checked_product, gusset_curve, read_points};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
-use crate::capi::input::{self, choice, flag};
+use crate::capi::input::{self, read_choice, read_flag};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::gusset_sheet;
 use crate::curve::CurveView;
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
     columns: usize,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |_| {
+    create_handle(context, sheet, "sheet", |_| {
         let degrees = [degree_u as usize, degree_v as usize];
         if let Some(&degree) = degrees.iter().find(|degree| !(1..=MAX_DEGREE).contains(*degree)) {
             return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 }.into());
@@ -183,12 +183,12 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
     spline: *const gusset_spline,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |job| {
+    create_handle(context, sheet, "sheet", |job| {
         let given = input::read_versioned_struct(spline, false, "spline")?;
         let points = read_points(given.points, checked_product(given.count_u, given.count_v, "control points")?, 3)?;
         let u = input::copy_input_items(given.knots_u, given.knot_count_u, "knots_u")?;
         let v = input::copy_input_items(given.knots_v, given.knot_count_v, "knots_v")?;
-        let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
+        let closed = [read_flag(given.closed_u, "closed_u")?, read_flag(given.closed_v, "closed_v")?];
         let axes = [
             SplineAxis { degree: given.degree_u as usize, knots: &u, closed: closed[0] },
             SplineAxis { degree: given.degree_v as usize, knots: &v, closed: closed[1] },
@@ -229,11 +229,11 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
     net: *const gusset_curve_net,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |job| {
+    create_handle(context, sheet, "sheet", |job| {
         let given = input::read_versioned_struct(net, false, "net")?;
         let rows = curves_of_handles(given.rows, given.row_count, "rows")?;
         let columns = curves_of_handles(given.columns, given.column_count, "columns")?;
-        let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
+        let closed = [read_flag(given.closed_u, "closed_u")?, read_flag(given.closed_v, "closed_v")?];
         let tolerance = if given.tolerance == 0.0 { None } else { Some(given.tolerance) };
         let net = CurveNet { rows: &rows, columns: &columns, closed, tolerance };
         Ok(gusset_sheet(Sheet::from_curves(&net, job)?))
@@ -272,7 +272,7 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
         let (made, worst) = handle::get_object(sheet, "sheet")?.0.offset(&distances, job)?;
         Ok((gusset_sheet(made), out.map(|out| (out, worst))))
     };
-    create_with_further_outputs(context, offset, "offset", moved, |told| {
+    create_handle_and_outputs(context, offset, "offset", moved, |told| {
         if let Some((out, worst)) = told {
             *out = worst;
         }
@@ -292,9 +292,9 @@ pub unsafe extern "C" fn gusset_sheet_from_frame_create(
     kind: gusset_frame_surface,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |job| {
+    create_handle(context, sheet, "sheet", |job| {
         let frame = handle::get_object(frame, "frame")?;
-        let kind = choice(kind)?;
+        let kind = read_choice(kind)?;
         let (grid, curves) = (&frame.grid, [&frame.across.0, &frame.along.0]);
         let closed = [frame.ring, frame.closed];
         Ok(gusset_sheet(Sheet::from_frame_parts(grid, curves, closed, kind, job)?))

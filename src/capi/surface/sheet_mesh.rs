@@ -1,9 +1,9 @@
 //! Meshes of sheets: Meshes of points of a sheet.
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
-use crate::capi::input::{self, flag, lend_list};
+use crate::capi::input::{self, lend_list, read_flag};
 use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::gusset_surface_place;
@@ -55,7 +55,7 @@ impl gusset_sheet_mesh_options {
         Ok(SurfaceMeshOptions {
             tolerance: if self.tolerance == 0.0 { f64::INFINITY } else { self.tolerance },
             least: [self.min_u.max(1), self.min_v.max(1)],
-            triangles: flag(self.triangles, "triangles")?,
+            triangles: read_flag(self.triangles, "triangles")?,
         })
     }
 }
@@ -75,7 +75,7 @@ pub unsafe extern "C" fn gusset_sheet_to_mesh(
     options: *const gusset_sheet_mesh_options,
     result: *mut *mut gusset_result,
 ) -> gusset_status {
-    create(context, result, "result", |job| {
+    create_handle(context, result, "result", |job| {
         let options = input::read_versioned_struct(options, true, "options")?.checked()?;
         let made = handle::get_object(sheet, "sheet")?.0.to_mesh(&options, job)?;
         let places = alloc::collect(made.places.iter().map(|&place| gusset_surface_place::from(place)))?;

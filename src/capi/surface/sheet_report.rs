@@ -1,6 +1,6 @@
 //! Reports on sheets: Sizes, estimates and bounds.
 
-use crate::capi::context::{guard_change, gusset_context, lend};
+use crate::capi::context::{guard_changing_call, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input;
@@ -176,7 +176,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
     measures: *mut gusset_sheet_measures,
 ) -> gusset_status {
     let out = if measures.is_null() { Ok(None) } else { input::output_struct(measures, "measures").map(Some) };
-    guard_change(context, |job| {
+    guard_changing_call(context, |job| {
         let (out, sheet) = (out?, &handle::get_object(sheet, "sheet")?.0);
         let cells = input::read_versioned_struct(cells, true, "cells")?;
         let all = GUSSET_SHEET_MEASURE_DIAMETERS | GUSSET_SHEET_MEASURE_CURVATURE | GUSSET_SHEET_MEASURE_CREASE;
@@ -199,14 +199,14 @@ pub unsafe extern "C" fn gusset_sheet_measure(
 
         let with_diameters = is_wanted(GUSSET_SHEET_MEASURE_DIAMETERS);
         let with_sizes = with_diameters || euclidean.is_some() || intrinsic.is_some();
-        let sizes = with_sizes.then(|| Diameters::new(sheet, &job.part(0.0, 0.2))).transpose()?;
-        let estimates = errors.is_some().then(|| sheet.interpolation_errors(&job.part(0.2, 0.4))).transpose()?;
+        let sizes = with_sizes.then(|| Diameters::new(sheet, &job.sub_job(0.0, 0.2))).transpose()?;
+        let estimates = errors.is_some().then(|| sheet.interpolation_errors(&job.sub_job(0.2, 0.4))).transpose()?;
         let is_flat_wanted = bilinear.is_some() || triangles.is_some();
-        let flat = is_flat_wanted.then(|| sheet.flatness_bounds_of_cells(&job.part(0.4, 0.6))).transpose()?;
+        let flat = is_flat_wanted.then(|| sheet.flatness_bounds_of_cells(&job.sub_job(0.4, 0.6))).transpose()?;
         let with_curvature = is_wanted(GUSSET_SHEET_MEASURE_CURVATURE);
-        let curvature = with_curvature.then(|| curvature_bound(sheet, &job.part(0.6, 0.8))).transpose()?;
+        let curvature = with_curvature.then(|| curvature_bound(sheet, &job.sub_job(0.6, 0.8))).transpose()?;
         let with_crease = is_wanted(GUSSET_SHEET_MEASURE_CREASE);
-        let crease = with_crease.then(|| sheet.largest_crease_angle(&job.part(0.8, 1.0))).transpose()?;
+        let crease = with_crease.then(|| sheet.largest_crease_angle(&job.sub_job(0.8, 1.0))).transpose()?;
         job.finish()?;
 
         let greatest = |sizes: &Diameters| [sizes.euclidean.largest_bound(), sizes.intrinsic.largest_bound()];

@@ -1,6 +1,6 @@
 //! Intersections of surfaces: Curves in which two surfaces meet, or one meets itself.
 
-use crate::capi::context::{create, gusset_context};
+use crate::capi::context::{create_handle, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input;
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
     options: *const gusset_intersection_options,
     paths: *mut *mut gusset_surface_paths,
 ) -> gusset_status {
-    create(context, paths, "paths", |job| {
+    create_handle(context, paths, "paths", |job| {
         let (surface, options) = (surface_of_handle(surface)?, read_options(options)?);
         let found = if other.is_null() {
             surface.meet_itself(&options, job)?

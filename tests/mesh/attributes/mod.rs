@@ -8,10 +8,10 @@ mod textures;
 use crate::common::{Soup, Steady};
 use glam::DVec3;
 use gusset::Job;
-use gusset::attributes::{Channel, Counts, Domain, Origins, Output, Rule, ValueType, apply};
+use gusset::attributes::{Channel, Counts, Domain, Origins, Output, Rule, ValueType, carry_values_over};
 use gusset::mesh::Mesh;
 
-/// The doubles that [`apply`] writes.
+/// The doubles that [`carry_values_over`] writes.
 fn carried(origins: &Origins, domain: Domain, rule: Rule, components: usize, inputs: &[Vec<f64>]) -> Vec<f64> {
     let mut channel = Channel::new(domain, ValueType::F64, components as u32, rule).unwrap();
     for input in inputs {
@@ -21,7 +21,7 @@ fn carried(origins: &Origins, domain: Domain, rule: Rule, components: usize, inp
     let mut out = vec![f64::NAN; count * components];
     let mut output =
         Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel.value_type_and_components()).unwrap();
-    apply(origins, &channel, &mut output, &Job::new(0, &Steady::default())).unwrap();
+    carry_values_over(origins, &channel, &mut output, &Job::new(0, &Steady::default())).unwrap();
     out
 }
 

@@ -5,7 +5,7 @@ use super::fields::{cases, job, stitched};
 use crate::common::{Soup, cap, sheet};
 use glam::DVec3;
 use gusset::assemble::{self, assemble};
-use gusset::attributes::{Channel, Domain, Origins, Output, Rule, ValueType, apply};
+use gusset::attributes::{Channel, Domain, Origins, Output, Rule, ValueType, carry_values_over};
 use gusset::error::Element;
 use gusset::repair::weld;
 use gusset::stitch::{Options, Rows};
@@ -20,7 +20,7 @@ fn caps() -> super::Case {
 fn applied<T: bytemuck::Pod>(origins: &Origins, channel: &Channel<'_>, components: usize) -> Result<Vec<T>, Error> {
     let count = origins.table(Domain::Vertices).len();
     let mut out = vec![T::zeroed(); count * components];
-    apply(
+    carry_values_over(
         origins,
         channel,
         &mut Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel.value_type_and_components())?,
@@ -156,7 +156,7 @@ fn the_same_for_any_threads_and_strides() {
         let step = if stride == 0 { 12 } else { stride };
         let mut out = vec![0xAAu8; 1 + (count - 1) * step + 12];
         let mut output = Output::new(&mut out[1..], stride, count, channel.value_type_and_components()).unwrap();
-        apply(&origins, &channel, &mut output, &Job::new(threads, &crate::common::Silent)).unwrap();
+        carry_values_over(&origins, &channel, &mut output, &Job::new(threads, &crate::common::Silent)).unwrap();
         if step > 12 {
             assert!(out[1 + 12..].chunks(step).all(|gap| gap.iter().take(step - 12).all(|&byte| byte == 0xAA)));
         }

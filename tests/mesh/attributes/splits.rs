@@ -7,7 +7,7 @@ use gusset::assemble::{self, assemble};
 use gusset::attributes::{Domain, KeepSplitVertices, Origins, Rule};
 use gusset::boundary::{self, boundary_loops};
 use gusset::fill::{self, LoopSelection, fill_holes};
-use gusset::mesh::merge::merge_map;
+use gusset::mesh::merge::map_to_equal_vertices;
 use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{self, orient};
 use gusset::repair::sew::sew;
@@ -50,7 +50,7 @@ impl Split {
             split.face(&face.iter().map(|&v| names[&(v, chart)]).collect::<Vec<_>>());
         }
         let original: Vec<u32> = pairs.iter().map(|&(v, _)| v).collect();
-        let merge = merge_map(&split.view(), Some(&original), &job()).unwrap();
+        let merge = map_to_equal_vertices(&split.view(), Some(&original), &job()).unwrap();
         let merged = merged(&split, &merge).unwrap();
         Split { whole, split, original, merge, merged }
     }
@@ -213,14 +213,14 @@ fn maps_are_found_by_keys_and_by_positions() {
     let mut soup = cap(7, 2, 0.3, 1.0).and(&cap(7, 2, 0.3, 1.0));
     let half = soup.points.len() / 2;
     soup.points[half] = [-0.0, 0.0, 1.0];
-    let merge = merge_map(&soup.view(), None, &job()).unwrap();
+    let merge = map_to_equal_vertices(&soup.view(), None, &job()).unwrap();
     assert!((0..half).all(|v| merge[v] == v as u32 && merge[half + v] == v as u32));
     // Vertices that no face uses may hold anything.
     soup.points.extend([[f64::NAN; 3]; 2]);
-    let merge = merge_map(&soup.view(), None, &job()).unwrap();
+    let merge = map_to_equal_vertices(&soup.view(), None, &job()).unwrap();
     assert_eq!(merge[2 * half..], [2 * half as u32, 2 * half as u32 + 1]);
     let keys: Vec<u32> = (0..soup.points.len() as u32).map(|v| 1000 - v / 3).collect();
-    let merge = merge_map(&soup.view(), Some(&keys), &job()).unwrap();
+    let merge = map_to_equal_vertices(&soup.view(), Some(&keys), &job()).unwrap();
     assert!(merge.iter().enumerate().all(|(v, &of)| of as usize == v / 3 * 3));
 }
 

@@ -85,7 +85,7 @@ impl Writing {
             let text = format!("standard output cannot hold the file {name} beside it");
             Err(io::Error::new(io::ErrorKind::Unsupported, text))
         };
-        let mut target = Target { main: &mut out, stem: "mesh", beside: &mut refuse, resources: &NoResources };
+        let mut target = Target { main_file: &mut out, stem: "mesh", beside: &mut refuse, resources: &NoResources };
         let losses = gusset_io::write(document, format, &mut target, &self.options)?;
         out.flush()?;
         Ok(losses)

@@ -40,7 +40,7 @@ impl Aabb {
 
     /// Moves every side outwards by the given distance.
     #[inline]
-    pub fn inflated(self, by: f64) -> Aabb {
+    pub fn grown_by(self, by: f64) -> Aabb {
         Aabb { low: self.low - by, high: self.high + by }
     }
 
@@ -155,7 +155,7 @@ mod tests {
             prop_assert_eq!(a.union(b), Aabb::from_points(p.iter().chain(&q)));
             prop_assert_eq!(a.minkowski_sum(b), Aabb::from_points(of_a.iter().flat_map(|&x| of_b.iter().map(move |&y| x + y))));
             prop_assert_eq!(a.max_vector_length(), of_a.iter().map(|x| x.length()).fold(0.0, f64::max));
-            prop_assert_eq!(grid_points(&a.inflated(1.0)).len() as f64, (a.size() + 3.0).element_product());
+            prop_assert_eq!(grid_points(&a.grown_by(1.0)).len() as f64, (a.size() + 3.0).element_product());
         }
     }
 

@@ -19,18 +19,18 @@ const MAX_RELATIVE_GAP: f64 = 1e-13;
 #[derive(Debug, Clone, Copy)]
 pub struct HullDistance {
     /// A lower bound of the distance, up to rounding; at least 0.
-    pub bound: f64,
+    pub lower_bound: f64,
     /// The corners whose weighted sums form the nearest pair of points, or nearly. Only the first
-    /// `count` are valid.
+    /// `corner_count` are valid.
     pub corners: [SimplexCorner; 4],
-    pub count: usize,
+    pub corner_count: usize,
 }
 
 /// A point of each hull, their difference, and the weight of both in the nearest pair.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SimplexCorner {
-    pub a: usize,
-    pub b: usize,
+    pub point_of_a: usize,
+    pub point_of_b: usize,
     pub weight: f64,
     difference: DVec3,
 }
@@ -39,7 +39,7 @@ pub struct SimplexCorner {
 /// soon as the bound exceeds `limit` or is within `tolerance` of the distance.
 pub fn hull_distance(a: &[DVec3], b: &[DVec3], limit: f64, tolerance: f64) -> HullDistance {
     let (mut simplex, mut count) = ([SimplexCorner::default(); 4], 1);
-    simplex[0] = SimplexCorner { a: 0, b: 0, weight: 1.0, difference: a[0] - b[0] };
+    simplex[0] = SimplexCorner { point_of_a: 0, point_of_b: 0, weight: 1.0, difference: a[0] - b[0] };
     let mut nearest = simplex[0].difference;
     let mut bound = 0.0_f64;
     for _ in 0..MAX_GJK_ROUNDS {
@@ -51,16 +51,16 @@ pub fn hull_distance(a: &[DVec3], b: &[DVec3], limit: f64, tolerance: f64) -> Hu
         let (i, low) = support_point(a, direction);
         let (j, high) = support_point(b, -direction);
         bound = bound.max(low + high);
-        let is_known = simplex[..count].iter().any(|corner| (corner.a, corner.b) == (i, j));
+        let is_known = simplex[..count].iter().any(|corner| (corner.point_of_a, corner.point_of_b) == (i, j));
         if bound > limit || length - bound <= tolerance.max(MAX_RELATIVE_GAP * length) || is_known || count == 4 {
             break;
         }
-        simplex[count] = SimplexCorner { a: i, b: j, weight: 0.0, difference: a[i] - b[j] };
+        simplex[count] = SimplexCorner { point_of_a: i, point_of_b: j, weight: 0.0, difference: a[i] - b[j] };
         count += 1;
         let Some(next) = reduce_simplex(&mut simplex, &mut count) else { break };
         nearest = next;
     }
-    HullDistance { bound, corners: simplex, count }
+    HullDistance { lower_bound: bound, corners: simplex, corner_count: count }
 }
 
 /// Returns the first point with the smallest product with a direction, and the product.
@@ -157,13 +157,20 @@ mod tests {
             let a = random_points(&mut random, 1 + k % 17, k % 4, DVec3::ZERO);
             let b = random_points(&mut random, 1 + k / 17 % 9, k / 4 % 4, away);
             let found = hull_distance(&a, &b, f64::INFINITY, 1e-12);
-            let pair: DVec3 =
-                found.corners[..found.count].iter().map(|corner| corner.weight * (a[corner.a] - b[corner.b])).sum();
-            let weights: f64 = found.corners[..found.count].iter().map(|corner| corner.weight).sum();
-            assert!((weights - 1.0).abs() < 1e-9 || found.count == 1, "{k}: {weights}");
-            if found.bound > 0.0 {
+            let pair: DVec3 = found.corners[..found.corner_count]
+                .iter()
+                .map(|corner| corner.weight * (a[corner.point_of_a] - b[corner.point_of_b]))
+                .sum();
+            let weights: f64 = found.corners[..found.corner_count].iter().map(|corner| corner.weight).sum();
+            assert!((weights - 1.0).abs() < 1e-9 || found.corner_count == 1, "{k}: {weights}");
+            if found.lower_bound > 0.0 {
                 apart += 1;
-                assert!((pair.length() - found.bound).abs() <= 1e-7, "{k}: {} {}", pair.length(), found.bound);
+                assert!(
+                    (pair.length() - found.lower_bound).abs() <= 1e-7,
+                    "{k}: {} {}",
+                    pair.length(),
+                    found.lower_bound
+                );
             } else {
                 assert!(pair.length() <= 1e-6, "{k}: {}", pair.length());
             }
@@ -173,7 +180,7 @@ mod tests {
                     let sum: f64 = weights.iter().sum();
                     points.iter().zip(&weights).map(|(&point, &weight)| weight / sum * point).sum::<DVec3>()
                 };
-                assert!(within(&a).distance(within(&b)) >= found.bound - 1e-13, "{k}");
+                assert!(within(&a).distance(within(&b)) >= found.lower_bound - 1e-13, "{k}");
             }
         }
         assert!(apart > 1000);

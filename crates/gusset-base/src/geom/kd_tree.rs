@@ -33,17 +33,17 @@ pub struct KdTree<'a> {
     points: &'a [DVec3],
     order: Vec<u32>,
     /// The splitting axis of the range whose middle is at this position of `order`.
-    axis: Vec<u8>,
+    split_axes: Vec<u8>,
     /// The common group of the range whose middle is at this position, or [`SEVERAL_GROUPS`]. Empty
     /// for a tree without groups.
-    group: Vec<u32>,
+    group_of_range: Vec<u32>,
     /// The smallest index in the range whose middle is at this position. Empty for a tree without
     /// groups.
-    least: Vec<u32>,
+    least_index_of_range: Vec<u32>,
     /// The bounding boxes of the inner ranges. The box of a range with middle index m is at m /
     /// [`MIN_INNER_NODE_SPACING`], rounded down. Empty for a tree without boxes.
-    boxes: Vec<Aabb>,
-    whole: Aabb,
+    range_boxes: Vec<Aabb>,
+    bounding_box: Aabb,
 }
 
 impl<'a> KdTree<'a> {
@@ -52,11 +52,11 @@ impl<'a> KdTree<'a> {
         let mut tree = KdTree {
             points,
             order: alloc::collect((0..points.len()).map(|i| i as u32))?,
-            axis: alloc::filled(0, points.len())?,
-            group: Vec::new(),
-            least: Vec::new(),
-            boxes: Vec::new(),
-            whole: Aabb::from_points(points),
+            split_axes: alloc::filled(0, points.len())?,
+            group_of_range: Vec::new(),
+            least_index_of_range: Vec::new(),
+            range_boxes: Vec::new(),
+            bounding_box: Aabb::from_points(points),
         };
         let mut done = 0;
         let mut report = |count: usize| {
@@ -64,7 +64,7 @@ impl<'a> KdTree<'a> {
             done += count;
             Ok(())
         };
-        split_points_reported(points, &mut tree.order, &mut tree.axis, &mut report)?;
+        split_points_reported(points, &mut tree.order, &mut tree.split_axes, &mut report)?;
         Ok(tree)
     }
 
@@ -76,7 +76,7 @@ impl<'a> KdTree<'a> {
         let mut tree = Self::new(points, job, stage)?;
         let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(MIN_INNER_NODE_SPACING))?;
         tree.compute_boxes_of_ranges(0..points.len(), &mut boxes);
-        tree.boxes = boxes;
+        tree.range_boxes = boxes;
         Ok(tree)
     }
 
@@ -107,10 +107,10 @@ impl<'a> KdTree<'a> {
         let mut tree = Self::new(points, job, stage)?;
         let mut group = alloc::filled(SEVERAL_GROUPS, points.len())?;
         tree.compute_groups_of_ranges(0..points.len(), groups, &mut group);
-        tree.group = group;
+        tree.group_of_range = group;
         let mut least = alloc::filled(0, points.len())?;
         tree.compute_min_indices_of_ranges(0..points.len(), &mut least);
-        tree.least = least;
+        tree.least_index_of_range = least;
         Ok(tree)
     }
 
@@ -154,7 +154,14 @@ impl<'a> KdTree<'a> {
         accept: impl Fn(u32) -> bool,
     ) -> Option<(f64, u32)> {
         let mut best = (limit, u32::MAX);
-        self.search_nearest(0..self.order.len(), query, self.whole.axis_distances(query), own, &accept, &mut best);
+        self.search_nearest(
+            0..self.order.len(),
+            query,
+            self.bounding_box.axis_distances(query),
+            own,
+            &accept,
+            &mut best,
+        );
         (best.1 != u32::MAX).then_some(best)
     }
 
@@ -177,17 +184,18 @@ impl<'a> KdTree<'a> {
         best: &mut (f64, u32),
     ) {
         let middle = usize::midpoint(range.start, range.end);
-        if own != SEVERAL_GROUPS && self.group.get(middle) == Some(&own) {
+        if own != SEVERAL_GROUPS && self.group_of_range.get(middle) == Some(&own) {
             return;
         }
         // If the points coincide, skip ranges that cannot improve the index.
-        if self.least.get(middle).is_some_and(|&least| least >= best.1) && off.length_squared() >= best.0 {
+        if self.least_index_of_range.get(middle).is_some_and(|&least| least >= best.1) && off.length_squared() >= best.0
+        {
             return;
         }
         // Testing the points of a leaf costs no more than testing its box.
-        if !self.boxes.is_empty()
+        if !self.range_boxes.is_empty()
             && range.len() > MAX_LEAF_POINTS
-            && let Some(around) = self.boxes.get(middle / MIN_INNER_NODE_SPACING)
+            && let Some(around) = self.range_boxes.get(middle / MIN_INNER_NODE_SPACING)
             && around.distance_squared(query) > best.0
         {
             return;
@@ -203,7 +211,7 @@ impl<'a> KdTree<'a> {
             return;
         }
         visit(self.order[middle]);
-        let axis = self.axis[middle] as usize;
+        let axis = self.split_axes[middle] as usize;
         let offset = query[axis] - self.points[self.order[middle] as usize][axis];
         let (low, high) = (range.start..middle, middle + 1..range.end);
         let (near, far) = if offset <= 0.0 { (low, high) } else { (high, low) };
@@ -253,7 +261,7 @@ impl KdTree<'_> {
         }
         let middle = usize::midpoint(range.start, range.end);
         test(self.order[middle])?;
-        let axis = self.axis[middle] as usize;
+        let axis = self.split_axes[middle] as usize;
         let offset = self.points[self.order[middle] as usize][axis] - query[axis];
         let near = reach.scaled_length_squared(DVec3::new(offset, 0.0, 0.0)) <= reach.limit;
         if near || offset >= 0.0 {
@@ -330,7 +338,7 @@ fn longest_axis(points: &[DVec3], order: &[u32]) -> usize {
     Aabb::from_points(order.iter().map(|&i| points[i as usize])).size().max_position()
 }
 
-/// Returns the halves on either side of the middle of a range. Stores `axis` as the axis of the
+/// Returns the halves on either side of the middle of a range. Stores `split_axes` as the axis of the
 /// middle.
 fn halves_around_middle<'a>(
     order: &'a mut [u32],

@@ -111,7 +111,7 @@ pub fn subdivide<P, const K: usize, S: Subdivision<P, K>>(
 pub struct UnresolvedBox {
     pub middle: DVec3,
     /// Half the lengths of the box's sides.
-    pub half: DVec3,
+    pub half_size: DVec3,
     /// The absolute value, at the centre of the box, of the function whose zero is sought.
     pub residual: f64,
 }
@@ -120,7 +120,7 @@ pub struct UnresolvedBox {
 #[derive(Debug, Clone, Copy)]
 pub struct UnresolvedCluster {
     /// The first box with the smallest residual.
-    pub best: UnresolvedBox,
+    pub best_box: UnresolvedBox,
     /// The corners of the bounding box.
     pub low: DVec3,
     pub high: DVec3,
@@ -135,7 +135,7 @@ const CONTACT_GROWTH_FACTOR: f64 = 1.000_001;
 impl UnresolvedBox {
     #[inline]
     pub fn touches(&self, other: &UnresolvedBox) -> bool {
-        let gap = (self.middle - other.middle).abs() - CONTACT_GROWTH_FACTOR * (self.half + other.half);
+        let gap = (self.middle - other.middle).abs() - CONTACT_GROWTH_FACTOR * (self.half_size + other.half_size);
         gap.max_element() <= 0.0
     }
 }
@@ -151,7 +151,7 @@ pub fn cluster_touching_boxes(
     // A sweep along the first parameter finds the pairs. The root of each tree in the forest is its
     // first box.
     let ends = |k: u32| {
-        let UnresolvedBox { middle, half, .. } = boxes[k as usize];
+        let UnresolvedBox { middle, half_size: half, .. } = boxes[k as usize];
         [middle.x - CONTACT_GROWTH_FACTOR * half.x, middle.x + CONTACT_GROWTH_FACTOR * half.x]
     };
     let mut order = alloc::collect(0..boxes.len() as u32)?;
@@ -175,16 +175,16 @@ pub fn cluster_touching_boxes(
     ask()?;
     let mut cluster_of = order;
     for (k, part) in boxes.iter().enumerate() {
-        let (low, high) = (part.middle - part.half, part.middle + part.half);
+        let (low, high) = (part.middle - part.half_size, part.middle + part.half_size);
         let root = sets.find(k as u32) as usize;
         if root == k {
             cluster_of[k] = clusters.len() as u32;
-            alloc::push(clusters, UnresolvedCluster { best: *part, low, high })?;
+            alloc::push(clusters, UnresolvedCluster { best_box: *part, low, high })?;
         } else {
             cluster_of[k] = cluster_of[root];
             let cluster = &mut clusters[cluster_of[k] as usize];
-            if part.residual < cluster.best.residual {
-                cluster.best = *part;
+            if part.residual < cluster.best_box.residual {
+                cluster.best_box = *part;
             }
             (cluster.low, cluster.high) = (cluster.low.min(low), cluster.high.max(high));
         }
@@ -264,7 +264,7 @@ mod tests {
     fn touching_boxes_form_one_cluster() {
         let part = |x: f64, y: f64, residual: f64| UnresolvedBox {
             middle: DVec2::new(x, y).extend(0.0),
-            half: DVec2::splat(0.5).extend(0.0),
+            half_size: DVec2::splat(0.5).extend(0.0),
             residual,
         };
         // Two rows that a later box connects, and an isolated box.
@@ -279,7 +279,7 @@ mod tests {
         let mut clusters = Vec::new();
         assert_eq!(cluster_touching_boxes(&boxes, &mut clusters, || Ok(())).unwrap(), [0, 1, 0, 0, 0, 0]);
         assert_eq!(clusters.len(), 2);
-        assert_eq!((clusters[0].best.middle, clusters[0].best.residual), (boxes[2].middle, 1.0));
+        assert_eq!((clusters[0].best_box.middle, clusters[0].best_box.residual), (boxes[2].middle, 1.0));
         assert_eq!((clusters[0].low, clusters[0].high), (DVec3::new(-0.5, -0.5, 0.0), DVec3::new(2.5, 2.5, 0.0)));
         assert_eq!((clusters[1].low, clusters[1].high), (DVec3::new(8.5, 8.5, 0.0), DVec3::new(9.5, 9.5, 0.0)));
     }

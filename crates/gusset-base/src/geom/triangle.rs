@@ -31,7 +31,7 @@ pub fn min_angle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 
 /// Returns the aspect ratio: the longest side over 2 sqrt(3) times the inradius. It is 1 for the
 /// equilateral triangle and infinite for a degenerate one.
-pub fn aspect(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+pub fn aspect_ratio(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let sides = [(b - a).length(), (c - b).length(), (a - c).length()];
     let longest = sides[0].max(sides[1]).max(sides[2]);
     let perimeter: f64 = sides.iter().sum();
@@ -46,7 +46,7 @@ pub fn aspect(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 ///
 /// Source: C. Ericson, *Real-time collision detection* (2005), section 5.1.5. The signs of products
 /// tell which corner, side or face has `p` in its Voronoi region.
-pub fn nearest_weights([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
+pub fn weights_of_nearest_point([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
     let (ab, ac, ap) = (b - a, c - a, p - a);
     let (d1, d2) = (ab.dot(ap), ac.dot(ap));
     if d1 <= 0.0 && d2 <= 0.0 {
@@ -96,7 +96,7 @@ mod tests {
             let p = 2.0 * point() - 0.5;
             let place =
                 |weights: [f64; 3]| corners.into_iter().zip(weights).map(|(corner, w)| corner * w).sum::<DVec3>();
-            let found = nearest_weights(corners, p);
+            let found = weights_of_nearest_point(corners, p);
             assert!(found.iter().all(|&w| w >= 0.0) && (found.iter().sum::<f64>() - 1.0).abs() < 1e-12);
             let steps = (0..=40).flat_map(|i| (0..=40 - i).map(move |j| [i, j, 40 - i - j]));
             let grid =
@@ -114,11 +114,11 @@ mod tests {
         let top = DVec3::new(0.5, 3f64.sqrt() / 2.0, 0.0);
         for (a, b, c) in [(o, x, top), (x, top, o), (top, o, x)] {
             assert!((min_angle(a, b, c) - PI / 3.0).abs() < 1e-15);
-            assert!((aspect(a, b, c) - 1.0).abs() < 1e-14);
+            assert!((aspect_ratio(a, b, c) - 1.0).abs() < 1e-14);
         }
         // A needle: the far angle is about 1e-9, which an arc cosine would lose.
         assert!((min_angle(DVec3::X * 1e9, o, y) - 1e-9).abs() < 1e-20);
         assert_eq!(min_angle(o, o, x), 0.0);
-        assert_eq!(aspect(o, x, 2.0 * x), f64::INFINITY);
+        assert_eq!(aspect_ratio(o, x, 2.0 * x), f64::INFINITY);
     }
 }

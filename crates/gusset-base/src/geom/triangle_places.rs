@@ -2,7 +2,7 @@
 
 use super::Aabb;
 use super::box_tree::{BoxTree, spatial_order};
-use super::triangle::nearest_weights;
+use super::triangle::weights_of_nearest_point;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -18,7 +18,7 @@ pub struct TrianglePlace {
     /// The barycentric coordinates: at least 0, with sum 1.
     pub weights: [f64; 3],
     /// The squared distance to the query point.
-    pub squared: f64,
+    pub squared_distance: f64,
 }
 
 /// A set of triangles prepared for nearest-place queries.
@@ -34,9 +34,9 @@ impl<'a> TriangleTree<'a> {
     #[inline]
     pub fn new(points: &'a [DVec3], triangles: &'a [[u32; 3]], stage: &'static str, job: &Job<'_>) -> Result<Self> {
         let boxes = triangles.iter().map(|t| Aabb::from_points(t.map(|v| points[v as usize])));
-        let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), stage)?;
+        let boxes = alloc::collect_cancellable(boxes, &job.sub_job(0.0, 0.0), stage)?;
         let order = spatial_order(&boxes, 1, job, stage)?;
-        let tree = BoxTree::new_cancellable(order.iter().map(|&t| boxes[t as usize]), &job.part(1.0, 1.0), stage)?;
+        let tree = BoxTree::new_cancellable(order.iter().map(|&t| boxes[t as usize]), &job.sub_job(1.0, 1.0), stage)?;
         Ok(TriangleTree { points, triangles, order, tree })
     }
 
@@ -50,16 +50,16 @@ impl<'a> TriangleTree<'a> {
     /// [`nearest`](Self::nearest), accelerated by `guess`, a triangle near the point such as the
     /// result of a neighbouring query.
     pub fn nearest_with_guess(&self, p: DVec3, limit: f64, guess: Option<u32>) -> Option<TrianglePlace> {
-        let mut best = TrianglePlace { triangle: u32::MAX, weights: [1.0, 0.0, 0.0], squared: limit };
+        let mut best = TrianglePlace { triangle: u32::MAX, weights: [1.0, 0.0, 0.0], squared_distance: limit };
         let mut look = |triangle: u32| {
             let corners = self.triangles[triangle as usize].map(|v| self.points[v as usize]);
-            let weights = nearest_weights(corners, p);
+            let weights = weights_of_nearest_point(corners, p);
             let place: DVec3 = corners.into_iter().zip(weights).map(|(corner, weight)| corner * weight).sum();
             let squared = place.distance_squared(p);
-            if squared < best.squared {
-                best = TrianglePlace { triangle, weights, squared };
+            if squared < best.squared_distance {
+                best = TrianglePlace { triangle, weights, squared_distance: squared };
             }
-            best.squared
+            best.squared_distance
         };
         let limit = guess.map_or(limit, &mut look);
         self.tree.visit_nearest(p, limit, &mut |leaf| self.order.get(leaf).map_or(limit, |&triangle| look(triangle)));
@@ -80,8 +80,8 @@ pub fn nearest_places(
     if places.is_empty() {
         return Ok(Vec::new());
     }
-    let tree = TriangleTree::new(points, triangles, stage, &job.part(0.0, 0.1))?;
-    let job = job.part(0.1, 1.0);
+    let tree = TriangleTree::new(points, triangles, stage, &job.sub_job(0.0, 0.1))?;
+    let job = job.sub_job(0.1, 1.0);
     alloc::try_collect(places.iter().enumerate().map(|(k, &p)| {
         job.step_every(QUERIES_PER_REPORT, k, places.len(), stage)?;
         let found = tree.nearest(p, f64::INFINITY);

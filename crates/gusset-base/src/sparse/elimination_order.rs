@@ -26,11 +26,26 @@ const UNKNOWNS_PER_REPORT: usize = 1 << 14;
 
 /// Sorts the unknowns in `order` into the order of elimination. `couplings` tells which unknowns
 /// share an equation. O(n log n); extra memory: 5 bytes a point.
-pub fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl UnknownCouplings, job: &Job<'_>) -> Result<()> {
+pub fn order_by_nested_dissection(
+    order: &mut [u32],
+    points: &[DVec3],
+    couplings: impl UnknownCouplings,
+    job: &Job<'_>,
+) -> Result<()> {
     let n = order.len();
     let stamp = alloc::filled(0u32, points.len())?;
     let whole = n * (n / MAX_LEAF_UNKNOWNS + 1).ilog2() as usize;
-    NestedDissection { points, couplings, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve_unknowns(order)
+    NestedDissection {
+        points,
+        couplings,
+        last_part_of_row: stamp,
+        part_number: 0,
+        job: *job,
+        estimated_halved_unknowns: whole,
+        halved_unknowns: 0,
+        reported_unknowns: 0,
+    }
+    .halve_unknowns(order)
 }
 
 /// The couplings between unknowns. Two unknowns are coupled if a row of the equations has both.
@@ -50,14 +65,14 @@ struct NestedDissection<'a, C> {
     points: &'a [DVec3],
     couplings: C,
     /// The last part whose first half touches the row of this vertex.
-    stamp: Vec<u32>,
-    part: u32,
+    last_part_of_row: Vec<u32>,
+    part_number: u32,
     job: Job<'a>,
     /// The number of unknowns halved so far, counted once for each halving, and its estimated final
     /// value.
-    done: usize,
-    whole: usize,
-    reported: usize,
+    halved_unknowns: usize,
+    estimated_halved_unknowns: usize,
+    reported_unknowns: usize,
 }
 
 impl<C: UnknownCouplings> NestedDissection<'_, C> {
@@ -65,10 +80,10 @@ impl<C: UnknownCouplings> NestedDissection<'_, C> {
         if order.len() <= MAX_LEAF_UNKNOWNS {
             return Ok(());
         }
-        self.done += order.len();
-        if self.done >= self.reported + UNKNOWNS_PER_REPORT {
-            self.job.step(self.done as f64 / self.whole as f64, "solving")?;
-            self.reported = self.done;
+        self.halved_unknowns += order.len();
+        if self.halved_unknowns >= self.reported_unknowns + UNKNOWNS_PER_REPORT {
+            self.job.step(self.halved_unknowns as f64 / self.estimated_halved_unknowns as f64, "solving")?;
+            self.reported_unknowns = self.halved_unknowns;
         }
         let size = Aabb::from_points(order.iter().map(|&v| self.points[v as usize])).size();
         let longest = size.max_position();
@@ -97,13 +112,13 @@ impl<C: UnknownCouplings> NestedDissection<'_, C> {
         let points = self.points;
         select_by_rank(order, middle, |v| points[v as usize][axis]);
 
-        self.part += 1;
-        let (stamp, part) = (&mut self.stamp, self.part);
+        self.part_number += 1;
+        let (stamp, part) = (&mut self.last_part_of_row, self.part_number);
         order[..middle].iter().for_each(|&v| self.couplings.for_each_row_with_unknown(v, |row| stamp[row] = part));
         let mut separator = order.len();
         let mut i = middle;
         while i < separator {
-            if self.couplings.is_coupled_to_marked(order[i], |row| self.stamp[row] == self.part) {
+            if self.couplings.is_coupled_to_marked(order[i], |row| self.last_part_of_row[row] == self.part_number) {
                 separator -= 1;
                 order.swap(i, separator);
             } else {
@@ -147,7 +162,7 @@ mod tests {
                 .map(|v| DVec3::new((v % columns) as f64 * width, (v / columns) as f64, 0.0))
                 .collect();
             let mut order: Vec<u32> = (0..points.len() as u32).collect();
-            dissect(&mut order, &points, GridCouplings(columns), &Job::default()).unwrap();
+            order_by_nested_dissection(&mut order, &points, GridCouplings(columns), &Job::default()).unwrap();
             // The separator is one column of the grid.
             let last = &order[order.len() - GRID_ROWS..];
             assert!(last.iter().all(|&v| v as usize % columns == last[0] as usize % columns), "{columns} {width}");

@@ -72,7 +72,7 @@ pub(super) fn forest_postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>
 /// their least common ancestor, one count is removed.
 pub(super) fn factor_column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     let n = parent.len();
-    let order = forest_postorder(parent, &job.part(0.0, 0.0))?;
+    let order = forest_postorder(parent, &job.sub_job(0.0, 0.0))?;
     job.step(0.0, "solving")?;
     // The position in postorder of each column's first descendant.
     let mut first = alloc::filled(NONE, n)?;
@@ -89,7 +89,7 @@ pub(super) fn factor_column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], 
         }
     }
     let mut subtrees = RowSubtreeLeaves {
-        latest_first: alloc::filled(0, n)?,
+        latest_first_descendant: alloc::filled(0, n)?,
         latest_leaf: alloc::filled(NONE, n)?,
         ancestor: alloc::collect(0..n as u32)?,
     };
@@ -124,7 +124,7 @@ pub(super) fn factor_column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], 
 struct RowSubtreeLeaves {
     /// For each row, 1 plus the largest postorder number of a first descendant among the row's
     /// columns so far; 0 before the first column.
-    latest_first: Vec<u32>,
+    latest_first_descendant: Vec<u32>,
     latest_leaf: Vec<u32>,
     /// A link towards the root of the visited columns.
     ancestor: Vec<u32>,
@@ -135,10 +135,10 @@ impl RowSubtreeLeaves {
     /// if the column is not a leaf of the row's subtree. Otherwise returns the least common
     /// ancestor with the previous leaf, `NONE` for the first leaf.
     fn add_column_to_row(&mut self, i: usize, j: u32, first: u32) -> Option<u32> {
-        if first < self.latest_first[i] {
+        if first < self.latest_first_descendant[i] {
             return None;
         }
-        self.latest_first[i] = first + 1;
+        self.latest_first_descendant[i] = first + 1;
         let before = std::mem::replace(&mut self.latest_leaf[i], j);
         if before == NONE {
             return Some(NONE);

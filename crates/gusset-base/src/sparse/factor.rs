@@ -25,7 +25,7 @@ pub struct CholeskyFactor {
     /// The columns of each block in turn. Entries not below the diagonal are 0.
     pub entries: Vec<BlockColumn>,
     /// The inverse of D; 0 for unknowns that are left out.
-    pub inverse: Vec<f64>,
+    pub inverse_pivots: Vec<f64>,
 }
 
 const STAGE: &str = "solving";
@@ -36,24 +36,29 @@ impl SparseSymmetric {
     ///
     /// O(sum of the squares of the columns' lengths). Memory: about 10 bytes an entry of L, less
     /// than that on the stack, and 100 bytes a row.
-    pub fn factor(&self, job: &Job<'_>) -> Result<CholeskyFactor> {
+    pub fn factorise(&self, job: &Job<'_>) -> Result<CholeskyFactor> {
         job.step(0.0, STAGE)?;
-        let below = self.entries_below_diagonal(&job.part(0.0, 0.0))?;
-        let supernodes = Supernodes::new(self, &below, &job.part(0.0, 0.1))?;
+        let below = self.entries_below_diagonal(&job.sub_job(0.0, 0.0))?;
+        let supernodes = Supernodes::new(self, &below, &job.sub_job(0.0, 0.1))?;
         job.step(0.1, STAGE)?;
         let costs = FactorCosts::predict_from_supernodes(&supernodes);
         let mut elimination = SupernodeElimination {
             matrix: self,
-            below: &below,
+            entries_below_diagonal: &below,
             front: FrontalMatrix::default(),
             updates: alloc::with_capacity(costs.stack)?,
-            local: alloc::filled(0, self.row_count())?,
+            front_position_of_row: alloc::filled(0, self.row_count())?,
             places: Vec::new(),
             diagonal: Vec::new(),
-            work: FactorProgress { job: job.part(0.1, 1.0), whole: costs.work, done: 0.0, reported: 0.0 },
+            progress: FactorProgress {
+                job: job.sub_job(0.1, 1.0),
+                total_multiplications: costs.multiplications,
+                multiplications_done: 0.0,
+                multiplications_reported: 0.0,
+            },
         };
-        let (entries, inverse) = (alloc::with_capacity(costs.entries)?, alloc::filled(0.0, self.row_count())?);
-        let mut factor = CholeskyFactor { supernodes, entries, inverse };
+        let (entries, inverse) = (alloc::with_capacity(costs.factor_blocks)?, alloc::filled(0.0, self.row_count())?);
+        let mut factor = CholeskyFactor { supernodes, entries, inverse_pivots: inverse };
         job.step(0.1, STAGE)?;
         for s in 0..factor.supernodes.len() {
             elimination.eliminate_supernode(s, &mut factor)?;
@@ -86,25 +91,26 @@ fn triangle_entry_count(rows: usize) -> usize {
 /// The predicted cost of the elimination.
 struct FactorCosts {
     /// Blocks of entries in the factor.
-    entries: usize,
+    factor_blocks: usize,
     /// The greatest height of the stack.
     stack: usize,
     /// Multiplications.
-    work: f64,
+    multiplications: f64,
 }
 
 impl FactorCosts {
     fn predict_from_supernodes(supernodes: &Supernodes) -> Self {
-        let mut costs = FactorCosts { entries: 0, stack: 0, work: 0.0 };
+        let mut costs = FactorCosts { factor_blocks: 0, stack: 0, multiplications: 0.0 };
         let mut height = 0;
         for s in 0..supernodes.len() {
             let (columns, rows) = (supernodes.columns(s).len(), supernodes.rows_below(s).len());
-            costs.entries += columns_of_blocks(columns, rows).sum::<usize>();
+            costs.factor_blocks += columns_of_blocks(columns, rows).sum::<usize>();
             let [size, rest] = [columns + rows, rows].map(|rows| rows as f64);
             // All entries are set, the columns' entries are copied out, and the rest is pushed to
             // the stack and popped.
             let moved = size * size + rest * rest / 2.0;
-            costs.work += (size * size * size - rest * rest * rest) / 6.0 + MOVE_COST_IN_MULTIPLICATIONS as f64 * moved;
+            costs.multiplications +=
+                (size * size * size - rest * rest * rest) / 6.0 + MOVE_COST_IN_MULTIPLICATIONS as f64 * moved;
             height -= supernodes
                 .children(s)
                 .map(|child| triangle_entry_count(supernodes.rows_below(child).len()))
@@ -119,19 +125,19 @@ impl FactorCosts {
 /// The progress of the elimination.
 struct FactorProgress<'a> {
     job: Job<'a>,
-    whole: f64,
-    done: f64,
-    reported: f64,
+    total_multiplications: f64,
+    multiplications_done: f64,
+    multiplications_reported: f64,
 }
 
 impl FactorProgress<'_> {
     #[inline]
     fn count_multiplications(&mut self, multiplications: usize) -> Result<()> {
-        if self.done >= self.reported + MULTIPLICATIONS_PER_REPORT {
-            self.job.step(self.done / self.whole, STAGE)?;
-            self.reported = self.done;
+        if self.multiplications_done >= self.multiplications_reported + MULTIPLICATIONS_PER_REPORT {
+            self.job.step(self.multiplications_done / self.total_multiplications, STAGE)?;
+            self.multiplications_reported = self.multiplications_done;
         }
-        self.done += multiplications as f64;
+        self.multiplications_done += multiplications as f64;
         Ok(())
     }
 
@@ -144,15 +150,15 @@ impl FactorProgress<'_> {
 /// Eliminates the supernodes in order.
 struct SupernodeElimination<'a> {
     matrix: &'a SparseSymmetric,
-    below: &'a Buckets<(u32, f64)>,
+    entries_below_diagonal: &'a Buckets<(u32, f64)>,
     front: FrontalMatrix,
     /// The stack: updates for parents that are not yet eliminated, as lower triangles, row by row.
     updates: Vec<f64>,
     /// The position in the front of each row below the front's columns.
-    local: Vec<u32>,
+    front_position_of_row: Vec<u32>,
     places: Vec<u32>,
     diagonal: Vec<f64>,
-    work: FactorProgress<'a>,
+    progress: FactorProgress<'a>,
 }
 
 impl SupernodeElimination<'_> {
@@ -160,10 +166,10 @@ impl SupernodeElimination<'_> {
         let supernodes = &factor.supernodes;
         let (columns, rows) = (supernodes.columns(s), supernodes.rows_below(s));
         let (first, width) = (columns.start, columns.len());
-        let work = &mut self.work;
+        let work = &mut self.progress;
         self.front.reset(width + rows.len(), |count| work.count_moved_entries(count))?;
-        rows.iter().zip(width as u32..).for_each(|(&row, to)| self.local[row as usize] = to);
-        let local = &self.local;
+        rows.iter().zip(width as u32..).for_each(|(&row, to)| self.front_position_of_row[row as usize] = to);
+        let local = &self.front_position_of_row;
         let place = |row: u32| if (row as usize) < columns.end { row - first as u32 } else { local[row as usize] };
 
         self.diagonal.clear();
@@ -171,8 +177,8 @@ impl SupernodeElimination<'_> {
             let diagonal = self.matrix.diagonal[column as usize];
             alloc::push(&mut self.diagonal, diagonal)?;
             *self.front.entry_mut(k, k) = diagonal;
-            for &(row, value) in self.below.get(column as usize) {
-                let row = place(supernodes.place[row as usize]);
+            for &(row, value) in self.entries_below_diagonal.get(column as usize) {
+                let row = place(supernodes.new_number_of_column[row as usize]);
                 *self.front.entry_mut(row as usize, k) = value;
             }
         }
@@ -185,7 +191,7 @@ impl SupernodeElimination<'_> {
                 .add_lower_triangle(&self.places, &self.updates[left..], |count| work.count_moved_entries(count))?;
             self.updates.truncate(left);
         }
-        let inverse = &mut factor.inverse[columns];
+        let inverse = &mut factor.inverse_pivots[columns];
         self.front.eliminate_columns(&self.diagonal, inverse, |count| work.count_multiplications(count))?;
         for (b, columns) in columns_of_blocks(width, rows.len()).enumerate() {
             let below_diagonal = |(k, lanes): (usize, &BlockColumn)| {

@@ -15,10 +15,10 @@ type DenseRows = Vec<Vec<f64>>;
 
 /// Returns the sparse form of a dense symmetric matrix: all its non-zero entries.
 fn sparse_of_dense(a: &DenseRows) -> SparseSymmetric {
-    let mut matrix = SparseSymmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
+    let mut matrix = SparseSymmetric { column_starts: vec![0], entries: Vec::new(), diagonal: Vec::new() };
     for (k, row) in a.iter().enumerate() {
         matrix.entries.extend((0..k).filter(|&i| row[i] != 0.0).map(|i| (i as u32, row[i])));
-        matrix.start.push(matrix.entries.len());
+        matrix.column_starts.push(matrix.entries.len());
         matrix.diagonal.push(row[k]);
     }
     matrix
@@ -100,7 +100,7 @@ fn right_side(n: usize, random: &mut fastrand::Rng) -> Vec<DVec3> {
 }
 
 fn factor(a: &DenseRows) -> CholeskyFactor {
-    sparse_of_dense(a).factor(&Job::default()).unwrap()
+    sparse_of_dense(a).factorise(&Job::default()).unwrap()
 }
 
 fn solve(a: &DenseRows, b: &[DVec3]) -> Vec<DVec3> {
@@ -117,7 +117,7 @@ fn assert_close(found: &[DVec3], expected: &[DVec3], tolerance: f64, what: &str)
 
 /// L as a dense matrix, in the order of elimination.
 fn dense_lower_factor(factor: &CholeskyFactor) -> DenseRows {
-    let n = factor.inverse.len();
+    let n = factor.inverse_pivots.len();
     let mut lower = zeros(n);
     let mut used = 0;
     for s in 0..factor.supernodes.len() {
@@ -175,7 +175,7 @@ fn factors_reproduce_the_matrix() {
         let size = a.iter().flatten().fold(0.0, |size: f64, entry| size.max(entry.abs()));
         for i in 0..a.len() {
             for j in 0..=i {
-                let product: f64 = (0..=j).map(|k| lower[i][k] * lower[j][k] / factor.inverse[k]).sum();
+                let product: f64 = (0..=j).map(|k| lower[i][k] * lower[j][k] / factor.inverse_pivots[k]).sum();
                 let entry = a[order[i] as usize][order[j] as usize];
                 assert!((product - entry).abs() < 1e-13 * size, "{name}: {product} and {entry} at {i} {j}");
             }
@@ -232,7 +232,9 @@ fn unknowns_without_a_positive_pivot_are_left_out() {
             spoils.iter().for_each(|&(k, value)| a[k][k] = value);
             let factor = factor(&a);
             let order = &factor.supernodes.order;
-            let kept: Vec<_> = (0..n).filter(|&k| factor.inverse[factor.supernodes.place[k] as usize] != 0.0).collect();
+            let kept: Vec<_> = (0..n)
+                .filter(|&k| factor.inverse_pivots[factor.supernodes.new_number_of_column[k] as usize] != 0.0)
+                .collect();
             assert!(spoils.iter().all(|(k, _)| !kept.contains(k)), "{n}");
             if spoils.is_empty() {
                 assert_eq!(kept.len() + components, n);
@@ -283,7 +285,8 @@ fn counts_and_groups_agree_with_the_pattern() {
             for k in columns.clone() {
                 let has = |row: &usize| columns.contains(row) || groups.rows_below(s).contains(&(*row as u32));
                 let old = groups.order[k] as usize;
-                let mut rows = (0..n).filter(|&i| i > old && pattern[i][old]).map(|i| groups.place[i] as usize);
+                let mut rows =
+                    (0..n).filter(|&i| i > old && pattern[i][old]).map(|i| groups.new_number_of_column[i] as usize);
                 assert!(rows.all(|row| row > k && has(&row)), "{name}: column {k}");
                 stored += columns.end - k + groups.rows_below(s).len();
             }
@@ -314,17 +317,17 @@ fn progress_is_reported_regularly() {
     let n = if cfg!(debug_assertions) { 72 } else { 120 };
     let mut columns = vec![BTreeMap::<usize, f64>::new(); n * n];
     grid_terms(n, n).into_iter().for_each(|(i, j, value)| *columns[j].entry(i).or_default() += value);
-    let mut a = SparseSymmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
+    let mut a = SparseSymmetric { column_starts: vec![0], entries: Vec::new(), diagonal: Vec::new() };
     for (k, column) in columns.iter().enumerate() {
         a.entries.extend(column.range(..k).map(|(&i, &value)| (i as u32, value)));
-        a.start.push(a.entries.len());
+        a.column_starts.push(a.entries.len());
         a.diagonal.push(column[&k]);
     }
     let run = |left: usize| {
         let patience = CancelsAfterSteps { left: Cell::new(left), fraction: Cell::new(0.0) };
         let job = Job::new(1, &patience);
         let mut x = vec![DVec3::ONE; a.row_count()];
-        let done = a.factor(&job.part(0.0, 0.5)).and_then(|factor| factor.solve(&mut x, &job.part(0.5, 1.0)));
+        let done = a.factorise(&job.sub_job(0.0, 0.5)).and_then(|factor| factor.solve(&mut x, &job.sub_job(0.5, 1.0)));
         (done, left - patience.left.get())
     };
     let (done, all) = run(usize::MAX);

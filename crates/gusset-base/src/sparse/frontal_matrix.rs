@@ -30,7 +30,7 @@ pub(super) struct FrontalMatrix {
     /// diagonal and below the last row are unused.
     entries: Vec<BlockColumn>,
     /// The columns of a panel before division by their pivots, block by block.
-    undivided: Vec<BlockColumn>,
+    columns_before_division: Vec<BlockColumn>,
     own: Vec<f64>,
 }
 
@@ -45,7 +45,7 @@ impl FrontalMatrix {
         self.size = size;
         let blocks = size.div_ceil(ROWS_PER_BLOCK);
         self.own.resize(COLUMNS_PER_PANEL * COLUMNS_PER_PANEL, 0.0);
-        alloc::grow(&mut self.undivided, COLUMNS_PER_PANEL * blocks, ZERO_COLUMN)?;
+        alloc::grow(&mut self.columns_before_division, COLUMNS_PER_PANEL * blocks, ZERO_COLUMN)?;
         self.entries.clear();
         alloc::reserve(&mut self.entries, block_start(blocks))?;
         for b in 0..blocks {
@@ -131,7 +131,7 @@ impl FrontalMatrix {
                     first,
                     block: &mut self.entries[block_start(b)..block_start(b + 1)],
                     own: &mut self.own,
-                    undivided: &mut self.undivided[COLUMNS_PER_PANEL * b..][..width],
+                    undivided: &mut self.columns_before_division[COLUMNS_PER_PANEL * b..][..width],
                     diagonal: &diagonal[panel.clone()],
                     inverse: &mut inverse[panel.clone()],
                 });
@@ -140,7 +140,7 @@ impl FrontalMatrix {
             // The panel ends in this block, whose panel columns must stay.
             let next = panel.end / ROWS_PER_BLOCK;
             if panel.end % ROWS_PER_BLOCK > 0 {
-                let own = &mut self.undivided[COLUMNS_PER_PANEL * next..][..width];
+                let own = &mut self.columns_before_division[COLUMNS_PER_PANEL * next..][..width];
                 own.iter_mut().for_each(|lanes| lanes[..panel.end % ROWS_PER_BLOCK].fill(0.0));
             }
             for b in next..self.block_count() {
@@ -148,8 +148,8 @@ impl FrontalMatrix {
                     block: &mut self.entries[block_start(b)..block_start(b + 1)],
                     first,
                     width,
-                    next,
-                    undivided: &self.undivided,
+                    first_block: next,
+                    undivided: &self.columns_before_division,
                 });
                 spend(ROWS_PER_BLOCK * ROWS_PER_BLOCK * (b + 1 - next) * width)?;
             }
@@ -234,7 +234,7 @@ struct SubtractPanel<'a> {
     first: usize,
     width: usize,
     /// The first block of columns.
-    next: usize,
+    first_block: usize,
     undivided: &'a [BlockColumn],
 }
 
@@ -243,7 +243,7 @@ impl Kernel for SubtractPanel<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let SubtractPanel { block, first, width, next, undivided } = self;
+        let SubtractPanel { block, first, width, first_block: next, undivided } = self;
         let mut divided = [ZERO_COLUMN; COLUMNS_PER_PANEL];
         divided[..width].copy_from_slice(&block[first..first + width]);
         let divided = &divided[..width];

@@ -23,5 +23,5 @@ mod solve_factored;
 mod supernodes;
 mod symmetric;
 
-pub use elimination_order::{UnknownCouplings, dissect};
+pub use elimination_order::{UnknownCouplings, order_by_nested_dissection};
 pub use symmetric::SparseSymmetric;

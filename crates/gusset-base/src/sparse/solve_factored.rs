@@ -39,7 +39,7 @@ impl CholeskyFactor {
             self.scatter_right_sides(s, &local, &mut y);
             used += count;
         }
-        for (y, &inverse) in y.iter_mut().zip(&self.inverse) {
+        for (y, &inverse) in y.iter_mut().zip(&self.inverse_pivots) {
             *y = if inverse == 0.0 { DVec3::ZERO } else { *y * inverse };
         }
         for s in (0..self.supernodes.len()).rev() {

@@ -30,16 +30,16 @@ pub struct Supernodes {
     /// The matrix's column numbers, in the new order.
     pub order: Vec<u32>,
     /// The new number of each column.
-    pub place: Vec<u32>,
+    pub new_number_of_column: Vec<u32>,
     /// The first column of each group, then the number of columns.
-    first: Vec<u32>,
+    first_columns: Vec<u32>,
     /// The rows of each group below its columns, ascending.
-    rows: Vec<u32>,
+    rows_below_groups: Vec<u32>,
     rows_start: Vec<usize>,
     /// The group whose columns include the first of these rows; `NONE` for a root.
     parent: Vec<u32>,
     /// The first group of the subtree below each group.
-    subtree: Vec<u32>,
+    first_of_subtree: Vec<u32>,
 }
 
 impl Supernodes {
@@ -50,8 +50,8 @@ impl Supernodes {
         if n <= MAX_SINGLE_GROUP_COLUMNS {
             return Supernodes::one_supernode(n);
         }
-        let parent = elimination_tree_parents(matrix, &job.part(0.0, 0.2))?;
-        let count = factor_column_counts(below, &parent, &job.part(0.2, 0.6))?;
+        let parent = elimination_tree_parents(matrix, &job.sub_job(0.0, 0.2))?;
+        let count = factor_column_counts(below, &parent, &job.sub_job(0.2, 0.6))?;
         job.step(0.6, "solving")?;
         let group = merge_columns_into_groups(&parent, &count)?;
         job.step(0.6, "solving")?;
@@ -64,7 +64,7 @@ impl Supernodes {
         }
         let group_of = |column: u32| if column == NONE { NONE } else { number[group[column as usize] as usize] };
         let unordered = alloc::collect(last.iter().map(|&k| group_of(parent[k as usize])))?;
-        let sequence = forest_postorder(&unordered, &job.part(0.6, 0.6))?;
+        let sequence = forest_postorder(&unordered, &job.sub_job(0.6, 0.6))?;
         job.step(0.6, "solving")?;
         let columns = Buckets::new(last.len(), 0, (0..n as u32).map(|k| (group_of(k) as usize, k)))?;
         job.step(0.6, "solving")?;
@@ -88,9 +88,16 @@ impl Supernodes {
                 subtree[parent[s] as usize] = begin.min(subtree[s]);
             }
         }
-        let mut supernodes =
-            Supernodes { order, place, first, rows: Vec::new(), rows_start: Vec::new(), parent, subtree };
-        supernodes.find_rows_of_supernodes(below, &job.part(0.6, 1.0))?;
+        let mut supernodes = Supernodes {
+            order,
+            new_number_of_column: place,
+            first_columns: first,
+            rows_below_groups: Vec::new(),
+            rows_start: Vec::new(),
+            parent,
+            first_of_subtree: subtree,
+        };
+        supernodes.find_rows_of_supernodes(below, &job.sub_job(0.6, 1.0))?;
         Ok(supernodes)
     }
 
@@ -98,7 +105,15 @@ impl Supernodes {
     fn one_supernode(n: usize) -> Result<Self> {
         let numbers = alloc::collect(0..n as u32)?;
         let [place, first, parent, subtree] = [numbers.clone(), vec![0, n as u32], vec![NONE], vec![0]];
-        Ok(Supernodes { order: numbers, place, first, rows: Vec::new(), rows_start: vec![0, 0], parent, subtree })
+        Ok(Supernodes {
+            order: numbers,
+            new_number_of_column: place,
+            first_columns: first,
+            rows_below_groups: Vec::new(),
+            rows_start: vec![0, 0],
+            parent,
+            first_of_subtree: subtree,
+        })
     }
 
     /// Returns the number of groups.
@@ -108,18 +123,18 @@ impl Supernodes {
 
     /// Returns the columns of a group.
     pub fn columns(&self, s: usize) -> Range<usize> {
-        self.first[s] as usize..self.first[s + 1] as usize
+        self.first_columns[s] as usize..self.first_columns[s + 1] as usize
     }
 
     /// Returns the rows below the columns in which the group has entries.
     pub fn rows_below(&self, s: usize) -> &[u32] {
-        &self.rows[self.rows_start[s]..self.rows_start[s + 1]]
+        &self.rows_below_groups[self.rows_start[s]..self.rows_start[s + 1]]
     }
 
     /// Returns the children of a group, the last one first.
     pub fn children(&self, s: usize) -> impl Iterator<Item = usize> + '_ {
         let child = move |s_before: usize| s_before.checked_sub(1).filter(|&c| self.parent[c] == s as u32);
-        std::iter::successors(child(s), move |&c| child(self.subtree[c] as usize))
+        std::iter::successors(child(s), move |&c| child(self.first_of_subtree[c] as usize))
     }
 
     /// Finds the rows of each group: the union of the matrix's rows in its columns and its
@@ -142,7 +157,7 @@ impl Supernodes {
             for &k in &self.order[columns.clone()] {
                 let rows = below.get(k as usize);
                 looked_at += rows.len();
-                rows.iter().try_for_each(|&(i, _)| add(self.place[i as usize]))?;
+                rows.iter().try_for_each(|&(i, _)| add(self.new_number_of_column[i as usize]))?;
             }
             for child in self.children(s) {
                 let rows = self.rows_below(child);
@@ -150,9 +165,9 @@ impl Supernodes {
                 rows.iter().try_for_each(|&row| add(row))?;
             }
             found.sort_unstable();
-            alloc::append(&mut self.rows, &found)?;
+            alloc::append(&mut self.rows_below_groups, &found)?;
             found.clear();
-            self.rows_start.push(self.rows.len());
+            self.rows_start.push(self.rows_below_groups.len());
             if looked_at >= ENTRIES_PER_REPORT {
                 job.step(s as f64 / self.len() as f64, "solving")?;
                 looked_at = 0;

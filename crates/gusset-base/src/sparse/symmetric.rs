@@ -6,7 +6,7 @@ use crate::sort::Buckets;
 
 /// A symmetric matrix: its diagonal, and the entries above it, column by column as (row, value).
 pub struct SparseSymmetric {
-    pub start: Vec<usize>,
+    pub column_starts: Vec<usize>,
     pub entries: Vec<(u32, f64)>,
     pub diagonal: Vec<f64>,
 }
@@ -22,7 +22,7 @@ impl SparseSymmetric {
     /// before it.
     #[inline]
     pub fn entries_above_diagonal(&self, k: usize) -> &[(u32, f64)] {
-        &self.entries[self.start[k]..self.start[k + 1]]
+        &self.entries[self.column_starts[k]..self.column_starts[k + 1]]
     }
 
     /// Returns the entries below the diagonal, column by column. Takes 16 bytes an entry.

@@ -156,8 +156,8 @@ impl<'a> CurveView<'a> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn to_owned_cancellable(&self, job: &Job<'_>) -> Result<Curve> {
         let stage = "copying a curve";
-        let points = alloc::collect_cancellable(self.points.iter().copied(), &job.part(0.0, 0.8), stage)?;
-        let ends = alloc::collect_cancellable(self.ends.iter().copied(), &job.part(0.8, 1.0), stage)?;
+        let points = alloc::collect_cancellable(self.points.iter().copied(), &job.sub_job(0.0, 0.8), stage)?;
+        let ends = alloc::collect_cancellable(self.ends.iter().copied(), &job.sub_job(0.8, 1.0), stage)?;
         Ok(Curve { points, ends, closed: self.closed })
     }
 

@@ -149,7 +149,7 @@ impl SegmentBuffer {
 
     /// Replaces the control points by the derivative's, n (B_(i+1) - B_i). A constant leaves none.
     pub(crate) fn differentiate(&mut self) {
-        self.len = bernstein::derive(&mut self.controls[..self.len]);
+        self.len = bernstein::differentiate(&mut self.controls[..self.len]);
     }
 
     /// Elevates the degree to `degree`, if that is higher.

@@ -13,9 +13,9 @@ use gusset_base::geom::Aabb;
 /// A translation and a scaling by a power of 2.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct UnitFrame {
-    coarse: f64,
+    scale_before_translation: f64,
     origin: DVec3,
-    fine: f64,
+    scale_after_translation: f64,
 }
 
 /// Returns the power of 2 that scales `x` into 1/2 .. 1, or as close as a normal number can.
@@ -32,27 +32,27 @@ impl UnitFrame {
         let coarse = power_of_two_to_unit_size(low.abs().max(high.abs()).max_element());
         let (low, high) = (low * coarse, high * coarse);
         UnitFrame {
-            coarse,
+            scale_before_translation: coarse,
             origin: low * 0.5 + high * 0.5,
-            fine: power_of_two_to_unit_size((high - low).max_element() * 0.5),
+            scale_after_translation: power_of_two_to_unit_size((high - low).max_element() * 0.5),
         }
     }
 
     /// Transforms a point into the frame. The components of the points that define the frame become
     /// at most 1.
     pub(crate) fn point_to_frame(&self, p: DVec3) -> DVec3 {
-        (p * self.coarse - self.origin) * self.fine
+        (p * self.scale_before_translation - self.origin) * self.scale_after_translation
     }
 
     /// Transforms a point like [`point_to_frame`](Self::point_to_frame), and returns the rounding
     /// error as well.
     pub(crate) fn point_to_frame_with_rounding_error(&self, p: DVec3) -> [DVec3; 2] {
-        let (given, origin) = (p * self.coarse, self.origin);
+        let (given, origin) = (p * self.scale_before_translation, self.origin);
         let rounded = given - origin;
         // Knuth's TwoSum.
         let back = rounded - given;
         let remainder = (given - (rounded - back)) - (origin + back);
-        [rounded * self.fine, remainder * self.fine]
+        [rounded * self.scale_after_translation, remainder * self.scale_after_translation]
     }
 
     pub(crate) fn points_to_frame(&self, points: &[DVec3]) -> Result<Vec<DVec3>> {
@@ -66,16 +66,16 @@ impl UnitFrame {
 
     /// Transforms a point from the frame into the host's coordinates.
     pub(crate) fn point_from_frame(&self, p: DVec3) -> DVec3 {
-        (p / self.fine + self.origin) / self.coarse
+        (p / self.scale_after_translation + self.origin) / self.scale_before_translation
     }
 
     pub(crate) fn length_to_frame(&self, x: f64) -> f64 {
-        x * self.coarse * self.fine
+        x * self.scale_before_translation * self.scale_after_translation
     }
 
     /// Converts a length from the frame into the host's unit.
     pub(crate) fn length_from_frame(&self, x: f64) -> f64 {
-        x / self.fine / self.coarse
+        x / self.scale_after_translation / self.scale_before_translation
     }
 }
 

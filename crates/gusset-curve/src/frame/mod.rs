@@ -110,20 +110,20 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     let rows = sections.check_offsets_and_constraints()?;
     let least = |closed: bool| if closed { 3 } else { 2 };
     Error::require(rows >= least(options.ring), "sections", rows as f64)?;
-    let found = section_nodes::compute_section_nodes(sections, options, &job.part(0.0, 0.4))?;
+    let found = section_nodes::compute_section_nodes(sections, options, &job.sub_job(0.0, 0.4))?;
     let columns = found.columns;
     Error::require(columns >= least(sections.closed), "columns", columns as f64)?;
     let kind = PointConstraint::Corner;
     let corners = alloc::collect(found.corners.iter().map(|&point| Constraint { point, kind }))?;
     let smooth = Options { corner_angle: std::f64::consts::PI, ..options.across };
-    let across = fit_row_curves(&found.nodes, columns, sections.closed, &corners, &smooth, &job.part(0.4, 0.6))?;
+    let across = fit_row_curves(&found.nodes, columns, sections.closed, &corners, &smooth, &job.sub_job(0.4, 0.6))?;
     let turned_back = |point: usize| (point % rows) * columns + point / rows;
     let turned_about = alloc::collect((0..found.nodes.len()).map(|point| found.nodes[turned_back(point)]))?;
-    let along = fit_row_curves(&turned_about, rows, options.ring, &[], &options.along, &job.part(0.6, 0.8))?;
+    let along = fit_row_curves(&turned_about, rows, options.ring, &[], &options.along, &job.sub_job(0.6, 0.8))?;
     let (on_across, directions_across) =
-        points_and_tangents_at_nodes(&across, columns, rows, |point| point, &job.part(0.8, 0.9))?;
+        points_and_tangents_at_nodes(&across, columns, rows, |point| point, &job.sub_job(0.8, 0.9))?;
     let (on_along, directions_along) =
-        points_and_tangents_at_nodes(&along, rows, columns, turned_back, &job.part(0.9, 1.0))?;
+        points_and_tangents_at_nodes(&along, rows, columns, turned_back, &job.sub_job(0.9, 1.0))?;
     let mut grid = NodeGrid {
         rows,
         columns,
@@ -180,7 +180,7 @@ fn points_and_tangents_at_nodes(
     let mut points = alloc::filled(DVec3::ZERO, width * count)?;
     let mut directions = alloc::filled(DVec3::ZERO, width * count)?;
     for k in 0..count {
-        let job = job.share(k, count);
+        let job = job.sub_job_of_item(k, count);
         job.step(0.0, "directions at nodes")?;
         let (curve, own) = (fit.curve(k), k * width..(k + 1) * width);
         if curve.is_empty() {
@@ -190,7 +190,7 @@ fn points_and_tangents_at_nodes(
         }
         let places = alloc::collect(own.clone().map(|i| fit.place(i)))?;
         let (on_curve, along) =
-            (curve.points_at(&places, &job.part(0.0, 0.5))?, curve.tangents_at(&places, &job.part(0.5, 1.0))?);
+            (curve.points_at(&places, &job.sub_job(0.0, 0.5))?, curve.tangents_at(&places, &job.sub_job(0.5, 1.0))?);
         for ((i, p), direction) in own.zip(on_curve).zip(along) {
             (points[place(i)], directions[place(i)]) = (p, direction);
         }

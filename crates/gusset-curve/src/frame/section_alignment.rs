@@ -26,7 +26,7 @@ const RELATIVE_TIE_TOLERANCE: f64 = 1e-9;
 pub(super) struct AnchoredSection<'a> {
     pub(super) lengths: ArcLengths<'a>,
     /// The arc length at the anchor.
-    pub(super) anchor: f64,
+    pub(super) anchor_length: f64,
     pub(super) backwards: bool,
 }
 
@@ -36,14 +36,14 @@ impl AnchoredSection<'_> {
     pub(super) fn place_at_fraction(&self, fraction: f64) -> Result<Place> {
         let total = self.lengths.total_length();
         let by = (fraction - fraction.floor()) * total;
-        let at = self.anchor + if self.backwards { -by } else { by };
+        let at = self.anchor_length + if self.backwards { -by } else { by };
         let at = if at < 0.0 { at + total } else { at };
         self.lengths.place_at_length(if at >= total { at - total } else { at })
     }
 
     /// Returns the arc length from the anchor to a place: at least 0, less than the total length.
     pub(super) fn length_from_anchor(&self, place: Place) -> Result<f64> {
-        let by = self.lengths.length_to(place)? - self.anchor;
+        let by = self.lengths.length_to(place)? - self.anchor_length;
         let by = if self.backwards { -by } else { by };
         Ok(if by < 0.0 { by + self.lengths.total_length() } else { by })
     }

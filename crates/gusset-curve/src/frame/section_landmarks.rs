@@ -43,7 +43,7 @@ pub(super) fn find_landmarks(
     job: &Job<'_>,
 ) -> Result<Vec<Landmark>> {
     // Open sections take half of a circle, so that their ends are apart.
-    let circle = Circle { length: if closed { 1.0 } else { 2.0 } };
+    let circle = NumbersModuloLength { length: if closed { 1.0 } else { 2.0 } };
     let Some(first_corners) = corners.first() else { return Ok(Vec::new()) };
     let mut marks = alloc::with_capacity(first_corners.len() + 2)?;
     let ends = [0.0, 1.0];
@@ -105,7 +105,12 @@ fn match_corners(
 
 /// Gives the landmarks the corners of section k that are close to them, and moves the other landmarks
 /// along. Returns the remaining corners.
-fn continue_landmarks(marks: &mut [Landmark], own: &[(u32, f64)], k: usize, circle: Circle) -> Result<Vec<(u32, f64)>> {
+fn continue_landmarks(
+    marks: &mut [Landmark],
+    own: &[(u32, f64)],
+    k: usize,
+    circle: NumbersModuloLength,
+) -> Result<Vec<(u32, f64)>> {
     let mut rest = Vec::new();
     let images = alloc::collect(marks.iter().map(|mark| mark.fractions[k]))?;
     // Corners that the map hits come first, so that no other corner takes their landmark.
@@ -141,7 +146,7 @@ fn begin_landmarks(
     marks: &mut Vec<Landmark>,
     begun: Vec<(u32, f64)>,
     k: usize,
-    circle: Circle,
+    circle: NumbersModuloLength,
     sections: usize,
 ) -> Result<()> {
     let before = marks.len();
@@ -164,11 +169,11 @@ fn begin_landmarks(
 
 /// Numbers modulo a length.
 #[derive(Clone, Copy)]
-struct Circle {
+struct NumbersModuloLength {
     length: f64,
 }
 
-impl Circle {
+impl NumbersModuloLength {
     /// Returns x within [0, length).
     fn wrap(self, x: f64) -> f64 {
         let wrapped = x - self.length * (x / self.length).floor();

@@ -50,8 +50,8 @@ pub(super) fn compute_section_nodes(
     let constraints = point_constraints_with_corners(sections, &corners)?;
     // The given points already include the corners.
     let across = Options { corner_angle: PI, ..options.across };
-    let curves = fit(&Outlines { constraints: &constraints, ..*sections }, &across, &job.part(0.0, 0.5))?;
-    let job = job.part(0.5, 1.0);
+    let curves = fit(&Outlines { constraints: &constraints, ..*sections }, &across, &job.sub_job(0.0, 0.5))?;
+    let job = job.sub_job(0.5, 1.0);
     let mut found = SectionNodes {
         rows,
         columns: 0,
@@ -71,7 +71,7 @@ pub(super) fn compute_section_nodes(
             let frames = axis_frames(axis, reference, rows, options.ring)?;
             found.reserve_columns(columns)?;
             for (k, &(point, [along, first, second])) in frames.iter().enumerate() {
-                let (curve, of_section) = (curves.curve(k), job.share(k, rows));
+                let (curve, of_section) = (curves.curve(k), job.sub_job_of_item(k, rows));
                 if let (true, Some(&pole)) = (curve.is_empty(), curve.points().first()) {
                     found.nodes.extend(std::iter::repeat_n(pole, columns));
                     continue;
@@ -85,7 +85,7 @@ pub(super) fn compute_section_nodes(
                         point,
                         ray,
                         along.cross(ray),
-                        &of_section.share(i, columns),
+                        &of_section.sub_job_of_item(i, columns),
                     )?;
                 }
                 if !options.smooth_corners {
@@ -133,10 +133,10 @@ impl SectionNodes {
         normal: DVec3,
         job: &Job<'_>,
     ) -> Result<()> {
-        let crossings = curve.intersect_plane(point, normal, &job.part(0.0, 0.9))?;
+        let crossings = curve.intersect_plane(point, normal, &job.sub_job(0.0, 0.9))?;
         let (mut hits, mut farthest) = (0, None);
         let mut greatest = 0.0;
-        for p in curve.points_at(&crossings.places, &job.part(0.9, 1.0))? {
+        for p in curve.points_at(&crossings.places, &job.sub_job(0.9, 1.0))? {
             let distance = (p - point).dot(ray);
             hits += usize::from(distance > 0.0);
             if distance > greatest {
@@ -172,7 +172,7 @@ fn add_nodes_by_arc_length(
     if live.is_empty() {
         return Err(Error::NoNode { section: 0, column: 0 });
     }
-    let measured = measure_sections(sections, curves, &live, options, found, &job.part(0.0, 0.4))?;
+    let measured = measure_sections(sections, curves, &live, options, found, &job.sub_job(0.0, 0.4))?;
     let place = |at: usize, mark: u32| curves.place(sections.point_range(live[at]).start + mark as usize);
     let mut marked = alloc::with_capacity(live.len())?;
     for (at, section) in measured.iter().enumerate() {
@@ -190,11 +190,11 @@ fn add_nodes_by_arc_length(
     let starts = if !closed || options.given_starts {
         alloc::filled(0.0, live.len())?
     } else {
-        section_start_fractions(&measured, options.ring, &job.part(0.4, 0.5))?
+        section_start_fractions(&measured, options.ring, &job.sub_job(0.4, 0.5))?
     };
     let position = corner_positions(sections, &live, &marked)?;
     let distance = |at: usize, i: u32, j: u32| position(at, i).distance_squared(position(at + 1, j));
-    let mut marks = find_landmarks(&marked, closed, &starts, &distance, &job.part(0.5, 0.7))?;
+    let mut marks = find_landmarks(&marked, closed, &starts, &distance, &job.sub_job(0.5, 0.7))?;
     if closed {
         let first = first_landmark(&marks, &measured[0], options)?;
         marks.rotate_left(first);
@@ -255,9 +255,9 @@ fn measure_sections<'a>(
     let mut before = DVec3::ZERO;
     for (at, &k) in live.iter().enumerate() {
         job.step(at as f64 / live.len() as f64, "finding nodes")?;
-        let lengths = outline_curve(curves, k)?.arc_lengths(&job.share(at, live.len()))?;
+        let lengths = outline_curve(curves, k)?.arc_lengths(&job.sub_job_of_item(at, live.len()))?;
         if !sections.closed {
-            measured.push(AnchoredSection { lengths, anchor: 0.0, backwards: false });
+            measured.push(AnchoredSection { lengths, anchor_length: 0.0, backwards: false });
             continue;
         }
         let turn = section_normal(sections, k);
@@ -270,7 +270,7 @@ fn measure_sections<'a>(
         let start =
             if options.given_starts { 0 } else { farthest_from_mean(span.clone().map(|i| sections.points.get(i))) };
         let anchor = lengths.length_to(curves.place(span.start + start))?;
-        measured.push(AnchoredSection { lengths, anchor, backwards });
+        measured.push(AnchoredSection { lengths, anchor_length: anchor, backwards });
     }
     Ok(measured)
 }
@@ -373,7 +373,7 @@ fn add_landmark_nodes(
     let columns = if sections.closed { each.checked_mul(parts) } else { (each - 1).checked_mul(parts).map(|n| n + 1) };
     found.reserve_columns(columns.unwrap_or(usize::MAX))?;
     for k in 0..found.rows {
-        let (curve, of_section) = (outline_curve(curves, k)?, job.share(k, found.rows));
+        let (curve, of_section) = (outline_curve(curves, k)?, job.sub_job_of_item(k, found.rows));
         let span = sections.point_range(k);
         let own = &points[k * each..(k + 1) * each];
         // The landmarks must be in order along the section. In a closed section the order may wrap
@@ -384,8 +384,8 @@ fn add_landmark_nodes(
             (0..each).find(|&i| own[i] as usize >= span.len() || (i > 0 && own[i] <= own[i - 1] && !may_descend));
         check(k * each + wrong.unwrap_or(0), wrong.is_none())?;
         let place = |landmark: u32| curves.place(span.start + landmark as usize);
-        let lengths = curve.arc_lengths(&of_section.part(0.0, 0.5))?;
-        let of_section = of_section.part(0.5, 1.0);
+        let lengths = curve.arc_lengths(&of_section.sub_job(0.0, 0.5))?;
+        let of_section = of_section.sub_job(0.5, 1.0);
         for (i, &landmark) in own.iter().enumerate() {
             of_section.step_every(LANDMARKS_PER_REPORT, i, each, "finding nodes")?;
             let last = i + 1 == each;

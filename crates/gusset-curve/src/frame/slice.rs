@@ -39,7 +39,7 @@ pub fn slice(
     let mut ambiguous = Vec::new();
     for i in 0..along.len() {
         let curve = along.curve(i);
-        let crossings = curve.intersect_plane(point, normal, &job.part(0.0, 0.5).share(i, along.len()))?;
+        let crossings = curve.intersect_plane(point, normal, &job.sub_job(0.0, 0.5).sub_job_of_item(i, along.len()))?;
         let inside = crossings.inside.first().map(|&segment| Place { segment, t: 0.0 });
         let Some(place) = crossings.places.first().copied().or(inside) else {
             return Err(Error::NoNode { section: 0, column: i as u32 });
@@ -51,7 +51,7 @@ pub fn slice(
         places.push(place);
     }
     let outline = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
-    Ok(Slice { curve: fit(&outline, options, &job.part(0.5, 1.0))?, places, ambiguous })
+    Ok(Slice { curve: fit(&outline, options, &job.sub_job(0.5, 1.0))?, places, ambiguous })
 }
 
 /// The measures of a section.

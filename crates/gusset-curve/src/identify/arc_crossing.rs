@@ -29,9 +29,9 @@ const MIN_CROSSING_DEPTH: f64 = 1e-9;
 #[derive(Clone, Copy)]
 pub(super) struct Arc {
     points: [DVec2; MAX_CONTROLS],
-    count: usize,
+    control_point_count: usize,
     /// The positions of its ends along the spans.
-    range: [f64; 2],
+    span_positions: [f64; 2],
 }
 
 /// The positions along the spans at which arcs cross in the plane.
@@ -44,55 +44,55 @@ impl Arc {
         let count = controls.len();
         let mut points = [DVec2::ZERO; MAX_CONTROLS];
         points.get_mut(..count)?.iter_mut().zip(controls).for_each(|(to, p)| *to = p);
-        Some(Arc { points, count, range })
+        Some(Arc { points, control_point_count: count, span_positions: range })
     }
 
     /// Returns the part between two parameters, with the positions of its ends.
     #[inline]
-    pub(super) fn part(mut self, [from, to]: [f64; 2], range: [f64; 2]) -> Arc {
+    pub(super) fn part_between(mut self, [from, to]: [f64; 2], range: [f64; 2]) -> Arc {
         if from > 0.0 {
             self.split_off_part_before(from);
         }
         if to < 1.0 {
             self = self.split_off_part_before((to - from) / (1.0 - from));
         }
-        Arc { range, ..self }
+        Arc { span_positions: range, ..self }
     }
 
     #[inline]
     fn points(&self) -> &[DVec2] {
-        &self.points[..self.count]
+        &self.points[..self.control_point_count]
     }
 
     #[inline]
-    fn first(&self) -> DVec2 {
+    fn first_point(&self) -> DVec2 {
         self.points[0]
     }
 
     #[inline]
-    fn last(&self) -> DVec2 {
-        self.points[self.count - 1]
+    fn last_point(&self) -> DVec2 {
+        self.points[self.control_point_count - 1]
     }
 
     #[inline]
     fn chord(&self) -> DVec2 {
-        self.last() - self.first()
+        self.last_point() - self.first_point()
     }
 
     /// Keeps the part after a parameter and returns the part before it, by de Casteljau's scheme.
     #[inline]
     fn split_off_part_before(&mut self, t: f64) -> Arc {
         let mut before = *self;
-        let after = &mut self.points[..before.count];
+        let after = &mut self.points[..before.control_point_count];
         for k in 1..after.len() {
             for i in 0..after.len() - k {
                 after[i] += (after[i + 1] - after[i]) * t;
             }
             before.points[k] = after[0];
         }
-        let [from, to] = self.range;
-        before.range[1] = from + (to - from) * t;
-        self.range[0] = before.range[1];
+        let [from, to] = self.span_positions;
+        before.span_positions[1] = from + (to - from) * t;
+        self.span_positions[0] = before.span_positions[1];
         before
     }
 
@@ -103,7 +103,7 @@ impl Arc {
 
     /// Returns the lowest and the highest product of the control points with a vector, relative to a point.
     #[inline]
-    fn extent(&self, from: DVec2, along: DVec2) -> [f64; 2] {
+    fn extent_along(&self, from: DVec2, along: DVec2) -> [f64; 2] {
         self.points().iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &p| {
             let x = (p - from).dot(along);
             [if x < low { x } else { low }, if x > high { x } else { high }]
@@ -117,7 +117,7 @@ impl Arc {
     }
 
     /// Returns whether the control points advance along a direction.
-    fn advances(&self, along: DVec2) -> bool {
+    fn advances_along(&self, along: DVec2) -> bool {
         self.points().windows(2).all(|leg| (leg[1] - leg[0]).dot(along) >= 0.0)
     }
 }
@@ -125,7 +125,7 @@ impl Arc {
 /// Searches for a crossing that is accepted.
 pub(super) struct CrossingSearch<'a> {
     /// The test of a crossing by its place; without it all are accepted.
-    pub(super) accepts: Option<&'a dyn Fn(Crossing) -> bool>,
+    pub(super) is_accepted_crossing: Option<&'a dyn Fn(Crossing) -> bool>,
 }
 
 impl CrossingSearch<'_> {
@@ -147,13 +147,13 @@ impl CrossingSearch<'_> {
 
     /// Returns whether an arc that was divided some times crosses itself.
     fn crosses_itself(&self, arc: &Arc, divided: u32) -> bool {
-        if arc.count <= 3 || divided == MAX_DIVISIONS || arc.advances(arc.chord()) {
+        if arc.control_point_count <= 3 || divided == MAX_DIVISIONS || arc.advances_along(arc.chord()) {
             return false;
         }
         if let &[p, q, r, s] = arc.points() {
             return parameters_where_cubic_crosses_itself([p, q, r, s]).is_some_and(|parameters| {
-                let [from, to] = arc.range;
-                self.accepts.is_none_or(|accepts| accepts(parameters.map(|t| from + (to - from) * t)))
+                let [from, to] = arc.span_positions;
+                self.is_accepted_crossing.is_none_or(|accepts| accepts(parameters.map(|t| from + (to - from) * t)))
             });
         }
         let ([a, b], divided) = (arc.divide(), divided + 1);
@@ -164,12 +164,13 @@ impl CrossingSearch<'_> {
 
     /// Returns whether two arcs that were divided some times cross.
     fn do_cross(&self, a: &Arc, b: &Arc, are_adjacent: bool, divided: [u32; 2]) -> bool {
-        let relation = if are_adjacent { are_adjacent_separate(a, b).then_some(false) } else { relation(a, b) };
-        match (relation, self.accepts) {
+        let relation =
+            if are_adjacent { are_adjacent_separate(a, b).then_some(false) } else { do_arcs_certainly_cross(a, b) };
+        match (relation, self.is_accepted_crossing) {
             (Some(false), _) => return false,
             (Some(true), None) => return true,
             (Some(true), Some(accepts)) if divided[0].min(divided[1]) >= DIVISIONS_FOR_PLACE => {
-                return accepts([a, b].map(|arc| 0.5 * (arc.range[0] + arc.range[1])));
+                return accepts([a, b].map(|arc| 0.5 * (arc.span_positions[0] + arc.span_positions[1])));
             }
             _ => {}
         }
@@ -203,10 +204,10 @@ impl CrossingSearch<'_> {
 /// Returns whether a line through their common point separates two arcs: whether the vectors from the control points of
 /// the first to the common point, and from there to the control points of the second, are within a half turn.
 fn are_adjacent_separate(a: &Arc, b: &Arc) -> bool {
-    let shared = b.first();
-    let tangent = b.points[1] - a.points[a.count - 2];
+    let shared = b.first_point();
+    let tangent = b.points[1] - a.points[a.control_point_count - 2];
     let (mut left, mut right) = (tangent, tangent);
-    let before = a.points()[..a.count - 1].iter().map(|&p| shared - p);
+    let before = a.points()[..a.control_point_count - 1].iter().map(|&p| shared - p);
     let after = b.points()[1..].iter().map(|&p| p - shared);
     let is_ahead = before.chain(after).all(|v| {
         let side = tangent.perp_dot(v);
@@ -221,24 +222,24 @@ fn are_adjacent_separate(a: &Arc, b: &Arc) -> bool {
 }
 
 /// Returns false if a line separates two arcs, true if they certainly cross.
-fn relation(a: &Arc, b: &Arc) -> Option<bool> {
+fn do_arcs_certainly_cross(a: &Arc, b: &Arc) -> Option<bool> {
     let chords = [a.chord(), b.chord()];
     let depth = MIN_CROSSING_DEPTH * (chords[0].length_squared() + chords[1].length_squared());
     let mut cross = true;
     for (own, other, chord) in [(a, b, chords[0]), (b, a, chords[1])] {
-        let (from, across) = (own.first(), chord.perp());
-        let ([low, high], [other_low, other_high]) = (own.extent(from, across), other.extent(from, across));
+        let (from, across) = (own.first_point(), chord.perp());
+        let ([low, high], [other_low, other_high]) = (own.extent_along(from, across), other.extent_along(from, across));
         if high <= other_low || other_high <= low {
             return Some(false);
         }
-        let [x, y] = [other.first(), other.last()].map(|p| (p - from).dot(across));
+        let [x, y] = [other.first_point(), other.last_point()].map(|p| (p - from).dot(across));
         cross &= x.min(y) < low - depth && x.max(y) > high + depth;
     }
     if cross {
         return Some(true);
     }
-    let between = b.first() - a.last();
-    let (own, other) = (a.extent(a.last(), between), b.extent(a.last(), between));
+    let between = b.first_point() - a.last_point();
+    let (own, other) = (a.extent_along(a.last_point(), between), b.extent_along(a.last_point(), between));
     (own[1] <= other[0] && between != DVec2::ZERO).then_some(false)
 }
 

@@ -36,7 +36,7 @@ pub(super) fn append_blended_curve(
 ) -> Result<()> {
     let (points, n, method) = (sub.points, sub.len(), sub.options.method);
     solution.reserve_for_points(n)?;
-    let (controls, parameters) = (&mut solution.controls, &mut solution.t);
+    let (controls, parameters) = (&mut solution.controls, &mut solution.point_parameters);
     for i in sub.section_indices() {
         let [a, p, c] = sub.point_and_neighbours(i);
         let (u, w) = (a - p, c - p);

@@ -17,7 +17,7 @@ const DISTANCES_PER_BLOCK: usize = 32;
 
 /// Flags the crowded nodes of an outline.
 pub(super) fn flag_crowded_nodes(nodes: &mut OutlineNodes) {
-    let OutlineNodes { points, results, closed, cuts, .. } = nodes;
+    let OutlineNodes { points, results, closed, dividing_nodes: cuts, .. } = nodes;
     // A closed outline with cuts repeats its first node at the end.
     let count = points.len() - usize::from(*closed && !cuts.is_empty());
     let points = &points[..count];
@@ -37,7 +37,7 @@ pub(super) fn flag_crowded_nodes(nodes: &mut OutlineNodes) {
         let to = (from + DISTANCES_PER_BLOCK).min(spans);
         // The distances of the block, one before and one after it.
         let near = &points[from.saturating_sub(1)..(to + 2).min(count)];
-        let (mut least, mut most) = least_and_most(near);
+        let (mut least, mut most) = min_and_max_squared_distance(near);
         if from == 0 || to + 1 >= spans {
             let first = points[0].distance_squared(points[1]);
             (least, most) = (least.min(closing).min(first), most.max(closing).max(first));
@@ -69,7 +69,7 @@ pub(super) fn flag_crowded_nodes(nodes: &mut OutlineNodes) {
 }
 
 /// Returns the smallest and the largest squared distance between consecutive points.
-fn least_and_most(points: &[DVec3]) -> (f64, f64) {
+fn min_and_max_squared_distance(points: &[DVec3]) -> (f64, f64) {
     points.windows(2).fold((f64::INFINITY, 0.0_f64), |(least, most), pair| {
         let squared = pair[1].distance_squared(pair[0]);
         (if squared < least { squared } else { least }, if squared > most { squared } else { most })

@@ -17,7 +17,7 @@
 //! IV; Bessel's end condition).
 
 use super::composite_solution::CompositeSolution;
-use super::method::power;
+use super::method::power_by_roots_if_possible;
 use super::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::error::Result;
 use gusset_base::geom::linear::tridiagonal;
@@ -30,11 +30,17 @@ pub(super) fn append_cubic_spline(
 ) -> Result<()> {
     let (points, n) = (sub.points, sub.len());
     solution.reserve_for_points(n)?;
-    let CompositeSolution { t: intervals, controls: derivatives, upper, across, .. } = solution;
+    let CompositeSolution {
+        point_parameters: intervals,
+        controls: derivatives,
+        elimination_factors: upper,
+        last_unknown_factors: across,
+        ..
+    } = solution;
     let alpha = sub.options.method.chord_exponent().unwrap_or(0.5);
     let (intervals, derivatives) = (&mut intervals[..n], &mut derivatives[..n]);
     for i in 0..n {
-        intervals[i] = power(points[i].distance(points[sub.next_index(i)]), alpha);
+        intervals[i] = power_by_roots_if_possible(points[i].distance(points[sub.next_index(i)]), alpha);
     }
     let intervals = &*intervals;
     let slope = |i: usize| (points[sub.next_index(i)] - points[i]) / intervals[i];

@@ -9,7 +9,7 @@ use gusset_base::error::Result;
 pub(super) struct CurveBuilder {
     pub(super) points: Vec<DVec3>,
     /// 0, then the index of the last control point of each segment.
-    pub(super) ends: Vec<u32>,
+    pub(super) segment_ends: Vec<u32>,
     /// Joints that may be corners, by the number of segments before them, in ascending order.
     corners: Vec<u32>,
 }
@@ -17,9 +17,9 @@ pub(super) struct CurveBuilder {
 impl CurveBuilder {
     pub(super) fn clear(&mut self) {
         self.points.clear();
-        self.ends.clear();
+        self.segment_ends.clear();
         self.corners.clear();
-        self.ends.push(0);
+        self.segment_ends.push(0);
     }
 
     /// Sets the start of the curve, unless it has begun.
@@ -34,7 +34,7 @@ impl CurveBuilder {
     #[inline]
     pub(super) fn push_segment(&mut self, controls_after_first: &[DVec3]) -> Result<()> {
         alloc::append(&mut self.points, controls_after_first)?;
-        alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
+        alloc::push(&mut self.segment_ends, (self.points.len() - 1) as u32)
     }
 
     /// Makes the whole curve of `n` quadratic segments, and returns their control points to be
@@ -42,7 +42,7 @@ impl CurveBuilder {
     pub(super) fn allocate_closed_quadratics(&mut self, n: usize) -> Result<&mut [DVec3]> {
         self.clear();
         alloc::grow(&mut self.points, 2 * n + 1, DVec3::ZERO)?;
-        alloc::extend(&mut self.ends, (1..=n as u32).map(|k| 2 * k))?;
+        alloc::extend(&mut self.segment_ends, (1..=n as u32).map(|k| 2 * k))?;
         Ok(&mut self.points)
     }
 
@@ -53,7 +53,7 @@ impl CurveBuilder {
     }
 
     pub(super) fn len(&self) -> usize {
-        self.ends.len() - 1
+        self.segment_ends.len() - 1
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -61,7 +61,7 @@ impl CurveBuilder {
     }
 
     pub(super) fn segment(&self, k: usize) -> &[DVec3] {
-        &self.points[self.ends[k] as usize..=self.ends[k + 1] as usize]
+        &self.points[self.segment_ends[k] as usize..=self.segment_ends[k + 1] as usize]
     }
 
     pub(super) fn corner_joints(&self) -> &[u32] {

@@ -35,11 +35,11 @@ pub(super) fn subcurve_plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     let aside = farthest(&|v| v.cross(axis).length_squared());
     let normal = axis.cross(aside);
     // A straight subcurve lies in every plane that contains it.
-    let normal = match normal.length() > MAX_PLANE_SINE * sub.size {
+    let normal = match normal.length() > MAX_PLANE_SINE * sub.outline_size {
         true => normal.normalize(),
         false => axis.any_orthonormal_vector(),
     };
-    sub.points.iter().all(|&p| normal.dot(p - origin).abs() <= MAX_PLANE_SINE * sub.size).then_some(normal)
+    sub.points.iter().all(|&p| normal.dot(p - origin).abs() <= MAX_PLANE_SINE * sub.outline_size).then_some(normal)
 }
 
 /// Returns the direction of the guide of a triangle in a plane, from the foot to the point. The
@@ -78,7 +78,7 @@ mod tests {
                 points,
                 closed: false,
                 tangents: [None, None],
-                size: 4.0,
+                outline_size: 4.0,
                 options: &options,
             })
         };

@@ -46,15 +46,15 @@ const SAMPLES_PER_LOOP: usize = 16;
 #[derive(Default)]
 pub(super) struct LoopSearch {
     /// The points that the curve passes, by their indices; empty if it passes all.
-    stops: Vec<usize>,
+    passed_points: Vec<usize>,
     /// The points at loops, by their places among the stops.
-    found: Vec<usize>,
+    points_at_loops: Vec<usize>,
     /// The arcs of consecutive spans.
     arcs: Vec<Arc>,
 }
 
 impl LoopSearch {
-    /// Flags the points at loops of the last outline of a fit. Its points start at `first` in the fit, and at `given`
+    /// Flags the points at loops of the last outline of a fit. Its points start at `first_point_in_fit` in the fit, and at `first_given_point`
     /// among `points`.
     pub(super) fn flag_points(
         &mut self,
@@ -63,7 +63,7 @@ impl LoopSearch {
         (points, given): (&Points<'_>, usize),
         placement: &NormalisationOfOutline,
     ) -> Result<()> {
-        let LoopSearch { stops, found, arcs } = self;
+        let LoopSearch { passed_points: stops, points_at_loops: found, arcs } = self;
         stops.clear();
         found.clear();
         let is_omitted = |status: &PointStatus| matches!(status, PointStatus::Merged | PointStatus::Missed);
@@ -79,9 +79,20 @@ impl LoopSearch {
             return Ok(());
         }
         let closed = done.closed && count > 2;
-        let mut spans = Spans { curve, done, points, first, given, stops, count, closed, placement, wrap: count };
-        spans.wrap = spans.find_wrap();
-        spans.find_loops(&mut Found { places: found, count, arcs })?;
+        let mut spans = Spans {
+            curve,
+            fit: done,
+            points,
+            first_point_in_fit: first,
+            first_given_point: given,
+            passed_points: stops,
+            point_count: count,
+            closed,
+            placement,
+            first_point_after_seam: count,
+        };
+        spans.first_point_after_seam = spans.find_first_point_after_seam();
+        spans.find_loops(&mut LoopFinds { points_at_loops: found, arc_count: count, arcs })?;
         for &place in &*found {
             let own = &mut done.statuses[if stops.is_empty() { first + place } else { stops[place] }];
             if matches!(own, PointStatus::Ok | PointStatus::ClampedParameter | PointStatus::Crowded) {
@@ -93,49 +104,49 @@ impl LoopSearch {
 }
 
 /// The points at loops so far, and the arcs of a few spans.
-struct Found<'a> {
-    places: &'a mut Vec<usize>,
-    count: usize,
+struct LoopFinds<'a> {
+    points_at_loops: &'a mut Vec<usize>,
+    arc_count: usize,
     arcs: &'a mut Vec<Arc>,
 }
 
-impl Found<'_> {
+impl LoopFinds<'_> {
     fn push(&mut self, k: usize) -> Result<()> {
-        alloc::push(self.places, k % self.count)
+        alloc::push(self.points_at_loops, k % self.arc_count)
     }
 
     /// Returns whether the last spans have found point k.
-    fn has(&self, k: usize) -> bool {
-        let k = if k < self.count { k } else { k - self.count };
-        self.places.iter().rev().take(2 * MAX_SPANS_APART + 2).any(|&place| place == k)
+    fn has_found_point(&self, k: usize) -> bool {
+        let k = if k < self.arc_count { k } else { k - self.arc_count };
+        self.points_at_loops.iter().rev().take(2 * MAX_SPANS_APART + 2).any(|&place| place == k)
     }
 }
 
 /// The parts of a curve between consecutive points.
 struct Spans<'a> {
     curve: CurveView<'a>,
-    done: &'a Fit,
+    fit: &'a Fit,
     points: &'a Points<'a>,
     /// The outline's first point in the fit, and among the points.
-    first: usize,
-    given: usize,
+    first_point_in_fit: usize,
+    first_given_point: usize,
     /// The points that the curve passes, by their indices; empty if it passes all.
-    stops: &'a [usize],
+    passed_points: &'a [usize],
     /// The number of points that the curve passes.
-    count: usize,
+    point_count: usize,
     closed: bool,
     placement: &'a NormalisationOfOutline,
     /// The first point before which a closed curve begins anew.
-    wrap: usize,
+    first_point_after_seam: usize,
 }
 
 /// A part of the curve: its first segment, counted on beyond the end of a closed curve, with a parameter, the number
 /// of segments after it that it enters, and the parameter at which it ends.
 struct SpanPlace {
     segment: usize,
-    from: f64,
-    more: usize,
-    to: f64,
+    start_parameter: f64,
+    further_segments: usize,
+    end_parameter: f64,
 }
 
 /// Tests spans with the widest vectors of the processor.
@@ -145,25 +156,27 @@ fn test_lanes<const H: usize>(lanes: &SpanLanes<H>) -> MayCross {
 
 impl Spans<'_> {
     fn len(&self) -> usize {
-        self.count - usize::from(!self.closed)
+        self.point_count - usize::from(!self.closed)
     }
 
     #[inline]
-    fn near_origin(&self, point: DVec3) -> DVec3 {
+    fn normalise_point(&self, point: DVec3) -> DVec3 {
         (point - self.placement.origin) * (1.0 / self.placement.unit)
     }
 
     /// The index in the fit of the point at which span k starts.
     #[inline]
-    fn stop(&self, k: usize) -> usize {
-        let k = if k < self.count { k } else { k - self.count };
-        if self.stops.is_empty() { self.first + k } else { self.stops[k] }
+    fn index_of_span_start(&self, k: usize) -> usize {
+        let k = if k < self.point_count { k } else { k - self.point_count };
+        if self.passed_points.is_empty() { self.first_point_in_fit + k } else { self.passed_points[k] }
     }
 
     /// The point at which span k starts, near the origin.
     #[inline]
-    fn start(&self, k: usize) -> DVec3 {
-        self.near_origin(self.points.get(self.stop(k) - self.first + self.given))
+    fn point_of_span_start(&self, k: usize) -> DVec3 {
+        self.normalise_point(
+            self.points.get(self.index_of_span_start(k) - self.first_point_in_fit + self.first_given_point),
+        )
     }
 
     /// The number of spans after span k that are compared with it.
@@ -174,12 +187,12 @@ impl Spans<'_> {
     }
 
     /// A closed curve may begin at any of its points. Positions ascend before and after it.
-    fn find_wrap(&self) -> usize {
-        let start = self.position(0);
-        let (mut low, mut high) = (0, self.count);
+    fn find_first_point_after_seam(&self) -> usize {
+        let start = self.segment_and_parameter_of_point(0);
+        let (mut low, mut high) = (0, self.point_count);
         while low < high {
             let middle = low.midpoint(high);
-            let is_before = self.position(middle) >= start;
+            let is_before = self.segment_and_parameter_of_point(middle) >= start;
             (low, high) = if is_before { (middle + 1, high) } else { (low, middle) };
         }
         low
@@ -187,17 +200,21 @@ impl Spans<'_> {
 
     /// The segment and the parameter of point k, counted on beyond the end of a closed curve.
     #[inline]
-    fn position(&self, k: usize) -> (usize, f64) {
-        let point = self.stop(k);
-        let rounds =
-            if k < self.count { usize::from(k >= self.wrap) } else { 1 + usize::from(k - self.count >= self.wrap) };
-        let (segment, t) = (self.done.segments[point], self.done.parameters[point]);
+    fn segment_and_parameter_of_point(&self, k: usize) -> (usize, f64) {
+        let point = self.index_of_span_start(k);
+        let rounds = if k < self.point_count {
+            usize::from(k >= self.first_point_after_seam)
+        } else {
+            1 + usize::from(k - self.point_count >= self.first_point_after_seam)
+        };
+        let (segment, t) = (self.fit.segments[point], self.fit.parameters[point]);
         (segment as usize + rounds * self.curve.len(), t)
     }
 
     #[inline]
-    fn place(&self, k: usize) -> SpanPlace {
-        let ((mut segment, mut from), (mut last, mut to)) = (self.position(k), self.position(k + 1));
+    fn place_of_span(&self, k: usize) -> SpanPlace {
+        let ((mut segment, mut from), (mut last, mut to)) =
+            (self.segment_and_parameter_of_point(k), self.segment_and_parameter_of_point(k + 1));
         if from == 1.0 {
             (segment, from) = (segment + 1, 0.0);
         }
@@ -205,23 +222,23 @@ impl Spans<'_> {
             (last, to) = (last - 1, 1.0);
         }
         // Positions ascend unless a fit has failed.
-        SpanPlace { segment, from, more: last.saturating_sub(segment), to }
+        SpanPlace { segment, start_parameter: from, further_segments: last.saturating_sub(segment), end_parameter: to }
     }
 
     #[inline]
-    fn segment(&self, mut k: usize) -> &[DVec3] {
+    fn segment_of_span(&self, mut k: usize) -> &[DVec3] {
         while k >= self.curve.len() {
             k -= self.curve.len();
         }
         self.curve.segment(k)
     }
 
-    fn find_loops(&self, found: &mut Found<'_>) -> Result<()> {
+    fn find_loops(&self, found: &mut LoopFinds<'_>) -> Result<()> {
         // Spans of other kinds are searched one by one.
-        let middle = self.place(self.len() / 2);
-        match self.segment(middle.segment).len() {
-            3 | 4 if self.points.is_plane() && (middle.from == 0.0 || middle.more == 1) => {
-                if self.segment(middle.segment).len() == 4 && middle.from > 0.0 {
+        let middle = self.place_of_span(self.len() / 2);
+        match self.segment_of_span(middle.segment).len() {
+            3 | 4 if self.points.is_plane() && (middle.start_parameter == 0.0 || middle.further_segments == 1) => {
+                if self.segment_of_span(middle.segment).len() == 4 && middle.start_parameter > 0.0 {
                     self.find_loops_in_blocks::<6>(found)
                 } else {
                     self.find_loops_in_blocks::<4>(found)
@@ -233,23 +250,23 @@ impl Spans<'_> {
     }
 
     /// Searches block by block. Spans have `H` control points; 0 if lanes cannot hold them.
-    fn find_loops_in_blocks<const H: usize>(&self, found: &mut Found<'_>) -> Result<()> {
+    fn find_loops_in_blocks<const H: usize>(&self, found: &mut LoopFinds<'_>) -> Result<()> {
         let spans = self.len();
         let mut lanes = SpanLanes::<H>::new();
         for block in (0..spans).step_by(SPANS_PER_BLOCK) {
             let end = (block + SPANS_PER_BLOCK).min(spans);
-            if self.advance(block, end + self.spans_after(end - 1) - block) {
+            if self.do_spans_advance(block, end + self.spans_after(end - 1) - block) {
                 continue;
             }
             for part in (block..end).step_by(SPANS_PER_TEST) {
                 let part_end = (part + SPANS_PER_TEST).min(end);
                 let after = self.spans_after(part_end - 1);
-                if self.advance(part, part_end + after - part) {
+                if self.do_spans_advance(part, part_end + after - part) {
                     continue;
                 }
                 if H == 0 {
                     for k in part..part_end {
-                        if !self.advance(k, 1 + self.spans_after(k)) {
+                        if !self.do_spans_advance(k, 1 + self.spans_after(k)) {
                             self.find_loops_of_span(k, [true; MAX_SPANS_APART + 1], found)?;
                         }
                     }
@@ -259,11 +276,13 @@ impl Spans<'_> {
                     lanes.set_span(k - part, self.span_controls::<H>(k).as_ref());
                 }
                 let may = test_lanes(&lanes);
-                let mut bits = (may.itself | may.next | may.next_but_one) & ((1 << (part_end - part)) - 1);
+                let mut bits = (may.spans_and_themselves | may.spans_and_next | may.spans_and_next_but_one)
+                    & ((1 << (part_end - part)) - 1);
                 while bits != 0 {
                     let lane = bits.trailing_zeros();
                     bits &= bits - 1;
-                    let may = [may.itself, may.next, may.next_but_one].map(|bits| bits >> lane & 1 == 1);
+                    let may = [may.spans_and_themselves, may.spans_and_next, may.spans_and_next_but_one]
+                        .map(|bits| bits >> lane & 1 == 1);
                     self.find_loops_of_span(part + lane as usize, may, found)?;
                 }
             }
@@ -273,12 +292,12 @@ impl Spans<'_> {
 
     /// Returns whether the control points of some spans advance along one direction.
     #[inline]
-    fn advance(&self, k: usize, spans: usize) -> bool {
-        let direction = self.start(k + spans) - self.start(k);
-        let (first, last) = (self.place(k), self.place(k + spans - 1));
+    fn do_spans_advance(&self, k: usize, spans: usize) -> bool {
+        let direction = self.point_of_span_start(k + spans) - self.point_of_span_start(k);
+        let (first, last) = (self.place_of_span(k), self.place_of_span(k + spans - 1));
         let (points, ends, count) = (self.curve.points(), self.curve.ends(), self.curve.len());
         let rounds = if first.segment < count { 0 } else { first.segment / count * count };
-        let (from, to) = (first.segment - rounds, last.segment + last.more - rounds);
+        let (from, to) = (first.segment - rounds, last.segment + last.further_segments - rounds);
         let plane = self.points.is_plane();
         let do_all = |part: Range<usize>| {
             let controls = &points[ends[part.start] as usize..=ends[part.end] as usize];
@@ -303,10 +322,11 @@ impl Spans<'_> {
     /// its neighbours.
     #[inline]
     fn span_controls<const H: usize>(&self, k: usize) -> Option<[DVec2; H]> {
-        let SpanPlace { segment, from, more, to } = self.place(k);
+        let SpanPlace { segment, start_parameter: from, further_segments: more, end_parameter: to } =
+            self.place_of_span(k);
         let near = |p: DVec3| (p.truncate() - self.placement.origin.truncate()) * (1.0 / self.placement.unit);
         let mut controls = [DVec2::ZERO; H];
-        let first = self.segment(segment);
+        let first = self.segment_of_span(segment);
         if more == 0 && from == 0.0 && to == 1.0 {
             if first.len() != H {
                 return None;
@@ -317,7 +337,7 @@ impl Spans<'_> {
         if more != 1 {
             return None;
         }
-        let second = self.segment(segment + 1);
+        let second = self.segment_of_span(segment + 1);
         match (H, first, second) {
             (4, &[p, q, r], &[_, v, w]) => {
                 let [p, q, r, v, w] = [p, q, r, v, w].map(near);
@@ -348,17 +368,19 @@ impl Spans<'_> {
         &self,
         k: usize,
         may_cross: [bool; MAX_SPANS_APART + 1],
-        found: &mut Found<'_>,
+        found: &mut LoopFinds<'_>,
     ) -> Result<()> {
         let after = self.spans_after(k);
         // A point is flagged once.
         let mut may = may_cross;
-        may[1] &= after >= 1 && !found.has(k + 1);
-        may[2] &= after >= 2 && !(found.has(k + 1) && found.has(k + 2)) && !self.turn_back(k);
+        may[1] &= after >= 1 && !found.has_found_point(k + 1);
+        may[2] &= after >= 2
+            && !(found.has_found_point(k + 1) && found.has_found_point(k + 2))
+            && !self.do_spans_turn_back(k);
         if may == [false; MAX_SPANS_APART + 1] {
             return Ok(());
         }
-        let Some(plane) = self.plane_near(k, after) else { return Ok(()) };
+        let Some(plane) = self.find_plane_near_spans(k, after) else { return Ok(()) };
         found.arcs.clear();
         let mut ends = [0; MAX_SPANS_APART + 1];
         for by in 0..=after {
@@ -369,7 +391,7 @@ impl Spans<'_> {
         }
         let arcs = &found.arcs[..];
         let is_loop = |crossing: Crossing| self.is_turn_closed(k, &plane, crossing);
-        let search = CrossingSearch { accepts: if plane.is_xy { None } else { Some(&is_loop) } };
+        let search = CrossingSearch { is_accepted_crossing: if plane.is_xy { None } else { Some(&is_loop) } };
         let own = &arcs[..ends[0]];
         let itself = may[0] && search.do_cross_within(own);
         let next = !itself && may[1] && search.do_cross_between(own, &arcs[ends[0]..ends[1]], true);
@@ -380,8 +402,8 @@ impl Spans<'_> {
 
     /// Returns whether the lines between points turn by a half turn or more from span k to the next but one, or reverse
     /// at a point between.
-    fn turn_back(&self, k: usize) -> bool {
-        let ends: [DVec3; 4] = std::array::from_fn(|i| self.start(k + i));
+    fn do_spans_turn_back(&self, k: usize) -> bool {
+        let ends: [DVec3; 4] = std::array::from_fn(|i| self.point_of_span_start(k + i));
         let [a, b, c]: [DVec3; 3] = std::array::from_fn(|i| (ends[i + 1] - ends[i]).normalize_or_zero());
         let (first, second, both) = (a.cross(b), b.cross(c), a.cross(c));
         let reverses = |across: DVec3, u: DVec3, v: DVec3| across.length() <= HALF_TURN_TOLERANCE && u.dot(v) < 0.0;
@@ -390,34 +412,35 @@ impl Spans<'_> {
             || reverses(second, b, c)
     }
 
-    fn plane_near(&self, k: usize, after: usize) -> Option<Plane> {
+    fn find_plane_near_spans(&self, k: usize, after: usize) -> Option<Plane> {
         if self.points.is_plane() {
             return Some(Plane { axes: [DVec3::X, DVec3::Y, DVec3::Z], is_xy: true });
         }
-        let corners = std::array::from_fn(|i| self.start(k + i.min(after + 1)));
+        let corners = std::array::from_fn(|i| self.point_of_span_start(k + i.min(after + 1)));
         let controls = || {
-            let controls = self.segment(self.place(k).segment);
+            let controls = self.segment_of_span(self.place_of_span(k).segment);
             let last = controls.len() - 1;
-            Plane::from_points(&[0, last / 3, last - last / 3, last].map(|i| self.near_origin(controls[i])))
+            Plane::from_points(&[0, last / 3, last - last / 3, last].map(|i| self.normalise_point(controls[i])))
         };
         Plane::from_points(&corners).or_else(controls)
     }
 
     /// Appends the arcs of span k. Their positions begin at `offset`.
     fn append_arcs(&self, k: usize, offset: f64, plane: &Plane, arcs: &mut Vec<Arc>) -> Result<()> {
-        let SpanPlace { segment, from, more, to } = self.place(k);
+        let SpanPlace { segment, start_parameter: from, further_segments: more, end_parameter: to } =
+            self.place_of_span(k);
         for i in 0..=more {
-            let controls = self.segment(segment + i);
+            let controls = self.segment_of_span(segment + i);
             let part = [if i == 0 { from } else { 0.0 }, if i == more { to } else { 1.0 }];
             let unit = 1.0 / (more + 1) as f64;
             let range = [offset + i as f64 * unit, offset + (i + 1) as f64 * unit];
-            let near = controls.iter().map(|&p| plane.project(self.near_origin(p)));
+            let near = controls.iter().map(|&p| plane.project(self.normalise_point(p)));
             if let Some(arc) = Arc::from_controls(near, range) {
-                alloc::push(arcs, arc.part(part, range))?;
+                alloc::push(arcs, arc.part_between(part, range))?;
                 continue;
             }
             let at = |x: f64| part[0] + (part[1] - part[0]) * x;
-            let point = |x: f64| plane.project(self.near_origin(segment::point_at(controls, at(x))));
+            let point = |x: f64| plane.project(self.normalise_point(segment::point_at(controls, at(x))));
             for j in 0..STRAIGHT_ARCS_PER_SPAN {
                 let ends = [j, j + 1].map(|j| j as f64 / STRAIGHT_ARCS_PER_SPAN as f64);
                 let range = ends.map(|x| offset + (i as f64 + x) * unit);
@@ -432,12 +455,13 @@ impl Spans<'_> {
     fn is_turn_closed(&self, k: usize, plane: &Plane, [from, to]: Crossing) -> bool {
         let at = |position: f64| {
             let span = position as usize;
-            let SpanPlace { segment, from, more, to } = self.place(k + span);
+            let SpanPlace { segment, start_parameter: from, further_segments: more, end_parameter: to } =
+                self.place_of_span(k + span);
             let along = (position - span as f64) * (more + 1) as f64;
             let i = (along as usize).min(more);
             let part = [if i == 0 { from } else { 0.0 }, if i == more { to } else { 1.0 }];
             let t = part[0] + (part[1] - part[0]) * (along - i as f64);
-            self.near_origin(segment::point_at(self.segment(segment + i), t))
+            self.normalise_point(segment::point_at(self.segment_of_span(segment + i), t))
         };
         let start = at(from);
         let rise = (at(to) - start).dot(plane.axes[2]).abs();

@@ -74,7 +74,8 @@ impl Method {
         let Some(alpha) = self.chord_exponent() else {
             return parameter_of_normal_foot(a, p, c);
         };
-        let (before, after) = (power(a.distance(p), alpha), power(p.distance(c), alpha));
+        let (before, after) =
+            (power_by_roots_if_possible(a.distance(p), alpha), power_by_roots_if_possible(p.distance(c), alpha));
         // Both are 0, so the three points coincide and any parameter works.
         Ok(if before + after > 0.0 { before / (before + after) } else { 0.5 })
     }
@@ -91,7 +92,7 @@ impl Method {
 
 /// x^alpha, by roots where possible instead of the power function.
 #[inline]
-pub(super) fn power(x: f64, alpha: f64) -> f64 {
+pub(super) fn power_by_roots_if_possible(x: f64, alpha: f64) -> f64 {
     match alpha {
         0.5 => x.sqrt(),
         0.0 => 1.0,

@@ -56,7 +56,7 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
     }
     if threads == 1 {
         for (k, batch) in batches.iter().enumerate() {
-            let part = job.share(k, batches.len());
+            let part = job.sub_job_of_item(k, batches.len());
             part.step(0.0, PROGRESS_STAGE)?;
             whole.identify_batch(batch.clone(), &part)?;
         }
@@ -71,15 +71,15 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
         };
         for (k, round) in batches.chunks(BATCHES_PER_REPORT).enumerate() {
             let part = |batch: usize| batch.min(batches.len()) as f64 / batches.len() as f64;
-            let part = job.part(part(k * BATCHES_PER_REPORT), part((k + 1) * BATCHES_PER_REPORT));
+            let part = job.sub_job(part(k * BATCHES_PER_REPORT), part((k + 1) * BATCHES_PER_REPORT));
             for mut worker in par::map_jobs(&part, PROGRESS_STAGE, round.iter().cloned(), work)? {
-                whole.done.append_fit(&mut worker.done)?;
+                whole.fit.append_fit(&mut worker.fit)?;
                 lock(&idle).push(worker);
             }
         }
     }
     job.step(1.0, PROGRESS_STAGE)?;
-    Ok(whole.done)
+    Ok(whole.fit)
 }
 
 const PROGRESS_STAGE: &str = "identifying outlines";
@@ -112,10 +112,10 @@ struct OutlineWorker<'a> {
     constraints: &'a [Constraint],
     nodes: OutlineNodes,
     composite: CompositeWorkspace,
-    single: Collocation,
+    collocation: Collocation,
     builder: CurveBuilder,
     loops: LoopSearch,
-    done: Fit,
+    fit: Fit,
 }
 
 impl<'a> OutlineWorker<'a> {
@@ -126,10 +126,10 @@ impl<'a> OutlineWorker<'a> {
             constraints: &[],
             nodes: OutlineNodes::default(),
             composite: CompositeWorkspace::default(),
-            single: Collocation::default(),
+            collocation: Collocation::default(),
             builder: CurveBuilder::default(),
             loops: LoopSearch::default(),
-            done: Fit::new(outlines.closed),
+            fit: Fit::new(outlines.closed),
         }
     }
 
@@ -144,7 +144,7 @@ impl<'a> OutlineWorker<'a> {
             CurveKind::BlendC2 => 5,
             CurveKind::Single => 1,
         };
-        let done = &mut self.done;
+        let done = &mut self.fit;
         alloc::reserve(&mut done.points, per_segment * expected)?;
         alloc::reserve(&mut done.ends, expected)?;
         alloc::reserve(&mut done.starts, batch.len())?;
@@ -169,13 +169,13 @@ impl<'a> OutlineWorker<'a> {
         let long = |fraction| if span.len() < POINTS_PER_REPORT { Ok(()) } else { job.step(fraction, PROGRESS_STAGE) };
         self.nodes.normalise_and_divide(self.outlines, &span, own, self.options)?;
         long(0.0)?;
-        let (base, first_status) = (self.done.points.len(), self.done.statuses.len());
+        let (base, first_status) = (self.fit.points.len(), self.fit.statuses.len());
         let placement = self.nodes.placement;
-        let size = placement.size * placement.unit;
+        let size = placement.box_longest_side * placement.unit;
         let report = Report { size, ..Report::default() };
         let mut report = ReportInProgress { report, history: self.options.history.then(Vec::new) };
         let quadratic = self.options.curve == CurveKind::Composite && self.options.joint != JointParameter::G2;
-        if self.nodes.cuts.is_empty() && quadratic {
+        if self.nodes.dividing_nodes.is_empty() && quadratic {
             self.fit_smooth_closed_outline(&span, base, &mut report, job)?;
         } else {
             self.solve_subcurves(&mut report, job)?;
@@ -191,7 +191,7 @@ impl<'a> OutlineWorker<'a> {
         long(1.0)?;
         self.replace_overflowing_curve_by_point(&span, base, first_status, &mut report)?;
         let given = (&self.outlines.points, span.start);
-        self.loops.flag_points(&mut self.done, first_status, given, &placement)?;
+        self.loops.flag_points(&mut self.fit, first_status, given, &placement)?;
         long(1.0)?;
         self.append_report(first_status, report)
     }
@@ -203,20 +203,20 @@ impl<'a> OutlineWorker<'a> {
         if n < 2 || (self.outlines.closed && n < 3) {
             return self.fit_one_or_two_points(report);
         }
-        if self.nodes.cuts.is_empty() {
+        if self.nodes.dividing_nodes.is_empty() {
             let (sub, results) = self.nodes.whole_outline_as_subcurve(self.options);
             let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
-            return append_subcurve_curve(&sub, &mut self.composite, &mut self.single, &mut out);
+            return append_subcurve_curve(&sub, &mut self.composite, &mut self.collocation, &mut out);
         }
-        for k in 0..self.nodes.cuts.len() - 1 {
-            if k > 0 && self.nodes.cuts[k].tangent.is_none() {
+        for k in 0..self.nodes.dividing_nodes.len() - 1 {
+            if k > 0 && self.nodes.dividing_nodes[k].tangent.is_none() {
                 self.builder.mark_corner()?;
             }
             let (sub, results) = self.nodes.subcurve_after_cut(k, self.options);
             let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
-            append_subcurve_curve(&sub, &mut self.composite, &mut self.single, &mut out)?;
+            append_subcurve_curve(&sub, &mut self.composite, &mut self.collocation, &mut out)?;
         }
-        if self.nodes.closed && self.nodes.cuts[0].tangent.is_none() {
+        if self.nodes.closed && self.nodes.dividing_nodes[0].tangent.is_none() {
             self.builder.mark_corner()?;
         }
         // The first node is repeated at the end: the status of either counts.
@@ -263,7 +263,7 @@ impl<'a> OutlineWorker<'a> {
         }
         crowded::flag_crowded_nodes(&mut self.nodes);
         let (sub, _) = self.nodes.whole_outline_as_subcurve(self.options);
-        let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
+        let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.fit);
         alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
         let place = |p: DVec3| p * placement.unit + placement.origin;
         composite::write_closed_curve(&sub, solution, place, &mut done.points[base..], report);
@@ -273,7 +273,7 @@ impl<'a> OutlineWorker<'a> {
         done.reserve_points(span.len())?;
         if n == span.len() {
             done.segments.extend(0..n as u32);
-            done.parameters.extend_from_slice(&solution.t[..n]);
+            done.parameters.extend_from_slice(&solution.point_parameters[..n]);
             done.statuses.extend(self.nodes.results.iter().map(|result| result.status));
         } else {
             let mut taken = 0;
@@ -284,7 +284,7 @@ impl<'a> OutlineWorker<'a> {
                 taken = taken.max(node + 1);
                 let status = self.nodes.results[node as usize].status;
                 done.segments.push(node);
-                done.parameters.push(solution.t[node as usize]);
+                done.parameters.push(solution.point_parameters[node as usize]);
                 done.statuses.push(if repeats { PointStatus::Merged } else { status });
             }
         }
@@ -293,10 +293,10 @@ impl<'a> OutlineWorker<'a> {
 
     /// Appends the curve at the outline's position, and the places of its points.
     fn append_curve_and_places(&mut self, span: &Range<usize>, base: usize) -> Result<()> {
-        let (done, builder, nodes, placement) = (&mut self.done, &self.builder, &self.nodes, self.nodes.placement);
+        let (done, builder, nodes, placement) = (&mut self.fit, &self.builder, &self.nodes, self.nodes.placement);
         alloc::reserve(&mut done.points, builder.points.len())?;
         done.points.extend(builder.points.iter().map(|&p| p * placement.unit + placement.origin));
-        alloc::append(&mut done.ends, &builder.ends)?;
+        alloc::append(&mut done.ends, &builder.segment_ends)?;
         alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
         done.reserve_points(span.len())?;
         let (mut before, closing) = (u32::MAX, nodes.point_nodes.first().copied().unwrap_or(0));
@@ -308,7 +308,7 @@ impl<'a> OutlineWorker<'a> {
             }
             if !repeats && (place.t == 0.0 || place.t == 1.0) && !builder.is_empty() {
                 // Joints at points keep their bits.
-                let end = builder.ends[place.segment as usize + usize::from(place.t == 1.0)] as usize;
+                let end = builder.segment_ends[place.segment as usize + usize::from(place.t == 1.0)] as usize;
                 let p = self.outlines.points.get(i);
                 done.points[base + end] = p;
                 if self.outlines.closed && end == 0 {
@@ -333,7 +333,7 @@ impl<'a> OutlineWorker<'a> {
         first: usize,
         report: &mut Report,
     ) -> Result<()> {
-        let done = &mut self.done;
+        let done = &mut self.fit;
         if done.points[base..].iter().all(|p| p.is_finite()) {
             return Ok(());
         }
@@ -353,7 +353,7 @@ impl<'a> OutlineWorker<'a> {
 
     /// Counts the statuses from `first` on.
     fn append_report(&mut self, first: usize, mut report: ReportInProgress) -> Result<()> {
-        let done = &mut self.done;
+        let done = &mut self.fit;
         let mut partial = false;
         for status in &done.statuses[first..] {
             report.not_ok += u32::from(*status != PointStatus::Ok);

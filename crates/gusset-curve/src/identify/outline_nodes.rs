@@ -24,7 +24,7 @@ pub(super) struct OutlineNodes {
     /// The outcome at each node.
     pub(super) results: Vec<PointResult>,
     /// Nodes where the outline is cut or ends, and the directions there.
-    pub(super) cuts: Vec<CornerNode>,
+    pub(super) dividing_nodes: Vec<CornerNode>,
     /// Whether the nodes form a closed outline; two nodes do not.
     pub(super) closed: bool,
     pub(super) placement: NormalisationOfOutline,
@@ -45,7 +45,7 @@ pub(super) struct NormalisationOfOutline {
     pub(super) unit: f64,
     /// The longest side of the nodes' bounding box: between 1 and 4, except for outlines without
     /// extent.
-    pub(super) size: f64,
+    pub(super) box_longest_side: f64,
 }
 
 impl OutlineNodes {
@@ -86,7 +86,7 @@ impl OutlineNodes {
             points.truncate(1);
             points.iter_mut().for_each(|p| *p = DVec3::ZERO);
             point_nodes.resize(span.len(), 0);
-            self.placement = NormalisationOfOutline { origin, unit: 1.0, size: 0.0 };
+            self.placement = NormalisationOfOutline { origin, unit: 1.0, box_longest_side: 0.0 };
             return Ok(());
         }
         // Exact: the scale is a power of two, far from the ends of the range.
@@ -96,7 +96,7 @@ impl OutlineNodes {
         // If the box is far larger than the unit, only repetitions are omitted.
         let shift = origin * scale;
         points.iter_mut().for_each(|p| *p = *p * scale - shift);
-        self.placement = NormalisationOfOutline { origin, unit, size };
+        self.placement = NormalisationOfOutline { origin, unit, box_longest_side: size };
         self.merge_repeated_points(outlines.closed, (repeat_tolerance * size).powi(2));
         Ok(())
     }
@@ -132,7 +132,7 @@ impl OutlineNodes {
         constraints: &[Constraint],
         options: &Options,
     ) -> Result<()> {
-        self.cuts.clear();
+        self.dividing_nodes.clear();
         self.results.clear();
         alloc::reserve(&mut self.results, self.points.len() + 1)?;
         self.results.resize(self.points.len(), PointResult::default());
@@ -144,25 +144,25 @@ impl OutlineNodes {
                 self.results[node as usize].status = PointStatus::NoTangent;
                 continue;
             }
-            alloc::push(&mut self.cuts, CornerNode { node, tangent })?;
+            alloc::push(&mut self.dividing_nodes, CornerNode { node, tangent })?;
         }
         self.add_dividing_nodes_at_sharp_turns(options.corner_angle)?;
         let last = self.points.len().saturating_sub(1) as u32;
         if !self.closed {
-            alloc::append(&mut self.cuts, &[0, last].map(|node| CornerNode { node, tangent: None }))?;
+            alloc::append(&mut self.dividing_nodes, &[0, last].map(|node| CornerNode { node, tangent: None }))?;
         }
         // The first of several cuts at a node counts.
-        sort::sort_stable(&mut self.cuts, &|x, y| x.node.cmp(&y.node));
-        self.cuts.dedup_by_key(|cut| cut.node);
-        if let (true, Some(&first)) = (self.closed, self.cuts.first()) {
+        sort::sort_stable(&mut self.dividing_nodes, &|x, y| x.node.cmp(&y.node));
+        self.dividing_nodes.dedup_by_key(|cut| cut.node);
+        if let (true, Some(&first)) = (self.closed, self.dividing_nodes.first()) {
             let n = self.points.len() as u32;
             self.points.rotate_left(first.node as usize);
             self.results.rotate_left(first.node as usize);
             self.points.push(self.points[0]);
             self.results.push(self.results[0]);
             self.point_nodes.iter_mut().for_each(|node| *node = (*node + n - first.node) % n);
-            self.cuts.iter_mut().for_each(|cut| cut.node -= first.node);
-            alloc::push(&mut self.cuts, CornerNode { node: n, ..first })?;
+            self.dividing_nodes.iter_mut().for_each(|cut| cut.node -= first.node);
+            alloc::push(&mut self.dividing_nodes, CornerNode { node: n, ..first })?;
         }
         Ok(())
     }
@@ -181,7 +181,7 @@ impl OutlineNodes {
             u.dot(v) < min_cosine * u.length() * v.length()
         };
         let corners = inner.filter(is_corner).map(|i| CornerNode { node: i as u32, tangent: None });
-        alloc::extend(&mut self.cuts, corners)
+        alloc::extend(&mut self.dividing_nodes, corners)
     }
 
     /// Returns a closed outline without a cut as one subcurve, and the results of its nodes.
@@ -189,8 +189,11 @@ impl OutlineNodes {
         &'a mut self,
         options: &'a Options,
     ) -> (Subcurve<'a>, &'a mut [PointResult]) {
-        let size = self.placement.size;
-        (Subcurve { points: &self.points, closed: true, tangents: [None, None], size, options }, &mut self.results)
+        let size = self.placement.box_longest_side;
+        (
+            Subcurve { points: &self.points, closed: true, tangents: [None, None], outline_size: size, options },
+            &mut self.results,
+        )
     }
 
     /// Returns the subcurve from cut `k` to the next, and the results of its nodes.
@@ -199,12 +202,12 @@ impl OutlineNodes {
         k: usize,
         options: &'a Options,
     ) -> (Subcurve<'a>, &'a mut [PointResult]) {
-        let [from, to] = [self.cuts[k], self.cuts[k + 1]];
+        let [from, to] = [self.dividing_nodes[k], self.dividing_nodes[k + 1]];
         let nodes = from.node as usize..to.node as usize + 1;
         let results = &mut self.results[nodes.clone()];
         let tangents = [from.tangent, to.tangent];
-        let size = self.placement.size;
-        let mut sub = Subcurve { points: &self.points[nodes], closed: false, tangents, size, options };
+        let size = self.placement.box_longest_side;
+        let mut sub = Subcurve { points: &self.points[nodes], closed: false, tangents, outline_size: size, options };
         set_free_end_directions(&mut sub, results);
         (sub, results)
     }

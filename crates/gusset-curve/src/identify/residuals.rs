@@ -9,7 +9,7 @@ use glam::DVec3;
 /// Measures the curve of an outline near the origin. The closing joint of a closed curve counts
 /// too. O(segments).
 pub(super) fn measure_residuals(nodes: &OutlineNodes, curve: &CurveBuilder, report: &mut Report) {
-    let size = nodes.placement.size;
+    let size = nodes.placement.box_longest_side;
     if curve.is_empty() || size == 0.0 {
         return;
     }
@@ -40,7 +40,7 @@ pub(super) fn measure_residuals(nodes: &OutlineNodes, curve: &CurveBuilder, repo
 /// Measures the curvatures on both sides of the joints that should be smooth. If they differ, even
 /// by rounding, the points next to the joint get a status. O(segments).
 pub(super) fn measure_curvature_gaps(nodes: &mut OutlineNodes, curve: &CurveBuilder, report: &mut Report) {
-    let (size, closed) = (nodes.placement.size, nodes.closed);
+    let (size, closed) = (nodes.placement.box_longest_side, nodes.closed);
     let gap = |joint: usize| relative_curvature_gap(curve, closed, size, joint);
     report.max_curvature_gap = (0..curve.len()).map(gap).fold(0.0, f64::max);
     for result in &mut nodes.results {
@@ -81,7 +81,7 @@ fn curvature_vector_at_start(count: usize, [p, q, r]: [DVec3; 3]) -> DVec3 {
 #[derive(Default)]
 pub(super) struct MaxJointSine {
     /// sin^2 = |u x v|^2 / (|u|^2 |v|^2).
-    squared: f64,
+    squared_sine: f64,
 }
 
 impl MaxJointSine {
@@ -92,16 +92,16 @@ impl MaxJointSine {
         let (across, lengths) =
             (leg_before.cross(leg_after).length_squared(), leg_before.length_squared() * leg_after.length_squared());
         // Divide only if the joint's angle is the largest so far.
-        if across > self.squared * lengths && lengths > 0.0 {
-            self.squared = across / lengths;
+        if across > self.squared_sine * lengths && lengths > 0.0 {
+            self.squared_sine = across / lengths;
         }
         if leg_before.dot(leg_after) < 0.0 {
             // A cusp.
-            self.squared = 1.0;
+            self.squared_sine = 1.0;
         }
     }
 
     pub(super) fn sine(&self) -> f64 {
-        self.squared.sqrt().min(1.0)
+        self.squared_sine.sqrt().min(1.0)
     }
 }

@@ -3,7 +3,8 @@
 use super::identify_options::{Options, Solver};
 use super::input_points::Points;
 use super::method::{
-    Method, Section, power, section_at_parameter, section_by_end_tangent, section_by_start_tangent, section_by_tangent,
+    Method, Section, power_by_roots_if_possible, section_at_parameter, section_by_end_tangent,
+    section_by_start_tangent, section_by_tangent,
 };
 use super::outlines::{Constraint, Outlines};
 use super::report::PointStatus;
@@ -182,10 +183,10 @@ impl SectionFinder<'_> {
         let at = |i: usize| self.points.get(i) * self.scale;
         let mut before = at(if some.start == outline.start { outline.end } else { some.start } - 1);
         let mut p = at(some.start);
-        let mut arriving = power(before.distance(p), alpha);
+        let mut arriving = power_by_roots_if_possible(before.distance(p), alpha);
         for i in some {
             let after = at(if i + 1 == outline.end { outline.start } else { i + 1 });
-            let leaving = power(p.distance(after), alpha);
+            let leaving = power_by_roots_if_possible(p.distance(after), alpha);
             let (section, status) = match section_at_parameter(before, p, after, arriving / (arriving + leaving)) {
                 Ok(section) => (section, PointStatus::Ok),
                 Err(_) => section_or_fallback([before, p, after], [None; 3], self.method),

@@ -17,31 +17,31 @@ pub(super) struct SpanLanes<const H: usize> {
     x: [[f64; LANES]; H],
     y: [[f64; LANES]; H],
     /// The spans whose control points are not known, by their bits.
-    unknown: u32,
+    unknown_span_bits: u32,
 }
 
 /// The spans that may cross, by their bits.
 #[derive(Clone, Copy)]
 pub(super) struct MayCross {
-    pub(super) itself: u32,
-    pub(super) next: u32,
-    pub(super) next_but_one: u32,
+    pub(super) spans_and_themselves: u32,
+    pub(super) spans_and_next: u32,
+    pub(super) spans_and_next_but_one: u32,
 }
 
 impl<const H: usize> SpanLanes<H> {
     pub(super) fn new() -> Self {
-        SpanLanes { x: [[0.0; LANES]; H], y: [[0.0; LANES]; H], unknown: 0 }
+        SpanLanes { x: [[0.0; LANES]; H], y: [[0.0; LANES]; H], unknown_span_bits: 0 }
     }
 
     pub(super) fn set_span(&mut self, lane: usize, points: Option<&[glam::DVec2; H]>) {
-        self.unknown &= !(1 << lane);
+        self.unknown_span_bits &= !(1 << lane);
         match points {
             Some(points) => {
                 for (i, p) in points.iter().enumerate() {
                     (self.x[i][lane], self.y[i][lane]) = (p.x, p.y);
                 }
             }
-            None => self.unknown |= 1 << lane,
+            None => self.unknown_span_bits |= 1 << lane,
         }
     }
 }
@@ -54,11 +54,11 @@ impl<const H: usize> Kernel for &SpanLanes<H> {
         let itself = self.itself();
         let next = self.next();
         let farther = self.next_but_one();
-        let unknown = self.unknown;
+        let unknown = self.unknown_span_bits;
         MayCross {
-            itself: itself | unknown,
-            next: next | unknown | unknown >> 1,
-            next_but_one: farther | unknown | unknown >> 1 | unknown >> 2,
+            spans_and_themselves: itself | unknown,
+            spans_and_next: next | unknown | unknown >> 1,
+            spans_and_next_but_one: farther | unknown | unknown >> 1 | unknown >> 2,
         }
     }
 }
@@ -92,29 +92,29 @@ fn minus(a: Pair, b: Pair) -> Pair {
 }
 
 /// The outermost vectors on both sides of a tangent.
-struct Sides {
+struct OutermostVectors {
     tangent: Pair,
-    left: Pair,
-    right: Pair,
+    leftmost: Pair,
+    rightmost: Pair,
     /// Whether a vector opposes the tangent.
-    opposes: bool,
+    has_opposing_vector: bool,
 }
 
-impl Sides {
+impl OutermostVectors {
     #[inline(always)]
-    fn add(&mut self, v: Pair) {
+    fn add_vector(&mut self, v: Pair) {
         let side = cross(self.tangent, v);
-        let is_left = (side > 0.0) & (cross(self.left, v) > 0.0);
-        let is_right = (side < 0.0) & (cross(self.right, v) < 0.0);
-        self.left = (if is_left { v.0 } else { self.left.0 }, if is_left { v.1 } else { self.left.1 });
-        self.right = (if is_right { v.0 } else { self.right.0 }, if is_right { v.1 } else { self.right.1 });
-        self.opposes |= (side == 0.0) & (dot(self.tangent, v) < 0.0);
+        let is_left = (side > 0.0) & (cross(self.leftmost, v) > 0.0);
+        let is_right = (side < 0.0) & (cross(self.rightmost, v) < 0.0);
+        self.leftmost = (if is_left { v.0 } else { self.leftmost.0 }, if is_left { v.1 } else { self.leftmost.1 });
+        self.rightmost = (if is_right { v.0 } else { self.rightmost.0 }, if is_right { v.1 } else { self.rightmost.1 });
+        self.has_opposing_vector |= (side == 0.0) & (dot(self.tangent, v) < 0.0);
     }
 }
 
 /// The bits of the negative scores.
 #[inline(always)]
-fn negative(scores: &[f64; SPANS_PER_TEST]) -> u32 {
+fn bits_of_negative_scores(scores: &[f64; SPANS_PER_TEST]) -> u32 {
     let mut bits = 0;
     for (k, &score) in scores.iter().enumerate() {
         bits |= u32::from(score < 0.0) << k;
@@ -125,7 +125,7 @@ fn negative(scores: &[f64; SPANS_PER_TEST]) -> u32 {
 impl<const H: usize> SpanLanes<H> {
     /// Control point i of span k.
     #[inline(always)]
-    fn at(&self, i: usize, k: usize) -> Pair {
+    fn control_point(&self, i: usize, k: usize) -> Pair {
         (self.x[i][k], self.y[i][k])
     }
 
@@ -134,17 +134,17 @@ impl<const H: usize> SpanLanes<H> {
     fn itself(&self) -> u32 {
         let mut scores = [0.0; SPANS_PER_TEST];
         for (k, score) in scores.iter_mut().enumerate() {
-            let chord = minus(self.at(H - 1, k), self.at(0, k));
+            let chord = minus(self.control_point(H - 1, k), self.control_point(0, k));
             let mut advance = f64::INFINITY;
             for i in 0..H - 1 {
-                advance = min(advance, dot(minus(self.at(i + 1, k), self.at(i, k)), chord));
+                advance = min(advance, dot(minus(self.control_point(i + 1, k), self.control_point(i, k)), chord));
             }
             if H == 4 {
                 let [a, b, c] = [0, 1, 2];
                 let (a, b, c) = (
-                    minus(self.at(a + 1, k), self.at(a, k)),
-                    minus(self.at(b + 1, k), self.at(b, k)),
-                    minus(self.at(c + 1, k), self.at(c, k)),
+                    minus(self.control_point(a + 1, k), self.control_point(a, k)),
+                    minus(self.control_point(b + 1, k), self.control_point(b, k)),
+                    minus(self.control_point(c + 1, k), self.control_point(c, k)),
                 );
                 let (first, second, both) = (cross(a, b), cross(b, c), cross(a, c));
                 let sides = first * second;
@@ -155,7 +155,7 @@ impl<const H: usize> SpanLanes<H> {
             }
             *score = advance;
         }
-        negative(&scores)
+        bits_of_negative_scores(&scores)
     }
 
     /// Spans do not cross if a line through their common point separates them: if the vectors from the control points
@@ -164,16 +164,21 @@ impl<const H: usize> SpanLanes<H> {
     fn next(&self) -> u32 {
         let mut scores = [0.0; SPANS_PER_TEST];
         for (k, score) in scores.iter_mut().enumerate() {
-            let shared = self.at(0, k + 1);
-            let tangent = minus(self.at(1, k + 1), self.at(H - 2, k));
-            let mut sides = Sides { tangent, left: tangent, right: tangent, opposes: dot(tangent, tangent) <= 0.0 };
+            let shared = self.control_point(0, k + 1);
+            let tangent = minus(self.control_point(1, k + 1), self.control_point(H - 2, k));
+            let mut sides = OutermostVectors {
+                tangent,
+                leftmost: tangent,
+                rightmost: tangent,
+                has_opposing_vector: dot(tangent, tangent) <= 0.0,
+            };
             for i in 0..H - 1 {
-                sides.add(minus(shared, self.at(i, k)));
-                sides.add(minus(self.at(i + 1, k + 1), shared));
+                sides.add_vector(minus(shared, self.control_point(i, k)));
+                sides.add_vector(minus(self.control_point(i + 1, k + 1), shared));
             }
-            *score = if sides.opposes { -1.0 } else { cross(sides.right, sides.left) };
+            *score = if sides.has_opposing_vector { -1.0 } else { cross(sides.rightmost, sides.leftmost) };
         }
-        negative(&scores)
+        bits_of_negative_scores(&scores)
     }
 
     /// Spans do not cross if a line along or across the chord between them separates them. Spans
@@ -182,28 +187,35 @@ impl<const H: usize> SpanLanes<H> {
     fn next_but_one(&self) -> u32 {
         let mut scores = [0.0; SPANS_PER_TEST];
         for (k, score) in scores.iter_mut().enumerate() {
-            let (end, start) = (self.at(0, k + 1), self.at(0, k + 2));
-            let (a, b, c) = (minus(end, self.at(0, k)), minus(start, end), minus(self.at(H - 1, k + 2), start));
+            let (end, start) = (self.control_point(0, k + 1), self.control_point(0, k + 2));
+            let (a, b, c) = (
+                minus(end, self.control_point(0, k)),
+                minus(start, end),
+                minus(self.control_point(H - 1, k + 2), start),
+            );
             let (first, second, both) = (cross(a, b), cross(b, c), cross(a, c));
             let sides = first * second;
             // Across the chord if the line turns to both sides, else along it.
             let normal = if sides < 0.0 { (-b.1, b.0) } else { b };
-            let apart = max(self.gap(k, normal), max(self.gap(k, (-a.1, a.0)), self.gap(k, (-c.1, c.0))));
+            let apart = max(
+                self.gap_along_normal(k, normal),
+                max(self.gap_along_normal(k, (-a.1, a.0)), self.gap_along_normal(k, (-c.1, c.0))),
+            );
             let is_turn = sides > 0.0 && first * both <= 0.0;
             *score = if is_turn { 1.0 } else { apart };
         }
-        negative(&scores)
+        bits_of_negative_scores(&scores)
     }
 
     /// Negative, unless a line with a normal separates span k from the next but one.
     #[inline(always)]
-    fn gap(&self, k: usize, normal: Pair) -> f64 {
-        let end = self.at(0, k + 1);
+    fn gap_along_normal(&self, k: usize, normal: Pair) -> f64 {
+        let end = self.control_point(0, k + 1);
         let (mut own_high, mut own_low) = (f64::NEG_INFINITY, f64::INFINITY);
         let (mut high, mut low) = (f64::NEG_INFINITY, f64::INFINITY);
         for i in 0..H {
-            let own = dot(minus(self.at(i, k), end), normal);
-            let other = dot(minus(self.at(i, k + 2), end), normal);
+            let own = dot(minus(self.control_point(i, k), end), normal);
+            let other = dot(minus(self.control_point(i, k + 2), end), normal);
             (own_high, own_low) = (max(own_high, own), min(own_low, own));
             (high, low) = (max(high, other), min(low, other));
         }

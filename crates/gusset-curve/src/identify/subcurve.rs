@@ -20,7 +20,7 @@ pub(super) struct Subcurve<'a> {
     /// The unit directions in which an open subcurve begins and ends.
     pub(super) tangents: [Option<DVec3>; 2],
     /// The longest side of the outline's bounding box.
-    pub(super) size: f64,
+    pub(super) outline_size: f64,
     pub(super) options: &'a Options,
 }
 

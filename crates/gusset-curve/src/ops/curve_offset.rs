@@ -79,14 +79,14 @@ impl CurveView<'_> {
             tolerance: frame.length_to_frame(options.tolerance).max(1e-13 * (1.0 + d.abs())),
             options: *options,
             pieces: 0,
-            end: DVec3::ZERO,
+            end_of_last_segment: DVec3::ZERO,
             offset: Offset::default(),
         };
         for (k, controls) in self.segments().enumerate() {
             if controls.iter().all(|&p| p == controls[0]) {
                 continue;
             }
-            fit.job = job.share(k, self.len());
+            fit.job = job.sub_job_of_item(k, self.len());
             fit.offset_segment(&frame.segment_to_frame(controls))?;
         }
         job.step(1.0, PROGRESS_STAGE)?;
@@ -100,7 +100,7 @@ struct OffsetPoint {
     t: f64,
     point: DVec3,
     /// The unit tangent T.
-    along: DVec3,
+    unit_tangent: DVec3,
     /// The derivative O'.
     speed: DVec3,
 }
@@ -115,7 +115,7 @@ struct OffsetFitter<'a> {
     /// The number of segments so far, not counting corners.
     pieces: usize,
     /// The end of the last segment, in the frame.
-    end: DVec3,
+    end_of_last_segment: DVec3,
     /// The result so far; its deviation is in the frame.
     offset: Offset,
 }
@@ -137,13 +137,14 @@ impl OffsetFitter<'_> {
         let curve = &mut self.offset.curve;
         if curve.points.is_empty() {
             *curve = Curve::from_point(self.frame.point_from_frame(at))?;
-        } else if self.end.distance(at) > 1e-9 * (1.0 + self.d.abs()) {
+        } else if self.end_of_last_segment.distance(at) > 1e-9 * (1.0 + self.d.abs()) {
             self.offset.corners += 1;
             curve.push_segment(
-                &straight_controls(self.end, at, self.options.degree, &self.frame)[..self.options.degree],
+                &straight_controls(self.end_of_last_segment, at, self.options.degree, &self.frame)
+                    [..self.options.degree],
             )?;
         }
-        self.end = at;
+        self.end_of_last_segment = at;
         Ok(())
     }
 
@@ -159,7 +160,7 @@ impl OffsetFitter<'_> {
             DVec3::ZERO
         };
         self.offset.tight |= speed.dot(along) <= 0.0;
-        OffsetPoint { t, point: point + rotate_left_quarter_turn(along) * self.d, along, speed }
+        OffsetPoint { t, point: point + rotate_left_quarter_turn(along) * self.d, unit_tangent: along, speed }
     }
 
     /// Fits a piece, or its halves if the fit is not close enough.
@@ -184,7 +185,7 @@ impl OffsetFitter<'_> {
         };
         self.offset.deviation = self.offset.deviation.max(deviation);
         self.pieces += 1;
-        self.end = to.point;
+        self.end_of_last_segment = to.point;
         self.offset.curve.push_segment(&fitted.map(|p| self.frame.point_from_frame(p))[1..=degree])
     }
 
@@ -199,7 +200,7 @@ impl OffsetFitter<'_> {
             let mut spot = self.offset_point_at(controls, from.t + (to.t - from.t) * u);
             let mut min = spot.point.distance(q);
             for _ in 0..2 {
-                let step = (q - spot.point).dot(spot.along) / spot.speed.dot(spot.along);
+                let step = (q - spot.point).dot(spot.unit_tangent) / spot.speed.dot(spot.unit_tangent);
                 let t = (spot.t + step).clamp(from.t, to.t);
                 if !t.is_finite() {
                     break;
@@ -255,14 +256,14 @@ fn cubic_between(from: &OffsetPoint, to: &OffsetPoint) -> [DVec3; 4] {
 fn quadratic_between(from: &OffsetPoint, to: &OffsetPoint) -> Option<[DVec3; 4]> {
     let chord = to.point - from.point;
     let cross = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;
-    let turn = cross(from.along, to.along);
+    let turn = cross(from.unit_tangent, to.unit_tangent);
     let length = chord.length();
     if turn.abs() < 1e-12 {
-        let aligned = cross(from.along, chord).abs() <= 1e-12 * length;
+        let aligned = cross(from.unit_tangent, chord).abs() <= 1e-12 * length;
         return aligned.then_some([from.point, from.point + chord * 0.5, to.point, to.point]);
     }
-    let (ahead, behind) = (cross(chord, to.along) / turn, cross(from.along, chord) / turn);
+    let (ahead, behind) = (cross(chord, to.unit_tangent) / turn, cross(from.unit_tangent, chord) / turn);
     // Both signs must match the direction of the offset, and a far crossing gives a bad fit.
     let good = ahead * behind > 0.0 && ahead.abs().max(behind.abs()) <= length;
-    good.then_some([from.point, from.point + from.along * ahead, to.point, to.point])
+    good.then_some([from.point, from.point + from.unit_tangent * ahead, to.point, to.point])
 }

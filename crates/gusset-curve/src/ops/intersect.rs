@@ -51,8 +51,8 @@ pub struct Intersections {
 struct SimpleSegmentPart {
     controls: Vec<DVec3>,
     segment: u32,
-    from: f64,
-    to: f64,
+    start_parameter: f64,
+    end_parameter: f64,
 }
 
 impl SimpleSegmentPart {
@@ -61,7 +61,11 @@ impl SimpleSegmentPart {
     }
 
     fn place_on_curve(&self, t: f64) -> Place {
-        let t = if t == 1.0 { self.to } else { self.from + (self.to - self.from) * t };
+        let t = if t == 1.0 {
+            self.end_parameter
+        } else {
+            self.start_parameter + (self.end_parameter - self.start_parameter) * t
+        };
         Place { segment: self.segment, t }
     }
 }
@@ -160,8 +164,11 @@ impl CurveView<'_> {
 fn push_simple_parts(part: SegmentPart, segment: u32, depth: u32, pieces: &mut Vec<SimpleSegmentPart>) -> Result<()> {
     let small = |controls: &[DVec3]| Aabb::from_points(controls).size().max_element() <= MAX_COMMON_POINT_DISTANCE;
     if depth == 0 || advances_along_chord(&part.controls) || small(&part.controls) {
-        let SegmentPart { ref controls, from, to } = part;
-        return alloc::push(pieces, SimpleSegmentPart { controls: alloc::copied(controls)?, segment, from, to });
+        let SegmentPart { ref controls, start_parameter: from, end_parameter: to } = part;
+        return alloc::push(
+            pieces,
+            SimpleSegmentPart { controls: alloc::copied(controls)?, segment, start_parameter: from, end_parameter: to },
+        );
     }
     part.into_halves().into_iter().try_for_each(|half| push_simple_parts(half, segment, depth - 1, pieces))
 }
@@ -202,7 +209,8 @@ impl Intersections {
         found: &mut SegmentIntersections,
     ) -> Result<()> {
         intersect_segments(&p.controls, &q.controls, joined, found)?;
-        let points = found.at.iter().map(|&[s, t]| Intersection { a: p.place_on_curve(s), b: q.place_on_curve(t) });
+        let points =
+            found.parameters.iter().map(|&[s, t]| Intersection { a: p.place_on_curve(s), b: q.place_on_curve(t) });
         alloc::extend(&mut self.points, points)?;
         let places =
             |[s, t]: [[f64; 2]; 2]| Overlap { a: s.map(|s| p.place_on_curve(s)), b: t.map(|t| q.place_on_curve(t)) };

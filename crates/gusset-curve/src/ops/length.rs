@@ -17,7 +17,7 @@ pub struct ArcLengths<'a> {
     curve: CurveView<'a>,
     frame: UnitFrame,
     /// The arc length up to the end of each segment, in the frame.
-    ends: Vec<f64>,
+    length_to_segment_end: Vec<f64>,
 }
 
 impl<'a> CurveView<'a> {
@@ -44,7 +44,7 @@ impl<'a> CurveView<'a> {
             sum += SegmentSpeed::new(&frame, controls).integrate_speed(0.0, 1.0);
             ends.push(sum);
         }
-        Ok(ArcLengths { curve: *self, frame, ends })
+        Ok(ArcLengths { curve: *self, frame, length_to_segment_end: ends })
     }
 }
 
@@ -56,7 +56,7 @@ impl<'a> ArcLengths<'a> {
 
     /// Returns the arc length of the whole curve, in the unit of the points.
     pub fn total_length(&self) -> f64 {
-        self.frame.length_from_frame(self.ends.last().copied().unwrap_or(0.0))
+        self.frame.length_from_frame(self.length_to_segment_end.last().copied().unwrap_or(0.0))
     }
 
     /// Returns the arc length from the start to a place.
@@ -67,7 +67,7 @@ impl<'a> ArcLengths<'a> {
         self.curve.check_place(0, place)?;
         let k = place.segment as usize;
         if place.t == 1.0 {
-            return Ok(self.frame.length_from_frame(self.ends[k]));
+            return Ok(self.frame.length_from_frame(self.length_to_segment_end[k]));
         }
         let arc = SegmentSpeed::new(&self.frame, self.curve.segment(k));
         Ok(self.frame.length_from_frame(self.length_before_segment(k) + arc.integrate_speed(0.0, place.t)))
@@ -88,14 +88,15 @@ impl<'a> ArcLengths<'a> {
 
     /// Returns the place at the fraction k / n of the total length.
     pub(super) fn place_at_fraction(&self, numerator: usize, denominator: usize) -> Place {
-        let total = self.ends.last().copied().unwrap_or(0.0);
+        let total = self.length_to_segment_end.last().copied().unwrap_or(0.0);
         self.place_at_frame_length(total * (numerator as f64 / denominator as f64))
     }
 
     fn place_at_frame_length(&self, length: f64) -> Place {
         // The first segment that ends beyond the length.
-        let k = self.ends.partition_point(|&end| end < length).min(self.ends.len() - 1);
-        let (before, after) = (self.length_before_segment(k), self.ends[k]);
+        let k =
+            self.length_to_segment_end.partition_point(|&end| end < length).min(self.length_to_segment_end.len() - 1);
+        let (before, after) = (self.length_before_segment(k), self.length_to_segment_end[k]);
         let segment = k as u32;
         if length <= before {
             return Place { segment, t: 0.0 };
@@ -110,7 +111,7 @@ impl<'a> ArcLengths<'a> {
 
     /// Returns the arc length up to the start of segment `k`.
     fn length_before_segment(&self, k: usize) -> f64 {
-        if k == 0 { 0.0 } else { self.ends[k - 1] }
+        if k == 0 { 0.0 } else { self.length_to_segment_end[k - 1] }
     }
 }
 
@@ -120,7 +121,7 @@ struct SegmentSpeed {
     /// The extrema of the speed, from degree 3 on. Intervals of integration end there, because the
     /// speed has a kink at a cusp, and a kink between an end and the first node is invisible to the
     /// quadrature rule.
-    turns: Roots,
+    speed_extrema: Roots,
 }
 
 impl SegmentSpeed {
@@ -132,7 +133,7 @@ impl SegmentSpeed {
         } else {
             Roots::default()
         };
-        SegmentSpeed { velocity, turns }
+        SegmentSpeed { velocity, speed_extrema: turns }
     }
 
     fn speed(&self, t: f64) -> f64 {
@@ -148,7 +149,7 @@ impl SegmentSpeed {
                 // The length of the control polygon: sum of |B_(i+1) - B_i| = |velocity| / n.
                 let polygon: f64 = self.velocity.iter().map(|v| v.length()).sum();
                 let error = 1e-13 * polygon / self.velocity.len() as f64;
-                let inner = self.turns.as_slice().iter().filter(|&&t| a < t && t < b);
+                let inner = self.speed_extrema.as_slice().iter().filter(|&&t| a < t && t < b);
                 let (mut from, mut sum, mut halvings) = (a, 0.0, MAX_HALVINGS);
                 for &to in inner.chain(&[b]) {
                     sum += self.integrate_speed_adaptively(

@@ -72,7 +72,7 @@ impl CurveView<'_> {
         let asked = [length, bounds && has_points, centre && has_points, area, moments];
         let share = |k: usize| {
             let count = asked.iter().filter(|&&asked| asked).count();
-            asked[k].then(|| job.share(asked[..k].iter().filter(|&&asked| asked).count(), count))
+            asked[k].then(|| job.sub_job_of_item(asked[..k].iter().filter(|&&asked| asked).count(), count))
         };
         Ok(Measures {
             length: share(0).map(|job| Ok(self.arc_lengths(&job)?.total_length())).transpose()?,

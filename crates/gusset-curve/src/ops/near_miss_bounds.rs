@@ -8,7 +8,7 @@ use gusset_base::geom::Aabb;
 
 /// The end of a descent.
 pub(super) struct DescentResult {
-    pub(super) at: DVec2,
+    pub(super) parameters: DVec2,
     /// The vector from the second point to the first.
     pub(super) gap: DVec3,
     pub(super) gradient: DVec2,
@@ -55,7 +55,9 @@ pub(super) fn proven_minimum_count(p: &SegmentPart, q: &SegmentPart) -> Option<u
     let sign = |slope: f64, slack: f64| if slope > slack { 1 } else { -i32::from(slope < -slack) };
     let signs = [sign(gap.dot(a), slack(gap, spread, a, ra)), sign(-gap.dot(b), slack(gap, spread, b, rb))];
     // The function falls towards an end of the part that is also an end of the segment.
-    let held = |k: usize, part: &SegmentPart| (signs[k] > 0 && part.from == 0.0) || (signs[k] < 0 && part.to == 1.0);
+    let held = |k: usize, part: &SegmentPart| {
+        (signs[k] > 0 && part.start_parameter == 0.0) || (signs[k] < 0 && part.end_parameter == 1.0)
+    };
     let held = [held(0, p), held(1, q)];
     if (0..2).any(|k| signs[k] != 0 && !held[k]) {
         return Some(0);
@@ -64,7 +66,7 @@ pub(super) fn proven_minimum_count(p: &SegmentPart, q: &SegmentPart) -> Option<u
     let y = b.length_squared() - gap.dot(bb) - slack(b, rb, b, rb) - slack(gap, spread, bb, rbb);
     let z = a.dot(b).abs() + slack(a, ra, b, rb);
     // If the Hessian is indefinite, minima lie only at ends of segments.
-    let inner = [p, q].iter().all(|part| part.from > 0.0 && part.to < 1.0);
+    let inner = [p, q].iter().all(|part| part.start_parameter > 0.0 && part.end_parameter < 1.0);
     let [max_x, max_y] = [
         a.length_squared() + gap.dot(aa) + slack(a, ra, a, ra) + slack(gap, spread, aa, raa),
         b.length_squared() - gap.dot(bb) + slack(b, rb, b, rb) + slack(gap, spread, bb, rbb),
@@ -133,5 +135,5 @@ pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, 
         let Some((there, p, q)) = next else { break };
         (at, a, b) = (there, p, q);
     }
-    DescentResult { at, gap: a[0] - b[0], gradient: slope(&a, &b) }
+    DescentResult { parameters: at, gap: a[0] - b[0], gradient: slope(&a, &b) }
 }

@@ -101,7 +101,7 @@ const MIN_RELATIVE_DETERMINANT: f64 = 1e-12;
 /// A minimum of the distance, in the frame. Each place is a number: segment plus parameter.
 #[derive(Clone, Copy)]
 struct DistanceMinimum {
-    at: DVec2,
+    places: DVec2,
     distance: f64,
 }
 
@@ -137,11 +137,17 @@ impl CurveView<'_> {
         // Points of the frame are at most 2 sqrt(3) apart, and a larger limit could be infinite in
         // it.
         let within = frame.length_to_frame(within).clamp(DISTANCE_ROUNDING, 4.0);
-        let mut search =
-            NearMissSearch { sides, within, minima: Vec::new(), unresolved: Vec::new(), given_up: 0, undecided: false };
+        let mut search = NearMissSearch {
+            curves: sides,
+            within,
+            minima: Vec::new(),
+            unresolved: Vec::new(),
+            given_up: 0,
+            undecided: false,
+        };
         let numbers = [segments_with_extent(&sides[0])?, segments_with_extent(&sides[1])?];
         let tree = BoxTree::new(numbers[1].iter().map(|&j| Aabb::from_points(sides[1].segment(j as usize))))?;
-        let (searching, mut pairs) = (job.part(0.0, 0.8), 0usize);
+        let (searching, mut pairs) = (job.sub_job(0.0, 0.8), 0usize);
         for (k, &i) in numbers[0].iter().enumerate() {
             searching.step_every(16, k, numbers[0].len(), PROGRESS_STAGE)?;
             let i = i as usize;
@@ -153,7 +159,7 @@ impl CurveView<'_> {
                 search.search_segment_pair([i, numbers[1][leaf] as usize])
             })?;
         }
-        search.cluster_sort_and_merge(&frame, &job.part(0.8, 1.0))
+        search.cluster_sort_and_merge(&frame, &job.sub_job(0.8, 1.0))
     }
 }
 
@@ -181,7 +187,7 @@ fn leg_beyond_segment_end(curve: &CurveView<'_>, k: usize, at_end: bool) -> Opti
 }
 
 struct NearMissSearch<'a> {
-    sides: [CurveView<'a>; 2],
+    curves: [CurveView<'a>; 2],
     within: f64,
     minima: Vec<DistanceMinimum>,
     /// Undecided pairs of parts at the smallest size, with their places and the distance at the
@@ -195,8 +201,8 @@ struct NearMissSearch<'a> {
 /// The search of a pair of segments, given by their indices.
 struct NearMissPairSearch<'s, 'a> {
     search: &'s mut NearMissSearch<'a>,
-    numbers: [usize; 2],
-    whole: [&'a [DVec3]; 2],
+    segment_indices: [usize; 2],
+    segments: [&'a [DVec3]; 2],
     /// Whether the search reached its limit.
     exhausted: bool,
 }
@@ -214,7 +220,7 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
         Ok(match proven_minimum_count(p, q) {
             Some(0) => BoxTest::Empty,
             Some(_) => BoxTest::Unique(()),
-            None => match [p, q].map(|part| part.to - part.from <= MIN_PART_PARAMETER_LENGTH) {
+            None => match [p, q].map(|part| part.end_parameter - part.start_parameter <= MIN_PART_PARAMETER_LENGTH) {
                 [true, true] => BoxTest::Unresolved,
                 [false, true] => BoxTest::Undecided(0),
                 [true, false] => BoxTest::Undecided(1),
@@ -224,7 +230,7 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
     }
 
     fn record_solution(&mut self, pair: [SegmentPart; 2], (): ()) -> Result<()> {
-        self.search.add_local_minimum(self.whole, self.numbers, pair)
+        self.search.add_local_minimum(self.segments, self.segment_indices, pair)
     }
 
     fn record_unresolved(&mut self, [p, q]: [SegmentPart; 2], exhausted: bool) -> Result<()> {
@@ -232,10 +238,10 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
         self.exhausted |= exhausted;
         let [low, high] = parameter_box_corners(&[p, q]);
         let middle = (low + high) * 0.5;
-        let [x, y] = [segment::point_at(self.whole[0], middle.x), segment::point_at(self.whole[1], middle.y)];
+        let [x, y] = [segment::point_at(self.segments[0], middle.x), segment::point_at(self.segments[1], middle.y)];
         let half = ((high - low) * 0.5).extend(0.0);
-        let middle = (segment_indices_as_offsets(self.numbers) + middle).extend(0.0);
-        alloc::push(&mut self.search.unresolved, UnresolvedBox { middle, half, residual: x.distance(y) })
+        let middle = (segment_indices_as_offsets(self.segment_indices) + middle).extend(0.0);
+        alloc::push(&mut self.search.unresolved, UnresolvedBox { middle, half_size: half, residual: x.distance(y) })
     }
 
     fn split_box(&mut self, pair: [SegmentPart; 2], number: usize) -> [[SegmentPart; 2]; 2] {
@@ -249,12 +255,13 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
 
 impl NearMissSearch<'_> {
     fn search_segment_pair(&mut self, numbers: [usize; 2]) -> Result<()> {
-        let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
+        let whole = [0, 1].map(|k| self.curves[k].segment(numbers[k]));
         let first = whole.map(|controls| SegmentPart::from_whole_segment(SegmentBuffer::new(controls)));
         let max_pairs =
             if self.given_up < MAX_UNDECIDED_SEGMENT_PAIRS { MAX_PART_PAIRS } else { MAX_PART_PAIRS_FOR_SIMPLE_MINIMA };
         let limits = SubdivisionLimits { max_depth: u32::MAX, max_boxes: max_pairs + 1 };
-        let mut search = NearMissPairSearch { search: self, numbers, whole, exhausted: false };
+        let mut search =
+            NearMissPairSearch { search: self, segment_indices: numbers, segments: whole, exhausted: false };
         subdivide(&mut search, first, &mut Vec::new(), limits)?;
         self.given_up += u32::from(search.exhausted);
         Ok(())
@@ -269,7 +276,7 @@ impl NearMissSearch<'_> {
         if distance <= self.within && !self.distance_falls_beyond_box(whole, numbers, &descent, low, high) {
             alloc::push(
                 &mut self.minima,
-                DistanceMinimum { at: segment_indices_as_offsets(numbers) + descent.at, distance },
+                DistanceMinimum { places: segment_indices_as_offsets(numbers) + descent.parameters, distance },
             )?;
         }
         Ok(())
@@ -281,7 +288,7 @@ impl NearMissSearch<'_> {
         &self,
         whole: [&[DVec3]; 2],
         numbers: [usize; 2],
-        &DescentResult { at, gap, gradient }: &DescentResult,
+        &DescentResult { parameters: at, gap, gradient }: &DescentResult,
         low: DVec2,
         high: DVec2,
     ) -> bool {
@@ -298,7 +305,7 @@ impl NearMissSearch<'_> {
             let at_joint = at[k] == 0.0 || at[k] == 1.0;
             let sign = if k == 0 { 1.0 } else { -1.0 };
             let goes_on = |along: DVec3| sign * gap.dot(along) < 0.0;
-            !at_joint || leg_beyond_segment_end(&self.sides[k], numbers[k], at_high).is_some_and(goes_on)
+            !at_joint || leg_beyond_segment_end(&self.curves[k], numbers[k], at_high).is_some_and(goes_on)
         })
     }
 
@@ -306,8 +313,8 @@ impl NearMissSearch<'_> {
     /// Returns `None` if the distance falls beyond the segments, or the descent does not converge.
     fn descend_to_minimum(&mut self, start: &UnresolvedBox) -> Option<DistanceMinimum> {
         let middle = start.middle.truncate();
-        let numbers = [0, 1].map(|k| (middle[k].max(0.0) as usize).min(self.sides[k].len() - 1));
-        let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
+        let numbers = [0, 1].map(|k| (middle[k].max(0.0) as usize).min(self.curves[k].len() - 1));
+        let whole = [0, 1].map(|k| self.curves[k].segment(numbers[k]));
         let (low, high) = (DVec2::ZERO, DVec2::ONE);
         let descent = minimise_distance(whole, middle - segment_indices_as_offsets(numbers), low, high);
         let distance = descent.gap.length();
@@ -317,19 +324,20 @@ impl NearMissSearch<'_> {
         let at_rest = distance <= DISTANCE_ROUNDING
             || (0..2).all(|k| {
                 let size = Aabb::from_points(whole[k]).size().max_element();
-                let inside = descent.at[k] > 0.0 && descent.at[k] < 1.0;
+                let inside = descent.parameters[k] > 0.0 && descent.parameters[k] < 1.0;
                 !inside || descent.gradient[k].abs() <= MAX_CONVERGED_SLOPE * size * distance
             });
         self.undecided |= !at_rest && distance <= self.within;
-        at_rest.then_some(DistanceMinimum { at: segment_indices_as_offsets(numbers) + descent.at, distance })
+        at_rest
+            .then_some(DistanceMinimum { places: segment_indices_as_offsets(numbers) + descent.parameters, distance })
     }
 
     /// Returns true if the distance rises by more than rounding in all directions from a minimum
     /// within the segments.
     fn is_isolated_minimum(&self, minimum: &DistanceMinimum) -> bool {
-        let numbers = [0, 1].map(|k| (minimum.at[k] as usize).min(self.sides[k].len() - 1));
-        let at = minimum.at - segment_indices_as_offsets(numbers);
-        let [a, b] = [0, 1].map(|k| point_and_derivatives::<3>(self.sides[k].segment(numbers[k]), at[k]));
+        let numbers = [0, 1].map(|k| (minimum.places[k] as usize).min(self.curves[k].len() - 1));
+        let at = minimum.places - segment_indices_as_offsets(numbers);
+        let [a, b] = [0, 1].map(|k| point_and_derivatives::<3>(self.curves[k].segment(numbers[k]), at[k]));
         let gap = a[0] - b[0];
         let (x, y) = (a[1].length_squared() + gap.dot(a[2]), b[1].length_squared() - gap.dot(b[2]));
         let mixed = a[1].dot(b[1]);
@@ -361,19 +369,19 @@ impl NearMissSearch<'_> {
             if let Some(minimum) = self.descend_to_minimum(start)
                 && minimum.distance <= self.within
             {
-                let UnresolvedCluster { best, low, high } = clusters[cluster_of[k] as usize];
+                let UnresolvedCluster { best_box: best, low, high } = clusters[cluster_of[k] as usize];
                 // Along a flat valley, rounding creates many minima; keep only the cluster's best.
                 if best.middle != start.middle && !self.is_isolated_minimum(&minimum) {
                     continue;
                 }
-                let (low, high, reach) = (low.truncate(), high.truncate(), 2.0 * start.half.truncate());
-                let inside = minimum.at.cmpge(low - reach).all() && minimum.at.cmple(high + reach).all();
+                let (low, high, reach) = (low.truncate(), high.truncate(), 2.0 * start.half_size.truncate());
+                let inside = minimum.places.cmpge(low - reach).all() && minimum.places.cmple(high + reach).all();
                 alloc::push(&mut valleys, DistanceValley { minimum, low, high, has_minimum: inside })?;
             }
         }
-        sort::sort_stable(&mut valleys, &|x, y| compare_places(x.minimum.at.into(), y.minimum.at.into()));
+        sort::sort_stable(&mut valleys, &|x, y| compare_places(x.minimum.places.into(), y.minimum.places.into()));
         let same = |x: &DistanceValley, y: &DistanceValley| {
-            (x.minimum.at - y.minimum.at).abs().max_element() <= MAX_SAME_VALLEY_PARAMETER_GAP
+            (x.minimum.places - y.minimum.places).abs().max_element() <= MAX_SAME_VALLEY_PARAMETER_GAP
         };
         for valley in valleys.chunk_by(same) {
             if let Some(holder) = valley.iter().find(|part| part.has_minimum) {
@@ -395,7 +403,7 @@ impl NearMissSearch<'_> {
     /// Clusters the undecided pairs, then sorts and merges duplicates.
     fn cluster_sort_and_merge(mut self, frame: &UnitFrame, job: &Job<'_>) -> Result<NearMisses> {
         let mut found = NearMisses::default();
-        let sides = self.sides;
+        let sides = self.curves;
         let place = |k: usize, at: f64| {
             let segment = (at.max(0.0) as usize).min(sides[k].len() - 1);
             Place { segment: segment as u32, t: (at - segment as f64).clamp(0.0, 1.0) }
@@ -403,9 +411,9 @@ impl NearMissSearch<'_> {
         self.add_overlaps(place, &mut found.overlaps, job)?;
         found.undecided = self.undecided;
         let periods = sides.map(|curve| curve.segment_count_if_closed());
-        sort_and_remove_duplicates(&mut self.minima, |found| found.at.to_array(), periods, MAX_SAME_PARAMETER_GAP);
+        sort_and_remove_duplicates(&mut self.minima, |found| found.places.to_array(), periods, MAX_SAME_PARAMETER_GAP);
         found.places = alloc::collect(self.minima.iter().map(|found| {
-            let (a, b) = (place(0, found.at.x), place(1, found.at.y));
+            let (a, b) = (place(0, found.places.x), place(1, found.places.y));
             NearMiss { a, b, distance: frame.length_from_frame(found.distance) }
         }))?;
         Ok(found)
@@ -414,7 +422,7 @@ impl NearMissSearch<'_> {
 
 /// Returns the smallest and the largest parameters of a pair of parts.
 fn parameter_box_corners([p, q]: &[SegmentPart; 2]) -> [DVec2; 2] {
-    [DVec2::new(p.from, q.from), DVec2::new(p.to, q.to)]
+    [DVec2::new(p.start_parameter, q.start_parameter), DVec2::new(p.end_parameter, q.end_parameter)]
 }
 
 /// Returns the indices of two segments, as offsets of places that are numbers.
@@ -426,7 +434,7 @@ fn segment_indices_as_offsets(numbers: [usize; 2]) -> DVec2 {
 /// are sorted by their places.
 fn is_closest_of_touching_pairs(pairs: &[UnresolvedBox], k: usize) -> bool {
     let own = &pairs[k];
-    let reach = own.half.x + MIN_PART_PARAMETER_LENGTH;
+    let reach = own.half_size.x + MIN_PART_PARAMETER_LENGTH;
     let near = |other: &&UnresolvedBox| (other.middle.x - own.middle.x).abs() <= reach;
     let (mut before, mut after) = (pairs[..k].iter().rev().take_while(near), pairs[k + 1..].iter().take_while(near));
     !before.any(|other| other.residual <= own.residual && other.touches(own))

@@ -84,9 +84,9 @@ pub fn nearest_of_any(
     if curves.iter().all(|curve| curve.points().is_empty()) {
         return Err(Error::EmptyCurve);
     }
-    let set = CurveSetSearch::new(curves, &job.part(0.0, 0.1))?;
+    let set = CurveSetSearch::new(curves, &job.sub_job(0.0, 0.1))?;
     let segments = curves.iter().map(CurveView::len).sum();
-    answer_queries_in_batches(queries, segments, &job.part(0.1, 1.0), |q, job| set.nearest(q, job))
+    answer_queries_in_batches(queries, segments, &job.sub_job(0.1, 1.0), |q, job| set.nearest(q, job))
 }
 
 fn answer_queries_in_batches<A: Send>(
@@ -100,7 +100,7 @@ fn answer_queries_in_batches<A: Send>(
     let mut found = alloc::with_capacity(queries.len())?;
     for some in queries.chunks(QUERIES_PER_BATCH * 64) {
         let (done, count) = (found.len() as f64, queries.len() as f64);
-        let part = job.part(done / count, (done + some.len() as f64) / count);
+        let part = job.sub_job(done / count, (done + some.len() as f64) / count);
         let batches = par::map_jobs(&part, PROGRESS_STAGE, some.chunks(at_once), |batch, job| {
             alloc::try_collect::<_, Error>(batch.iter().map(|&q| answer(q, job)))
         })?;
@@ -240,10 +240,10 @@ impl<'a> CurveSetSearch<'a> {
 
 /// Returns the parameter of the nearest point of one segment, and its squared distance.
 pub(super) fn nearest_on_segment(controls: &[DVec3], q: DVec3) -> (f64, f64) {
-    let mut best = NearestOnSegment { controls, q, t: 0.0, squared: controls[0].distance_squared(q) };
+    let mut best = NearestOnSegment { controls, q, parameter: 0.0, squared_distance: controls[0].distance_squared(q) };
     best.improve_with_parameter(1.0);
     best.improve_with_stationary_parameters();
-    (best.t, best.squared)
+    (best.parameter, best.squared_distance)
 }
 
 /// The number of samples of an interval in which the slope of the distance is rounding. The
@@ -256,8 +256,8 @@ const MIN_RELATIVE_SQUARED_DISTANCE_GAIN: f64 = 1e-12;
 struct NearestOnSegment<'a> {
     controls: &'a [DVec3],
     q: DVec3,
-    t: f64,
-    squared: f64,
+    parameter: f64,
+    squared_distance: f64,
 }
 
 impl NearestOnSegment<'_> {
@@ -267,8 +267,8 @@ impl NearestOnSegment<'_> {
 
     fn improve_with_parameter(&mut self, t: f64) {
         let squared = self.squared_distance(t);
-        if squared < self.squared {
-            (self.t, self.squared) = (t, squared);
+        if squared < self.squared_distance {
+            (self.parameter, self.squared_distance) = (t, squared);
         }
     }
 
@@ -307,7 +307,7 @@ impl NearestOnSegment<'_> {
         for &t in roots.as_slice() {
             // A point on the curve within rounding cannot be improved.
             if t >= searched
-                && self.squared > (4.0 * f64::EPSILON * size).powi(2)
+                && self.squared_distance > (4.0 * f64::EPSILON * size).powi(2)
                 && let Some(flat) = slope.interval_around_ill_conditioned_root(t)
             {
                 self.minimise_over_interval(flat);
@@ -329,8 +329,8 @@ impl NearestOnSegment<'_> {
                 let t = minimise_by_golden_section([at(before), at(after)], |t| self.squared_distance(t));
                 for t in [t, at(k)] {
                     let squared = self.squared_distance(t);
-                    if squared < self.squared * (1.0 - MIN_RELATIVE_SQUARED_DISTANCE_GAIN) {
-                        (self.t, self.squared) = (t, squared);
+                    if squared < self.squared_distance * (1.0 - MIN_RELATIVE_SQUARED_DISTANCE_GAIN) {
+                        (self.parameter, self.squared_distance) = (t, squared);
                     }
                 }
             }

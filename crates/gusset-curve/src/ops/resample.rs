@@ -59,7 +59,7 @@ impl CurveView<'_> {
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        let (first, second) = (job.part(0.0, 0.3), job.part(0.3, 1.0));
+        let (first, second) = (job.sub_job(0.0, 0.3), job.sub_job(0.3, 1.0));
         match spacing {
             SampleSpacing::Count(count) => {
                 check_point_count(count as u64)?;

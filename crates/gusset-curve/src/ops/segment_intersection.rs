@@ -67,7 +67,7 @@ pub(super) struct IgnoredSharedJoints {
 /// The intersections of two segments, as parameters.
 #[derive(Default)]
 pub(super) struct SegmentIntersections {
-    pub(super) at: Vec<[f64; 2]>,
+    pub(super) parameters: Vec<[f64; 2]>,
     /// The ends of each overlap on both segments, in the direction of the first.
     pub(super) overlaps: Vec<[[f64; 2]; 2]>,
     pub(super) undecided: bool,
@@ -82,7 +82,7 @@ pub(super) fn intersect_segments(
     joined: IgnoredSharedJoints,
     found: &mut SegmentIntersections,
 ) -> Result<()> {
-    found.at.clear();
+    found.parameters.clear();
     found.overlaps.clear();
     found.undecided = false;
     find_overlaps(a, b, &mut found.overlaps)?;
@@ -95,14 +95,19 @@ pub(super) fn intersect_segments(
     let first = [a, b].map(|controls| SegmentPart::from_whole_segment(SegmentBuffer::new(controls)));
     let limits = SubdivisionLimits { max_depth: u32::MAX, max_boxes: usize::MAX };
     subdivide(
-        &mut CrossingPairSearch { whole: [a, b], joined, pairs_left: max_pairs, found },
+        &mut CrossingPairSearch {
+            segments: [a, b],
+            ignored_joints: joined,
+            pairs_left: max_pairs,
+            intersections: found,
+        },
         first,
         &mut Vec::new(),
         limits,
     )?;
     found.given_up += u32::from(found.undecided);
     let overlaps = &found.overlaps;
-    found.at.retain(|&[s, t]| {
+    found.parameters.retain(|&[s, t]| {
         let at_joint = (joined.at_first_end && s > 1.0 - MAX_SAME_PARAMETER_GAP && t < MAX_SAME_PARAMETER_GAP)
             || (joined.at_first_start && s < MAX_SAME_PARAMETER_GAP && t > 1.0 - MAX_SAME_PARAMETER_GAP);
         let in_overlap =
@@ -114,10 +119,10 @@ pub(super) fn intersect_segments(
 }
 
 struct CrossingPairSearch<'a> {
-    whole: [&'a [DVec3]; 2],
-    joined: IgnoredSharedJoints,
+    segments: [&'a [DVec3]; 2],
+    ignored_joints: IgnoredSharedJoints,
     pairs_left: usize,
-    found: &'a mut SegmentIntersections,
+    intersections: &'a mut SegmentIntersections,
 }
 
 impl Subdivision<[SegmentPart; 2], 2> for CrossingPairSearch<'_> {
@@ -128,20 +133,21 @@ impl Subdivision<[SegmentPart; 2], 2> for CrossingPairSearch<'_> {
 
     fn classify_box(&mut self, [p, q]: &[SegmentPart; 2]) -> Result<BoxTest<[f64; 2], usize>> {
         let Some(pairs_left) = self.pairs_left.checked_sub(1) else {
-            self.found.undecided = true;
+            self.intersections.undecided = true;
             return Ok(BoxTest::Empty);
         };
         self.pairs_left = pairs_left;
-        if are_hulls_separated(&p.controls, &q.controls) || self.found.has_overlap_covering(p, q) {
+        if are_hulls_separated(&p.controls, &q.controls) || self.intersections.has_overlap_covering(p, q) {
             return Ok(BoxTest::Empty);
         }
-        let IgnoredSharedJoints { at_first_end, at_first_start } = self.joined;
-        let joint = (at_first_end && p.to == 1.0 && q.from == 0.0) || (at_first_start && p.from == 0.0 && q.to == 1.0);
+        let IgnoredSharedJoints { at_first_end, at_first_start } = self.ignored_joints;
+        let joint = (at_first_end && p.end_parameter == 1.0 && q.start_parameter == 0.0)
+            || (at_first_start && p.start_parameter == 0.0 && q.end_parameter == 1.0);
         let once = can_cross_only_once(&p.controls, &q.controls);
         if joint && (once || has_common_direction(&p.controls, &q.controls)) {
             return Ok(BoxTest::Empty);
         }
-        let [a, b] = self.whole;
+        let [a, b] = self.segments;
         if once && let Some(at) = find_crossing_by_newton(a, b, p, q) {
             return Ok(BoxTest::Unique(at));
         }
@@ -156,11 +162,11 @@ impl Subdivision<[SegmentPart; 2], 2> for CrossingPairSearch<'_> {
     }
 
     fn record_solution(&mut self, _: [SegmentPart; 2], at: [f64; 2]) -> Result<()> {
-        self.found.add_crossing(at)
+        self.intersections.add_crossing(at)
     }
 
     fn record_unresolved(&mut self, _: [SegmentPart; 2], _: bool) -> Result<()> {
-        self.found.undecided = true;
+        self.intersections.undecided = true;
         Ok(())
     }
 
@@ -182,44 +188,45 @@ fn is_parameter_range_inside(range: [f64; 2], from: f64, to: f64) -> bool {
 
 impl SegmentIntersections {
     fn has_overlap_covering(&self, p: &SegmentPart, q: &SegmentPart) -> bool {
-        self.overlaps
-            .iter()
-            .any(|o| is_parameter_range_inside(o[0], p.from, p.to) && is_parameter_range_inside(o[1], q.from, q.to))
+        self.overlaps.iter().any(|o| {
+            is_parameter_range_inside(o[0], p.start_parameter, p.end_parameter)
+                && is_parameter_range_inside(o[1], q.start_parameter, q.end_parameter)
+        })
     }
 
     fn add_crossing(&mut self, at: [f64; 2]) -> Result<()> {
         let same = |old: &[f64; 2]| {
             (old[0] - at[0]).abs() <= MAX_SAME_PARAMETER_GAP && (old[1] - at[1]).abs() <= MAX_SAME_PARAMETER_GAP
         };
-        if self.at.iter().any(same) { Ok(()) } else { alloc::push(&mut self.at, at) }
+        if self.parameters.iter().any(same) { Ok(()) } else { alloc::push(&mut self.parameters, at) }
     }
 
     /// Merges intersections between which the segments stay together, because they touch too
     /// closely to resolve. Keeps the middle one.
     fn merge_unresolved_touches(&mut self, a: &[DVec3], b: &[DVec3]) {
-        sort::sort_stable(&mut self.at, &|x, y| x[0].total_cmp(&y[0]));
+        sort::sort_stable(&mut self.parameters, &|x, y| x[0].total_cmp(&y[0]));
         let together = |x: [f64; 2], y: [f64; 2]| {
             let middle = segment::point_at(a, 0.5 * (x[0] + y[0]));
             (x[0] - y[0]).abs().max((x[1] - y[1]).abs()) <= MAX_SAME_TOUCH_PARAMETER_GAP
                 && nearest_on_segment(b, middle).1 <= MAX_COMMON_POINT_DISTANCE * MAX_COMMON_POINT_DISTANCE
         };
         let mut kept = 0;
-        let mut rest = 0..self.at.len();
+        let mut rest = 0..self.parameters.len();
         while let Some(i) = rest.next() {
-            let first = self.at[i];
+            let first = self.parameters[i];
             let mut last = first;
-            while !rest.is_empty() && together(last, self.at[rest.start]) {
-                last = self.at[rest.start];
+            while !rest.is_empty() && together(last, self.parameters[rest.start]) {
+                last = self.parameters[rest.start];
                 rest.start += 1;
             }
-            self.at[kept] = [0.5 * (first[0] + last[0]), 0.5 * (first[1] + last[1])];
+            self.parameters[kept] = [0.5 * (first[0] + last[0]), 0.5 * (first[1] + last[1])];
             if first != last {
-                self.at[kept][1] =
-                    snap_parameter_to_end(nearest_on_segment(b, segment::point_at(a, self.at[kept][0])).0);
+                self.parameters[kept][1] =
+                    snap_parameter_to_end(nearest_on_segment(b, segment::point_at(a, self.parameters[kept][0])).0);
             }
             kept += 1;
         }
-        self.at.truncate(kept);
+        self.parameters.truncate(kept);
     }
 }
 
@@ -296,7 +303,8 @@ fn find_crossing_by_newton(a: &[DVec3], b: &[DVec3], p: &SegmentPart, q: &Segmen
         let ([at, u, _], [bt, v, _]) = (point_and_derivatives::<3>(a, s), point_and_derivatives::<3>(b, t));
         let gap = bt - at;
         let [ds, dt] = solve_two_equations([[u.x, -v.x], [u.y, -v.y]], [gap.x, gap.y])?;
-        let (next_s, next_t) = ((s + ds).clamp(p.from, p.to), (t + dt).clamp(q.from, q.to));
+        let (next_s, next_t) =
+            ((s + ds).clamp(p.start_parameter, p.end_parameter), (t + dt).clamp(q.start_parameter, q.end_parameter));
         let moved = (next_s - s).abs().max((next_t - t).abs());
         (s, t) = (next_s, next_t);
         if moved <= 2.0 * f64::EPSILON {
@@ -322,7 +330,7 @@ fn snap_parameter_to_end(t: f64) -> f64 {
 /// B) . A' = 0, or else alternates between nearest points of both.
 fn find_touch(a: &[DVec3], b: &[DVec3], p: &SegmentPart, q: &SegmentPart) -> Option<[f64; 2]> {
     let start = [p.middle_parameter(), q.middle_parameter()];
-    let reach = 8.0 * (p.to - p.from).max(q.to - q.from);
+    let reach = 8.0 * (p.end_parameter - p.start_parameter).max(q.end_parameter - q.start_parameter);
     let common =
         |s: f64, t: f64| segment::point_at(a, s).distance(segment::point_at(b, t)) <= MAX_COMMON_POINT_DISTANCE;
     let [mut s, mut t] = start;

@@ -11,17 +11,17 @@ use std::cmp::Ordering;
 #[derive(Clone, Copy)]
 pub(super) struct SegmentPart {
     pub(super) controls: SegmentBuffer,
-    pub(super) from: f64,
-    pub(super) to: f64,
+    pub(super) start_parameter: f64,
+    pub(super) end_parameter: f64,
 }
 
 impl SegmentPart {
     pub(super) fn from_whole_segment(controls: SegmentBuffer) -> Self {
-        SegmentPart { controls, from: 0.0, to: 1.0 }
+        SegmentPart { controls, start_parameter: 0.0, end_parameter: 1.0 }
     }
 
     pub(super) fn middle_parameter(&self) -> f64 {
-        0.5 * (self.from + self.to)
+        0.5 * (self.start_parameter + self.end_parameter)
     }
 
     /// Returns the longest side of the bounding box of the control points.
@@ -31,8 +31,8 @@ impl SegmentPart {
 
     pub(super) fn into_halves(mut self) -> [SegmentPart; 2] {
         let middle = self.middle_parameter();
-        let before = SegmentPart { controls: self.controls.split_off_part_before(0.5), to: middle, ..self };
-        [before, SegmentPart { from: middle, ..self }]
+        let before = SegmentPart { controls: self.controls.split_off_part_before(0.5), end_parameter: middle, ..self };
+        [before, SegmentPart { start_parameter: middle, ..self }]
     }
 }
 

@@ -19,7 +19,7 @@ impl CurveView<'_> {
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
     pub fn split(&self, at: Place, job: &Job<'_>) -> Result<[Curve; 2]> {
         self.check_place(0, at)?;
-        let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
+        let (first, second) = (job.sub_job(0.0, 0.5), job.sub_job(0.5, 1.0));
         Ok([self.sub_curve_forward(Place::START, at, &first)?, self.sub_curve_forward(at, self.end_place(), &second)?])
     }
 
@@ -37,8 +37,8 @@ impl CurveView<'_> {
             return self.sub_curve_forward(from, to, job);
         }
         Error::require(self.is_closed(), "to", to.t)?;
-        let mut curve = self.sub_curve_forward(from, self.end_place(), &job.part(0.0, 0.5))?;
-        let rest = self.sub_curve_forward(Place::START, to, &job.part(0.5, 1.0))?;
+        let mut curve = self.sub_curve_forward(from, self.end_place(), &job.sub_job(0.0, 0.5))?;
+        let rest = self.sub_curve_forward(Place::START, to, &job.sub_job(0.5, 1.0))?;
         rest.view().segments().try_for_each(|segment| curve.push_segment(&segment[1..]))?;
         Ok(curve)
     }
@@ -72,10 +72,10 @@ impl CurveView<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn reversed(&self, job: &Job<'_>) -> Result<Curve> {
         let backwards = self.points().iter().rev().copied();
-        let points = alloc::collect_cancellable(backwards, &job.part(0.0, 0.8), "reversing a curve")?;
+        let points = alloc::collect_cancellable(backwards, &job.sub_job(0.0, 0.8), "reversing a curve")?;
         let last = self.ends().last().copied().unwrap_or(0);
         let backwards = self.ends().iter().rev().map(|&end| last - end);
-        let ends = alloc::collect_cancellable(backwards, &job.part(0.8, 1.0), "reversing a curve")?;
+        let ends = alloc::collect_cancellable(backwards, &job.sub_job(0.8, 1.0), "reversing a curve")?;
         Ok(Curve { points, ends, closed: self.is_closed() })
     }
 }

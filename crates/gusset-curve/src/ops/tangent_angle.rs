@@ -11,7 +11,7 @@ use crate::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
-use gusset_base::geom::bernstein::{Roots, add_product, derive, roots, value_and_slope};
+use gusset_base::geom::bernstein::{Roots, add_product, differentiate, roots, value_and_slope};
 use gusset_base::job::Job;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -49,7 +49,7 @@ const SEGMENTS_PER_REPORT: usize = 1 << 8;
 /// The components of the derivative of a segment, along the direction and across it.
 struct SegmentTangents {
     components: [[f64; MAX_DEGREE]; 3],
-    count: usize,
+    coefficient_count: usize,
 }
 
 /// The angle sought.
@@ -117,12 +117,12 @@ impl SegmentTangents {
         let largest = legs[..count].iter().map(|leg| leg.length()).fold(0.0, f64::max);
         (largest > 0.0).then(|| {
             let component = |axis: DVec3| std::array::from_fn(|k| axis.dot(legs[k]) / largest);
-            SegmentTangents { components: axes.map(component), count }
+            SegmentTangents { components: axes.map(component), coefficient_count: count }
         })
     }
 
     fn derivative_component(&self, k: usize) -> &[f64] {
-        &self.components[k][..self.count]
+        &self.components[k][..self.coefficient_count]
     }
 
     /// Returns the derivative at a parameter, and its derivative.
@@ -147,7 +147,7 @@ impl SegmentTangents {
                 for across in [u, v] {
                     add_product(across, across, -cosine * cosine, &mut squared);
                 }
-                roots(&squared[..2 * self.count - 1], MAX_POLYNOMIAL_ROUNDING)
+                roots(&squared[..2 * self.coefficient_count - 1], MAX_POLYNOMIAL_ROUNDING)
             }
         }
     }
@@ -193,7 +193,7 @@ impl SegmentTangents {
     /// Returns true if the derivative is 0 and the tangent before or after makes the angle.
     fn is_cusp_of_angle_at(&self, t: f64, angle: f64) -> bool {
         let mut rest = self.components;
-        let (mut count, mut sign) = (self.count, 1.0);
+        let (mut count, mut sign) = (self.coefficient_count, 1.0);
         // The tangent after the place is the first non-zero derivative. The tangent before it has
         // the opposite sign if an odd number of derivatives is 0.
         while count > 0 {
@@ -205,7 +205,7 @@ impl SegmentTangents {
                 return (t < 1.0 && makes(along)) || (t > 0.0 && makes(sign * along));
             }
             for c in &mut rest {
-                derive(&mut c[..count]);
+                differentiate(&mut c[..count]);
             }
             (count, sign) = (count - 1, -sign);
         }

@@ -19,16 +19,16 @@ pub(super) struct PolylineVertex {
 pub(super) fn draw_curve(entity: &Entity<'_>, frame: &Frame, pen: &mut OutlinePen) -> Result<bool, ReadError> {
     match entity.kind {
         b"LINE" => {
-            pen.begin(frame.point(entity.point(10)))?;
-            pen.line_to(frame.point(entity.point(11)))?;
-            pen.end(false)?;
+            pen.begin_outline(frame.map_point(entity.point_of_code(10)))?;
+            pen.line_to(frame.map_point(entity.point_of_code(11)))?;
+            pen.end_outline(false)?;
         }
         b"LWPOLYLINE" => {
             let vertices = lightweight_vertices(entity)?;
-            let is_closed = entity.integer(70) & 1 != 0;
-            draw_polyline(&vertices, is_closed, &frame.after(&entity.object_frame()), pen)?;
+            let is_closed = entity.integer_of_code(70) & 1 != 0;
+            draw_polyline(&vertices, is_closed, &frame.compose_after(&entity.object_frame()), pen)?;
         }
-        b"CIRCLE" | b"ARC" => draw_circle(entity, &frame.after(&entity.object_frame()), pen)?,
+        b"CIRCLE" | b"ARC" => draw_circle(entity, &frame.compose_after(&entity.object_frame()), pen)?,
         b"ELLIPSE" => draw_ellipse(entity, frame, pen)?,
         b"SPLINE" => draw_spline(entity, frame, pen)?,
         _ => return Ok(false),
@@ -37,7 +37,7 @@ pub(super) fn draw_curve(entity: &Entity<'_>, frame: &Frame, pen: &mut OutlinePe
 }
 
 fn lightweight_vertices(entity: &Entity<'_>) -> Result<Vec<PolylineVertex>, ReadError> {
-    let elevation = entity.number(38).unwrap_or(0.0);
+    let elevation = entity.number_of_code(38).unwrap_or(0.0);
     let mut vertices: Vec<PolylineVertex> = Vec::new();
     for pair in &entity.pairs {
         let value = number(pair.value).unwrap_or(0.0);
@@ -62,10 +62,10 @@ pub(super) fn draw_polyline(
     pen: &mut OutlinePen,
 ) -> Result<(), ReadError> {
     let Some(first) = vertices.first() else { return Ok(()) };
-    pen.begin(frame.point(first.point))?;
+    pen.begin_outline(frame.map_point(first.point))?;
     let ends = vertices[1..].iter().chain(is_closed.then_some(first));
     for (start, end) in vertices.iter().zip(ends) {
-        let target = frame.point(end.point);
+        let target = frame.map_point(end.point);
         if start.bulge == 0.0 || !start.bulge.is_finite() {
             pen.line_to(target)?;
             continue;
@@ -78,20 +78,20 @@ pub(super) fn draw_polyline(
             start.point[2],
         ];
         let [x, y] = [0, 1].map(|axis| start.point[axis] - centre[axis]);
-        let ellipse = [frame.point(centre), frame.vector([x, y, 0.0]), frame.vector([-y, x, 0.0])];
+        let ellipse = [frame.map_point(centre), frame.map_vector([x, y, 0.0]), frame.map_vector([-y, x, 0.0])];
         pen.arc_to(ellipse, [0.0, 4.0 * start.bulge.atan()], target)?;
     }
-    pen.end(is_closed)
+    pen.end_outline(is_closed)
 }
 
 fn draw_circle(entity: &Entity<'_>, frame: &Frame, pen: &mut OutlinePen) -> Result<(), ReadError> {
-    let radius = entity.number(40).unwrap_or(0.0);
-    let axes = [[radius, 0.0, 0.0], [0.0, radius, 0.0]].map(|axis| frame.vector(axis));
-    let ellipse = [frame.point(entity.point(10)), axes[0], axes[1]];
+    let radius = entity.number_of_code(40).unwrap_or(0.0);
+    let axes = [[radius, 0.0, 0.0], [0.0, radius, 0.0]].map(|axis| frame.map_vector(axis));
+    let ellipse = [frame.map_point(entity.point_of_code(10)), axes[0], axes[1]];
     if entity.kind == b"CIRCLE" {
-        return pen.ellipse(ellipse);
+        return pen.draw_ellipse(ellipse);
     }
-    let [start, end] = [50, 51].map(|code| entity.number(code).unwrap_or(0.0).to_radians());
+    let [start, end] = [50, 51].map(|code| entity.number_of_code(code).unwrap_or(0.0).to_radians());
     draw_arc(ellipse, [start, end], pen)
 }
 
@@ -99,23 +99,23 @@ fn draw_circle(entity: &Entity<'_>, frame: &Frame, pen: &mut OutlinePen) -> Resu
 fn draw_arc(ellipse: [Vector; 3], [start, end]: [f64; 2], pen: &mut OutlinePen) -> Result<(), ReadError> {
     let sweep = (end - start).rem_euclid(TAU);
     let sweep = if sweep == 0.0 { TAU } else { sweep };
-    pen.begin(ellipse_point(ellipse, start))?;
+    pen.begin_outline(ellipse_point(ellipse, start))?;
     pen.arc_to(ellipse, [start, sweep], ellipse_point(ellipse, end))?;
-    pen.end(false)
+    pen.end_outline(false)
 }
 
 fn draw_ellipse(entity: &Entity<'_>, frame: &Frame, pen: &mut OutlinePen) -> Result<(), ReadError> {
-    let major = entity.point(11);
-    let has_normal = entity.number(230).is_some();
-    let normal = if has_normal { unit_vector(entity.point(210)) } else { None }.unwrap_or([0.0, 0.0, 1.0]);
-    let ratio = entity.number(40).unwrap_or(1.0);
+    let major = entity.point_of_code(11);
+    let has_normal = entity.number_of_code(230).is_some();
+    let normal = if has_normal { unit_vector(entity.point_of_code(210)) } else { None }.unwrap_or([0.0, 0.0, 1.0]);
+    let ratio = entity.number_of_code(40).unwrap_or(1.0);
     let minor = cross(normal, major).map(|part| ratio * part);
-    let ellipse = [frame.point(entity.point(10)), frame.vector(major), frame.vector(minor)];
-    let (start, end) = (entity.number(41).unwrap_or(0.0), entity.number(42).unwrap_or(TAU));
+    let ellipse = [frame.map_point(entity.point_of_code(10)), frame.map_vector(major), frame.map_vector(minor)];
+    let (start, end) = (entity.number_of_code(41).unwrap_or(0.0), entity.number_of_code(42).unwrap_or(TAU));
     // Full turns are written with many roundings of their end.
     const MAX_ROUNDING: f64 = 1e-9;
     if (end - start).abs() >= TAU - MAX_ROUNDING {
-        return pen.ellipse(ellipse);
+        return pen.draw_ellipse(ellipse);
     }
     draw_arc(ellipse, [start, end], pen)
 }

@@ -27,30 +27,33 @@ impl<'a> Entity<'a> {
         Ok(None)
     }
 
-    pub(super) fn text(&self, code: i32) -> Option<&'a [u8]> {
+    pub(super) fn text_of_code(&self, code: i32) -> Option<&'a [u8]> {
         self.pairs.iter().find(|pair| pair.code == code).map(|pair| pair.value)
     }
 
-    pub(super) fn number(&self, code: i32) -> Option<f64> {
-        self.text(code).and_then(number)
+    pub(super) fn number_of_code(&self, code: i32) -> Option<f64> {
+        self.text_of_code(code).and_then(number)
     }
 
     /// Returns an integer, or 0 if there is none.
-    pub(super) fn integer(&self, code: i32) -> i64 {
-        self.text(code).and_then(integer).unwrap_or(0)
+    pub(super) fn integer_of_code(&self, code: i32) -> i64 {
+        self.text_of_code(code).and_then(integer).unwrap_or(0)
     }
 
     /// Returns the point whose x has a code. The codes of y and z are greater by 10 and 20. Missing numbers are 0.
-    pub(super) fn point(&self, code: i32) -> Vector {
-        [code, code + 10, code + 20].map(|code| self.number(code).unwrap_or(0.0))
+    pub(super) fn point_of_code(&self, code: i32) -> Vector {
+        [code, code + 10, code + 20].map(|code| self.number_of_code(code).unwrap_or(0.0))
     }
 
     /// Returns the system of coordinates that belongs to the extrusion direction.
     pub(super) fn object_frame(&self) -> Frame {
-        if self.number(210).is_none() && self.number(220).is_none() && self.number(230).is_none() {
+        if self.number_of_code(210).is_none()
+            && self.number_of_code(220).is_none()
+            && self.number_of_code(230).is_none()
+        {
             return Frame::IDENTITY;
         }
-        Frame::from_extrusion(self.point(210))
+        Frame::from_extrusion(self.point_of_code(210))
     }
 }
 
@@ -75,18 +78,18 @@ impl Frame {
         Self { axes: [x, cross(z, x), z], origin: [0.0; 3] }
     }
 
-    pub(super) fn vector(&self, vector: Vector) -> Vector {
+    pub(super) fn map_vector(&self, vector: Vector) -> Vector {
         [0, 1, 2].map(|axis| (0..3).map(|part| vector[part] * self.axes[part][axis]).sum())
     }
 
-    pub(super) fn point(&self, point: Vector) -> Vector {
-        let turned = self.vector(point);
+    pub(super) fn map_point(&self, point: Vector) -> Vector {
+        let turned = self.map_vector(point);
         [0, 1, 2].map(|axis| turned[axis] + self.origin[axis])
     }
 
     /// Returns the map that applies `inner` first.
-    pub(super) fn after(&self, inner: &Self) -> Self {
-        Self { axes: inner.axes.map(|axis| self.vector(axis)), origin: self.point(inner.origin) }
+    pub(super) fn compose_after(&self, inner: &Self) -> Self {
+        Self { axes: inner.axes.map(|axis| self.map_vector(axis)), origin: self.map_point(inner.origin) }
     }
 
     pub(super) fn translation(origin: Vector) -> Self {

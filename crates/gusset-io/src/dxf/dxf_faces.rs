@@ -11,14 +11,14 @@ pub(super) struct FaceList {
     positions: Vec<Vector>,
     offsets: Vec<u32>,
     /// Faces of fewer than three different corners, which are left out.
-    pub(super) dropped: usize,
+    pub(super) dropped_face_count: usize,
     /// Faces that name vertices which do not exist, and are left out.
-    pub(super) wrong: usize,
+    pub(super) wrong_index_count: usize,
 }
 
 impl FaceList {
     pub(super) fn new() -> Self {
-        Self { positions: Vec::new(), offsets: vec![0], dropped: 0, wrong: 0 }
+        Self { positions: Vec::new(), offsets: vec![0], dropped_face_count: 0, wrong_index_count: 0 }
     }
 
     pub(super) fn point_count(&self) -> usize {
@@ -39,7 +39,7 @@ impl FaceList {
         }
         if self.positions.len() < start + 3 {
             self.positions.truncate(start);
-            self.dropped += 1;
+            self.dropped_face_count += 1;
             return Ok(());
         }
         self.offsets.try_reserve(1)?;
@@ -49,8 +49,9 @@ impl FaceList {
 
     /// Adds a `3DFACE`.
     pub(super) fn add_3dface(&mut self, entity: &Entity<'_>, frame: &Frame) -> Result<(), ReadError> {
-        let has_fourth = entity.number(13).is_some();
-        let corners = [10, 11, 12, if has_fourth { 13 } else { 12 }].map(|code| frame.point(entity.point(code)));
+        let has_fourth = entity.number_of_code(13).is_some();
+        let corners =
+            [10, 11, 12, if has_fourth { 13 } else { 12 }].map(|code| frame.map_point(entity.point_of_code(code)));
         self.add(&corners)
     }
 
@@ -62,7 +63,7 @@ impl FaceList {
         [are_rows_closed, are_columns_closed]: [bool; 2],
     ) -> Result<(), ReadError> {
         if points.is_empty() || rows.checked_mul(columns) != Some(points.len()) {
-            self.wrong += 1;
+            self.wrong_index_count += 1;
             return Ok(());
         }
         for row in 0..rows - usize::from(!are_rows_closed) {
@@ -82,7 +83,7 @@ impl FaceList {
         for number in numbers.into_iter().filter(|&number| number != 0) {
             let place = usize::try_from(number.unsigned_abs()).ok().and_then(|place| points.get(place - 1));
             let Some(&point) = place else {
-                self.wrong += 1;
+                self.wrong_index_count += 1;
                 return Ok(());
             };
             corners[count] = point;

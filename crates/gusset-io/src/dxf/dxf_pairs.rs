@@ -14,13 +14,13 @@ pub(super) struct Pair<'a> {
 #[derive(Clone)]
 pub(super) struct PairReader<'a> {
     text: &'a [u8],
-    place: usize,
+    offset: usize,
     line: u64,
 }
 
 impl<'a> PairReader<'a> {
     pub(super) fn new(text: &'a [u8]) -> Self {
-        Self { text, place: 0, line: 1 }
+        Self { text, offset: 0, line: 1 }
     }
 
     /// Returns the number of the next line, from 1.
@@ -30,13 +30,13 @@ impl<'a> PairReader<'a> {
 
     /// Returns the index of the next byte.
     pub(super) fn place(&self) -> usize {
-        self.place
+        self.offset
     }
 
     fn next_line(&mut self) -> Option<&'a [u8]> {
-        let rest = self.text.get(self.place..).filter(|rest| !rest.is_empty())?;
+        let rest = self.text.get(self.offset..).filter(|rest| !rest.is_empty())?;
         let length = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
-        self.place += length + 1;
+        self.offset += length + 1;
         self.line += 1;
         Some(rest[..length].trim_ascii())
     }
@@ -44,7 +44,7 @@ impl<'a> PairReader<'a> {
     /// Returns the next pair, or `None` at the end of the file.
     pub(super) fn next(&mut self) -> Result<Option<Pair<'a>>, ReadError> {
         let Some(word) = self.next_line() else { return Ok(None) };
-        if word.is_empty() && self.text[self.place.min(self.text.len())..].trim_ascii().is_empty() {
+        if word.is_empty() && self.text[self.offset.min(self.text.len())..].trim_ascii().is_empty() {
             return Ok(None);
         }
         let code = integer(word).and_then(|code| i32::try_from(code).ok());

@@ -22,7 +22,7 @@ struct Spline {
 /// Draws a spline by its control points, or by lines between the points that it fits if it has no others. A spline whose knots do not fit
 /// its control points is drawn by lines between these.
 pub(super) fn draw_spline(entity: &Entity<'_>, frame: &Frame, pen: &mut OutlinePen) -> Result<(), ReadError> {
-    let is_closed = entity.integer(70) & 1 != 0;
+    let is_closed = entity.integer_of_code(70) & 1 != 0;
     let control = points_of_codes(entity, 10)?;
     let (spline, fallback) = if control.is_empty() {
         (None, points_of_codes(entity, 11)?)
@@ -30,27 +30,27 @@ pub(super) fn draw_spline(entity: &Entity<'_>, frame: &Frame, pen: &mut OutlineP
         (Spline::new(entity, &control, frame)?, control)
     };
     let Some(spline) = spline else {
-        let mut points = fallback.iter().map(|&point| frame.point(point));
+        let mut points = fallback.iter().map(|&point| frame.map_point(point));
         if let Some(first) = points.next() {
-            pen.begin(first)?;
+            pen.begin_outline(first)?;
         }
         points.try_for_each(|point| pen.line_to(point))?;
-        return pen.end(is_closed);
+        return pen.end_outline(is_closed);
     };
     pen.mark_curved();
     let (first, last) = (spline.degree, spline.control.len());
-    pen.begin(spline.point(first, spline.knots[first]))?;
+    pen.begin_outline(spline.point_on_span(first, spline.knots[first]))?;
     for span in first..last {
         let [start, end] = [spline.knots[span], spline.knots[span + 1]];
         if end > start {
-            let count = spline.segments(span, pen.tolerance);
+            let count = spline.chord_count(span, pen.tolerance);
             for step in 1..=count {
                 let t = if step == count { end } else { start + (end - start) * (step as f64 / count as f64) };
-                pen.line_to(spline.point(span, t))?;
+                pen.line_to(spline.point_on_span(span, t))?;
             }
         }
     }
-    pen.end(is_closed)
+    pen.end_outline(is_closed)
 }
 
 fn points_of_codes(entity: &Entity<'_>, code: i32) -> Result<Vec<Vector>, ReadError> {
@@ -85,7 +85,11 @@ impl Spline {
         let knots = numbers_of_code(entity, 40)?;
         // Some programs leave the degree out.
         let fitting = knots.len().saturating_sub(points.len() + 1);
-        let degree = if entity.text(71).is_some() { usize::try_from(entity.integer(71)).unwrap_or(0) } else { fitting };
+        let degree = if entity.text_of_code(71).is_some() {
+            usize::try_from(entity.integer_of_code(71)).unwrap_or(0)
+        } else {
+            fitting
+        };
         let weights = numbers_of_code(entity, 41)?;
         let is_valid = (1..=MAX_DEGREE).contains(&degree)
             && points.len() > degree
@@ -101,7 +105,7 @@ impl Spline {
         control.try_reserve_exact(points.len())?;
         control.extend(points.iter().enumerate().map(|(place, &point)| {
             let weight = weights.get(place).copied().unwrap_or(1.0);
-            let [x, y, z] = frame.point(point);
+            let [x, y, z] = frame.map_point(point);
             [weight * x, weight * y, weight * z, weight]
         }));
         let is_rational = weights.iter().any(|&weight| weight != 1.0);
@@ -109,7 +113,7 @@ impl Spline {
     }
 
     /// Returns the point at a parameter between knot `span` and the next, by de Boor's algorithm.
-    fn point(&self, span: usize, t: f64) -> Vector {
+    fn point_on_span(&self, span: usize, t: f64) -> Vector {
         let degree = self.degree;
         let first = span - degree;
         let mut local = [[0.0; 4]; MAX_DEGREE + 1];
@@ -126,7 +130,7 @@ impl Spline {
     }
 
     /// Returns the number of segments between knot `span` and the next, by the control points of the second derivative.
-    fn segments(&self, span: usize, tolerance: f64) -> usize {
+    fn chord_count(&self, span: usize, tolerance: f64) -> usize {
         let degree = self.degree;
         if degree < 2 {
             return 1;

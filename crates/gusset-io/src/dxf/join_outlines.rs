@@ -78,7 +78,7 @@ fn pair_ends(ends: &[[Point; 2]]) -> Result<Vec<Option<u32>>, ReadError> {
     };
     let diagonal = (0..3).map(|axis| extent(axis).powi(2)).sum::<f64>().sqrt();
     let distance = (RELATIVE_DISTANCE * diagonal).max(f64::MIN_POSITIVE);
-    let mut nodes: Vec<Node> = Vec::new();
+    let mut nodes: Vec<JointNode> = Vec::new();
     let mut newest_in_cell: HashMap<[i64; 3], u32> = HashMap::new();
     let cell = |point: Point, shift: [f64; 3]| {
         [0, 1, 2].map(|axis| ((point[axis] + shift[axis] * distance) / (CELL_WIDTH * distance)).floor() as i64)
@@ -90,7 +90,8 @@ fn pair_ends(ends: &[[Point; 2]]) -> Result<Vec<Option<u32>>, ReadError> {
             for y in low[1]..=high[1] {
                 for z in low[2]..=high[2] {
                     let newest = newest_in_cell.get(&[x, y, z]).copied();
-                    let is_near = |node: &Node| (0..3).all(|axis| (node.point[axis] - point[axis]).abs() <= distance);
+                    let is_near =
+                        |node: &JointNode| (0..3).all(|axis| (node.point[axis] - point[axis]).abs() <= distance);
                     let mut listed = std::iter::successors(newest, |&node| nodes[node as usize].next_in_cell);
                     found = found.or_else(|| listed.find(|&node| is_near(&nodes[node as usize])));
                 }
@@ -106,11 +107,11 @@ fn pair_ends(ends: &[[Point; 2]]) -> Result<Vec<Option<u32>>, ReadError> {
             nodes.try_reserve(1)?;
             newest_in_cell.try_reserve(1)?;
             let next_in_cell = newest_in_cell.insert(cell(point, [0.0; 3]), nodes.len() as u32);
-            nodes.push(Node { point, ends: [end as u32, 0], end_count: 1, next_in_cell });
+            nodes.push(JointNode { point, ends: [end as u32, 0], end_count: 1, next_in_cell });
         }
     }
     let mut partners = alloc::filled(None, flat.len())?;
-    for Node { ends: [a, b], .. } in nodes.iter().filter(|node| node.end_count == 2) {
+    for JointNode { ends: [a, b], .. } in nodes.iter().filter(|node| node.end_count == 2) {
         partners[*a as usize] = Some(*b);
         partners[*b as usize] = Some(*a);
     }
@@ -118,7 +119,7 @@ fn pair_ends(ends: &[[Point; 2]]) -> Result<Vec<Option<u32>>, ReadError> {
 }
 
 /// A place where ends meet.
-struct Node {
+struct JointNode {
     point: Point,
     /// The first two ends.
     ends: [u32; 2],

@@ -51,7 +51,7 @@ pub(crate) fn read_dxf(bytes: &[u8], options: &ReadOptions) -> Result<Document, 
     let points = PointCloud { positions: Positions::F64(findings.points), ..PointCloud::default() };
     let document =
         findings.faces.into_mesh(options.merge_repeated)?.map_or_else(Document::default, Document::from_mesh);
-    Ok(Document { curves: join_outlines(curves)?, points, metres_per_unit, notes, ..document })
+    Ok(Document { unpack_curves: join_outlines(curves)?, unpack_points: points, metres_per_unit, notes, ..document })
 }
 
 /// Content of the file beside outlines.
@@ -61,26 +61,26 @@ struct Findings {
     points: Vec<Vector>,
     faces: FaceList,
     /// Numbers of entities that are left out, by their kinds.
-    unread: BTreeMap<String, usize>,
-    in_paper_space: usize,
+    unread_kinds: BTreeMap<String, usize>,
+    paper_space_entities: usize,
     missing_blocks: usize,
 }
 
 impl Findings {
     fn add_notes(&self, notes: &mut Vec<Note>) {
-        for (kind, &count) in &self.unread {
+        for (kind, &count) in &self.unread_kinds {
             notes.push(Note::new(Place::Whole, format!("{count} {kind} left out")));
         }
         for (count, one, several, text) in [
-            (self.in_paper_space, "entity", "entities", "of the paper space left out"),
+            (self.paper_space_entities, "entity", "entities", "of the paper space left out"),
             (
                 self.missing_blocks,
                 "insertion",
                 "insertions",
                 "of blocks that the file lacks or that hold the insertion, left out",
             ),
-            (self.faces.dropped, "face", "faces", "with fewer than 3 corners left out"),
-            (self.faces.wrong, "face", "faces", "with vertices that do not exist, left out"),
+            (self.faces.dropped_face_count, "face", "faces", "with fewer than 3 corners left out"),
+            (self.faces.wrong_index_count, "face", "faces", "with vertices that do not exist, left out"),
         ] {
             if count > 0 {
                 notes.push(Note::new(Place::Whole, format!("{} {text}", counted(count, one, several))));
@@ -91,16 +91,16 @@ impl Findings {
 
 /// Where the entities of a block begin.
 struct Block<'a> {
-    first: &'a [u8],
+    first_entity_kind: &'a [u8],
     entities: PairReader<'a>,
-    base: Vector,
+    base_point: Vector,
 }
 
 struct DxfReader<'a, 'b> {
     pen: &'b mut OutlinePen,
     blocks: HashMap<Vec<u8>, Block<'a>>,
     /// Names of the blocks that are being inserted, from the outermost on.
-    inserted: Vec<Vec<u8>>,
+    blocks_being_inserted: Vec<Vec<u8>>,
     /// Bytes that inserted blocks may still have.
     inserted_bytes: u64,
     point_limit: usize,
@@ -112,7 +112,7 @@ impl<'a, 'b> DxfReader<'a, 'b> {
         Self {
             pen,
             blocks: HashMap::new(),
-            inserted: Vec::new(),
+            blocks_being_inserted: Vec::new(),
             inserted_bytes: (file_bytes as u64).saturating_mul(MAX_INSERTED_SIZES).max(MIN_INSERTED_BYTES),
             point_limit: file_bytes.max(MIN_INSERTED_BYTES as usize),
             findings: Findings {
@@ -120,8 +120,8 @@ impl<'a, 'b> DxfReader<'a, 'b> {
                 metres_per_unit: None,
                 points: Vec::new(),
                 faces: FaceList::new(),
-                unread: BTreeMap::new(),
-                in_paper_space: 0,
+                unread_kinds: BTreeMap::new(),
+                paper_space_entities: 0,
                 missing_blocks: 0,
             },
         }
@@ -169,9 +169,10 @@ impl<'a, 'b> DxfReader<'a, 'b> {
         while let Some(found) = kind.filter(|kind| *kind != b"ENDSEC") {
             kind = entity.read(found, reader)?;
             if found == b"BLOCK"
-                && let (Some(name), Some(first)) = (entity.text(2), kind)
+                && let (Some(name), Some(first)) = (entity.text_of_code(2), kind)
             {
-                let block = Block { first, entities: reader.clone(), base: entity.point(10) };
+                let block =
+                    Block { first_entity_kind: first, entities: reader.clone(), base_point: entity.point_of_code(10) };
                 self.blocks.try_reserve(1)?;
                 self.blocks.insert(lower_case(name)?, block);
                 alloc::check_reserve()?;
@@ -196,18 +197,18 @@ impl<'a, 'b> DxfReader<'a, 'b> {
             }
             let line = reader.line();
             kind = entity.read(found, reader)?;
-            if entity.integer(67) == 1 {
-                self.findings.in_paper_space += 1;
+            if entity.integer_of_code(67) == 1 {
+                self.findings.paper_space_entities += 1;
             } else if found == b"POLYLINE" {
                 kind = self.read_polyline(&entity, kind, reader, frame)?;
             } else {
                 self.read_entity(&entity, frame, line)?;
             }
-            if !self.inserted.is_empty() && (reader.place() - start) as u64 > self.inserted_bytes {
+            if !self.blocks_being_inserted.is_empty() && (reader.place() - start) as u64 > self.inserted_bytes {
                 return Err(too_large(Place::Line(line)));
             }
         }
-        if !self.inserted.is_empty() {
+        if !self.blocks_being_inserted.is_empty() {
             self.inserted_bytes = self.inserted_bytes.saturating_sub((reader.place() - start) as u64);
         }
         Ok(())
@@ -220,7 +221,7 @@ impl<'a, 'b> DxfReader<'a, 'b> {
         match entity.kind {
             b"POINT" => {
                 self.findings.points.try_reserve(1)?;
-                self.findings.points.push(frame.point(entity.point(10)));
+                self.findings.points.push(frame.map_point(entity.point_of_code(10)));
                 Ok(())
             }
             b"3DFACE" => self.findings.faces.add_3dface(entity, frame),
@@ -236,10 +237,10 @@ impl<'a, 'b> DxfReader<'a, 'b> {
 
     fn count_unread(&mut self, kind: &[u8]) {
         let name = String::from_utf8_lossy(&kind[..kind.len().min(40)]).into_owned();
-        let is_known = self.findings.unread.contains_key(&name);
+        let is_known = self.findings.unread_kinds.contains_key(&name);
         let name =
-            if is_known || self.findings.unread.len() < MAX_NAMED_KINDS { name } else { "other entities".into() };
-        *self.findings.unread.entry(name).or_insert(0) += 1;
+            if is_known || self.findings.unread_kinds.len() < MAX_NAMED_KINDS { name } else { "other entities".into() };
+        *self.findings.unread_kinds.entry(name).or_insert(0) += 1;
     }
 
     /// Reads the vertices that follow a `POLYLINE`. Returns the kind of the entity after them.
@@ -250,21 +251,21 @@ impl<'a, 'b> DxfReader<'a, 'b> {
         reader: &mut PairReader<'a>,
         frame: &Frame,
     ) -> Result<Option<&'a [u8]>, ReadError> {
-        let flags = polyline.integer(70);
+        let flags = polyline.integer_of_code(70);
         let (is_closed, is_3d, is_grid, is_polyface) =
             (flags & 1 != 0, flags & 8 != 0, flags & 16 != 0, flags & 64 != 0);
         let has_own_frame = !(is_3d || is_grid || is_polyface);
-        let frame = if has_own_frame { frame.after(&polyline.object_frame()) } else { *frame };
-        let elevation = if has_own_frame { polyline.number(30).unwrap_or(0.0) } else { 0.0 };
+        let frame = if has_own_frame { frame.compose_after(&polyline.object_frame()) } else { *frame };
+        let elevation = if has_own_frame { polyline.number_of_code(30).unwrap_or(0.0) } else { 0.0 };
         let mut kind = first;
         let mut vertex = Entity::default();
         let mut vertices: Vec<PolylineVertex> = Vec::new();
         let mut points: Vec<Vector> = Vec::new();
         while kind == Some(b"VERTEX") {
             kind = vertex.read(b"VERTEX", reader)?;
-            let vertex_flags = vertex.integer(70);
+            let vertex_flags = vertex.integer_of_code(70);
             if vertex_flags & 128 != 0 && vertex_flags & 64 == 0 {
-                let numbers = [71, 72, 73, 74].map(|code| vertex.integer(code));
+                let numbers = [71, 72, 73, 74].map(|code| vertex.integer_of_code(code));
                 self.findings.faces.add_polyface(&points, numbers)?;
                 continue;
             }
@@ -272,19 +273,19 @@ impl<'a, 'b> DxfReader<'a, 'b> {
             if vertex_flags & 16 != 0 && flags & 4 != 0 {
                 continue;
             }
-            let [x, y, z] = vertex.point(10);
+            let [x, y, z] = vertex.point_of_code(10);
             let z = if has_own_frame { elevation } else { z };
             if is_polyface || is_grid {
                 points.try_reserve(1)?;
-                points.push(frame.point([x, y, z]));
+                points.push(frame.map_point([x, y, z]));
             } else {
                 vertices.try_reserve(1)?;
-                vertices.push(PolylineVertex { point: [x, y, z], bulge: vertex.number(42).unwrap_or(0.0) });
+                vertices.push(PolylineVertex { point: [x, y, z], bulge: vertex.number_of_code(42).unwrap_or(0.0) });
             }
         }
         if is_grid {
-            let smooth = if polyline.integer(75) != 0 { [73, 74] } else { [71, 72] };
-            let size = smooth.map(|code| usize::try_from(polyline.integer(code)).unwrap_or(0));
+            let smooth = if polyline.integer_of_code(75) != 0 { [73, 74] } else { [71, 72] };
+            let size = smooth.map(|code| usize::try_from(polyline.integer_of_code(code)).unwrap_or(0));
             self.findings.faces.add_grid(&points, size, [is_closed, flags & 32 != 0])?;
         } else if !is_polyface {
             draw_polyline(&vertices, is_closed, &frame, self.pen)?;
@@ -293,24 +294,26 @@ impl<'a, 'b> DxfReader<'a, 'b> {
     }
 
     fn insert_block(&mut self, entity: &Entity<'a>, frame: &Frame) -> Result<(), ReadError> {
-        let name = lower_case(entity.text(2).unwrap_or(&[]))?;
-        let is_allowed = self.inserted.len() < MAX_BLOCK_DEPTH && !self.inserted.contains(&name);
+        let name = lower_case(entity.text_of_code(2).unwrap_or(&[]))?;
+        let is_allowed =
+            self.blocks_being_inserted.len() < MAX_BLOCK_DEPTH && !self.blocks_being_inserted.contains(&name);
         let Some(block) = self.blocks.get(&name).filter(|_| is_allowed) else {
             self.findings.missing_blocks += 1;
             return Ok(());
         };
-        let (first, entities, base) = (block.first, block.entities.clone(), block.base);
-        let scales = [41, 42, 43].map(|code| entity.number(code).unwrap_or(1.0));
-        let turned = entity.object_frame().after(&Frame::translation(entity.point(10)));
-        let rotation = Frame::scaled_rotation([1.0; 3], entity.number(50).unwrap_or(0.0));
-        let scaled = Frame::scaled_rotation(scales, 0.0).after(&Frame::translation(base.map(|part| -part)));
-        let [columns, rows] = [70, 71].map(|code| entity.integer(code).max(1));
-        let [across, along] = [44, 45].map(|code| entity.number(code).unwrap_or(0.0));
-        self.inserted.push(name);
+        let (first, entities, base) = (block.first_entity_kind, block.entities.clone(), block.base_point);
+        let scales = [41, 42, 43].map(|code| entity.number_of_code(code).unwrap_or(1.0));
+        let turned = entity.object_frame().compose_after(&Frame::translation(entity.point_of_code(10)));
+        let rotation = Frame::scaled_rotation([1.0; 3], entity.number_of_code(50).unwrap_or(0.0));
+        let scaled = Frame::scaled_rotation(scales, 0.0).compose_after(&Frame::translation(base.map(|part| -part)));
+        let [columns, rows] = [70, 71].map(|code| entity.integer_of_code(code).max(1));
+        let [across, along] = [44, 45].map(|code| entity.number_of_code(code).unwrap_or(0.0));
+        self.blocks_being_inserted.push(name);
         for row in 0..rows {
             for column in 0..columns {
                 let shift = Frame::translation([column as f64 * across, row as f64 * along, 0.0]);
-                let placed = frame.after(&turned).after(&rotation).after(&shift).after(&scaled);
+                let placed =
+                    frame.compose_after(&turned).compose_after(&rotation).compose_after(&shift).compose_after(&scaled);
                 self.read_entities(Some(first), &mut entities.clone(), &placed)?;
                 // An empty block costs as much as a short entity.
                 self.inserted_bytes = self.inserted_bytes.saturating_sub(16);
@@ -319,7 +322,7 @@ impl<'a, 'b> DxfReader<'a, 'b> {
                 }
             }
         }
-        self.inserted.pop();
+        self.blocks_being_inserted.pop();
         Ok(())
     }
 }

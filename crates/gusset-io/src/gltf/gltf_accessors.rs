@@ -80,11 +80,11 @@ struct Elements<'a> {
 
 /// Replacements of elements.
 struct Sparse<'a> {
-    places: Elements<'a>,
+    indices: Elements<'a>,
     values: Elements<'a>,
 }
 
-/// An accessor whose bytes exist. Without `elements`, all numbers are 0 except the replaced ones.
+/// An accessor whose bytes exist. Without `read_elements`, all numbers are 0 except the replaced ones.
 pub(super) struct Accessor<'a> {
     name: String,
     pub(super) count: usize,
@@ -99,25 +99,25 @@ pub(super) struct Accessor<'a> {
 /// Reads accessors.
 pub(super) struct Accessors<'a> {
     pub(super) buffers: Buffers<'a>,
-    list: Vec<Value<'a>>,
+    accessors: Vec<Value<'a>>,
 }
 
 fn width_from_type(kind: Value<'_>) -> Option<usize> {
     [("SCALAR", 1), ("VEC2", 2), ("VEC3", 3), ("VEC4", 4), ("MAT2", 4), ("MAT3", 9), ("MAT4", 16)]
         .into_iter()
-        .find_map(|(name, width)| kind.is(name).then_some(width))
+        .find_map(|(name, width)| kind.equals_text(name).then_some(width))
 }
 
 impl<'a> Accessors<'a> {
     pub(super) fn new(root: Value<'a>, buffers: Buffers<'a>) -> Result<Self, ReadError> {
-        Ok(Self { buffers, list: root.list("accessors")? })
+        Ok(Self { buffers, accessors: root.list("accessors")? })
     }
 
     /// Finds an accessor and its bytes.
-    pub(super) fn open(&mut self, index: usize, notes: &mut Vec<Note>) -> Result<Accessor<'a>, ReadError> {
-        let json = element(&self.list, index, "accessor")?;
+    pub(super) fn open_accessor(&mut self, index: usize, notes: &mut Vec<Note>) -> Result<Accessor<'a>, ReadError> {
+        let json = element(&self.accessors, index, "accessor")?;
         let name = format!("accessor {index}");
-        let whole = |key: &str| json.get(key).map(|value| value.whole().ok_or_else(|| not_whole(&name, key)));
+        let whole = |key: &str| json.get(key).map(|value| value.whole_number().ok_or_else(|| not_whole(&name, key)));
         let count = whole("count").transpose()?.ok_or_else(|| malformed(format!("{name} lacks its count")))?;
         let code = whole("componentType").transpose()?.unwrap_or(0);
         let component = Component::from_code(code)
@@ -129,17 +129,17 @@ impl<'a> Accessors<'a> {
             None => None,
             Some(view) => {
                 let offset = whole("byteOffset").transpose()?.unwrap_or(0);
-                Some(self.elements(&name, view as usize, offset, count, component, width, notes)?)
+                Some(self.read_elements(&name, view as usize, offset, count, component, width, notes)?)
             }
         };
         let sparse =
-            json.get("sparse").map(|sparse| self.sparse(&name, sparse, component, width, notes)).transpose()?;
+            json.get("sparse").map(|sparse| self.read_sparse(&name, sparse, component, width, notes)).transpose()?;
         let count = usize::try_from(count).map_err(|_| ReadError::out_of_memory())?;
         Ok(Accessor { name, count, component, is_normalised, width, elements, sparse })
     }
 
     #[allow(clippy::too_many_arguments)]
-    fn elements(
+    fn read_elements(
         &mut self,
         name: &str,
         view: usize,
@@ -149,7 +149,7 @@ impl<'a> Accessors<'a> {
         width: usize,
         notes: &mut Vec<Note>,
     ) -> Result<Elements<'a>, ReadError> {
-        let view = self.buffers.view(view)?;
+        let view = self.buffers.read_view(view)?;
         let size = component.bytes() * width;
         let stride = view.stride.filter(|&stride| stride > 0).unwrap_or(size);
         let needed = match count {
@@ -173,7 +173,7 @@ impl<'a> Accessors<'a> {
         Ok(Elements { bytes: bytes.part(offset, needed.unwrap_or(0)), stride, count: count as usize, component })
     }
 
-    fn sparse(
+    fn read_sparse(
         &mut self,
         name: &str,
         json: Value<'a>,
@@ -182,7 +182,7 @@ impl<'a> Accessors<'a> {
         notes: &mut Vec<Note>,
     ) -> Result<Sparse<'a>, ReadError> {
         let incomplete = || malformed(format!("the sparse part of {name} is incomplete"));
-        let whole = |json: Value<'a>, key: &str| json.get(key).and_then(Value::whole);
+        let whole = |json: Value<'a>, key: &str| json.get(key).and_then(Value::whole_number);
         let count = whole(json, "count").ok_or_else(incomplete)?;
         let places = json.get("indices").ok_or_else(incomplete)?;
         let kind = whole(places, "componentType").and_then(Component::from_code).ok_or_else(incomplete)?;
@@ -191,9 +191,9 @@ impl<'a> Accessors<'a> {
             let view = whole(json, "bufferView").ok_or_else(incomplete)?;
             let offset = whole(json, "byteOffset").unwrap_or(0);
             let name = format!("the sparse part of {name}");
-            self.elements(&name, view as usize, offset, count, component, width, notes)
+            self.read_elements(&name, view as usize, offset, count, component, width, notes)
         };
-        Ok(Sparse { places: part(places, kind, 1)?, values: part(values, component, width)? })
+        Ok(Sparse { indices: part(places, kind, 1)?, values: part(values, component, width)? })
     }
 }
 
@@ -204,7 +204,7 @@ impl Accessor<'_> {
     }
 
     /// Reads all elements as vectors of `N` numbers. Fails if the elements have another size.
-    pub(super) fn vectors<const N: usize, T: Copy>(
+    pub(super) fn read_vectors<const N: usize, T: Copy>(
         &self,
         buffers: &mut Buffers<'_>,
         convert: impl Fn(f64) -> T,
@@ -212,17 +212,17 @@ impl Accessor<'_> {
         if self.width != N {
             return Err(malformed(format!("{} has elements of {} numbers instead of {N}", self.name, self.width)));
         }
-        let mut made = buffers.budget.vector(self.count as u64)?;
+        let mut made = buffers.budget.allocate_vector(self.count as u64)?;
         let scale = if self.is_normalised { self.component.largest() } else { 1.0 };
         match &self.elements {
             None => made.resize(self.count, [convert(0.0); N]),
             Some(elements) => elements.read_into(scale, &convert, &mut made),
         }
         if let Some(sparse) = &self.sparse {
-            let mut values = buffers.budget.vector(sparse.values.count as u64)?;
+            let mut values = buffers.budget.allocate_vector(sparse.values.count as u64)?;
             sparse.values.read_into(scale, &convert, &mut values);
             for (k, value) in values.into_iter().enumerate() {
-                let place = sparse.places.component.number(&sparse.places.bytes[k * sparse.places.stride..]);
+                let place = sparse.indices.component.number(&sparse.indices.bytes[k * sparse.indices.stride..]);
                 let target = made.get_mut(place as usize).filter(|_| place >= 0.0).ok_or_else(|| {
                     let (name, count) = (&self.name, self.count);
                     malformed(format!("the sparse part of {name} names element {place} (the accessor has {count})"))
@@ -234,7 +234,7 @@ impl Accessor<'_> {
     }
 
     /// Reads all elements as indices.
-    pub(super) fn indices(&self, buffers: &mut Buffers<'_>) -> Result<Vec<u32>, ReadError> {
+    pub(super) fn read_indices(&self, buffers: &mut Buffers<'_>) -> Result<Vec<u32>, ReadError> {
         if self.width != 1 {
             return Err(malformed(format!("{} has indices of {} numbers", self.name, self.width)));
         }
@@ -245,7 +245,7 @@ impl Accessor<'_> {
         }
         // Numbers that are not indices become the largest one, which exceeds every count.
         let index = |number: f64| if number >= 0.0 && number.fract() == 0.0 { number as u32 } else { u32::MAX };
-        Ok(self.vectors::<1, u32>(buffers, index)?.into_flattened())
+        Ok(self.read_vectors::<1, u32>(buffers, index)?.into_flattened())
     }
 }
 
@@ -253,7 +253,7 @@ impl Elements<'_> {
     fn read_into<const N: usize, T>(&self, scale: f64, convert: &impl Fn(f64) -> T, made: &mut Vec<[T; N]>) {
         let (size, component) = (self.component.bytes(), self.component);
         if component == Component::F32 {
-            made.extend(self.each(4 * N).map(|element| {
+            made.extend(self.each_element(4 * N).map(|element| {
                 std::array::from_fn(|part| {
                     let b = &element[4 * part..4 * part + 4];
                     convert(f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])))
@@ -262,12 +262,12 @@ impl Elements<'_> {
             return;
         }
         let lowest = if scale == 1.0 { f64::NEG_INFINITY } else { -1.0 };
-        made.extend(self.each(size * N).map(|element| {
+        made.extend(self.each_element(size * N).map(|element| {
             std::array::from_fn(|part| convert((component.number(&element[size * part..]) / scale).max(lowest)))
         }));
     }
 
-    fn each(&self, size: usize) -> impl Iterator<Item = &[u8]> {
+    fn each_element(&self, size: usize) -> impl Iterator<Item = &[u8]> {
         (0..self.count).map(move |k| &self.bytes[k * self.stride..k * self.stride + size])
     }
 
@@ -277,7 +277,7 @@ impl Elements<'_> {
         if self.stride != size {
             return Ok(None);
         }
-        let mut made = buffers.budget.vector(self.count as u64)?;
+        let mut made = buffers.budget.allocate_vector(self.count as u64)?;
         let bytes = &self.bytes[..self.count * size];
         match self.component {
             Component::U8 => made.extend(bytes.iter().map(|&byte| u32::from(byte))),

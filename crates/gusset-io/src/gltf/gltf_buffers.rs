@@ -92,19 +92,19 @@ impl<'a> Buffers<'a> {
     }
 
     /// Returns the bytes of a view.
-    pub(super) fn view(&mut self, index: usize) -> Result<View<'a>, ReadError> {
+    pub(super) fn read_view(&mut self, index: usize) -> Result<View<'a>, ReadError> {
         let view = element(&self.views, index, "buffer view")?;
-        let stride = view.get("byteStride").and_then(Value::whole).map(|stride| stride as usize);
+        let stride = view.get("byteStride").and_then(Value::whole_number).map(|stride| stride as usize);
         if let Some(compressed) = MESHOPT_EXTENSIONS.iter().find_map(|name| view.get("extensions")?.get(name)) {
             let bytes = self.decoded_view(index, compressed)?;
-            let stride = compressed.get("byteStride").and_then(Value::whole).map(|stride| stride as usize);
+            let stride = compressed.get("byteStride").and_then(Value::whole_number).map(|stride| stride as usize);
             return Ok(View { bytes: bytes.clone(), with_rest: bytes, stride });
         }
         let (bytes, with_rest) = self.bytes_without_and_with_rest(view, &format!("buffer view {index}"))?;
         Ok(View { bytes, with_rest, stride })
     }
 
-    /// Returns the bytes that `buffer`, `byteOffset` and `byteLength` name, then these bytes and all after them in the buffer.
+    /// Returns the bytes that `load_buffer`, `byteOffset` and `byteLength` name, then these bytes and all after them in the buffer.
     fn bytes_without_and_with_rest(
         &mut self,
         view: Value<'a>,
@@ -112,12 +112,12 @@ impl<'a> Buffers<'a> {
     ) -> Result<(Bytes<'a>, Bytes<'a>), ReadError> {
         let number = |key: &str| match view.get(key) {
             None => Ok(None),
-            Some(value) => value.whole().map(Some).ok_or_else(|| not_whole(name, key)),
+            Some(value) => value.whole_number().map(Some).ok_or_else(|| not_whole(name, key)),
         };
         let buffer = number("buffer")?.ok_or_else(|| malformed(format!("{name} does not name a buffer")))?;
         let start = number("byteOffset")?.unwrap_or(0);
         let length = number("byteLength")?.unwrap_or(u64::MAX);
-        let whole = self.buffer(buffer as usize)?;
+        let whole = self.load_buffer(buffer as usize)?;
         Ok((whole.part(start, length), whole.part(start, u64::MAX)))
     }
 
@@ -129,7 +129,7 @@ impl<'a> Buffers<'a> {
         let (source, _) = self.bytes_without_and_with_rest(compressed, &name)?;
         let codec = Codec::from_json(compressed)
             .ok_or_else(|| malformed(format!("{name} has an unknown kind of meshopt compression")))?;
-        self.budget.take::<u8>((codec.count as u64).saturating_mul(codec.stride as u64))?;
+        self.budget.take_bytes_of::<u8>((codec.count as u64).saturating_mul(codec.stride as u64))?;
         let bytes = decode_view(&source, &codec)?
             .ok_or_else(|| malformed(format!("{name} is compressed by meshopt, and its bytes are not valid")))?;
         let bytes = Bytes::from_vec(bytes);
@@ -137,13 +137,13 @@ impl<'a> Buffers<'a> {
         Ok(bytes)
     }
 
-    fn buffer(&mut self, index: usize) -> Result<Bytes<'a>, ReadError> {
+    fn load_buffer(&mut self, index: usize) -> Result<Bytes<'a>, ReadError> {
         if let Some(bytes) = self.loaded.get(&index) {
             return Ok(bytes.clone());
         }
         let buffer = element(&self.buffers, index, "buffer")?;
         let bytes = match buffer.get("uri").and_then(Value::text) {
-            Some(address) => self.address(&address, &format!("buffer {index}"))?,
+            Some(address) => self.load_address(&address, &format!("buffer {index}"))?,
             None => {
                 let binary = self.binary.filter(|_| index == 0);
                 Bytes::Borrowed(
@@ -156,10 +156,10 @@ impl<'a> Buffers<'a> {
     }
 
     /// Returns the bytes of a `data:` address or of a file.
-    fn address(&mut self, address: &str, name: &str) -> Result<Bytes<'a>, ReadError> {
+    fn load_address(&mut self, address: &str, name: &str) -> Result<Bytes<'a>, ReadError> {
         if let Some(data) = data_address(address) {
             let bytes = data.decode()?.ok_or_else(|| malformed(format!("{name} has an address of invalid base64")))?;
-            self.budget.take::<u8>(bytes.len() as u64)?;
+            self.budget.take_bytes_of::<u8>(bytes.len() as u64)?;
             return Ok(Bytes::from_vec(bytes));
         }
         let file = decode_percent(address)?;

@@ -14,20 +14,20 @@ pub(super) fn srgb_from_linear(linear: f64) -> f64 {
 
 /// Converts colours, and remembers the last one, because neighbours are often equal.
 pub(super) struct ColourConverter {
-    last: [f32; 4],
+    last_colour: [f32; 4],
     converted: [f32; 4],
     convert: fn(f64) -> f64,
 }
 
 impl ColourConverter {
     pub(super) fn new(convert: fn(f64) -> f64) -> Self {
-        Self { last: [f32::NAN; 4], converted: [0.0; 4], convert }
+        Self { last_colour: [f32::NAN; 4], converted: [0.0; 4], convert }
     }
 
     /// Converts the first three parts. Opacity stays.
     pub(super) fn convert(&mut self, colour: [f32; 4]) -> [f32; 4] {
-        if self.last.map(f32::to_bits) != colour.map(f32::to_bits) {
-            self.last = colour;
+        if self.last_colour.map(f32::to_bits) != colour.map(f32::to_bits) {
+            self.last_colour = colour;
             let [r, g, b] = [colour[0], colour[1], colour[2]].map(|part| (self.convert)(f64::from(part)) as f32);
             self.converted = [r, g, b, colour[3]];
         }

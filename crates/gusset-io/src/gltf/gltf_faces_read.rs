@@ -161,7 +161,7 @@ fn read_polygon_entry(
     place: usize,
     first_vertex: u32,
 ) -> Result<Option<(usize, usize, Vec<u32>)>, ReadError> {
-    let mut numbers = entry.items().map(Value::whole);
+    let mut numbers = entry.items().map(Value::whole_number);
     let mut next = || numbers.next().flatten().and_then(|number| usize::try_from(number).ok());
     let own = next().zip(next()).and_then(|(first, count)| {
         let own = triangles.get(first..first.checked_add(count)?).filter(|_| first >= place)?;
@@ -170,7 +170,7 @@ fn read_polygon_entry(
     let Some((first, own)) = own else { return Ok(None) };
     let mut vertices = Vec::new();
     for number in entry.items().skip(2) {
-        let vertex = number.whole().and_then(|vertex| u32::try_from(vertex).ok()?.checked_add(first_vertex));
+        let vertex = number.whole_number().and_then(|vertex| u32::try_from(vertex).ok()?.checked_add(first_vertex));
         let Some(vertex) = vertex else { return Ok(None) };
         alloc::push(&mut vertices, vertex)?;
     }

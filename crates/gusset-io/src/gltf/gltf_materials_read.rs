@@ -40,13 +40,14 @@ fn wrong_member(material: Value<'_>) -> Option<&'static str> {
     }
     let inner = material.get("pbrMetallicRoughness").into_iter().flat_map(Value::members);
     material.members().chain(inner).find_map(|(key, value)| {
-        let named =
-            |names: &[&'static str], is_right: bool| names.iter().find(|name| !is_right && key.is(name)).copied();
+        let named = |names: &[&'static str], is_right: bool| {
+            names.iter().find(|name| !is_right && key.equals_text(name)).copied()
+        };
         named(&OBJECTS, value.is_object())
             .or_else(|| named(&LISTS, value.is_array()))
             .or_else(|| named(&NUMBERS, value.number().is_some()))
             .or_else(|| named(&["name", "alphaMode"], value.is_text()))
-            .or_else(|| named(&["doubleSided"], matches!(value.raw(), b"true" | b"false")))
+            .or_else(|| named(&["doubleSided"], matches!(value.raw_text(), b"true" | b"false")))
     })
 }
 
@@ -57,7 +58,7 @@ pub(super) struct MaterialReader<'a> {
     images: Vec<Value<'a>>,
     samplers: Vec<Value<'a>>,
     /// Indices in the document by indices in the file.
-    known: BTreeMap<usize, u32>,
+    index_of_known_material: BTreeMap<usize, u32>,
     known_images: BTreeMap<usize, Option<u32>>,
 }
 
@@ -68,26 +69,26 @@ impl<'a> MaterialReader<'a> {
             textures: root.list("textures")?,
             images: root.list("images")?,
             samplers: root.list("samplers")?,
-            known: BTreeMap::new(),
+            index_of_known_material: BTreeMap::new(),
             known_images: BTreeMap::new(),
         })
     }
 
     /// Returns the document's index of a material of the file. Adds it to the document at its first use.
-    pub(super) fn material(
+    pub(super) fn find_or_read_material(
         &mut self,
         index: usize,
         document: &mut Document,
         buffers: &mut Buffers<'a>,
     ) -> Result<u32, ReadError> {
-        if let Some(&known) = self.known.get(&index) {
+        if let Some(&known) = self.index_of_known_material.get(&index) {
             return Ok(known);
         }
         let json = element(&self.materials, index, "material")?;
         let made = self.read(json, index, document, buffers)?;
         let place = document.materials.len() as u32;
         alloc::push(&mut document.materials, made)?;
-        self.known.insert(index, place);
+        self.index_of_known_material.insert(index, place);
         alloc::check_reserve()?;
         Ok(place)
     }
@@ -107,14 +108,14 @@ impl<'a> MaterialReader<'a> {
         let mut text = text_for_copy(json)?;
         let is_whole = push_edited(&mut text, json, |parent, key, value| {
             let is_texture = parent.and_then(Value::text).is_some_and(|name| name.ends_with("Texture"));
-            if !is_texture || !key.is("index") {
+            if !is_texture || !key.equals_text("index") {
                 return Edit::Keep;
             }
-            let index = value.whole().map_or(usize::MAX, |index| index as usize);
+            let index = value.whole_number().map_or(usize::MAX, |index| index as usize);
             let next = places.len();
             let place = *places.entry(index).or_insert(next);
             if place == next {
-                match self.texture(index, document, buffers) {
+                match self.read_texture(index, document, buffers) {
                     Ok(texture) => textures.push(texture),
                     Err(error) => _ = failure.get_or_insert(error),
                 }
@@ -148,7 +149,7 @@ impl<'a> MaterialReader<'a> {
     }
 
     /// Returns the sampler and the image of a texture.
-    fn texture(
+    fn read_texture(
         &mut self,
         index: usize,
         document: &mut Document,
@@ -157,7 +158,7 @@ impl<'a> MaterialReader<'a> {
         let Some(&texture) = self.textures.get(index) else { return Ok((String::new(), None)) };
         let mut sampler = String::new();
         alloc::check_reserve()?;
-        if let Some(place) = texture.get("sampler").and_then(Value::whole)
+        if let Some(place) = texture.get("sampler").and_then(Value::whole_number)
             && let Some(&json) = self.samplers.get(place as usize)
         {
             sampler = text_for_copy(json)?;
@@ -166,17 +167,18 @@ impl<'a> MaterialReader<'a> {
             }
             sampler.shrink_to_fit();
         }
-        buffers.budget.take::<u8>(sampler.len() as u64)?;
+        buffers.budget.take_bytes_of::<u8>(sampler.len() as u64)?;
         let extended = || {
             let extensions = texture.get("extensions")?;
             IMAGE_EXTENSIONS.iter().find_map(|(name, _)| extensions.get(name)?.get("source"))
         };
-        let source = texture.get("source").or_else(extended).and_then(Value::whole);
-        let image = source.map(|image| self.image(image as usize, document, buffers)).transpose()?.flatten();
+        let source = texture.get("source").or_else(extended).and_then(Value::whole_number);
+        let image =
+            source.map(|image| self.find_or_read_image(image as usize, document, buffers)).transpose()?.flatten();
         Ok((sampler, image))
     }
 
-    fn image(
+    fn find_or_read_image(
         &mut self,
         index: usize,
         document: &mut Document,
@@ -209,9 +211,9 @@ fn image_data<'a>(
     buffers: &mut Buffers<'a>,
 ) -> Result<Option<(ImageData, String)>, ReadError> {
     let told = json.get("mimeType").and_then(Value::text).unwrap_or_default().into_owned();
-    if let Some(view) = json.get("bufferView").and_then(Value::whole) {
-        let view = buffers.view(view as usize)?;
-        buffers.budget.take::<u8>(view.bytes.len() as u64)?;
+    if let Some(view) = json.get("bufferView").and_then(Value::whole_number) {
+        let view = buffers.read_view(view as usize)?;
+        buffers.budget.take_bytes_of::<u8>(view.bytes.len() as u64)?;
         return Ok(Some((ImageData::Bytes(Arc::new(alloc::copied(&view.bytes)?)), told)));
     }
     let Some(address) = json.get("uri").and_then(Value::text) else { return Ok(None) };
@@ -226,7 +228,7 @@ fn image_data<'a>(
 /// Makes an empty text with room for a copy of a value. A character may take 6 bytes where it took one.
 pub(super) fn text_for_copy(value: Value<'_>) -> Result<String, ReadError> {
     let mut text = String::new();
-    text.try_reserve_exact(6 * value.raw().len() + 32)?;
+    text.try_reserve_exact(6 * value.raw_text().len() + 32)?;
     Ok(text)
 }
 
@@ -264,8 +266,8 @@ impl BaseColour {
         }
         // Only the first set of texture coordinates is kept.
         let info = object.and_then(|object| object.get(texture));
-        let is_first_set = info.and_then(|info| info.get("texCoord")).is_none_or(|set| set.whole() == Some(0));
-        let texture = info.filter(|_| is_first_set).and_then(|info| info.get("index")?.whole());
+        let is_first_set = info.and_then(|info| info.get("texCoord")).is_none_or(|set| set.whole_number() == Some(0));
+        let texture = info.filter(|_| is_first_set).and_then(|info| info.get("index")?.whole_number());
         Self { colour, texture: texture.map(|index| index as usize) }
     }
 }

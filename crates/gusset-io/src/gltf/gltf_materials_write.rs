@@ -27,7 +27,7 @@ pub(super) struct MaterialWriter<'d> {
     pub(super) samplers: JsonList,
     pub(super) extensions: BTreeSet<String>,
     pub(super) losses: Vec<Loss>,
-    known: BTreeMap<u32, u32>,
+    index_of_written_material: BTreeMap<u32, u32>,
     known_images: BTreeMap<u32, Option<WrittenImage>>,
     known_textures: BTreeMap<String, u32>,
     known_samplers: BTreeMap<String, u32>,
@@ -52,7 +52,7 @@ impl<'d> MaterialWriter<'d> {
             samplers: JsonList::default(),
             extensions: BTreeSet::new(),
             losses: Vec::new(),
-            known: BTreeMap::new(),
+            index_of_written_material: BTreeMap::new(),
             known_images: BTreeMap::new(),
             known_textures: BTreeMap::new(),
             known_samplers: BTreeMap::new(),
@@ -61,8 +61,8 @@ impl<'d> MaterialWriter<'d> {
     }
 
     /// Returns the file's index of a material of the document.
-    pub(super) fn material(&mut self, index: u32, binary: &mut Binary) -> Result<u32, WriteError> {
-        if let Some(&known) = self.known.get(&index) {
+    pub(super) fn find_or_write_material(&mut self, index: u32, binary: &mut Binary) -> Result<u32, WriteError> {
+        if let Some(&known) = self.index_of_written_material.get(&index) {
             return Ok(known);
         }
         let material = &self.document.materials[index as usize];
@@ -77,7 +77,7 @@ impl<'d> MaterialWriter<'d> {
             None => self.plain_material(material, binary)?,
         };
         let made = self.materials.push(&text)?;
-        self.known.insert(index, made);
+        self.index_of_written_material.insert(index, made);
         alloc::check_reserve()?;
         Ok(made)
     }
@@ -101,13 +101,13 @@ impl<'d> MaterialWriter<'d> {
         let mut made = text_for_copy(root)?;
         let is_whole = push_edited(&mut made, root, |parent, key, value| {
             let is_texture = |name: Value<'_>| name.text().is_some_and(|name| name.ends_with("Texture"));
-            if parent.is_none() && key.is("name") {
+            if parent.is_none() && key.equals_text("name") {
                 return Edit::Drop;
             }
-            if parent.is_some_and(|name| name.is("extensions")) {
+            if parent.is_some_and(|name| name.equals_text("extensions")) {
                 self.extensions.insert(key.text().unwrap_or_default().into_owned());
             }
-            let index = |value: Value<'_>| value.whole().unwrap_or(u64::MAX);
+            let index = |value: Value<'_>| value.whole_number().unwrap_or(u64::MAX);
             if is_texture(key) && value.get("index").is_some() {
                 let own = value.get("index").map_or(u64::MAX, index);
                 let texture = self.texture_index_in_file(material, value, own, textures, binary);
@@ -118,7 +118,7 @@ impl<'d> MaterialWriter<'d> {
                 }
             }
             match written.get(&index(value)) {
-                Some(texture) if key.is("index") && parent.is_some_and(is_texture) => {
+                Some(texture) if key.equals_text("index") && parent.is_some_and(is_texture) => {
                     Edit::Replace(texture.to_string())
                 }
                 _ => Edit::Keep,
@@ -149,19 +149,19 @@ impl<'d> MaterialWriter<'d> {
         textures: &[(String, Option<u32>)],
         binary: &mut Binary,
     ) -> Result<u32, WriteError> {
-        if info.get("texCoord").is_some_and(|set| set.whole() != Some(0)) {
+        if info.get("texCoord").is_some_and(|set| set.whole_number() != Some(0)) {
             let name = &material.name;
-            self.lose(&format!("a texture of material {name} that other texture coordinates show"));
+            self.add_loss(&format!("a texture of material {name} that other texture coordinates show"));
             return Ok(NO_TEXTURE);
         }
         let Some((sampler, image)) = textures.get(usize::try_from(index).unwrap_or(usize::MAX)) else {
             return Ok(NO_TEXTURE);
         };
-        let image = image.map(|image| self.image(image, binary)).transpose()?.flatten();
-        image.map_or(Ok(NO_TEXTURE), |image| self.texture(sampler, image))
+        let image = image.map(|image| self.find_or_write_image(image, binary)).transpose()?.flatten();
+        image.map_or(Ok(NO_TEXTURE), |image| self.find_or_write_texture(sampler, image))
     }
 
-    fn texture(&mut self, sampler: &str, image: WrittenImage) -> Result<u32, WriteError> {
+    fn find_or_write_texture(&mut self, sampler: &str, image: WrittenImage) -> Result<u32, WriteError> {
         let mut text = String::from("{");
         if !sampler.is_empty() {
             let index = match self.known_samplers.get(sampler) {
@@ -201,8 +201,9 @@ impl<'d> MaterialWriter<'d> {
         text.push_str("\"pbrMetallicRoughness\":{\"baseColorFactor\":");
         push_numbers(&mut text, &[r, g, b, opacity]);
         text.push_str(",\"metallicFactor\":0");
-        if let Some(image) = material.image.map(|image| self.image(image, binary)).transpose()?.flatten() {
-            let texture = self.texture("", image)?;
+        if let Some(image) = material.image.map(|image| self.find_or_write_image(image, binary)).transpose()?.flatten()
+        {
+            let texture = self.find_or_write_texture("", image)?;
             text.push_str(&format!(",\"baseColorTexture\":{{\"index\":{texture}}}"));
         }
         text.push('}');
@@ -213,29 +214,29 @@ impl<'d> MaterialWriter<'d> {
         if let Some(NativeMaterial::Mtl(lines)) = &material.native
             && lines.iter().any(|line| !is_plain_line(line))
         {
-            self.lose(&format!("all of material {} except its diffuse colour and image", material.name));
+            self.add_loss(&format!("all of material {} except its diffuse colour and image", material.name));
         }
         Ok(text)
     }
 
     /// Returns a written image; `None` if it does not exist or programs could not show it.
-    fn image(&mut self, index: u32, binary: &mut Binary) -> Result<Option<WrittenImage>, WriteError> {
+    fn find_or_write_image(&mut self, index: u32, binary: &mut Binary) -> Result<Option<WrittenImage>, WriteError> {
         if let Some(&known) = self.known_images.get(&index) {
             return Ok(known);
         }
         let image = &self.document.images[index as usize];
         let (bytes, name): (Cow<'_, [u8]>, _) = match &image.data {
             ImageData::Bytes(bytes) => (Cow::Borrowed(bytes), "inside of the file"),
-            ImageData::File(name) => (Cow::Owned(self.loaded(name)?), name.as_str()),
+            ImageData::File(name) => (Cow::Owned(self.load_image_file(name)?), name.as_str()),
         };
         let written = match media_type_from_bytes(&bytes) {
-            Some(media_type) => Some(self.store(&image.name, &bytes, media_type, binary)?),
+            Some(media_type) => Some(self.store_image(&image.name, &bytes, media_type, binary)?),
             None if bytes.is_empty() => {
-                self.lose(&format!("the image {name}, which is not there"));
+                self.add_loss(&format!("the image {name}, which is not there"));
                 None
             }
             None => {
-                self.lose(&format!("the image {name}, which is neither PNG nor JPEG"));
+                self.add_loss(&format!("the image {name}, which is neither PNG nor JPEG"));
                 None
             }
         };
@@ -243,7 +244,7 @@ impl<'d> MaterialWriter<'d> {
         Ok(written)
     }
 
-    fn store(
+    fn store_image(
         &mut self,
         name: &str,
         bytes: &[u8],
@@ -266,14 +267,14 @@ impl<'d> MaterialWriter<'d> {
     }
 
     /// Loads an image; nothing if it is not there.
-    fn loaded(&self, name: &str) -> Result<Vec<u8>, ReadError> {
+    fn load_image_file(&self, name: &str) -> Result<Vec<u8>, ReadError> {
         match self.resources.load(name) {
             Err(error) if error.kind == ReadErrorKind::OutOfMemory => Err(error),
             loaded => Ok(loaded.unwrap_or_default()),
         }
     }
 
-    fn lose(&mut self, text: &str) {
+    fn add_loss(&mut self, text: &str) {
         let loss = Loss(crate::error::printable(text));
         if !self.losses.contains(&loss) {
             self.losses.push(loss);

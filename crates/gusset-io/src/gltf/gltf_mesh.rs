@@ -35,7 +35,7 @@ pub(super) struct MeshReader<'r, 'a> {
     mesh: Mesh,
     strands: Strands,
     /// First vertex and number of vertices of known attributes: primitives often share them.
-    known: BTreeMap<VertexSource, [u32; 2]>,
+    vertex_ranges_of_known_sources: BTreeMap<VertexSource, [u32; 2]>,
     normals: Vec<[f64; 3]>,
     texcoords: Vec<[f64; 2]>,
     origins: Vec<u32>,
@@ -56,7 +56,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
             merges,
             mesh: Mesh::default(),
             strands: Strands::default(),
-            known: BTreeMap::new(),
+            vertex_ranges_of_known_sources: BTreeMap::new(),
             normals: Vec::new(),
             texcoords: Vec::new(),
             origins: Vec::new(),
@@ -74,17 +74,17 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         self.mesh.name = json.get("name").and_then(Value::text).unwrap_or_default().into_owned();
         for (place, primitive) in json.get("primitives").into_iter().flat_map(Value::items).enumerate() {
             let faces = self.mesh.face_count();
-            self.primitive(primitive, [index, place, faces])?;
+            self.read_primitive(primitive, [index, place, faces])?;
             let added = self.mesh.face_count() - faces;
             if added > 0 {
                 let own = match primitive.get("material") {
                     None => NO_MATERIAL,
                     Some(value) => {
-                        let index = value.whole().map_or(usize::MAX, |whole| whole as usize);
+                        let index = value.whole_number().map_or(usize::MAX, |whole| whole as usize);
                         material(index, &mut self.accessors.buffers)?
                     }
                 };
-                self.accessors.buffers.budget.take::<u32>(added as u64)?;
+                self.accessors.buffers.budget.take_bytes_of::<u32>(added as u64)?;
                 self.mesh.face_materials.try_reserve(added)?;
                 self.mesh.face_materials.resize(self.mesh.face_count(), own);
             }
@@ -95,16 +95,16 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         self.finish()
     }
 
-    fn primitive(&mut self, primitive: Value<'a>, place: [usize; 3]) -> Result<(), ReadError> {
+    fn read_primitive(&mut self, primitive: Value<'a>, place: [usize; 3]) -> Result<(), ReadError> {
         let [mesh, number, _] = place;
-        let mode = primitive.get("mode").map_or(Some(4), Value::whole).and_then(Mode::from_code);
+        let mode = primitive.get("mode").map_or(Some(4), Value::whole_number).and_then(Mode::from_code);
         let mode = mode.ok_or_else(|| malformed(format!("mesh {mesh}, primitive {number} has an unknown mode")))?;
         let attributes = primitive.get("attributes");
         let mut source = VertexSource::default();
         for (key, value) in attributes.into_iter().flat_map(Value::members) {
-            match ATTRIBUTES.iter().position(|name| key.is(name)) {
-                Some(kind) => source[kind] = value.whole().map(|index| index as usize),
-                None => self.unread.attribute(&key.text().unwrap_or_default()),
+            match ATTRIBUTES.iter().position(|name| key.equals_text(name)) {
+                Some(kind) => source[kind] = value.whole_number().map(|index| index as usize),
+                None => self.unread.add_attribute(&key.text().unwrap_or_default()),
             }
         }
         self.unread.has_morph_targets |=
@@ -113,18 +113,19 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         let Some(position) = source[0] else {
             return Err(malformed(format!("mesh {mesh}, primitive {number} has no positions")));
         };
-        let positions = self.accessors.open(position, self.notes)?;
+        let positions = self.accessors.open_accessor(position, self.notes)?;
         if is_draco && !positions.has_bytes() {
             return Err(draco_error());
         }
         let count = u32::try_from(positions.count).unwrap_or(u32::MAX);
         let indices = match primitive.get("indices") {
             Some(index) => {
-                let index = index.whole().ok_or_else(|| malformed("the indices of a primitive are not an accessor"))?;
-                self.accessors.open(index as usize, self.notes)?.indices(&mut self.accessors.buffers)?
+                let index =
+                    index.whole_number().ok_or_else(|| malformed("the indices of a primitive are not an accessor"))?;
+                self.accessors.open_accessor(index as usize, self.notes)?.read_indices(&mut self.accessors.buffers)?
             }
             None => {
-                let mut all = self.accessors.buffers.budget.vector(u64::from(count))?;
+                let mut all = self.accessors.buffers.budget.allocate_vector(u64::from(count))?;
                 all.extend(0..count);
                 all
             }
@@ -133,39 +134,43 @@ impl<'r, 'a> MeshReader<'r, 'a> {
             let indices = checked_indices(indices, mode, [0, count], place)?;
             return self.strands(mode, &source, &positions, &indices);
         }
-        let range = match self.known.get(&source) {
+        let range = match self.vertex_ranges_of_known_sources.get(&source) {
             Some(&range) => range,
             None => {
-                let range = self.vertices(&source, &positions)?;
-                self.known.insert(source, range);
+                let range = self.find_or_read_vertices(&source, &positions)?;
+                self.vertex_ranges_of_known_sources.insert(source, range);
                 range
             }
         };
         let indices = checked_indices(indices, mode, range, place)?;
         let count = indices.len() as u64;
         let (faces, corners) = if mode == Mode::Triangles { (count / 3, count) } else { (count, 3 * count) };
-        self.accessors.buffers.budget.take::<u32>(faces + corners)?;
+        self.accessors.buffers.budget.take_bytes_of::<u32>(faces + corners)?;
         append_faces(&mut self.mesh, primitive, mode, indices, range[0], self.notes)?;
-        self.accessors.buffers.budget.give_back::<u32>(count);
+        self.accessors.buffers.budget.give_back_bytes_of::<u32>(count);
         Ok(())
     }
 
     /// Appends the vertices of a primitive. Returns the first one and their number.
-    fn vertices(&mut self, source: &VertexSource, positions: &Accessor<'a>) -> Result<[u32; 2], ReadError> {
+    fn find_or_read_vertices(
+        &mut self,
+        source: &VertexSource,
+        positions: &Accessor<'a>,
+    ) -> Result<[u32; 2], ReadError> {
         let (start, count) = (self.mesh.positions.len(), positions.count);
         if start as u64 + count as u64 >= u64::from(u32::MAX) {
             return Err(ReadError::new(ReadErrorKind::TooLarge, "a mesh has more than 2^32 - 2 vertices"));
         }
         append_positions(&mut self.mesh.positions, positions, self.accessors)?;
-        if let Some(normals) = self.attribute::<3, f64>(source[1], count, "NORMAL", |x| x)? {
+        if let Some(normals) = self.read_attribute::<3, f64>(source[1], count, "NORMAL", |x| x)? {
             append_padded(&mut self.normals, normals, start, [f64::NAN; 3])?;
         }
-        if let Some(mut texcoords) = self.attribute::<2, f64>(source[2], count, "TEXCOORD_0", |x| x)? {
+        if let Some(mut texcoords) = self.read_attribute::<2, f64>(source[2], count, "TEXCOORD_0", |x| x)? {
             // In glTF, v runs down from the upper left of the image.
             texcoords.iter_mut().for_each(|pair| pair[1] = 1.0 - pair[1]);
             append_padded(&mut self.texcoords, texcoords, start, [f64::NAN; 2])?;
         }
-        if let Some(colours) = self.colours(source[3], count)? {
+        if let Some(colours) = self.read_colours(source[3], count)? {
             append_padded(&mut self.mesh.vertex_colours, colours, start, [1.0; 4])?;
         }
         self.origins(source[4], start, count)?;
@@ -173,7 +178,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
     }
 
     /// Reads an attribute of vertices; `None` if the primitive lacks it.
-    fn attribute<const N: usize, T: Copy>(
+    fn read_attribute<const N: usize, T: Copy>(
         &mut self,
         accessor: Option<usize>,
         count: usize,
@@ -181,25 +186,25 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         convert: impl Fn(f64) -> T,
     ) -> Result<Option<Vec<[T; N]>>, ReadError> {
         let Some(index) = accessor else { return Ok(None) };
-        let accessor = self.accessors.open(index, self.notes)?;
+        let accessor = self.accessors.open_accessor(index, self.notes)?;
         if accessor.count != count {
             return Err(malformed(format!(
                 "{name} has {} elements, and POSITION has {count}; accessor {index} is of another mesh",
                 accessor.count
             )));
         }
-        accessor.vectors(&mut self.accessors.buffers, convert).map(Some)
+        accessor.read_vectors(&mut self.accessors.buffers, convert).map(Some)
     }
 
-    fn colours(&mut self, accessor: Option<usize>, count: usize) -> Result<Option<Vec<[f32; 4]>>, ReadError> {
+    fn read_colours(&mut self, accessor: Option<usize>, count: usize) -> Result<Option<Vec<[f32; 4]>>, ReadError> {
         let Some(index) = accessor else { return Ok(None) };
-        let mut made = if self.accessors.open(index, self.notes)?.width == 4 {
-            self.attribute::<4, f32>(accessor, count, "COLOR_0", |x| x as f32)?.unwrap_or_default()
+        let mut made = if self.accessors.open_accessor(index, self.notes)?.width == 4 {
+            self.read_attribute::<4, f32>(accessor, count, "COLOR_0", |x| x as f32)?.unwrap_or_default()
         } else {
-            let opaque = self.attribute::<3, f32>(accessor, count, "COLOR_0", |x| x as f32)?.unwrap_or_default();
-            let mut made = self.accessors.buffers.budget.vector(count as u64)?;
+            let opaque = self.read_attribute::<3, f32>(accessor, count, "COLOR_0", |x| x as f32)?.unwrap_or_default();
+            let mut made = self.accessors.buffers.budget.allocate_vector(count as u64)?;
             made.extend(opaque.iter().map(|&[r, g, b]| [r, g, b, 1.0]));
-            self.accessors.buffers.budget.give_back::<[f32; 3]>(count as u64);
+            self.accessors.buffers.budget.give_back_bytes_of::<[f32; 3]>(count as u64);
             made
         };
         let mut converter = ColourConverter::new(srgb_from_linear);
@@ -209,8 +214,8 @@ impl<'r, 'a> MeshReader<'r, 'a> {
 
     /// Reads from which vertex each one was split. Ignores numbers that cannot be right.
     fn origins(&mut self, accessor: Option<usize>, start: usize, count: usize) -> Result<(), ReadError> {
-        let halves = self.attribute::<2, u32>(accessor, count, ORIGIN_ATTRIBUTE, |x| x as u32)?;
-        self.accessors.buffers.budget.take::<u32>(count as u64)?;
+        let halves = self.read_attribute::<2, u32>(accessor, count, ORIGIN_ATTRIBUTE, |x| x as u32)?;
+        self.accessors.buffers.budget.take_bytes_of::<u32>(count as u64)?;
         self.origins.try_reserve(count)?;
         self.has_origins |= halves.is_some();
         let own = |vertex: usize| halves.as_ref().map(|all| all[vertex][0] as usize + 65536 * all[vertex][1] as usize);
@@ -221,7 +226,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
             (start + origin) as u32
         }));
         if halves.is_some() {
-            self.accessors.buffers.budget.give_back::<[u32; 2]>(count as u64);
+            self.accessors.buffers.budget.give_back_bytes_of::<[u32; 2]>(count as u64);
         }
         Ok(())
     }
@@ -234,15 +239,15 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         indices: &[u32],
     ) -> Result<(), ReadError> {
         let count = positions.count;
-        let points = positions.vectors::<3, f64>(&mut self.accessors.buffers, |x| x)?;
+        let points = positions.read_vectors::<3, f64>(&mut self.accessors.buffers, |x| x)?;
         if mode != Mode::Points {
             return self.strands.append_lines(mode, indices, &points, &mut self.accessors.buffers.budget);
         }
-        let normals = self.attribute::<3, f64>(source[1], count, "NORMAL", |x| x)?;
-        let colours = self.colours(source[3], count)?;
+        let normals = self.read_attribute::<3, f64>(source[1], count, "NORMAL", |x| x)?;
+        let colours = self.read_colours(source[3], count)?;
         self.strands.has_normals |= normals.is_some();
         self.strands.has_colours |= colours.is_some();
-        self.accessors.buffers.budget.take::<LoosePoint>(indices.len() as u64)?;
+        self.accessors.buffers.budget.take_bytes_of::<LoosePoint>(indices.len() as u64)?;
         self.strands.points.try_reserve(indices.len())?;
         self.strands.points.extend(indices.iter().map(|&vertex| {
             let vertex = vertex as usize;
@@ -305,9 +310,9 @@ fn append_positions(all: &mut Positions, added: &Accessor<'_>, accessors: &mut A
     let is_single = !matches!(added.component, Component::I32 | Component::U32 | Component::F64);
     let buffers = &mut accessors.buffers;
     let added = if is_single {
-        Positions::F32(added.vectors(buffers, |x| x as f32)?)
+        Positions::F32(added.read_vectors(buffers, |x| x as f32)?)
     } else {
-        Positions::F64(added.vectors(buffers, |x| x)?)
+        Positions::F64(added.read_vectors(buffers, |x| x)?)
     };
     if all.is_empty() {
         *all = added;
@@ -319,7 +324,7 @@ fn append_positions(all: &mut Positions, added: &Accessor<'_>, accessors: &mut A
             all.extend_from_slice(added);
         }
         _ => {
-            buffers.budget.take::<[f64; 3]>((all.len() + added.len()) as u64)?;
+            buffers.budget.take_bytes_of::<[f64; 3]>((all.len() + added.len()) as u64)?;
             let mut doubles = Vec::new();
             doubles.try_reserve_exact(all.len() + added.len())?;
             doubles.extend(all.iter().chain(added.iter()));

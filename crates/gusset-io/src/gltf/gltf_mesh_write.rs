@@ -109,7 +109,7 @@ pub(super) fn write_mesh(
     let moved = check_rounding(mesh, origin, options.lossy, "write OBJ or PLY, which hold double precision")?;
     lost.are_positions_rounded |= moved > 0.0;
     let split = split_vertices(mesh)?;
-    if split.origins.as_ref().is_some_and(|origins| origins.len() >= u32::MAX as usize) {
+    if split.mesh_vertex_of_file_vertex.as_ref().is_some_and(|origins| origins.len() >= u32::MAX as usize) {
         let message = "a glTF mesh has at most 2^32 - 2 vertices";
         return Err(WriteError::new(WriteErrorKind::Unsupported, message));
     }
@@ -126,7 +126,7 @@ pub(super) fn write_mesh(
         json.push_str(&format!("{{\"attributes\":{attributes}"));
         json.push_str(&faces);
         if material != NO_MATERIAL {
-            json.push_str(&format!(",\"material\":{}", materials.material(material, binary)?));
+            json.push_str(&format!(",\"material\":{}", materials.find_or_write_material(material, binary)?));
         }
         json.push('}');
     }
@@ -193,7 +193,7 @@ fn write_vertices(
     origin: [f64; 3],
     binary: &mut Binary,
 ) -> Result<String, WriteError> {
-    let origins = split.origins.as_deref();
+    let origins = split.mesh_vertex_of_file_vertex.as_deref();
     let points = file_positions(&mesh.positions, origins, origin)?;
     let count = points.len() as u32;
     let origin_of = |vertex: u32| origins.map_or(vertex, |all| all[vertex as usize]);
@@ -263,7 +263,7 @@ fn write_faces(
     has_polygons: bool,
     binary: &mut Binary,
 ) -> Result<String, WriteError> {
-    let vertices = split.origins.as_ref().map_or(mesh.positions.len(), Vec::len);
+    let vertices = split.mesh_vertex_of_file_vertex.as_ref().map_or(mesh.positions.len(), Vec::len);
     let mut triangles = Triangles::default();
     // All faces are triangles, and in their order.
     let is_whole = !has_polygons && 3 * faces.len() == split.corners.len();

@@ -17,14 +17,14 @@ const MAX_NAMES: usize = 20;
 
 impl Unread {
     /// Records an attribute of vertices.
-    pub(super) fn attribute(&mut self, name: &str) {
+    pub(super) fn add_attribute(&mut self, name: &str) {
         if self.attributes.len() < MAX_NAMES && !self.attributes.contains(name) {
             self.attributes.insert(crate::error::printable(name));
         }
     }
 
     /// Makes the notes.
-    pub(super) fn notes(&self, root: Value<'_>, notes: &mut Vec<Note>) {
+    pub(super) fn append_notes(&self, root: Value<'_>, notes: &mut Vec<Note>) {
         let mut add = |text: String| notes.push(Note::new(Place::Whole, text));
         for name in &self.attributes {
             add(format!("the vertex attribute {name} is not read"));

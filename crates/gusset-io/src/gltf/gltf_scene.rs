@@ -29,7 +29,7 @@ pub(super) fn shown_meshes<'a>(
 ) -> Result<Vec<ShownMesh>, ReadError> {
     let (nodes, scenes) = (root.list("nodes")?, root.list("scenes")?);
     // Lists of values, parents and marks.
-    accessors.buffers.budget.take::<[u64; 8]>(nodes.len() as u64)?;
+    accessors.buffers.budget.take_bytes_of::<[u64; 8]>(nodes.len() as u64)?;
     let parents = node_parents(&nodes, notes)?;
     let roots = match scenes.len() {
         0 if nodes.is_empty() => return unplaced_meshes(root, accessors),
@@ -43,17 +43,17 @@ pub(super) fn shown_meshes<'a>(
                 let noun = if others == 1 { "scene is" } else { "scenes are" };
                 notes.push(Note::new(Place::Whole, format!("{others} other {noun} not read")));
             }
-            let shown = root.get("scene").and_then(Value::whole).unwrap_or(0);
+            let shown = root.get("scene").and_then(Value::whole_number).unwrap_or(0);
             let scene = element(&scenes, usize::try_from(shown).unwrap_or(usize::MAX), "scene")?;
             scene_roots(scene, &nodes, &parents, notes)?
         }
     };
-    visit(&nodes, &roots, accessors, notes)
+    list_shown_meshes(&nodes, &roots, accessors, notes)
 }
 
 fn unplaced_meshes<'a>(root: Value<'a>, accessors: &mut Accessors<'a>) -> Result<Vec<ShownMesh>, ReadError> {
     let count = root.get("meshes").map_or(0, |meshes| meshes.items().count());
-    let mut made = accessors.buffers.budget.vector(count as u64)?;
+    let mut made = accessors.buffers.budget.allocate_vector(count as u64)?;
     made.extend((0..count).map(|mesh| ShownMesh {
         mesh,
         name: String::new(),
@@ -64,8 +64,8 @@ fn unplaced_meshes<'a>(root: Value<'a>, accessors: &mut Accessors<'a>) -> Result
 }
 
 fn node_index(value: Value<'_>, count: usize) -> Result<usize, ReadError> {
-    value.whole().and_then(|index| usize::try_from(index).ok()).filter(|&index| index < count).ok_or_else(|| {
-        let raw = String::from_utf8_lossy(&value.raw()[..value.raw().len().min(20)]);
+    value.whole_number().and_then(|index| usize::try_from(index).ok()).filter(|&index| index < count).ok_or_else(|| {
+        let raw = String::from_utf8_lossy(&value.raw_text()[..value.raw_text().len().min(20)]);
         malformed(format!("node {raw} does not exist (the file has {count})"))
     })
 }
@@ -155,7 +155,7 @@ fn scene_roots(
     Ok(roots)
 }
 
-fn visit<'a>(
+fn list_shown_meshes<'a>(
     nodes: &[Value<'a>],
     roots: &[usize],
     accessors: &mut Accessors<'a>,
@@ -172,8 +172,9 @@ fn visit<'a>(
         let node = nodes[index];
         let transform = product(&matrices[parent as usize], &matrix_from_node(node, index, notes)?);
         if let Some(mesh) = node.get("mesh") {
-            let mesh = mesh.whole().ok_or_else(|| malformed(format!("node {index}: mesh is not a whole number")))?;
-            show(node, mesh as usize, &transform, accessors, notes, &mut shown)?;
+            let mesh =
+                mesh.whole_number().ok_or_else(|| malformed(format!("node {index}: mesh is not a whole number")))?;
+            append_shown_mesh(node, mesh as usize, &transform, accessors, notes, &mut shown)?;
         }
         alloc::check_reserve()?;
         let start = open.len();
@@ -192,7 +193,7 @@ fn visit<'a>(
 }
 
 /// Adds the mesh of a node, or the copies of it.
-fn show<'a>(
+fn append_shown_mesh<'a>(
     node: Value<'a>,
     mesh: usize,
     transform: &Matrix,
@@ -203,8 +204,8 @@ fn show<'a>(
     let instances = instance_transforms(node, accessors, notes)?;
     let name = node.get("name").and_then(Value::text).unwrap_or_default();
     let count = instances.as_ref().map_or(1, Vec::len) as u64;
-    accessors.buffers.budget.take::<(ShownMesh, Placement)>(count)?;
-    accessors.buffers.budget.take::<u8>(count.saturating_mul(2 * name.len() as u64))?;
+    accessors.buffers.budget.take_bytes_of::<(ShownMesh, Placement)>(count)?;
+    accessors.buffers.budget.take_bytes_of::<u8>(count.saturating_mul(2 * name.len() as u64))?;
     let is_skinned = node.get("skin").is_some();
     let mut add = |transform| -> Result<(), ReadError> {
         let name = owned_text(name.as_bytes())?;
@@ -228,8 +229,8 @@ fn instance_transforms<'a>(
     let Some(attributes) = attributes else { return Ok(None) };
     let mut count = usize::MAX;
     let mut open = |name: &str| -> Result<_, ReadError> {
-        let Some(index) = attributes.get(name).and_then(Value::whole) else { return Ok(None) };
-        let accessor = accessors.open(index as usize, notes)?;
+        let Some(index) = attributes.get(name).and_then(Value::whole_number) else { return Ok(None) };
+        let accessor = accessors.open_accessor(index as usize, notes)?;
         count = count.min(accessor.count);
         Ok(Some(accessor))
     };
@@ -238,10 +239,10 @@ fn instance_transforms<'a>(
         return Ok(None);
     }
     let buffers = &mut accessors.buffers;
-    let translations = translation.map(|all| all.vectors::<3, f64>(buffers, |x| x)).transpose()?;
-    let rotations = rotation.map(|all| all.vectors::<4, f64>(buffers, |x| x)).transpose()?;
-    let scales = scale.map(|all| all.vectors::<3, f64>(buffers, |x| x)).transpose()?;
-    let mut made = buffers.budget.vector(count as u64)?;
+    let translations = translation.map(|all| all.read_vectors::<3, f64>(buffers, |x| x)).transpose()?;
+    let rotations = rotation.map(|all| all.read_vectors::<4, f64>(buffers, |x| x)).transpose()?;
+    let scales = scale.map(|all| all.read_vectors::<3, f64>(buffers, |x| x)).transpose()?;
+    let mut made = buffers.budget.allocate_vector(count as u64)?;
     made.extend((0..count).map(|k| {
         matrix_from_trs(
             translations.as_ref().map_or([0.0; 3], |all| all[k]),

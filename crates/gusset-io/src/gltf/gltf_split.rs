@@ -11,7 +11,7 @@ pub(super) struct SplitVertices<'m> {
     /// Vertex of each corner.
     pub(super) corners: Cow<'m, [u32]>,
     /// For each vertex, the mesh's vertex; `None` if no vertex is split.
-    pub(super) origins: Option<Vec<u32>>,
+    pub(super) mesh_vertex_of_file_vertex: Option<Vec<u32>>,
     pub(super) normals: Option<Vec<[f32; 3]>>,
     /// With v from the upper edge of the image.
     pub(super) texcoords: Option<Vec<[f32; 2]>>,
@@ -36,7 +36,12 @@ pub(super) fn split_vertices(mesh: &Mesh) -> Result<SplitVertices<'_>, WriteErro
     let texcoords = at_vertices(&mesh.texcoords, mesh, texcoord_in_file)?;
     let is_whole = normals.is_some() || mesh.normals.is_absent();
     if is_whole && (texcoords.is_some() || mesh.texcoords.is_absent()) {
-        return Ok(SplitVertices { corners: Cow::Borrowed(&mesh.corners), origins: None, normals, texcoords });
+        return Ok(SplitVertices {
+            corners: Cow::Borrowed(&mesh.corners),
+            mesh_vertex_of_file_vertex: None,
+            normals,
+            texcoords,
+        });
     }
     let mut split = Splitter {
         mesh,
@@ -44,7 +49,7 @@ pub(super) fn split_vertices(mesh: &Mesh) -> Result<SplitVertices<'_>, WriteErro
         texcoords: if texcoords.is_some() { texcoords } else { missing(&mesh.texcoords, mesh)? },
         origins: alloc::collect(0..mesh.positions.len() as u32)?,
         is_taken: alloc::filled(false, mesh.positions.len())?,
-        known: HashMap::new(),
+        vertex_of_known_values: HashMap::new(),
     };
     let mut corners = Vec::new();
     corners.try_reserve_exact(mesh.corners.len())?;
@@ -52,7 +57,7 @@ pub(super) fn split_vertices(mesh: &Mesh) -> Result<SplitVertices<'_>, WriteErro
         corners.push(split.corner_vertex(corner)?);
     }
     let Splitter { normals, texcoords, origins, .. } = split;
-    Ok(SplitVertices { corners: Cow::Owned(corners), origins: Some(origins), normals, texcoords })
+    Ok(SplitVertices { corners: Cow::Owned(corners), mesh_vertex_of_file_vertex: Some(origins), normals, texcoords })
 }
 
 /// Returns values at vertices; `None` if the mesh lacks them or corners of a vertex differ.
@@ -103,7 +108,7 @@ struct Splitter<'m> {
     origins: Vec<u32>,
     is_taken: Vec<bool>,
     /// Vertices by the mesh's vertices and the bits of their values.
-    known: HashMap<(u32, [u32; 5]), u32>,
+    vertex_of_known_values: HashMap<(u32, [u32; 5]), u32>,
 }
 
 impl Splitter<'_> {
@@ -115,8 +120,8 @@ impl Splitter<'_> {
         let [u, v] = texcoord.map(f32::to_bits);
         let is_first = !self.is_taken[vertex as usize];
         let next = if is_first { vertex } else { self.origins.len() as u32 };
-        self.known.try_reserve(1)?;
-        let made = *self.known.entry((vertex, [x, y, z, u, v])).or_insert(next);
+        self.vertex_of_known_values.try_reserve(1)?;
+        let made = *self.vertex_of_known_values.entry((vertex, [x, y, z, u, v])).or_insert(next);
         if made == next {
             self.is_taken[vertex as usize] = true;
             if !is_first {

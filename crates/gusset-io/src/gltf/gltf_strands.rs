@@ -35,7 +35,7 @@ impl Strands {
         positions: &[[f64; 3]],
         budget: &mut Budget,
     ) -> Result<(), ReadError> {
-        budget.take::<([f64; 3], u32, bool)>(indices.len() as u64)?;
+        budget.take_bytes_of::<([f64; 3], u32, bool)>(indices.len() as u64)?;
         if mode != Mode::Lines {
             let is_closed = mode == Mode::LineLoop;
             return self.append_line(indices, is_closed, positions);
@@ -69,16 +69,16 @@ impl Strands {
     }
 
     /// Appends these lines and points to the document, where a node shows them.
-    pub(super) fn place(
+    pub(super) fn place_in_document(
         &self,
         document: &mut Document,
         transform: &Matrix,
         budget: &mut Budget,
     ) -> Result<(), ReadError> {
-        budget.take::<([f64; 3], u32, bool)>(self.positions.len() as u64)?;
-        budget.take::<LoosePoint>(self.points.len() as u64)?;
-        place_lines(&mut document.curves, self, transform)?;
-        place_points(&mut document.points, self, transform)
+        budget.take_bytes_of::<([f64; 3], u32, bool)>(self.positions.len() as u64)?;
+        budget.take_bytes_of::<LoosePoint>(self.points.len() as u64)?;
+        place_lines(&mut document.unpack_curves, self, transform)?;
+        place_points(&mut document.unpack_points, self, transform)
     }
 }
 

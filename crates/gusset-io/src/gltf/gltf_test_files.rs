@@ -73,7 +73,7 @@ pub(super) fn flat(bytes: &[u8]) -> Mesh {
 pub(super) fn written(document: &Document, is_binary: bool, resources: &dyn Resources) -> (Vec<u8>, Vec<Loss>) {
     let mut bytes = Vec::new();
     let mut target =
-        Target { main: &mut bytes, stem: "a", beside: &mut |_, _| panic!("the file needs no other"), resources };
+        Target { main_file: &mut bytes, stem: "a", beside: &mut |_, _| panic!("the file needs no other"), resources };
     let write = if is_binary { write_glb } else { write_gltf };
     let losses = write(document, &mut target, &WriteOptions::default()).expect("written");
     (bytes, losses)

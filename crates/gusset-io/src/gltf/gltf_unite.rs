@@ -31,7 +31,7 @@ pub(super) fn unite_vertices(mesh: &mut Mesh, origins: &[u32], budget: &mut Budg
         Positions::F64(points) => keep(points, is_kept),
     }
     keep(&mut mesh.vertex_colours, is_kept);
-    let mut places = budget.vector::<u32>(origins.len() as u64)?;
+    let mut places = budget.allocate_vector::<u32>(origins.len() as u64)?;
     let mut kept = 0;
     for vertex in 0..origins.len() {
         places.push(kept);
@@ -65,7 +65,7 @@ fn move_values_to_origins_or_corners<const N: usize>(
         keep(&mut values, |vertex| origins[vertex] as usize == vertex);
         return Ok(Values::Vertices(values));
     }
-    let mut at_corners = budget.vector(corners.len() as u64)?;
+    let mut at_corners = budget.allocate_vector(corners.len() as u64)?;
     at_corners.extend(corners.iter().map(|&vertex| values[vertex as usize]));
     Ok(Values::Corners(at_corners))
 }
@@ -78,7 +78,7 @@ pub(super) fn merge_equal_positions(
     notes: &mut Vec<Note>,
 ) -> Result<(), ReadError> {
     let count = mesh.positions.len() as u64;
-    if budget.take::<[u64; 6]>(count).is_err() {
+    if budget.take_bytes_of::<[u64; 6]>(count).is_err() {
         let text = format!("a mesh of {count} vertices is not merged at equal positions, because its file is small");
         alloc::push(notes, Note::new(Place::Whole, text))?;
         return Ok(());
@@ -87,9 +87,9 @@ pub(super) fn merge_equal_positions(
         Positions::F32(points) => representatives(points)?,
         Positions::F64(points) => representatives(points)?,
     };
-    budget.give_back::<[u64; 6]>(count);
+    budget.give_back_bytes_of::<[u64; 6]>(count);
     if let Some(merge) = merge {
-        budget.take::<u32>(count)?;
+        budget.take_bytes_of::<u32>(count)?;
         mesh.merge = merge;
     }
     Ok(())

@@ -30,9 +30,9 @@ impl Codec {
         let mode = json.get("mode")?;
         let mode = [("ATTRIBUTES", Mode::Attributes), ("TRIANGLES", Mode::Triangles), ("INDICES", Mode::Indices)]
             .into_iter()
-            .find_map(|(name, kind)| mode.is(name).then_some(kind))?;
+            .find_map(|(name, kind)| mode.equals_text(name).then_some(kind))?;
         let filter = json.get("filter").map_or(Some(Filter::None), Filter::from_json)?;
-        let whole = |name| json.get(name).and_then(Value::whole).and_then(|value| usize::try_from(value).ok());
+        let whole = |name| json.get(name).and_then(Value::whole_number).and_then(|value| usize::try_from(value).ok());
         let (count, stride) = (whole("count")?, whole("byteStride")?);
         let is_valid = match mode {
             Mode::Attributes => stride % 4 == 0 && (4..=256).contains(&stride),
@@ -62,27 +62,27 @@ pub(super) fn decode_view(source: &[u8], codec: &Codec) -> Result<Option<Vec<u8>
 /// Reads bytes one after the other.
 struct Source<'a> {
     bytes: &'a [u8],
-    place: usize,
+    offset: usize,
 }
 
 impl<'a> Source<'a> {
-    fn byte(&mut self) -> Option<u8> {
-        let &byte = self.bytes.get(self.place)?;
-        self.place += 1;
+    fn read_byte(&mut self) -> Option<u8> {
+        let &byte = self.bytes.get(self.offset)?;
+        self.offset += 1;
         Some(byte)
     }
 
-    fn take(&mut self, count: usize) -> Option<&'a [u8]> {
-        let taken = self.bytes.get(self.place..self.place.checked_add(count)?)?;
-        self.place += count;
+    fn take_bytes(&mut self, count: usize) -> Option<&'a [u8]> {
+        let taken = self.bytes.get(self.offset..self.offset.checked_add(count)?)?;
+        self.offset += count;
         Some(taken)
     }
 
     /// Reads a number of 7 bits a byte, the lowest ones first.
-    fn variable(&mut self) -> Option<u32> {
+    fn read_variable_length_number(&mut self) -> Option<u32> {
         let mut value = 0;
         for shift in (0..35).step_by(7) {
-            let byte = self.byte()?;
+            let byte = self.read_byte()?;
             value |= u32::from(byte & 0x7f).checked_shl(shift)?;
             if byte < 0x80 {
                 return Some(value);
@@ -109,12 +109,12 @@ fn decode_attributes(bytes: &[u8], stride: usize, made: &mut [u8]) -> Option<()>
     let tail = bytes.get(bytes.len().checked_sub(tail_bytes)?..)?;
     let (first, channels) = tail.split_at(stride);
     let mut previous = first.to_vec();
-    let mut source = Source { bytes: &bytes[..bytes.len() - tail_bytes], place: 1 };
+    let mut source = Source { bytes: &bytes[..bytes.len() - tail_bytes], offset: 1 };
     let block_elements = ((0x2000 / stride) & !(GROUP - 1)).min(0x100);
     let mut deltas = vec![0; block_elements * stride];
     for block in made.chunks_mut(block_elements * stride) {
         let count = block.len() / stride;
-        let controls = source.take(if is_new { stride / 4 } else { 0 })?;
+        let controls = source.take_bytes(if is_new { stride / 4 } else { 0 })?;
         for (byte, column) in deltas.chunks_mut(block_elements).enumerate() {
             let control = is_new.then(|| controls[byte / 4] >> (2 * (byte % 4)) & 3);
             decode_column(&mut source, control, count, column)?;
@@ -135,12 +135,12 @@ fn decode_column(source: &mut Source<'_>, control: Option<u8>, count: usize, col
             return Some(());
         }
         Some(_) => {
-            column[..count].copy_from_slice(source.take(count)?);
+            column[..count].copy_from_slice(source.take_bytes(count)?);
             return Some(());
         }
     };
     let groups = count.div_ceil(GROUP);
-    let headers = source.take(groups.div_ceil(4))?;
+    let headers = source.take_bytes(groups.div_ceil(4))?;
     for (group, deltas) in column.chunks_mut(GROUP).take(groups).enumerate() {
         let width = bits[usize::from(headers[group / 4] >> (2 * (group % 4)) & 3)];
         decode_group(source, width, deltas)?;
@@ -151,9 +151,9 @@ fn decode_column(source: &mut Source<'_>, control: Option<u8>, count: usize, col
 fn decode_group(source: &mut Source<'_>, width: u8, deltas: &mut [u8]) -> Option<()> {
     match width {
         0 => deltas.fill(0),
-        8 => deltas.copy_from_slice(source.take(GROUP)?),
+        8 => deltas.copy_from_slice(source.take_bytes(GROUP)?),
         _ => {
-            let packed = source.take(GROUP * usize::from(width) / 8)?;
+            let packed = source.take_bytes(GROUP * usize::from(width) / 8)?;
             let sentinel = (1 << width) - 1;
             let in_byte = 8 / width;
             for (place, delta) in deltas.iter_mut().enumerate() {
@@ -161,7 +161,7 @@ fn decode_group(source: &mut Source<'_>, width: u8, deltas: &mut [u8]) -> Option
                 // Single bits begin at the lowest one, wider numbers at the highest ones.
                 let shift = if width == 1 { within } else { 8 - width - within };
                 let value = packed[place / usize::from(in_byte)] >> shift & sentinel;
-                *delta = if value == sentinel { source.byte()? } else { value };
+                *delta = if value == sentinel { source.read_byte()? } else { value };
             }
         }
     }
@@ -220,7 +220,7 @@ impl<T: Copy + Default, const N: usize> Recent<T, N> {
     }
 
     /// Returns the value that was pushed `ago + 1` pushes before.
-    fn get(&self, ago: usize) -> T {
+    fn value_pushed_ago(&self, ago: usize) -> T {
         self.values[(self.next + 2 * N - 1 - ago) % N]
     }
 }
@@ -242,7 +242,7 @@ impl Triangles<'_> {
     }
 
     fn explicit_vertex(&mut self) -> Option<u32> {
-        self.last = self.last.wrapping_add(unzigzag(self.data.variable()?));
+        self.last = self.last.wrapping_add(unzigzag(self.data.read_variable_length_number()?));
         Some(self.last)
     }
 
@@ -250,7 +250,7 @@ impl Triangles<'_> {
     fn third_vertex(&mut self, code: u8) -> Option<u32> {
         let vertex = match code {
             0 => self.new_vertex(),
-            1..=12 => return Some(self.vertices.get(usize::from(code))),
+            1..=12 => return Some(self.vertices.value_pushed_ago(usize::from(code))),
             13 => {
                 self.last = self.last.wrapping_sub(1);
                 self.last
@@ -269,7 +269,7 @@ impl Triangles<'_> {
     fn separate(&mut self, code: u8, table: &[u8]) -> Option<[u32; 3]> {
         // The table gives no explicit vertices: 15 means the oldest one there.
         let may_be_explicit = code >= 14;
-        let pair = if may_be_explicit { self.data.byte()? } else { *table.get(usize::from(code))? };
+        let pair = if may_be_explicit { self.data.read_byte()? } else { *table.get(usize::from(code))? };
         if may_be_explicit && pair == 0 {
             self.next = 0;
         }
@@ -278,7 +278,7 @@ impl Triangles<'_> {
             Some(match code {
                 0 => (self.new_vertex(), true),
                 15 if may_be_explicit => (self.explicit_vertex()?, true),
-                _ => (self.vertices.get(usize::from(code) - 1), false),
+                _ => (self.vertices.value_pushed_ago(usize::from(code) - 1), false),
             })
         };
         let (b, is_b_new) = other(pair >> 4)?;
@@ -300,12 +300,12 @@ fn decode_triangles(bytes: &[u8], size: usize, made: &mut [u8]) -> Option<()> {
     }
     let (rest, table) = bytes.split_at_checked(bytes.len().checked_sub(TABLE_BYTES)?)?;
     let codes = rest.get(1..count.checked_add(1)?)?;
-    let data = Source { bytes: rest, place: 1 + count };
+    let data = Source { bytes: rest, offset: 1 + count };
     let mut state = Triangles { data, edges: Recent::new(), vertices: Recent::new(), next: 0, last: 0 };
     for (&code, triangle) in codes.iter().zip(made.chunks_mut(3 * size)) {
         let (edge, third) = (code >> 4, code & 15);
         let corners = if edge < 15 {
-            let [a, b] = state.edges.get(usize::from(edge));
+            let [a, b] = state.edges.value_pushed_ago(usize::from(edge));
             let c = state.third_vertex(third)?;
             state.edges.push([c, b]);
             state.edges.push([a, c]);
@@ -328,10 +328,10 @@ fn decode_indices(bytes: &[u8], size: usize, made: &mut [u8]) -> Option<()> {
     if bytes.first() != Some(&0xd1) {
         return None;
     }
-    let mut source = Source { bytes, place: 1 };
+    let mut source = Source { bytes, offset: 1 };
     let mut last = [0_u32; 2];
     for out in made.chunks_mut(size) {
-        let code = source.variable()?;
+        let code = source.read_variable_length_number()?;
         let value = &mut last[(code & 1) as usize];
         *value = value.wrapping_add(unzigzag(code >> 1));
         out.copy_from_slice(&value.to_le_bytes()[..size]);

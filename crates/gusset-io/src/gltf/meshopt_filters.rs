@@ -21,7 +21,7 @@ impl Filter {
             ("COLOR", Self::Colour),
         ]
         .into_iter()
-        .find_map(|(known, filter)| name.is(known).then_some(filter))
+        .find_map(|(known, filter)| name.equals_text(known).then_some(filter))
     }
 }
 

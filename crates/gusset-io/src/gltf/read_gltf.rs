@@ -44,7 +44,7 @@ pub(crate) fn read_gltf(bytes: &[u8], resources: &dyn Resources, options: &ReadO
     check_version(root, &mut document.notes)?;
     check_extensions(root)?;
     let mut budget = Budget::new(bytes.len());
-    budget.take::<u8>(tape.bytes())?;
+    budget.take_bytes_of::<u8>(tape.bytes())?;
     let read = read_scene(root, Buffers::new(root, parts.binary, resources, budget)?, options, &mut document);
     tape.check_memory()?;
     read.map(|()| document)
@@ -66,7 +66,7 @@ fn note_deviations(tape: &Tape<'_>, parts: &Parts<'_>, notes: &mut Vec<Note>) {
     if tape.has_trailing_commas {
         notes.push(Note::new(place, "commas precede closing brackets"));
     }
-    if tape.has_rest {
+    if tape.has_text_after_value {
         notes.push(Note::new(place, "text follows the JSON object and is ignored"));
     }
 }
@@ -140,7 +140,7 @@ fn read_shown<'a>(
                 entry.insert(read_mesh(json, &own, accessors, &mut materials, &mut unread, options, document)?)
             }
         };
-        strands.place(document, &own.transform, &mut accessors.buffers.budget)?;
+        strands.place_in_document(document, &own.transform, &mut accessors.buffers.budget)?;
         if let Some(mesh) = *mesh {
             let placement = Placement { name: own.name, mesh, transform: own.transform };
             alloc::push(&mut document.placements, placement)?;
@@ -152,7 +152,7 @@ fn read_shown<'a>(
         let text = if hidden == 1 { "1 mesh is" } else { &format!("{hidden} meshes are") };
         document.notes.push(Note::new(Place::Whole, format!("{text} not in the scene and not read")));
     }
-    unread.notes(root, &mut document.notes);
+    unread.append_notes(root, &mut document.notes);
     Ok(())
 }
 
@@ -167,7 +167,8 @@ fn read_mesh<'a>(
 ) -> Result<KnownMesh, ReadError> {
     let mut notes = std::mem::take(&mut document.notes);
     let reader = MeshReader::new(accessors, &mut notes, unread, options.merge_repeated);
-    let (mesh, strands) = reader.read(json, own.mesh, |index, buffers| materials.material(index, document, buffers))?;
+    let (mesh, strands) =
+        reader.read(json, own.mesh, |index, buffers| materials.find_or_read_material(index, document, buffers))?;
     notes.append(&mut document.notes);
     document.notes = notes;
     alloc::reserve(&mut document.meshes, 1)?;

@@ -23,7 +23,7 @@ pub(crate) fn write_gltf(
     let scene = SceneWriter::new(document, target.resources).write(options)?;
     let bytes = &scene.binary.bytes;
     let (head, tail) = scene.json()?;
-    let out = &mut *target.main;
+    let out = &mut *target.main_file;
     out.write_all(head.as_bytes())?;
     if !bytes.is_empty() {
         out.write_all(format!(",\"buffers\":[{{\"byteLength\":{},\"uri\":\"", bytes.len()).as_bytes())?;
@@ -59,7 +59,7 @@ pub(crate) fn write_glb(
         let message = "the mesh needs a binary glTF file of more than 4 gigabytes; write PLY";
         WriteError::new(WriteErrorKind::Unsupported, message)
     })?;
-    let out = &mut *target.main;
+    let out = &mut *target.main_file;
     out.reserve(size as usize)?;
     let mut head = b"glTF\x02\0\0\0".to_vec();
     head.extend_from_slice(&size.to_le_bytes());
@@ -127,7 +127,7 @@ impl<'d> SceneWriter<'d> {
             }
             alloc::check_reserve()?;
         }
-        let (curves, points) = (&self.document.curves, &self.document.points);
+        let (curves, points) = (&self.document.unpack_curves, &self.document.unpack_points);
         for (name, made) in [
             ("curves", write_curves(curves, &mut self.binary, &mut lost)?),
             ("points", write_points(points, &mut self.binary, &mut lost)?),

@@ -140,8 +140,8 @@ fn error_behind(flaw: ChunkReadFailure, chunks: &[Chunk<'_>]) -> ReadError {
         Element::Normal => chunk.normals.len(),
         Element::Texcoord => chunk.texcoords.len(),
         Element::Face => chunk.face_ends.len(),
-        Element::Polyline => chunk.polylines.ends.len(),
-        Element::PointList => chunk.points.ends.len(),
+        Element::Polyline => chunk.polylines.list_ends.len(),
+        Element::PointList => chunk.points.list_ends.len(),
     };
     let index = index + chunks.iter().map(count).sum::<usize>();
     let line = line + chunks.iter().map(|chunk| chunk.line_count).sum::<u64>() + 1;
@@ -295,20 +295,20 @@ impl Lists {
         all: &Counts,
         bytes: &[u8],
     ) -> Result<(), ReadError> {
-        let (vertex_start, list_start) = (self.vertices.len(), self.ends.len());
+        let (vertex_start, list_start) = (self.vertices.len(), self.list_ends.len());
         self.vertices.try_reserve(chunk.vertices.len())?;
-        self.ends.try_reserve(chunk.ends.len())?;
+        self.list_ends.try_reserve(chunk.list_ends.len())?;
         for (corner, &index) in chunk.vertices.iter().enumerate() {
             let Some(vertex) = decoded(index, before.vertices, all.vertices) else {
-                let list = chunk.ends.partition_point(|&end| end as usize <= corner);
-                let start = list.checked_sub(1).map_or(0, |last| chunk.ends[last] as usize);
+                let list = chunk.list_ends.partition_point(|&end| end as usize <= corner);
+                let start = list.checked_sub(1).map_or(0, |last| chunk.list_ends[last] as usize);
                 return Err(missing_vertex(bytes, element, list_start + list, corner - start, all.vertices));
             };
             self.vertices.push(vertex);
         }
         let start = u32::try_from(vertex_start).map_err(|_| ReadError::out_of_memory())?;
-        for &end in &chunk.ends {
-            self.ends.push(end.checked_add(start).ok_or_else(ReadError::out_of_memory)?);
+        for &end in &chunk.list_ends {
+            self.list_ends.push(end.checked_add(start).ok_or_else(ReadError::out_of_memory)?);
         }
         Ok(())
     }
@@ -341,12 +341,12 @@ fn find_element(bytes: &[u8], element: Element, index: usize, corner: usize) -> 
     };
     let mut cursor = Cursor::new(bytes);
     let mut count = 0;
-    while let Some(keyword) = cursor.keyword() {
+    while let Some(keyword) = cursor.read_keyword() {
         if keyword == wanted {
             let line = cursor.line + 1;
             let (mut words, mut found) = (0, &[][..]);
             while !cursor.is_at_end() {
-                let word = cursor.word();
+                let word = cursor.read_word();
                 if words == corner {
                     found = word;
                 }
@@ -359,7 +359,7 @@ fn find_element(bytes: &[u8], element: Element, index: usize, corner: usize) -> 
                 count += 1;
             }
         } else if matches!(keyword, Keyword::UseMaterial | Keyword::Library | Keyword::Object | Keyword::Group) {
-            cursor.name();
+            cursor.read_name();
         }
         cursor.next_statement();
     }

@@ -70,7 +70,7 @@ pub(super) struct Tally {
 }
 
 impl Tally {
-    pub(super) fn add(&mut self, line: u64) {
+    pub(super) fn count_occurrence(&mut self, line: u64) {
         self.append(Self { count: 1, first_line: line }, 0);
     }
 
@@ -140,7 +140,7 @@ impl Names<'_> {
 #[derive(Debug, Default)]
 pub(super) struct Lists {
     pub(super) vertices: Vec<u32>,
-    pub(super) ends: Vec<u32>,
+    pub(super) list_ends: Vec<u32>,
 }
 
 /// The content of a range of lines.
@@ -210,10 +210,10 @@ impl<'a> Chunk<'a> {
     pub(super) fn parse(bytes: &'a [u8]) -> Result<Self, ChunkReadFailure> {
         let mut chunk = Self::default();
         let mut cursor = Cursor::new(bytes);
-        while let Some(keyword) = cursor.keyword() {
+        while let Some(keyword) = cursor.read_keyword() {
             match keyword {
-                Keyword::Vertex => chunk.vertex(&mut cursor)?,
-                Keyword::Face => chunk.face(&mut cursor)?,
+                Keyword::Vertex => chunk.parse_vertex(&mut cursor)?,
+                Keyword::Face => chunk.parse_face(&mut cursor)?,
                 Keyword::Normal => {
                     let value = attribute(&mut cursor, Element::Normal, chunk.normals.len())?;
                     push(&mut chunk.normals, value)?;
@@ -223,7 +223,7 @@ impl<'a> Chunk<'a> {
                     push(&mut chunk.texcoords, value)?;
                 }
                 _ => {
-                    chunk.rare_statement(keyword, &mut cursor)?;
+                    chunk.parse_rare_statement(keyword, &mut cursor)?;
                     continue;
                 }
             }
@@ -235,17 +235,17 @@ impl<'a> Chunk<'a> {
     }
 
     #[inline]
-    fn vertex(&mut self, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
+    fn parse_vertex(&mut self, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
         let mut position = [0.0; 3];
         for (axis, coordinate) in position.iter_mut().enumerate() {
-            let Some(number) = cursor.number() else {
+            let Some(number) = cursor.read_number() else {
                 return Err(self.missing_coordinate(cursor, axis));
             };
             *coordinate = number;
         }
         push(&mut self.positions, position)?;
         if !cursor.is_at_end() {
-            self.vertex_extras(cursor)?;
+            self.parse_vertex_extras(cursor)?;
         }
         Ok(())
     }
@@ -261,12 +261,12 @@ impl<'a> Chunk<'a> {
     }
 
     /// Reads a weight, or red, green, blue and perhaps opacity.
-    fn vertex_extras(&mut self, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
+    fn parse_vertex_extras(&mut self, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
         let index = self.positions.len() - 1;
         let mut numbers = [1.0; 4];
         let mut count = 0;
         while !cursor.is_at_end() {
-            let number = cursor.number().ok_or_else(|| not_a_number(cursor, Element::Vertex, index))?;
+            let number = cursor.read_number().ok_or_else(|| not_a_number(cursor, Element::Vertex, index))?;
             if let Some(place) = numbers.get_mut(count) {
                 *place = number;
             }
@@ -287,14 +287,14 @@ impl<'a> Chunk<'a> {
     }
 
     #[inline]
-    fn face(&mut self, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
+    fn parse_face(&mut self, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
         let start = self.corners.len();
         let line = cursor.line;
         while !cursor.is_at_end() {
-            let Some(corner) = cursor.corner() else {
+            let Some(corner) = cursor.read_corner() else {
                 return Err(not_an_index(cursor, Element::Face, self.face_ends.len(), self.corners.len() - start));
             };
-            self.corner(corner)?;
+            self.parse_corner(corner)?;
         }
         if self.corners.len() < start + 3 {
             self.omit(Omission::SmallFaces, line);
@@ -308,7 +308,7 @@ impl<'a> Chunk<'a> {
     }
 
     #[inline]
-    fn corner(&mut self, corner: CornerIndices) -> Result<(), TryReserveError> {
+    fn parse_corner(&mut self, corner: CornerIndices) -> Result<(), TryReserveError> {
         let place = self.corners.len();
         push(&mut self.corners, encoded(corner.vertex, self.positions.len()))?;
         if let Some(index) = corner.texcoord {
@@ -321,12 +321,12 @@ impl<'a> Chunk<'a> {
     }
 
     fn omit(&mut self, omission: Omission, line: u64) {
-        self.omissions[omission as usize].add(line);
+        self.omissions[omission as usize].count_occurrence(line);
     }
 
     /// Reads a statement that is neither a vertex, nor an attribute, nor a face, and passes its end.
     #[cold]
-    fn rare_statement(&mut self, keyword: Keyword, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
+    fn parse_rare_statement(&mut self, keyword: Keyword, cursor: &mut Cursor<'a>) -> Result<(), ChunkReadFailure> {
         let line = cursor.line;
         match keyword {
             Keyword::Polyline => {
@@ -340,18 +340,18 @@ impl<'a> Chunk<'a> {
                 let vertex_count = self.positions.len();
                 self.points.append_statement(cursor, Element::PointList, vertex_count)?;
             }
-            Keyword::UseMaterial => push(&mut self.materials, (self.face_ends.len() as u32, cursor.name()))?,
-            Keyword::Library => push(&mut self.libraries, cursor.name())?,
+            Keyword::UseMaterial => push(&mut self.materials, (self.face_ends.len() as u32, cursor.read_name()))?,
+            Keyword::Library => push(&mut self.libraries, cursor.read_name())?,
             Keyword::Object => {
                 let [vertex, face] = [self.positions.len() as u32, self.face_ends.len() as u32];
-                push_object(&mut self.objects, ObjectStart { vertex, face, name: cursor.name() })?;
+                push_object(&mut self.objects, ObjectStart { vertex, face, name: cursor.read_name() })?;
             }
-            Keyword::Group => self.groups.append(Names::One(cursor.name())),
+            Keyword::Group => self.groups.append(Names::One(cursor.read_name())),
             Keyword::FreeForm => self.omit(Omission::FreeForms, line),
             Keyword::Call => self.omit(Omission::Calls, line),
             Keyword::Unknown => {
                 self.omit(Omission::Unknown, line);
-                let word = cursor.word();
+                let word = cursor.read_word();
                 self.unknown.get_or_insert(word);
             }
             _ => {}
@@ -369,24 +369,24 @@ impl Lists {
         element: Element,
         count: usize,
     ) -> Result<(), ChunkReadFailure> {
-        let start = self.ends.last().map_or(0, |&end| end as usize);
+        let start = self.list_ends.last().map_or(0, |&end| end as usize);
         while !cursor.is_at_end() {
-            let Some(corner) = cursor.corner() else {
-                return Err(not_an_index(cursor, element, self.ends.len(), self.vertices.len() - start));
+            let Some(corner) = cursor.read_corner() else {
+                return Err(not_an_index(cursor, element, self.list_ends.len(), self.vertices.len() - start));
             };
             push(&mut self.vertices, encoded(corner.vertex, count))?;
         }
-        push(&mut self.ends, self.vertices.len() as u32)?;
+        push(&mut self.list_ends, self.vertices.len() as u32)?;
         Ok(())
     }
 
     /// Drops the last list if it has fewer than `least` vertices.
     fn drop_short_list(&mut self, least: usize) -> bool {
-        let start = self.ends.len().checked_sub(2).map_or(0, |place| self.ends[place] as usize);
+        let start = self.list_ends.len().checked_sub(2).map_or(0, |place| self.list_ends[place] as usize);
         let is_short = self.vertices.len() < start + least;
         if is_short {
             self.vertices.truncate(start);
-            self.ends.pop();
+            self.list_ends.pop();
         }
         is_short
     }
@@ -411,7 +411,7 @@ fn attribute<const N: usize>(
 ) -> Result<[f64; N], ChunkReadFailure> {
     let mut value = [0.0; N];
     for part in &mut value {
-        match cursor.number() {
+        match cursor.read_number() {
             Some(number) => *part = number,
             None if cursor.is_at_end() => break,
             None => return Err(not_a_number(cursor, element, index)),
@@ -423,12 +423,17 @@ fn attribute<const N: usize>(
 #[cold]
 fn not_a_number(cursor: &mut Cursor<'_>, element: Element, index: usize) -> ChunkReadFailure {
     let line = cursor.line;
-    ChunkReadFailure::Malformed { line, element, index, text: format!("{} is not a number", quoted(cursor.word())) }
+    ChunkReadFailure::Malformed {
+        line,
+        element,
+        index,
+        text: format!("{} is not a number", quoted(cursor.read_word())),
+    }
 }
 
 #[cold]
 fn not_an_index(cursor: &mut Cursor<'_>, element: Element, index: usize, corner: usize) -> ChunkReadFailure {
     let line = cursor.line;
-    let text = format!("corner {corner}: {} is not an index", quoted(cursor.word()));
+    let text = format!("corner {corner}: {} is not an index", quoted(cursor.read_word()));
     ChunkReadFailure::Malformed { line, element, index, text }
 }

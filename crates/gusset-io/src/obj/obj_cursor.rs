@@ -36,7 +36,7 @@ pub(super) struct CornerIndices {
 #[derive(Clone)]
 pub(super) struct Cursor<'a> {
     bytes: &'a [u8],
-    place: usize,
+    offset: usize,
     /// Number of line ends before the place.
     pub(super) line: u64,
 }
@@ -47,25 +47,25 @@ pub(super) fn is_blank(byte: u8) -> bool {
 
 impl<'a> Cursor<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, place: 0, line: 0 }
+        Self { bytes, offset: 0, line: 0 }
     }
 
     fn peek(&self) -> Option<u8> {
-        self.bytes.get(self.place).copied()
+        self.bytes.get(self.offset).copied()
     }
 
     /// Passes empty lines and comments, and reads a keyword. Returns `None` at the end of the text.
     #[inline]
-    pub(super) fn keyword(&mut self) -> Option<Keyword> {
+    pub(super) fn read_keyword(&mut self) -> Option<Keyword> {
         loop {
-            let length_and_keyword = match self.bytes.get(self.place..)? {
+            let length_and_keyword = match self.bytes.get(self.offset..)? {
                 [b'v', b' ' | b'\t', ..] => (1, Keyword::Vertex),
                 [b'f', b' ' | b'\t', ..] => (1, Keyword::Face),
                 [b'v', b'n', b' ' | b'\t', ..] => (2, Keyword::Normal),
                 [b'v', b't', b' ' | b'\t', ..] => (2, Keyword::Texcoord),
                 [] => return None,
                 [b'\n', ..] => {
-                    self.place += 1;
+                    self.offset += 1;
                     self.line += 1;
                     continue;
                 }
@@ -74,21 +74,21 @@ impl<'a> Cursor<'a> {
                     continue;
                 }
                 [byte, ..] if is_blank(*byte) => {
-                    self.place += 1;
+                    self.offset += 1;
                     continue;
                 }
-                _ => return Some(self.rare_keyword()),
+                _ => return Some(self.read_rare_keyword()),
             };
-            self.place += length_and_keyword.0;
+            self.offset += length_and_keyword.0;
             return Some(length_and_keyword.1);
         }
     }
 
     #[cold]
-    fn rare_keyword(&mut self) -> Keyword {
+    fn read_rare_keyword(&mut self) -> Keyword {
         const MAX_KEYWORD_BYTES: usize = 10;
-        let start = self.place;
-        let word = self.word();
+        let start = self.offset;
+        let word = self.read_word();
         let mut small = [0; MAX_KEYWORD_BYTES];
         let Some(small) = small.get_mut(..word.len()) else { return Keyword::Unknown };
         small.copy_from_slice(word);
@@ -110,7 +110,7 @@ impl<'a> Cursor<'a> {
             | b"sp" | b"end" | b"con" | b"res" | b"bevel" | b"c_interp" | b"d_interp" | b"lod" | b"shadow_obj"
             | b"trace_obj" | b"ctech" | b"stech" | b"usemap" | b"maplib" => Keyword::Ignored,
             _ => {
-                self.place = start;
+                self.offset = start;
                 Keyword::Unknown
             }
         }
@@ -121,7 +121,7 @@ impl<'a> Cursor<'a> {
     pub(super) fn skip_blanks(&mut self) {
         while let Some(byte) = self.peek() {
             if is_blank(byte) {
-                self.place += 1;
+                self.offset += 1;
             } else if byte != b'\\' || !self.skip_continuation() {
                 break;
             }
@@ -130,16 +130,16 @@ impl<'a> Cursor<'a> {
 
     #[cold]
     fn skip_continuation(&mut self) -> bool {
-        let rest = &self.bytes[self.place + 1..];
+        let rest = &self.bytes[self.offset + 1..];
         let blanks = rest.iter().take_while(|&&byte| is_blank(byte)).count();
         match rest.get(blanks) {
             Some(b'\n') => {
-                self.place += blanks + 2;
+                self.offset += blanks + 2;
                 self.line += 1;
                 true
             }
             None => {
-                self.place = self.bytes.len();
+                self.offset = self.bytes.len();
                 true
             }
             Some(_) => false,
@@ -161,7 +161,7 @@ impl<'a> Cursor<'a> {
             match self.peek() {
                 None => return,
                 Some(b'\n') => {
-                    self.place += 1;
+                    self.offset += 1;
                     self.line += 1;
                     return;
                 }
@@ -169,60 +169,60 @@ impl<'a> Cursor<'a> {
                     self.skip_line();
                     return;
                 }
-                Some(b'\\') => self.place += 1,
+                Some(b'\\') => self.offset += 1,
                 Some(_) => self.skip_word(),
             }
         }
     }
 
     fn skip_word(&mut self) {
-        let rest = &self.bytes[self.place..];
+        let rest = &self.bytes[self.offset..];
         let is_end = |byte: u8| is_blank(byte) || byte == b'\n' || byte == b'\\';
-        self.place += rest.iter().position(|&byte| is_end(byte)).unwrap_or(rest.len());
+        self.offset += rest.iter().position(|&byte| is_end(byte)).unwrap_or(rest.len());
     }
 
     fn skip_line(&mut self) {
-        let rest = &self.bytes[self.place..];
+        let rest = &self.bytes[self.offset..];
         match rest.iter().position(|&byte| byte == b'\n') {
             Some(length) => {
-                self.place += length + 1;
+                self.offset += length + 1;
                 self.line += 1;
             }
-            None => self.place = self.bytes.len(),
+            None => self.offset = self.bytes.len(),
         }
     }
 
     /// Returns the bytes up to the next blank, line end or continuation.
-    pub(super) fn word(&mut self) -> &'a [u8] {
-        let start = self.place;
+    pub(super) fn read_word(&mut self) -> &'a [u8] {
+        let start = self.offset;
         while let Some(byte) = self.peek() {
             if is_blank(byte) || byte == b'\n' || (byte == b'\\' && self.clone().skip_continuation()) {
                 break;
             }
-            self.place += 1;
+            self.offset += 1;
         }
-        &self.bytes[start..self.place]
+        &self.bytes[start..self.offset]
     }
 
     /// Returns the rest of the line without blanks at its ends. A backslash belongs to it.
-    pub(super) fn name(&mut self) -> &'a [u8] {
-        let rest = &self.bytes[self.place..];
+    pub(super) fn read_name(&mut self) -> &'a [u8] {
+        let rest = &self.bytes[self.offset..];
         let length = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
-        self.place += length;
+        self.offset += length;
         rest[..length].trim_ascii()
     }
 
     /// Reads a number. Returns `None` and stays before the next word if the word is not a number, or at the end of the statement.
     #[inline]
-    pub(super) fn number(&mut self) -> Option<f64> {
+    pub(super) fn read_number(&mut self) -> Option<f64> {
         self.skip_blanks();
-        if let Ok((value, length)) = fast_float2::parse_partial::<f64, _>(&self.bytes[self.place..])
-            && self.is_word_end(self.place + length)
+        if let Ok((value, length)) = fast_float2::parse_partial::<f64, _>(&self.bytes[self.offset..])
+            && self.is_word_end(self.offset + length)
         {
-            self.place += length;
+            self.offset += length;
             return Some(value);
         }
-        self.rare_number()
+        self.read_rare_number()
     }
 
     fn is_word_end(&self, place: usize) -> bool {
@@ -230,16 +230,16 @@ impl<'a> Cursor<'a> {
     }
 
     #[cold]
-    fn rare_number(&mut self) -> Option<f64> {
-        let start = self.place;
-        let word = self.word();
+    fn read_rare_number(&mut self) -> Option<f64> {
+        let start = self.offset;
+        let word = self.read_word();
         let value = text::number(word).or_else(|| {
             let length = word.iter().position(|&byte| byte == b'#')?;
-            self.place = start + length;
+            self.offset = start + length;
             text::number(&word[..length])
         });
         if value.is_none() {
-            self.place = start;
+            self.offset = start;
         }
         value
     }
@@ -247,25 +247,25 @@ impl<'a> Cursor<'a> {
     /// Reads the indices of a corner: `1`, `1/2`, `1//3` or `1/2/3`, where an empty index is absent. Returns `None` and stays if the word
     /// is something else.
     #[inline]
-    pub(super) fn corner(&mut self) -> Option<CornerIndices> {
-        let start = self.place;
-        let found = self.corner_parts();
+    pub(super) fn read_corner(&mut self) -> Option<CornerIndices> {
+        let start = self.offset;
+        let found = self.read_corner_parts();
         if found.is_none() {
-            self.place = start;
+            self.offset = start;
         }
         found
     }
 
     #[inline]
-    fn corner_parts(&mut self) -> Option<CornerIndices> {
-        let vertex = self.index()?;
+    fn read_corner_parts(&mut self) -> Option<CornerIndices> {
+        let vertex = self.read_index()?;
         let mut corner = CornerIndices { vertex, texcoord: None, normal: None };
         if self.peek() == Some(b'/') {
-            self.place += 1;
-            corner.texcoord = self.index();
+            self.offset += 1;
+            corner.texcoord = self.read_index();
             if self.peek() == Some(b'/') {
-                self.place += 1;
-                corner.normal = self.index();
+                self.offset += 1;
+                corner.normal = self.read_index();
             }
         }
         let is_whole = match self.peek() {
@@ -278,9 +278,9 @@ impl<'a> Cursor<'a> {
 
     /// Reads an integer. Huge ones stay huge, not exact.
     #[inline]
-    fn index(&mut self) -> Option<i64> {
+    fn read_index(&mut self) -> Option<i64> {
         const HUGE: i64 = 1 << 50;
-        let mut place = self.place;
+        let mut place = self.offset;
         let is_negative = self.bytes.get(place) == Some(&b'-');
         if is_negative || self.bytes.get(place) == Some(&b'+') {
             place += 1;
@@ -296,7 +296,7 @@ impl<'a> Cursor<'a> {
         if place == start {
             return None;
         }
-        self.place = place;
+        self.offset = place;
         Some(if is_negative { -value } else { value })
     }
 }

@@ -11,12 +11,12 @@ fn read_and_write(bytes: &[u8]) {
     let Ok(document) = read_obj(bytes, &NoResources, &ReadOptions::default()) else { return };
     document.check().expect("all indices are valid");
     let mut main = Vec::new();
-    let mut target = Target { main: &mut main, stem: "x", beside: &mut |_, _| Ok(()), resources: &NoResources };
+    let mut target = Target { main_file: &mut main, stem: "x", beside: &mut |_, _| Ok(()), resources: &NoResources };
     write_obj(&document, &mut target, &WriteOptions::default()).expect("memory is written");
     let back = read_obj(&main, &NoResources, &ReadOptions::default()).expect("the written file is valid");
     let faces = |document: &Document| document.meshes.iter().map(crate::mesh::Mesh::face_count).sum::<usize>();
     assert_eq!(faces(&back), faces(&document));
-    assert_eq!(back.curves.closed, document.curves.closed);
+    assert_eq!(back.unpack_curves.closed, document.unpack_curves.closed);
 }
 
 const VALID: &str = "mtllib a.mtl\no part\nv 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nv 1 1 1e3\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nvn 1 0 0\n\

@@ -49,7 +49,7 @@ pub(super) fn read_materials(
         numbers.try_reserve(1)?;
         current = match numbers.entry(name) {
             Entry::Occupied(entry) => *entry.get(),
-            Entry::Vacant(entry) => *entry.insert(made.add(name, known.get(name), &mut images)?),
+            Entry::Vacant(entry) => *entry.insert(made.add_material(name, known.get(name), &mut images)?),
         };
         alloc::check_reserve()?;
     }
@@ -62,7 +62,7 @@ pub(super) fn read_materials(
 
 impl Materials {
     /// Adds a material. Returns its number, or `NO_MATERIAL` if the name says that there is none.
-    fn add(
+    fn add_material(
         &mut self,
         name: &[u8],
         definition: Option<&Definition<'_>>,
@@ -72,7 +72,7 @@ impl Materials {
         let material = match definition {
             Some(&definition) => {
                 let (mut material, file) = material_from_lines(name, definition)?;
-                material.image = file.map(|file| self.image(file, images)).transpose()?;
+                material.image = file.map(|file| self.find_or_add_image(file, images)).transpose()?;
                 material
             }
             None if means_none(name) => return Ok(NO_MATERIAL),
@@ -82,7 +82,7 @@ impl Materials {
         Ok(number)
     }
 
-    fn image(&mut self, file: String, known: &mut HashMap<String, u32>) -> Result<u32, ReadError> {
+    fn find_or_add_image(&mut self, file: String, known: &mut HashMap<String, u32>) -> Result<u32, ReadError> {
         if let Some(&number) = known.get(&file) {
             return Ok(number);
         }

@@ -43,9 +43,9 @@ pub(super) fn document_from_content(
     let materials = read_materials(&content.materials, &content.libraries, face_count, resources)?;
     notes.extend(materials.notes);
     let is_cloud = face_count == 0
-        && content.polylines.ends.is_empty()
+        && content.polylines.list_ends.is_empty()
         && content.omissions[Omission::FreeForms as usize].count == 0;
-    if is_cloud && content.points.ends.is_empty() && !content.positions.is_empty() {
+    if is_cloud && content.points.list_ends.is_empty() && !content.positions.is_empty() {
         let text = "the file has neither faces nor lines nor points: its vertices are read as points";
         notes.push(Note::new(Place::Whole, text));
         content.points.vertices = alloc::collect(0..content.positions.len() as u32)?;
@@ -57,8 +57,8 @@ pub(super) fn document_from_content(
         drop_element_vertices(&mut content)?;
         document_from_faces(content, materials.faces, is_split)?
     };
-    document.curves = curves;
-    document.points = points;
+    document.unpack_curves = curves;
+    document.unpack_points = points;
     document.materials = materials.materials;
     document.images = materials.images;
     document.notes = notes;
@@ -135,10 +135,10 @@ fn curves_from_lists(lists: &Lists, positions: &[[f64; 3]]) -> Result<Curves, Re
     let mut curves = Curves::default();
     let mut points = Vec::new();
     points.try_reserve_exact(lists.vertices.len())?;
-    curves.offsets.try_reserve_exact(lists.ends.len())?;
-    curves.closed.try_reserve_exact(lists.ends.len())?;
+    curves.offsets.try_reserve_exact(lists.list_ends.len())?;
+    curves.closed.try_reserve_exact(lists.list_ends.len())?;
     let mut start = 0;
-    for &end in &lists.ends {
+    for &end in &lists.list_ends {
         let vertices = &lists.vertices[start..end as usize];
         let is_closed = vertices.len() > 1 && vertices.first() == vertices.last();
         let kept = &vertices[..vertices.len() - usize::from(is_closed)];

@@ -15,16 +15,16 @@ use std::io;
 /// Materials of placed faces in the order of faces, with names that differ.
 pub(super) struct UsedMaterials {
     /// Indices into the document's materials.
-    order: Vec<u32>,
+    materials_in_face_order: Vec<u32>,
     /// Name of each of the document's materials; empty for unused ones.
     pub(super) names: Vec<String>,
     /// Name for faces without a material, which no material has.
-    none: String,
+    unused_name: String,
 }
 
 impl UsedMaterials {
     pub(super) fn from_document(document: &Document) -> Result<Self, WriteError> {
-        let mut used = Self { order: Vec::new(), names: Vec::new(), none: "none".into() };
+        let mut used = Self { materials_in_face_order: Vec::new(), names: Vec::new(), unused_name: "none".into() };
         let mut names = UniqueNames::default();
         for placement in &document.placements {
             for &material in &document.meshes[placement.mesh as usize].face_materials {
@@ -36,21 +36,22 @@ impl UsedMaterials {
                 }
                 if used.names[material as usize].is_empty() {
                     let name = one_line(&document.materials[material as usize].name)?;
-                    used.names[material as usize] = names.unique(if name.is_empty() { "material" } else { &name })?;
-                    alloc::push(&mut used.order, material)?;
+                    used.names[material as usize] =
+                        names.make_unique_name(if name.is_empty() { "material" } else { &name })?;
+                    alloc::push(&mut used.materials_in_face_order, material)?;
                     alloc::check_reserve()?;
                 }
             }
         }
-        while names.taken.contains_key(&used.none) {
-            used.none = format!("({})", used.none);
+        while names.next_number_of_name.contains_key(&used.unused_name) {
+            used.unused_name = format!("({})", used.unused_name);
         }
         Ok(used)
     }
 
     /// Returns the name of a material or of `NO_MATERIAL`.
     pub(super) fn name(&self, material: u32) -> &str {
-        self.names.get(material as usize).unwrap_or(&self.none)
+        self.names.get(material as usize).unwrap_or(&self.unused_name)
     }
 }
 
@@ -58,21 +59,21 @@ impl UsedMaterials {
 #[derive(Default)]
 struct UniqueNames {
     /// Names that were given, and the number that the next equal one gets.
-    taken: HashMap<String, u64>,
+    next_number_of_name: HashMap<String, u64>,
 }
 
 impl UniqueNames {
     /// Returns the name, or the name with the first free number behind it: `name_2`.
-    fn unique(&mut self, name: &str) -> Result<String, WriteError> {
-        self.taken.try_reserve(2)?;
-        let mut number = *self.taken.entry(name.to_string()).or_insert(1);
+    fn make_unique_name(&mut self, name: &str) -> Result<String, WriteError> {
+        self.next_number_of_name.try_reserve(2)?;
+        let mut number = *self.next_number_of_name.entry(name.to_string()).or_insert(1);
         let mut made = name.to_string();
-        while number > 1 && self.taken.contains_key(&made) {
+        while number > 1 && self.next_number_of_name.contains_key(&made) {
             made = format!("{name}_{number}");
             number += 1;
         }
-        self.taken.insert(name.to_string(), number.max(2));
-        self.taken.entry(made.clone()).or_insert(2);
+        self.next_number_of_name.insert(name.to_string(), number.max(2));
+        self.next_number_of_name.entry(made.clone()).or_insert(2);
         Ok(made)
     }
 }
@@ -96,14 +97,14 @@ pub(super) fn write_library(
     target: &mut Target<'_>,
     losses: &mut Vec<Loss>,
 ) -> Result<Option<String>, WriteError> {
-    if materials.order.is_empty() {
+    if materials.materials_in_face_order.is_empty() {
         return Ok(None);
     }
     let mut bytes = MemoryFile::default();
     let mut images = ImageFiles { written: HashMap::new(), names: UniqueNames::default() };
     let mut reduced = 0_usize;
     let mut text = TextWriter::new(&mut bytes)?;
-    for &index in &materials.order {
+    for &index in &materials.materials_in_face_order {
         let material = &document.materials[index as usize];
         let name = materials.name(index);
         text.text("newmtl ")?;
@@ -120,7 +121,7 @@ pub(super) fn write_library(
         }
         reduced += usize::from(has_more_than_colour(material));
         let image = match material.image {
-            Some(image) => images.file(document, image, name, target)?,
+            Some(image) => images.find_or_write_file(document, image, name, target)?,
             None => None,
         };
         write_colour(&mut text, material, image.as_deref())?;
@@ -165,7 +166,7 @@ struct ImageFiles {
 
 impl ImageFiles {
     /// Returns the file of an image, which is written beside the library if it has none.
-    fn file(
+    fn find_or_write_file(
         &mut self,
         document: &Document,
         index: u32,
@@ -183,7 +184,7 @@ impl ImageFiles {
             return Ok(Some(name.clone()));
         }
         let stem = file_name_part(&format!("{}_{material}", target.stem));
-        let name = format!("{}.{}", self.names.unique(&stem)?, image_extension(bytes, &image.media_type));
+        let name = format!("{}.{}", self.names.make_unique_name(&stem)?, image_extension(bytes, &image.media_type));
         target.write_beside(&name, bytes)?;
         self.written.try_reserve(1)?;
         alloc::check_reserve()?;

@@ -29,7 +29,7 @@ pub(crate) fn write_obj(
         library => library?,
     };
     let mut writer = ObjWriter {
-        text: TextWriter::new(&mut *target.main)?,
+        text: TextWriter::new(&mut *target.main_file)?,
         materials: &materials,
         current_material: Some(NO_MATERIAL),
         vertices: 0,
@@ -37,14 +37,14 @@ pub(crate) fn write_obj(
         normals: ValueLines::new("vn"),
     };
     if let Some(library) = library {
-        writer.line("mtllib", &library)?;
+        writer.write_line("mtllib", &library)?;
     }
-    let is_cloud = document.placements.is_empty() && document.curves.closed.is_empty();
+    let is_cloud = document.placements.is_empty() && document.unpack_curves.closed.is_empty();
     for (number, placement) in document.placements.iter().enumerate() {
-        writer.object(document, placement, number)?;
+        writer.write_object(document, placement, number)?;
     }
-    writer.curves(document)?;
-    writer.points(&document.points, is_cloud)?;
+    writer.write_curves(document)?;
+    writer.write_points(&document.unpack_points, is_cloud)?;
     writer.text.finish()?;
     add_losses(document, is_cloud, &mut losses);
     Ok(losses)
@@ -60,14 +60,15 @@ fn add_losses(document: &Document, is_cloud: bool, losses: &mut Vec<Loss>) {
     let has_opacity = |colours: &[[f32; 4]]| colours.iter().any(|colour| colour[3] != 1.0);
     let placed = || document.placements.iter().map(|placement| &document.meshes[placement.mesh as usize]);
     add(placed().any(|mesh| !mesh.face_colours.is_empty()), "colours of faces, which OBJ files do not hold".into());
-    let opacity = placed().any(|mesh| has_opacity(&mesh.vertex_colours)) || has_opacity(&document.points.colours);
+    let opacity =
+        placed().any(|mesh| has_opacity(&mesh.vertex_colours)) || has_opacity(&document.unpack_points.colours);
     add(opacity, "the opacity of vertices, which OBJ files do not hold".into());
     add(placed().any(has_split_colours), "colours that differ at one vertex, which OBJ files do not hold".into());
     for property in placed().flat_map(|mesh| &mesh.properties) {
         let domain = if property.domain == Domain::Vertices { "vertices" } else { "faces" };
         add(true, format!("{} of {domain}, which PLY files alone hold", property.name));
     }
-    let has_normals = !document.points.normals.is_empty() && !is_cloud;
+    let has_normals = !document.unpack_points.normals.is_empty() && !is_cloud;
     add(has_normals, "normals of points, which OBJ files hold only without meshes and curves".into());
 }
 
@@ -90,39 +91,39 @@ struct ObjWriter<'a, 'b> {
 }
 
 impl ObjWriter<'_, '_> {
-    fn line(&mut self, keyword: &str, value: &str) -> io::Result<()> {
+    fn write_line(&mut self, keyword: &str, value: &str) -> io::Result<()> {
         self.text.text(keyword)?;
         self.text.bytes(b" ")?;
         self.text.text(value)?;
         self.text.bytes(b"\n")
     }
 
-    fn object(&mut self, document: &Document, placement: &Placement, number: usize) -> io::Result<()> {
+    fn write_object(&mut self, document: &Document, placement: &Placement, number: usize) -> io::Result<()> {
         let mesh = &document.meshes[placement.mesh as usize];
         let is_one_of_several = document.placements.len() > 1;
         let name = one_line(if placement.name.is_empty() { &mesh.name } else { &placement.name })?;
         if !name.is_empty() {
-            self.line("o", &name)?;
+            self.write_line("o", &name)?;
         } else if is_one_of_several {
-            self.line("o", &format!("object_{}", number + 1))?;
+            self.write_line("o", &format!("object_{}", number + 1))?;
         }
         if number > 0 {
             self.current_material = None;
         }
         let transform = (placement.transform != Placement::IDENTITY).then_some(&placement.transform);
-        let vertices = self.mesh_vertices(mesh, transform)?;
+        let vertices = self.write_mesh_vertices(mesh, transform)?;
         let texcoords = self.texcoords.write(&mut self.text, &mesh.texcoords, |pair| pair)?;
         let normals = self.normals.write(&mut self.text, &mesh.normals, |normal| {
             transform.map_or(normal, |matrix| transformed_normal(matrix, normal))
         })?;
         let faces =
             Faces { mesh, vertices, texcoords, normals, is_mirrored: transform.is_some_and(|m| determinant(m) < 0.0) };
-        self.faces(&faces)?;
+        self.write_faces(&faces)?;
         alloc::check_reserve().map_err(|_| io::ErrorKind::OutOfMemory.into())
     }
 
     /// Writes each vertex that represents itself.
-    fn mesh_vertices(&mut self, mesh: &Mesh, transform: Option<&[[f64; 4]; 3]>) -> io::Result<VertexNumbers> {
+    fn write_mesh_vertices(&mut self, mesh: &Mesh, transform: Option<&[[f64; 4]; 3]>) -> io::Result<VertexNumbers> {
         let start = self.vertices + 1;
         let count = mesh.positions.len();
         let mut numbers = Vec::new();
@@ -139,41 +140,41 @@ impl ObjWriter<'_, '_> {
             let colour = mesh.vertex_colours.get(vertex);
             match transform {
                 Some(matrix) => {
-                    self.vertex_double(transformed_point(matrix, mesh.positions.get(vertex)), colour)?;
+                    self.write_vertex_double(transformed_point(matrix, mesh.positions.get(vertex)), colour)?;
                 }
-                None => self.vertex(&mesh.positions, vertex, colour)?,
+                None => self.write_vertex(&mesh.positions, vertex, colour)?,
             }
         }
         for (vertex, &kept) in mesh.merge.iter().enumerate() {
             numbers[vertex] = numbers[kept as usize];
         }
-        Ok(VertexNumbers { start, numbers })
+        Ok(VertexNumbers { first_number: start, number_of_vertex: numbers })
     }
 
-    fn vertex(&mut self, positions: &Positions, index: usize, colour: Option<&[f32; 4]>) -> io::Result<()> {
+    fn write_vertex(&mut self, positions: &Positions, index: usize, colour: Option<&[f32; 4]>) -> io::Result<()> {
         match positions {
-            Positions::F64(points) => self.vertex_double(points[index], colour),
+            Positions::F64(points) => self.write_vertex_double(points[index], colour),
             Positions::F32(points) => {
                 self.text.bytes(b"v")?;
                 for part in points[index] {
                     self.text.bytes(b" ")?;
                     self.text.single(part)?;
                 }
-                self.vertex_end(colour)
+                self.write_vertex_end(colour)
             }
         }
     }
 
-    fn vertex_double(&mut self, point: [f64; 3], colour: Option<&[f32; 4]>) -> io::Result<()> {
+    fn write_vertex_double(&mut self, point: [f64; 3], colour: Option<&[f32; 4]>) -> io::Result<()> {
         self.text.bytes(b"v")?;
         for part in point {
             self.text.bytes(b" ")?;
             self.text.double(part)?;
         }
-        self.vertex_end(colour)
+        self.write_vertex_end(colour)
     }
 
-    fn vertex_end(&mut self, colour: Option<&[f32; 4]>) -> io::Result<()> {
+    fn write_vertex_end(&mut self, colour: Option<&[f32; 4]>) -> io::Result<()> {
         if let Some([red, green, blue, _]) = colour {
             for part in [red, green, blue] {
                 self.text.bytes(b" ")?;
@@ -185,7 +186,7 @@ impl ObjWriter<'_, '_> {
         self.text.bytes(b"\n")
     }
 
-    fn faces(&mut self, faces: &Faces<'_>) -> io::Result<()> {
+    fn write_faces(&mut self, faces: &Faces<'_>) -> io::Result<()> {
         let mesh = faces.mesh;
         let has_materials = !self.materials.names.is_empty();
         for face in 0..mesh.face_count() {
@@ -229,11 +230,11 @@ impl ObjWriter<'_, '_> {
         self.text.bytes(b"\n")
     }
 
-    fn curves(&mut self, document: &Document) -> io::Result<()> {
-        let curves = &document.curves;
+    fn write_curves(&mut self, document: &Document) -> io::Result<()> {
+        let curves = &document.unpack_curves;
         let start = self.vertices + 1;
         for point in 0..curves.positions.len() {
-            self.vertex(&curves.positions, point, None)?;
+            self.write_vertex(&curves.positions, point, None)?;
         }
         for (curve, ends) in curves.offsets.windows(2).enumerate() {
             if ends[0] == ends[1] {
@@ -251,10 +252,10 @@ impl ObjWriter<'_, '_> {
     }
 
     /// Writes points, and their normals if nothing else has normals.
-    fn points(&mut self, points: &PointCloud, is_cloud: bool) -> io::Result<()> {
+    fn write_points(&mut self, points: &PointCloud, is_cloud: bool) -> io::Result<()> {
         let start = self.vertices + 1;
         for point in 0..points.positions.len() {
-            self.vertex(&points.positions, point, points.colours.get(point))?;
+            self.write_vertex(&points.positions, point, points.colours.get(point))?;
         }
         for normal in points.normals.iter().filter(|_| is_cloud) {
             self.text.bytes(b"vn")?;
@@ -275,14 +276,14 @@ impl ObjWriter<'_, '_> {
 
 /// Numbers of vertices in the file.
 struct VertexNumbers {
-    start: u64,
-    /// Number of each vertex; empty if they follow each other from `start`.
-    numbers: Vec<u64>,
+    first_number: u64,
+    /// Number of each vertex; empty if they follow each other from `first_number`.
+    number_of_vertex: Vec<u64>,
 }
 
 impl VertexNumbers {
     fn number_in_file(&self, vertex: u32) -> u64 {
-        self.numbers.get(vertex as usize).copied().unwrap_or(self.start + u64::from(vertex))
+        self.number_of_vertex.get(vertex as usize).copied().unwrap_or(self.first_number + u64::from(vertex))
     }
 }
 

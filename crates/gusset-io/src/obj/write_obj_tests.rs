@@ -17,7 +17,7 @@ fn written(document: &Document) -> (String, HashMap<String, Vec<u8>>, Vec<String
         assert!(beside.insert(name.to_string(), bytes.to_vec()).is_none(), "{name} is written twice");
         Ok(())
     };
-    let mut target = Target { main: &mut main, stem: "a b", beside: &mut add, resources: &NoResources };
+    let mut target = Target { main_file: &mut main, stem: "a b", beside: &mut add, resources: &NoResources };
     let losses = write_obj(document, &mut target, &WriteOptions::default()).expect("memory is written");
     (String::from_utf8(main).expect("OBJ is text"), beside, losses.into_iter().map(|loss| loss.0).collect())
 }
@@ -127,12 +127,12 @@ fn placements_become_objects() {
 #[test]
 fn curves_and_points_follow_the_mesh() {
     let document = Document {
-        curves: Curves {
+        unpack_curves: Curves {
             positions: Positions::F64(vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [5.0; 3], [6.0; 3]]),
             offsets: vec![0, 3, 3, 5],
             closed: vec![true, false, false],
         },
-        points: PointCloud {
+        unpack_points: PointCloud {
             positions: Positions::F64(vec![[7.0; 3]]),
             normals: vec![[0.0, 0.0, 1.0]],
             colours: vec![[1.0, 0.0, 0.0, 1.0]],
@@ -144,13 +144,13 @@ fn curves_and_points_follow_the_mesh() {
     assert_eq!(losses, ["normals of points, which OBJ files hold only without meshes and curves"]);
     let back = read(&text);
     assert_eq!(back.meshes[0].positions.len(), 3);
-    assert_eq!(back.curves.positions, document.curves.positions);
-    assert_eq!((back.curves.offsets, back.curves.closed), (vec![0, 3, 5], vec![true, false]));
-    assert_eq!(back.points.colours, document.points.colours);
-    let cloud = Document { points: document.points, ..Document::default() };
+    assert_eq!(back.unpack_curves.positions, document.unpack_curves.positions);
+    assert_eq!((back.unpack_curves.offsets, back.unpack_curves.closed), (vec![0, 3, 5], vec![true, false]));
+    assert_eq!(back.unpack_points.colours, document.unpack_points.colours);
+    let cloud = Document { unpack_points: document.unpack_points, ..Document::default() };
     let (text, _, losses) = written(&cloud);
     assert!(losses.is_empty());
-    assert_eq!(read(&text).points, cloud.points);
+    assert_eq!(read(&text).unpack_points, cloud.unpack_points);
 }
 
 #[test]
@@ -259,12 +259,12 @@ fn materials_are_lost_where_no_file_can_be_beside() {
     let mut main = Vec::new();
     let mut refuse =
         |_: &str, _: &[u8]| Err(std::io::Error::new(std::io::ErrorKind::Unsupported, "there is no folder"));
-    let mut target = Target { main: &mut main, stem: "a", beside: &mut refuse, resources: &NoResources };
+    let mut target = Target { main_file: &mut main, stem: "a", beside: &mut refuse, resources: &NoResources };
     let losses = write_obj(&document, &mut target, &WriteOptions::default()).expect("memory is written");
     assert_eq!(losses[0].0, "materials, which need a file beside the OBJ file: there is no folder");
     assert_eq!(String::from_utf8_lossy(&main), "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
     let mut fail = |_: &str, _: &[u8]| Err(std::io::ErrorKind::StorageFull.into());
-    let mut target = Target { main: &mut main, stem: "a", beside: &mut fail, resources: &NoResources };
+    let mut target = Target { main_file: &mut main, stem: "a", beside: &mut fail, resources: &NoResources };
     let error = write_obj(&document, &mut target, &WriteOptions::default()).expect_err("the disk is full");
     assert_eq!(error.to_string(), "no space is left on the disk");
 }

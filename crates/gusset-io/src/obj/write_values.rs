@@ -8,7 +8,7 @@ use std::io;
 
 /// Line numbers of values, from 1; 0 for missing values.
 pub(super) struct Numbers {
-    numbers: Vec<u64>,
+    line_of_value: Vec<u64>,
     is_at_corners: bool,
     has_missing: bool,
 }
@@ -16,13 +16,13 @@ pub(super) struct Numbers {
 impl Numbers {
     #[inline]
     pub(super) fn get(&self, corner: usize, vertex: u32) -> u64 {
-        self.numbers[if self.is_at_corners { corner } else { vertex as usize }]
+        self.line_of_value[if self.is_at_corners { corner } else { vertex as usize }]
     }
 
     /// Returns whether all corners of a face have values.
     #[inline]
     pub(super) fn has_face(&self, mesh: &Mesh, face: usize) -> bool {
-        !self.numbers.is_empty()
+        !self.line_of_value.is_empty()
             && (!self.has_missing || mesh.face_range(face).all(|corner| self.get(corner, mesh.corners[corner]) != 0))
     }
 }
@@ -31,12 +31,12 @@ impl Numbers {
 pub(super) struct ValueLines<const N: usize> {
     keyword: &'static str,
     /// Line of each value by its bits.
-    known: HashMap<[u64; N], u64, SeededState>,
+    line_of_known_value: HashMap<[u64; N], u64, SeededState>,
 }
 
 impl<const N: usize> ValueLines<N> {
     pub(super) fn new(keyword: &'static str) -> Self {
-        Self { keyword, known: HashMap::with_hasher(SeededState::random()) }
+        Self { keyword, line_of_known_value: HashMap::with_hasher(SeededState::random()) }
     }
 
     /// Writes the values that the file lacks, in the order of vertices or corners.
@@ -50,7 +50,7 @@ impl<const N: usize> ValueLines<N> {
         let mut has_missing = false;
         let is_at_corners = matches!(values, Values::Corners(_));
         let (Values::Vertices(values) | Values::Corners(values)) = values else {
-            return Ok(Numbers { numbers, is_at_corners, has_missing });
+            return Ok(Numbers { line_of_value: numbers, is_at_corners, has_missing });
         };
         numbers.try_reserve_exact(values.len()).map_err(|_| io::ErrorKind::OutOfMemory)?;
         for value in values {
@@ -58,18 +58,18 @@ impl<const N: usize> ValueLines<N> {
                 has_missing = true;
                 numbers.push(0);
             } else {
-                numbers.push(self.line(text, change(*value))?);
+                numbers.push(self.find_or_write_line(text, change(*value))?);
             }
         }
-        Ok(Numbers { numbers, is_at_corners, has_missing })
+        Ok(Numbers { line_of_value: numbers, is_at_corners, has_missing })
     }
 
     /// Returns the line of a value, which is written if it is new.
     #[inline]
-    fn line(&mut self, text: &mut TextWriter<'_>, value: [f64; N]) -> io::Result<u64> {
-        self.known.try_reserve(1).map_err(|_| io::ErrorKind::OutOfMemory)?;
-        let next = self.known.len() as u64 + 1;
-        let number = *self.known.entry(value.map(f64::to_bits)).or_insert(next);
+    fn find_or_write_line(&mut self, text: &mut TextWriter<'_>, value: [f64; N]) -> io::Result<u64> {
+        self.line_of_known_value.try_reserve(1).map_err(|_| io::ErrorKind::OutOfMemory)?;
+        let next = self.line_of_known_value.len() as u64 + 1;
+        let number = *self.line_of_known_value.entry(value.map(f64::to_bits)).or_insert(next);
         if number == next {
             text.text(self.keyword)?;
             for part in value {

@@ -11,7 +11,7 @@ pub(super) struct VertexRows {
     header: OffHeader,
     pub(super) numbers: Vec<f64>,
     /// Parts of a colour: 3 or 4, or 0 without colours.
-    parts: usize,
+    colour_part_count: usize,
 }
 
 impl VertexRows {
@@ -22,25 +22,25 @@ impl VertexRows {
         if (header.has_colours && parts < 3) || row.len() < width {
             return Ok(None);
         }
-        Ok(Some(Self { header, numbers: alloc::copied(&row[..width])?, parts }))
+        Ok(Some(Self { header, numbers: alloc::copied(&row[..width])?, colour_part_count: parts }))
     }
 
     /// Returns the count of numbers of a row.
     pub(super) fn width(&self) -> usize {
-        self.header.plain_width() + self.parts
+        self.header.plain_width() + self.colour_part_count
     }
 
     /// Gives the numbers to the mesh as normals, colours and texture coordinates.
-    pub(super) fn enter(&self, mesh: &mut Mesh) -> Result<(), ReadError> {
+    pub(super) fn enter_into_mesh(&self, mesh: &mut Mesh) -> Result<(), ReadError> {
         let are_colours_first = self.are_colours_first();
-        let mut column = if are_colours_first { self.parts } else { 0 };
+        let mut column = if are_colours_first { self.colour_part_count } else { 0 };
         if self.header.has_normals {
             mesh.normals = Values::Vertices(self.vectors(column)?);
             column += 3;
         }
         if self.header.has_colours {
             mesh.vertex_colours = self.colours(if are_colours_first { 0 } else { column })?;
-            column += if are_colours_first { 0 } else { self.parts };
+            column += if are_colours_first { 0 } else { self.colour_part_count };
         }
         if self.header.has_texcoords {
             mesh.texcoords = Values::Vertices(self.vectors(column)?);
@@ -55,7 +55,7 @@ impl VertexRows {
             && header.has_colours
             && header.names_normals_first
             && self.are_colour_parts_bytes(0)
-            && (!self.are_units(0) || self.are_units(self.parts))
+            && (!self.are_units(0) || self.are_units(self.colour_part_count))
     }
 
     fn rows(&self) -> std::slice::ChunksExact<'_, f64> {
@@ -65,7 +65,7 @@ impl VertexRows {
     /// Returns whether all parts of the colours in some columns are whole numbers up to 255.
     fn are_colour_parts_bytes(&self, column: usize) -> bool {
         let is_step = |part: &f64| (0.0..=255.0).contains(part) && part.fract() == 0.0;
-        self.rows().all(|row| row[column..column + self.parts].iter().all(is_step))
+        self.rows().all(|row| row[column..column + self.colour_part_count].iter().all(is_step))
     }
 
     /// Returns whether all vectors in some columns have length 1 or 0.
@@ -87,7 +87,7 @@ impl VertexRows {
     fn colours(&self, column: usize) -> Result<Vec<[f32; 4]>, ReadError> {
         let mut colours = Vec::new();
         colours.try_reserve_exact(self.rows().len())?;
-        let part = |row: &[f64], k: usize| if k < self.parts { row[column + k] as f32 } else { f32::NAN };
+        let part = |row: &[f64], k: usize| if k < self.colour_part_count { row[column + k] as f32 } else { f32::NAN };
         colours.extend(self.rows().map(|row| std::array::from_fn::<_, 4, _>(|k| part(row, k))));
         scale_colours(&mut colours);
         Ok(colours)
@@ -102,7 +102,7 @@ pub(super) struct FaceColours {
 
 impl FaceColours {
     /// Adds the colour of face `face` from the numbers behind it. Returns whether they are a colour.
-    pub(super) fn add(&mut self, face: usize, numbers: &[f64]) -> Result<bool, ReadError> {
+    pub(super) fn add_colour_of_face(&mut self, face: usize, numbers: &[f64]) -> Result<bool, ReadError> {
         if numbers.len() < 3 {
             return Ok(false);
         }

@@ -12,38 +12,38 @@ use gusset_base::alloc;
 /// Bytes that remain, and where they are in the file.
 struct Words<'a> {
     bytes: &'a [u8],
-    place: usize,
+    offset: usize,
 }
 
 impl Words<'_> {
-    fn next(&mut self, element: impl Fn() -> String) -> Result<[u8; 4], ReadError> {
+    fn next_word(&mut self, element: impl Fn() -> String) -> Result<[u8; 4], ReadError> {
         let Some((word, rest)) = self.bytes.split_first_chunk::<4>() else {
-            return Err(ReadError::malformed(Place::Byte(self.place as u64), format!("{}: the file ends", element())));
+            return Err(ReadError::malformed(Place::Byte(self.offset as u64), format!("{}: the file ends", element())));
         };
         self.bytes = rest;
-        self.place += 4;
+        self.offset += 4;
         Ok(*word)
     }
 
-    fn integer(&mut self, element: impl Fn() -> String) -> Result<u32, ReadError> {
-        self.next(element).map(u32::from_be_bytes)
+    fn read_integer(&mut self, element: impl Fn() -> String) -> Result<u32, ReadError> {
+        self.next_word(element).map(u32::from_be_bytes)
     }
 
-    fn real(&mut self, element: impl Fn() -> String) -> Result<f32, ReadError> {
-        self.next(element).map(f32::from_be_bytes)
+    fn read_real(&mut self, element: impl Fn() -> String) -> Result<f32, ReadError> {
+        self.next_word(element).map(f32::from_be_bytes)
     }
 }
 
-/// Reads what follows the first line, which ends at byte `place`.
+/// Reads what follows the first line, which ends at byte `offset`.
 pub(super) fn read_binary_off(bytes: &[u8], place: usize, header: OffHeader) -> Result<Document, ReadError> {
-    let mut words = Words { bytes, place };
-    let dimension = if header.has_dimension { words.integer(|| "dimension".into())? } else { 3 };
+    let mut words = Words { bytes, offset: place };
+    let dimension = if header.has_dimension { words.read_integer(|| "dimension".into())? } else { 3 };
     if dimension != 3 {
         return Err(ReadError::unsupported(format!("points have {dimension} coordinates; only 3 are read")));
     }
     let mut counts = [0; 3];
     for count in &mut counts {
-        *count = words.integer(|| "counts".into())?;
+        *count = words.read_integer(|| "counts".into())?;
     }
     let mut mesh = Mesh::default();
     read_vertices(&mut words, header, counts[0], &mut mesh)?;
@@ -62,7 +62,7 @@ fn read_vertices(words: &mut Words<'_>, header: OffHeader, count: u32, mesh: &mu
     if (words.bytes.len() / size) < count as usize {
         let held = words.bytes.len() / size;
         return Err(ReadError::malformed(
-            Place::Byte((words.place + held * size) as u64),
+            Place::Byte((words.offset + held * size) as u64),
             format!("vertex {held}: the file ends; it announces {count} vertices"),
         ));
     }
@@ -73,15 +73,15 @@ fn read_vertices(words: &mut Words<'_>, header: OffHeader, count: u32, mesh: &mu
         let element = || format!("vertex {vertex}");
         let mut point = [0.0; 3];
         for coordinate in &mut point {
-            *coordinate = words.real(element)?;
+            *coordinate = words.read_real(element)?;
         }
         if header.is_homogeneous {
-            let weight = words.real(element)?;
+            let weight = words.read_real(element)?;
             point = point.map(|coordinate| coordinate / weight);
         }
         points.push(point);
         for value in &mut row {
-            *value = f64::from(words.real(element)?);
+            *value = f64::from(words.read_real(element)?);
         }
         match &mut rows {
             None => rows = VertexRows::from_first_row(header, &row)?,
@@ -92,7 +92,7 @@ fn read_vertices(words: &mut Words<'_>, header: OffHeader, count: u32, mesh: &mu
         }
     }
     mesh.positions = Positions::F32(points);
-    rows.map_or(Ok(()), |rows| rows.enter(mesh))
+    rows.map_or(Ok(()), |rows| rows.enter_into_mesh(mesh))
 }
 
 /// Returns the number of faces that are left out.
@@ -102,13 +102,13 @@ fn read_faces(words: &mut Words<'_>, count: u32, mesh: &mut Mesh) -> Result<usiz
     let mut dropped = 0;
     for face in 0..count {
         let element = || format!("face {face}");
-        let corner_count = words.integer(element)?;
+        let corner_count = words.read_integer(element)?;
         let start = mesh.corners.len();
         for corner in 0..corner_count {
-            let vertex = words.integer(element)?;
+            let vertex = words.read_integer(element)?;
             if vertex as usize >= vertex_count {
                 return Err(ReadError::malformed(
-                    Place::Byte(words.place as u64 - 4),
+                    Place::Byte(words.offset as u64 - 4),
                     format!(
                         "face {face}, corner {corner}: vertex {vertex} does not exist (the mesh has {vertex_count})"
                     ),
@@ -117,10 +117,10 @@ fn read_faces(words: &mut Words<'_>, count: u32, mesh: &mut Mesh) -> Result<usiz
             mesh.corners.try_reserve(1)?;
             mesh.corners.push(vertex);
         }
-        let part_count = words.integer(element)?;
+        let part_count = words.read_integer(element)?;
         let mut parts = [0.0; 4];
         for part in 0..part_count {
-            let value = f64::from(words.real(element)?);
+            let value = f64::from(words.read_real(element)?);
             if let Some(place) = parts.get_mut(part as usize) {
                 *place = value;
             }
@@ -130,7 +130,7 @@ fn read_faces(words: &mut Words<'_>, count: u32, mesh: &mut Mesh) -> Result<usiz
             mesh.corners.truncate(start);
             continue;
         }
-        colours.add(mesh.face_count(), &parts[..parts.len().min(part_count as usize)])?;
+        colours.add_colour_of_face(mesh.face_count(), &parts[..parts.len().min(part_count as usize)])?;
         let end = u32::try_from(mesh.corners.len()).map_err(|_| ReadError::out_of_memory())?;
         mesh.face_offsets.try_reserve(1)?;
         mesh.face_offsets.push(end);

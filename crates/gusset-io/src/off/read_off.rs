@@ -43,31 +43,31 @@ impl OffReader<'_> {
             Some((header, [])) => (header, None),
             Some((header, digits)) => (header, Some(digits)),
             None if integer(word).is_some() => {
-                self.note("the word OFF is missing");
+                self.add_note("the word OFF is missing");
                 (OffHeader::default(), Some(word))
             }
             None => return Err(self.scanner.error(format!("the file begins with {}, not with OFF", quoted(word)))),
         };
-        let dimension = if header.has_dimension { self.count(None, "dimension")? } else { 3 };
+        let dimension = if header.has_dimension { self.read_count(None, "dimension")? } else { 3 };
         if dimension != 3 {
             return Err(ReadError::unsupported(format!("points have {dimension} coordinates; only 3 are read")));
         }
-        let vertices = self.count(first_count, "count of vertices")?;
+        let vertices = self.read_count(first_count, "count of vertices")?;
         let line = self.scanner.line();
-        let faces = self.count(None, "count of faces")?;
+        let faces = self.read_count(None, "count of faces")?;
         if self.scanner.line() > line && first_count.is_none() {
-            self.count(None, "count of edges")?;
+            self.read_count(None, "count of edges")?;
         }
         self.end_line();
         self.read_vertices(header, vertices)?;
         self.read_faces(faces)?;
         if let Some(word) = self.scanner.word() {
-            self.note(format!("{} and what follows the last face are ignored", quoted(word)));
+            self.add_note(format!("{} and what follows the last face are ignored", quoted(word)));
         }
         Ok(())
     }
 
-    fn note(&mut self, text: impl Into<String>) {
+    fn add_note(&mut self, text: impl Into<String>) {
         self.notes.push(Note::new(Place::Line(self.scanner.line()), text));
     }
 
@@ -77,7 +77,7 @@ impl OffReader<'_> {
     }
 
     /// Reads a count, of which the word may be known.
-    fn count(&mut self, known: Option<&[u8]>, name: &str) -> Result<u32, ReadError> {
+    fn read_count(&mut self, known: Option<&[u8]>, name: &str) -> Result<u32, ReadError> {
         let Some(word) = known.or_else(|| self.scanner.word()) else {
             return Err(self.scanner.error(format!("the file ends before the {name}")));
         };
@@ -129,7 +129,7 @@ impl OffReader<'_> {
             }
         }
         self.mesh.positions = Positions::F64(points);
-        rows.map_or(Ok(()), |rows| rows.enter(&mut self.mesh))
+        rows.map_or(Ok(()), |rows| rows.enter_into_mesh(&mut self.mesh))
     }
 
     /// Reads what follows the position of the first vertex: it tells whether colours have opacity.
@@ -144,7 +144,7 @@ impl OffReader<'_> {
         };
         if row.len() > rows.width() {
             let extra = counted(row.len() - rows.width(), "number", "numbers");
-            self.note(format!("{extra} behind each vertex, which the letters before OFF do not name, left out"));
+            self.add_note(format!("{extra} behind each vertex, which the letters before OFF do not name, left out"));
         }
         Ok(rows)
     }
@@ -155,10 +155,10 @@ impl OffReader<'_> {
         let (mut dropped, mut indexed) = (0, 0);
         let mut behind = Vec::new();
         for face in 0..count {
-            let corner_count = self.face_number(face, None)?;
+            let corner_count = self.read_face_number(face, None)?;
             let start = self.mesh.corners.len();
             for corner in 0..corner_count {
-                let vertex = self.face_number(face, Some(corner))?;
+                let vertex = self.read_face_number(face, Some(corner))?;
                 if vertex as usize >= vertex_count {
                     return Err(self.scanner.error(format!(
                         "face {face}, corner {corner}: vertex {vertex} does not exist (the mesh has {vertex_count})"
@@ -173,7 +173,7 @@ impl OffReader<'_> {
                 self.mesh.corners.truncate(start);
                 continue;
             }
-            let is_colour = colours.add(self.mesh.face_count(), &behind)?;
+            let is_colour = colours.add_colour_of_face(self.mesh.face_count(), &behind)?;
             indexed += usize::from(!is_colour && !behind.is_empty());
             let end = u32::try_from(self.mesh.corners.len()).map_err(|_| ReadError::out_of_memory())?;
             self.mesh.face_offsets.try_reserve(1)?;
@@ -181,17 +181,17 @@ impl OffReader<'_> {
         }
         self.mesh.face_colours = colours.finish(self.mesh.face_count())?;
         if dropped > 0 {
-            self.note(format!("{} with fewer than 3 corners left out", counted(dropped, "face", "faces")));
+            self.add_note(format!("{} with fewer than 3 corners left out", counted(dropped, "face", "faces")));
         }
         if indexed > 0 {
             let faces = counted(indexed, "face has its colour", "faces have their colours");
-            self.note(format!("{faces} by a number in a table, which the file lacks, left out"));
+            self.add_note(format!("{faces} by a number in a table, which the file lacks, left out"));
         }
         Ok(())
     }
 
     /// Reads the number of corners of a face, or the vertex of a corner.
-    fn face_number(&mut self, face: u32, corner: Option<u32>) -> Result<u32, ReadError> {
+    fn read_face_number(&mut self, face: u32, corner: Option<u32>) -> Result<u32, ReadError> {
         let element =
             || corner.map_or_else(|| format!("face {face}"), |corner| format!("face {face}, corner {corner}"));
         let Some(word) = self.scanner.word() else {

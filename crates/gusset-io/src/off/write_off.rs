@@ -30,16 +30,16 @@ pub(crate) fn write_off(
             matches!(mesh.texcoords, Values::Corners(_)),
             "texture coordinates that differ at the corners of a vertex: OFF files hold one pair for each vertex",
         ),
-        (merged.lost_colours, "colours that differ at a split vertex: OFF files hold one for each vertex"),
+        (merged.loses_colours, "colours that differ at a split vertex: OFF files hold one for each vertex"),
     ] {
         if is_lost {
             losses.push(Loss(text.into()));
         }
     }
-    let mut out = TextWriter::new(target.main)?;
-    if mesh.positions.is_empty() && !document.points.positions.is_empty() {
+    let mut out = TextWriter::new(target.main_file)?;
+    if mesh.positions.is_empty() && !document.unpack_points.positions.is_empty() {
         losses.retain(|Loss(text)| !text.starts_with("points beside"));
-        write_mesh(&mesh_from_points(&document.points)?, &mut out)?;
+        write_mesh(&mesh_from_points(&document.unpack_points)?, &mut out)?;
     } else {
         write_mesh(mesh, &mut out)?;
     }

@@ -31,8 +31,12 @@ fn rich() -> Document {
             mesh: 0,
             transform: [[1.0 / 3.0, 0.0, 0.0, 1e17], [0.0, 1.0, 0.0, 0.1], [0.0, 0.0, 1.0, 0.0]],
         }],
-        curves: Curves { positions: Positions::F64(vec![[0.1; 3], [0.2; 3]]), offsets: vec![0, 2], closed: vec![true] },
-        points: PointCloud {
+        unpack_curves: Curves {
+            positions: Positions::F64(vec![[0.1; 3], [0.2; 3]]),
+            offsets: vec![0, 2],
+            closed: vec![true],
+        },
+        unpack_points: PointCloud {
             positions: Positions::F64(vec![[5.0; 3]]),
             normals: vec![[0.0, 1.0, 0.0]],
             colours: vec![[0.0; 4]],
@@ -125,6 +129,6 @@ fn each_broken_rule_is_refused() {
     assert!(broken(|d| d.meshes[0].properties[0].values.truncate(1)).contains("property quality"));
     assert!(broken(|d| d.placements[0].mesh = 1).contains("placement 0: mesh 1"));
     assert!(broken(|d| d.materials[1].image = Some(2)).contains("material 1: image 2"));
-    assert!(broken(|d| d.curves.closed.push(false)).contains("curves: 2 offsets instead of 3"));
-    assert!(broken(|d| d.points.normals.push([0.0; 3])).contains("normals of points"));
+    assert!(broken(|d| d.unpack_curves.closed.push(false)).contains("curves: 2 offsets instead of 3"));
+    assert!(broken(|d| d.unpack_points.normals.push([0.0; 3])).contains("normals of points"));
 }

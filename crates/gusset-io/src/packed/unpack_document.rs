@@ -22,7 +22,7 @@ pub fn unpack(description: &str, arrays: &[u8]) -> Result<Document, ReadError> {
         OUT_OF_MEMORY => ReadError::out_of_memory(),
         message => wrong(&format!("the description is not JSON: {message}")),
     })?;
-    let unpacked = PackedArrays { arrays }.document(tape.root());
+    let unpacked = PackedArrays { arrays }.unpack_document(tape.root());
     tape.check_memory()?;
     unpacked
 }
@@ -57,7 +57,7 @@ fn text(value: Option<Value<'_>>) -> Result<String, ReadError> {
 }
 
 fn index(value: Option<Value<'_>>, name: &str) -> Result<u32, ReadError> {
-    let index = value.and_then(Value::whole).and_then(|index| u32::try_from(index).ok());
+    let index = value.and_then(Value::whole_number).and_then(|index| u32::try_from(index).ok());
     index.ok_or_else(|| wrong(&format!("{name} is not an index")))
 }
 
@@ -66,33 +66,35 @@ fn is_true(parent: Value<'_>, name: &str) -> bool {
 }
 
 impl PackedArrays<'_> {
-    fn document(&self, root: Value<'_>) -> Result<Document, ReadError> {
+    fn unpack_document(&self, root: Value<'_>) -> Result<Document, ReadError> {
         let mut document = Document {
-            meshes: list(root, "meshes", |mesh| self.mesh(mesh))?,
-            curves: root.get("curves").map_or_else(|| Ok(Curves::default()), |curves| self.curves(curves))?,
-            points: root.get("points").map_or_else(|| Ok(PointCloud::default()), |points| self.points(points))?,
+            meshes: list(root, "meshes", |mesh| self.unpack_mesh(mesh))?,
+            unpack_curves: root.get("curves").map_or_else(|| Ok(Curves::default()), |curves| self.curves(curves))?,
+            unpack_points: root
+                .get("points")
+                .map_or_else(|| Ok(PointCloud::default()), |points| self.points(points))?,
             materials: list(root, "materials", material)?,
-            images: list(root, "images", |image| self.image(image))?,
+            images: list(root, "images", |image| self.unpack_image(image))?,
             metres_per_unit: root.get("metres_per_unit").and_then(Value::number),
             ..Document::default()
         };
         document.metres_per_unit = document.metres_per_unit.filter(|metres| *metres > 0.0 && metres.is_finite());
-        document.placements = self.placements(root, document.meshes.len())?;
+        document.placements = self.unpack_placements(root, document.meshes.len())?;
         document.check()?;
         Ok(document)
     }
 
     /// Returns the elements of an array, each of `WIDTH` numbers; none if it is absent.
-    fn array<T: AnyBitPattern + Send, const WIDTH: usize>(
+    fn unpack_array<T: AnyBitPattern + Send, const WIDTH: usize>(
         &self,
         value: Option<Value<'_>>,
         kind: &str,
         name: &str,
     ) -> Result<Vec<[T; WIDTH]>, ReadError> {
         let Some(value) = value else { return Ok(Vec::new()) };
-        let number = |name| value.get(name).and_then(Value::whole);
-        let is_right =
-            value.get("type").is_some_and(|own| own.is(kind)) && number("width").is_some_and(|own| own == WIDTH as u64);
+        let number = |name| value.get(name).and_then(Value::whole_number);
+        let is_right = value.get("type").is_some_and(|own| own.equals_text(kind))
+            && number("width").is_some_and(|own| own == WIDTH as u64);
         let range = number("at").zip(number("count")).and_then(|(at, count)| {
             let at = usize::try_from(at).ok()?;
             let size = usize::try_from(count).ok()?.checked_mul(WIDTH * size_of::<T>())?;
@@ -108,88 +110,88 @@ impl PackedArrays<'_> {
         })
     }
 
-    fn numbers<T: AnyBitPattern + Send>(
+    fn unpack_numbers<T: AnyBitPattern + Send>(
         &self,
         value: Option<Value<'_>>,
         kind: &str,
         name: &str,
     ) -> Result<Vec<T>, ReadError> {
-        Ok(self.array::<T, 1>(value, kind, name)?.into_flattened())
+        Ok(self.unpack_array::<T, 1>(value, kind, name)?.into_flattened())
     }
 
     /// Returns offsets, which begin with 0.
-    fn offsets(&self, parent: Value<'_>, name: &str) -> Result<Vec<u32>, ReadError> {
-        let mut offsets = self.numbers(parent.get(name), "u32", name)?;
+    fn unpack_offsets(&self, parent: Value<'_>, name: &str) -> Result<Vec<u32>, ReadError> {
+        let mut offsets = self.unpack_numbers(parent.get(name), "u32", name)?;
         if offsets.is_empty() {
             offsets.push(0);
         }
         Ok(offsets)
     }
 
-    fn positions(&self, value: Option<Value<'_>>, name: &str) -> Result<Positions, ReadError> {
-        if value.and_then(|value| value.get("type")).is_some_and(|kind| kind.is("f32")) {
-            return Ok(Positions::F32(self.array(value, "f32", name)?));
+    fn unpack_positions(&self, value: Option<Value<'_>>, name: &str) -> Result<Positions, ReadError> {
+        if value.and_then(|value| value.get("type")).is_some_and(|kind| kind.equals_text("f32")) {
+            return Ok(Positions::F32(self.unpack_array(value, "f32", name)?));
         }
-        Ok(Positions::F64(self.array(value, "f64", name)?))
+        Ok(Positions::F64(self.unpack_array(value, "f64", name)?))
     }
 
-    fn attribute<const N: usize>(&self, mesh: Value<'_>, name: &str) -> Result<Values<N>, ReadError> {
+    fn unpack_attribute<const N: usize>(&self, mesh: Value<'_>, name: &str) -> Result<Values<N>, ReadError> {
         let Some(value) = mesh.get(name) else { return Ok(Values::Absent) };
-        let values = self.array(value.get("values"), "f64", name)?;
+        let values = self.unpack_array(value.get("values"), "f64", name)?;
         Ok(if is_true(value, "at_corners") { Values::Corners(values) } else { Values::Vertices(values) })
     }
 
-    fn mesh(&self, value: Value<'_>) -> Result<Mesh, ReadError> {
+    fn unpack_mesh(&self, value: Value<'_>) -> Result<Mesh, ReadError> {
         Ok(Mesh {
             name: text(value.get("name"))?,
-            positions: self.positions(value.get("positions"), "positions")?,
-            face_offsets: self.offsets(value, "face_offsets")?,
-            corners: self.numbers(value.get("corners"), "u32", "corners")?,
-            merge: self.numbers(value.get("merge"), "u32", "merge")?,
-            normals: self.attribute(value, "normals")?,
-            texcoords: self.attribute(value, "texcoords")?,
-            vertex_colours: self.array(value.get("vertex_colours"), "f32", "vertex_colours")?,
-            face_colours: self.array(value.get("face_colours"), "f32", "face_colours")?,
-            face_materials: self.numbers(value.get("face_materials"), "u32", "face_materials")?,
-            properties: list(value, "properties", |one| self.property(one))?,
+            positions: self.unpack_positions(value.get("positions"), "positions")?,
+            face_offsets: self.unpack_offsets(value, "face_offsets")?,
+            corners: self.unpack_numbers(value.get("corners"), "u32", "corners")?,
+            merge: self.unpack_numbers(value.get("merge"), "u32", "merge")?,
+            normals: self.unpack_attribute(value, "normals")?,
+            texcoords: self.unpack_attribute(value, "texcoords")?,
+            vertex_colours: self.unpack_array(value.get("vertex_colours"), "f32", "vertex_colours")?,
+            face_colours: self.unpack_array(value.get("face_colours"), "f32", "face_colours")?,
+            face_materials: self.unpack_numbers(value.get("face_materials"), "u32", "face_materials")?,
+            properties: list(value, "properties", |one| self.unpack_property(one))?,
         })
     }
 
-    fn property(&self, value: Value<'_>) -> Result<Property, ReadError> {
-        let kind = value.get("kind").and_then(|own| KIND_NAMES.iter().find(|(_, name)| own.is(name)));
+    fn unpack_property(&self, value: Value<'_>) -> Result<Property, ReadError> {
+        let kind = value.get("kind").and_then(|own| KIND_NAMES.iter().find(|(_, name)| own.equals_text(name)));
         let domain = if is_true(value, "at_faces") { Domain::Faces } else { Domain::Vertices };
         Ok(Property {
             name: text(value.get("name"))?,
             kind: kind.map_or(NumberKind::F64, |(kind, _)| *kind),
             domain,
-            values: self.numbers(value.get("values"), "f64", "values")?,
+            values: self.unpack_numbers(value.get("values"), "f64", "values")?,
         })
     }
 
     fn curves(&self, value: Value<'_>) -> Result<Curves, ReadError> {
-        let closed: Vec<u8> = self.numbers(value.get("closed"), "u8", "closed")?;
+        let closed: Vec<u8> = self.unpack_numbers(value.get("closed"), "u8", "closed")?;
         Ok(Curves {
-            positions: self.positions(value.get("positions"), "positions of curves")?,
-            offsets: self.offsets(value, "offsets")?,
+            positions: self.unpack_positions(value.get("positions"), "positions of curves")?,
+            offsets: self.unpack_offsets(value, "offsets")?,
             closed: alloc::collect(closed.into_iter().map(|closed| closed != 0))?,
         })
     }
 
     fn points(&self, value: Value<'_>) -> Result<PointCloud, ReadError> {
         Ok(PointCloud {
-            positions: self.positions(value.get("positions"), "positions of points")?,
-            normals: self.array(value.get("normals"), "f64", "normals of points")?,
-            colours: self.array(value.get("colours"), "f32", "colours of points")?,
+            positions: self.unpack_positions(value.get("positions"), "positions of points")?,
+            normals: self.unpack_array(value.get("normals"), "f64", "normals of points")?,
+            colours: self.unpack_array(value.get("colours"), "f32", "colours of points")?,
         })
     }
 
     /// Returns the scene; each mesh once, unmoved, if the text names none.
-    fn placements(&self, root: Value<'_>, mesh_count: usize) -> Result<Vec<Placement>, ReadError> {
+    fn unpack_placements(&self, root: Value<'_>, mesh_count: usize) -> Result<Vec<Placement>, ReadError> {
         if root.get("placements").is_none() {
             let unmoved = |mesh| Placement { name: String::new(), mesh, transform: Placement::IDENTITY };
             return Ok(alloc::collect((0..mesh_count as u32).map(unmoved))?);
         }
-        let transforms: Vec<[f64; 12]> = self.array(root.get("transforms"), "f64", "transforms")?;
+        let transforms: Vec<[f64; 12]> = self.unpack_array(root.get("transforms"), "f64", "transforms")?;
         let mut rows = transforms.iter();
         let mut count = 0;
         let placements = list(root, "placements", |value| {
@@ -205,10 +207,10 @@ impl PackedArrays<'_> {
         Ok(placements)
     }
 
-    fn image(&self, value: Value<'_>) -> Result<Image, ReadError> {
+    fn unpack_image(&self, value: Value<'_>) -> Result<Image, ReadError> {
         let data = match value.get("file").filter(|name| name.is_text()) {
             Some(name) => ImageData::File(text(Some(name))?),
-            None => ImageData::Bytes(Arc::new(self.numbers(value.get("bytes"), "u8", "bytes of an image")?)),
+            None => ImageData::Bytes(Arc::new(self.unpack_numbers(value.get("bytes"), "u8", "bytes of an image")?)),
         };
         Ok(Image { name: text(value.get("name"))?, media_type: text(value.get("media_type"))?, data })
     }
@@ -239,7 +241,7 @@ fn native_material(native: Value<'_>) -> Result<Option<NativeMaterial>, ReadErro
     if let Some(material) = native.get("gltf").filter(|material| material.is_text()) {
         let textures = list(native, "textures", |one| {
             let mut parts = one.items();
-            let (sampler, image) = (parts.next(), parts.next().filter(|image| image.raw() != b"null"));
+            let (sampler, image) = (parts.next(), parts.next().filter(|image| image.raw_text() != b"null"));
             Ok((text(sampler)?, optional_index(image, "image of a texture")?))
         })?;
         let material = Arc::new(text(Some(material))?);

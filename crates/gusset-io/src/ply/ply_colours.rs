@@ -13,15 +13,16 @@ pub(super) struct ColourReader {
 
 impl ColourReader {
     pub(super) fn new(element: &Element<'_>, columns: ColourColumns) -> Self {
-        let [red, green, blue] = columns.parts;
-        let numbers = [red, green, blue, columns.opacity.unwrap_or(red)].map(|column| element.columns[column].number);
+        let [red, green, blue] = columns.colour_part_columns;
+        let numbers =
+            [red, green, blue, columns.opacity.unwrap_or(red)].map(|column| element.columns[column].number_type);
         Self { columns, numbers }
     }
 
     /// Returns the colour of the current row. Numbers of single or double precision may still have to be scaled.
     #[inline]
-    pub(super) fn colour<R: Rows>(&self, rows: &R) -> [f32; 4] {
-        let [red, green, blue] = self.columns.parts.map(|column| rows.number(column));
+    pub(super) fn read_colour<R: Rows>(&self, rows: &R) -> [f32; 4] {
+        let [red, green, blue] = self.columns.colour_part_columns.map(|column| rows.number(column));
         let opacity = self.columns.opacity.map(|column| rows.number(column));
         let values = [red, green, blue, opacity.unwrap_or(0.0)];
         let mut colour = [0, 1, 2, 3].map(|part| scaled(values[part], self.numbers[part]));

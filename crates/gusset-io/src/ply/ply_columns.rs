@@ -10,7 +10,7 @@ use std::collections::HashMap;
 /// Columns of a colour.
 #[derive(Clone, Copy)]
 pub(super) struct ColourColumns {
-    pub(super) parts: [usize; 3],
+    pub(super) colour_part_columns: [usize; 3],
     pub(super) opacity: Option<usize>,
 }
 
@@ -18,11 +18,14 @@ impl ColourColumns {
     fn find(element: &Element<'_>) -> Option<Self> {
         let names = [["red", "green", "blue"], ["diffuse_red", "diffuse_green", "diffuse_blue"], ["r", "g", "b"]];
         let parts = element.find_group(&names)?;
-        Some(Self { parts, opacity: element.find(&["alpha", "opacity", "diffuse_alpha", "a"], false) })
+        Some(Self {
+            colour_part_columns: parts,
+            opacity: element.find(&["alpha", "opacity", "diffuse_alpha", "a"], false),
+        })
     }
 
     fn all(&self) -> impl Iterator<Item = usize> {
-        self.parts.into_iter().chain(self.opacity)
+        self.colour_part_columns.into_iter().chain(self.opacity)
     }
 }
 
@@ -33,7 +36,7 @@ pub(super) struct VertexColumns {
     pub(super) texcoord: Option<[usize; 2]>,
     pub(super) colour: Option<ColourColumns>,
     /// Columns that become properties.
-    pub(super) rest: Vec<usize>,
+    pub(super) property_columns: Vec<usize>,
 }
 
 impl VertexColumns {
@@ -45,7 +48,7 @@ impl VertexColumns {
         let colour = ColourColumns::find(element);
         let used = position.into_iter().chain(normal.into_iter().flatten()).chain(texcoord.into_iter().flatten());
         let rest = other_columns(element, used.chain(colour.iter().flat_map(ColourColumns::all)))?;
-        Ok(Some(Self { position, normal, texcoord, colour, rest }))
+        Ok(Some(Self { position, normal, texcoord, colour, property_columns: rest }))
     }
 }
 
@@ -59,7 +62,7 @@ pub(super) struct FaceColumns {
     pub(super) image: Option<usize>,
     pub(super) colour: Option<ColourColumns>,
     /// Columns that become properties.
-    pub(super) rest: Vec<usize>,
+    pub(super) property_columns: Vec<usize>,
 }
 
 impl FaceColumns {
@@ -71,15 +74,16 @@ impl FaceColumns {
         let colour = ColourColumns::find(element);
         let used = [vertices].into_iter().chain(texcoord).chain(image);
         let rest = other_columns(element, used.chain(colour.iter().flat_map(ColourColumns::all)))?;
-        Ok(Some(Self { vertices, texcoord, image, colour, rest }))
+        Ok(Some(Self { vertices, texcoord, image, colour, property_columns: rest }))
     }
 }
 
 /// Returns the list of vertices: by its name, or the only list of integers.
 pub(super) fn index_list(element: &Element<'_>) -> Option<usize> {
     element.find(&["vertex_indices", "vertex_index"], true).or_else(|| {
-        let mut lists = (0..element.columns.len())
-            .filter(|&column| element.columns[column].length.is_some() && element.columns[column].number.is_integer());
+        let mut lists = (0..element.columns.len()).filter(|&column| {
+            element.columns[column].list_length_type.is_some() && element.columns[column].number_type.is_integer()
+        });
         let only = lists.next()?;
         lists.next().is_none().then_some(only)
     })
@@ -87,7 +91,7 @@ pub(super) fn index_list(element: &Element<'_>) -> Option<usize> {
 
 /// Returns the columns of single numbers that are not in `used`.
 fn other_columns(element: &Element<'_>, used: impl Iterator<Item = usize>) -> Result<Vec<usize>, ReadError> {
-    let mut is_free = alloc::collect(element.columns.iter().map(|column| column.length.is_none()))?;
+    let mut is_free = alloc::collect(element.columns.iter().map(|column| column.list_length_type.is_none()))?;
     for column in used {
         is_free[column] = false;
     }
@@ -99,7 +103,7 @@ pub(super) fn other_lists(element: &Element<'_>, used: &[usize]) -> String {
     const MAX_NAMES: usize = 8;
     let mut names: Vec<String> = Vec::new();
     for (index, column) in element.columns.iter().enumerate() {
-        if column.length.is_some() && !used.contains(&index) {
+        if column.list_length_type.is_some() && !used.contains(&index) {
             if names.len() == MAX_NAMES {
                 names.push("others".into());
                 break;
@@ -116,7 +120,7 @@ pub(super) fn other_lists(element: &Element<'_>, used: &[usize]) -> String {
 
 /// Keeps the properties that all `elements`, sections of one name, have in common, in the order of the first one. Keeps only the first of
 /// equal names. Orders each element's columns alike. Returns the properties without values, and the number of columns that were left out.
-pub(super) fn share_properties(
+pub(super) fn keep_common_properties(
     elements: &[&Element<'_>],
     columns: &mut [&mut Vec<usize>],
     domain: Domain,
@@ -137,8 +141,9 @@ pub(super) fn share_properties(
         **other = alloc::collect(first.iter().map(|&column| by_name[elements[0].columns[column].name]))?;
     }
     let properties = first.iter().enumerate().map(|(index, &column)| -> Result<Property, ReadError> {
-        let kind = elements[0].columns[column].number.kind();
-        let mut all = elements[1..].iter().zip(&*others).map(|(element, other)| element.columns[other[index]].number);
+        let kind = elements[0].columns[column].number_type.kind();
+        let mut all =
+            elements[1..].iter().zip(&*others).map(|(element, other)| element.columns[other[index]].number_type);
         Ok(Property {
             name: owned_text(elements[0].columns[column].name)?,
             kind: if all.all(|number| number.kind() == kind) { kind } else { crate::NumberKind::F64 },

@@ -56,7 +56,8 @@ impl FaceParts {
             make_room(&mut mesh.face_materials, believed)?;
         }
         let properties = mesh.properties[self.first_property..].iter_mut();
-        let mut properties: Vec<_> = columns.rest.iter().zip(properties.map(|property| &mut property.values)).collect();
+        let mut properties: Vec<_> =
+            columns.property_columns.iter().zip(properties.map(|property| &mut property.values)).collect();
         properties.iter_mut().try_for_each(|(_, values)| make_room(values, believed))?;
         for row in 0..element.count {
             rows.advance(element, row)?;
@@ -73,7 +74,7 @@ impl FaceParts {
                 append_texcoords(rows, column, degree, texcoords)?;
             }
             if let Some(reader) = &colour {
-                mesh.face_colours.push(reader.colour(rows));
+                mesh.face_colours.push(reader.read_colour(rows));
             }
             if self.image_count > 0 {
                 mesh.face_materials.push(self.image(columns.image.map(|column| rows.number(column))));

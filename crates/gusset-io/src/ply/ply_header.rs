@@ -83,9 +83,9 @@ impl Number {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Column<'a> {
     pub(super) name: &'a [u8],
-    pub(super) number: Number,
+    pub(super) number_type: Number,
     /// Type of a list's length; `None` for a single number.
-    pub(super) length: Option<Number>,
+    pub(super) list_length_type: Option<Number>,
 }
 
 /// An element: `count` rows with equal columns.
@@ -101,7 +101,7 @@ impl Element<'_> {
     pub(super) fn find(&self, names: &[&str], is_list: bool) -> Option<usize> {
         names.iter().find_map(|name| {
             self.columns.iter().position(|column| {
-                column.length.is_some() == is_list && column.name.eq_ignore_ascii_case(name.as_bytes())
+                column.list_length_type.is_some() == is_list && column.name.eq_ignore_ascii_case(name.as_bytes())
             })
         })
     }
@@ -122,14 +122,14 @@ impl Element<'_> {
     }
 
     pub(super) fn has_lists(&self) -> bool {
-        self.columns.iter().any(|column| column.length.is_some())
+        self.columns.iter().any(|column| column.list_length_type.is_some())
     }
 
     /// Returns the smallest size of a row in bytes: 0 without columns.
     pub(super) fn min_row_size(&self, encoding: Encoding) -> usize {
         match encoding {
             Encoding::Text => 2 * self.columns.len(),
-            _ => self.columns.iter().map(|column| column.length.unwrap_or(column.number).size()).sum(),
+            _ => self.columns.iter().map(|column| column.list_length_type.unwrap_or(column.number_type).size()).sum(),
         }
     }
 
@@ -149,7 +149,7 @@ pub(super) struct Header<'a> {
     pub(super) grid_rows: u64,
     pub(super) grid_columns: u64,
     /// Place of the first row.
-    pub(super) size: usize,
+    pub(super) first_row_offset: usize,
     /// Line of the first row.
     pub(super) line: u64,
     pub(super) notes: Vec<Note>,
@@ -161,9 +161,9 @@ pub(super) const MAX_NOTES: usize = 16;
 /// Lines that end with a line feed, or with a carriage return if the first line does.
 struct Lines<'a> {
     bytes: &'a [u8],
-    place: usize,
+    offset: usize,
     line: u64,
-    end: u8,
+    line_end_byte: u8,
 }
 
 impl<'a> Lines<'a> {
@@ -172,13 +172,13 @@ impl<'a> Lines<'a> {
             Some(first) if bytes[place + first] == b'\r' && bytes.get(place + first + 1) != Some(&b'\n') => b'\r',
             _ => b'\n',
         };
-        Self { bytes, place, line: 0, end }
+        Self { bytes, offset: place, line: 0, line_end_byte: end }
     }
 
     fn next(&mut self) -> Option<&'a [u8]> {
-        let rest = self.bytes.get(self.place..).filter(|rest| !rest.is_empty())?;
-        let length = rest.iter().position(|&byte| byte == self.end).unwrap_or(rest.len());
-        self.place = (self.place + length + 1).min(self.bytes.len());
+        let rest = self.bytes.get(self.offset..).filter(|rest| !rest.is_empty())?;
+        let length = rest.iter().position(|&byte| byte == self.line_end_byte).unwrap_or(rest.len());
+        self.offset = (self.offset + length + 1).min(self.bytes.len());
         self.line += 1;
         Some(rest[..length].trim_ascii())
     }
@@ -201,7 +201,7 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<Header<'_>, ReadError> {
         textures: Vec::new(),
         grid_rows: 0,
         grid_columns: 0,
-        size: 0,
+        first_row_offset: 0,
         line: 0,
         notes: Vec::new(),
     };
@@ -232,7 +232,7 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<Header<'_>, ReadError> {
         }
     }
     header.encoding = encoding.ok_or_else(|| lines.error("the header lacks the line \"format\""))?;
-    header.size = lines.place;
+    header.first_row_offset = lines.offset;
     header.line = lines.line + 1;
     Ok(header)
 }
@@ -294,7 +294,7 @@ fn read_column<'a>(lines: &Lines<'a>, line: &'a [u8], words: &[&'a [u8]; 5]) -> 
     }
     let name = line.rsplit(u8::is_ascii_whitespace).next().unwrap_or(line);
     let length = if is_list { Some(number(words[2])?) } else { None };
-    Ok(Column { name, number: number(words[if is_list { 3 } else { 1 }])?, length })
+    Ok(Column { name, number_type: number(words[if is_list { 3 } else { 1 }])?, list_length_type: length })
 }
 
 /// Reads comments that name images, and the size of a range image.

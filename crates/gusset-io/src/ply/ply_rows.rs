@@ -78,7 +78,7 @@ fn wrong_length(element: &Element<'_>, row: u64, column: &Column<'_>, length: f6
 struct Cell {
     number: Number,
     /// Bytes from the start of the row.
-    start: usize,
+    offset_in_row: usize,
     length: usize,
 }
 
@@ -86,9 +86,9 @@ struct Cell {
 pub(super) struct BinaryRows<'a, const BIG: bool> {
     bytes: &'a [u8],
     /// Start of the current row.
-    start: usize,
+    row_start: usize,
     /// End of the current row.
-    end: usize,
+    row_end: usize,
     cells: Vec<Cell>,
     /// Size of each row; `None` if the rows have lists.
     row_size: Option<usize>,
@@ -96,7 +96,13 @@ pub(super) struct BinaryRows<'a, const BIG: bool> {
 
 impl<'a, const BIG: bool> BinaryRows<'a, BIG> {
     pub(super) fn new(bytes: &'a [u8], header: &Header<'_>) -> Self {
-        Self { bytes, start: header.size, end: header.size, cells: Vec::new(), row_size: Some(0) }
+        Self {
+            bytes,
+            row_start: header.first_row_offset,
+            row_end: header.first_row_offset,
+            cells: Vec::new(),
+            row_size: Some(0),
+        }
     }
 
     fn bytes_at<const N: usize>(&self, place: usize) -> [u8; N] {
@@ -138,12 +144,12 @@ impl<'a, const BIG: bool> BinaryRows<'a, BIG> {
     /// Finds the ends of the lists in the next row.
     #[inline]
     fn measure_row(&mut self, element: &Element<'_>, row: u64) -> Result<(), ReadError> {
-        let mut place = self.end;
-        let here = Place::Byte(self.end as u64);
+        let mut place = self.row_end;
+        let here = Place::Byte(self.row_end as u64);
         for (cell, column) in element.columns.iter().enumerate() {
-            let mut size = column.number.size();
+            let mut size = column.number_type.size();
             let mut count = 1;
-            if let Some(length) = column.length {
+            if let Some(length) = column.list_length_type {
                 if self.bytes.len() - place < length.size() {
                     return Err(truncated(element, row, here));
                 }
@@ -159,11 +165,11 @@ impl<'a, const BIG: bool> BinaryRows<'a, BIG> {
             } else if self.bytes.len() - place < size {
                 return Err(truncated(element, row, here));
             }
-            self.cells[cell] = Cell { number: column.number, start: place - self.end, length: count };
+            self.cells[cell] = Cell { number: column.number_type, offset_in_row: place - self.row_end, length: count };
             place += size;
         }
-        self.start = self.end;
-        self.end = place;
+        self.row_start = self.row_end;
+        self.row_end = place;
         Ok(())
     }
 }
@@ -174,8 +180,8 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
         self.cells.try_reserve_exact(element.columns.len())?;
         let mut start = 0;
         for column in &element.columns {
-            self.cells.push(Cell { number: column.number, start, length: 1 });
-            start += column.number.size();
+            self.cells.push(Cell { number: column.number_type, offset_in_row: start, length: 1 });
+            start += column.number_type.size();
         }
         self.row_size = (!element.has_lists()).then_some(start);
         Ok(())
@@ -184,18 +190,18 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
     #[inline]
     fn advance(&mut self, element: &Element<'_>, row: u64) -> Result<(), ReadError> {
         let Some(size) = self.row_size else { return self.measure_row(element, row) };
-        if self.bytes.len() - self.end < size {
-            return Err(truncated(element, row, Place::Byte(self.end as u64)));
+        if self.bytes.len() - self.row_end < size {
+            return Err(truncated(element, row, Place::Byte(self.row_end as u64)));
         }
-        self.start = self.end;
-        self.end += size;
+        self.row_start = self.row_end;
+        self.row_end += size;
         Ok(())
     }
 
     #[inline]
     fn number(&self, column: usize) -> f64 {
         let cell = self.cells[column];
-        self.decoded(cell.number, self.start + cell.start)
+        self.decoded(cell.number, self.row_start + cell.offset_in_row)
     }
 
     fn list_length(&self, column: usize) -> usize {
@@ -204,13 +210,13 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
 
     fn item(&self, column: usize, place: usize) -> f64 {
         let cell = self.cells[column];
-        self.decoded(cell.number, self.start + cell.start + place * cell.number.size())
+        self.decoded(cell.number, self.row_start + cell.offset_in_row + place * cell.number.size())
     }
 
     #[inline]
     fn append_list_as_indices(&self, column: usize, count: u32, indices: &mut Vec<u32>) -> Result<(), usize> {
         let cell = self.cells[column];
-        let from = self.start + cell.start;
+        let from = self.row_start + cell.offset_in_row;
         let list = self.bytes.get(from..from + cell.length * cell.number.size()).unwrap_or_default();
         let start = indices.len();
         match cell.number {
@@ -226,7 +232,7 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
     }
 
     fn remaining(&self) -> usize {
-        self.bytes.len() - self.end
+        self.bytes.len() - self.row_end
     }
 
     fn note_rest(&mut self) -> Option<Note> {
@@ -235,11 +241,11 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
             1 => "1 byte follows the last row and is ignored".into(),
             count => format!("{count} bytes follow the last row and are ignored"),
         };
-        Some(Note::new(Place::Byte(self.end as u64), text))
+        Some(Note::new(Place::Byte(self.row_end as u64), text))
     }
 
     fn place(&self) -> Place {
-        Place::Byte(self.start as u64)
+        Place::Byte(self.row_start as u64)
     }
 }
 
@@ -258,9 +264,9 @@ pub(super) struct TextRows<'a> {
 
 impl<'a> TextRows<'a> {
     pub(super) fn new(bytes: &'a [u8], header: &Header<'_>) -> Self {
-        let scanner = Scanner::new_at(bytes, header.size, header.line, None);
+        let scanner = Scanner::new_at(bytes, header.first_row_offset, header.line, None);
         let rows: u64 = header.elements.iter().map(|element| element.count).fold(0, u64::saturating_add);
-        let lines = bytes[header.size..].iter().filter(|&&byte| byte == b'\n').count() as u64 + 1;
+        let lines = bytes[header.first_row_offset..].iter().filter(|&&byte| byte == b'\n').count() as u64 + 1;
         Self {
             scanner,
             size: bytes.len(),
@@ -315,7 +321,7 @@ impl Rows for TextRows<'_> {
         make_room(&mut self.numbers, element.columns.len())?;
         for (cell, column) in element.columns.iter().enumerate() {
             let mut count = 1;
-            if let Some(length) = column.length {
+            if let Some(length) = column.list_length_type {
                 let value = self.next(length, element, row)?;
                 if !(value >= 0.0 && value.fract() == 0.0 && value <= self.remaining().div_ceil(2) as f64) {
                     let place = Place::Line(self.scanner.line());
@@ -326,7 +332,7 @@ impl Rows for TextRows<'_> {
             }
             self.cells[cell] = [self.numbers.len(), count];
             for _ in 0..count {
-                let value = self.next(column.number, element, row)?;
+                let value = self.next(column.number_type, element, row)?;
                 self.numbers.push(value);
             }
         }
@@ -375,7 +381,8 @@ pub(super) fn believed_count(
     remaining: usize,
     list: Option<(usize, usize)>,
 ) -> usize {
-    let item_size = |column: usize| if encoding == Encoding::Text { 2 } else { element.columns[column].number.size() };
+    let item_size =
+        |column: usize| if encoding == Encoding::Text { 2 } else { element.columns[column].number_type.size() };
     let list_size = list.map_or(0, |(column, items)| items * item_size(column));
     let size = (element.min_row_size(encoding) + list_size).max(1);
     // The last word of a text needs no blank behind it.

@@ -74,8 +74,12 @@ impl<'a> Filling<'a> {
             columns.texcoord.filter(|_| parts.has_texcoords).map(|columns| (columns, at_vertices(&mut mesh.texcoords)));
         let colour = columns.colour.filter(|_| parts.has_colours);
         let mut colours = colour.map(|columns| (ColourReader::new(element, columns), &mut mesh.vertex_colours));
-        let mut properties: Vec<_> =
-            columns.rest.iter().copied().zip(mesh.properties.iter_mut().map(|property| &mut property.values)).collect();
+        let mut properties: Vec<_> = columns
+            .property_columns
+            .iter()
+            .copied()
+            .zip(mesh.properties.iter_mut().map(|property| &mut property.values))
+            .collect();
         normals.iter_mut().try_for_each(|(_, values)| make_room(values, believed))?;
         texcoords.iter_mut().try_for_each(|(_, values)| make_room(values, believed))?;
         colours.iter_mut().try_for_each(|(_, values)| make_room(values, believed))?;
@@ -97,7 +101,7 @@ impl<'a> Filling<'a> {
             texcoords.push(columns.map(|column| rows.number(column)));
         }
         if let Some((reader, colours)) = &mut self.colours {
-            colours.push(reader.colour(rows));
+            colours.push(reader.read_colour(rows));
         }
         for (column, values) in &mut self.properties {
             values.push(rows.number(*column));

@@ -1,6 +1,6 @@
 //! Reader of PLY files.
 
-use super::ply_columns::{FaceColumns, VertexColumns, index_list, other_lists, share_properties};
+use super::ply_columns::{FaceColumns, VertexColumns, index_list, keep_common_properties, other_lists};
 use super::ply_faces::FaceParts;
 use super::ply_header::{Column, Element, Encoding, Header, MAX_NOTES, read_header};
 use super::ply_rows::{BinaryRows, Rows, TextRows, believed_count};
@@ -101,13 +101,13 @@ impl Content {
             is_single: elements
                 .iter()
                 .zip(&columns)
-                .all(|(element, found)| found.position.iter().all(|&x| element.columns[x].number.fits_single())),
+                .all(|(element, found)| found.position.iter().all(|&x| element.columns[x].number_type.fits_single())),
             has_normals: columns.iter().all(|found| found.normal.is_some()),
             has_texcoords: columns.iter().all(|found| found.texcoord.is_some()),
             has_colours: columns.iter().all(|found| found.colour.is_some()),
         };
-        let mut rest = alloc::collect(columns.iter_mut().map(|found| &mut found.rest))?;
-        let (properties, left) = share_properties(&elements, &mut rest, Domain::Vertices)?;
+        let mut rest = alloc::collect(columns.iter_mut().map(|found| &mut found.property_columns))?;
+        let (properties, left) = keep_common_properties(&elements, &mut rest, Domain::Vertices)?;
         self.mesh.properties = properties;
         let is_shared = |has: bool, one: &dyn Fn(&VertexColumns) -> bool| has || !columns.iter().any(|c| one(c));
         let is_complete = is_shared(parts.has_normals, &|found| found.normal.is_some())
@@ -132,12 +132,12 @@ impl Content {
             .filter_map(|role| if let ElementRole::Faces(columns) = role { Some(columns) } else { None });
         let mut columns = alloc::gather(of_faces)?;
         if has_strips {
-            columns.iter_mut().for_each(|found| found.rest.clear());
+            columns.iter_mut().for_each(|found| found.property_columns.clear());
         }
         let has_colours = !has_strips && columns.iter().all(|found| found.colour.is_some());
         let has_texcoords = !has_strips && !columns.is_empty() && columns.iter().all(|found| found.texcoord.is_some());
-        let mut rest = alloc::collect(columns.iter_mut().map(|found| &mut found.rest))?;
-        let (properties, left) = share_properties(&elements, &mut rest, Domain::Faces)?;
+        let mut rest = alloc::collect(columns.iter_mut().map(|found| &mut found.property_columns))?;
+        let (properties, left) = keep_common_properties(&elements, &mut rest, Domain::Faces)?;
         let start = self.mesh.properties.len();
         alloc::extend(&mut self.mesh.properties, properties)?;
         let is_complete = (has_colours || !columns.iter().any(|found| found.colour.is_some()))
@@ -249,7 +249,7 @@ fn points_document(mesh: Mesh, mut notes: Vec<Note>) -> Result<Document, ReadErr
     }
     let normals = if let Values::Vertices(normals) = mesh.normals { normals } else { Vec::new() };
     let points = PointCloud { positions: mesh.positions, normals, colours: mesh.vertex_colours };
-    Ok(Document { points, notes, ..Document::default() })
+    Ok(Document { unpack_points: points, notes, ..Document::default() })
 }
 
 fn elements_with<'a>(
@@ -288,7 +288,7 @@ fn element_role(header: &Header<'_>, element: &Element<'_>) -> Result<ElementRol
         );
     }
     // A place of one byte could become 36 bytes of triangles.
-    let is_wide = |column: &Column<'_>| column.length.is_some() || column.number.size() > 1;
+    let is_wide = |column: &Column<'_>| column.list_length_type.is_some() || column.number_type.size() > 1;
     let is_grid = element.is_named("range_grid")
         && element.columns.first().is_some_and(is_wide)
         && header.grid_rows.checked_mul(header.grid_columns) == Some(element.count)
@@ -303,7 +303,7 @@ fn element_role(header: &Header<'_>, element: &Element<'_>) -> Result<ElementRol
 fn read_grid<R: Rows>(rows: &mut R, element: &Element<'_>, believed: usize, count: u32) -> Result<Vec<u32>, ReadError> {
     let mut grid = Vec::new();
     grid.try_reserve_exact(believed)?;
-    let is_list = element.columns[0].length.is_some();
+    let is_list = element.columns[0].list_length_type.is_some();
     for row in 0..element.count {
         rows.advance(element, row)?;
         if rows.list_length(0) == 0 {

@@ -30,7 +30,7 @@ pub(crate) fn write_ply(
         losses.add_if(!merged.mesh.normals.is_absent() && vertices.normals.is_none(), normals);
         losses.add_colours(&[&vertices.colours, &faces.colours]);
         let colours = "colours that differ at a split vertex: PLY files hold one for each vertex";
-        losses.add_if(merged.lost_colours, colours);
+        losses.add_if(merged.loses_colours, colours);
         for name in &merged.lost_properties {
             let text = format!("values of {name} that differ at a split vertex: PLY files hold one for each vertex");
             losses.add_if(true, &text);
@@ -38,13 +38,13 @@ pub(crate) fn write_ply(
         losses.add_if(faces.textures.loses_materials, "materials, which PLY files do not hold");
         write_file(&vertices, Some(&faces), target, options)?;
     } else {
-        let vertices = VertexLayout::from_points(&document.points);
+        let vertices = VertexLayout::from_points(&document.unpack_points);
         losses.add_colours(&[&vertices.colours]);
         write_file(&vertices, None, target, options)?;
     }
     let points = "points beside a mesh, which PLY files do not hold";
-    losses.add_if(has_mesh && !document.points.positions.is_empty(), points);
-    losses.add_if(!document.curves.closed.is_empty(), "curves, which PLY files do not hold");
+    losses.add_if(has_mesh && !document.unpack_points.positions.is_empty(), points);
+    losses.add_if(!document.unpack_curves.closed.is_empty(), "curves, which PLY files do not hold");
     let has_names = document.placements.iter().any(|placement| !placement.name.is_empty());
     losses.add_if(document.placements.len() > 1 && has_names, "names of objects, which PLY files do not hold");
     Ok(losses.0)
@@ -73,9 +73,9 @@ fn write_file(
     if !options.text {
         const HEADER_ROOM: usize = 4096;
         let corners = faces.map_or(0, |faces| faces.mesh.face_count() + 4 * faces.mesh.corners.len());
-        target.main.reserve_in_place(HEADER_ROOM + 12 * vertices.positions.len() + corners)?;
+        target.main_file.reserve_in_place(HEADER_ROOM + 12 * vertices.positions.len() + corners)?;
     }
-    let mut out = TextWriter::new(target.main)?;
+    let mut out = TextWriter::new(target.main_file)?;
     out.text("ply\nformat ")?;
     out.text(if options.text { "ascii" } else { "binary_little_endian" })?;
     out.text(" 1.0\ncomment gusset\n")?;
@@ -90,14 +90,14 @@ fn write_file(
     out.finish()?;
     match vertices.positions {
         Positions::F32(points) if !options.text && vertices.has_positions_only() => {
-            write_rows(target.main, points.len(), |point| {
+            write_rows(target.main_file, points.len(), |point| {
                 let mut row = [0; 12];
                 row.copy_from_slice(points[point].map(f32::to_le_bytes).as_flattened());
                 row
             })?;
         }
         _ => {
-            let mut rows = RowWriter::new(TextWriter::new(target.main)?, options.text);
+            let mut rows = RowWriter::new(TextWriter::new(target.main_file)?, options.text);
             (0..vertices.positions.len()).try_for_each(|vertex| write_vertex(&mut rows, vertices, vertex))?;
             rows.out.finish()?;
         }
@@ -105,11 +105,11 @@ fn write_file(
     let Some(faces) = faces else { return Ok(()) };
     match faces.mesh.triangles() {
         Some(triangles) if !options.text && faces.has_corners_only() => {
-            write_rows(target.main, triangles.len(), |triangle| triangle_bytes(triangles[triangle]))?;
-            target.main.flush()
+            write_rows(target.main_file, triangles.len(), |triangle| triangle_bytes(triangles[triangle]))?;
+            target.main_file.flush()
         }
         _ => {
-            let mut rows = RowWriter::new(TextWriter::new(target.main)?, options.text);
+            let mut rows = RowWriter::new(TextWriter::new(target.main_file)?, options.text);
             (0..faces.mesh.face_count()).try_for_each(|face| write_face(&mut rows, faces, face))?;
             rows.out.finish()
         }

@@ -27,9 +27,9 @@ pub(crate) fn read_table(bytes: &[u8], _: &ReadOptions) -> Result<Document, Read
     }
     if let Some(layout) = &reader.layout
         && layout.columns.is_guessed
-        && layout.count > MAX_UNNAMED_COLUMNS
+        && layout.field_count > MAX_UNNAMED_COLUMNS
     {
-        let message = format!("{} columns without names; name x, y and z in a first line", layout.count);
+        let message = format!("{} columns without names; name x, y and z in a first line", layout.field_count);
         return Err(ReadError::malformed(Place::Whole, message));
     }
     if reader.layout.is_none() && !text.iter().all(u8::is_ascii_whitespace) {
@@ -44,7 +44,7 @@ struct TableLayout {
     style: FieldStyle,
     columns: TableColumns,
     /// Number of fields of the first row.
-    count: usize,
+    field_count: usize,
 }
 
 #[derive(Default)]
@@ -56,7 +56,7 @@ struct TableReader<'a> {
     groups: Vec<&'a [u8]>,
     points: Vec<[f64; 3]>,
     /// For each point: which group columns changed, and whether a polyline ended before it.
-    marks: Vec<u8>,
+    point_marks: Vec<u8>,
     is_break: bool,
     colours: Vec<[f32; 4]>,
     normals: Vec<[f64; 3]>,
@@ -108,10 +108,10 @@ impl<'a> TableReader<'a> {
                 let mut places = columns.coordinates.iter().flatten();
                 let has_number = places.clone().any(|&column| fields.get(column).is_some_and(|field| is_number(field)));
                 if has_number && places.all(|&column| is_row(column)) {
-                    return Ok(Some(TableLayout { style, columns, count }));
+                    return Ok(Some(TableLayout { style, columns, field_count: count }));
                 }
             } else if count >= 2 && is_number(fields[0]) && is_number(fields[1]) && (2..count).all(is_row) {
-                return Ok(Some(TableLayout { style, columns: TableColumns::from_count(count), count }));
+                return Ok(Some(TableLayout { style, columns: TableColumns::from_count(count), field_count: count }));
             }
         }
         Ok(None)
@@ -129,7 +129,7 @@ impl<'a> TableReader<'a> {
             match self.fields.get(column) {
                 None if layout.style.separator == b' ' => {
                     let numbers = counted(self.fields.len(), "number", "numbers");
-                    return Err(self.error(&format!("{numbers}; the first row has {}", layout.count)));
+                    return Err(self.error(&format!("{numbers}; the first row has {}", layout.field_count)));
                 }
                 None | Some([]) => {
                     self.incomplete_rows += 1;
@@ -172,8 +172,8 @@ impl<'a> TableReader<'a> {
         }
         self.points.try_reserve(1)?;
         self.points.push(point);
-        self.marks.try_reserve(1)?;
-        self.marks.push(mark);
+        self.point_marks.try_reserve(1)?;
+        self.point_marks.push(mark);
         let number = |column: usize| self.fields.get(column).and_then(|field| style.number(field));
         if let Some(places) = columns.colours {
             let parts = places.map(|column| number(column).map_or(f32::NAN, |part| part as f32));
@@ -207,7 +207,7 @@ impl<'a> TableReader<'a> {
         let curves = self.curves()?;
         let points =
             PointCloud { positions: Positions::F64(self.points), normals: self.normals, colours: self.colours };
-        Ok(Document { points, curves, notes: self.notes, ..Document::default() })
+        Ok(Document { unpack_points: points, unpack_curves: curves, notes: self.notes, ..Document::default() })
     }
 
     fn note_unread_columns(&mut self, layout: &TableLayout) {
@@ -215,8 +215,8 @@ impl<'a> TableReader<'a> {
         let colours = if self.colours.is_empty() { 0 } else { 3 + usize::from(columns.opacity.is_some()) };
         let normals = if self.normals.is_empty() { 0 } else { 3 };
         let read = columns.coordinates.iter().flatten().count() + columns.groups.len() + colours + normals;
-        if layout.count > read {
-            let unread = counted(layout.count - read, "column", "columns");
+        if layout.field_count > read {
+            let unread = counted(layout.field_count - read, "column", "columns");
             self.notes
                 .push(Note::new(Place::Whole, format!("{unread} beside coordinates, colours and normals left out")));
         }
@@ -249,9 +249,9 @@ impl<'a> TableReader<'a> {
         // A column that changes in each row numbers points.
         let groups = (0..BREAK_BIT.trailing_zeros())
             .map(|place| 1_u8 << place)
-            .filter(|bit| self.marks.iter().skip(1).any(|mark| mark & bit == 0))
+            .filter(|bit| self.point_marks.iter().skip(1).any(|mark| mark & bit == 0))
             .fold(0, |all, bit| all | bit);
-        let blanks = if self.marks.iter().skip(1).any(|mark| mark & BREAK_BIT == 0) { BREAK_BIT } else { 0 };
+        let blanks = if self.point_marks.iter().skip(1).any(|mark| mark & BREAK_BIT == 0) { BREAK_BIT } else { 0 };
         let count = u32::try_from(self.points.len())
             .map_err(|_| ReadError::new(crate::ReadErrorKind::TooLarge, "the file has more than 2^32 - 1 points"))?;
         let mut positions: Vec<[f64; 3]> = Vec::new();
@@ -259,7 +259,7 @@ impl<'a> TableReader<'a> {
         let mut curves = Curves::default();
         let mut start = 0;
         for end in 1..=count as usize {
-            if end < count as usize && self.marks[end] & (groups | blanks) == 0 {
+            if end < count as usize && self.point_marks[end] & (groups | blanks) == 0 {
                 continue;
             }
             let block = &self.points[start..end];

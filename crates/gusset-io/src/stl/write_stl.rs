@@ -76,23 +76,23 @@ fn write_binary(mesh: &Mesh, target: &mut Target<'_>) -> Result<(), WriteError> 
         let message = format!("{} triangles are more than 2^32 - 1", triangles.len());
         return Err(WriteError::new(WriteErrorKind::Unsupported, message));
     };
-    target.main.reserve_in_place(FACETS_START + FACET_BYTES * triangles.len())?;
+    target.main_file.reserve_in_place(FACETS_START + FACET_BYTES * triangles.len())?;
     let mut head = [b' '; FACETS_START];
     head[..DEFAULT_NAME.len()].copy_from_slice(DEFAULT_NAME.as_bytes());
     head[HEADER_BYTES..].copy_from_slice(&count.to_le_bytes());
-    target.main.write_all(&head)?;
+    target.main_file.write_all(&head)?;
     match &mesh.positions {
         Positions::F32(points) => {
             let facet =
                 |index: usize| facet_bytes(triangles[index].map(|vertex: u32| points[vertex as usize].map(f64::from)));
-            write_rows(target.main, triangles.len(), facet)?;
+            write_rows(target.main_file, triangles.len(), facet)?;
         }
         Positions::F64(points) => {
             let facet = |index: usize| facet_bytes(triangles[index].map(|vertex: u32| points[vertex as usize]));
-            write_rows(target.main, triangles.len(), facet)?;
+            write_rows(target.main_file, triangles.len(), facet)?;
         }
     }
-    Ok(target.main.flush()?)
+    Ok(target.main_file.flush()?)
 }
 
 /// Returns the normal and the corners of a triangle as a facet without attributes.
@@ -109,7 +109,7 @@ fn write_text(mesh: &Mesh, target: &mut Target<'_>) -> Result<(), WriteError> {
     let is_single = matches!(mesh.positions, Positions::F32(_));
     let name =
         if mesh.name.trim().is_empty() { DEFAULT_NAME.into() } else { crate::error::printable(mesh.name.trim()) };
-    let mut out = TextWriter::new(target.main)?;
+    let mut out = TextWriter::new(target.main_file)?;
     out.text("solid ")?;
     out.text(&name)?;
     for triangle in &*all_triangles(mesh)? {

@@ -74,7 +74,7 @@ impl<'a> PathPen<'a> {
 
     pub(super) fn close(&mut self) -> Result<(), ReadError> {
         if self.is_drawing {
-            self.pen.end(true)?;
+            self.pen.end_outline(true)?;
         }
         self.is_drawing = false;
         self.current = self.start;
@@ -83,7 +83,7 @@ impl<'a> PathPen<'a> {
 
     /// Ends an outline that is open.
     pub(super) fn finish(self) -> Result<(), ReadError> {
-        self.pen.end(false)
+        self.pen.end_outline(false)
     }
 
     pub(super) fn arc_to(
@@ -105,7 +105,7 @@ impl<'a> PathPen<'a> {
     fn begin_outline(&mut self) -> Result<(), ReadError> {
         if !self.is_drawing {
             self.is_drawing = true;
-            self.pen.begin(self.transform.point(self.current))?;
+            self.pen.begin_outline(self.transform.point(self.current))?;
         }
         Ok(())
     }
@@ -176,6 +176,6 @@ impl<'a> PathPen<'a> {
     fn bezier<const N: usize>(&mut self, control: [Point; N]) -> Result<(), ReadError> {
         self.begin_outline()?;
         self.current = control[N - 1];
-        self.pen.bezier(control.map(|point| self.transform.point(point)))
+        self.pen.bezier_to(control.map(|point| self.transform.point(point)))
     }
 }

@@ -79,7 +79,7 @@ pub(super) fn draw_shape(
             let (Some(rx), Some(ry)) = (rx.or(ry), ry.or(rx)) else { return Ok(Some(false)) };
             if rx > 0.0 && ry > 0.0 {
                 let centre = ["cx", "cy"].map(|part| attributes.length_or_zero(part));
-                pen.ellipse([transform.point(centre), transform.vector([rx, 0.0]), transform.vector([0.0, ry])])?;
+                pen.draw_ellipse([transform.point(centre), transform.vector([rx, 0.0]), transform.vector([0.0, ry])])?;
             }
             false
         }

@@ -24,7 +24,7 @@ pub(super) struct Package<'a> {
     archive: ZipSliceArchive<&'a [u8]>,
     /// Parts by their names in small letters without a slash in front.
     parts: BTreeMap<String, (ZipArchiveEntryWayfinder, CompressionMethod)>,
-    left: Rc<Cell<u64>>,
+    left_bytes: Rc<Cell<u64>>,
 }
 
 /// Returns the name by which a part is found.
@@ -52,7 +52,7 @@ impl<'a> Package<'a> {
             }
         }
         let left = (bytes.len() as u64).saturating_mul(MAX_EXPANSION).max(MIN_EXPANDED_BYTES);
-        Ok(Self { archive, parts, left: Rc::new(Cell::new(left)) })
+        Ok(Self { archive, parts, left_bytes: Rc::new(Cell::new(left)) })
     }
 
     /// Returns the names of all parts.
@@ -79,8 +79,11 @@ impl<'a> Package<'a> {
                 return Err(ReadError::unsupported(message));
             }
         };
-        let limits =
-            Limits { left: self.left.clone(), token: Rc::new(Cell::new(MAX_TOKEN_BYTES)), reached: Rc::default() };
+        let limits = Limits {
+            left_bytes: self.left_bytes.clone(),
+            token: Rc::new(Cell::new(MAX_TOKEN_BYTES)),
+            reached_limit: Rc::default(),
+        };
         let limited = LimitedReader { bytes, limits: limits.clone() };
         Ok(PartReader { name: name.to_owned(), bytes: Box::new(BufReader::with_capacity(1 << 16, limited)), limits })
     }
@@ -103,9 +106,9 @@ fn not_a_package(bytes: &[u8]) -> ReadError {
 /// Bytes that a reader of a part may still read.
 #[derive(Clone)]
 struct Limits {
-    left: Rc<Cell<u64>>,
+    left_bytes: Rc<Cell<u64>>,
     token: Rc<Cell<u64>>,
-    reached: Rc<Cell<Option<&'static str>>>,
+    reached_limit: Rc<Cell<Option<&'static str>>>,
 }
 
 /// A part that is being read.
@@ -153,7 +156,7 @@ impl TokenLimit {
 
     /// Makes the error of a part that could not be read.
     pub(super) fn error(&self, part: &str, why: &str) -> ReadError {
-        match self.0.reached.get() {
+        match self.0.reached_limit.get() {
             Some(limit) => ReadError::new(ReadErrorKind::TooLarge, format!("the part {part} {limit}")),
             None => ReadError::malformed(Place::Whole, format!("the part {part} is damaged: {why}")),
         }
@@ -169,17 +172,18 @@ impl Read for LimitedReader<'_> {
     fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
         let count = self.bytes.read(buffer)?;
         let limits = &self.limits;
-        let (left, token) = (limits.left.get().checked_sub(count as u64), limits.token.get().checked_sub(count as u64));
+        let (left, token) =
+            (limits.left_bytes.get().checked_sub(count as u64), limits.token.get().checked_sub(count as u64));
         let (Some(left), Some(token)) = (left, token) else {
             let message = if left.is_none() {
                 "expands to more than 256 times the file's size"
             } else {
                 "has a tag or text of more than 4 megabytes"
             };
-            limits.reached.set(Some(message));
+            limits.reached_limit.set(Some(message));
             return Err(std::io::Error::other(message));
         };
-        limits.left.set(left);
+        limits.left_bytes.set(left);
         limits.token.set(token);
         Ok(count)
     }

@@ -14,7 +14,7 @@ const NONE: u32 = u32::MAX;
 /// Group and entries of each triangle up to the last one that has some.
 #[derive(Default)]
 pub(super) struct TriangleProperties {
-    all: Vec<[u32; 4]>,
+    group_and_entries_of_triangle: Vec<[u32; 4]>,
 }
 
 impl TriangleProperties {
@@ -26,16 +26,16 @@ impl TriangleProperties {
         entries: [Option<u32>; 3],
         budget: &mut Budget,
     ) -> Result<(), ReadError> {
-        let more = face + 1 - self.all.len().min(face + 1);
-        if self.all.len() + more > self.all.capacity() {
-            let more = more.max(self.all.capacity()).max(64);
-            budget.take::<[u32; 4]>(more as u64)?;
-            self.all.try_reserve_exact(more)?;
+        let more = face + 1 - self.group_and_entries_of_triangle.len().min(face + 1);
+        if self.group_and_entries_of_triangle.len() + more > self.group_and_entries_of_triangle.capacity() {
+            let more = more.max(self.group_and_entries_of_triangle.capacity()).max(64);
+            budget.take_bytes_of::<[u32; 4]>(more as u64)?;
+            self.group_and_entries_of_triangle.try_reserve_exact(more)?;
         }
-        self.all.resize(face, [NONE; 4]);
+        self.group_and_entries_of_triangle.resize(face, [NONE; 4]);
         let first = entries[0].unwrap_or(NONE);
         let [_, b, c] = entries.map(|entry| entry.unwrap_or(first));
-        self.all.push([group.unwrap_or(NONE), first, b, c]);
+        self.group_and_entries_of_triangle.push([group.unwrap_or(NONE), first, b, c]);
         Ok(())
     }
 }
@@ -53,7 +53,7 @@ struct Collected<'m> {
 /// Makes room for all faces or corners.
 fn fill<T: Copy>(values: &mut Vec<T>, count: usize, missing: T, budget: &mut Budget) -> Result<(), ReadError> {
     if values.is_empty() {
-        *values = budget.vector(count as u64)?;
+        *values = budget.allocate_vector(count as u64)?;
         values.resize(count, missing);
     }
     Ok(())
@@ -68,7 +68,7 @@ pub(super) fn apply_properties(
     document: &mut Document,
     budget: &mut Budget,
 ) -> Result<(), ReadError> {
-    if properties.all.is_empty() && object.property.is_none() {
+    if properties.group_and_entries_of_triangle.is_empty() && object.property.is_none() {
         return Ok(());
     }
     let faces = mesh.face_count();
@@ -77,7 +77,7 @@ pub(super) fn apply_properties(
     // Neighbours are often in one group.
     let mut last: Option<(u32, Option<&Group>)> = None;
     for face in 0..faces {
-        let [group, entries @ ..] = properties.all.get(face).copied().unwrap_or([NONE; 4]);
+        let [group, entries @ ..] = properties.group_and_entries_of_triangle.get(face).copied().unwrap_or([NONE; 4]);
         let (group, entries) = match (object.property, group) {
             (Some((own, entry)), NONE) if entries[0] == NONE => (own, [entry; 3]),
             (Some((own, _)), NONE) => (own, entries),
@@ -91,7 +91,7 @@ pub(super) fn apply_properties(
             _ => model.groups.get(&(object.id.0, group)),
         };
         last = Some((group, found));
-        collected.add(face, found, entries)?;
+        collected.add_triangle_properties(face, found, entries)?;
     }
     if collected.unknown > 0 {
         let text = format!("object {}: {} triangles have properties that do not exist", object.id.1, collected.unknown);
@@ -110,7 +110,12 @@ pub(super) fn apply_properties(
 }
 
 impl Collected<'_> {
-    fn add(&mut self, face: usize, group: Option<&Group>, entries: [u32; 3]) -> Result<(), ReadError> {
+    fn add_triangle_properties(
+        &mut self,
+        face: usize,
+        group: Option<&Group>,
+        entries: [u32; 3],
+    ) -> Result<(), ReadError> {
         let corners = 3 * self.faces;
         match group {
             Some(&Group::Materials { first, count }) if entries[0] < count => {
@@ -150,11 +155,11 @@ fn spread_colours(mesh: &mut Mesh, colours: &[[f32; 4]], budget: &mut Budget) ->
     let bits = |colour: &[f32; 4]| colour.map(f32::to_bits);
     let (faces, _) = colours.as_chunks::<3>();
     if faces.iter().all(|[a, b, c]| bits(a) == bits(b) && bits(b) == bits(c)) {
-        mesh.face_colours = budget.vector(faces.len() as u64)?;
+        mesh.face_colours = budget.allocate_vector(faces.len() as u64)?;
         mesh.face_colours.extend(faces.iter().map(|face| shown(face[0])));
         return Ok(true);
     }
-    let mut at_vertices = budget.vector::<[f32; 4]>(mesh.positions.len() as u64)?;
+    let mut at_vertices = budget.allocate_vector::<[f32; 4]>(mesh.positions.len() as u64)?;
     at_vertices.resize(mesh.positions.len(), [f32::NAN; 4]);
     let mut agree = true;
     for (&vertex, colour) in mesh.corners.iter().zip(colours) {

@@ -169,7 +169,7 @@ fn place_items(mut model: Model, document: &mut Document, budget: &mut Budget) -
         meshes = meshes.saturating_add(size.meshes);
         visits = visits.saturating_add(size.visits);
     }
-    if budget.take::<Placement>(meshes).is_err() || budget.take::<u64>(visits).is_err() {
+    if budget.take_bytes_of::<Placement>(meshes).is_err() || budget.take_bytes_of::<u64>(visits).is_err() {
         let message = format!("components place {meshes} meshes, which is too many for a file of this size");
         return Err(ReadError::new(ReadErrorKind::TooLarge, message));
     }
@@ -185,7 +185,7 @@ fn place_items(mut model: Model, document: &mut Document, budget: &mut Budget) -
                 alloc::push(&mut document.meshes, *mesh)?;
             }
             if let Some(&mesh) = places.get(&id) {
-                budget.take::<u8>(object.name.len() as u64)?;
+                budget.take_bytes_of::<u8>(object.name.len() as u64)?;
                 let placement = Placement { name: object.name.clone(), mesh, transform };
                 alloc::push(&mut document.placements, placement)?;
             }

@@ -163,13 +163,13 @@ impl<'r> ModelReader<'r> {
             "component" => {
                 let component = self.component(tag)?;
                 if let Some(object) = &mut self.object {
-                    self.budget.take::<Component>(1)?;
+                    self.budget.take_bytes_of::<Component>(1)?;
                     alloc::push(&mut object.components, component)?;
                 }
                 Ok(())
             }
             "item" => {
-                self.budget.take::<Component>(1)?;
+                self.budget.take_bytes_of::<Component>(1)?;
                 let item = self.component(tag)?;
                 // Only the main part says what is built.
                 if self.part == 0 {
@@ -243,8 +243,8 @@ impl<'r> ModelReader<'r> {
         let kind = attribute(tag, "type").unwrap_or_default();
         let name = attribute(tag, "name").unwrap_or_default();
         // Maps of objects and of their sizes take about as much again.
-        self.budget.take::<(ResourceId, Object, [u64; 12])>(1)?;
-        self.budget.take::<u8>(4 * name.len() as u64)?;
+        self.budget.take_bytes_of::<(ResourceId, Object, [u64; 12])>(1)?;
+        self.budget.take_bytes_of::<u8>(4 * name.len() as u64)?;
         let property = whole(tag, "pid").map(|group| (group, whole(tag, "pindex").unwrap_or(0)));
         let is_support = kind.ends_with("support");
         self.object = Some(Object { id, name, is_support, property, ..Object::default() });
@@ -254,7 +254,7 @@ impl<'r> ModelReader<'r> {
     fn end_object(&mut self) -> Result<(), ReadError> {
         let Some(mut object) = self.object.take() else { return Ok(()) };
         if let Some(open) = self.mesh.take() {
-            self.budget.take::<Mesh>(1)?;
+            self.budget.take_bytes_of::<Mesh>(1)?;
             object.mesh = Some(Box::new(self.finished_mesh(open, &object)?));
         }
         let id = object.id;
@@ -277,7 +277,7 @@ impl<'r> ModelReader<'r> {
             ));
         }
         let faces = open.corners.len() / 3;
-        let mut face_offsets = self.budget.vector(faces as u64 + 1)?;
+        let mut face_offsets = self.budget.allocate_vector(faces as u64 + 1)?;
         face_offsets.extend((0..=faces as u32).map(|face| 3 * face));
         let mut mesh = Mesh {
             name: object.name.clone(),
@@ -309,7 +309,7 @@ impl<'r> ModelReader<'r> {
         };
         if mesh.points.len() == mesh.points.capacity() {
             let more = mesh.points.capacity().max(64);
-            self.budget.take::<[f64; 3]>(more as u64)?;
+            self.budget.take_bytes_of::<[f64; 3]>(more as u64)?;
             mesh.points.try_reserve_exact(more)?;
         }
         mesh.points.push([x, y, z]);
@@ -342,7 +342,7 @@ impl<'r> ModelReader<'r> {
         let faces = mesh.corners.len() / 3;
         if mesh.corners.len() + 3 > mesh.corners.capacity() {
             let more = mesh.corners.capacity().max(192);
-            self.budget.take::<u32>(more as u64)?;
+            self.budget.take_bytes_of::<u32>(more as u64)?;
             mesh.corners.try_reserve_exact(more)?;
         }
         mesh.corners.extend([a, b, c]);
@@ -385,7 +385,7 @@ impl<'r> ModelReader<'r> {
 
     fn start_group(&mut self, tag: &BytesStart<'_>) -> Result<(), ReadError> {
         let Some(id) = whole(tag, "id") else { return Ok(()) };
-        self.budget.take::<(ResourceId, Group, [u64; 4])>(1)?;
+        self.budget.take_bytes_of::<(ResourceId, Group, [u64; 4])>(1)?;
         let group = match tag.local_name().into_inner() {
             "basematerials" => Group::Materials { first: self.document.materials.len() as u32, count: 0 },
             "colorgroup" => Group::Colours(Vec::new()),
@@ -408,8 +408,8 @@ impl<'r> ModelReader<'r> {
     fn base_material(&mut self, tag: &BytesStart<'_>) -> Result<(), ReadError> {
         let Some((_, Group::Materials { count, .. })) = &mut self.group else { return Ok(()) };
         let name = attribute(tag, "name").unwrap_or_default();
-        self.budget.take::<Material>(2)?;
-        self.budget.take::<u8>(name.len() as u64)?;
+        self.budget.take_bytes_of::<Material>(2)?;
+        self.budget.take_bytes_of::<u8>(name.len() as u64)?;
         let colour = attribute(tag, "displaycolor").and_then(|text| colour_from_text(&text)).unwrap_or([1.0; 4]);
         alloc::push(&mut self.document.materials, Material { name, colour, ..Material::default() })?;
         *count += 1;
@@ -418,7 +418,7 @@ impl<'r> ModelReader<'r> {
 
     fn colour(&mut self, tag: &BytesStart<'_>) -> Result<(), ReadError> {
         let Some((_, Group::Colours(colours))) = &mut self.group else { return Ok(()) };
-        self.budget.take::<[f32; 4]>(2)?;
+        self.budget.take_bytes_of::<[f32; 4]>(2)?;
         let colour = attribute(tag, "color").and_then(|text| colour_from_text(&text)).unwrap_or([1.0; 4]);
         alloc::push(colours, colour)?;
         Ok(())
@@ -426,7 +426,7 @@ impl<'r> ModelReader<'r> {
 
     fn texcoord(&mut self, tag: &BytesStart<'_>) -> Result<(), ReadError> {
         let Some((_, Group::Texcoords { pairs, .. })) = &mut self.group else { return Ok(()) };
-        self.budget.take::<[f64; 2]>(2)?;
+        self.budget.take_bytes_of::<[f64; 2]>(2)?;
         let [u, v] = ["u", "v"].map(|name| attribute(tag, name).and_then(|text| number(text.trim().as_bytes())));
         alloc::push(pairs, [u.unwrap_or(0.0), v.unwrap_or(0.0)])?;
         Ok(())
@@ -446,7 +446,7 @@ impl<'r> ModelReader<'r> {
             Some(&image) => image,
             None => {
                 let bytes = self.package.part(&key)?.read_all(self.budget.left_bytes() / 2)?;
-                self.budget.take::<u8>(2 * bytes.len() as u64)?;
+                self.budget.take_bytes_of::<u8>(2 * bytes.len() as u64)?;
                 let media_type = attribute(tag, "contenttype").unwrap_or_default();
                 let data = ImageData::Bytes(Arc::new(bytes));
                 alloc::push(&mut self.document.images, Image { name: name.clone(), media_type, data })?;
@@ -455,7 +455,7 @@ impl<'r> ModelReader<'r> {
                 image
             }
         };
-        self.budget.take::<(Material, ResourceId)>(2)?;
+        self.budget.take_bytes_of::<(Material, ResourceId)>(2)?;
         let material = self.document.materials.len() as u32;
         alloc::push(&mut self.document.materials, Material { name, image: Some(image), ..Material::default() })?;
         self.model.texture_materials.insert((self.part, id), material);

@@ -241,8 +241,12 @@ fn limits_what_bombs_expand_to() {
 
 fn written(document: &Document) -> (Vec<u8>, Vec<Loss>) {
     let mut bytes = Vec::new();
-    let mut target =
-        Target { main: &mut bytes, stem: "a", beside: &mut |_, _| panic!("no other file"), resources: &NoResources };
+    let mut target = Target {
+        main_file: &mut bytes,
+        stem: "a",
+        beside: &mut |_, _| panic!("no other file"),
+        resources: &NoResources,
+    };
     let losses = write_3mf(document, &mut target, &WriteOptions::default()).expect("written");
     (bytes, losses)
 }
@@ -280,7 +284,8 @@ fn writes_what_it_reads() {
     assert!((volume(&again.meshes[0]) - 1e-7).abs() < 1e-20);
     assert_eq!(written(&again).0, bytes);
     document.meshes[1].positions = Positions::F32(vec![[f32::NAN; 3]; 8]);
-    let mut target = Target { main: &mut Vec::new(), stem: "a", beside: &mut |_, _| Ok(()), resources: &NoResources };
+    let mut target =
+        Target { main_file: &mut Vec::new(), stem: "a", beside: &mut |_, _| Ok(()), resources: &NoResources };
     let error = write_3mf(&document, &mut target, &WriteOptions::default()).expect_err("not finite");
     assert_eq!(error.kind, WriteErrorKind::Unsupported);
 }

@@ -44,7 +44,7 @@ pub(crate) fn write_3mf(
 ) -> Result<Vec<Loss>, WriteError> {
     check_positions(document)?;
     let mut losses = Losses::default();
-    let mut archive = ZipArchiveWriter::new(&mut *target.main);
+    let mut archive = ZipArchiveWriter::new(&mut *target.main_file);
     write_part(&mut archive, "[Content_Types].xml", |out| out.write_all(CONTENT_TYPES.as_bytes()))?;
     write_part(&mut archive, "_rels/.rels", |out| out.write_all(RELATIONS.as_bytes()))?;
     write_part(&mut archive, "3D/3dmodel.model", |out| ModelWriter::new(document, out, &mut losses)?.write())?;
@@ -118,8 +118,8 @@ impl Losses {
         add(document.materials.iter().any(|material| material.image.is_some()), "images");
         add(self.has_materials_beside_colours, "materials of meshes that also have colours");
         add(self.has_both_colours, "colours of faces of meshes whose vertices also have colours");
-        add(!document.curves.closed.is_empty(), "curves");
-        add(!document.points.positions.is_empty(), "points without faces");
+        add(!document.unpack_curves.closed.is_empty(), "curves");
+        add(!document.unpack_points.positions.is_empty(), "points without faces");
         for property in placed().flat_map(|mesh| &mesh.properties) {
             let domain = if property.domain == Domain::Vertices { "vertices" } else { "faces" };
             add(true, &format!("{} of {domain}", property.name));
@@ -165,7 +165,7 @@ struct ModelWriter<'w> {
     out: TextWriter<'w>,
     losses: &'w mut Losses,
     /// Number of the next resource.
-    next: u32,
+    next_resource_id: u32,
 }
 
 /// The number of the group of materials.
@@ -173,7 +173,7 @@ const MATERIALS: u32 = 1;
 
 impl<'w> ModelWriter<'w> {
     fn new(document: &'w Document, out: &'w mut dyn Write, losses: &'w mut Losses) -> io::Result<Self> {
-        Ok(Self { document, out: TextWriter::new(out)?, losses, next: MATERIALS + 1 })
+        Ok(Self { document, out: TextWriter::new(out)?, losses, next_resource_id: MATERIALS + 1 })
     }
 
     fn write(mut self) -> io::Result<()> {
@@ -234,8 +234,8 @@ impl<'w> ModelWriter<'w> {
     /// Writes an object and its colours. Returns the object's number.
     fn object(&mut self, mesh: &Mesh, name: &str) -> io::Result<u32> {
         let properties = self.properties(mesh)?;
-        let id = self.next;
-        self.next += 1;
+        let id = self.next_resource_id;
+        self.next_resource_id += 1;
         self.out.text(&format!("<object id=\"{id}\" type=\"model\""))?;
         if !name.is_empty() {
             self.out.text(" name=\"")?;
@@ -273,8 +273,8 @@ impl<'w> ModelWriter<'w> {
         self.losses.has_materials_beside_colours |= has_materials;
         self.losses.are_colours_rounded |= has_shades_between_steps(colours);
         self.losses.has_both_colours |= !mesh.vertex_colours.is_empty() && !mesh.face_colours.is_empty();
-        let group = self.next;
-        self.next += 1;
+        let group = self.next_resource_id;
+        self.next_resource_id += 1;
         self.out.text(&format!("<m:colorgroup id=\"{group}\">\n"))?;
         for &colour in colours {
             self.out.text("<m:color color=\"")?;

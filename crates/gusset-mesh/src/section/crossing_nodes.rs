@@ -56,7 +56,7 @@ pub(super) struct CrossingNodes {
     /// By end of a segment: its node.
     pub(super) node_of_end: Vec<u32>,
     /// By end: the end of the segment that continues it, or [`NONE`].
-    pub(super) partner: Vec<u32>,
+    pub(super) partner_of_end: Vec<u32>,
 }
 
 impl CrossingNodes {
@@ -69,12 +69,12 @@ impl CrossingNodes {
         segments: &mut FaceCrossings,
         job: &Job<'_>,
     ) -> Result<()> {
-        let ends = &mut segments.ends;
+        let ends = &mut segments.edge_of_end;
         sort(ends, Ord::cmp, job, STAGE)?;
         self.points.clear();
         alloc::reserve(&mut self.points, ends.len() / 2)?;
         alloc::reset(&mut self.node_of_end, ends.len(), 0)?;
-        alloc::reset(&mut self.partner, ends.len(), NONE)?;
+        alloc::reset(&mut self.partner_of_end, ends.len(), NONE)?;
         let mut crowded: Vec<(usize, usize)> = Vec::new();
         let mut start = 0;
         for at_node in ends.chunk_by(|(e, _), (f, _)| e == f) {
@@ -92,19 +92,21 @@ impl CrossingNodes {
         let (u, v) = cut.plane.unit_normal().any_orthonormal_pair();
         for (k, &(first, end)) in crowded.iter().enumerate() {
             job.step_within_heavy_list(64, k, STAGE)?;
-            let around = alloc::collect(segments.ends[first..end].iter().map(|&(_, end)| self.ray(end, u, v)))?;
+            let around = alloc::collect(
+                segments.edge_of_end[first..end].iter().map(|&(_, end)| self.find_ray_of_end(end, u, v)),
+            )?;
             self.pair_around_node(around)?;
         }
         Ok(())
     }
 
     fn join_ends(&mut self, e: u32, f: u32) {
-        self.partner[e as usize] = f;
-        self.partner[f as usize] = e;
+        self.partner_of_end[e as usize] = f;
+        self.partner_of_end[f as usize] = e;
     }
 
     /// Returns the direction of a segment seen from its end: an angle about the normal.
-    fn ray(&self, end: u32, u: DVec3, v: DVec3) -> (f64, u32) {
+    fn find_ray_of_end(&self, end: u32, u: DVec3, v: DVec3) -> (f64, u32) {
         let [here, there] = [end, end ^ 1].map(|end| self.points[self.node_of_end[end as usize] as usize].point);
         let along = DVec2::new((there - here).dot(u), (there - here).dot(v));
         (libm::atan2(along.y, along.x), end)
@@ -127,7 +129,7 @@ impl CrossingNodes {
         // The second round closes the sectors that contain the direction of angle 0.
         for &(_, end) in &around {
             if arrives(end)
-                && self.partner[end as usize] == NONE
+                && self.partner_of_end[end as usize] == NONE
                 && let Some(open) = leaving.pop()
             {
                 self.join_ends(open, end);
@@ -135,7 +137,7 @@ impl CrossingNodes {
         }
         // Faces that disagree in orientation leave ends of one kind: neighbours continue each
         // other.
-        around.retain(|&(_, end)| self.partner[end as usize] == NONE);
+        around.retain(|&(_, end)| self.partner_of_end[end as usize] == NONE);
         around.chunks_exact(2).for_each(|pair| self.join_ends(pair[0].1, pair[1].1));
         Ok(())
     }

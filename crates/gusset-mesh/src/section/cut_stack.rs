@@ -23,7 +23,7 @@ pub(super) const MAX_PLANES: u64 = 1 << 30;
 const ELEMENTS_PER_TASK: usize = 1 << 15;
 
 /// The class of vertices that no section may use: a coordinate is not finite or too large.
-const UNUSABLE: u32 = u32::MAX;
+const UNUSABLE_VERTEX_CLASS: u32 = u32::MAX;
 
 /// A mesh cut by a stack of planes.
 pub(super) struct StackCut<'a> {
@@ -41,9 +41,9 @@ pub(super) struct StackCut<'a> {
 struct CrossedFace {
     face: u32,
     /// The first plane.
-    first: u32,
+    first_plane: u32,
     /// The plane after the last.
-    end: u32,
+    end_plane: u32,
 }
 
 impl<'a> StackCut<'a> {
@@ -57,22 +57,22 @@ impl<'a> StackCut<'a> {
         let positions = mesh.positions();
         let mut classes = alloc::zeroed(positions.len())?;
         let parts = classes.chunks_mut(ELEMENTS_PER_TASK).enumerate();
-        par::map_cancellable(&job.part(0.0, 0.4), STAGE, parts, |(part, classes)| {
+        par::map_cancellable(&job.sub_job(0.0, 0.4), STAGE, parts, |(part, classes)| {
             for (class, v) in classes.iter_mut().zip((part * ELEMENTS_PER_TASK) as u32..) {
                 *class = find_class(plane, levels, positions.get(v));
             }
         })?;
         let ranges = par::split_into_ranges(mesh.faces().len(), ELEMENTS_PER_TASK);
-        let found = par::map_cancellable(&job.part(0.4, 0.8), STAGE, ranges, |range| {
-            let mut visitor = CrossedFaceFinder { mesh, classes: &classes, in_plane, found: Vec::new() };
-            mesh.faces().visit_faces(range, &mut visitor).map(|()| visitor.found)
+        let found = par::map_cancellable(&job.sub_job(0.4, 0.8), STAGE, ranges, |range| {
+            let mut visitor = CrossedFaceFinder { mesh, classes: &classes, in_plane, crossed_faces: Vec::new() };
+            mesh.faces().visit_faces(range, &mut visitor).map(|()| visitor.crossed_faces)
         })?;
         let mut crossed: Vec<CrossedFace> = Vec::new();
         alloc::append_all(&mut crossed, found)?;
-        let segments = crossed.iter().map(|c| u64::from(c.end - c.first)).sum();
+        let segments = crossed.iter().map(|c| u64::from(c.end_plane - c.first_plane)).sum();
         Error::check_count("crossings of faces and planes", segments, MAX_ELEMENTS / 4)?;
-        let by_plane = crossed.iter().flat_map(|c| (c.first..c.end).map(|k| (k as usize, c.face)));
-        let faces = Buckets::new_cancellable(levels.len(), 0, by_plane, &job.part(0.8, 1.0), STAGE)?;
+        let by_plane = crossed.iter().flat_map(|c| (c.first_plane..c.end_plane).map(|k| (k as usize, c.face)));
+        let faces = Buckets::new_cancellable(levels.len(), 0, by_plane, &job.sub_job(0.8, 1.0), STAGE)?;
         Ok(StackCut { plane, levels, in_plane, classes, faces })
     }
 
@@ -108,10 +108,10 @@ fn count_planes_below(class: u32, in_plane: InPlane) -> u32 {
 fn find_class(plane: &ExactPlane, levels: &[f64], p: DVec3) -> u32 {
     // NaN fails the comparison too.
     if !(p.abs().max_element() <= MAX_COORDINATE && p.is_finite()) {
-        return UNUSABLE;
+        return UNUSABLE_VERTEX_CLASS;
     }
     let bounded = plane.bounded_value(p);
-    let (low, high) = (bounded.value - bounded.error, bounded.value + bounded.error);
+    let (low, high) = (bounded.value - bounded.error_bound, bounded.value + bounded.error_bound);
     let below = levels.partition_point(|&level| level < low);
     match levels.get(below) {
         Some(&level) if level <= high => find_class_exactly(plane, levels, p, below, high),
@@ -135,7 +135,7 @@ struct CrossedFaceFinder<'a> {
     mesh: &'a MeshView<'a>,
     classes: &'a [u32],
     in_plane: InPlane,
-    found: Vec<CrossedFace>,
+    crossed_faces: Vec<CrossedFace>,
 }
 
 impl FaceVisitor for CrossedFaceFinder<'_> {
@@ -146,13 +146,13 @@ impl FaceVisitor for CrossedFaceFinder<'_> {
             let class = self.classes[v as usize];
             (lowest, highest) = (lowest.min(class), highest.max(class));
         }
-        if highest == UNUSABLE {
+        if highest == UNUSABLE_VERTEX_CLASS {
             return Err(self.describe_unusable_vertex(corners));
         }
         let [first, end] = [lowest, highest].map(|class| count_planes_below(class, self.in_plane));
         if first < end && has_three_sides(corners) {
-            let face = self.mesh.faces().face_of(first_corner);
-            alloc::push(&mut self.found, CrossedFace { face, first, end })?;
+            let face = self.mesh.faces().face_of_half_edge(first_corner);
+            alloc::push(&mut self.crossed_faces, CrossedFace { face, first_plane: first, end_plane: end })?;
         }
         Ok(())
     }
@@ -161,7 +161,7 @@ impl FaceVisitor for CrossedFaceFinder<'_> {
 impl CrossedFaceFinder<'_> {
     #[cold]
     fn describe_unusable_vertex(&self, corners: &[u32]) -> Error {
-        let vertex = corners.iter().copied().find(|&v| self.classes[v as usize] == UNUSABLE).unwrap_or(0);
+        let vertex = corners.iter().copied().find(|&v| self.classes[v as usize] == UNUSABLE_VERTEX_CLASS).unwrap_or(0);
         let p = self.mesh.positions().get(vertex);
         let value = p.to_array().into_iter().find(|x| x.abs() > MAX_COORDINATE).unwrap_or(f64::NAN);
         Error::CoordinateTooLarge { element: Element::Vertex, index: vertex.into(), value }

@@ -53,7 +53,7 @@ pub(super) fn check_stack(stack: &PlaneStack<'_>) -> Result<()> {
 }
 
 /// Returns the unit vector of a direction that is not 0.
-fn unit(direction: DVec3) -> DVec3 {
+fn normalise_direction(direction: DVec3) -> DVec3 {
     // Scaling first avoids overflow and underflow.
     (direction / direction.abs().max_element()).normalize()
 }
@@ -69,7 +69,7 @@ pub fn planes_about_axis(point: DVec3, axis: DVec3, reference: DVec3, angles: &[
     check_vector(point, "point")?;
     check_direction(axis, "axis")?;
     check_direction(reference, "reference")?;
-    let (axis, reference) = (unit(axis), unit(reference));
+    let (axis, reference) = (normalise_direction(axis), normalise_direction(reference));
     let across = axis.cross(reference);
     Error::require(across.length() > 1e-12, "reference", across.length())?;
     let across = across.normalize();
@@ -111,7 +111,7 @@ pub fn planes_across_polyline(points: &[DVec3], is_closed: bool, distances: &[f6
     }
     // The polyline's own arrays: directions of segments, distances of vertices.
     let count = distinct.len() - 1;
-    let directions = alloc::collect((0..count).map(|k| unit(distinct[k + 1] - distinct[k])))?;
+    let directions = alloc::collect((0..count).map(|k| normalise_direction(distinct[k + 1] - distinct[k])))?;
     let mut places = alloc::filled(0.0, count + 1)?;
     for k in 0..count {
         places[k + 1] = places[k] + distinct[k].distance(distinct[k + 1]);

@@ -36,7 +36,7 @@ pub(super) struct ExactPlane {
 #[derive(Clone, Copy)]
 pub(super) struct BoundedValue {
     pub(super) value: f64,
-    pub(super) error: f64,
+    pub(super) error_bound: f64,
 }
 
 impl ExactPlane {
@@ -63,7 +63,7 @@ impl ExactPlane {
     pub(super) fn bounded_value(&self, p: DVec3) -> BoundedValue {
         let products = self.normal * (p - self.origin);
         let sum = products.abs().element_sum();
-        BoundedValue { value: products.element_sum(), error: ROUNDING_BOUND * sum }
+        BoundedValue { value: products.element_sum(), error_bound: ROUNDING_BOUND * sum }
     }
 
     /// Returns n · (p - o) - c with the exact sign, and with a relative error of a few roundings.
@@ -84,7 +84,7 @@ impl ExactPlane {
     /// Returns n · (p - o) - c, accurate enough to place a point on an edge.
     #[inline]
     pub(super) fn distance(&self, p: DVec3, level: f64) -> f64 {
-        let BoundedValue { value, error } = self.bounded_value(p);
+        let BoundedValue { value, error_bound: error } = self.bounded_value(p);
         let distance = value - level;
         if distance.abs() > PLACE_ACCURACY * error { distance } else { self.exact_distance(p, level) }
     }

@@ -19,7 +19,7 @@ pub(super) struct FaceCrossings {
     /// By segment: its face.
     pub(super) faces: Vec<u32>,
     /// By end: the edge, packed as [`unordered`], and the number of the end.
-    pub(super) ends: Vec<(u64, u32)>,
+    pub(super) edge_of_end: Vec<(u64, u32)>,
     /// The crossings of one face.
     crossings: Vec<Crossing>,
 }
@@ -31,7 +31,7 @@ struct Crossing {
     /// True if the border passes from above to below.
     begins_segment: bool,
     /// The place along the line in which the plane meets the face.
-    place: f64,
+    place_along_line: f64,
 }
 
 impl FaceCrossings {
@@ -45,16 +45,16 @@ impl FaceCrossings {
     ) -> Result<()> {
         let faces = cut.faces_across_plane(plane);
         self.faces.clear();
-        self.ends.clear();
+        self.edge_of_end.clear();
         alloc::reserve(&mut self.faces, faces.len())?;
-        alloc::reserve(&mut self.ends, 2 * faces.len())?;
+        alloc::reserve(&mut self.edge_of_end, 2 * faces.len())?;
         for (k, &face) in faces.iter().enumerate() {
             job.step_within_heavy_list(4, k, STAGE)?;
             self.crossings.clear();
             for (_, u, v) in half_edges(mesh, face as usize) {
                 let begins_segment = cut.is_above(u, plane);
                 if begins_segment != cut.is_above(v, plane) {
-                    let crossing = Crossing { edge: unordered([u, v]), begins_segment, place: 0.0 };
+                    let crossing = Crossing { edge: unordered([u, v]), begins_segment, place_along_line: 0.0 };
                     alloc::push(&mut self.crossings, crossing)?;
                 }
             }
@@ -67,8 +67,8 @@ impl FaceCrossings {
                 let [from, to] = if is_turned { [second, first] } else { [first, second] };
                 let end = 2 * self.faces.len() as u32;
                 alloc::push(&mut self.faces, face)?;
-                alloc::push(&mut self.ends, (from.edge, end))?;
-                alloc::push(&mut self.ends, (to.edge, end + 1))?;
+                alloc::push(&mut self.edge_of_end, (from.edge, end))?;
+                alloc::push(&mut self.edge_of_end, (to.edge, end + 1))?;
             }
         }
         Ok(())
@@ -88,8 +88,8 @@ impl FaceCrossings {
         // A face parallel to the plane has no line.
         let along = if scale > 0.0 { along / scale } else { along };
         for crossing in &mut self.crossings {
-            crossing.place = cut.place_point(mesh, plane, crossing.edge).point.dot(along);
+            crossing.place_along_line = cut.place_point(mesh, plane, crossing.edge).point.dot(along);
         }
-        gusset_base::sort::sort_stable(&mut self.crossings, &|a, b| a.place.total_cmp(&b.place));
+        gusset_base::sort::sort_stable(&mut self.crossings, &|a, b| a.place_along_line.total_cmp(&b.place_along_line));
     }
 }

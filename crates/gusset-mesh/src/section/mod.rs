@@ -200,13 +200,13 @@ pub fn cut_by_stack(mesh: &MeshView<'_>, stack: &PlaneStack<'_>, options: &Optio
     cutting_planes::check_stack(stack)?;
     let plane = ExactPlane::new(stack.point, stack.normal)?;
     let levels = alloc::collect(stack.offsets.iter().map(|offset| plane.scaled_level(*offset)))?;
-    let cut = StackCut::new(mesh, &plane, &levels, options.in_plane, &job.part(0.0, 0.5))?;
+    let cut = StackCut::new(mesh, &plane, &levels, options.in_plane, &job.sub_job(0.0, 0.5))?;
     // Many planes of few faces share one work item.
     let planes_per_part = levels.len().div_ceil(256).max(1);
     let ranges = par::split_into_ranges(levels.len(), planes_per_part);
     let trace = |planes: Range<usize>, job: &Job<'_>| section_tracer::trace_planes(mesh, &cut, planes, options, job);
-    let parts = par::map_jobs(&job.part(0.5, 0.95), STAGE, ranges, trace)?;
-    Sections::from_parts(levels.len(), planes_per_part, &parts, &job.part(0.95, 1.0))
+    let parts = par::map_jobs(&job.sub_job(0.5, 0.95), STAGE, ranges, trace)?;
+    Sections::from_parts(levels.len(), planes_per_part, &parts, &job.sub_job(0.95, 1.0))
 }
 
 /// Cuts a mesh by planes in any positions. Takes O(n (V + H) + s log s) for n planes and s segments,
@@ -225,8 +225,8 @@ pub fn cut_by_planes(mesh: &MeshView<'_>, planes: &[Plane], options: &Options, j
     };
     let parts = match planes {
         // A single plane uses all threads.
-        [plane] => vec![cut(plane, &job.part(0.0, 0.95))?],
-        planes => par::map_jobs(&job.part(0.0, 0.95), STAGE, planes.iter(), cut)?,
+        [plane] => vec![cut(plane, &job.sub_job(0.0, 0.95))?],
+        planes => par::map_jobs(&job.sub_job(0.0, 0.95), STAGE, planes.iter(), cut)?,
     };
-    Sections::from_parts(planes.len(), 1, &parts, &job.part(0.95, 1.0))
+    Sections::from_parts(planes.len(), 1, &parts, &job.sub_job(0.95, 1.0))
 }

@@ -19,8 +19,8 @@ const MAX_ENTRIES_PER_EDGE: usize = 4;
 /// An edge of a loop.
 #[derive(Clone, Copy, Default)]
 struct LoopEdge {
-    from: DVec2,
-    to: DVec2,
+    start_point: DVec2,
+    end_point: DVec2,
     /// The index of the loop among the closed paths.
     path: u32,
 }
@@ -29,7 +29,11 @@ impl LoopEdge {
     /// Returns the second coordinate of the edge at the first coordinate `x`, if the edge has a
     /// point there. If two edges meet at x, one counts.
     fn height_at(&self, x: f64) -> Option<f64> {
-        let [low, high] = if self.from.x < self.to.x { [self.from, self.to] } else { [self.to, self.from] };
+        let [low, high] = if self.start_point.x < self.end_point.x {
+            [self.start_point, self.end_point]
+        } else {
+            [self.end_point, self.start_point]
+        };
         (low.x <= x && x < high.x).then(|| low.y + (high.y - low.y) * ((x - low.x) / (high.x - low.x)))
     }
 }
@@ -52,8 +56,8 @@ pub(super) fn nest_loops(sections: &mut Sections, first_path: usize, normal: DVe
         let points = &sections.points[sections.range(k)];
         starts.push(edges.len());
         edges.extend((0..points.len()).map(|i| LoopEdge {
-            from: flat(points[i]),
-            to: flat(points[(i + 1) % points.len()]),
+            start_point: flat(points[i]),
+            end_point: flat(points[(i + 1) % points.len()]),
             path,
         }));
         sections.paths[k].area = measure_area(&edges[starts[path as usize]..]);
@@ -90,69 +94,74 @@ pub(super) fn nest_loops(sections: &mut Sections, first_path: usize, normal: DVe
 
 /// Returns the signed area of a loop.
 fn measure_area(edges: &[LoopEdge]) -> f64 {
-    let origin = edges[0].from;
-    edges.iter().map(|edge| (edge.from - origin).perp_dot(edge.to - origin)).sum::<f64>() / 2.0
+    let origin = edges[0].start_point;
+    edges.iter().map(|edge| (edge.start_point - origin).perp_dot(edge.end_point - origin)).sum::<f64>() / 2.0
 }
 
 /// Returns a point inside a loop, as far as possible from its edges on one line.
 fn find_inner_point(edges: &[LoopEdge], crossings: &mut Vec<f64>, job: &Job<'_>) -> Result<DVec2> {
-    let (low, high) = edges
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), edge| (low.min(edge.from.x), high.max(edge.from.x)));
+    let (low, high) = edges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), edge| {
+        (low.min(edge.start_point.x), high.max(edge.start_point.x))
+    });
     let x = f64::midpoint(low, high);
     crossings.clear();
     alloc::extend(crossings, edges.iter().filter_map(|edge| edge.height_at(x)))?;
     sort(crossings, f64::total_cmp, job, STAGE)?;
     let gaps = crossings.chunks_exact(2);
     let widest = gaps.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
-    let y = widest.map_or(edges[0].from.y, |gap| f64::midpoint(gap[0], gap[1]));
+    let y = widest.map_or(edges[0].start_point.y, |gap| f64::midpoint(gap[0], gap[1]));
     Ok(DVec2::new(x, y))
 }
 
 /// The edges in slabs of equal width along the first coordinate.
 struct Slabs {
-    low: f64,
+    low_coordinate: f64,
     /// The number of slabs in a unit of length.
-    density: f64,
-    count: usize,
-    edges: Buckets<u32>,
+    slabs_per_unit: f64,
+    slab_count: usize,
+    edges_of_slab: Buckets<u32>,
 }
 
 impl Slabs {
     fn new(edges: &[LoopEdge], job: &Job<'_>) -> Result<Slabs> {
         let (low, high) = edges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), edge| {
-            (low.min(edge.from.x), high.max(edge.from.x))
+            (low.min(edge.start_point.x), high.max(edge.start_point.x))
         });
-        let mut slabs = Slabs { low, density: 0.0, count: edges.len(), edges: Buckets::default() };
+        let mut slabs = Slabs {
+            low_coordinate: low,
+            slabs_per_unit: 0.0,
+            slab_count: edges.len(),
+            edges_of_slab: Buckets::default(),
+        };
         loop {
             job.step_within_list(edges.len(), STAGE)?;
-            let density = slabs.count as f64 / (high - low);
-            slabs.density = if density.is_finite() { density } else { 0.0 };
+            let density = slabs.slab_count as f64 / (high - low);
+            slabs.slabs_per_unit = if density.is_finite() { density } else { 0.0 };
             let entries: usize = edges.iter().map(|edge| slabs.range_of_edge(edge).count()).sum();
             if entries <= MAX_ENTRIES_PER_EDGE * edges.len() {
                 break;
             }
-            slabs.count /= 2;
+            slabs.slab_count /= 2;
         }
         let by_slab = (0..).zip(edges).flat_map(|(k, edge)| slabs.range_of_edge(edge).map(move |slab| (slab, k)));
-        slabs.edges = Buckets::new_cancellable(slabs.count, 0, by_slab, job, STAGE)?;
+        slabs.edges_of_slab = Buckets::new_cancellable(slabs.slab_count, 0, by_slab, job, STAGE)?;
         Ok(slabs)
     }
 
     fn slab_at(&self, x: f64) -> usize {
         // The conversion saturates.
-        (((x - self.low) * self.density) as usize).min(self.count - 1)
+        (((x - self.low_coordinate) * self.slabs_per_unit) as usize).min(self.slab_count - 1)
     }
 
     fn range_of_edge(&self, edge: &LoopEdge) -> std::ops::RangeInclusive<usize> {
-        let [a, b] = [edge.from.x, edge.to.x].map(|x| self.slab_at(x));
+        let [a, b] = [edge.start_point.x, edge.end_point.x].map(|x| self.slab_at(x));
         a.min(b)..=a.max(b)
     }
 
     /// Collects the loop of each edge above a point.
     fn find_edges_above(&self, edges: &[LoopEdge], p: DVec2, above: &mut Vec<u32>, job: &Job<'_>) -> Result<()> {
         above.clear();
-        for (k, &edge) in self.edges.get(self.slab_at(p.x)).iter().enumerate() {
+        for (k, &edge) in self.edges_of_slab.get(self.slab_at(p.x)).iter().enumerate() {
             job.step_within_list(k, STAGE)?;
             let edge = &edges[edge as usize];
             if edge.height_at(p.x).is_some_and(|height| height > p.y) {

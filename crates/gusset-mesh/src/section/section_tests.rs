@@ -230,7 +230,7 @@ proptest! {
         prop_assert_eq!(distance > 0.0, exact > 0);
         prop_assert_eq!(distance < 0.0, exact < 0);
         let bounded = plane.bounded_value(double(p));
-        prop_assert!((bounded.value - distance).abs() <= bounded.error);
+        prop_assert!((bounded.value - distance).abs() <= bounded.error_bound);
     }
 
     /// The simplified path is within the tolerance, keeps given points and has no more points.

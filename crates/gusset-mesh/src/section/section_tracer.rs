@@ -25,7 +25,7 @@ pub(super) fn trace_planes(
     let (mut segments, mut nodes) = (FaceCrossings::default(), CrossingNodes::default());
     let mut simplifier = PolylineSimplifier::new(options.tolerance);
     for plane in planes.clone() {
-        let job = job.share(plane - planes.start, planes.len());
+        let job = job.sub_job_of_item(plane - planes.start, planes.len());
         job.step(0.0, STAGE)?;
         segments.find_segments(mesh, cut, plane, &job)?;
         nodes.link_ends(mesh, cut, plane, &mut segments, &job)?;
@@ -81,7 +81,7 @@ impl Sections {
             is_traced[segment] = true;
             self.append_point(nodes, node, segments.faces[segment], &mut last_vertex)?;
             let far = end ^ 1;
-            match nodes.partner[far as usize] {
+            match nodes.partner_of_end[far as usize] {
                 NONE => return self.append_point(nodes, nodes.node_of_end[far as usize], NONE, &mut last_vertex),
                 next if next == start => return Ok(()),
                 next => end = next,
@@ -147,7 +147,7 @@ fn find_path_start(nodes: &CrossingNodes, given: u32, job: &Job<'_>) -> Result<(
     let mut end = given;
     for k in 0.. {
         job.step_within_heavy_list(4, k, STAGE)?;
-        match nodes.partner[end as usize] {
+        match nodes.partner_of_end[end as usize] {
             NONE => return Ok((end, false)),
             before if before ^ 1 == given => return Ok((given, true)),
             before => end = before ^ 1,

@@ -103,7 +103,7 @@ impl Net<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn turned_by_quarters(&self, quarters: i32, job: &Job<'_>) -> Result<Net<'static>> {
-        let (first, second) = (&job.part(0.0, 0.5), &job.part(0.5, 1.0));
+        let (first, second) = (&job.sub_job(0.0, 0.5), &job.sub_job(0.5, 1.0));
         match quarters.rem_euclid(4) {
             0 => self.copied(),
             1 => self.transposed(first)?.flipped(Direction::Down, second),
@@ -126,7 +126,7 @@ impl Net<'_> {
             GridSymmetry::FlipRows => self.flipped(Direction::Down, job),
             GridSymmetry::Transpose => self.transposed(job),
             GridSymmetry::Antitranspose => {
-                self.transposed(&job.part(0.0, 0.4))?.turned_by_quarters(2, &job.part(0.4, 1.0))
+                self.transposed(&job.sub_job(0.0, 0.4))?.turned_by_quarters(2, &job.sub_job(0.4, 1.0))
             }
         }
     }

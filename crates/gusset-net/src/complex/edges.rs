@@ -59,12 +59,12 @@ struct LinkOfVertex {
     /// The number of faces at each point.
     degrees: Vec<u32>,
     /// The points with one face, each with the root of its component.
-    ends: Vec<(u32, u32)>,
+    points_with_one_face: Vec<(u32, u32)>,
 }
 
 impl LinkOfVertex {
     /// Returns the number of components of the link; the two ends of each open one are appended to
-    /// `ends`.
+    /// `points_with_one_face`.
     fn count_fans(&mut self, corners: &[FaceCorner], ends: &mut Vec<FanEnds>) -> Result<usize> {
         self.points.clear();
         alloc::extend(&mut self.points, corners.iter().flat_map(|&[_, before, after]| [before, after]))?;
@@ -78,15 +78,15 @@ impl LinkOfVertex {
             self.degrees[b] += 1;
             self.components.union(a as u32, b as u32);
         }
-        self.ends.clear();
+        self.points_with_one_face.clear();
         for point in 0..count {
             if self.degrees[point] == 1 {
                 let root = self.components.find(point as u32);
-                alloc::push(&mut self.ends, (root, self.points[point]))?;
+                alloc::push(&mut self.points_with_one_face, (root, self.points[point]))?;
             }
         }
-        self.ends.sort_unstable();
-        for component in self.ends.chunk_by(|a, b| a.0 == b.0) {
+        self.points_with_one_face.sort_unstable();
+        for component in self.points_with_one_face.chunk_by(|a, b| a.0 == b.0) {
             // More than two only where a fan branches; an odd end terminates a chain of the
             // boundary.
             for pair in component.chunks_exact(2) {

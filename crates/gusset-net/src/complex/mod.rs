@@ -50,7 +50,7 @@ impl Complex {
     fn new(topology: &Topology, presence: &ExistingCells, job: &Job<'_>) -> Result<Self> {
         let classes = NodeClasses::new(topology)?;
         let mut complex = Complex::default();
-        let mut scan = IrregularElements::new(&classes, presence, &mut complex, &job.part(0.0, 0.5))?;
+        let mut scan = IrregularElements::new(&classes, presence, &mut complex, &job.sub_job(0.0, 0.5))?;
         edges::group_sides_into_edges(&mut scan, &mut complex)?;
         job.step(0.7, "complex")?;
         edges::group_corners_into_fans(&mut scan, &mut complex)?;

@@ -45,14 +45,14 @@ pub(super) struct IrregularElements<'a> {
     shape: Shape,
     classes: &'a NodeClasses,
     /// For each node [`NODE_IS_GLUED`], [`NODE_HAS_LINK_TO_GLUED`], or neither.
-    marks: Vec<u8>,
+    node_marks: Vec<u8>,
     pub(super) sides: Vec<FaceSide>,
     pub(super) corners: Vec<FaceCorner>,
     /// Boundary edges between single nodes, in the direction of their faces.
     pub(super) rim: Vec<Edge>,
     pub(super) fan_ends: Vec<FanEnds>,
     /// Classes of several nodes that cells touch, with repetitions.
-    touched: Vec<u32>,
+    touched_classes: Vec<u32>,
 }
 
 /// The node is glued to others.
@@ -73,12 +73,12 @@ impl<'a> IrregularElements<'a> {
         let mut scan = IrregularElements {
             shape,
             classes,
-            marks: mark_glued_nodes(classes)?,
+            node_marks: mark_glued_nodes(classes)?,
             sides,
             corners,
             rim,
             fan_ends,
-            touched,
+            touched_classes: touched,
         };
         let mut above: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
         let mut below: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
@@ -90,15 +90,15 @@ impl<'a> IrregularElements<'a> {
             scan.scan_cells_of_row(i, &below, complex)?;
             std::mem::swap(&mut above, &mut below);
         }
-        sort_distinct(&mut scan.touched);
-        complex.vertices += scan.touched.len() as u64;
+        sort_distinct(&mut scan.touched_classes);
+        complex.vertices += scan.touched_classes.len() as u64;
         Ok(scan)
     }
 
     /// Counts the vertices of row i, and finds pinches at missing cells.
     fn scan_nodes_of_row(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
         let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
-        let marks = &self.marks[start as usize..][..w];
+        let marks = &self.node_marks[start as usize..][..w];
         for j in 0..w {
             let node = start + j as u32;
             let cells = [above[j], above[j + 1], below[j + 1], below[j]];
@@ -106,7 +106,7 @@ impl<'a> IrregularElements<'a> {
                 continue;
             }
             if marks[j] == NODE_IS_GLUED {
-                alloc::push(&mut self.touched, self.classes.representative(node))?;
+                alloc::push(&mut self.touched_classes, self.classes.representative(node))?;
                 continue;
             }
             complex.vertices += 1;
@@ -125,7 +125,7 @@ impl<'a> IrregularElements<'a> {
     /// Counts the edges of row i and down from it that are links between single nodes.
     fn scan_links_of_row(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
         let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
-        let (marks, next) = self.marks[start as usize..].split_at(w);
+        let (marks, next) = self.node_marks[start as usize..].split_at(w);
         let rim = &mut self.rim;
         // `with` is 1 if the face that traverses the link from a to b exists, and `against` is 1 if
         // the opposite face exists.
@@ -154,7 +154,7 @@ impl<'a> IrregularElements<'a> {
     fn scan_cells_of_row(&mut self, i: usize, below: &[u8], complex: &mut Complex) -> Result<()> {
         for j in (0..self.shape.columns() - 1).filter(|&j| below[j + 1] == 1) {
             let corners = self.shape.corners_of_cell(i, j);
-            let mark = corners.into_iter().fold(0, |mark, node| mark | self.marks[node as usize]);
+            let mark = corners.into_iter().fold(0, |mark, node| mark | self.node_marks[node as usize]);
             if mark == 0 {
                 complex.quads += 1;
                 continue;
@@ -190,7 +190,7 @@ impl<'a> IrregularElements<'a> {
         let n = polygon.len();
         for k in 0..n {
             let [before, at, after] = [polygon[(k + n - 1) % n], polygon[k], polygon[(k + 1) % n]];
-            if self.marks[at as usize] != 0 {
+            if self.node_marks[at as usize] != 0 {
                 alloc::push(&mut self.corners, [at, before, after])?;
             }
             self.add_side_if_glued([at, after], cell, false)?;
@@ -199,7 +199,7 @@ impl<'a> IrregularElements<'a> {
     }
 
     fn add_side_if_glued(&mut self, [from, to]: Edge, cell: u32, bare: bool) -> Result<()> {
-        if (self.marks[from as usize] | self.marks[to as usize]) & NODE_IS_GLUED == 0 {
+        if (self.node_marks[from as usize] | self.node_marks[to as usize]) & NODE_IS_GLUED == 0 {
             return Ok(());
         }
         let sense = match (bare, from < to) {
@@ -212,12 +212,12 @@ impl<'a> IrregularElements<'a> {
 
     /// Returns the number of nodes.
     pub(super) fn node_count(&self) -> usize {
-        self.marks.len()
+        self.node_marks.len()
     }
 
     /// Returns true if other nodes belong to the same vertex.
     pub(super) fn is_glued(&self, node: u32) -> bool {
-        self.marks[node as usize] == NODE_IS_GLUED
+        self.node_marks[node as usize] == NODE_IS_GLUED
     }
 }
 

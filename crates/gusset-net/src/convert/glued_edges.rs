@@ -21,14 +21,14 @@ impl GluedEdges {
     /// Returns the edges of the links. O(nodes).
     pub(super) fn new(shape: Shape, classes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut is_glued = alloc::filled(false, classes.len())?;
-        job.part(0.0, 0.3).work_in_ranges(stage, classes.len(), |range| {
+        job.sub_job(0.0, 0.3).work_in_ranges(stage, classes.len(), |range| {
             for node in range.filter(|&node| node != classes[node] as usize) {
                 (is_glued[node], is_glued[classes[node] as usize]) = (true, true);
             }
             Ok(())
         })?;
         let mut used = GluedEdges { is_glued, edges: HashSet::new() };
-        job.part(0.3, 1.0).work_in_ranges(stage, 2 * classes.len(), |range| {
+        job.sub_job(0.3, 1.0).work_in_ranges(stage, 2 * classes.len(), |range| {
             for link in range.map(|link| link as u32).filter(|&link| shape.joins_neighbours(link)) {
                 let ends = shape.ends_of_link(link);
                 if used.has_glued_end(ends) {

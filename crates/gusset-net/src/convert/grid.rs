@@ -34,9 +34,9 @@ pub struct RecognisedNet {
 /// [`Error::NoGrid`] with a face that violates the grid, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Result<RecognisedNet> {
-    let pairing = Pairing::new(mesh, &job.part(0.0, 0.6))?;
+    let pairing = Pairing::new(mesh, &job.sub_job(0.0, 0.6))?;
     let walker = QuadWalker { mesh, pairing: &pairing };
-    let grid = QuadGrid::find_from_face(&walker, seed, &job.part(0.6, 0.8))?;
+    let grid = QuadGrid::find_from_face(&walker, seed, &job.sub_job(0.6, 0.8))?;
     job.step(0.8, STAGE)?;
     if seed.is_none() {
         let mut visited = alloc::filled(false, mesh.faces().len())?;
@@ -45,7 +45,7 @@ pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Res
             return Err(Error::NoGrid { face: face as u32 });
         }
     }
-    grid.build_net(&walker, &job.part(0.8, 1.0))
+    grid.build_net(&walker, &job.sub_job(0.8, 1.0))
 }
 
 /// Cells between two progress reports.
@@ -78,7 +78,7 @@ struct QuadWalker<'a> {
 
 impl QuadWalker<'_> {
     fn face_of(&self, h: u32) -> u32 {
-        self.mesh.faces().face_of(h)
+        self.mesh.faces().face_of_half_edge(h)
     }
 
     fn corner_count(&self, face: u32) -> usize {
@@ -147,16 +147,22 @@ struct QuadGrid {
     columns: usize,
     rows_closed: bool,
     /// The column of the first row below the first cell of the last row, if columns are closed.
-    shift: Option<usize>,
+    column_below_last_row: Option<usize>,
     /// The fans of triangles before the first and after the last row, as their half-edges shared
     /// with quads.
-    poles: [Option<Vec<u32>>; 2],
+    pole_fans: [Option<Vec<u32>>; 2],
 }
 
 impl QuadGrid {
     fn find_from_face(walker: &QuadWalker<'_>, start_face: Option<u32>, job: &Job<'_>) -> Result<QuadGrid> {
         let head = QuadGrid::find_top_left_cell(walker, start_face)?;
-        let mut grid = QuadGrid { cells: Vec::new(), columns: 0, rows_closed: false, shift: None, poles: [None, None] };
+        let mut grid = QuadGrid {
+            cells: Vec::new(),
+            columns: 0,
+            rows_closed: false,
+            column_below_last_row: None,
+            pole_fans: [None, None],
+        };
         let count = walker.mesh.faces().len();
         grid.add_row(walker, head)?;
         let (mut row, mut next_report) = (head, 0);
@@ -165,8 +171,8 @@ impl QuadGrid {
                 job.step(0.5 * grid.cells.len() as f64 / count as f64, STAGE)?;
                 next_report = grid.cells.len() + CELLS_PER_REPORT;
             }
-            grid.shift = grid.cells[..grid.columns].iter().position(|&cell| cell == next);
-            if grid.shift.is_some() {
+            grid.column_below_last_row = grid.cells[..grid.columns].iter().position(|&cell| cell == next);
+            if grid.column_below_last_row.is_some() {
                 break;
             }
             grid.add_row(walker, next)?;
@@ -176,9 +182,9 @@ impl QuadGrid {
                 return Err(walker.no_grid_error(row));
             }
         }
-        grid.check_rows_and_columns(walker, &job.part(0.5, 1.0))?;
+        grid.check_rows_and_columns(walker, &job.sub_job(0.5, 1.0))?;
         let last = grid.cells.len() - grid.columns;
-        grid.poles = [
+        grid.pole_fans = [
             grid.triangle_fan_at_pole(walker, 0, GridHeading::Up)?,
             grid.triangle_fan_at_pole(walker, last, GridHeading::Down)?,
         ];
@@ -260,7 +266,7 @@ impl QuadGrid {
                 return Err(walker.no_grid_error(cell));
             }
             let (i, j) = (k / self.columns, k % self.columns);
-            let below = match (i + 1 == rows, self.shift) {
+            let below = match (i + 1 == rows, self.column_below_last_row) {
                 (false, _) => self.cells.get(k + self.columns),
                 (true, Some(shift)) if self.rows_closed => self.cells.get((j + shift) % self.columns),
                 (true, Some(0)) => self.cells.get(j),
@@ -279,7 +285,7 @@ impl QuadGrid {
                 return Err(walker.no_grid_error(cell));
             }
             if i == 0
-                && self.shift.is_none()
+                && self.column_below_last_row.is_none()
                 && matches!(walker.neighbour_of_quad(cell, GridHeading::Up)?, CellNeighbour::Quad(_))
             {
                 return Err(walker.no_grid_error(cell));
@@ -296,7 +302,7 @@ impl QuadGrid {
         first: usize,
         heading: GridHeading,
     ) -> Result<Option<Vec<u32>>> {
-        if self.shift.is_some() {
+        if self.column_below_last_row.is_some() {
             return Ok(None);
         }
         let mut triangles = Vec::new();
@@ -324,13 +330,13 @@ impl QuadGrid {
 
     /// Returns the faces, cell by cell.
     fn faces_by_cell(&self, walker: &QuadWalker<'_>) -> impl Iterator<Item = u32> {
-        let [top, bottom] = self.poles.each_ref().map(|pole| pole.as_deref().unwrap_or_default());
+        let [top, bottom] = self.pole_fans.each_ref().map(|pole| pole.as_deref().unwrap_or_default());
         top.iter().chain(&self.cells).chain(bottom).map(|&h| walker.face_of(h))
     }
 
     fn build_net(&self, walker: &QuadWalker<'_>, job: &Job<'_>) -> Result<RecognisedNet> {
         job.step(0.0, STAGE)?;
-        let poles = self.poles.each_ref().map(Option::is_some);
+        let poles = self.pole_fans.each_ref().map(Option::is_some);
         let quads = self.cells.len() / self.columns;
         let rows = quads + 1 + usize::from(poles[0]) + usize::from(poles[1]);
         let shape = Shape::new(rows, self.columns + 1)?;
@@ -350,7 +356,7 @@ impl QuadGrid {
     fn vertices_of_nodes(&self, walker: &QuadWalker<'_>, shape: Shape) -> Result<Vec<u32>> {
         let mut vertices = alloc::with_capacity(shape.node_count())?;
         let apex = |pole: &Option<Vec<u32>>| pole.as_ref().map(|pole| walker.third_vertex_of_triangle(pole[0]));
-        let [top, bottom] = self.poles.each_ref().map(apex);
+        let [top, bottom] = self.pole_fans.each_ref().map(apex);
         vertices.extend(top.into_iter().flat_map(|apex| std::iter::repeat_n(apex, shape.columns())));
         let mut add_row = |row: &[u32], corners: [usize; 2]| {
             vertices.extend(row.iter().map(|&cell| walker.start_vertex(walker.advance_around_face(cell, corners[0]))));
@@ -368,13 +374,13 @@ impl QuadGrid {
     fn build_topology(&self, shape: Shape, vertices: &[u32], vertex_count: usize) -> Result<Topology> {
         let sides = Sides {
             rows_closed: self.rows_closed,
-            columns_closed: self.shift == Some(0),
-            pole_top: self.poles[0].is_some(),
-            pole_bottom: self.poles[1].is_some(),
+            columns_closed: self.column_below_last_row == Some(0),
+            pole_top: self.pole_fans[0].is_some(),
+            pole_bottom: self.pole_fans[1].is_some(),
             ..Sides::SHEET
         };
         let mut seams = Vec::new();
-        if let Some(shift) = self.shift.filter(|&shift| shift > 0) {
+        if let Some(shift) = self.column_below_last_row.filter(|&shift| shift > 0) {
             // The last row is the first row from another column on: up to its end, and from its
             // start.
             let (last, end) = (shape.rows() as u32 - 1, self.columns as u32);

@@ -103,14 +103,14 @@ impl TextureCoordinates {
     /// Returns the texture coordinates of faces given by nodes.
     fn new(shape: Shape, nodes: &[u32], job: &Job<'_>) -> Result<Self> {
         let mut number =
-            alloc::collect_cancellable(repeat_n(NONE, shape.node_count()), &job.part(0.0, 0.2), NUMBERING_STAGE)?;
-        job.part(0.2, 0.4).work_in_ranges(NUMBERING_STAGE, nodes.len(), |range| {
+            alloc::collect_cancellable(repeat_n(NONE, shape.node_count()), &job.sub_job(0.0, 0.2), NUMBERING_STAGE)?;
+        job.sub_job(0.2, 0.4).work_in_ranges(NUMBERING_STAGE, nodes.len(), |range| {
             nodes[range].iter().for_each(|&node| number[node as usize] = 0);
             Ok(())
         })?;
         let mut coordinates = Vec::new();
         let (rows, columns) = ((shape.rows() - 1) as f64, (shape.columns() - 1) as f64);
-        job.part(0.4, 0.8).work_in_ranges(NUMBERING_STAGE, shape.node_count(), |range| {
+        job.sub_job(0.4, 0.8).work_in_ranges(NUMBERING_STAGE, shape.node_count(), |range| {
             for (node, number) in range.clone().zip(&mut number[range]).filter(|(_, number)| **number == 0) {
                 *number = coordinates.len() as u32;
                 let (i, j) = shape.row_and_column(node as u32);
@@ -120,7 +120,7 @@ impl TextureCoordinates {
         })?;
         let corners = alloc::collect_cancellable(
             nodes.iter().map(|&node| number[node as usize]),
-            &job.part(0.8, 1.0),
+            &job.sub_job(0.8, 1.0),
             NUMBERING_STAGE,
         )?;
         Ok(TextureCoordinates { coordinates, corners })
@@ -150,16 +150,16 @@ fn build_mesh<T: Real>(
     job: &Job<'_>,
 ) -> Result<NetMesh> {
     let shape = net.shape();
-    let first = job.part(0.0, 0.1);
+    let first = job.sub_job(0.0, 0.1);
     let classes = if options.weld {
-        NodeClasses::new_cancellable(net.topology(), &first.part(0.0, 0.7), FACES_STAGE)?
-            .representatives_cancellable(&first.part(0.7, 1.0), FACES_STAGE)?
+        NodeClasses::new_cancellable(net.topology(), &first.sub_job(0.0, 0.7), FACES_STAGE)?
+            .representatives_cancellable(&first.sub_job(0.7, 1.0), FACES_STAGE)?
     } else {
         alloc::collect_cancellable((0..shape.node_count()).map(|node| node as u32), &first, FACES_STAGE)?
     };
     let mut faces = FaceBuilder {
         columns: shape.columns() as u32,
-        places: ClassPositions::new(planes, &classes, &job.part(0.1, 0.2))?,
+        positions_of_classes: ClassPositions::new(planes, &classes, &job.sub_job(0.1, 0.2))?,
         planes,
         options,
         reversed: net.topology().is_reversed(),
@@ -167,15 +167,15 @@ fn build_mesh<T: Real>(
         offsets: alloc::with_capacity(shape.cell_count() + 1)?,
         cells: alloc::with_capacity(shape.cell_count())?,
         edges: Vec::new(),
-        used: match options.triangles {
-            Some(_) => Some(GluedEdges::new(shape, &classes, &job.part(0.2, 0.3), FACES_STAGE)?),
+        used_edges: match options.triangles {
+            Some(_) => Some(GluedEdges::new(shape, &classes, &job.sub_job(0.2, 0.3), FACES_STAGE)?),
             None => None,
         },
         classes: &classes,
     };
     faces.offsets.push(0);
     let hidden = HiddenCells::new(net)?;
-    let (scanning, often) = (job.part(0.3, 0.7), (NODES_PER_REPORT / shape.columns()).max(1));
+    let (scanning, often) = (job.sub_job(0.3, 0.7), (NODES_PER_REPORT / shape.columns()).max(1));
     let mut skip = alloc::filled(false, shape.columns() - 1)?;
     for i in 0..shape.rows() - 1 {
         scanning.step_every(often, i, shape.rows(), FACES_STAGE)?;
@@ -187,9 +187,9 @@ fn build_mesh<T: Real>(
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(false));
     }
     if let Some(ratio) = options.max_edge_ratio {
-        faces.drop_faces_with_long_edges(ratio, &job.part(0.7, 0.8))?;
+        faces.drop_faces_with_long_edges(ratio, &job.sub_job(0.7, 0.8))?;
     }
-    faces.finish_mesh(options, &job.part(0.8, 1.0))
+    faces.finish_mesh(options, &job.sub_job(0.8, 1.0))
 }
 
 /// The nodes at which classes lie.
@@ -203,9 +203,9 @@ struct ClassPositions {
 
 impl ClassPositions {
     fn new<T: Real>(planes: &XyzMatrices<'_, T>, classes: &[u32], job: &Job<'_>) -> Result<Self> {
-        let finite = mark_finite_nodes(planes, &job.part(0.0, 0.5))?;
+        let finite = mark_finite_nodes(planes, &job.sub_job(0.0, 0.5))?;
         let mut elsewhere = Vec::new();
-        job.part(0.5, 1.0).work_in_ranges(FACES_STAGE, classes.len(), |range| {
+        job.sub_job(0.5, 1.0).work_in_ranges(FACES_STAGE, classes.len(), |range| {
             for node in range.filter(|&node| finite[node] && !finite[classes[node] as usize]) {
                 alloc::push(&mut elsewhere, [classes[node], node as u32])?;
             }
@@ -248,13 +248,13 @@ fn mark_finite_nodes<T: Real>(planes: &XyzMatrices<'_, T>, job: &Job<'_>) -> Res
 /// Faces under construction, their corners as nodes.
 struct FaceBuilder<'a, T> {
     columns: u32,
-    places: ClassPositions,
+    positions_of_classes: ClassPositions,
     planes: &'a XyzMatrices<'a, T>,
     options: &'a MeshOptions,
     reversed: bool,
     classes: &'a [u32],
     /// The edges that no diagonal may repeat, if quads are cut.
-    used: Option<GluedEdges>,
+    used_edges: Option<GluedEdges>,
     nodes: Vec<u32>,
     offsets: Vec<u32>,
     cells: Vec<u32>,
@@ -266,7 +266,7 @@ impl<T: Real> FaceBuilder<'_, T> {
     /// Adds the face of a cell, given its corners in order around it. Glued or missing corners
     /// reduce the quad to a triangle, edges or nothing.
     fn add_face_of_cell(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
-        let finite = corners.map(|node| self.places.finite[node as usize]);
+        let finite = corners.map(|node| self.positions_of_classes.finite[node as usize]);
         if finite != [true; 4] {
             return if self.options.fill_corners {
                 self.add_cell_with_missing_corner(corners, finite, cell)
@@ -317,10 +317,10 @@ impl<T: Real> FaceBuilder<'_, T> {
             }
         };
         let ends = [[a, c], [b, d]].map(|ends| ends.map(|node| self.classes[node as usize]));
-        let is_used = |k: usize| self.used.as_ref().is_some_and(|used| used.contains(ends[k]));
+        let is_used = |k: usize| self.used_edges.as_ref().is_some_and(|used| used.contains(ends[k]));
         let [chosen, other] = if along { [0, 1] } else { [1, 0] };
         let chosen = if is_used(chosen) && !is_used(other) { other } else { chosen };
-        if let Some(used) = &mut self.used {
+        if let Some(used) = &mut self.used_edges {
             used.add_edge(ends[chosen])?;
         }
         let [first, second] = if chosen == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
@@ -329,7 +329,7 @@ impl<T: Real> FaceBuilder<'_, T> {
     }
 
     fn position_of_class_of_node(&self, node: u32) -> DVec3 {
-        let node = self.places.node_with_position(self.classes[node as usize]);
+        let node = self.positions_of_classes.node_with_position(self.classes[node as usize]);
         self.planes.get((node / self.columns) as usize, (node % self.columns) as usize)
     }
 
@@ -363,7 +363,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         let middle = lengths.len() / 2;
         let longest = ratio * ratio * *lengths.select_nth_unstable_by(middle, f64::total_cmp).1;
         let mut kept = alloc::filled(false, self.cells.len())?;
-        job.part(0.0, 0.7).work_in_ranges(FACES_STAGE, self.cells.len(), |range| {
+        job.sub_job(0.0, 0.7).work_in_ranges(FACES_STAGE, self.cells.len(), |range| {
             for f in range {
                 let face = &self.nodes[self.offsets[f] as usize..self.offsets[f + 1] as usize];
                 let nexts = face.iter().skip(1).chain(face.first());
@@ -373,7 +373,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         })?;
         // In place, because the lists only shrink.
         let (mut faces, mut corners) = (0, 0);
-        job.part(0.7, 1.0).work_in_ranges(FACES_STAGE, self.cells.len(), |range| {
+        job.sub_job(0.7, 1.0).work_in_ranges(FACES_STAGE, self.cells.len(), |range| {
             for f in range.filter(|&f| kept[f]) {
                 let own = self.offsets[f] as usize..self.offsets[f + 1] as usize;
                 let count = own.len();
@@ -422,7 +422,7 @@ impl<T: Real> FaceBuilder<'_, T> {
 
     /// Numbers the vertices in the order of their nodes, and completes the mesh.
     fn finish_mesh(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
-        let part = |from: f64, to: f64| job.part(from, to);
+        let part = |from: f64, to: f64| job.sub_job(from, to);
         let wires = self.edges_without_faces(&part(0.0, 0.2))?;
         let mut vertex =
             alloc::collect_cancellable(repeat_n(NONE, self.classes.len()), &part(0.2, 0.3), NUMBERING_STAGE)?;
@@ -436,7 +436,10 @@ impl<T: Real> FaceBuilder<'_, T> {
         part(0.4, 0.5).work_in_ranges(NUMBERING_STAGE, self.classes.len(), |range| {
             for node in range {
                 let own = self.classes[node] as usize == node;
-                if own && (vertex[node] == 0 || options.keep_unused && self.places.class_has_position(node as u32)) {
+                if own
+                    && (vertex[node] == 0
+                        || options.keep_unused && self.positions_of_classes.class_has_position(node as u32))
+                {
                     vertex[node] = node_of_vertex.len() as u32;
                     alloc::push(&mut node_of_vertex, node as u32)?;
                 } else {
@@ -453,7 +456,7 @@ impl<T: Real> FaceBuilder<'_, T> {
             self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);
             Ok(())
         })?;
-        let nodes = node_of_vertex.iter().map(|&node| self.places.node_with_position(node));
+        let nodes = node_of_vertex.iter().map(|&node| self.positions_of_classes.node_with_position(node));
         let positions = collect_positions(self.planes, nodes, &part(0.8, 1.0))?;
         let mesh = Mesh::new(positions, self.offsets, self.nodes);
         let columns = self.planes.shape().columns();

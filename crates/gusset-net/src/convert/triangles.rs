@@ -49,12 +49,12 @@ pub fn net_of_triangles(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Recognised
     if let Some(face) = (0..faces.len()).find(|&f| faces.corner_range(f).len() != 3) {
         return Err(Error::NoGrid { face: face as u32 });
     }
-    let pairing = Pairing::new(mesh, &job.part(0.0, 0.4))?;
+    let pairing = Pairing::new(mesh, &job.sub_job(0.0, 0.4))?;
     let surface = TriangleSurface::new(mesh, &pairing)?;
     let mut refused = Error::NoGrid { face: 0 };
     let candidates = surface.pole_candidates()?;
     for (k, poles) in candidates.iter().enumerate() {
-        let job = job.part(0.4, 1.0).share(k, candidates.len());
+        let job = job.sub_job(0.4, 1.0).sub_job_of_item(k, candidates.len());
         job.step(0.0, STAGE)?;
         match surface.recognise_with_poles(mesh, *poles, &job) {
             Err(Error::NoGrid { face }) => refused = Error::NoGrid { face },
@@ -68,11 +68,11 @@ pub fn net_of_triangles(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Recognised
 struct TriangleSurface {
     /// The half-edge on the other side; `NONE` at the border.
     mates: Vec<u32>,
-    starts: Vec<u32>,
+    start_vertices: Vec<u32>,
     /// For each vertex its edges, each by its smaller half-edge.
-    edges: Buckets<u32>,
+    edges_of_vertex: Buckets<u32>,
     /// For each vertex the number of its triangles, and whether it is on the border.
-    counts: Vec<u32>,
+    triangle_counts: Vec<u32>,
     on_border: Vec<bool>,
 }
 
@@ -101,17 +101,23 @@ impl TriangleSurface {
         let ends =
             whole.flat_map(|h| [(starts[h as usize] as usize, h), (starts[next_half_edge(h) as usize] as usize, h)]);
         let edges = Buckets::new(vertices, 0, ends.clone())?;
-        Ok(TriangleSurface { mates, starts, edges, counts, on_border })
+        Ok(TriangleSurface {
+            mates,
+            start_vertices: starts,
+            edges_of_vertex: edges,
+            triangle_counts: counts,
+            on_border,
+        })
     }
 
     fn end_vertices(&self, h: u32) -> [u32; 2] {
-        [self.starts[h as usize], self.starts[next_half_edge(h) as usize]]
+        [self.start_vertices[h as usize], self.start_vertices[next_half_edge(h) as usize]]
     }
 
     /// Returns the smallest and the largest number of diagonals at a vertex that is not a pole.
     /// Returns `None` if the vertex cannot belong to a grid.
     fn diagonal_count_range(&self, v: u32) -> Option<[u32; 2]> {
-        match (self.on_border[v as usize], self.counts[v as usize]) {
+        match (self.on_border[v as usize], self.triangle_counts[v as usize]) {
             (_, 0) | (true, 1) => Some([0, 0]),
             (true, 2) => Some([0, 1]),
             (true, count @ 3..=4) => Some([count - 2; 2]),
@@ -123,11 +129,12 @@ impl TriangleSurface {
     /// Returns the poles to try: the poles that the degrees show, otherwise none, and then the
     /// farthest vertices.
     fn pole_candidates(&self) -> Result<Vec<[u32; 2]>> {
-        let vertices = 0..self.counts.len() as u32;
+        let vertices = 0..self.triangle_counts.len() as u32;
         let mut odd = vertices.clone().filter(|&v| self.diagonal_count_range(v).is_none());
         let (first, second) = (odd.next(), odd.next());
         if let Some(third) = odd.next() {
-            let h = (0..self.starts.len() as u32).find(|&h| self.starts[h as usize] == third).unwrap_or(0);
+            let h =
+                (0..self.start_vertices.len() as u32).find(|&h| self.start_vertices[h as usize] == third).unwrap_or(0);
             return Err(no_grid_error(h));
         }
         let border = || vertices.clone().filter(|&v| self.on_border[v as usize]);
@@ -147,7 +154,7 @@ impl TriangleSurface {
                     // Every row is one step farther from the border than the previous row.
                     alloc::push(&mut found, [self.farthest_vertex(border())?, NONE])?;
                 } else {
-                    let used = || vertices.clone().filter(|&v| self.counts[v as usize] > 0);
+                    let used = || vertices.clone().filter(|&v| self.triangle_counts[v as usize] > 0);
                     let first = self.farthest_vertex(used().take(1))?;
                     alloc::push(&mut found, [first, self.farthest_vertex(std::iter::once(first))?])?;
                     if used().count() <= MAX_POLE_TRIALS {
@@ -163,7 +170,7 @@ impl TriangleSurface {
 
     /// Returns the vertex farthest from some others by edges, the first of several.
     fn farthest_vertex(&self, from: impl Iterator<Item = u32>) -> Result<u32> {
-        let mut steps = alloc::filled(NONE, self.counts.len())?;
+        let mut steps = alloc::filled(NONE, self.triangle_counts.len())?;
         let mut list = alloc::gather(from)?;
         list.iter().for_each(|&v| steps[v as usize] = 0);
         let (mut done, mut last) = (0, list.first().copied().unwrap_or(0));
@@ -172,7 +179,7 @@ impl TriangleSurface {
             if steps[v as usize] > steps[last as usize] || (steps[v as usize] == steps[last as usize] && v < last) {
                 last = v;
             }
-            for &h in self.edges.get(v as usize) {
+            for &h in self.edges_of_vertex.get(v as usize) {
                 for other in self.end_vertices(h) {
                     if steps[other as usize] == NONE {
                         steps[other as usize] = steps[v as usize] + 1;
@@ -191,10 +198,10 @@ impl TriangleSurface {
         let Some(face) = labels.next_undecided_face(0) else {
             return labels.build_net(mesh, job);
         };
-        let (mark, mut refused) = (labels.trail.len(), no_grid_error(3 * face));
+        let (mark, mut refused) = (labels.labelled_edges.len(), no_grid_error(3 * face));
         for h in 3 * face..3 * face + 3 {
             labels.undo_labels_after(mark);
-            if labels.of[h as usize] != EdgeLabel::Unknown {
+            if labels.label_of_half_edge[h as usize] != EdgeLabel::Unknown {
                 continue;
             }
             match labels.decide_from_diagonal(h, job).and_then(|()| labels.build_net(mesh, job)) {
@@ -220,32 +227,32 @@ fn no_grid_error(h: u32) -> Error {
 struct EdgeLabels<'a> {
     surface: &'a TriangleSurface,
     poles: [u32; 2],
-    of: Vec<EdgeLabel>,
+    label_of_half_edge: Vec<EdgeLabel>,
     /// The edges that were labelled, in order.
-    trail: Vec<u32>,
+    labelled_edges: Vec<u32>,
     /// The number of labels that have been propagated.
-    done: usize,
+    propagated_label_count: usize,
     /// For each vertex the number of its diagonals, and of its unlabelled edges.
-    diagonals: Vec<u32>,
-    unknown: Vec<u32>,
+    diagonal_counts: Vec<u32>,
+    unlabelled_counts: Vec<u32>,
 }
 
 impl<'a> EdgeLabels<'a> {
     /// Labels the edges at the border and at poles as sides.
     fn new(surface: &'a TriangleSurface, poles: [u32; 2]) -> Result<Self> {
-        let (count, vertices) = (surface.starts.len(), surface.counts.len());
+        let (count, vertices) = (surface.start_vertices.len(), surface.triangle_counts.len());
         let mut labels = EdgeLabels {
             surface,
             poles,
-            of: alloc::filled(EdgeLabel::Unknown, count)?,
-            trail: Vec::new(),
-            done: 0,
-            diagonals: alloc::filled(0, vertices)?,
-            unknown: alloc::collect((0..vertices).map(|v| surface.edges.get(v).len() as u32))?,
+            label_of_half_edge: alloc::filled(EdgeLabel::Unknown, count)?,
+            labelled_edges: Vec::new(),
+            propagated_label_count: 0,
+            diagonal_counts: alloc::filled(0, vertices)?,
+            unlabelled_counts: alloc::collect((0..vertices).map(|v| surface.edges_of_vertex.get(v).len() as u32))?,
         };
         for h in 0..count as u32 {
             if surface.mates[h as usize] == NONE {
-                labels.of[h as usize] = EdgeLabel::Side;
+                labels.label_of_half_edge[h as usize] = EdgeLabel::Side;
             } else if labels.is_pole_triangle(h / 3) {
                 labels.set_label(h, EdgeLabel::Side)?;
             }
@@ -261,42 +268,44 @@ impl<'a> EdgeLabels<'a> {
 
     /// Returns true for a triangle at a pole.
     fn is_pole_triangle(&self, face: u32) -> bool {
-        (3 * face..3 * face + 3).any(|h| self.poles.contains(&self.surface.starts[h as usize]))
+        (3 * face..3 * face + 3).any(|h| self.poles.contains(&self.surface.start_vertices[h as usize]))
     }
 
     /// Labels an edge; [`Error::NoGrid`] if it has another label.
     fn set_label(&mut self, h: u32, label: EdgeLabel) -> Result<()> {
-        let before = self.of[h as usize];
+        let before = self.label_of_half_edge[h as usize];
         if before != EdgeLabel::Unknown {
             return if before == label { Ok(()) } else { Err(no_grid_error(h)) };
         }
         for end in self.surface.end_vertices(h) {
-            self.unknown[end as usize] -= 1;
-            self.diagonals[end as usize] += u32::from(label == EdgeLabel::Diagonal);
+            self.unlabelled_counts[end as usize] -= 1;
+            self.diagonal_counts[end as usize] += u32::from(label == EdgeLabel::Diagonal);
         }
-        (self.of[h as usize], self.of[self.surface.mates[h as usize] as usize]) = (label, label);
-        alloc::push(&mut self.trail, h)
+        (self.label_of_half_edge[h as usize], self.label_of_half_edge[self.surface.mates[h as usize] as usize]) =
+            (label, label);
+        alloc::push(&mut self.labelled_edges, h)
     }
 
     /// Removes labels until `mark` are left.
     fn undo_labels_after(&mut self, mark: usize) {
-        while self.trail.len() > mark {
-            let Some(h) = self.trail.pop() else { return };
+        while self.labelled_edges.len() > mark {
+            let Some(h) = self.labelled_edges.pop() else { return };
             for end in self.surface.end_vertices(h) {
-                self.unknown[end as usize] += 1;
-                self.diagonals[end as usize] -= u32::from(self.of[h as usize] == EdgeLabel::Diagonal);
+                self.unlabelled_counts[end as usize] += 1;
+                self.diagonal_counts[end as usize] -=
+                    u32::from(self.label_of_half_edge[h as usize] == EdgeLabel::Diagonal);
             }
-            (self.of[h as usize], self.of[self.surface.mates[h as usize] as usize]) =
+            (self.label_of_half_edge[h as usize], self.label_of_half_edge[self.surface.mates[h as usize] as usize]) =
                 (EdgeLabel::Unknown, EdgeLabel::Unknown);
         }
-        self.done = mark;
+        self.propagated_label_count = mark;
     }
 
     /// Propagates the existing labels.
     fn propagate_labels(&mut self, job: &Job<'_>) -> Result<()> {
-        while let Some(&h) = self.trail.get(self.done) {
-            job.step_every(HALF_EDGES_PER_REPORT, self.done, self.of.len(), STAGE)?;
-            self.done += 1;
+        while let Some(&h) = self.labelled_edges.get(self.propagated_label_count) {
+            job.step_every(HALF_EDGES_PER_REPORT, self.propagated_label_count, self.label_of_half_edge.len(), STAGE)?;
+            self.propagated_label_count += 1;
             self.apply_face_rule(h / 3)?;
             self.apply_face_rule(self.surface.mates[h as usize] / 3)?;
             let [a, b] = self.surface.end_vertices(h);
@@ -310,7 +319,8 @@ impl<'a> EdgeLabels<'a> {
     /// pole, none is.
     fn apply_face_rule(&mut self, face: u32) -> Result<()> {
         let sides = 3 * face..3 * face + 3;
-        let count = |labels: &Self, label| sides.clone().filter(|&h| labels.of[h as usize] == label).count();
+        let count =
+            |labels: &Self, label| sides.clone().filter(|&h| labels.label_of_half_edge[h as usize] == label).count();
         if self.is_pole_triangle(face) {
             return if count(self, EdgeLabel::Diagonal) == 0 { Ok(()) } else { Err(no_grid_error(3 * face)) };
         }
@@ -320,9 +330,9 @@ impl<'a> EdgeLabels<'a> {
             (0, 1) => EdgeLabel::Diagonal,
             _ => return Ok(()),
         };
-        sides
-            .clone()
-            .try_for_each(|h| if self.of[h as usize] == EdgeLabel::Unknown { self.set_label(h, label) } else { Ok(()) })
+        sides.clone().try_for_each(|h| {
+            if self.label_of_half_edge[h as usize] == EdgeLabel::Unknown { self.set_label(h, label) } else { Ok(()) }
+        })
     }
 
     /// Applies the rule of a vertex: the number of its diagonals.
@@ -331,10 +341,10 @@ impl<'a> EdgeLabels<'a> {
             return Ok(());
         }
         let surface = self.surface;
-        let edges = surface.edges.get(v as usize);
+        let edges = surface.edges_of_vertex.get(v as usize);
         let here = edges.first().map_or(0, |&h| h);
         let [min, max] = surface.diagonal_count_range(v).ok_or(no_grid_error(here))?;
-        let (found, unknown) = (self.diagonals[v as usize], self.unknown[v as usize]);
+        let (found, unknown) = (self.diagonal_counts[v as usize], self.unlabelled_counts[v as usize]);
         let label = if found > max || found + unknown < min {
             return Err(no_grid_error(here));
         } else if found == max {
@@ -345,15 +355,15 @@ impl<'a> EdgeLabels<'a> {
             return Ok(());
         };
         edges.iter().try_for_each(|&h| {
-            if self.of[h as usize] == EdgeLabel::Unknown { self.set_label(h, label) } else { Ok(()) }
+            if self.label_of_half_edge[h as usize] == EdgeLabel::Unknown { self.set_label(h, label) } else { Ok(()) }
         })
     }
 
     /// Returns the next undecided face from `from` on, cyclically: one with a side and without a
     /// diagonal, or else one without any label.
     fn next_undecided_face(&self, from: u32) -> Option<u32> {
-        let count = self.of.len() as u32 / 3;
-        let is = |face: u32, label| (3 * face..3 * face + 3).any(|h| self.of[h as usize] == label);
+        let count = self.label_of_half_edge.len() as u32 / 3;
+        let is = |face: u32, label| (3 * face..3 * face + 3).any(|h| self.label_of_half_edge[h as usize] == label);
         let faces = || (from..count).chain(0..from).filter(|&face| is(face, EdgeLabel::Unknown));
         faces().find(|&face| is(face, EdgeLabel::Side)).or_else(|| faces().next())
     }
@@ -365,8 +375,11 @@ impl<'a> EdgeLabels<'a> {
         let mut from = h / 3;
         while let Some(face) = self.next_undecided_face(from) {
             from = face;
-            let Some(h) = (3 * face..3 * face + 3).find(|&h| self.of[h as usize] == EdgeLabel::Unknown) else { break };
-            let mark = self.trail.len();
+            let Some(h) = (3 * face..3 * face + 3).find(|&h| self.label_of_half_edge[h as usize] == EdgeLabel::Unknown)
+            else {
+                break;
+            };
+            let mark = self.labelled_edges.len();
             match self.set_label(h, EdgeLabel::Diagonal).and_then(|()| self.propagate_labels(job)) {
                 Err(Error::NoGrid { .. }) => {
                     self.undo_labels_after(mark);
@@ -383,9 +396,10 @@ impl<'a> EdgeLabels<'a> {
     fn build_net(&self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<RecognisedNet> {
         let surface = self.surface;
         let (mut offsets, mut corners, mut triangles) = (alloc::filled(0u32, 1)?, Vec::new(), Vec::new());
-        for face in 0..self.of.len() as u32 / 3 {
-            let diagonal = (3 * face..3 * face + 3).find(|&h| self.of[h as usize] == EdgeLabel::Diagonal);
-            let start = |h: u32| surface.starts[h as usize];
+        for face in 0..self.label_of_half_edge.len() as u32 / 3 {
+            let diagonal =
+                (3 * face..3 * face + 3).find(|&h| self.label_of_half_edge[h as usize] == EdgeLabel::Diagonal);
+            let start = |h: u32| surface.start_vertices[h as usize];
             match diagonal.map(|h| (h, surface.mates[h as usize])) {
                 // Skip the second triangle of a pair.
                 Some((h, mate)) if mate < h => continue,
@@ -404,8 +418,8 @@ impl<'a> EdgeLabels<'a> {
             alloc::push(&mut triangles, face)?;
         }
         let faces = Faces::polygons(&offsets, &corners)?;
-        let view = MeshView::new(*mesh.positions(), faces, &job.part(0.0, 0.2))?;
-        match net_of_grid(&view, None, &job.part(0.2, 1.0)) {
+        let view = MeshView::new(*mesh.positions(), faces, &job.sub_job(0.0, 0.2))?;
+        match net_of_grid(&view, None, &job.sub_job(0.2, 1.0)) {
             Ok(mut found) => {
                 found.face_of_cell.iter_mut().for_each(|face| *face = triangles[*face as usize]);
                 Ok(found)

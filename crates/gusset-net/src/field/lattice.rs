@@ -12,7 +12,7 @@ const MAX_POINTS: usize = Lattice::MAX_POINTS;
 /// points move by t times their displacement.
 #[derive(Debug, Clone)]
 pub struct Lattice {
-    low: DVec3,
+    low_corner: DVec3,
     size: DVec3,
     counts: [usize; 3],
     /// The displacement of each control point from the uniform grid; x runs first, z last.
@@ -24,7 +24,7 @@ impl Lattice {
     /// are slow and hardly follow individual points.
     pub const MAX_POINTS: usize = 32;
 
-    /// Creates a box from `low` to `high` with `counts` control points along x, y and z, 2 to 32
+    /// Creates a box from `low_corner` to `high` with `counts` control points along x, y and z, 2 to 32
     /// each. `offsets` has the displacement of each control point from the uniform grid; x runs
     /// first, then y, then z.
     ///
@@ -44,7 +44,7 @@ impl Lattice {
             return Err(Error::ArrayTooShort { what: "offsets", needed, given });
         };
         offsets.iter().try_for_each(|offset| check_parameters_finite(&[("offset", offset.dot(DVec3::ONE))]))?;
-        Ok(Lattice { low, size, counts, offsets: alloc::copied(offsets)? })
+        Ok(Lattice { low_corner: low, size, counts, offsets: alloc::copied(offsets)? })
     }
 
     /// Returns the tensor product of Bernstein polynomials at a place of the unit box.
@@ -80,7 +80,7 @@ fn bernstein_weights(count: usize, t: f64) -> [f64; MAX_POINTS] {
 impl Field for Lattice {
     fn map_points(&self, strength: f64, points: PointsMut<'_>) {
         map_each_point(points, |point| {
-            let place = [0, 1, 2].map(|k| (point[k] - self.low[k]) / self.size[k]);
+            let place = [0, 1, 2].map(|k| (point[k] - self.low_corner[k]) / self.size[k]);
             if !place.iter().all(|t| (0.0..=1.0).contains(t)) {
                 return point;
             }

@@ -38,7 +38,7 @@ pub(super) fn adapt_net_to_first(
         return Ok(None);
     }
     // Flips along the side, so that the order in the direction stays.
-    let mut made = if flipped { net.flipped(axis, &job.share(0, 3))? } else { net.copied()? };
+    let mut made = if flipped { net.flipped(axis, &job.sub_job_of_item(0, 3))? } else { net.copied()? };
     let mut added = Vec::new();
     if nodes != side_nodes {
         let replication = options.equalise.unwrap_or_default();
@@ -51,14 +51,14 @@ pub(super) fn adapt_net_to_first(
         )?)?;
         let (rows, columns) = axis.swap_unless_down(side_nodes, across);
         let replications = axis.swap_unless_down(replication, Replication::Last);
-        made = made.enlarged_to(rows, columns, replications.into(), &job.share(1, 3))?;
+        made = made.enlarged_to(rows, columns, replications.into(), &job.sub_job_of_item(1, 3))?;
     }
     if twist > 0 {
-        made = rotate_net(&made, direction, twist, &job.share(2, 3))?;
+        made = rotate_net(&made, direction, twist, &job.sub_job_of_item(2, 3))?;
     }
     let bridges = alloc::collect(net.bridges().iter().cloned())?;
     let (joined, topology) = (made.shape(), net.topology().clone());
-    let adaptation = NetAdaptation { joined, flipped, copies: added, twist, topology, bridges };
+    let adaptation = NetAdaptation { joined_shape: joined, flipped, copies: added, twist, topology, bridges };
     Ok(Some((made, Arc::new(adaptation))))
 }
 
@@ -70,7 +70,9 @@ pub(super) fn undo_adaptation(
     direction: Direction,
     job: &Job<'_>,
 ) -> Result<Net<'static>> {
-    let Some(adaptation) = adaptation.filter(|adaptation| adaptation.joined == net.shape()) else { return Ok(net) };
+    let Some(adaptation) = adaptation.filter(|adaptation| adaptation.joined_shape == net.shape()) else {
+        return Ok(net);
+    };
     let axis = direction.transposed();
     // A net that was mirrored since has the same gluing in the opposite orientation.
     let adapted = adaptation.adapted_topology(direction)?;
@@ -79,11 +81,11 @@ pub(super) fn undo_adaptation(
     let mut net = net;
     if adaptation.twist > 0 {
         let around = axis.line_count_and_length(net.shape()).0 as u32 - 1;
-        net = rotate_net(&net, direction, around - adaptation.twist % around, &job.share(0, 3))?;
+        net = rotate_net(&net, direction, around - adaptation.twist % around, &job.sub_job_of_item(0, 3))?;
     }
-    net = net.without_lines(axis, &adaptation.copies, &job.share(1, 3))?;
+    net = net.without_lines(axis, &adaptation.copies, &job.sub_job_of_item(1, 3))?;
     if adaptation.flipped {
-        net = net.flipped(axis, &job.share(2, 3))?;
+        net = net.flipped(axis, &job.sub_job_of_item(2, 3))?;
     }
     if unedited {
         let reversed = net.topology().is_reversed();
@@ -103,7 +105,7 @@ impl NetAdaptation {
     fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
         self.topology.map_rows_or_columns(direction.transposed(), |topology| {
             let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
-            let along = direction.line_count_and_length(self.joined).1;
+            let along = direction.line_count_and_length(self.joined_shape).1;
             let replicated = flipped.replicate_rows(&row_starts_from_copies(along, &self.copies)?)?;
             let twist = self.twist as usize;
             if twist > 0 { rotate_rows(&replicated, twist % (along - 1)) } else { Ok(replicated) }

@@ -77,10 +77,10 @@ pub(crate) fn join_nets_to_be_transformed(
     }
     Error::require(options.mode != BridgeMode::Weld || options.rows == 0, "rows", options.rows.into())?;
     joined_shape(nets, options, along)?;
-    let (mut copies, fitting) = (alloc::with_capacity(nets.len())?, job.part(0.0, 0.3));
+    let (mut copies, fitting) = (alloc::with_capacity(nets.len())?, job.sub_job(0.0, 0.3));
     let reversed = first.topology().is_reversed() != mirrored[0];
     for (k, (net, &mirrored)) in nets.iter().zip(mirrored).enumerate() {
-        let part = fitting.share(k, nets.len());
+        let part = fitting.sub_job_of_item(k, nets.len());
         if k % 256 == 0 {
             part.step(0.0, "fitting nets")?;
         }
@@ -96,11 +96,11 @@ pub(crate) fn join_nets_to_be_transformed(
     }
     let topology =
         joined_topology::join_topologies(&nets, options.direction, options.mode == BridgeMode::Weld, options.rows)?;
-    let (sides, joining) = ((options.direction, options.rows), job.part(0.3, 0.9));
+    let (sides, joining) = ((options.direction, options.rows), job.sub_job(0.3, 0.9));
     let coordinates = joined_matrices::join_matrices(&nets, sides, topology.shape(), &joining)?;
     let mut net = Net::new(coordinates, topology.with_reversed(reversed));
     add_bridges(&mut net, &nets, &copies, options)?;
-    interpolate_inner_rows(&mut net, &job.part(0.9, 1.0))?;
+    interpolate_inner_rows(&mut net, &job.sub_job(0.9, 1.0))?;
     Ok(net)
 }
 

@@ -29,11 +29,11 @@ impl Net<'_> {
             .get(index)
             .filter(|bridge| bridge.spans_net_from_side_to_side(self.shape()))
             .ok_or(no_such)?;
-        let parts = cut_out_bridges(self, bridge.direction, &[index], &job.part(0.0, 0.5))?;
+        let parts = cut_out_bridges(self, bridge.direction, &[index], &job.sub_job(0.0, 0.5))?;
         let [first, second] = <[_; 2]>::try_from(parts).map_err(|_| no_such)?;
         let [a, b] = bridge.adaptations.each_ref().map(Option::as_deref);
-        let first = undo_adaptation(first, a, bridge.direction, &job.part(0.5, 0.75))?;
-        Ok([first, undo_adaptation(second, b, bridge.direction, &job.part(0.75, 1.0))?])
+        let first = undo_adaptation(first, a, bridge.direction, &job.sub_job(0.5, 0.75))?;
+        Ok([first, undo_adaptation(second, b, bridge.direction, &job.sub_job(0.75, 1.0))?])
     }
 
     /// Splits the net at all of the last bridges of a direction that run from side to side: the
@@ -49,8 +49,8 @@ impl Net<'_> {
         let mut indices = alloc::gather(all.filter(|(_, bridge)| whole(bridge)).map(|(index, _)| index))?;
         sort::sort_stable(&mut indices, &|&i, &k| self.bridges()[i].at.cmp(&self.bridges()[k].at).then(i.cmp(&k)));
         indices.dedup_by_key(|index| self.bridges()[*index].at);
-        let parts = cut_out_bridges(self, direction, &indices, &job.part(0.0, 0.5))?;
-        let (mut nets, count, job) = (alloc::with_capacity(parts.len())?, parts.len(), job.part(0.5, 1.0));
+        let parts = cut_out_bridges(self, direction, &indices, &job.sub_job(0.0, 0.5))?;
+        let (mut nets, count, job) = (alloc::with_capacity(parts.len())?, parts.len(), job.sub_job(0.5, 1.0));
         for (k, part) in parts.into_iter().enumerate() {
             // The record of a net belongs to the bridge before it; the first net's record belongs
             // to the bridge after it.
@@ -58,7 +58,7 @@ impl Net<'_> {
                 0 => indices.first().and_then(|&index| self.bridges()[index].adaptations[0].as_deref()),
                 _ => self.bridges()[indices[k - 1]].adaptations[1].as_deref(),
             };
-            nets.push(undo_adaptation(part, adaptation, direction, &job.share(k, count))?);
+            nets.push(undo_adaptation(part, adaptation, direction, &job.sub_job_of_item(k, count))?);
         }
         Ok(nets)
     }
@@ -88,7 +88,7 @@ fn cut_out_bridges(net: &Net<'_>, direction: Direction, removed: &[usize], job: 
         }
         let (row, column) = direction.swap_unless_down(range.start, 0);
         let map = Rearrangement::Part { row, column };
-        let mut part = net.with_rearranged_nodes(&map, topology, &job.share(k, ranges.len()))?;
+        let mut part = net.with_rearranged_nodes(&map, topology, &job.sub_job_of_item(k, ranges.len()))?;
         *part.bridges_mut() = bridges;
         let innermost = part.bridges().iter().map(|bridge| bridge.nesting).min().unwrap_or(0);
         part.bridges_mut().iter_mut().for_each(|bridge| bridge.nesting -= innermost);

@@ -31,7 +31,7 @@ pub struct BilinearArea {
     /// The sum of the areas.
     pub area: f64,
     /// A bound of the error: the differences between halves and wholes, and rounding.
-    pub error: f64,
+    pub error_bound: f64,
 }
 
 /// Nodes and weights of Gauss rules on [0, 1], with three and seven nodes.
@@ -85,7 +85,7 @@ pub fn bilinear_area(net: &Net<'_>, job: &Job<'_>) -> Result<BilinearArea> {
 
 impl BilinearArea {
     fn add(self, other: BilinearArea) -> BilinearArea {
-        BilinearArea { area: self.area + other.area, error: self.error + other.error }
+        BilinearArea { area: self.area + other.area, error_bound: self.error_bound + other.error_bound }
     }
 }
 
@@ -95,7 +95,7 @@ fn patch_area([a, b, c, d]: [DVec3; 4]) -> BilinearArea {
     let unit = common_unit([&p, &q, &e]);
     let [p, q, e] = [p, q, e].map(|side| side / unit);
     let found = patch_area_from_sides(p, q, e, (c - b) / unit);
-    BilinearArea { area: found.area * unit * unit, error: found.error * unit * unit }
+    BilinearArea { area: found.area * unit * unit, error_bound: found.error_bound * unit * unit }
 }
 
 /// Returns the area of a patch, given its sides at the first corner, its twist, and the vector from
@@ -116,9 +116,9 @@ fn patch_area_from_sides(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> Bilinear
         let cuts = [0.0, kinks[0].min(kinks[1]), kinks[0].max(kinks[1]), 1.0];
         let parts = cuts.windows(2).filter(|cut| cut[0] < cut[1]);
         let parts = parts.map(|cut| integrate_adaptively(&section, [cut[0], cut[1]], 4.0 * f64::EPSILON * scale));
-        return parts.fold(BilinearArea { area: 0.0, error: RELATIVE_ROUNDING_ERROR * scale }, BilinearArea::add);
+        return parts.fold(BilinearArea { area: 0.0, error_bound: RELATIVE_ROUNDING_ERROR * scale }, BilinearArea::add);
     };
-    BilinearArea { area, error: RELATIVE_ROUNDING_ERROR * area }
+    BilinearArea { area, error_bound: RELATIVE_ROUNDING_ERROR * area }
 }
 
 /// Returns the integral of |N0 + u N1 + v N2| over the unit square by the tensor product of a rule.
@@ -163,7 +163,7 @@ fn integrate_adaptively(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], toleranc
         let difference = (left + right - whole).abs();
         let agrees = difference <= tolerance;
         if (agrees && agreed) || depth == MAX_INTERVAL_HALVINGS || difference.is_nan() {
-            found = found.add(BilinearArea { area: left + right, error: difference });
+            found = found.add(BilinearArea { area: left + right, error_bound: difference });
         } else {
             open.extend([(from + half, half, right, depth + 1, agrees), (from, half, left, depth + 1, agrees)]);
         }

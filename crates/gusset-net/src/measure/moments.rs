@@ -59,8 +59,8 @@ pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
 #[derive(Debug, Clone, Copy, Default)]
 struct VolumeIntegrals {
     one: f64,
-    first: DVec3,
-    squares: DVec3,
+    first_moments: DVec3,
+    second_moments: DVec3,
     products: DVec3,
 }
 
@@ -68,16 +68,16 @@ impl VolumeIntegrals {
     fn add(self, other: Self) -> Self {
         VolumeIntegrals {
             one: self.one + other.one,
-            first: self.first + other.first,
-            squares: self.squares + other.squares,
+            first_moments: self.first_moments + other.first_moments,
+            second_moments: self.second_moments + other.second_moments,
             products: self.products + other.products,
         }
     }
 
     fn to_moments(self, origin: DVec3, sign: f64) -> Moments {
-        let centre = self.first / self.one;
-        let squares = sign * (self.squares - centre * self.first);
-        let products = sign * (self.products - DVec3::new(centre.y, centre.z, centre.x) * self.first.zxy());
+        let centre = self.first_moments / self.one;
+        let squares = sign * (self.second_moments - centre * self.first_moments);
+        let products = sign * (self.products - DVec3::new(centre.y, centre.z, centre.x) * self.first_moments.zxy());
         let sum = squares.element_sum();
         let inertia = DMat3::from_cols(
             DVec3::new(sum - squares.x, -products.z, -products.y),
@@ -100,8 +100,8 @@ fn patch_integrals([a, b, c, d]: [DVec3; 4]) -> VolumeIntegrals {
             sums = sums.add(VolumeIntegrals {
                 one: p.dot(n) / 3.0,
                 // div (x^2 / 2, 0, 0) = x, and so on.
-                first: p * p * n / 2.0,
-                squares: p * p * p * n / 3.0,
+                first_moments: p * p * n / 2.0,
+                second_moments: p * p * p * n / 3.0,
                 // div p y z = 5 y z.
                 products: p.dot(n) / 5.0 * DVec3::new(p.y * p.z, p.z * p.x, p.x * p.y),
             });

@@ -43,13 +43,13 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let origin = first_existing_node(net);
     let total = each!(net.coordinates(), planes => {
         let hidden = HiddenCells::new(net)?;
-        let ([rows, columns], part) = ([net.shape().rows(), net.shape().columns()], job.part(0.0, 0.7));
+        let ([rows, columns], part) = ([net.shape().rows(), net.shape().columns()], job.sub_job(0.0, 0.7));
         let parts = par::map_cancellable(&part, "measure", par::split_into_ranges(rows - 1, lines_per_block(columns - 1)), |rows| {
             rows.fold(AreaAndVolumeSums::default(), |sums, i| sums.add(sum_row(planes, &hidden, i, origin)))
         })?;
         parts.into_iter().fold(AreaAndVolumeSums::default(), AreaAndVolumeSums::add)
     });
-    let Aabb { low, high } = bounds(net, &job.part(0.7, 1.0))?;
+    let Aabb { low, high } = bounds(net, &job.sub_job(0.7, 1.0))?;
     Ok(Measures {
         area: total.lengths / 2.0,
         area_vector: sign * total.vector / 2.0,

@@ -19,11 +19,11 @@ pub(super) struct PlanarityConstraints {
     /// The vertices at the corners a, b, c, d of each cell.
     corners: Vec<[u32; 4]>,
     /// The indices of the cells in the net.
-    numbers: Vec<u32>,
+    cell_indices: Vec<u32>,
     /// For each vertex its cells, in order.
     cells: Buckets<u32>,
     /// True for vertices that stay.
-    fixed: Vec<bool>,
+    is_fixed_vertex: Vec<bool>,
 }
 
 /// A linearised constraint: its value, and its gradient, which is the normal times a weight at each
@@ -32,7 +32,7 @@ pub(super) struct PlanarityConstraints {
 pub(super) struct LinearisedConstraint {
     normal: DVec3,
     weights: [f64; 4],
-    value: f64,
+    scaled_value: f64,
     /// The divisor; infinite if the gradient is 0.
     length: f64,
 }
@@ -59,19 +59,24 @@ impl PlanarityConstraints {
         })?;
         let entries = corners.iter().zip(0u32..).flat_map(|(corners, k)| corners.map(|v| (v as usize, k)));
         let cells = Buckets::new(shape.node_count(), 0, entries)?;
-        Ok(PlanarityConstraints { corners, numbers, cells, fixed: alloc::copied(&surface.fixed)? })
+        Ok(PlanarityConstraints {
+            corners,
+            cell_indices: numbers,
+            cells,
+            is_fixed_vertex: alloc::copied(&surface.is_fixed_vertex)?,
+        })
     }
 
     /// Returns the vertices of the cells.
     pub(super) fn constrained_vertices(&self) -> impl Iterator<Item = usize> {
-        (0..self.fixed.len()).filter(|&v| !self.cells.get(v).is_empty())
+        (0..self.is_fixed_vertex.len()).filter(|&v| !self.cells.get(v).is_empty())
     }
 
     /// Returns the largest distance of the corners of a cell from its mean plane, and the index of
     /// the cell.
     pub(super) fn max_deviation(&self, positions: &[DVec3]) -> (f64, Option<u32>) {
-        let mut worst = (0.0, self.numbers.first().copied());
-        for (corners, &number) in self.corners.iter().zip(&self.numbers) {
+        let mut worst = (0.0, self.cell_indices.first().copied());
+        for (corners, &number) in self.corners.iter().zip(&self.cell_indices) {
             let [a, b, c, d] = corners.map(|v| positions[v as usize]);
             let normal = (c - a).cross(d - b).normalize_or_zero();
             let distance = ((a - b) + (c - d)).dot(normal).abs() / 4.0;
@@ -96,12 +101,17 @@ impl PlanarityConstraints {
             let (normal, square) = (cross.normalize_or_zero(), cross.length_squared());
             let (s, t) = (r.cross(q).dot(cross) / square, r.cross(p).dot(cross) / square);
             let weights = [s - 1.0, 1.0 - t, -s, t];
-            let free = [0, 1, 2, 3].map(|k| if self.fixed[corners[k] as usize] { 0.0 } else { weights[k] });
+            let free = [0, 1, 2, 3].map(|k| if self.is_fixed_vertex[corners[k] as usize] { 0.0 } else { weights[k] });
             let length = free.iter().map(|w| w * w).sum::<f64>().sqrt();
             if !(length > 0.0 && length.is_finite()) {
                 return LinearisedConstraint { length: f64::INFINITY, ..LinearisedConstraint::default() };
             }
-            LinearisedConstraint { normal, weights: free.map(|w| w / length), value: r.dot(normal) / length, length }
+            LinearisedConstraint {
+                normal,
+                weights: free.map(|w| w / length),
+                scaled_value: r.dot(normal) / length,
+                length,
+            }
         }))
     }
 
@@ -124,17 +134,17 @@ impl PlanarityConstraints {
         penalty: f64,
         job: &Job<'_>,
     ) -> Result<Vec<DVec3>> {
-        let matrix = self.normal_matrix(rows, penalty, &job.part(0.0, 0.2))?;
+        let matrix = self.normal_matrix(rows, penalty, &job.sub_job(0.0, 0.2))?;
         let mut solution = alloc::collect(self.corners.iter().zip(rows).map(|(corners, row)| {
             let change =
                 |k: usize| row.weights[k] * row.normal.dot(base[corners[k] as usize] - positions[corners[k] as usize]);
             DVec3::new(
-                row.value + (0..4).map(|k| if row.weights[k] == 0.0 { 0.0 } else { change(k) }).sum::<f64>(),
+                row.scaled_value + (0..4).map(|k| if row.weights[k] == 0.0 { 0.0 } else { change(k) }).sum::<f64>(),
                 0.0,
                 0.0,
             )
         }))?;
-        matrix.factor(&job.part(0.2, 0.9))?.solve(&mut solution, &job.part(0.9, 1.0))?;
+        matrix.factorise(&job.sub_job(0.2, 0.9))?.solve(&mut solution, &job.sub_job(0.9, 1.0))?;
         let mut moved = alloc::copied(base)?;
         for ((corners, row), y) in self.corners.iter().zip(rows).zip(solution) {
             for (&v, weight) in corners.iter().zip(row.weights).filter(|&(_, weight)| weight != 0.0) {
@@ -168,6 +178,6 @@ impl PlanarityConstraints {
             start.push(entries.len());
         }
         let diagonal = rows.iter().map(|row| if row.length.is_finite() { 1.0 + penalty } else { 0.0 });
-        Ok(SparseSymmetric { start, entries, diagonal: alloc::collect(diagonal)? })
+        Ok(SparseSymmetric { column_starts: start, entries, diagonal: alloc::collect(diagonal)? })
     }
 }

@@ -75,13 +75,13 @@ const DEFAULT_ITERATIONS: u32 = 100;
 pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Planarised> {
     let relative = relative_tolerance(net, options)?;
     job.step(0.0, "planarise")?;
-    let surface = ScaledVertices::new(net, options, &job.part(0.0, 0.05))?;
-    let constraints = PlanarityConstraints::new(net, &surface, &job.part(0.05, 0.1))?;
+    let surface = ScaledVertices::new(net, options, &job.sub_job(0.0, 0.05))?;
+    let constraints = PlanarityConstraints::new(net, &surface, &job.sub_job(0.05, 0.1))?;
     let (deviation_before, worst_cell) = constraints.max_deviation(&surface.positions);
-    let tolerance = relative * surface.size;
+    let tolerance = relative * surface.box_diagonal;
     let unit = surface.unit;
     let mut report = Planarised {
-        size: surface.size * unit,
+        size: surface.box_diagonal * unit,
         tolerance: tolerance * unit,
         deviation_before: deviation_before * unit,
         deviation_after: deviation_before * unit,
@@ -96,9 +96,9 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
     }
     let max = if options.max_iterations == 0 { DEFAULT_ITERATIONS } else { options.max_iterations };
     // Rounding to the net's type needs some margin below the tolerance.
-    let mut search = PlanarSearch::new(&constraints, &surface.positions, 0.1 * tolerance, max, &job.part(0.1, 0.98));
+    let mut search = PlanarSearch::new(&constraints, &surface.positions, 0.1 * tolerance, max, &job.sub_job(0.1, 0.98));
     let mut stored = search.run()?;
-    report.iterations = search.done;
+    report.iterations = search.step_count;
     surface.round_to_scalar(&mut stored, net.coordinates().scalar());
     let (deviation_after, worst_cell) = constraints.max_deviation(&stored);
     (report.deviation_after, report.worst_cell) = (deviation_after * unit, worst_cell);

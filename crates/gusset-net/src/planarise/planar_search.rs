@@ -23,13 +23,13 @@ const MIN_RELATIVE_IMPROVEMENT: f64 = 1e-3;
 pub(super) struct PlanarSearch<'a> {
     constraints: &'a PlanarityConstraints,
     /// The given positions.
-    start: &'a [DVec3],
+    given_positions: &'a [DVec3],
     /// The target deviation.
     tolerance: f64,
     /// The maximum number of steps.
-    max: u32,
+    max_steps: u32,
     /// The number of steps so far.
-    pub(super) done: u32,
+    pub(super) step_count: u32,
     job: Job<'a>,
 }
 
@@ -41,12 +41,12 @@ impl<'a> PlanarSearch<'a> {
         max_steps: u32,
         job: &Job<'a>,
     ) -> Self {
-        PlanarSearch { constraints, start, tolerance, max: max_steps, done: 0, job: *job }
+        PlanarSearch { constraints, given_positions: start, tolerance, max_steps, step_count: 0, job: *job }
     }
 
     /// Runs the search and returns the positions found.
     pub(super) fn run(&mut self) -> Result<Vec<DVec3>> {
-        let mut positions = alloc::copied(self.start)?;
+        let mut positions = alloc::copied(self.given_positions)?;
         self.minimise_with_decreasing_penalties(&mut positions)?;
         self.restore_constraints(&mut positions)?;
         self.reduce_displacement(&mut positions)?;
@@ -57,15 +57,15 @@ impl<'a> PlanarSearch<'a> {
     /// the remaining progress.
     fn job_of_next_step(&mut self) -> Job<'a> {
         let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
-        self.done += 1;
-        self.job.part(at(self.done - 1), at(self.done))
+        self.step_count += 1;
+        self.job.sub_job(at(self.step_count - 1), at(self.step_count))
     }
 
     /// Minimises the penalised sum |x - x0|^2 + |g|^2 / penalty, for decreasing penalties.
     fn minimise_with_decreasing_penalties(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
-        let (constraints, start) = (self.constraints, self.start);
+        let (constraints, start) = (self.constraints, self.given_positions);
         for penalty in DECREASING_PENALTIES {
-            for _ in 0..MAX_STEPS_PER_PENALTY.min(self.max - self.done) {
+            for _ in 0..MAX_STEPS_PER_PENALTY.min(self.max_steps - self.step_count) {
                 let rows = constraints.linearise(positions)?;
                 let towards = constraints.displacements_from_base(
                     &rows,
@@ -97,11 +97,14 @@ impl<'a> PlanarSearch<'a> {
     fn reduce_displacement(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
         let constraints = self.constraints;
         let (mut part, mut distance) = (1.0, self.squared_distance_from_start(positions));
-        while part > 0.01 && self.done < self.max && constraints.max_deviation(positions).0 <= self.tolerance {
+        while part > 0.01
+            && self.step_count < self.max_steps
+            && constraints.max_deviation(positions).0 <= self.tolerance
+        {
             let rows = constraints.linearise(positions)?;
             let mut next = constraints.displacements_from_base(
                 &rows,
-                [self.start, positions],
+                [self.given_positions, positions],
                 MATRIX_REGULARISATION,
                 &self.job_of_next_step(),
             )?;
@@ -123,14 +126,14 @@ impl<'a> PlanarSearch<'a> {
 
     /// |x - x0|^2.
     fn squared_distance_from_start(&self, at: &[DVec3]) -> f64 {
-        self.constraints.constrained_vertices().map(|v| at[v].distance_squared(self.start[v])).sum()
+        self.constraints.constrained_vertices().map(|v| at[v].distance_squared(self.given_positions[v])).sum()
     }
 
     /// Newton steps of least length that restore the constraints, while they improve.
     fn restore_constraints(&mut self, positions: &mut Vec<DVec3>) -> Result<()> {
         let constraints = self.constraints;
         let (mut deviation, _) = constraints.max_deviation(positions);
-        while self.done < self.max && deviation > self.tolerance {
+        while self.step_count < self.max_steps && deviation > self.tolerance {
             let rows = constraints.linearise(positions)?;
             let towards = constraints.displacements_from_base(
                 &rows,

@@ -20,20 +20,20 @@ pub(crate) struct ScaledVertices {
     /// The position of the class's first existing node, scaled and relative to the origin.
     pub(crate) positions: Vec<DVec3>,
     /// True for vertices that stay.
-    pub(crate) fixed: Vec<bool>,
+    pub(crate) is_fixed_vertex: Vec<bool>,
     /// The diagonal of the bounding box of all existing nodes, scaled.
-    pub(crate) size: f64,
+    pub(crate) box_diagonal: f64,
     /// The scale, a power of two with which products of coordinates neither overflow nor underflow.
     pub(crate) unit: f64,
     /// The centre of the bounding box, scaled. Positions are relative to it, because distant nets
     /// would lose digits.
-    origin: DVec3,
+    box_centre: DVec3,
 }
 
 impl ScaledVertices {
     pub(crate) fn new(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
         let nodes = 0..net.shape().node_count() as u32;
-        let classes = NodeClasses::new_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
+        let classes = NodeClasses::new_cancellable(net.topology(), &job.sub_job(0.0, 0.3), "planarise")?;
         let mut fixed = alloc::filled(false, nodes.len())?;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for node in nodes {
@@ -45,7 +45,7 @@ impl ScaledVertices {
             fixed[classes.representative(node) as usize] |= stays;
         }
         if options.keep_boundary {
-            let boundary = Complex::from_net(net, &job.part(0.3, 0.8))?.boundary;
+            let boundary = Complex::from_net(net, &job.sub_job(0.3, 0.8))?.boundary;
             boundary.nodes().iter().for_each(|&node| fixed[classes.representative(node) as usize] = true);
         }
         let (mut unit, mut origin, mut size) = (1.0, DVec3::ZERO, 0.0);
@@ -56,8 +56,15 @@ impl ScaledVertices {
             unit = (coarse * common_unit([&extent])).max(f64::MIN_POSITIVE);
             (origin, size) = ((low / unit).midpoint(high / unit), (low / unit).distance(high / unit));
         }
-        let mut surface = ScaledVertices { classes, positions: Vec::new(), fixed, size, unit, origin };
-        surface.positions = surface.vertex_positions(net, &job.part(0.8, 1.0))?;
+        let mut surface = ScaledVertices {
+            classes,
+            positions: Vec::new(),
+            is_fixed_vertex: fixed,
+            box_diagonal: size,
+            unit,
+            box_centre: origin,
+        };
+        surface.positions = surface.vertex_positions(net, &job.sub_job(0.8, 1.0))?;
         Ok(surface)
     }
 
@@ -77,18 +84,18 @@ impl ScaledVertices {
 
     /// Scales a position relative to the origin.
     pub(crate) fn scale_position(&self, position: DVec3) -> DVec3 {
-        position / self.unit - self.origin
+        position / self.unit - self.box_centre
     }
 
     /// Rounds the new positions of moved vertices to the net's type.
     pub(crate) fn round_to_scalar(&self, moved: &mut [DVec3], scalar: Scalar) {
         for (moved, &before) in moved.iter_mut().zip(&self.positions) {
             if moved.is_finite() && *moved != before {
-                let mut there = (*moved + self.origin) * self.unit;
+                let mut there = (*moved + self.box_centre) * self.unit;
                 if scalar == Scalar::F32 {
                     there = there.as_vec3().as_dvec3();
                 }
-                *moved = there / self.unit - self.origin;
+                *moved = there / self.unit - self.box_centre;
             }
         }
     }
@@ -99,7 +106,7 @@ impl ScaledVertices {
             let class = self.classes.representative(node) as usize;
             if moved[class].is_finite() && moved[class] != self.positions[class] && net.position(node).is_finite() {
                 let (i, j) = net.shape().row_and_column(node);
-                net.coordinates_mut().set(i, j, (moved[class] + self.origin) * self.unit);
+                net.coordinates_mut().set(i, j, (moved[class] + self.box_centre) * self.unit);
             }
         }
     }

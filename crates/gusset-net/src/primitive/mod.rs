@@ -69,7 +69,7 @@ impl<'a> Request<'a> {
     /// - [`Error::OptionOutOfRange`]: a dimension is not positive, or too large or too small for
     ///   the type of the coordinates; or there are too few rows or columns.
     /// - [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn net(&self, job: &Job<'_>) -> Result<Net<'static>> {
+    pub fn build_net(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let shape = self.shape()?;
         self.primitive.check_dimensions(self.scalar)?;
         construct::construct_net(&self.primitive, shape, self.scalar, job)

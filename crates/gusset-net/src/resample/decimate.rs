@@ -51,11 +51,11 @@ pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimate
         let [min_rows, min_columns] = min_rows_and_columns(sides, 4);
         let row = |k: usize, j: usize| planes.get(k, j);
         let cost = |gap: Range<usize>| max_deviation_of_removed_lines(row, gap, &all);
-        let (rows, by_rows) = choose_kept_lines(h, min_rows, limit, &job.part(0.0, 0.5), cost)?;
+        let (rows, by_rows) = choose_kept_lines(h, min_rows, limit, &job.sub_job(0.0, 0.5), cost)?;
         let column = |k: usize, i: usize| planes.get(i, k);
         let cost = |gap: Range<usize>| max_deviation_of_removed_lines(column, gap, &rows);
-        let (columns, by_columns) = choose_kept_lines(w, min_columns, limit, &job.part(0.5, 1.0), cost)?;
-        let net = net_with_sides(select_lines(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
+        let (columns, by_columns) = choose_kept_lines(w, min_columns, limit, &job.sub_job(0.5, 1.0), cost)?;
+        let net = net_with_sides(select_lines(net, &rows, &columns, &job.sub_job(1.0, 1.0))?, net, sides)?;
         Ok(Decimated { net, rows, columns, deviation: by_rows + by_columns })
     })
 }
@@ -102,10 +102,10 @@ fn choose_kept_lines(
     let mut after = alloc::collect(1..count + 1)?;
     let mut queue: BinaryHeap<RemovalCandidate> = BinaryHeap::from(alloc::with_capacity(3 * count)?);
     let costs =
-        par::map_cancellable(&job.part(0.0, 0.5), "decimate", par::split_into_ranges(count - 2, 16), |lines| {
+        par::map_cancellable(&job.sub_job(0.0, 0.5), "decimate", par::split_into_ranges(count - 2, 16), |lines| {
             lines.map(|k| cost(k..k + 2)).collect::<Vec<_>>()
         })?;
-    let job = job.part(0.5, 1.0);
+    let job = job.sub_job(0.5, 1.0);
     queue.extend(costs.into_iter().flatten().enumerate().map(|(k, cost)| removal_candidate(cost, k..k + 2, k + 1)));
     let (mut left, mut max) = (count, 0.0f64);
     while let Some(Reverse((bits, _, line, from, to))) = queue.pop() {

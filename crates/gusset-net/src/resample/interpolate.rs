@@ -81,7 +81,7 @@ pub fn pyramid(net: &Net<'_>, interpolation: Interpolation, job: &Job<'_>) -> Re
         }
         let rows = alloc::collect((0..fine.shape().rows()).step_by(row_step))?;
         let columns = alloc::collect((0..fine.shape().columns()).step_by(column_step))?;
-        let coarse = net_with_sides(select_lines(fine, &rows, &columns, &job.part(1.0, 1.0))?, fine, sides)?;
+        let coarse = net_with_sides(select_lines(fine, &rows, &columns, &job.sub_job(1.0, 1.0))?, fine, sides)?;
         alloc::push(&mut levels, coarse)?;
     }
     Ok(levels)

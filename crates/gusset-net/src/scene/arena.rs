@@ -16,7 +16,7 @@ use std::sync::Arc;
 #[derive(Debug, Default)]
 pub struct Scene {
     pub(super) entries: Vec<Option<SceneEntry>>,
-    marks: VisitMarks,
+    visit_marks: VisitMarks,
 }
 
 #[derive(Debug)]
@@ -89,7 +89,7 @@ impl Scene {
     fn add_entry(&mut self, content: EntryContent) -> Result<u32> {
         let index = self.entries.len();
         Error::check_count("entries", index as u64 + 1, NONE.into())?;
-        self.marks.add_entry()?;
+        self.visit_marks.add_entry()?;
         let entry = SceneEntry { content, local: DAffine3::IDENTITY, visible: true, parents: Vec::new() };
         alloc::push(&mut self.entries, Some(entry))?;
         Ok(index as u32)
@@ -104,7 +104,7 @@ impl Scene {
     pub fn add_child(&mut self, group: u32, child: u32) -> Result<()> {
         self.children(group)?;
         self.entry(child)?;
-        let Scene { entries, marks } = self;
+        let Scene { entries, visit_marks: marks } = self;
         let entry = |index: u32| entries[index as usize].as_ref();
         let child_of = |index: u32, k: usize| match &entry(index)?.content {
             EntryContent::Group(children) => children.get(k).copied(),

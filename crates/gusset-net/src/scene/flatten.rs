@@ -26,7 +26,7 @@ impl Scene {
     /// [`Error::EmptyScene`] if all nets are hidden, and the errors of [`Scene::instances`] and
     /// [`concatenate`](crate::concatenate).
     pub fn flatten(&self, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
-        let mut instances = self.instances(&job.part(0.0, 0.2))?;
+        let mut instances = self.instances(&job.sub_job(0.0, 0.2))?;
         instances.retain(|instance| instance.visible && self.net(instance.entry).is_ok());
         if instances.is_empty() {
             return Err(Error::EmptyScene);
@@ -36,12 +36,12 @@ impl Scene {
             |instance: &Instance| instance.world.is_finite() && is_orientation_reversing(instance.world.matrix3);
         let mirrored = alloc::collect(instances.iter().map(is_mirrored))?;
         let options = JoinOptions { turn: true, ..*options };
-        let mut net = join_nets_to_be_transformed(&nets, &mirrored, &options, &job.part(0.2, 0.8))?;
+        let mut net = join_nets_to_be_transformed(&nets, &mirrored, &options, &job.sub_job(0.2, 0.8))?;
         if instances.iter().any(|instance| instance.world != DAffine3::IDENTITY) {
             let starts = first_lines_of_nets(nets.iter().map(|net| net.shape()), options.direction, options.rows)?;
             let world = |k: usize| instances[k].world;
             each!(net.coordinates_mut(), planes => transform_nets(planes, options.direction, &starts, world, job))?;
-            interpolate_inner_rows(&mut net, &job.part(0.9, 1.0))?;
+            interpolate_inner_rows(&mut net, &job.sub_job(0.9, 1.0))?;
         }
         job.step(1.0, "nodes")?;
         Ok(net)

@@ -64,14 +64,14 @@ impl VisitMarks {
 /// A depth-first search that advances one step at a time.
 struct DepthFirstSearch {
     /// The number of this search and of the opposite one.
-    numbers: [u32; 2],
+    own_and_opposite_number: [u32; 2],
     /// Entries on the path, each with the number of its neighbours examined.
     path: Vec<(u32, usize)>,
 }
 
 impl DepthFirstSearch {
     fn new(from: u32, numbers: [u32; 2]) -> Result<Self> {
-        Ok(DepthFirstSearch { numbers, path: alloc::filled((from, 0), 1)? })
+        Ok(DepthFirstSearch { own_and_opposite_number: numbers, path: alloc::filled((from, 0), 1)? })
     }
 
     /// Returns the entry and the number of its neighbour to examine.
@@ -84,7 +84,7 @@ impl DepthFirstSearch {
     /// Descends to a neighbour unless it was visited, or backtracks if there is none. Returns true
     /// where the two searches meet.
     fn descend_or_backtrack(&mut self, neighbour: Option<u32>, marks: &mut VisitMarks) -> Result<bool> {
-        let [own, opposite] = self.numbers;
+        let [own, opposite] = self.own_and_opposite_number;
         let Some(entry) = neighbour else {
             self.path.pop();
             return Ok(false);

@@ -17,7 +17,7 @@ const RELATIVE_REGULARISATION: f64 = 1e-12;
 #[derive(Default)]
 pub(super) struct AndersonAcceleration {
     /// The last step's displacement and start.
-    last: Option<[Vec<DVec3>; 2]>,
+    last_displacement_and_start: Option<[Vec<DVec3>; 2]>,
     /// Differences of displacements, and of starts, between consecutive steps.
     changes: Vec<[Vec<DVec3>; 2]>,
 }
@@ -33,13 +33,13 @@ fn differences(a: &[DVec3], b: &[DVec3]) -> Result<Vec<DVec3>> {
 impl AndersonAcceleration {
     /// Returns an accelerated displacement for the step from these unknowns; `None` at first.
     pub(super) fn accelerate_step(&mut self, at: &[DVec3], step: &[DVec3]) -> Result<Option<Vec<DVec3>>> {
-        if let Some([before, start]) = &self.last {
+        if let Some([before, start]) = &self.last_displacement_and_start {
             if self.changes.len() == MAX_COMBINED_STEPS {
                 self.changes.remove(0);
             }
             alloc::push(&mut self.changes, [differences(step, before)?, differences(at, start)?])?;
         }
-        self.last = Some([alloc::copied(step)?, alloc::copied(at)?]);
+        self.last_displacement_and_start = Some([alloc::copied(step)?, alloc::copied(at)?]);
         let m = self.changes.len();
         if m == 0 {
             return Ok(None);

@@ -21,7 +21,7 @@ const LINES_PER_REPORT: usize = 1 << 10;
 pub(super) struct CompositeModel {
     pub(super) model: EnergyModel,
     /// The initial points of the model, with rigid bodies in their rest shape.
-    pub(super) start: Vec<DVec3>,
+    pub(super) initial_points: Vec<DVec3>,
     /// The points of the model.
     pub(super) points: Vec<DVec3>,
     pub(super) motions: Vec<RigidMotion>,
@@ -31,9 +31,9 @@ pub(super) struct CompositeModel {
     pub(super) settled_bridges: u32,
     pub(super) idle_bridges: u32,
     /// The films: their quads, and their initial area.
-    pub(super) films: Vec<(Range<usize>, f64)>,
+    pub(super) film_quads_and_areas: Vec<(Range<usize>, f64)>,
     /// The part of the model that belongs to each bridge with forces.
-    pub(super) shares: Vec<BridgeElements>,
+    pub(super) elements_of_bridges: Vec<BridgeElements>,
 }
 
 /// The unknowns, lines and quads of a bridge.
@@ -50,7 +50,7 @@ struct CompositeBuilder<'a> {
     rest_ratio: f64,
     parts: &'a CompositeParts,
     surface: &'a ScaledVertices,
-    scale: ForceScale,
+    force_scale: ForceScale,
     composite: CompositeModel,
 }
 
@@ -132,28 +132,35 @@ pub(super) fn build_composite<'a>(
     job: &Job<'_>,
 ) -> Result<CompositeModel> {
     let scale = ForceScale::from_bridges(parts, net, surface.unit);
-    let (translations, motions) = (Vec::new(), alloc::filled(RigidMotion::IDENTITY, parts.ranges.len())?);
+    let (translations, motions) = (Vec::new(), alloc::filled(RigidMotion::IDENTITY, parts.lines_of_part.len())?);
     let (carried, lines, quads) = (Vec::new(), Vec::new(), Vec::new());
-    let model = EnergyModel { slots, translations, carried, unknowns: 0, lines, quads };
+    let model = EnergyModel {
+        unknown_or_body_of_point: slots,
+        translation_unknown_of_body: translations,
+        carried_points_and_positions: carried,
+        unknown_count: 0,
+        lines,
+        quads,
+    };
     let energy_unit = scale.energy_and_force_units(surface.unit);
     let points = alloc::copied(&surface.positions)?;
     let composite = CompositeModel {
         model,
         points,
-        start: Vec::new(),
+        initial_points: Vec::new(),
         motions,
         energy_unit,
         settled_bridges: 0,
         idle_bridges: 0,
-        films: Vec::new(),
-        shares: Vec::new(),
+        film_quads_and_areas: Vec::new(),
+        elements_of_bridges: Vec::new(),
     };
     let rest_ratio = if options.rest_ratio == 0.0 { 1.0 } else { options.rest_ratio };
     let reference = options.reference.unwrap_or(net);
-    let mut builder = CompositeBuilder { net, reference, rest_ratio, parts, surface, scale, composite };
+    let mut builder = CompositeBuilder { net, reference, rest_ratio, parts, surface, force_scale: scale, composite };
     builder.shape_rigid_bodies(options)?;
     for (k, &index) in parts.bridges.iter().enumerate() {
-        builder.add_bridge(k, index, &job.share(k, parts.bridges.len()))?;
+        builder.add_bridge(k, index, &job.sub_job_of_item(k, parts.bridges.len()))?;
     }
     builder.finish_model()
 }
@@ -192,7 +199,7 @@ impl CompositeBuilder<'_> {
             self.add_film(bridge, law.tension)?;
         }
         let [unknowns, lines, quads] = [0, 1, 2].map(|k| before[k]..self.composite.model.element_counts()[k]);
-        alloc::push(&mut self.composite.shares, BridgeElements { unknowns, lines, quads })
+        alloc::push(&mut self.composite.elements_of_bridges, BridgeElements { unknowns, lines, quads })
     }
 
     /// Returns the properties in the unit, relative to the largest.
@@ -200,12 +207,12 @@ impl CompositeBuilder<'_> {
         let bridge = &self.net.bridges()[index];
         let (p, unit) = (bridge.properties, self.surface.unit);
         let film = length_of_film_unit(bridge, unit);
-        let tension = match self.scale {
+        let tension = match self.force_scale {
             ForceScale::Largest(largest) => p.tension / largest * film,
-            ForceScale::Stiffness(_) => self.scale.relative_force(p.tension * film, unit),
+            ForceScale::Stiffness(_) => self.force_scale.relative_force(p.tension * film, unit),
         };
-        let elasticity = self.scale.relative_force(p.elasticity, unit);
-        let stiffness = self.scale.relative_stiffness(p.stiffness, unit);
+        let elasticity = self.force_scale.relative_force(p.elasticity, unit);
+        let stiffness = self.force_scale.relative_stiffness(p.stiffness, unit);
         for (property, scaled, value) in [("tension", tension, p.tension), ("stiffness", stiffness, p.stiffness)] {
             if !scaled.is_finite() {
                 return Err(Error::BadProperty { bridge: index as u32, property, value });
@@ -220,7 +227,7 @@ impl CompositeBuilder<'_> {
         for i in bridge.last_line_of_first_net() + 1..bridge.at {
             for k in 0..bridge.end {
                 let v = self.vertex_at(i as usize, k as usize) as usize;
-                let slot = &mut self.composite.model.slots[v];
+                let slot = &mut self.composite.model.unknown_or_body_of_point[v];
                 if *slot == NO_BODY {
                     *slot = body;
                 }
@@ -242,9 +249,9 @@ impl CompositeBuilder<'_> {
         visit_in_elimination_order(size, bridge.kind != BridgeKind::Ribbon, &mut |i, k| {
             let v = self.vertex_at(first + i, k);
             let model = &mut self.composite.model;
-            if model.slots[v as usize] == NO_BODY && self.surface.positions[v as usize].is_finite() {
-                model.slots[v as usize] = model.unknowns as u32;
-                model.unknowns += 1;
+            if model.unknown_or_body_of_point[v as usize] == NO_BODY && self.surface.positions[v as usize].is_finite() {
+                model.unknown_or_body_of_point[v as usize] = model.unknown_count as u32;
+                model.unknown_count += 1;
             }
             Ok(())
         })
@@ -281,12 +288,15 @@ impl CompositeBuilder<'_> {
                 end_targets[end] = before.map(|before| self.add_clamp_target(side, before, h)).transpose()?.flatten();
             }
         }
-        alloc::push(&mut self.composite.model.lines, BridgeLine { points, rests, spacing: h, end_targets, law })
+        alloc::push(
+            &mut self.composite.model.lines,
+            BridgeLine { points, rest_lengths: rests, spacing: h, end_targets, law },
+        )
     }
 
     /// Returns the row or column of a part that is adjacent to the bridge's side at an end.
     fn line_adjacent_to_bridge(&self, place: usize, end: usize) -> Option<usize> {
-        let rows = &self.parts.ranges[place + end];
+        let rows = &self.parts.lines_of_part[place + end];
         (rows.len() > 1).then(|| if end == 0 { rows.end - 2 } else { rows.start + 1 })
     }
 
@@ -319,12 +329,12 @@ impl CompositeBuilder<'_> {
     /// `None` if both points coincide.
     fn add_clamp_target(&mut self, side: u32, before: DVec3, h: f64) -> Result<Option<u32>> {
         let composite = &mut self.composite;
-        let (at, slot) = (composite.points[side as usize], composite.model.slots[side as usize]);
+        let (at, slot) = (composite.points[side as usize], composite.model.unknown_or_body_of_point[side as usize]);
         if at.distance(before) <= MIN_RELATIVE_LENGTH {
             return Ok(None);
         }
         alloc::push(&mut composite.points, at + h * (at - before).normalize())?;
-        alloc::push(&mut composite.model.slots, slot)?;
+        alloc::push(&mut composite.model.unknown_or_body_of_point, slot)?;
         Ok(Some(composite.points.len() as u32 - 1))
     }
 
@@ -340,13 +350,13 @@ impl CompositeBuilder<'_> {
         }
         let quads = first..self.composite.model.quads.len();
         let area = self.composite.film_area(&quads);
-        alloc::push(&mut self.composite.films, (quads, area))
+        alloc::push(&mut self.composite.film_quads_and_areas, (quads, area))
     }
 
     /// Gives rigid bodies their inner vertices and their rest shape.
     fn shape_rigid_bodies(&mut self, options: &SettleOptions<'_>) -> Result<()> {
         let parts = self.parts;
-        let mut is_rigid_body = alloc::filled(false, parts.ranges.len())?;
+        let mut is_rigid_body = alloc::filled(false, parts.lines_of_part.len())?;
         for (place, &index) in parts.bridges.iter().enumerate() {
             let bridge = &self.net.bridges()[index];
             if is_rigid(bridge) {
@@ -363,29 +373,29 @@ impl CompositeBuilder<'_> {
 
     /// Gives moving bodies their unknowns.
     fn finish_model(mut self) -> Result<CompositeModel> {
-        let count = self.parts.ranges.len();
+        let count = self.parts.lines_of_part.len();
         let (parts, model) = (self.parts, &mut self.composite.model);
-        model.translations = alloc::filled(NO_BODY, count)?;
+        model.translation_unknown_of_body = alloc::filled(NO_BODY, count)?;
         for body in 0..count {
-            if parts.bodies[body] as usize == body && !parts.held[body] {
-                model.translations[body] = model.unknowns as u32;
-                model.unknowns += 1;
+            if parts.bodies[body] as usize == body && !parts.is_held_body[body] {
+                model.translation_unknown_of_body[body] = model.unknown_count as u32;
+                model.unknown_count += 1;
             }
         }
-        let mut is_carried = alloc::filled(false, model.slots.len())?;
+        let mut is_carried = alloc::filled(false, model.unknown_or_body_of_point.len())?;
         let lines = model.lines.iter().flat_map(|line| line.points.iter().chain(line.end_targets.iter().flatten()));
         for &point in lines.chain(model.quads.iter().flat_map(|quad| &quad.corners)) {
             is_carried[point as usize] = true;
         }
         for (point, carried) in (0u32..).zip(is_carried) {
-            let slot = model.slots[point as usize];
+            let slot = model.unknown_or_body_of_point[point as usize];
             let moves = (BODY_SLOT_FLAG..NO_BODY).contains(&slot)
-                && model.translations[(slot - BODY_SLOT_FLAG) as usize] != NO_BODY;
+                && model.translation_unknown_of_body[(slot - BODY_SLOT_FLAG) as usize] != NO_BODY;
             if carried && moves {
-                alloc::push(&mut model.carried, (point, self.composite.points[point as usize]))?;
+                alloc::push(&mut model.carried_points_and_positions, (point, self.composite.points[point as usize]))?;
             }
         }
-        self.composite.start = alloc::copied(&self.composite.points)?;
+        self.composite.initial_points = alloc::copied(&self.composite.points)?;
         Ok(self.composite)
     }
 
@@ -394,28 +404,28 @@ impl CompositeBuilder<'_> {
     fn reshape_body(&mut self, body: u32, reference: &Net<'_>) {
         let (parts, surface, net) = (self.parts, self.surface, self.net);
         let own = |part: &usize| parts.bodies[*part] == body;
-        let has_held = (0..parts.ranges.len()).any(|part| own(&part) && parts.held_parts[part]);
+        let has_held = (0..parts.lines_of_part.len()).any(|part| own(&part) && parts.held_parts[part]);
         let leads = |part: &usize| own(part) && (parts.held_parts[*part] || !has_held);
         let along = parts.direction.line_count_and_length(net.shape()).1;
         let scaled = |net: &Net<'_>, (i, k): (usize, usize)| {
             let (i, j) = parts.direction.swap_unless_down(i, k);
             surface.scale_position(net.get(i, j))
         };
-        let nodes = |part: usize| parts.ranges[part].clone().flat_map(move |i| (0..along).map(move |k| (i, k)));
-        let pairs = (0..parts.ranges.len()).filter(leads).flat_map(nodes);
+        let nodes = |part: usize| parts.lines_of_part[part].clone().flat_map(move |i| (0..along).map(move |k| (i, k)));
+        let pairs = (0..parts.lines_of_part.len()).filter(leads).flat_map(nodes);
         let pairs = pairs.map(|place| [scaled(reference, place), scaled(net, place)]);
         let motion = RigidMotion::fit_point_pairs(pairs.filter(|[p, q]| p.is_finite() && q.is_finite()));
         let mut place_node = |i: usize, k: usize| {
             let v = parts.vertex_at(&surface.classes, i, k) as usize;
             let at = scaled(reference, (i, k));
-            if self.composite.model.slots[v] == BODY_SLOT_FLAG + body
+            if self.composite.model.unknown_or_body_of_point[v] == BODY_SLOT_FLAG + body
                 && at.is_finite()
                 && surface.positions[v].is_finite()
             {
                 self.composite.points[v] = motion.apply(at);
             }
         };
-        for part in (0..parts.ranges.len()).filter(own) {
+        for part in (0..parts.lines_of_part.len()).filter(own) {
             if has_held && !parts.held_parts[part] {
                 nodes(part).for_each(|(i, k)| place_node(i, k));
             }

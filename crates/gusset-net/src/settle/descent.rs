@@ -32,17 +32,17 @@ pub(super) fn descend_to_equilibrium(
     max_iterations: u32,
     job: &Job<'_>,
 ) -> Result<DescentResult> {
-    let mut descent = DescentResult { iterations: 0, residual: 0.0, converged: composite.model.unknowns == 0 };
+    let mut descent = DescentResult { iterations: 0, residual: 0.0, converged: composite.model.unknown_count == 0 };
     if descent.converged {
         return Ok(descent);
     }
     let model = &composite.model;
     let mut energy = model.bridge_energies(&composite.points).total_energy();
-    let are_held = model.translations.iter().all(|&unknown| unknown == NO_BODY);
+    let are_held = model.translation_unknown_of_body.iter().all(|&unknown| unknown == NO_BODY);
     let mut anderson = AndersonAcceleration::default();
     let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
     while !descent.converged && descent.iterations < max_iterations {
-        let job = job.part(at(descent.iterations), at(descent.iterations + 1));
+        let job = job.sub_job(at(descent.iterations), at(descent.iterations + 1));
         let (x, motions) = (&composite.points, &composite.motions);
         let terms = model.energy_terms(x)?;
         let gradient = model.gradient(&terms, x)?;
@@ -103,13 +103,18 @@ fn is_gain_within_rounding(
         sum.total_energy() + films + lines.iter().map(BridgeLine::spring_energy_scale).sum::<f64>()
     };
     is_within(gain(0..step.len()), energy)
-        && composite.shares.iter().all(|share| is_within(gain(share.unknowns.clone()), energy_of(share)))
+        && composite.elements_of_bridges.iter().all(|share| is_within(gain(share.unknowns.clone()), energy_of(share)))
 }
 
 /// Returns the current unknowns.
 fn current_unknowns(composite: &CompositeModel) -> Result<Vec<DVec3>> {
-    let mut unknowns = alloc::filled(DVec3::ZERO, composite.model.unknowns)?;
-    for (&p, &slot) in composite.points.iter().zip(&composite.model.slots).filter(|(_, slot)| **slot < BODY_SLOT_FLAG) {
+    let mut unknowns = alloc::filled(DVec3::ZERO, composite.model.unknown_count)?;
+    for (&p, &slot) in composite
+        .points
+        .iter()
+        .zip(&composite.model.unknown_or_body_of_point)
+        .filter(|(_, slot)| **slot < BODY_SLOT_FLAG)
+    {
         unknowns[slot as usize] = p;
     }
     Ok(unknowns)
@@ -128,7 +133,7 @@ fn halve_until_lower(
 ) -> Result<Option<DescentState>> {
     let mut part = 1.0;
     for _ in 0..MAX_STEP_HALVINGS {
-        job.part(1.0, 1.0).step(0.0, "settle")?;
+        job.sub_job(1.0, 1.0).step(0.0, "settle")?;
         let (x, motions) = composite.model.displace_points(&composite.points, &composite.motions, step, part)?;
         let after = composite.model.bridge_energies(&x).total_energy();
         if after <= energy * (1.0 + RELATIVE_ENERGY_ROUNDING) {
@@ -141,9 +146,15 @@ fn halve_until_lower(
 
 /// Returns the largest displacement of an unknown or of a point of a body.
 fn max_displacement(composite: &CompositeModel, x: &[DVec3], motions: &[RigidMotion], next: &DescentState) -> f64 {
-    let own = composite.model.slots.iter().zip(x.iter().zip(&next.0)).filter(|(slot, _)| **slot < BODY_SLOT_FLAG);
+    let own = composite
+        .model
+        .unknown_or_body_of_point
+        .iter()
+        .zip(x.iter().zip(&next.0))
+        .filter(|(slot, _)| **slot < BODY_SLOT_FLAG);
     let own = own.map(|(_, (p, q))| p.distance(*q)).fold(0.0, f64::max);
-    let carried = composite.model.carried.iter().map(|&(p, _)| x[p as usize].distance(next.0[p as usize]));
+    let carried =
+        composite.model.carried_points_and_positions.iter().map(|&(p, _)| x[p as usize].distance(next.0[p as usize]));
     let shifts = motions.iter().zip(&next.1).map(|(a, b)| a.translation.distance(b.translation));
     carried.chain(shifts).fold(own, f64::max)
 }

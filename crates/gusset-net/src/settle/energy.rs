@@ -46,7 +46,7 @@ pub(super) struct BridgeLine {
     /// The points from side to side.
     pub(super) points: Vec<u32>,
     /// The rest lengths of the links; 0 if unknown.
-    pub(super) rests: Vec<f64>,
+    pub(super) rest_lengths: Vec<f64>,
     /// The mean of the known rest lengths.
     pub(super) spacing: f64,
     /// The targets of its ends, one link away.
@@ -62,7 +62,7 @@ impl BridgeLine {
     /// Returns the square root of the number of links times the sum of their squares: the length of
     /// the line once its nodes are evenly spaced, as in equilibrium.
     fn line_length(&self, x: &[DVec3]) -> f64 {
-        (self.rests.len() as f64 * self.edge_vectors(x).map(DVec3::length_squared).sum::<f64>()).sqrt()
+        (self.rest_lengths.len() as f64 * self.edge_vectors(x).map(DVec3::length_squared).sum::<f64>()).sqrt()
     }
 
     /// Returns the weight of a squared second difference: stiffness / h^3 for the mean rest length
@@ -74,7 +74,7 @@ impl BridgeLine {
 
     /// Returns the rest lengths of the links that are springs.
     fn spring_rest_lengths(&self) -> impl Iterator<Item = Option<f64>> + '_ {
-        self.rests.iter().map(|&rest| (self.law.elasticity > 0.0 && rest > MIN_RELATIVE_LENGTH).then_some(rest))
+        self.rest_lengths.iter().map(|&rest| (self.law.elasticity > 0.0 && rest > MIN_RELATIVE_LENGTH).then_some(rest))
     }
 
     /// Returns the clamped ends: the point next to each end, and its target.
@@ -86,7 +86,7 @@ impl BridgeLine {
     /// Returns the approximate energy of its springs at twice their rest length. The rounding of
     /// their energy is relative to it if the energy is nearly 0.
     pub(super) fn spring_energy_scale(&self) -> f64 {
-        self.law.elasticity * self.rests.iter().sum::<f64>()
+        self.law.elasticity * self.rest_lengths.iter().sum::<f64>()
     }
 
     pub(super) fn add_energies(&self, x: &[DVec3], sum: &mut BridgeEnergies) {
@@ -108,7 +108,7 @@ impl BridgeLine {
     }
 
     pub(super) fn push_quadratic_terms(&self, x: &[DVec3], terms: &mut Vec<QuadraticTerm>) -> Result<()> {
-        let links = self.rests.len() as f64;
+        let links = self.rest_lengths.len() as f64;
         let tension = if self.law.tension > 0.0 {
             self.law.tension * links / self.line_length(x).max(MIN_RELATIVE_LENGTH)
         } else {
@@ -127,7 +127,7 @@ impl BridgeLine {
         if weight > 0.0 {
             for p in self.points.windows(3) {
                 let (points, factors) = ([p[0], p[1], p[2]], [1.0, -2.0, 1.0]);
-                alloc::push(terms, QuadraticTerm { points, factors, weight, rest: DVec3::ZERO })?;
+                alloc::push(terms, QuadraticTerm { points, factors, weight, rest_value: DVec3::ZERO })?;
             }
             for [p, q] in self.clamped_ends() {
                 alloc::push(terms, QuadraticTerm::from_edge(p, q, 2.0 * weight, DVec3::ZERO))?;

@@ -19,12 +19,12 @@ const RELATIVE_DAMPING: f64 = 1e-11;
 /// targets of clamps, which move with the bodies.
 pub(super) struct EnergyModel {
     /// For each point the index of its unknown, or its body above [`BODY_SLOT_FLAG`].
-    pub(super) slots: Vec<u32>,
+    pub(super) unknown_or_body_of_point: Vec<u32>,
     /// The unknown that is the translation of each body; [`NO_BODY`] for bodies that stay.
-    pub(super) translations: Vec<u32>,
+    pub(super) translation_unknown_of_body: Vec<u32>,
     /// The points of moving bodies in the terms, and their initial positions.
-    pub(super) carried: Vec<(u32, DVec3)>,
-    pub(super) unknowns: usize,
+    pub(super) carried_points_and_positions: Vec<(u32, DVec3)>,
+    pub(super) unknown_count: usize,
     pub(super) lines: Vec<BridgeLine>,
     pub(super) quads: Vec<FilmQuad>,
 }
@@ -32,10 +32,10 @@ pub(super) struct EnergyModel {
 impl EnergyModel {
     /// Returns the unknown that moves a point, if any does.
     fn unknown_of_point(&self, point: u32) -> Option<usize> {
-        let slot = self.slots[point as usize];
+        let slot = self.unknown_or_body_of_point[point as usize];
         let unknown = match slot {
             NO_BODY => NO_BODY,
-            body if body >= BODY_SLOT_FLAG => self.translations[(body - BODY_SLOT_FLAG) as usize],
+            body if body >= BODY_SLOT_FLAG => self.translation_unknown_of_body[(body - BODY_SLOT_FLAG) as usize],
             own => own,
         };
         (unknown != NO_BODY).then_some(unknown as usize)
@@ -43,13 +43,14 @@ impl EnergyModel {
 
     /// Returns the numbers of unknowns, lines and quads.
     pub(super) fn element_counts(&self) -> [usize; 3] {
-        [self.unknowns, self.lines.len(), self.quads.len()]
+        [self.unknown_count, self.lines.len(), self.quads.len()]
     }
 
     /// Moves the points of moving bodies.
     pub(super) fn place_moving_bodies(&self, motions: &[RigidMotion], x: &mut [DVec3]) {
-        for &(point, start) in &self.carried {
-            x[point as usize] = motions[(self.slots[point as usize] - BODY_SLOT_FLAG) as usize].apply(start);
+        for &(point, start) in &self.carried_points_and_positions {
+            x[point as usize] =
+                motions[(self.unknown_or_body_of_point[point as usize] - BODY_SLOT_FLAG) as usize].apply(start);
         }
     }
 
@@ -75,7 +76,7 @@ impl EnergyModel {
 
     /// Returns the gradient of the sum for each unknown.
     pub(super) fn gradient(&self, terms: &[QuadraticTerm], x: &[DVec3]) -> Result<Vec<DVec3>> {
-        let mut gradient = alloc::filled(DVec3::ZERO, self.unknowns)?;
+        let mut gradient = alloc::filled(DVec3::ZERO, self.unknown_count)?;
         for term in terms {
             let force = term.weight * term.residual(x);
             for (&point, &c) in term.points.iter().zip(&term.factors).filter(|&(_, &c)| c != 0.0) {
@@ -95,9 +96,9 @@ impl EnergyModel {
         gradient: &[DVec3],
         job: &Job<'_>,
     ) -> Result<Vec<DVec3>> {
-        let matrix = self.system_matrix(terms, &job.part(0.0, 0.2))?;
+        let matrix = self.system_matrix(terms, &job.sub_job(0.0, 0.2))?;
         let mut solution = alloc::collect(gradient.iter().map(|&g| -g))?;
-        matrix.factor(&job.part(0.2, 0.9))?.solve(&mut solution, &job.part(0.9, 1.0))?;
+        matrix.factorise(&job.sub_job(0.2, 0.9))?.solve(&mut solution, &job.sub_job(0.9, 1.0))?;
         Ok(solution)
     }
 
@@ -113,12 +114,12 @@ impl EnergyModel {
             (0..9).filter_map(move |k| entry((k / 3, k % 3)))
         };
         job.step(0.0, "settle")?;
-        let mut columns = Buckets::new(self.unknowns, (0, 0.0), terms.iter().flat_map(pairs))?;
-        let (mut start, mut entries) = (alloc::with_capacity(self.unknowns + 1)?, Vec::new());
-        let mut diagonal = alloc::filled(0.0, self.unknowns)?;
+        let mut columns = Buckets::new(self.unknown_count, (0, 0.0), terms.iter().flat_map(pairs))?;
+        let (mut start, mut entries) = (alloc::with_capacity(self.unknown_count + 1)?, Vec::new());
+        let mut diagonal = alloc::filled(0.0, self.unknown_count)?;
         start.push(0);
         for (k, diagonal) in diagonal.iter_mut().enumerate() {
-            job.step_every(1 << 14, k, self.unknowns, "settle")?;
+            job.step_every(1 << 14, k, self.unknown_count, "settle")?;
             let column = columns.get_mut(k);
             column.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
             for same in column.chunk_by(|a, b| a.0 == b.0) {
@@ -131,7 +132,7 @@ impl EnergyModel {
             }
             start.push(entries.len());
         }
-        Ok(SparseSymmetric { start, entries, diagonal })
+        Ok(SparseSymmetric { column_starts: start, entries, diagonal })
     }
 
     /// Returns the points and the motions after displacements, or after a fraction of them.
@@ -143,12 +144,12 @@ impl EnergyModel {
         fraction: f64,
     ) -> Result<(Vec<DVec3>, Vec<RigidMotion>)> {
         let (mut x, mut motions) = (alloc::copied(x)?, alloc::copied(motions)?);
-        for (point, &slot) in x.iter_mut().zip(&self.slots) {
+        for (point, &slot) in x.iter_mut().zip(&self.unknown_or_body_of_point) {
             if slot < BODY_SLOT_FLAG {
                 *point += fraction * step[slot as usize];
             }
         }
-        for (motion, &unknown) in motions.iter_mut().zip(&self.translations) {
+        for (motion, &unknown) in motions.iter_mut().zip(&self.translation_unknown_of_body) {
             if unknown != NO_BODY {
                 motion.translation += fraction * step[unknown as usize];
             }

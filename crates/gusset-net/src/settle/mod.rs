@@ -112,14 +112,14 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
     }
     job.step(0.0, "settle")?;
     let mut parts = CompositeParts::new(net, options)?;
-    let surface = ScaledVertices::new(net, &PlanariseOptions::default(), &job.part(0.0, 0.1))?;
-    let slots = parts.unite_into_bodies(net, &surface.classes, &job.part(0.1, 0.15))?;
-    let mut composite = build_composite(net, options, (&parts, &surface, slots), &job.part(0.15, 0.2))?;
-    let tolerance = if tolerance == 0.0 { DEFAULT_TOLERANCE } else { tolerance } * surface.size;
+    let surface = ScaledVertices::new(net, &PlanariseOptions::default(), &job.sub_job(0.0, 0.1))?;
+    let slots = parts.unite_into_bodies(net, &surface.classes, &job.sub_job(0.1, 0.15))?;
+    let mut composite = build_composite(net, options, (&parts, &surface, slots), &job.sub_job(0.15, 0.2))?;
+    let tolerance = if tolerance == 0.0 { DEFAULT_TOLERANCE } else { tolerance } * surface.box_diagonal;
     let max = if options.max_iterations == 0 { DEFAULT_ITERATIONS } else { options.max_iterations };
     let [energy_unit, force_unit] = composite.energy_unit;
     let energy_before = composite.model.bridge_energies(&composite.points).total_energy();
-    let done = descend_to_equilibrium(&mut composite, tolerance, max, &job.part(0.2, 0.95))?;
+    let done = descend_to_equilibrium(&mut composite, tolerance, max, &job.sub_job(0.2, 0.95))?;
     let after = composite.model.bridge_energies(&composite.points);
     let collapsed = composite.count_collapsed_films();
     let mut moved = composite.vertex_positions(surface.positions.len())?;
@@ -149,17 +149,18 @@ impl CompositeModel {
         let has_collapsed = |(quads, area): &&(std::ops::Range<usize>, f64)| {
             let least = MIN_RELATIVE_CELL_AREA * area / quads.len().max(1) as f64;
             let mut cells = self.model.quads[quads.clone()].iter();
-            cells.any(|quad| quad.quad_area(&self.start) >= least && quad.quad_area(&self.points) < least)
+            cells.any(|quad| quad.quad_area(&self.initial_points) >= least && quad.quad_area(&self.points) < least)
         };
-        self.films.iter().filter(has_collapsed).count() as u32
+        self.film_quads_and_areas.iter().filter(has_collapsed).count() as u32
     }
 
     /// Where all vertices of the net are.
     fn vertex_positions(&self, count: usize) -> Result<Vec<glam::DVec3>> {
         let mut moved = alloc::copied(&self.points[..count])?;
-        for ((v, &start), &slot) in moved.iter_mut().zip(&self.start).zip(&self.model.slots) {
+        for ((v, &start), &slot) in moved.iter_mut().zip(&self.initial_points).zip(&self.model.unknown_or_body_of_point)
+        {
             if (BODY_SLOT_FLAG..NO_BODY).contains(&slot)
-                && self.model.translations[(slot - BODY_SLOT_FLAG) as usize] != NO_BODY
+                && self.model.translation_unknown_of_body[(slot - BODY_SLOT_FLAG) as usize] != NO_BODY
             {
                 *v = self.motions[(slot - BODY_SLOT_FLAG) as usize].apply(start);
             }

@@ -22,11 +22,11 @@ pub(super) struct CompositeParts {
     /// The indices of the whole bridges, sorted by place.
     pub(super) bridges: Vec<usize>,
     /// The rows (`Down`) or columns of each part: one more than bridges.
-    pub(super) ranges: Vec<Range<usize>>,
+    pub(super) lines_of_part: Vec<Range<usize>>,
     /// The body of each part.
     pub(super) bodies: Vec<u32>,
     /// True for bodies that stay. Only entries of the first part of each body are used.
-    pub(super) held: Vec<bool>,
+    pub(super) is_held_body: Vec<bool>,
     /// The parts that the caller holds.
     pub(super) held_parts: Vec<bool>,
 }
@@ -84,7 +84,7 @@ impl CompositeParts {
         let is_held = |part: usize| !options.free.get(part).is_some_and(|&free| free);
         let held_parts = alloc::collect((0..needed).map(is_held))?;
         let (bodies, held) = (alloc::collect(0..needed as u32)?, Vec::new());
-        Ok(CompositeParts { direction, bridges, ranges, bodies, held, held_parts })
+        Ok(CompositeParts { direction, bridges, lines_of_part: ranges, bodies, is_held_body: held, held_parts })
     }
 
     /// Returns the class of the node at place `k` of row or column `i`.
@@ -104,13 +104,13 @@ impl CompositeParts {
         let shape = net.shape();
         let along = self.direction.line_count_and_length(shape).1;
         let mut slots = alloc::filled(NO_BODY, shape.node_count())?;
-        let mut sets = DisjointSets::new(self.ranges.len())?;
+        let mut sets = DisjointSets::new(self.lines_of_part.len())?;
         let mut join = |a: u32, b: u32| {
             let (a, b) = (sets.find(a), sets.find(b));
             sets.attach(a.max(b), a.min(b));
         };
         let mut done = 0;
-        for (part, rows) in (0u32..).zip(&self.ranges) {
+        for (part, rows) in (0u32..).zip(&self.lines_of_part) {
             for i in rows.clone() {
                 for k in 0..along {
                     job.step_every(NODES_PER_REPORT, done, shape.node_count(), "settle")?;
@@ -141,11 +141,11 @@ impl CompositeParts {
     /// Determines the bodies that stay: bodies with a held part, and the first of a group of bodies
     /// that bridges join if none of them is held.
     fn choose_fixed_bodies(&mut self, net: &Net<'_>) -> Result<()> {
-        let count = self.ranges.len();
-        self.held = alloc::filled(false, count)?;
+        let count = self.lines_of_part.len();
+        self.is_held_body = alloc::filled(false, count)?;
         let mut sets = DisjointSets::new(count)?;
         for (part, &body) in self.bodies.iter().enumerate() {
-            self.held[body as usize] |= self.held_parts[part];
+            self.is_held_body[body as usize] |= self.held_parts[part];
         }
         for (part, &index) in self.bridges.iter().enumerate() {
             if properties_with_force(&net.bridges()[index]).is_some() {
@@ -155,11 +155,11 @@ impl CompositeParts {
         }
         let mut has_held = alloc::filled(false, count)?;
         for &body in &self.bodies {
-            has_held[sets.find(body) as usize] |= self.held[body as usize];
+            has_held[sets.find(body) as usize] |= self.is_held_body[body as usize];
         }
         for &body in &self.bodies {
             let whole = sets.find(body) as usize;
-            self.held[body as usize] |= !has_held[whole];
+            self.is_held_body[body as usize] |= !has_held[whole];
             has_held[whole] = true;
         }
         Ok(())

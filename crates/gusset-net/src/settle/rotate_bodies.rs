@@ -15,7 +15,7 @@ const RELATIVE_INERTIA_DAMPING: f64 = 1e-9;
 #[derive(Clone, Copy, Default)]
 struct RotationSums {
     /// Sums of w c^2 and w c A.
-    weight: f64,
+    weighted_square_sum: f64,
     moment: DVec3,
     /// The sum of w (r - B) A^T, which determines the best rotation.
     covariance: DMat3,
@@ -26,7 +26,7 @@ struct RotationSums {
 fn coefficient_and_sum_of_body(model: &EnergyModel, term: &QuadraticTerm, x: &[DVec3], body: u32) -> (f64, DVec3) {
     let mut share = (0.0, DVec3::ZERO);
     for (&point, &c) in term.points.iter().zip(&term.factors) {
-        if c != 0.0 && model.slots[point as usize] == BODY_SLOT_FLAG + body {
+        if c != 0.0 && model.unknown_or_body_of_point[point as usize] == BODY_SLOT_FLAG + body {
             share = (share.0 + c, share.1 + c * x[point as usize]);
         }
     }
@@ -41,19 +41,22 @@ pub(super) fn rotate_bodies(
     motions: &mut [RigidMotion],
 ) {
     for body in 0..motions.len() as u32 {
-        if model.translations[body as usize] == NO_BODY {
+        if model.translation_unknown_of_body[body as usize] == NO_BODY {
             continue;
         }
         let own = || {
-            terms.iter().filter(|term| (0..3).any(|j| model.slots[term.points[j] as usize] == BODY_SLOT_FLAG + body))
+            terms.iter().filter(|term| {
+                (0..3).any(|j| model.unknown_or_body_of_point[term.points[j] as usize] == BODY_SLOT_FLAG + body)
+            })
         };
         let mut lever = RotationSums::default();
         for term in own() {
             let (c, a) = coefficient_and_sum_of_body(model, term, x, body);
-            lever.weight += term.weight * c * c;
+            lever.weighted_square_sum += term.weight * c * c;
             lever.moment += term.weight * c * a;
         }
-        let about = if lever.weight > 0.0 { lever.moment / lever.weight } else { DVec3::ZERO };
+        let about =
+            if lever.weighted_square_sum > 0.0 { lever.moment / lever.weighted_square_sum } else { DVec3::ZERO };
         for term in own() {
             let (c, a) = coefficient_and_sum_of_body(model, term, x, body);
             let a = a - c * about;

@@ -111,7 +111,7 @@ impl<T: CoordinateBits, L: LevelMap<T>> BlockCoding<'_, T, L> {
     /// Returns the bytes of a block.
     pub(super) fn encode_block(&self, block: usize) -> Result<Vec<u8>> {
         let (info, rows) = (self.info, self.info.block_rows(block));
-        let order = COORDINATE_ORDERS[info.order as usize];
+        let order = COORDINATE_ORDERS[info.coordinate_order as usize];
         let (predictors, _) = self.sample_nodes_of_rows(rows.clone(), PREDICTOR_SAMPLE_NODES)?.fit_predictors(
             order,
             fraction_bits_of_weights(info),
@@ -150,7 +150,7 @@ pub(super) fn decode_block<T: CoordinateBits>(
     mut from: ByteReader<'_>,
     mut to: [&mut [T]; 3],
 ) -> Result<()> {
-    let (columns, order) = (info.shape.columns(), COORDINATE_ORDERS[info.order as usize]);
+    let (columns, order) = (info.shape.columns(), COORDINATE_ORDERS[info.coordinate_order as usize]);
     let start = from.error_here("the coded data do not describe a net");
     let may_miss = from.read_flag()?.ok_or(start)?;
     let mut predictors = [(0, Predictor::new(&Predictor::PARALLELOGRAM_WEIGHTS, 1)); 3];

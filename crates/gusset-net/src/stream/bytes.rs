@@ -67,31 +67,31 @@ pub(super) fn bad_stream_error(what: &'static str, byte: u64) -> Error {
 #[derive(Debug, Clone)]
 pub(super) struct ByteReader<'a> {
     bytes: &'a [u8],
-    at: usize,
+    position: usize,
     /// The position of `bytes` in the stream.
     offset: u64,
 }
 
 impl<'a> ByteReader<'a> {
     pub(super) fn new(bytes: &'a [u8], offset: u64) -> Self {
-        ByteReader { bytes, at: 0, offset }
+        ByteReader { bytes, position: 0, offset }
     }
 
     /// Returns the error at the current byte.
     pub(super) fn error_here(&self, what: &'static str) -> Error {
-        bad_stream_error(what, self.offset + self.at as u64)
+        bad_stream_error(what, self.offset + self.position as u64)
     }
 
     pub(super) fn remaining_bytes(&self) -> usize {
-        self.bytes.len() - self.at
+        self.bytes.len() - self.position
     }
 
     pub(super) fn read_bytes(&mut self, count: usize) -> Result<&'a [u8]> {
         if count > self.remaining_bytes() {
             return Err(bad_stream_error("it is cut off", self.offset + self.bytes.len() as u64));
         }
-        let bytes = &self.bytes[self.at..self.at + count];
-        self.at += count;
+        let bytes = &self.bytes[self.position..self.position + count];
+        self.position += count;
         Ok(bytes)
     }
 

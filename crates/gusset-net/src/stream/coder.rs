@@ -37,10 +37,10 @@ impl WriteWords<u32> for WordBuffer {
 
 /// The encoder. Failures to allocate are reported at the end.
 pub(super) struct RangeEncoder {
-    range: DefaultRangeEncoder<WordBuffer>,
+    encoder: DefaultRangeEncoder<WordBuffer>,
     bits: Vec<u64>,
     /// Bits of an incomplete word, and their number.
-    pending: u64,
+    pending_bits: u64,
     pending_count: u32,
     failed: bool,
 }
@@ -48,7 +48,7 @@ pub(super) struct RangeEncoder {
 impl RangeEncoder {
     pub(super) fn new() -> Self {
         let range = DefaultRangeEncoder::with_write_backend(WordBuffer::default());
-        RangeEncoder { range, bits: Vec::new(), pending: 0, pending_count: 0, failed: false }
+        RangeEncoder { encoder: range, bits: Vec::new(), pending_bits: 0, pending_count: 0, failed: false }
     }
 
     /// Returns the words of the range coder, and the bytes of the bits.
@@ -59,8 +59,8 @@ impl RangeEncoder {
         let last = (self.pending_count as usize).div_ceil(8);
         let mut bytes = alloc::with_capacity(8 * self.bits.len() + last)?;
         self.bits.iter().for_each(|word| bytes.extend_from_slice(&word.to_le_bytes()));
-        bytes.extend_from_slice(&self.pending.to_le_bytes()[..last]);
-        let words = self.range.into_compressed()?.words;
+        bytes.extend_from_slice(&self.pending_bits.to_le_bytes()[..last]);
+        let words = self.encoder.into_compressed()?.words;
         if self.failed { Err(Error::OutOfMemory { bytes: 4 * words.len() as u64 }) } else { Ok((words, bytes)) }
     }
 }
@@ -68,7 +68,7 @@ impl RangeEncoder {
 impl EntropyCoder for RangeEncoder {
     #[inline(always)]
     fn code_symbol<const N: usize>(&mut self, model: &mut SymbolModel<N>, symbol: usize) -> usize {
-        self.failed |= Encode::<PROBABILITY_BITS>::encode_symbol(&mut self.range, symbol, &*model).is_err();
+        self.failed |= Encode::<PROBABILITY_BITS>::encode_symbol(&mut self.encoder, symbol, &*model).is_err();
         model.count_symbol(symbol);
         symbol
     }
@@ -79,13 +79,13 @@ impl EntropyCoder for RangeEncoder {
             return 0;
         }
         let value = value & (u64::MAX >> (64 - count));
-        self.pending |= value << self.pending_count;
+        self.pending_bits |= value << self.pending_count;
         let filled = self.pending_count + count;
         if filled >= 64 {
-            self.failed |= alloc::push(&mut self.bits, self.pending).is_err();
+            self.failed |= alloc::push(&mut self.bits, self.pending_bits).is_err();
             // The bits that did not fit, if any.
             let used = 64 - self.pending_count;
-            self.pending = if used < 64 { value >> used } else { 0 };
+            self.pending_bits = if used < 64 { value >> used } else { 0 };
         }
         self.pending_count = filled % 64;
         value
@@ -94,10 +94,10 @@ impl EntropyCoder for RangeEncoder {
 
 /// The decoder. It reads zeros beyond the end; malformed input is reported at the end.
 pub(super) struct RangeDecoder<'a> {
-    range: DefaultRangeDecoder<Cursor<u32, Vec<u32>>>,
+    decoder: DefaultRangeDecoder<Cursor<u32, Vec<u32>>>,
     bits: &'a [u8],
     /// The next bit.
-    at: u64,
+    next_bit: u64,
     failed: bool,
 }
 
@@ -108,19 +108,19 @@ impl<'a> RangeDecoder<'a> {
         let word = |bytes: &[u8]| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
         let words = alloc::collect(words.chunks_exact(4).map(word))?;
         let Ok(range) = DefaultRangeDecoder::from_compressed(words);
-        Ok(RangeDecoder { range, bits, at: 0, failed: false })
+        Ok(RangeDecoder { decoder: range, bits, next_bit: 0, failed: false })
     }
 
     /// Returns true if exactly the input was read.
     pub(super) fn has_read_all_input(&self) -> bool {
-        !self.failed && self.at.div_ceil(8) == self.bits.len() as u64
+        !self.failed && self.next_bit.div_ceil(8) == self.bits.len() as u64
     }
 }
 
 impl EntropyCoder for RangeDecoder<'_> {
     #[inline(always)]
     fn code_symbol<const N: usize>(&mut self, model: &mut SymbolModel<N>, _: usize) -> usize {
-        let symbol = Decode::<PROBABILITY_BITS>::decode_symbol(&mut self.range, &*model).unwrap_or_else(|_| {
+        let symbol = Decode::<PROBABILITY_BITS>::decode_symbol(&mut self.decoder, &*model).unwrap_or_else(|_| {
             self.failed = true;
             0
         });
@@ -133,7 +133,7 @@ impl EntropyCoder for RangeDecoder<'_> {
         if count == 0 {
             return 0;
         }
-        let (byte, shift) = ((self.at / 8) as usize, (self.at % 8) as u32);
+        let (byte, shift) = ((self.next_bit / 8) as usize, (self.next_bit % 8) as u32);
         let Some(window) = self.bits.get(byte..).and_then(|rest| rest.first_chunk()) else {
             return self.decode_bits_at_end(count);
         };
@@ -141,7 +141,7 @@ impl EntropyCoder for RangeDecoder<'_> {
         if shift + count > 64 {
             value |= u64::from(self.bits.get(byte + 8).copied().unwrap_or(0)) << (64 - shift);
         }
-        self.at += u64::from(count);
+        self.next_bit += u64::from(count);
         value & (u64::MAX >> (64 - count))
     }
 }
@@ -151,8 +151,8 @@ impl RangeDecoder<'_> {
     #[cold]
     fn decode_bits_at_end(&mut self, count: u32) -> u64 {
         let bit = |at: u64| u64::from(self.bits.get((at / 8) as usize).copied().unwrap_or(0)) >> (at % 8) & 1;
-        let value = (0..count).fold(0, |value, k| value | bit(self.at + u64::from(k)) << k);
-        self.at += u64::from(count);
+        let value = (0..count).fold(0, |value, k| value | bit(self.next_bit + u64::from(k)) << k);
+        self.next_bit += u64::from(count);
         value
     }
 }

@@ -7,7 +7,7 @@ use gusset_base::error::Result;
 /// The values of one coordinate in the current row and the two above, with margins.
 #[derive(Debug)]
 pub(super) struct CoordinateRows {
-    pub(super) here: Vec<f64>,
+    pub(super) current_row: Vec<f64>,
     pub(super) north: Vec<f64>,
     north2: Vec<f64>,
 }
@@ -19,7 +19,7 @@ impl CoordinateRows {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub(super) fn with_columns(columns: usize) -> Result<Self> {
         let row = || alloc::zeroed(MARGIN_NODES_BEFORE + columns + MARGIN_NODES_AFTER);
-        Ok(CoordinateRows { here: row()?, north: row()?, north2: row()? })
+        Ok(CoordinateRows { current_row: row()?, north: row()?, north2: row()? })
     }
 
     /// Advances to row `i` of a block. Margins are extrapolated linearly along rows, the left one
@@ -29,7 +29,7 @@ impl CoordinateRows {
             return;
         }
         std::mem::swap(&mut self.north, &mut self.north2);
-        std::mem::swap(&mut self.here, &mut self.north);
+        std::mem::swap(&mut self.current_row, &mut self.north);
         let end = self.north.len() - MARGIN_NODES_AFTER;
         for k in (0..MARGIN_NODES_BEFORE).rev() {
             self.north[k] = extrapolate(self.north[k + 1], self.north[k + 2]);
@@ -41,7 +41,7 @@ impl CoordinateRows {
             self.north2.copy_from_slice(&self.north);
         }
         for k in 0..MARGIN_NODES_BEFORE {
-            self.here[k] = sum_or_first_if_overflow(
+            self.current_row[k] = sum_or_first_if_overflow(
                 self.north[k],
                 self.north[MARGIN_NODES_BEFORE] - self.north2[MARGIN_NODES_BEFORE],
             );
@@ -72,9 +72,16 @@ impl CoordinateRows {
     /// Returns the neighbours of node `j` in the order of their weights, relative to W.
     pub(super) fn neighbour_differences_from_west(&self, j: usize) -> [f64; NEIGHBOUR_COUNT] {
         let (at, north) = (MARGIN_NODES_BEFORE + j, &self.north);
-        let all =
-            [north[at], north[at - 1], north[at + 1], self.here[at - 2], self.north2[at], north[at + 2], north[at - 2]];
-        all.map(|value| value - self.here[at - 1])
+        let all = [
+            north[at],
+            north[at - 1],
+            north[at + 1],
+            self.current_row[at - 2],
+            self.north2[at],
+            north[at + 2],
+            north[at - 2],
+        ];
+        all.map(|value| value - self.current_row[at - 1])
     }
 
     /// Returns the weights of W and WW in row `i`. The first row of a block is extrapolated
@@ -103,7 +110,7 @@ impl CoordinateRows {
     /// Fills nodes `start..end` of a row of `columns`: linearly between known nodes, constant at
     /// the ends, from the row above in an empty row.
     fn fill_missing_run(&mut self, start: usize, end: usize, columns: usize) {
-        let row = &mut self.here[MARGIN_NODES_BEFORE..];
+        let row = &mut self.current_row[MARGIN_NODES_BEFORE..];
         if start == 0 && end == columns {
             return row[..end].copy_from_slice(&self.north[MARGIN_NODES_BEFORE..MARGIN_NODES_BEFORE + columns]);
         }

@@ -50,11 +50,11 @@ pub struct StreamInfo {
     /// Bytes before the first block.
     pub prelude_size: u64,
     /// Whether only the first node of each class of glued nodes is stored.
-    pub(super) folded: bool,
+    pub(super) stores_one_node_per_class: bool,
     /// For [`StreamMode::Lossless`], the bits of the coordinates of missing nodes.
-    pub(super) missing: [u64; 3],
+    pub(super) bits_of_missing_node: [u64; 3],
     /// The order of coordinates, one of six.
-    pub(super) order: u8,
+    pub(super) coordinate_order: u8,
     /// Bytes of topology and bridges, and the checksum of these and the table of blocks.
     pub(super) structure_size: u64,
     pub(super) checksum: u32,
@@ -71,9 +71,9 @@ impl StreamInfo {
             origin: [0.0; 3],
             step: [0.0; 3],
             prelude_size: 0,
-            folded: false,
-            missing: [0; 3],
-            order: 0,
+            stores_one_node_per_class: false,
+            bits_of_missing_node: [0; 3],
+            coordinate_order: 0,
             structure_size: 0,
             checksum: 0,
         }
@@ -137,8 +137,16 @@ impl StreamInfo {
             return Err(from.error_here("a field has an unknown value"));
         }
         let plain = StreamInfo::new(shape, scalar, mode, rows_per_block as usize);
-        let mut info =
-            StreamInfo { origin, step, folded: flags == 1, missing, order, structure_size, checksum, ..plain };
+        let mut info = StreamInfo {
+            origin,
+            step,
+            stores_one_node_per_class: flags == 1,
+            bits_of_missing_node: missing,
+            coordinate_order: order,
+            structure_size,
+            checksum,
+            ..plain
+        };
         info.prelude_size = info.bytes_before_first_block().ok_or_else(|| from.error_here("a size is too large"))?;
         Ok(info)
     }
@@ -153,16 +161,18 @@ impl StreamInfo {
             StreamMode::Lossless => (1, 0),
             StreamMode::Quantised { bits } => (2, bits as u8),
         };
-        to.write_bytes(&[mode, u8::from(self.scalar == Scalar::F64), bits, u8::from(self.folded)])?;
+        to.write_bytes(&[mode, u8::from(self.scalar == Scalar::F64), bits, u8::from(self.stores_one_node_per_class)])?;
         to.write_u32(self.shape.rows() as u32)?;
         to.write_u32(self.shape.columns() as u32)?;
         to.write_u32(self.rows_per_block as u32)?;
-        to.write_bytes(&[self.order, 0, 0, 0])?;
+        to.write_bytes(&[self.coordinate_order, 0, 0, 0])?;
         to.write_u64(self.structure_size)?;
         to.write_u32(self.checksum)?;
         to.write_u32(0)?;
         let quantised = matches!(self.mode, StreamMode::Quantised { .. });
-        (0..3).try_for_each(|k| to.write_u64(if quantised { self.origin[k].to_bits() } else { self.missing[k] }))?;
+        (0..3).try_for_each(|k| {
+            to.write_u64(if quantised { self.origin[k].to_bits() } else { self.bits_of_missing_node[k] })
+        })?;
         self.step.iter().try_for_each(|&step| to.write_f64(step))?;
         to.write_zeros(start + HEADER_SIZE - 4 - to.bytes.len())?;
         to.write_u32(checksum(&to.bytes[start..]))

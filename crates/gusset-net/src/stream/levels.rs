@@ -119,13 +119,13 @@ impl<T: CoordinateBits> LevelMap<T> for LosslessLevels<T> {
     }
 }
 
-/// The levels 0 to `last` in equal steps: level k is `origin + k * step`, computed in double
+/// The levels 0 to `last_level` in equal steps: level k is `origin + k * step`, computed in double
 /// precision and rounded to the scalar type.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct UniformLevels {
     pub(super) origin: [f64; 3],
     pub(super) step: [f64; 3],
-    pub(super) last: i64,
+    pub(super) last_level: i64,
 }
 
 impl<T: CoordinateBits> LevelMap<T> for UniformLevels {
@@ -138,7 +138,7 @@ impl<T: CoordinateBits> LevelMap<T> for UniformLevels {
 
     #[inline(always)]
     fn number_of_level(&self, axis: usize, level: i64) -> Option<T> {
-        let in_range = (0..=self.last).contains(&level);
+        let in_range = (0..=self.last_level).contains(&level);
         in_range.then(|| T::from_f64(self.origin[axis] + level as f64 * self.step[axis]))
     }
 
@@ -149,7 +149,7 @@ impl<T: CoordinateBits> LevelMap<T> for UniformLevels {
 
     #[inline(always)]
     fn nearest_level(&self, _: usize, value: f64) -> i64 {
-        let last = self.last as f64;
+        let last = self.last_level as f64;
         let value = if value > 0.0 { value } else { 0.0 };
         let value = if value < last { value } else { last };
         (value + 0.5) as i64

@@ -26,7 +26,7 @@ struct SampleNode {
     /// For each coordinate the neighbours' differences from W, in the order of the weights, and the
     /// node's own.
     neighbours: [[f64; NEIGHBOUR_COUNT]; 3],
-    own: [f64; 3],
+    coordinates: [f64; 3],
     /// Column and row, -1 to 1.
     column: f64,
     row: f64,
@@ -42,7 +42,7 @@ pub(super) struct NodeSample {
 /// A predictor, the cost of the sample with it in bits, and its errors.
 struct PredictorFit {
     weights: [f64; WEIGHT_COUNT],
-    cost: f64,
+    cost_bits: f64,
     errors: Vec<f64>,
 }
 
@@ -82,11 +82,12 @@ impl NodeSample {
             for j in (0..columns).step_by(step).filter(|&j| known[j]) {
                 let neighbours = std::array::from_fn(|axis| state[axis].neighbour_differences_from_west(j));
                 let own = std::array::from_fn(|axis| {
-                    state[axis].here[MARGIN_NODES_BEFORE + j] - state[axis].here[MARGIN_NODES_BEFORE + j - 1]
+                    state[axis].current_row[MARGIN_NODES_BEFORE + j]
+                        - state[axis].current_row[MARGIN_NODES_BEFORE + j - 1]
                 });
                 points.push(SampleNode {
                     neighbours,
-                    own,
+                    coordinates: own,
                     column: normalise_index(j, columns),
                     row: normalise_index(at, height),
                 });
@@ -127,7 +128,7 @@ impl NodeSample {
             let fit = self.fit_predictor_of_axis(axis, &fits, rounds)?;
             fits.push(fit);
         }
-        let cost = fits.iter().map(|fit| fit.cost).sum();
+        let cost = fits.iter().map(|fit| fit.cost_bits).sum();
         Ok((std::array::from_fn(|k| Predictor::new(&fits[k].weights, fraction)), cost))
     }
 
@@ -144,7 +145,7 @@ impl NodeSample {
                 let weights = self.refit_weights(axis, before, &fit, free)?;
                 fit = self.evaluate_weights(axis, before, weights)?;
             }
-            if fit.cost < best.cost {
+            if fit.cost_bits < best.cost_bits {
                 best = fit;
             }
         }
@@ -171,23 +172,23 @@ impl NodeSample {
         weights: [f64; WEIGHT_COUNT],
     ) -> Result<PredictorFit> {
         let used = weights.iter().filter(|&&weight| weight != 0.0).count();
-        let mut fit = PredictorFit { weights, cost: 0.0, errors: alloc::with_capacity(self.points.len())? };
+        let mut fit = PredictorFit { weights, cost_bits: 0.0, errors: alloc::with_capacity(self.points.len())? };
         // The logarithm of a product, taken before it leaves the range.
         let mut product = 1.0;
         for at in 0..self.points.len() {
             let features = self.features_of_node(axis, before, at);
             let guess: f64 = features.iter().zip(&weights).map(|(x, weight)| x * weight).sum();
-            let error = self.points[at].own[axis] - guess;
+            let error = self.points[at].coordinates[axis] - guess;
             let error = if error.is_finite() { error } else { 0.0 };
             fit.errors.push(error);
             product *= 0.5 + (error.abs() + 0.5).floor().min(1e18);
             if !(1e-200..1e200).contains(&product) {
-                fit.cost += libm::log2(product);
+                fit.cost_bits += libm::log2(product);
                 product = 1.0;
             }
         }
-        fit.cost += libm::log2(product);
-        fit.cost += BITS_PER_STORED_WEIGHT * used as f64 / self.nodes_per_point;
+        fit.cost_bits += libm::log2(product);
+        fit.cost_bits += BITS_PER_STORED_WEIGHT * used as f64 / self.nodes_per_point;
         Ok(fit)
     }
 
@@ -227,13 +228,13 @@ impl NodeSample {
 
 /// Returns the largest absolute value in the current row of a coordinate.
 fn max_magnitude_in_row(rows: &CoordinateRows) -> f64 {
-    rows.here[MARGIN_NODES_BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
+    rows.current_row[MARGIN_NODES_BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
 /// Scales differences to units of the resolution.
 fn scale_differences(points: &mut [SampleNode], resolution: [f64; 3]) {
     for point in points {
-        for ((neighbours, own), unit) in point.neighbours.iter_mut().zip(&mut point.own).zip(resolution) {
+        for ((neighbours, own), unit) in point.neighbours.iter_mut().zip(&mut point.coordinates).zip(resolution) {
             neighbours.iter_mut().chain([own]).for_each(|x| *x /= unit);
         }
     }
@@ -249,7 +250,7 @@ fn fill_row_of_coordinate<T, L: LevelMap<T>>(
 ) {
     line.shift_rows_and_extrapolate_margins(i);
     let mut last = 0.0;
-    for ((to, &level), &known) in line.here[MARGIN_NODES_BEFORE..].iter_mut().zip(row).zip(known) {
+    for ((to, &level), &known) in line.current_row[MARGIN_NODES_BEFORE..].iter_mut().zip(row).zip(known) {
         let value = levels.predictor_value(level);
         if known && value.is_finite() {
             last = value;
@@ -258,8 +259,8 @@ fn fill_row_of_coordinate<T, L: LevelMap<T>>(
     }
     line.fill_missing_nodes(known);
     if i == 0 {
-        let first = line.here[MARGIN_NODES_BEFORE];
-        line.here[..MARGIN_NODES_BEFORE].fill(first);
+        let first = line.current_row[MARGIN_NODES_BEFORE];
+        line.current_row[..MARGIN_NODES_BEFORE].fill(first);
     }
 }
 

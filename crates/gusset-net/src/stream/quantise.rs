@@ -45,7 +45,7 @@ pub(super) fn quantisation_levels<T: CoordinateBits>(
     let extents: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
     let whole = extents.iter().fold(0.0, |whole: f64, &extent| whole.max(extent));
     let step = |axis: usize| step_of_extent(if per_axis { extents[axis] } else { whole }, last);
-    let mut grid = UniformLevels { origin: low, step: std::array::from_fn(step), last };
+    let mut grid = UniformLevels { origin: low, step: std::array::from_fn(step), last_level: last };
     for axis in 0..3 {
         if let Some((origin, step)) = intrinsic_step(planes, axis, grid.step[axis])? {
             let mut finer = grid;
@@ -106,7 +106,7 @@ pub(super) fn levels_of_box<T: CoordinateBits>(
             }
         }
     }
-    Ok((UniformLevels { origin: given.low, step, last: (1 << bits) - 1 }, bits))
+    Ok((UniformLevels { origin: given.low, step, last_level: (1 << bits) - 1 }, bits))
 }
 
 /// Returns the bounding box of the existing nodes; zeros if there are none.

@@ -21,7 +21,7 @@ use std::ops::Range;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BlockTableEntry {
     pub(super) offset: u64,
-    pub(super) size: u64,
+    pub(super) byte_size: u64,
     checksum: u32,
 }
 
@@ -60,7 +60,7 @@ impl StreamPrelude {
         let limit = end.saturating_mul(MAX_NODES_PER_BYTE);
         let from = ByteReader::new(structure, HEADER_SIZE as u64);
         let (topology, bridges) = stream_structure::read_structure(info.shape, limit, from)?;
-        let duplicates = if info.folded {
+        let duplicates = if info.stores_one_node_per_class {
             DuplicateNodes::from_topology(&topology)?
         } else {
             DuplicateNodes::without_duplicates(info.shape)
@@ -81,11 +81,11 @@ impl StreamPrelude {
             StreamMode::Lossless => {
                 let bad = from.error_here("the numbers of missing nodes are out of range");
                 let number = |bits: u64| T::from_ordered_bits(bits as i64);
-                let [Some(x), Some(y), Some(z)] = info.missing.map(number) else { return Err(bad) };
+                let [Some(x), Some(y), Some(z)] = info.bits_of_missing_node.map(number) else { return Err(bad) };
                 block::decode_block(info, duplicates, &LosslessLevels { missing: [x, y, z] }, block, from, to)
             }
             StreamMode::Quantised { bits } => {
-                let levels = UniformLevels { origin: info.origin, step: info.step, last: (1 << bits) - 1 };
+                let levels = UniformLevels { origin: info.origin, step: info.step, last_level: (1 << bits) - 1 };
                 block::decode_block(info, duplicates, &levels, block, from, to)
             }
         }
@@ -110,7 +110,7 @@ fn read_block_table(info: &StreamInfo, mut from: ByteReader<'_>) -> Result<(Vec<
     for _ in 0..info.block_count() {
         let too_large = from.error_here("a block is too large");
         let (size, checksum) = (from.read_u64()?, from.read_u32()?);
-        entries.push(BlockTableEntry { offset, size, checksum });
+        entries.push(BlockTableEntry { offset, byte_size: size, checksum });
         offset = offset.checked_add(size).filter(|&end| end <= i64::MAX as u64).ok_or(too_large)?;
     }
     Ok((entries, offset))
@@ -160,7 +160,7 @@ fn decode_blocks<T: CoordinateBits>(
         job.step(start as f64 / info.block_count() as f64, "decoding")?;
         let parts = zip3(matrices.map(|matrix| matrix.chunks_mut(block))).enumerate();
         let done = par::map(job.requested_threads(), parts, |(k, part)| {
-            let BlockTableEntry { offset, size, .. } = prelude.entries[start + k];
+            let BlockTableEntry { offset, byte_size: size, .. } = prelude.entries[start + k];
             prelude.decode_block(start + k, &bytes[offset as usize..(offset + size) as usize], part)
         })?;
         start += done.len();
@@ -173,11 +173,11 @@ fn decode_blocks<T: CoordinateBits>(
 #[derive(Debug)]
 pub struct StreamDecoder {
     /// Unused bytes, and their position in the stream.
-    pending: Vec<u8>,
+    unread_bytes: Vec<u8>,
     offset: u64,
     node_limit: u64,
     state: Option<(StreamPrelude, Coordinates<'static>)>,
-    next: usize,
+    next_row_or_block: usize,
     failed: Option<Error>,
 }
 
@@ -185,7 +185,14 @@ impl StreamDecoder {
     /// Creates a decoder. A net of more than `node_limit` nodes is rejected, because its memory is
     /// allocated before the stream is complete.
     pub fn new(node_limit: u64) -> Self {
-        StreamDecoder { pending: Vec::new(), offset: 0, node_limit, state: None, next: 0, failed: None }
+        StreamDecoder {
+            unread_bytes: Vec::new(),
+            offset: 0,
+            node_limit,
+            state: None,
+            next_row_or_block: 0,
+            failed: None,
+        }
     }
 
     /// Takes the next bytes of the stream and decodes all blocks that they complete. Returns the
@@ -198,12 +205,12 @@ impl StreamDecoder {
         if let Some(error) = self.failed {
             return Err(error);
         }
-        let (pending, next, begun) = (self.pending.len(), self.next, self.state.is_some());
+        let (pending, next, begun) = (self.unread_bytes.len(), self.next_row_or_block, self.state.is_some());
         let done = self.append_and_decode(bytes);
         if let Err(Error::OutOfMemory { .. }) = done {
             // Rows that were already decoded are decoded again.
-            self.pending.truncate(pending);
-            self.next = next;
+            self.unread_bytes.truncate(pending);
+            self.next_row_or_block = next;
             self.state.take_if(|_| !begun);
         } else {
             self.failed = done.err();
@@ -212,25 +219,25 @@ impl StreamDecoder {
     }
 
     fn append_and_decode(&mut self, bytes: &[u8]) -> Result<()> {
-        alloc::append(&mut self.pending, bytes)?;
+        alloc::append(&mut self.unread_bytes, bytes)?;
         let mut used = if self.state.is_none() { self.read_prelude()? } else { 0 };
         let Some((prelude, coordinates)) = &mut self.state else { return Ok(()) };
-        while let Some(entry) = prelude.entries.get(self.next) {
-            let rest = &self.pending[used..];
-            let Some(bytes) = usize::try_from(entry.size).ok().and_then(|size| rest.get(..size)) else { break };
-            let rows = prelude.info.block_rows(self.next);
+        while let Some(entry) = prelude.entries.get(self.next_row_or_block) {
+            let rest = &self.unread_bytes[used..];
+            let Some(bytes) = usize::try_from(entry.byte_size).ok().and_then(|size| rest.get(..size)) else { break };
+            let rows = prelude.info.block_rows(self.next_row_or_block);
             let w = prelude.info.shape.columns();
             each!(&mut *coordinates, planes => {
                 let parts = planes.matrices_mut().map(|matrix| &mut matrix[rows.start * w..rows.end * w]);
-                prelude.decode_block(self.next, bytes, parts)?;
+                prelude.decode_block(self.next_row_or_block, bytes, parts)?;
             });
             prelude.restore_duplicates(coordinates, rows);
             used += bytes.len();
-            self.next += 1;
+            self.next_row_or_block += 1;
         }
-        self.pending.drain(..used);
+        self.unread_bytes.drain(..used);
         self.offset += used as u64;
-        if self.next == prelude.entries.len() && !self.pending.is_empty() {
+        if self.next_row_or_block == prelude.entries.len() && !self.unread_bytes.is_empty() {
             return Err(bad_stream_error("there are bytes after the end", self.offset));
         }
         Ok(())
@@ -238,16 +245,16 @@ impl StreamDecoder {
 
     /// Reads the prelude once it is complete. Returns the number of its bytes.
     fn read_prelude(&mut self) -> Result<usize> {
-        if self.pending.len() < HEADER_SIZE {
+        if self.unread_bytes.len() < HEADER_SIZE {
             return Ok(0);
         }
-        let info = StreamInfo::read(&self.pending)?;
+        let info = StreamInfo::read(&self.unread_bytes)?;
         let count = info.shape.node_count() as u64;
         Error::check_count("nodes", count, self.node_limit)?;
-        let Some(size) = usize::try_from(info.prelude_size).ok().filter(|&size| size <= self.pending.len()) else {
+        let Some(size) = usize::try_from(info.prelude_size).ok().filter(|&size| size <= self.unread_bytes.len()) else {
             return Ok(0);
         };
-        let prelude = StreamPrelude::read(info, &self.pending[..size], None)?;
+        let prelude = StreamPrelude::read(info, &self.unread_bytes[..size], None)?;
         self.state = Some((prelude, Coordinates::zeroed(info.shape, info.scalar)?));
         Ok(size)
     }
@@ -259,7 +266,7 @@ impl StreamDecoder {
 
     /// Returns the number of complete rows.
     pub fn complete_row_count(&self) -> usize {
-        let last = self.next.checked_sub(1);
+        let last = self.next_row_or_block.checked_sub(1);
         self.info().zip(last).map_or(0, |(info, last)| info.block_rows(last).end)
     }
 
@@ -286,8 +293,8 @@ impl StreamDecoder {
         if let Some(error) = self.failed {
             return Err(error);
         }
-        let end = self.offset + self.pending.len() as u64;
-        let whole = self.state.take_if(|(prelude, _)| self.next == prelude.entries.len());
+        let end = self.offset + self.unread_bytes.len() as u64;
+        let whole = self.state.take_if(|(prelude, _)| self.next_row_or_block == prelude.entries.len());
         let (prelude, coordinates) = whole.ok_or(bad_stream_error("it is cut off", end))?;
         *self = StreamDecoder::new(self.node_limit);
         Ok(prelude.into_net(coordinates))

@@ -151,7 +151,7 @@ mod tests {
                 assert_eq!(widths.sum::<u32>(), TOTAL_PROBABILITY);
                 model.count_symbol(if k < 3000 { 7 } else { k % SYMBOL_COUNT });
             }
-            let quantile = u32::from(model.lower[9]);
+            let quantile = u32::from(model.lower_cumulative[9]);
             assert_eq!((&model).quantile_function(quantile).0, 9);
         }
     }

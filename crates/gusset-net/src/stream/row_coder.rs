@@ -45,12 +45,12 @@ struct CoordinateChannel {
     axis: usize,
     predictor: Predictor,
     residuals: ResidualCoder,
-    line: CoordinateRows,
+    rows: CoordinateRows,
     /// Magnitudes of residuals in this row and the one above, with margins, and the expected ones.
     magnitudes: [Vec<u64>; 2],
     expected: Vec<u64>,
     /// The parts of predictions known before the row, and the prediction errors.
-    base: Vec<f64>,
+    base_predictions: Vec<f64>,
     errors: Vec<f64>,
 }
 
@@ -165,23 +165,23 @@ impl CoordinateChannel {
             axis,
             predictor,
             residuals: ResidualCoder::new()?,
-            line: CoordinateRows::with_columns(columns)?,
+            rows: CoordinateRows::with_columns(columns)?,
             magnitudes: [magnitudes()?, magnitudes()?],
             expected: alloc::zeroed(columns)?,
-            base: alloc::zeroed(columns)?,
+            base_predictions: alloc::zeroed(columns)?,
             errors: alloc::zeroed(columns)?,
         })
     }
 
     /// Computes the parts of predictions that do not depend on the row, vectorised.
     fn prepare_predictions(&mut self, i: usize, before: &[CoordinateChannel], columns: &[f64], vertical: f64) {
-        self.line.shift_rows_and_extrapolate_margins(i);
-        self.line.predict_from_rows_above(i, &self.predictor, &mut self.base);
+        self.rows.shift_rows_and_extrapolate_margins(i);
+        self.rows.predict_from_rows_above(i, &self.predictor, &mut self.base_predictions);
         for (p, other) in before.iter().enumerate() {
             let [own, column, row] =
                 std::array::from_fn(|m| self.predictor.weight(NEIGHBOUR_COUNT + WEIGHTS_PER_ERROR * p + m));
             let constant = own + row * vertical;
-            for ((base, &error), &u) in self.base.iter_mut().zip(&other.errors).zip(columns) {
+            for ((base, &error), &u) in self.base_predictions.iter_mut().zip(&other.errors).zip(columns) {
                 *base += (constant + column * u) * error;
             }
         }
@@ -210,10 +210,12 @@ impl CoordinateChannel {
         let [near, far] = if i == 0 { [8, 2] } else { [3, 1] };
         let columns = row.len();
         let (base, expected, errors) =
-            (&self.base[..columns], &mut self.expected[..columns], &mut self.errors[..columns]);
+            (&self.base_predictions[..columns], &mut self.expected[..columns], &mut self.errors[..columns]);
         let (known, ratio_classes) = (&known[..columns], &ratio_classes[..columns]);
-        let (here, north) =
-            (&mut self.line.here[..columns + MARGIN_NODES_BEFORE], &self.line.north[..columns + MARGIN_NODES_BEFORE]);
+        let (here, north) = (
+            &mut self.rows.current_row[..columns + MARGIN_NODES_BEFORE],
+            &self.rows.north[..columns + MARGIN_NODES_BEFORE],
+        );
         let magnitudes = &mut self.magnitudes[0][..columns + MARGIN_NODES_BEFORE];
         for j in 0..columns {
             let at = j + MARGIN_NODES_BEFORE;
@@ -244,7 +246,7 @@ impl CoordinateChannel {
             }
         }
         if known.contains(&false) {
-            self.line.fill_missing_nodes(known);
+            self.rows.fill_missing_nodes(known);
         }
     }
 }

@@ -25,8 +25,8 @@ pub(super) fn write_structure(net: &Net<'_>, to: &mut ByteWriter) -> Result<u64>
     write_topology(net.topology(), to)?;
     let adaptations = AdaptationList::new(net.bridges())?;
     adaptations.write(to)?;
-    write_bridges(net.bridges(), &adaptations.numbers, to)?;
-    let adapted = adaptations.list.iter().map(|adaptation| count_nodes_and_pairs(&adaptation.topology));
+    write_bridges(net.bridges(), &adaptations.position_of_adaptation, to)?;
+    let adapted = adaptations.adaptations.iter().map(|adaptation| count_nodes_and_pairs(&adaptation.topology));
     Ok(adapted.fold(count_nodes_and_pairs(net.topology()), u64::saturating_add))
 }
 
@@ -92,26 +92,28 @@ fn read_topology(shape: Shape, limit: &mut u64, from: &mut ByteReader<'_>) -> Re
 
 /// The adaptations of joined nets, each once, in topological order: those referred to come first.
 struct AdaptationList<'a> {
-    list: Vec<&'a NetAdaptation>,
+    adaptations: Vec<&'a NetAdaptation>,
     /// The position of each in the list, from 1 on.
-    numbers: HashMap<*const NetAdaptation, u64>,
+    position_of_adaptation: HashMap<*const NetAdaptation, u64>,
 }
 
 impl<'a> AdaptationList<'a> {
     fn new(bridges: &'a [Bridge]) -> Result<Self> {
-        let mut adaptations = AdaptationList { list: Vec::new(), numbers: HashMap::new() };
+        let mut adaptations = AdaptationList { adaptations: Vec::new(), position_of_adaptation: HashMap::new() };
         let mut open = Vec::new();
         push_adaptations_of_bridges(bridges, &mut open)?;
         // A record follows those within it.
         while let Some((adaptation, opened)) = open.pop() {
-            if adaptations.numbers.contains_key(&std::ptr::from_ref(adaptation)) {
+            if adaptations.position_of_adaptation.contains_key(&std::ptr::from_ref(adaptation)) {
                 continue;
             }
             if opened {
-                alloc::push(&mut adaptations.list, adaptation)?;
-                let bytes = 16 * adaptations.list.len() as u64;
-                adaptations.numbers.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
-                adaptations.numbers.insert(std::ptr::from_ref(adaptation), adaptations.list.len() as u64);
+                alloc::push(&mut adaptations.adaptations, adaptation)?;
+                let bytes = 16 * adaptations.adaptations.len() as u64;
+                adaptations.position_of_adaptation.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
+                adaptations
+                    .position_of_adaptation
+                    .insert(std::ptr::from_ref(adaptation), adaptations.adaptations.len() as u64);
             } else {
                 alloc::push(&mut open, (adaptation, true))?;
                 push_adaptations_of_bridges(&adaptation.bridges, &mut open)?;
@@ -121,9 +123,9 @@ impl<'a> AdaptationList<'a> {
     }
 
     fn write(&self, to: &mut ByteWriter) -> Result<()> {
-        to.write_varint(self.list.len() as u64)?;
-        for adaptation in &self.list {
-            write_shape(adaptation.joined, to)?;
+        to.write_varint(self.adaptations.len() as u64)?;
+        for adaptation in &self.adaptations {
+            write_shape(adaptation.joined_shape, to)?;
             to.write_u8(adaptation.flipped.into())?;
             to.write_varint(adaptation.twist.into())?;
             to.write_varint(adaptation.copies.len() as u64)?;
@@ -134,7 +136,7 @@ impl<'a> AdaptationList<'a> {
             }
             write_shape(adaptation.topology.shape(), to)?;
             write_topology(&adaptation.topology, to)?;
-            write_bridges(&adaptation.bridges, &self.numbers, to)?;
+            write_bridges(&adaptation.bridges, &self.position_of_adaptation, to)?;
         }
         Ok(())
     }
@@ -162,13 +164,13 @@ fn read_adaptation(
     let shape = read_shape(from)?;
     let topology = read_topology(shape, limit, from)?;
     let bridges = read_list(from, |from| read_bridge(shape, adaptations, from))?;
-    Ok(NetAdaptation { joined, flipped, copies, twist, topology, bridges })
+    Ok(NetAdaptation { joined_shape: joined, flipped, copies, twist, topology, bridges })
 }
 
 /// Returns true if the adaptation is possible for a net joined in that direction.
 fn is_adaptation_possible(adaptation: &NetAdaptation, direction: Direction) -> bool {
     let [(across, along), (old_across, old_along)] =
-        [adaptation.joined, adaptation.topology.shape()].map(|shape| direction.line_count_and_length(shape));
+        [adaptation.joined_shape, adaptation.topology.shape()].map(|shape| direction.line_count_and_length(shape));
     let inside = |&copy: &u32| copy > 0 && (copy as usize) < along;
     across == old_across
         && along - adaptation.copies.len().min(along) == old_along

@@ -22,10 +22,10 @@ const PRIOR_COUNT_PER_SYMBOL: f64 = 20.0;
 #[derive(Debug, Clone)]
 pub(super) struct SymbolModel<const N: usize> {
     /// The cumulative probability below each symbol.
-    pub(super) lower: [u16; N],
+    pub(super) lower_cumulative: [u16; N],
     counts: [u16; N],
     /// Observations until the next renewal, and the current interval.
-    left: u16,
+    observations_until_renewal: u16,
     interval: u16,
 }
 
@@ -34,7 +34,7 @@ impl<const N: usize> SymbolModel<N> {
     pub(super) fn new(weights: [f64; N]) -> Self {
         let sum: f64 = weights.iter().sum();
         let counts = weights.map(|weight| (PRIOR_COUNT_PER_SYMBOL * N as f64 * weight / sum) as u16 + 1);
-        let mut model = SymbolModel { lower: [0; N], counts, left: 0, interval: 4 };
+        let mut model = SymbolModel { lower_cumulative: [0; N], counts, observations_until_renewal: 0, interval: 4 };
         model.recompute_probabilities();
         model
     }
@@ -42,8 +42,8 @@ impl<const N: usize> SymbolModel<N> {
     #[inline(always)]
     pub(super) fn count_symbol(&mut self, symbol: usize) {
         self.counts[symbol] += COUNT_INCREMENT;
-        self.left -= 1;
-        if self.left == 0 {
+        self.observations_until_renewal -= 1;
+        if self.observations_until_renewal == 0 {
             self.recompute_probabilities();
         }
     }
@@ -58,24 +58,25 @@ impl<const N: usize> SymbolModel<N> {
         }
         let scale = ((TOTAL_PROBABILITY - N as u32) << 16) / total;
         let mut sum = 0;
-        for (lower, &count) in self.lower.iter_mut().zip(&self.counts) {
+        for (lower, &count) in self.lower_cumulative.iter_mut().zip(&self.counts) {
             *lower = sum;
             sum += 1 + ((u32::from(count) * scale) >> 16) as u16;
         }
         self.interval = (self.interval + self.interval / 2).min(128);
-        self.left = self.interval;
+        self.observations_until_renewal = self.interval;
     }
 
     #[inline(always)]
     fn upper_cumulative(&self, symbol: usize) -> u32 {
-        if symbol + 1 < N { self.lower[symbol + 1].into() } else { TOTAL_PROBABILITY }
+        if symbol + 1 < N { self.lower_cumulative[symbol + 1].into() } else { TOTAL_PROBABILITY }
     }
 
     /// Returns the probability of a symbol.
     #[inline(always)]
     pub(super) fn probability(&self, symbol: usize) -> NonZeroU32 {
         // At least 1; the other branch is never taken.
-        NonZeroU32::new(self.upper_cumulative(symbol) - u32::from(self.lower[symbol])).unwrap_or(NonZeroU32::MIN)
+        NonZeroU32::new(self.upper_cumulative(symbol) - u32::from(self.lower_cumulative[symbol]))
+            .unwrap_or(NonZeroU32::MIN)
     }
 }
 
@@ -88,7 +89,7 @@ impl<const N: usize> EncoderModel<PROBABILITY_BITS> for &SymbolModel<N> {
     #[inline(always)]
     fn left_cumulative_and_probability(&self, symbol: impl std::borrow::Borrow<usize>) -> Option<(u32, NonZeroU32)> {
         let symbol = *symbol.borrow();
-        Some((self.lower[symbol].into(), self.probability(symbol)))
+        Some((self.lower_cumulative[symbol].into(), self.probability(symbol)))
     }
 }
 
@@ -97,8 +98,8 @@ impl<const N: usize> DecoderModel<PROBABILITY_BITS> for &SymbolModel<N> {
     fn quantile_function(&self, quantile: u32) -> (usize, u32, NonZeroU32) {
         // Branch-free: the number of symbols that start at or before the quantile.
         let quantile = quantile as i16;
-        let count: i16 = self.lower.iter().map(|&lower| i16::from(lower as i16 <= quantile)).sum();
+        let count: i16 = self.lower_cumulative.iter().map(|&lower| i16::from(lower as i16 <= quantile)).sum();
         let symbol = (count - 1) as usize & (N - 1);
-        (symbol, self.lower[symbol].into(), self.probability(symbol))
+        (symbol, self.lower_cumulative[symbol].into(), self.probability(symbol))
     }
 }

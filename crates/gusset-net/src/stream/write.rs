@@ -78,7 +78,7 @@ fn encode_coordinates<T: CoordinateBits>(
     }
     let all = DuplicateNodes::from_topology(net.topology())?;
     job.step(0.05, SAMPLING_STAGE)?;
-    let rest = job.part(0.1, 1.0);
+    let rest = job.sub_job(0.1, 1.0);
     let blocks = match info.mode {
         StreamMode::Quantised { bits } => {
             let (levels, bits) = match &options.levels {
@@ -86,15 +86,15 @@ fn encode_coordinates<T: CoordinateBits>(
                 Some(given) => quantise::levels_of_box(planes, bits, options.per_axis, given)?,
             };
             info.mode = StreamMode::Quantised { bits };
-            (info.folded, info.origin, info.step) = (true, levels.origin, levels.step);
+            (info.stores_one_node_per_class, info.origin, info.step) = (true, levels.origin, levels.step);
             compress_blocks(&mut info, planes, &all, levels, &rest)?
         }
         _ => {
-            info.folded = all.are_bit_identical(planes);
+            info.stores_one_node_per_class = all.are_bit_identical(planes);
             let none = DuplicateNodes::without_duplicates(shape);
-            let duplicates = if info.folded { &all } else { &none };
+            let duplicates = if info.stores_one_node_per_class { &all } else { &none };
             let levels = LosslessLevels { missing: coordinates_of_first_missing(planes) };
-            info.missing = levels.missing.map(|number| number.to_ordered_bits() as u64);
+            info.bits_of_missing_node = levels.missing.map(|number| number.to_ordered_bits() as u64);
             compress_blocks(&mut info, planes, duplicates, levels, &rest)?
         }
     };
@@ -109,8 +109,8 @@ fn compress_blocks<T: CoordinateBits, L: LevelMap<T> + Copy>(
     job: &Job<'_>,
 ) -> Result<Vec<Vec<u8>>> {
     job.step(0.0, SAMPLING_STAGE)?;
-    info.order = BlockCoding { info, planes, duplicates, levels }.best_coordinate_order_of_net()? as u8;
-    encode_blocks_in_parallel(info, &job.part(0.1, 1.0), |info, block| {
+    info.coordinate_order = BlockCoding { info, planes, duplicates, levels }.best_coordinate_order_of_net()? as u8;
+    encode_blocks_in_parallel(info, &job.sub_job(0.1, 1.0), |info, block| {
         BlockCoding { info, planes, duplicates, levels }.encode_block(block)
     })
 }

@@ -17,16 +17,23 @@ use gusset_base::sort;
 /// Rows and columns from one node to the next.
 type GridStep = (i64, i64);
 
-/// Returns the seams that glue the components of each class. `table` has the representatives of the
-/// classes, `pieces` the representatives of the components under contracted links alone.
+/// Returns the seams that glue the components of each class. `representatives` has the representatives of the
+/// classes, `representatives_by_links` the representatives of the components under contracted links alone.
 pub(super) fn find_seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
     let nodes = (0..).zip(table).zip(pieces).filter(|&((node, &class), &piece)| piece == node && class != node);
     let mut pairs = alloc::gather(nodes.map(|((node, &class), _)| [class, node]))?;
     pairs.sort_unstable();
-    let mut runs = SeamRunSearch { shape, table, pieces, seen: alloc::filled(0, pairs.len())?, pairs, trial: 0 };
+    let mut runs = SeamRunSearch {
+        shape,
+        representatives: table,
+        representatives_by_links: pieces,
+        last_trial_of_pair: alloc::filled(0, pairs.len())?,
+        pairs,
+        trial: 0,
+    };
     let mut found = alloc::with_capacity(runs.pairs.len())?;
     for k in 0..runs.pairs.len() {
-        if runs.seen[k] != PAIR_IS_IN_RUN {
+        if runs.last_trial_of_pair[k] != PAIR_IS_IN_RUN {
             found.push(runs.longest_run_through(k));
         }
     }
@@ -47,12 +54,12 @@ const PAIR_IS_IN_RUN: u64 = u64::MAX;
 
 struct SeamRunSearch<'a> {
     shape: Shape,
-    table: &'a [u32],
-    pieces: &'a [u32],
+    representatives: &'a [u32],
+    representatives_by_links: &'a [u32],
     /// In order.
     pairs: Vec<[u32; 2]>,
     /// The last trial that had the pair, or [`PAIR_IS_IN_RUN`].
-    seen: Vec<u64>,
+    last_trial_of_pair: Vec<u64>,
     trial: u64,
 }
 
@@ -71,7 +78,7 @@ impl SeamRunSearch<'_> {
         let pair = self.pairs[k];
         for at in -before..=after {
             if let Some(index) = self.pair_after(pair, steps, at).and_then(|pair| self.pair_index(pair)) {
-                self.seen[index] = PAIR_IS_IN_RUN;
+                self.last_trial_of_pair[index] = PAIR_IS_IN_RUN;
             }
         }
         if steps != [(0, 0); 2] {
@@ -90,15 +97,15 @@ impl SeamRunSearch<'_> {
     /// itself in the middle.
     fn count_unused_pairs(&mut self, k: usize, steps: [GridStep; 2]) -> [i64; 2] {
         self.trial += 1;
-        self.seen[k] = self.trial;
+        self.last_trial_of_pair[k] = self.trial;
         [-1, 1].map(|sense| {
             let mut count = 0;
             while let Some(index) =
                 self.pair_after(self.pairs[k], steps, sense * (count + 1)).and_then(|pair| self.pair_index(pair))
-                && self.seen[index] != PAIR_IS_IN_RUN
-                && self.seen[index] != self.trial
+                && self.last_trial_of_pair[index] != PAIR_IS_IN_RUN
+                && self.last_trial_of_pair[index] != self.trial
             {
-                self.seen[index] = self.trial;
+                self.last_trial_of_pair[index] = self.trial;
                 count += 1;
             }
             count
@@ -109,7 +116,10 @@ impl SeamRunSearch<'_> {
     /// contracted links alone.
     fn count_glued_pairs_after(&self, pair: [u32; 2], steps: [GridStep; 2], end: i64, sense: i64) -> i64 {
         let is_glued = |&[a, b]: &[u32; 2]| {
-            let ([p, q], [r, s]) = ([a, b].map(|n| self.table[n as usize]), [a, b].map(|n| self.pieces[n as usize]));
+            let ([p, q], [r, s]) = (
+                [a, b].map(|n| self.representatives[n as usize]),
+                [a, b].map(|n| self.representatives_by_links[n as usize]),
+            );
             p == q && r != s
         };
         let at = |count: i64| self.pair_after(pair, steps, end + sense * count);

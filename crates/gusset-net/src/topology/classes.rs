@@ -16,7 +16,7 @@ use gusset_base::job::Job;
 #[derive(Debug, Clone)]
 pub struct NodeClasses {
     shape: Shape,
-    map: RepresentativeMap,
+    representatives: RepresentativeMap,
 }
 
 #[derive(Debug, Clone)]
@@ -44,20 +44,28 @@ impl NodeClasses {
     pub fn new_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let shape = topology.shape();
         if let (ContractedLinks::Sides(sides), []) = (&topology.links, topology.seams()) {
-            return Ok(NodeClasses { shape, map: RepresentativeMap::Sides(SideClasses::new(shape, *sides)) });
+            return Ok(NodeClasses {
+                shape,
+                representatives: RepresentativeMap::Sides(SideClasses::new(shape, *sides)),
+            });
         }
         let nodes = (0..shape.node_count()).map(|node| node as u32);
-        let mut sets = DisjointSets::from_parents(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
+        let mut sets = DisjointSets::from_parents(alloc::collect_cancellable(nodes, &job.sub_job(0.0, 0.3), stage)?);
         match &topology.links {
             ContractedLinks::Sides(sides) => {
                 sides.contracted_links(shape).for_each(|link| unite_ends(&mut sets, shape.ends_of_link(link)));
             }
-            ContractedLinks::Matrix(matrix) => unite_link_ends(&mut sets, shape, matrix, &job.part(0.3, 0.7), stage)?,
+            ContractedLinks::Matrix(matrix) => {
+                unite_link_ends(&mut sets, shape, matrix, &job.sub_job(0.3, 0.7), stage)?
+            }
         }
-        for seam in Seam::iter_with_reports(topology.seams(), &job.part(0.7, 0.8), stage) {
+        for seam in Seam::iter_with_reports(topology.seams(), &job.sub_job(0.7, 0.8), stage) {
             seam?.pairs(shape).for_each(|pair| unite_ends(&mut sets, pair));
         }
-        Ok(NodeClasses { shape, map: RepresentativeMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
+        Ok(NodeClasses {
+            shape,
+            representatives: RepresentativeMap::Table(sets.into_roots(&job.sub_job(0.8, 1.0), stage)?),
+        })
     }
 
     /// Returns the size of the net.
@@ -68,7 +76,7 @@ impl NodeClasses {
     /// Returns the smallest node of the class of a node.
     #[inline]
     pub fn representative(&self, node: u32) -> u32 {
-        match &self.map {
+        match &self.representatives {
             RepresentativeMap::Sides(sides) => {
                 let (i, j) = self.shape.row_and_column(node);
                 sides.representative(self.shape, i, j)
@@ -80,7 +88,7 @@ impl NodeClasses {
     /// Returns the representatives of the corners of the cell at (i, j).
     #[inline]
     pub fn representatives_of_corners(&self, i: usize, j: usize) -> [u32; 4] {
-        match &self.map {
+        match &self.representatives {
             // Row and column are known, so no division is needed.
             RepresentativeMap::Sides(sides) => {
                 rows_and_columns_of_corners(i, j).map(|(i, j)| sides.representative(self.shape, i, j))
@@ -108,7 +116,7 @@ impl NodeClasses {
     /// # Errors
     /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn representatives_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
-        match &self.map {
+        match &self.representatives {
             RepresentativeMap::Sides(_) => {
                 let nodes = (0..self.shape.node_count()).map(|node| node as u32);
                 let mut table = alloc::collect_cancellable(nodes, job, stage)?;
@@ -128,7 +136,7 @@ impl NodeClasses {
         let (h, w) = (self.shape.rows(), self.shape.columns());
         let mut visit =
             |node, representative| if representative == node { Ok(()) } else { visit(node, representative) };
-        match &self.map {
+        match &self.representatives {
             RepresentativeMap::Sides(sides) => {
                 let ends = |i: usize| if i == 0 || i + 1 == h { 1 } else { w - 1 };
                 let mut places = (0..h).flat_map(|i| (0..w).step_by(ends(i)).map(move |j| (i, j)));

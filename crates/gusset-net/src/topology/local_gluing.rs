@@ -150,9 +150,9 @@ pub struct GluingHistogram {
 pub fn gluing_histogram(topology: &Topology, job: &Job<'_>) -> Result<GluingHistogram> {
     let shape = topology.shape();
     let (h, w) = (shape.rows(), shape.columns());
-    let classes = NodeClasses::new_cancellable(topology, &job.part(0.0, 0.4), STAGE)?;
-    let table = classes.representatives_cancellable(&job.part(0.4, 0.5), STAGE)?;
-    let (links, job) = (LinkMatrix::from_representatives(shape, &table)?, job.part(0.5, 1.0));
+    let classes = NodeClasses::new_cancellable(topology, &job.sub_job(0.0, 0.4), STAGE)?;
+    let table = classes.representatives_cancellable(&job.sub_job(0.4, 0.5), STAGE)?;
+    let (links, job) = (LinkMatrix::from_representatives(shape, &table)?, job.sub_job(0.5, 1.0));
     let mut histogram = GluingHistogram::default();
     let count = |counts: &mut [u64; GluingType::TYPE_COUNT], number: u8| {
         if number != NOTHING_CONTRACTED {

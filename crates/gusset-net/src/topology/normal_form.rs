@@ -32,7 +32,7 @@ impl Topology {
         job.step(0.0, stage)?;
         seams.iter().enumerate().try_for_each(|(index, seam)| seam.check_in_net(shape, index))?;
         let (mut links, mut kept) = (links, Vec::new());
-        for seam in Seam::iter_with_reports(seams, &job.part(0.0, 0.3), stage) {
+        for seam in Seam::iter_with_reports(seams, &job.sub_job(0.0, 0.3), stage) {
             let seam = seam?;
             if seam.pairs(shape).all(|[a, b]| a == b) {
                 continue;
@@ -47,7 +47,7 @@ impl Topology {
             }
         }
         let topology = Topology::assemble_unchecked(shape, links, kept, false);
-        topology.check_crossed_cells_cancellable(&job.part(0.3, 1.0), stage)?;
+        topology.check_crossed_cells_cancellable(&job.sub_job(0.3, 1.0), stage)?;
         Ok(topology)
     }
 
@@ -87,14 +87,14 @@ impl Topology {
     /// # Errors
     /// Also [`Error::Cancelled`].
     pub fn canonical_form_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Self> {
-        let classes = NodeClasses::new_cancellable(self, &job.part(0.0, 0.3), stage)?;
-        let table = classes.representatives_cancellable(&job.part(0.3, 0.5), stage)?;
+        let classes = NodeClasses::new_cancellable(self, &job.sub_job(0.0, 0.3), stage)?;
+        let table = classes.representatives_cancellable(&job.sub_job(0.3, 0.5), stage)?;
         let matrix = LinkMatrix::from_representatives(self.shape, &table)?;
         let links = ContractedLinks::Matrix(matrix).into_sides_if_possible(self.shape);
         let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
         if !self.seams.is_empty() {
-            let pieces = NodeClasses::new_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;
-            let pieces = pieces.representatives_cancellable(&job.part(0.8, 1.0), stage)?;
+            let pieces = NodeClasses::new_cancellable(&saturated, &job.sub_job(0.5, 0.8), stage)?;
+            let pieces = pieces.representatives_cancellable(&job.sub_job(0.8, 1.0), stage)?;
             saturated.seams = canonical_seams::find_seams(self.shape, &table, &pieces)?;
         }
         Ok(saturated)
@@ -110,8 +110,8 @@ impl Topology {
         if matches!(self.links, ContractedLinks::Sides(_)) && self.seams.is_empty() {
             return Ok(());
         }
-        let classes = NodeClasses::new_cancellable(self, &job.part(0.0, 0.8), stage)?;
-        let (table, w) = (classes.representatives_cancellable(&job.part(0.8, 1.0), stage)?, self.shape.columns());
+        let classes = NodeClasses::new_cancellable(self, &job.sub_job(0.0, 0.8), stage)?;
+        let (table, w) = (classes.representatives_cancellable(&job.sub_job(0.8, 1.0), stage)?, self.shape.columns());
         for (i, rows) in table.chunks_exact(w).zip(table[w..].chunks_exact(w)).enumerate() {
             let crosses = |j: usize| {
                 let ([a, b], [d, c]) = ([rows.0[j], rows.0[j + 1]], [rows.1[j], rows.1[j + 1]]);

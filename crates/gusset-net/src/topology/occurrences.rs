@@ -78,8 +78,9 @@ pub struct GluingOccurrence {
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn find_gluing_occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>) -> Result<Vec<GluingOccurrence>> {
-    let (shape, classes) = (topology.shape(), NodeClasses::new_cancellable(topology, &job.part(0.0, 0.2), "gluings")?);
-    let job = job.part(0.2, 1.0);
+    let (shape, classes) =
+        (topology.shape(), NodeClasses::new_cancellable(topology, &job.sub_job(0.0, 0.2), "gluings")?);
+    let job = job.sub_job(0.2, 1.0);
     let (h, w) = (shape.rows(), shape.columns());
     let mut sizes = alloc::filled(0u32, shape.node_count())?;
     (0..shape.node_count() as u32).for_each(|node| sizes[classes.representative(node) as usize] += 1);

@@ -51,25 +51,27 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
         check_poses(poses, pieces.len())?;
     }
     let unit = common_length_unit(pieces, job)?;
-    let prepare = job.part(0.0, 0.2);
+    let prepare = job.sub_job(0.0, 0.2);
     let mut scans = alloc::with_capacity(pieces.len())?;
     for (k, piece) in pieces.iter().enumerate() {
-        scans.push(CentredPiece::new(piece, unit, None, &prepare.share(k, pieces.len()))?);
+        scans.push(CentredPiece::new(piece, unit, None, &prepare.sub_job_of_item(k, pieces.len()))?);
     }
-    let trees = alloc::try_collect(scans.iter().map(|scan| scan.build_point_tree(&prepare.part(1.0, 1.0))))?;
+    let trees = alloc::try_collect(scans.iter().map(|scan| scan.build_point_tree(&prepare.sub_job(1.0, 1.0))))?;
     let count = if options.samples == 0 { DEFAULT_SAMPLES_PER_PIECE } else { options.samples } as usize;
     let samples =
         alloc::try_collect(scans.iter().zip(&trees).map(|(scan, tree)| scan.choose_samples(tree.tree_order(), count)))?;
     let mut rims = Vec::new();
     if options.start == Start::Rims {
-        let step = common_sampling_step(pieces, unit, &prepare.part(1.0, 1.0))?;
+        let step = common_sampling_step(pieces, unit, &prepare.sub_job(1.0, 1.0))?;
         for (piece, scan) in pieces.iter().zip(&scans) {
-            alloc::push(&mut rims, SampledRims::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
+            alloc::push(&mut rims, SampledRims::new(piece, scan, step, &prepare.sub_job(1.0, 1.0))?)?;
         }
     }
-    let rim_trees =
-        alloc::try_collect(rims.iter().map(|rim| KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")))?;
-    let largest = scans.iter().map(|scan| if scan.used.is_empty() { 0.0 } else { scan.bounds.diagonal() });
+    let rim_trees = alloc::try_collect(
+        rims.iter().map(|rim| KdTree::new(&rim.points, &prepare.sub_job(1.0, 1.0), "comparing rims")),
+    )?;
+    let largest =
+        scans.iter().map(|scan| if scan.vertices_with_normal.is_empty() { 0.0 } else { scan.bounds.diagonal() });
     let reach =
         options.max_distance.map_or(DEFAULT_RELATIVE_REACH * largest.fold(0.0, f64::max), |distance| distance / unit);
     let members = alloc::collect((0..pieces.len()).map(|k| SampledPiece {
@@ -78,29 +80,29 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
         samples: &samples[k],
         rim: rims.get(k).zip(rim_trees.get(k)),
     }))?;
-    let scene = AlignmentScene { members, reach };
+    let scene = AlignmentScene { sampled_pieces: members, max_pair_distance: reach };
 
     // Positions are relative to the centre of their own piece, and poses to the centre of the first
     // piece, to keep precision far from the origin.
     let origin = scans[0].centre;
-    let started = job.part(0.2, 0.4);
+    let started = job.sub_job(0.2, 0.4);
     let mut poses = match options.start {
-        Start::AsGiven => alloc::collect(scans.iter().map(|scan| translation_by(scan.centre - origin)))?,
+        Start::AsGiven => alloc::collect(scans.iter().map(|scan| translation_pose(scan.centre - origin)))?,
         Start::Poses(given) => alloc::collect(scans.iter().zip(given).map(|(scan, pose)| {
-            Pose { rotation: pose.rotation, translation: pose.point(scan.centre * unit) / unit - origin }
+            Pose { rotation: pose.rotation, translation: pose.transform_point(scan.centre * unit) / unit - origin }
                 .with_orthonormal_axes()
         }))?,
         Start::PrincipalAxes => align_each_piece_by_principal_axes(&scene, &started)?,
         Start::Rims => align_matching_rims(&scene, &started)?,
     };
     let rounds = if options.max_rounds == 0 { DEFAULT_MAX_ROUNDS } else { options.max_rounds };
-    let (rounds, converged) = scene.relax_poses(&mut poses, rounds, &job.part(0.4, 0.9))?;
+    let (rounds, converged) = scene.relax_poses(&mut poses, rounds, &job.sub_job(0.4, 0.9))?;
     let reports =
-        scene.search_near_pieces_within(&poses, MAX_NEAR_SPACINGS, MAX_ON_SURFACE_SPACINGS, &job.part(0.9, 1.0))?;
-    let (overlaps, known) = assess_alignment(&scene.members, &reports, unit)?;
+        scene.search_near_pieces_within(&poses, MAX_NEAR_SPACINGS, MAX_ON_SURFACE_SPACINGS, &job.sub_job(0.9, 1.0))?;
+    let (overlaps, known) = assess_alignment(&scene.sampled_pieces, &reports, unit)?;
     let pieces = poses.iter().zip(&scans).zip(known).map(|((pose, scan), (reason, hold))| {
         // Rounding must not move a piece that stays.
-        if *pose == translation_by(scan.centre - origin) {
+        if *pose == translation_pose(scan.centre - origin) {
             return Aligned { pose: Pose::IDENTITY, reason, hold };
         }
         let back = pose.rotation * scan.centre;
@@ -113,7 +115,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     Ok(Alignment { pieces, overlaps, rounds, converged })
 }
 
-fn translation_by(by: glam::DVec3) -> Pose {
+fn translation_pose(by: glam::DVec3) -> Pose {
     Pose { translation: by, ..Pose::IDENTITY }
 }
 

@@ -14,9 +14,9 @@ pub(super) const MIN_COUPLING_PAIRS: usize = 10;
 
 /// The pieces that are aligned with each other.
 pub(super) struct AlignmentScene<'a> {
-    pub(super) members: Vec<SampledPiece<'a>>,
+    pub(super) sampled_pieces: Vec<SampledPiece<'a>>,
     /// The largest distance of a pair of points.
-    pub(super) reach: f64,
+    pub(super) max_pair_distance: f64,
 }
 
 /// A search for the samples of one piece on another, up to a distance.
@@ -28,14 +28,17 @@ pub(super) struct PieceSearch {
 
 impl<'a> AlignmentScene<'a> {
     /// Returns a scene of two of the pieces.
-    pub(super) fn scene_of_two(&self, i: usize, k: usize) -> Result<AlignmentScene<'a>> {
-        Ok(AlignmentScene { members: alloc::collect([i, k].map(|k| self.members[k]).into_iter())?, reach: self.reach })
+    pub(super) fn sub_scene_of_two_pieces(&self, i: usize, k: usize) -> Result<AlignmentScene<'a>> {
+        Ok(AlignmentScene {
+            sampled_pieces: alloc::collect([i, k].map(|k| self.sampled_pieces[k]).into_iter())?,
+            max_pair_distance: self.max_pair_distance,
+        })
     }
 
     /// Returns the spacing of the coarser of two pieces.
     pub(super) fn coarser_spacing(&self, pieces: [usize; 2]) -> f64 {
         let [a, b] = pieces.map(|k| {
-            let member = &self.members[k];
+            let member = &self.sampled_pieces[k];
             member.rim.map_or(member.scan.spacing, |(rim, _)| rim.step)
         });
         a.max(b)
@@ -43,16 +46,16 @@ impl<'a> AlignmentScene<'a> {
 
     /// Returns the searches between pieces that are near enough, in both directions.
     pub(super) fn list_searches_of_near_pieces(&self, poses: &[Pose]) -> Result<Vec<PieceSearch>> {
-        let bounds = |k: usize| &self.members[k].scan.bounds;
-        let is_there = |k: usize| !self.members[k].scan.used.is_empty();
+        let bounds = |k: usize| &self.sampled_pieces[k].scan.bounds;
+        let is_there = |k: usize| !self.sampled_pieces[k].scan.vertices_with_normal.is_empty();
         let is_near = |[i, k]: [usize; 2]| {
-            let [p, q] = [i, k].map(|k| poses[k].point(bounds(k).centre()));
-            p.distance(q) <= (bounds(i).diagonal() + bounds(k).diagonal()) / 2.0 + self.reach
+            let [p, q] = [i, k].map(|k| poses[k].transform_point(bounds(k).centre()));
+            p.distance(q) <= (bounds(i).diagonal() + bounds(k).diagonal()) / 2.0 + self.max_pair_distance
         };
-        let count = self.members.len();
+        let count = self.sampled_pieces.len();
         let all = (0..count).flat_map(|i| (0..count).map(move |k| [i, k]));
         let near = all.filter(|&[i, k]| i != k && is_there(i) && is_there(k) && is_near([i, k]));
-        alloc::gather(near.map(|pieces| PieceSearch { pieces, max_distance: self.reach }))
+        alloc::gather(near.map(|pieces| PieceSearch { pieces, max_distance: self.max_pair_distance }))
     }
 
     /// Runs the searches, each with every `sample_stride`-th sample. Points within
@@ -66,10 +69,10 @@ impl<'a> AlignmentScene<'a> {
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
         let reports = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
-            let [a, b] = look_at.pieces.map(|k| PosedPiece { member: &self.members[k], pose: poses[k] });
+            let [a, b] = look_at.pieces.map(|k| PosedPiece { sampled_piece: &self.sampled_pieces[k], pose: poses[k] });
             let max_on_surface_distance = max_on_surface_spacings * self.coarser_spacing(look_at.pieces);
-            let samples = a.member.samples;
-            match (a.member.rim, b.member.rim) {
+            let samples = a.sampled_piece.samples;
+            match (a.sampled_piece.rim, b.sampled_piece.rim) {
                 (Some((rim, _)), Some(other)) => {
                     find_rim_sample_pairs(&a, rim, &b, other, look_at.max_distance, max_on_surface_distance, job)
                 }
@@ -96,9 +99,9 @@ impl<'a> AlignmentScene<'a> {
     ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
         let mut looks = self.list_searches_of_near_pieces(poses)?;
         // No pair is farther apart than the reach.
-        looks
-            .iter_mut()
-            .for_each(|look| look.max_distance = (max_spacings * self.coarser_spacing(look.pieces)).min(self.reach));
+        looks.iter_mut().for_each(|look| {
+            look.max_distance = (max_spacings * self.coarser_spacing(look.pieces)).min(self.max_pair_distance)
+        });
         self.run_searches(poses, &looks, 1, max_on_surface_spacings, job)
     }
 }

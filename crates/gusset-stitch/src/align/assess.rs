@@ -39,16 +39,18 @@ pub(super) fn assess_alignment(
         let back = reports.binary_search_by_key(&[*k, *i], |(pair, _)| *pair).ok().map(|at| &reports[at].1);
         let ways = [Some(one), back];
         let sum = |of: &dyn Fn(&SamplePairReport) -> f64| ways.iter().flatten().map(|report| of(report)).sum::<f64>();
-        let on = sum(&|f| f.on as f64);
-        let near = sum(&|f| f.near as f64);
+        let on = sum(&|f| f.samples_on_surface as f64);
+        let near = sum(&|f| f.near_samples as f64);
         for piece in [*i, *k] {
-            opposite[piece][0] += sum(&|f| f.opposite as f64) as usize;
+            opposite[piece][0] += sum(&|f| f.opposite_samples as f64) as usize;
             opposite[piece][1] += near as usize;
         }
         if on == 0.0 {
             continue;
         }
-        let share = |report: Option<&SamplePairReport>| report.map_or(0.0, |f| f.on as f64 / f.samples.max(1) as f64);
+        let share = |report: Option<&SamplePairReport>| {
+            report.map_or(0.0, |f| f.samples_on_surface as f64 / f.samples.max(1) as f64)
+        };
         let fit = on / near.max(1.0);
         alloc::push(
             &mut overlaps,
@@ -56,8 +58,8 @@ pub(super) fn assess_alignment(
                 pieces: [*i as u32, *k as u32],
                 shares: ways.map(share),
                 count: on as u32,
-                mean: unit * sum(&|f| f.on as f64 * f.mean) / on,
-                rms: unit * (sum(&|f| f.on as f64 * f.square) / on).sqrt(),
+                mean: unit * sum(&|f| f.samples_on_surface as f64 * f.mean_distance) / on,
+                rms: unit * (sum(&|f| f.samples_on_surface as f64 * f.mean_squared_distance) / on).sqrt(),
                 fit,
                 trusted: on as usize >= MIN_OVERLAP_POINTS && fit >= MIN_FITTING_SHARE,
             },
@@ -71,13 +73,13 @@ pub(super) fn assess_alignment(
         let hold = holds[k];
         let [against, with] = opposite[k];
         let ratio = size(k).max(f64::MIN_POSITIVE) / size(0).max(f64::MIN_POSITIVE);
-        let reason = if k == 0 && !sampled_pieces[0].scan.used.is_empty() {
+        let reason = if k == 0 && !sampled_pieces[0].scan.vertices_with_normal.is_empty() {
             Reason::Trusted
         } else if against > MIN_OVERLAP_POINTS && against > 2 * with {
             Reason::FacesOtherWay
         } else if own().all(|overlap| (overlap.count as usize) < MIN_OVERLAP_POINTS) {
             if (1.0 / MIN_OTHER_UNIT_SIZE_RATIO..=MIN_OTHER_UNIT_SIZE_RATIO).contains(&ratio)
-                || sampled_pieces[k].scan.used.is_empty()
+                || sampled_pieces[k].scan.vertices_with_normal.is_empty()
             {
                 Reason::NoOverlap
             } else {
@@ -85,12 +87,14 @@ pub(super) fn assess_alignment(
             }
         } else if own().all(|overlap| !overlap.trusted) {
             Reason::PoorFit
-        } else if hold.least < MIN_HOLD_STIFFNESS || hold.noise > MAX_NOISE_SHARE_OF_STIFFNESS * hold.least {
+        } else if hold.least_eigenvalue < MIN_HOLD_STIFFNESS
+            || hold.eigenvalue_part_by_noise > MAX_NOISE_SHARE_OF_STIFFNESS * hold.least_eigenvalue
+        {
             Reason::Undetermined
         } else {
             Reason::TrustedByNone
         };
-        reasons.push((reason, if k == 0 { 1.0 } else { hold.least.sqrt().min(1.0) }));
+        reasons.push((reason, if k == 0 { 1.0 } else { hold.least_eigenvalue.sqrt().min(1.0) }));
     }
     // Trust spreads from the first piece along pairs that fit.
     let mut spreads = true;

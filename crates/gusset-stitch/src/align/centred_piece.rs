@@ -21,18 +21,18 @@ pub(crate) struct CentredPiece {
     /// The unit normals; 0 for vertices without a face of positive area.
     pub(crate) normals: Vec<DVec3>,
     /// The vertices on borders, and on edges with three or more faces.
-    pub(crate) rim: BitSet,
+    pub(crate) is_rim_vertex: BitSet,
     /// The vertices with a normal, ascending.
-    pub(crate) used: Vec<u32>,
+    pub(crate) vertices_with_normal: Vec<u32>,
     /// The centre of the piece's box in the common unit.
     pub(crate) centre: DVec3,
     /// The box of the vertices with a normal.
     pub(crate) bounds: Aabb,
     /// The mean of the faces' corners, weighted by area.
-    pub(crate) mean: DVec3,
+    pub(crate) mean_of_corners: DVec3,
     /// The covariance of the faces' corners, weighted by area.
-    pub(crate) covariance: [[f64; 3]; 3],
-    /// The root mean square distance from `mean`.
+    pub(crate) covariance_of_corners: [[f64; 3]; 3],
+    /// The root mean square distance from `mean_of_corners`.
     pub(crate) radius: f64,
     /// The mean length of the faces' sides.
     pub(crate) spacing: f64,
@@ -57,18 +57,29 @@ impl CentredPiece {
         for v in (0..count as u32).filter(|&v| is_used.contains(v)) {
             points[v as usize] = at(v) - centre;
         }
-        let topology = Topology::new(mesh, &job.part(0.1, 0.4))?;
+        let topology = Topology::new(mesh, &job.sub_job(0.1, 0.4))?;
         let mut rim = BitSet::new(count)?;
-        for h in topology.border_half_edges(&job.part(0.4, 0.4))? {
+        for h in topology.border_half_edges(&job.sub_job(0.4, 0.4))? {
             [h, mesh.faces().next(h)].into_iter().for_each(|h| rim.insert(mesh.faces().corner(h)));
         }
-        let (normals, spacing) = smoothed_vertex_normals(mesh, &points, &job.part(0.4, 0.8))?;
+        let (normals, spacing) = smoothed_vertex_normals(mesh, &points, &job.sub_job(0.4, 0.8))?;
         job.step(0.8, STAGE)?;
         let bounds = Aabb::from_points((0..count).filter(|&v| normals[v] != DVec3::ZERO).map(|v| points[v]));
         let used = alloc::gather((0..count as u32).filter(|&v| normals[v as usize] != DVec3::ZERO))?;
-        let (mean, covariance) = mean_and_covariance_of_corners(mesh, &points, &job.part(0.8, 1.0))?;
+        let (mean, covariance) = mean_and_covariance_of_corners(mesh, &points, &job.sub_job(0.8, 1.0))?;
         let radius = (0..3).map(|k| covariance[k][k]).sum::<f64>().sqrt();
-        Ok(CentredPiece { points, normals, rim, used, centre, bounds, mean, covariance, radius, spacing })
+        Ok(CentredPiece {
+            points,
+            normals,
+            is_rim_vertex: rim,
+            vertices_with_normal: used,
+            centre,
+            bounds,
+            mean_of_corners: mean,
+            covariance_of_corners: covariance,
+            radius,
+            spacing,
+        })
     }
 
     /// Returns a tree over the points.
@@ -78,7 +89,7 @@ impl CentredPiece {
 
     /// Returns up to `count` vertices that are not on a rim, spread evenly over `order`.
     pub(crate) fn choose_samples(&self, order: &[u32], count: usize) -> Result<Vec<u32>> {
-        let inside = |&&v: &&u32| self.normals[v as usize] != DVec3::ZERO && !self.rim.contains(v);
+        let inside = |&&v: &&u32| self.normals[v as usize] != DVec3::ZERO && !self.is_rim_vertex.contains(v);
         let all = alloc::gather(order.iter().filter(inside).copied())?;
         let count = count.min(all.len());
         alloc::collect((0..count).map(|k| all[k * all.len() / count]))
@@ -106,7 +117,7 @@ fn smoothed_vertex_normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>)
     normals.iter_mut().for_each(|n| *n = n.normalize_or_zero());
     for pass in 0..NORMAL_SMOOTHING_PASSES {
         let before = alloc::copied(&normals)?;
-        let job = job.share(pass, NORMAL_SMOOTHING_PASSES);
+        let job = job.sub_job_of_item(pass, NORMAL_SMOOTHING_PASSES);
         job.step(0.0, STAGE)?;
         for f in 0..mesh.faces().len() {
             job.step_within_list(f, STAGE)?;

@@ -11,9 +11,9 @@ use gusset_base::geom::linear::eigen::symmetric_eigen;
 pub(super) struct HoldStiffness {
     /// The least eigenvalue of the mean of the equations: the mean squared change of distances
     /// along normals, for the weakest motion of length 1.
-    pub(super) least: f64,
-    /// The part of `least` that noise of the normals explains.
-    pub(super) noise: f64,
+    pub(super) least_eigenvalue: f64,
+    /// The part of `least_eigenvalue` that noise of the normals explains.
+    pub(super) eigenvalue_part_by_noise: f64,
 }
 
 /// Returns how the overlaps hold each piece if all other pieces are fixed.
@@ -35,15 +35,18 @@ pub(super) fn measure_hold_stiffness(
                     *entry += equations.matrix[6 * k + i.max(j)][6 * k + i.min(j)];
                 }
             }
-            *weight += equations.weight;
-            *turn += equations.weight * report.turn;
+            *weight += equations.weight_sum;
+            *turn += equations.weight_sum * report.mean_normal_deviation;
         }
     }
     alloc::collect(own.into_iter().map(|(sum, weight, turn)| {
         if weight <= 0.0 {
-            return HoldStiffness { least: 0.0, noise: 0.0 };
+            return HoldStiffness { least_eigenvalue: 0.0, eigenvalue_part_by_noise: 0.0 };
         }
         let (values, _) = symmetric_eigen(sum.map(|row| row.map(|x| x / weight)));
-        HoldStiffness { least: values.into_iter().fold(f64::INFINITY, f64::min).max(0.0), noise: turn / weight / 4.0 }
+        HoldStiffness {
+            least_eigenvalue: values.into_iter().fold(f64::INFINITY, f64::min).max(0.0),
+            eigenvalue_part_by_noise: turn / weight / 4.0,
+        }
     }))
 }

@@ -61,5 +61,5 @@ pub use align_request::{Aligned, Alignment, Options, Overlap, Reason, Start};
 pub use align_run::align;
 pub(crate) use align_run::common_length_unit;
 pub(crate) use centred_piece::CentredPiece;
-pub use moved_mesh::views_of_moved;
+pub use moved_mesh::views_of_moved_pieces;
 pub use pose::Pose;

@@ -22,10 +22,10 @@ pub(super) type MotionVector = [f64; 6];
 
 /// The symmetric equations of the pieces' motions.
 pub(super) struct MotionSystem {
-    own: Vec<[MotionVector; 6]>,
-    right: Vec<MotionVector>,
+    diagonal_blocks: Vec<[MotionVector; 6]>,
+    right_side: Vec<MotionVector>,
     /// For pieces i and j, the block of i's rows and j's columns.
-    couplings: Vec<([usize; 2], [MotionVector; 6])>,
+    off_diagonal_blocks: Vec<([usize; 2], [MotionVector; 6])>,
     is_fixed: Vec<bool>,
 }
 
@@ -33,9 +33,9 @@ impl MotionSystem {
     pub(super) fn new(is_fixed: &[bool]) -> Result<MotionSystem> {
         let count = is_fixed.len();
         Ok(MotionSystem {
-            own: alloc::filled([[0.0; 6]; 6], count)?,
-            right: alloc::filled([0.0; 6], count)?,
-            couplings: Vec::new(),
+            diagonal_blocks: alloc::filled([[0.0; 6]; 6], count)?,
+            right_side: alloc::filled([0.0; 6], count)?,
+            off_diagonal_blocks: Vec::new(),
             is_fixed: alloc::copied(is_fixed)?,
         })
     }
@@ -45,24 +45,24 @@ impl MotionSystem {
         let at = |i: usize, j: usize| equations.matrix[i.max(j)][i.min(j)];
         for (k, piece) in pieces.into_iter().enumerate() {
             for i in 0..6 {
-                self.right[piece][i] += equations.right[6 * k + i];
-                (0..6).for_each(|j| self.own[piece][i][j] += at(6 * k + i, 6 * k + j));
+                self.right_side[piece][i] += equations.right_side[6 * k + i];
+                (0..6).for_each(|j| self.diagonal_blocks[piece][i][j] += at(6 * k + i, 6 * k + j));
             }
         }
         let block = std::array::from_fn(|i| std::array::from_fn(|j| at(i, 6 + j)));
-        alloc::push(&mut self.couplings, (pieces, block))
+        alloc::push(&mut self.off_diagonal_blocks, (pieces, block))
     }
 
     /// Returns the motions: for each piece a rotation, in units of its radius, and a translation; 0
     /// for fixed pieces. At most O(pieces * pairs), and usually far less.
     pub(super) fn solve_motions(&mut self) -> Result<Vec<MotionVector>> {
-        for own in &mut self.own {
+        for own in &mut self.diagonal_blocks {
             let mean = (0..6).map(|i| own[i][i]).sum::<f64>() / 6.0;
             (0..6).for_each(|i| own[i][i] += RELATIVE_DAMPING * mean);
         }
-        let count = self.own.len();
+        let count = self.diagonal_blocks.len();
         let mut x = alloc::filled([0.0; 6], count)?;
-        let mut residual = alloc::copied(&self.right)?;
+        let mut residual = alloc::copied(&self.right_side)?;
         self.clear_fixed_motions(&mut residual);
         let mut conditioned = self.apply_block_preconditioner(&residual)?;
         let mut direction = alloc::copied(&conditioned)?;
@@ -95,10 +95,10 @@ impl MotionSystem {
     }
 
     fn multiply_by_matrix(&self, x: &[MotionVector], out: &mut [MotionVector]) {
-        for ((out, own), x) in out.iter_mut().zip(&self.own).zip(x) {
+        for ((out, own), x) in out.iter_mut().zip(&self.diagonal_blocks).zip(x) {
             *out = std::array::from_fn(|i| (0..6).map(|j| own[i][j] * x[j]).sum());
         }
-        for ([a, b], block) in &self.couplings {
+        for ([a, b], block) in &self.off_diagonal_blocks {
             for i in 0..6 {
                 for j in 0..6 {
                     out[*a][i] += block[i][j] * x[*b][j];
@@ -111,7 +111,7 @@ impl MotionSystem {
 
     /// Solves each piece's own block.
     fn apply_block_preconditioner(&self, x: &[MotionVector]) -> Result<Vec<MotionVector>> {
-        alloc::collect(x.iter().zip(&self.own).map(|(x, own)| {
+        alloc::collect(x.iter().zip(&self.diagonal_blocks).map(|(x, own)| {
             let mut lower = *own;
             let mut right = x.map(|x| DVec3::new(x, 0.0, 0.0));
             let empty = (0..6).all(|i| own[i][i] <= 0.0);

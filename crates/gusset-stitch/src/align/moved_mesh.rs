@@ -20,14 +20,14 @@ impl Alignment {
     /// # Errors
     /// As for [`concatenate`]. [`Error::NotFinite`] for a vertex, counted through all pieces, whose
     /// new position overflows its type.
-    pub fn moved(&self, pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<PieceOffsets>)> {
-        let (mut whole, places) = concatenate(pieces, &job.part(0.0, 0.0))?;
+    pub fn move_pieces(&self, pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<PieceOffsets>)> {
+        let (mut whole, places) = concatenate(pieces, &job.sub_job(0.0, 0.0))?;
         for (k, (piece, aligned)) in pieces.iter().zip(&self.pieces).enumerate() {
             let (pose, first) = (&aligned.pose, places[k].first_vertex as usize);
             if *pose == Pose::IDENTITY {
                 continue;
             }
-            let (own, job) = (first..first + piece.positions().len(), job.share(k, pieces.len()));
+            let (own, job) = (first..first + piece.positions().len(), job.sub_job_of_item(k, pieces.len()));
             match &mut whole.positions {
                 PositionBuffer::F32(points) => move_points(pose, &mut points[own], first, |x| x as f32, &job)?,
                 PositionBuffer::F64(points) => move_points(pose, &mut points[own], first, |x| x, &job)?,
@@ -38,7 +38,7 @@ impl Alignment {
 }
 
 /// Returns the pieces as views of the moved mesh, with their own faces.
-pub fn views_of_moved<'a>(
+pub fn views_of_moved_pieces<'a>(
     (whole, places): &'a (Mesh, Vec<PieceOffsets>),
     pieces: &[MeshView<'a>],
     job: &Job<'_>,
@@ -66,7 +66,7 @@ fn move_points<T: Copy + Into<f64>>(
         for v in range {
             let before = DVec3::from_array(points[v].map(Into::into));
             if before.is_finite() {
-                points[v] = pose.point(before).to_array().map(&round);
+                points[v] = pose.transform_point(before).to_array().map(&round);
                 let after = DVec3::from_array(points[v].map(Into::into));
                 Error::check_finite(Element::Vertex, (first + v) as u64, after)?;
             }

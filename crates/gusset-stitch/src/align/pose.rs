@@ -16,12 +16,12 @@ impl Pose {
     pub const IDENTITY: Pose = Pose { rotation: DMat3::IDENTITY, translation: DVec3::ZERO };
 
     /// Applies the motion to a point.
-    pub fn point(&self, x: DVec3) -> DVec3 {
+    pub fn transform_point(&self, x: DVec3) -> DVec3 {
         self.rotation * x + self.translation
     }
 
     /// Applies the rotation to a direction.
-    pub fn direction(&self, d: DVec3) -> DVec3 {
+    pub fn rotate_direction(&self, d: DVec3) -> DVec3 {
         self.rotation * d
     }
 
@@ -32,8 +32,8 @@ impl Pose {
     }
 
     /// Returns the composition of this motion followed by `next`.
-    pub fn then(&self, next: &Pose) -> Pose {
-        Pose { rotation: next.rotation * self.rotation, translation: next.point(self.translation) }
+    pub fn followed_by(&self, next: &Pose) -> Pose {
+        Pose { rotation: next.rotation * self.rotation, translation: next.transform_point(self.translation) }
     }
 
     /// Returns the rotation about `centre` by the vector `turn`, whose length is the angle,
@@ -81,8 +81,8 @@ mod tests {
         let a = Pose::rotation_about(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.3, -0.2, 0.5), DVec3::new(0.1, 0.0, -4.0));
         let b = Pose::rotation_about(DVec3::X, DVec3::new(-1.3, 0.2, 0.1), DVec3::Y);
         let x = DVec3::new(0.7, -0.3, 2.0);
-        assert!(a.inverse().point(a.point(x)).distance(x) < 1e-14);
-        assert!(a.then(&b).point(x).distance(b.point(a.point(x))) < 1e-14);
+        assert!(a.inverse().transform_point(a.transform_point(x)).distance(x) < 1e-14);
+        assert!(a.followed_by(&b).transform_point(x).distance(b.transform_point(a.transform_point(x))) < 1e-14);
         assert!(
             a.deviation_from_rotation() < 1e-15 && a.with_orthonormal_axes().rotation.abs_diff_eq(a.rotation, 1e-15)
         );

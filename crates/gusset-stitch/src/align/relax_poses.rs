@@ -25,16 +25,16 @@ impl AlignmentScene<'_> {
         let (mut done, mut is_still) = (0, true);
         for stage in 0..SAMPLE_STRIDES_PER_STAGE.len() {
             let mut looks = self.list_searches_of_near_pieces(poses)?;
-            let job = job.share(stage, SAMPLE_STRIDES_PER_STAGE.len());
+            let job = job.sub_job_of_item(stage, SAMPLE_STRIDES_PER_STAGE.len());
             for round in 0..rounds {
-                let part = job.share(round as usize, rounds as usize);
+                let part = job.sub_job_of_item(round as usize, rounds as usize);
                 let reports = self.run_searches(poses, &looks, SAMPLE_STRIDES_PER_STAGE[stage], 1.0, &part)?;
                 for (look, (_, report)) in looks.iter_mut().zip(&reports) {
-                    look.max_distance = match report.near {
-                        n if n < MIN_COUPLING_PAIRS => self.reach,
+                    look.max_distance = match report.near_samples {
+                        n if n < MIN_COUPLING_PAIRS => self.max_pair_distance,
                         _ => (MAX_DISTANCE_TO_PAIR_DISTANCE_RATIO
                             * report.distance.max(self.coarser_spacing(look.pieces)))
-                        .min(self.reach),
+                        .min(self.max_pair_distance),
                     };
                 }
                 done += 1;
@@ -50,9 +50,9 @@ impl AlignmentScene<'_> {
     /// Applies the motions that fit the pairs best. Returns the largest motion of a point, in
     /// spacings.
     fn move_to_best_fit(&self, poses: &mut [Pose], reports: &[([usize; 2], SamplePairReport)]) -> Result<f64> {
-        let count = self.members.len();
+        let count = self.sampled_pieces.len();
         let mut together = DisjointSets::new(count)?;
-        let enough = |report: &&([usize; 2], SamplePairReport)| report.1.near >= MIN_COUPLING_PAIRS;
+        let enough = |report: &&([usize; 2], SamplePairReport)| report.1.near_samples >= MIN_COUPLING_PAIRS;
         for ([i, k], _) in reports.iter().filter(enough) {
             together.union(*i as u32, *k as u32);
         }
@@ -68,13 +68,13 @@ impl AlignmentScene<'_> {
         }
         let mut moved = 0.0f64;
         for (k, [a, b, c, x, y, z]) in system.solve_motions()?.into_iter().enumerate() {
-            let scan = self.members[k].scan;
+            let scan = self.sampled_pieces[k].scan;
             let (turn, shift) = (DVec3::new(a, b, c) / scan.radius, DVec3::new(x, y, z));
             if stays[k] || !turn.is_finite() || !shift.is_finite() {
                 continue;
             }
-            let step = Pose::rotation_about(poses[k].point(scan.mean), turn, shift);
-            poses[k] = poses[k].then(&step).with_orthonormal_axes();
+            let step = Pose::rotation_about(poses[k].transform_point(scan.mean_of_corners), turn, shift);
+            poses[k] = poses[k].followed_by(&step).with_orthonormal_axes();
             moved = moved.max((turn.length() * scan.bounds.diagonal() + shift.length()) / scan.spacing);
         }
         Ok(moved)

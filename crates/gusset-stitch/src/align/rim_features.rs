@@ -32,14 +32,15 @@ type RimMatch = (usize, Pose);
 /// Returns the poses that join the pieces along matching rims, starting from the first piece, the
 /// best match first. A piece without a match does not move. O(pieces^2 * samples^2).
 pub(super) fn align_matching_rims(scene: &AlignmentScene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
-    let count = scene.members.len();
+    let count = scene.sampled_pieces.len();
     let mut poses = alloc::filled(Pose::IDENTITY, count)?;
     let pairs = alloc::gather((0..count).flat_map(|i| (0..count).map(move |k| [i, k])).filter(|[i, k]| i < k))?;
-    let matches =
-        par::map_cancellable(job, STAGE, pairs.iter(), |&[i, k]| match (scene.members[i].rim, scene.members[k].rim) {
+    let matches = par::map_cancellable(job, STAGE, pairs.iter(), |&[i, k]| {
+        match (scene.sampled_pieces[i].rim, scene.sampled_pieces[k].rim) {
             (Some((onto, tree)), Some((from, _))) => best_rim_match(onto, tree, from),
             _ => Ok(None),
-        })?;
+        }
+    })?;
     let matches = alloc::try_collect(matches)?;
     let mut is_placed = alloc::filled(false, count)?;
     if let Some(first) = is_placed.first_mut() {
@@ -53,7 +54,7 @@ pub(super) fn align_matching_rims(scene: &AlignmentScene<'_>, job: &Job<'_>) -> 
             return Ok(poses);
         };
         let (placed, new, motion) = if is_placed[i] { (i, k, pose) } else { (k, i, pose.inverse()) };
-        poses[new] = motion.then(&poses[placed]);
+        poses[new] = motion.followed_by(&poses[placed]);
         is_placed[new] = true;
     }
 }
@@ -99,12 +100,13 @@ fn find_coincident_samples(
 ) -> Result<Vec<[usize; 2]>> {
     let max_distance = MAX_COINCIDENCE_DISTANCE_STEPS * onto.step;
     alloc::gather((0..from.points.len()).filter_map(|k| {
-        let (along, normal) = (pose.direction(from.directions[k]), pose.direction(from.normals[k]));
+        let (along, normal) = (pose.rotate_direction(from.directions[k]), pose.rotate_direction(from.normals[k]));
         let fits = |w: u32| {
             onto.directions[w as usize].dot(along) < -MIN_RIM_NORMAL_COSINE
                 && onto.normals[w as usize].dot(normal) > MIN_RIM_NORMAL_COSINE
         };
-        tree.nearest(pose.point(from.points[k]), max_distance * max_distance, fits).map(|(_, w)| [k, w as usize])
+        tree.nearest(pose.transform_point(from.points[k]), max_distance * max_distance, fits)
+            .map(|(_, w)| [k, w as usize])
     }))
 }
 

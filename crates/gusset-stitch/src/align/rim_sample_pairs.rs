@@ -18,13 +18,13 @@ pub(super) fn find_rim_sample_pairs(
     max_on_surface_distance: f64,
     job: &Job<'_>,
 ) -> Result<SamplePairReport> {
-    let across = a.pose.then(&b.pose.inverse());
+    let across = a.pose.followed_by(&b.pose.inverse());
     let mut list = SamplePairList { entries: 2, samples: rim.points.len(), ..SamplePairList::default() };
     list.pairs = alloc::with_capacity(2 * rim.points.len())?;
     for k in 0..rim.points.len() {
         job.step_every(SAMPLES_PER_REPORT, k, rim.points.len(), STAGE)?;
-        let at = across.point(rim.points[k]);
-        let (along, normal) = (across.direction(rim.directions[k]), across.direction(rim.normals[k]));
+        let at = across.transform_point(rim.points[k]);
+        let (along, normal) = (across.rotate_direction(rim.directions[k]), across.rotate_direction(rim.normals[k]));
         let runs_against = |w: u32| other.directions[w as usize].dot(along) < -MIN_RIM_NORMAL_COSINE;
         let Some((squared, w)) = tree.nearest(at, max_distance * max_distance, runs_against) else {
             continue;
@@ -37,12 +37,12 @@ pub(super) fn find_rim_sample_pairs(
         }
         let up = (normal + n).normalize_or(n);
         let aside = other.directions[w as usize].cross(up).normalize_or_zero();
-        let points = [at, other.points[w as usize]].map(|p| b.pose.point(p));
+        let points = [at, other.points[w as usize]].map(|p| b.pose.transform_point(p));
         for direction in [up, aside] {
-            list.pairs.push(SamplePair::new(points, b.pose.direction(direction)));
+            list.pairs.push(SamplePair::new(points, b.pose.rotate_direction(direction)));
         }
-        list.turn += 1.0 - cosine;
-        list.squares += squared;
+        list.normal_deviation_sum += 1.0 - cosine;
+        list.squared_distance_sum += squared;
     }
     SamplePairReport::new(&list, [a, b], rim.step, max_on_surface_distance)
 }

@@ -27,9 +27,9 @@ const MIN_RELATIVE_RESIDUAL: f64 = 1e-6;
 pub(super) struct MotionEquations {
     /// The lower triangle of the matrix.
     pub(super) matrix: [[f64; 12]; 12],
-    pub(super) right: [f64; 12],
+    pub(super) right_side: [f64; 12],
     /// The sum of the weights.
-    pub(super) weight: f64,
+    pub(super) weight_sum: f64,
 }
 
 /// The pairs between the samples of one piece and another piece: equations and statistics.
@@ -40,16 +40,16 @@ pub(super) struct SamplePairReport {
     pub(super) samples: usize,
     /// The number of samples whose nearest point is at most the largest distance away, not on a
     /// rim, and faces the same side.
-    pub(super) near: usize,
+    pub(super) near_samples: usize,
     /// The number of samples whose nearest point faces the opposite side.
-    pub(super) opposite: usize,
+    pub(super) opposite_samples: usize,
     /// The number of samples that lie on the other piece.
-    pub(super) on: usize,
+    pub(super) samples_on_surface: usize,
     /// The mean, and the mean square, of the distances of these samples along the normals.
-    pub(super) mean: f64,
-    pub(super) square: f64,
+    pub(super) mean_distance: f64,
+    pub(super) mean_squared_distance: f64,
     /// The mean of 1 minus the cosine between the normals: their noise.
-    pub(super) turn: f64,
+    pub(super) mean_normal_deviation: f64,
     /// The root mean square distance of the near samples.
     pub(super) distance: f64,
 }
@@ -57,20 +57,20 @@ pub(super) struct SamplePairReport {
 /// A piece and its current pose.
 #[derive(Clone, Copy)]
 pub(super) struct PosedPiece<'a> {
-    pub(super) member: &'a SampledPiece<'a>,
+    pub(super) sampled_piece: &'a SampledPiece<'a>,
     pub(super) pose: Pose,
 }
 
 /// A pair of points, the direction along which they should coincide, and their distance along it.
 pub(super) struct SamplePair {
     pub(super) points: [DVec3; 2],
-    pub(super) along: DVec3,
-    pub(super) off: f64,
+    pub(super) direction: DVec3,
+    pub(super) signed_distance: f64,
 }
 
 impl SamplePair {
     pub(super) fn new(points: [DVec3; 2], along: DVec3) -> SamplePair {
-        SamplePair { points, along, off: (points[0] - points[1]).dot(along) }
+        SamplePair { points, direction: along, signed_distance: (points[0] - points[1]).dot(along) }
     }
 }
 
@@ -84,8 +84,8 @@ pub(super) struct SamplePairList {
     pub(super) opposite: usize,
     /// The sums over the pairs of 1 minus the cosine between their normals, and of squared
     /// distances.
-    pub(super) turn: f64,
-    pub(super) squares: f64,
+    pub(super) normal_deviation_sum: f64,
+    pub(super) squared_distance_sum: f64,
 }
 
 /// Pairs each sample of `a` with the nearest vertex of `b`, at most `max_distance` away, with a
@@ -98,34 +98,34 @@ pub(super) fn find_sample_pairs<'s>(
     max_on_surface_distance: f64,
     job: &Job<'_>,
 ) -> Result<SamplePairReport> {
-    let across = a.pose.then(&b.pose.inverse());
-    let [from, onto] = [a.member.scan, b.member.scan];
+    let across = a.pose.followed_by(&b.pose.inverse());
+    let [from, onto] = [a.sampled_piece.scan, b.sampled_piece.scan];
     let pairs = alloc::with_capacity(samples.len())?;
     let mut list = SamplePairList { pairs, entries: 1, samples: samples.len(), ..SamplePairList::default() };
     let count = samples.len();
     for (k, &v) in samples.enumerate() {
         job.step_every(SAMPLES_PER_REPORT, k, count, STAGE)?;
-        let at = across.point(from.points[v as usize]);
+        let at = across.transform_point(from.points[v as usize]);
         if onto.bounds.distance_squared(at) > max_distance * max_distance {
             continue;
         }
         let is_used = |w: u32| onto.normals[w as usize] != DVec3::ZERO;
-        let Some((squared, w)) = b.member.tree.nearest(at, max_distance * max_distance, is_used) else {
+        let Some((squared, w)) = b.sampled_piece.tree.nearest(at, max_distance * max_distance, is_used) else {
             continue;
         };
-        if onto.rim.contains(w) {
+        if onto.is_rim_vertex.contains(w) {
             continue;
         }
-        let (m, n) = (across.direction(from.normals[v as usize]), onto.normals[w as usize]);
+        let (m, n) = (across.rotate_direction(from.normals[v as usize]), onto.normals[w as usize]);
         let cosine = m.dot(n);
         if cosine < MIN_PAIR_NORMAL_COSINE {
             list.opposite += usize::from(cosine < -MIN_PAIR_NORMAL_COSINE);
             continue;
         }
-        let points = [at, onto.points[w as usize]].map(|p| b.pose.point(p));
-        list.pairs.push(SamplePair::new(points, b.pose.direction((m + n).normalize_or(n))));
-        list.turn += 1.0 - cosine;
-        list.squares += squared;
+        let points = [at, onto.points[w as usize]].map(|p| b.pose.transform_point(p));
+        list.pairs.push(SamplePair::new(points, b.pose.rotate_direction((m + n).normalize_or(n))));
+        list.normal_deviation_sum += 1.0 - cosine;
+        list.squared_distance_sum += squared;
     }
     SamplePairReport::new(&list, [a, b], from.spacing.max(onto.spacing), max_on_surface_distance)
 }
@@ -140,41 +140,41 @@ impl SamplePairReport {
     ) -> Result<SamplePairReport> {
         let near = list.pairs.len() / list.entries;
         let count = near.max(1) as f64;
-        let mut sizes = alloc::collect(list.pairs.iter().map(|pair| pair.off.abs()))?;
+        let mut sizes = alloc::collect(list.pairs.iter().map(|pair| pair.signed_distance.abs()))?;
         let median = match sizes.len() {
             0 => 0.0,
             n => *sizes.select_nth_unstable_by(n / 2, f64::total_cmp).1,
         };
         let cut = TUKEY_CUTOFF_DEVIATIONS * DEVIATION_PER_MEDIAN * median.max(MIN_RELATIVE_RESIDUAL * spacing);
         let mut found = SamplePairReport {
-            equations: MotionEquations { matrix: [[0.0; 12]; 12], right: [0.0; 12], weight: 0.0 },
+            equations: MotionEquations { matrix: [[0.0; 12]; 12], right_side: [0.0; 12], weight_sum: 0.0 },
             samples: list.samples,
-            near,
-            opposite: list.opposite,
-            on: 0,
-            mean: 0.0,
-            square: 0.0,
-            turn: list.turn / count,
-            distance: (list.squares / count).sqrt(),
+            near_samples: near,
+            opposite_samples: list.opposite,
+            samples_on_surface: 0,
+            mean_distance: 0.0,
+            mean_squared_distance: 0.0,
+            mean_normal_deviation: list.normal_deviation_sum / count,
+            distance: (list.squared_distance_sum / count).sqrt(),
         };
-        let centres = [a, b].map(|placed| placed.pose.point(placed.member.scan.mean));
-        let radii = [a, b].map(|placed| placed.member.scan.radius);
+        let centres = [a, b].map(|placed| placed.pose.transform_point(placed.sampled_piece.scan.mean_of_corners));
+        let radii = [a, b].map(|placed| placed.sampled_piece.scan.radius);
         for pair in list.pairs.chunks_exact(list.entries) {
             for entry in pair {
-                let part = 1.0 - (entry.off / cut).powi(2);
+                let part = 1.0 - (entry.signed_distance / cut).powi(2);
                 if part > 0.0 {
                     found.equations.add_sample_pair(entry, part * part, centres, radii);
                 }
             }
-            let square = pair.iter().map(|entry| entry.off * entry.off).sum::<f64>();
+            let square = pair.iter().map(|entry| entry.signed_distance * entry.signed_distance).sum::<f64>();
             if square.sqrt() <= max_on_surface_distance {
-                found.on += 1;
-                found.mean += square.sqrt();
-                found.square += square;
+                found.samples_on_surface += 1;
+                found.mean_distance += square.sqrt();
+                found.mean_squared_distance += square;
             }
         }
-        found.mean /= found.on.max(1) as f64;
-        found.square /= found.on.max(1) as f64;
+        found.mean_distance /= found.samples_on_surface.max(1) as f64;
+        found.mean_squared_distance /= found.samples_on_surface.max(1) as f64;
         Ok(found)
     }
 }
@@ -184,7 +184,7 @@ impl MotionEquations {
     /// units of the pieces' radii, so that they are comparable with translations.
     fn add_sample_pair(&mut self, pair: &SamplePair, weight: f64, centres: [DVec3; 2], radii: [f64; 2]) {
         let [x, y] = pair.points;
-        let along = pair.along;
+        let along = pair.direction;
         let turns = [(x - centres[0]).cross(along) / radii[0], (y - centres[1]).cross(along) / -radii[1]];
         let [[a, b, c], [d, e, f]] = turns.map(|turn| turn.to_array());
         let [p, q, r] = along.to_array();
@@ -192,8 +192,8 @@ impl MotionEquations {
         for i in 0..12 {
             let weighted = weight * row[i];
             (0..=i).for_each(|j| self.matrix[i][j] += weighted * row[j]);
-            self.right[i] -= weighted * pair.off;
+            self.right_side[i] -= weighted * pair.signed_distance;
         }
-        self.weight += weight;
+        self.weight_sum += weight;
     }
 }

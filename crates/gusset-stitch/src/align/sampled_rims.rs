@@ -29,7 +29,7 @@ pub(super) struct SampledRims {
     pub(super) directions: Vec<DVec3>,
     pub(crate) normals: Vec<DVec3>,
     /// The start of each loop, and the number of samples.
-    starts: Vec<usize>,
+    loop_starts: Vec<usize>,
     pub(super) step: f64,
 }
 
@@ -38,7 +38,7 @@ pub(super) struct SampledRims {
 pub(super) fn common_sampling_step(meshes: &[MeshView<'_>], unit: f64, job: &Job<'_>) -> Result<f64> {
     let mut step = 0.0f64;
     for (k, mesh) in meshes.iter().enumerate() {
-        let found = boundary_loops(mesh, &boundary::Options::default(), &job.share(k, meshes.len()))?;
+        let found = boundary_loops(mesh, &boundary::Options::default(), &job.sub_job_of_item(k, meshes.len()))?;
         let length = found.iter().map(|rim| rim.length / unit).sum::<f64>();
         step = step.max(length / MAX_RIM_SAMPLES_PER_PIECE).max(length / found.edge_count().max(1) as f64);
     }
@@ -50,7 +50,7 @@ impl SampledRims {
     pub(super) fn new(mesh: &MeshView<'_>, scan: &CentredPiece, step: f64, job: &Job<'_>) -> Result<SampledRims> {
         let found = boundary_loops(mesh, &boundary::Options::default(), job)?;
         let mut rim =
-            SampledRims { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
+            SampledRims { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), loop_starts: vec![0], step };
         for walk in found.iter().filter(|walk| !walk.flags.any(LoopFlags::OPEN)) {
             rim.add_loop_samples(walk.vertices, scan)?;
         }
@@ -84,7 +84,7 @@ impl SampledRims {
         let around = |k: usize, by: usize| samples[(k + by) % samples.len()];
         let directions = (0..samples.len()).map(|k| around(k, 1) - around(k, samples.len() - 1));
         alloc::extend(&mut self.directions, directions.map(DVec3::normalize_or_zero))?;
-        alloc::push(&mut self.starts, self.points.len())
+        alloc::push(&mut self.loop_starts, self.points.len())
     }
 
     /// Returns the frame of a sample; if `turned`, for the opposite direction of the rim.
@@ -97,7 +97,7 @@ impl SampledRims {
     /// Returns the signatures of all samples; if `turned`, for the opposite direction of the rims.
     pub(super) fn sample_signatures(&self, turned: bool) -> Result<Vec<RimSignature>> {
         let mut all = alloc::with_capacity(self.points.len())?;
-        for range in self.starts.windows(2) {
+        for range in self.loop_starts.windows(2) {
             let n = range[1] - range[0];
             for k in range[0]..range[1] {
                 let back = self.sample_frame(k, turned).transpose();

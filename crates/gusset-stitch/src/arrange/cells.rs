@@ -23,8 +23,8 @@ const EDGES_PER_REPORT: usize = 1 << 12;
 
 /// The winding numbers in front and behind each distinct triangle.
 pub(super) struct Windings {
-    pub(super) front: Vec<i32>,
-    pub(super) back: Vec<i32>,
+    pub(super) windings_in_front: Vec<i32>,
+    pub(super) windings_behind: Vec<i32>,
 }
 
 /// Returns a given triangle at an edge whose triangles do not cancel, or `None` if all edges are
@@ -39,7 +39,7 @@ pub(super) fn unbalanced_triangle(arrangement: &ExactArrangement, groups: &FaceG
             })
             .sum();
         let group = edge.first()?[2] / 3;
-        let part = groups.members.get(group as usize).first()?;
+        let part = groups.parts_of_group.get(group as usize).first()?;
         (sum != 0).then(|| arrangement.parts[*part as usize].1)
     })
 }
@@ -55,7 +55,7 @@ pub(super) fn windings(
     let mut cells = DisjointSets::new(2 * count)?;
     let edge_count = groups.half_edges.len();
     for (k, edge) in groups.edges().enumerate() {
-        job.part(0.0, 0.3).step_every(EDGES_PER_REPORT, k, edge_count, STAGE)?;
+        job.sub_job(0.0, 0.3).step_every(EDGES_PER_REPORT, k, edge_count, STAGE)?;
         let [from, to, _] = edge[0];
         let mut join = |half_edge: u32, next: u32| {
             let ([after, _], [_, before]) = (groups.sides(half_edge, from), groups.sides(next, from));
@@ -71,11 +71,11 @@ pub(super) fn windings(
         EdgeOrder::new(arrangement, from, to).sort(&mut around);
         (0..around.len()).for_each(|k| join(around[k].half_edge, around[(k + 1) % around.len()].half_edge));
     }
-    let cells = cells.into_roots(&job.part(0.3, 0.3), STAGE)?;
-    let starts = OuterCells::new(arrangement, groups, triangles)?.find(&job.part(0.3, 0.6))?;
+    let cells = cells.into_roots(&job.sub_job(0.3, 0.3), STAGE)?;
+    let starts = OuterCells::new(arrangement, groups, triangles)?.find(&job.sub_job(0.3, 0.6))?;
     // Spreads the winding numbers from the outer cells.
     let around = cells.iter().map(|&cell| cell as usize).zip(0u32..);
-    let sides_of_cells = Buckets::new_cancellable(2 * count, 0, around, &job.part(0.6, 0.7), STAGE)?;
+    let sides_of_cells = Buckets::new_cancellable(2 * count, 0, around, &job.sub_job(0.6, 0.7), STAGE)?;
     let mut numbers = alloc::filled(None, 2 * count)?;
     let mut stack = Vec::new();
     for (side, number) in starts {
@@ -99,7 +99,7 @@ pub(super) fn windings(
     job.step(1.0, STAGE)?;
     let number = |side: usize| numbers[cells[side] as usize].unwrap_or(0);
     Ok(Windings {
-        front: alloc::collect((0..count).map(|g| number(2 * g)))?,
-        back: alloc::collect((0..count).map(|g| number(2 * g + 1)))?,
+        windings_in_front: alloc::collect((0..count).map(|g| number(2 * g)))?,
+        windings_behind: alloc::collect((0..count).map(|g| number(2 * g + 1)))?,
     })
 }

@@ -18,7 +18,7 @@ use gusset_base::sort::sort_distinct;
 pub(super) type Segment = ([u32; 2], u32);
 
 /// A part of a triangle, and the triangle.
-pub(super) type Part = ([u32; 3], u32);
+pub(super) type TrianglePart = ([u32; 3], u32);
 
 /// The triangles of one plane and all points and segments that split them.
 pub(super) struct Cluster<'c> {
@@ -33,7 +33,7 @@ pub(super) struct Cluster<'c> {
 pub(super) struct SplitCluster {
     /// New points, numbered from the end of the base on.
     pub(super) points: ExactPoints<'static>,
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<TrianglePart>,
     /// False if the triangles could not be split, and are returned whole.
     pub(super) is_complete: bool,
 }
@@ -52,12 +52,12 @@ impl Cluster<'_> {
         corners: &impl Fn(u32) -> [u32; 3],
         job: &Job<'_>,
     ) -> Result<SplitCluster> {
-        let mut points = ExactPoints::over(base);
+        let mut points = ExactPoints::extending(base);
         let parts = match self.try_split(base, &mut points, corners, job)? {
             Some(parts) => return Ok(SplitCluster { points: points.into_own(), parts, is_complete: true }),
             None => alloc::collect(self.triangles.iter().map(|&t| (corners(t), t)))?,
         };
-        Ok(SplitCluster { points: ExactPoints::over(base).into_own(), parts, is_complete: false })
+        Ok(SplitCluster { points: ExactPoints::extending(base).into_own(), parts, is_complete: false })
     }
 
     fn try_split(
@@ -66,7 +66,7 @@ impl Cluster<'_> {
         points: &mut ExactPoints<'_>,
         corners: &impl Fn(u32) -> [u32; 3],
         job: &Job<'_>,
-    ) -> Result<Option<Vec<Part>>> {
+    ) -> Result<Option<Vec<TrianglePart>>> {
         let Some(&first) = self.triangles.first() else { return Ok(Some(Vec::new())) };
         let sorted = |mut t: [u32; 3]| {
             t.sort_unstable();
@@ -117,12 +117,12 @@ impl Cluster<'_> {
             None => inner.binary_search(&p).map_or(NONE, |k| vertices[k]),
         };
         for (k, &ends) in segments.iter().enumerate() {
-            job.part(0.0, 0.0).step_every(1 << 8, k + 1, segments.len() + 1, "arranging triangles")?;
+            job.sub_job(0.0, 0.0).step_every(1 << 8, k + 1, segments.len() + 1, "arranging triangles")?;
             if !mesh.insert_segment(ends.map(vertex_of), k as u32, &support, &plane_of)? {
                 return Ok(None);
             }
         }
-        mesh.improve_all()?;
+        mesh.restore_delaunay_everywhere()?;
         if is_uniform {
             let mut parts = Vec::new();
             for &t in self.triangles {
@@ -163,12 +163,12 @@ impl Cluster<'_> {
         corners: &impl Fn(u32) -> [u32; 3],
         vertex_of: impl Fn(u32) -> u32,
         job: &Job<'_>,
-    ) -> Result<Option<Vec<Part>>> {
+    ) -> Result<Option<Vec<TrianglePart>>> {
         let triangles = alloc::collect(mesh.named_triangles())?;
         let mut owner = alloc::filled(NONE, triangles.len())?;
         let (mut parts, mut stack) = (Vec::new(), Vec::new());
         for (k, &t) in self.triangles.iter().enumerate() {
-            job.part(0.0, 0.0).step_every(1 << 8, k + 1, self.triangles.len() + 1, "arranging triangles")?;
+            job.sub_job(0.0, 0.0).step_every(1 << 8, k + 1, self.triangles.len() + 1, "arranging triangles")?;
             let border = corners(t);
             let turn = mesh.named_orientation(border);
             let is_inside = |p: u32| {

@@ -44,15 +44,16 @@ pub(super) fn projection_axis([a, b, c]: [DVec3; 3]) -> Option<usize> {
 
 /// A triangle with a number, its vertices and their positions.
 #[derive(Clone, Copy)]
-pub(super) struct Corners {
+pub(super) struct TriangleCorners {
     pub(super) triangle: u32,
     pub(super) vertices: [u32; 3],
-    pub(super) at: [DVec3; 3],
+    pub(super) positions: [DVec3; 3],
 }
 
 /// Returns the contact of two triangles that are not degenerate. Equal vertices have equal numbers.
-pub(super) fn contact(s: &Corners, t: &Corners) -> Contact {
-    let sides = [t.at.map(|p| side_of_plane(s.at, p)), s.at.map(|p| side_of_plane(t.at, p))];
+pub(super) fn find_contact(s: &TriangleCorners, t: &TriangleCorners) -> Contact {
+    let sides =
+        [t.positions.map(|p| side_of_plane(s.positions, p)), s.positions.map(|p| side_of_plane(t.positions, p))];
     let mut made = Contact { is_coplanar: sides[0] == [0; 3], ..Contact::default() };
     if !made.is_coplanar {
         add_points(s, t, sides[0], &mut made);
@@ -63,15 +64,16 @@ pub(super) fn contact(s: &Corners, t: &Corners) -> Contact {
 
 /// Adds the points of the border of t on s. `sides` are the sides of s on which the corners of t
 /// lie.
-fn add_points(s: &Corners, t: &Corners, sides: [i32; 3], made: &mut Contact) {
+fn add_points(s: &TriangleCorners, t: &TriangleCorners, sides: [i32; 3], made: &mut Contact) {
     for i in 0..3 {
         let j = (i + 1) % 3;
-        if sides[i] == 0 && (s.vertices.contains(&t.vertices[i]) || is_in_triangle(t.at[i], s.at)) {
+        if sides[i] == 0 && (s.vertices.contains(&t.vertices[i]) || is_in_triangle(t.positions[i], s.positions)) {
             made.add(ContactPoint::Vertex(t.vertices[i]));
         }
         if sides[i] * sides[j] < 0 {
             // The line of the edge turns the same way around all edges of s, or meets some.
-            let around = [0, 1, 2].map(|k| side_of_plane([t.at[i], t.at[j], s.at[k]], s.at[(k + 1) % 3]));
+            let around = [0, 1, 2]
+                .map(|k| side_of_plane([t.positions[i], t.positions[j], s.positions[k]], s.positions[(k + 1) % 3]));
             if around.contains(&1) && around.contains(&-1) {
                 continue;
             }

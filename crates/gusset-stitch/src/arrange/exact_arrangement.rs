@@ -1,7 +1,7 @@
 //! The arrangement of triangles with exact points.
 
-use super::clusters::{Cluster, Part, Segment, SplitCluster};
-use super::contacts::{Contact, ContactPoint, Corners, contact, projection_axis};
+use super::clusters::{Cluster, Segment, SplitCluster, TrianglePart};
+use super::contacts::{Contact, ContactPoint, TriangleCorners, find_contact, projection_axis};
 use super::coordinate_grid::{Grid, first_at_position};
 use super::exact_points::{ExactPoints, Plane};
 use crate::intersect::{TriangleSoup, intersecting_pairs};
@@ -29,9 +29,9 @@ pub(super) struct ExactArrangement {
     pub(super) points: ExactPoints<'static>,
     /// The parts, in the order of the given triangles. Vertices with equal positions have equal
     /// numbers.
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<TrianglePart>,
     /// The first given vertex at the position of each.
-    pub(super) first: Vec<u32>,
+    pub(super) first_vertex_at_position: Vec<u32>,
     /// The given triangles that could not be split.
     pub(super) unsplit: Vec<u32>,
 }
@@ -40,9 +40,9 @@ pub(super) struct ExactArrangement {
 pub(super) struct GridTriangles {
     grid: Grid,
     /// The vertices in steps of the grid.
-    steps: Vec<DVec3>,
+    vertices_in_grid_steps: Vec<DVec3>,
     /// The first given vertex at the position of each.
-    pub(super) first: Vec<u32>,
+    pub(super) first_vertex_at_position: Vec<u32>,
     solid: SolidTriangles,
     /// True if some triangles are degenerate.
     pub(super) has_degenerate: bool,
@@ -63,11 +63,18 @@ impl GridTriangles {
         let mut steps = alloc::filled(DVec3::ZERO, points.len())?;
         job.step(0.0, STAGE)?;
         triangles.as_flattened().iter().for_each(|&v| steps[v as usize] = grid.steps(points[v as usize]));
-        let first = first_at_position(&steps, triangles, &job.part(0.0, 0.2), STAGE)?;
+        let first = first_at_position(&steps, triangles, &job.sub_job(0.0, 0.2), STAGE)?;
         let solid = SolidTriangles::new(&steps, triangles, &first)?;
-        let pairs = solid.intersecting_pairs(&steps, suspects, &job.part(0.2, 1.0))?;
+        let pairs = solid.intersecting_pairs(&steps, suspects, &job.sub_job(0.2, 1.0))?;
         let has_degenerate = solid.corners.len() < triangles.len();
-        Ok(GridTriangles { grid, steps, first, solid, has_degenerate, pairs })
+        Ok(GridTriangles {
+            grid,
+            vertices_in_grid_steps: steps,
+            first_vertex_at_position: first,
+            solid,
+            has_degenerate,
+            pairs,
+        })
     }
 
     /// Splits the triangles where they meet. Degenerate ones have no parts.
@@ -75,14 +82,14 @@ impl GridTriangles {
         let solid = self.solid;
         let mut made = ExactArrangement {
             grid: self.grid,
-            points: ExactPoints::from_integral(self.steps)?,
+            points: ExactPoints::from_integral(self.vertices_in_grid_steps)?,
             parts: Vec::new(),
-            first: self.first,
+            first_vertex_at_position: self.first_vertex_at_position,
             unsplit: Vec::new(),
         };
         let pairs = alloc::collect(self.pairs.iter().map(|pair| pair.map(|t| solid.place_of(t))))?;
         let parts = made.split(&solid.corners, &pairs, job)?;
-        let number = |t: u32| solid.numbers[t as usize];
+        let number = |t: u32| solid.number_of_triangle[t as usize];
         made.parts = alloc::collect(parts.into_iter().map(|(part, t)| (part, number(t))))?;
         made.unsplit.iter_mut().for_each(|t| *t = number(*t));
         Ok(made)
@@ -90,25 +97,25 @@ impl GridTriangles {
 }
 
 impl ExactArrangement {
-    fn split(&mut self, triangles: &[[u32; 3]], pairs: &[[u32; 2]], job: &Job<'_>) -> Result<Vec<Part>> {
+    fn split(&mut self, triangles: &[[u32; 3]], pairs: &[[u32; 2]], job: &Job<'_>) -> Result<Vec<TrianglePart>> {
         if pairs.is_empty() {
             return alloc::gather(triangles.iter().copied().zip(0..));
         }
-        let contacts = find_contacts(triangles, pairs, &self.points, &job.part(0.0, 0.1))?;
-        let crossings = self.add_crossings(triangles, &contacts, &job.part(0.1, 0.2))?;
+        let contacts = find_contacts(triangles, pairs, &self.points, &job.sub_job(0.0, 0.1))?;
+        let crossings = self.add_crossings(triangles, &contacts, &job.sub_job(0.1, 0.2))?;
         let given = alloc::gather(pairs.as_flattened().iter().flat_map(|&t| triangles[t as usize]))?;
-        let names = self.unite_equal_points(given, crossings.start, &job.part(0.2, 0.3))?;
+        let names = self.unite_equal_points(given, crossings.first_number, &job.sub_job(0.2, 0.3))?;
         let name = |point: ContactPoint| match point {
             ContactPoint::Vertex(v) => v,
             ContactPoint::Crossing(..) => {
-                let k = crossings.keys.binary_search(&point).unwrap_or(0);
+                let k = crossings.crossing_points.binary_search(&point).unwrap_or(0);
                 names[k]
             }
         };
         let mut sets = DisjointSets::new(triangles.len())?;
         let coplanar = pairs.iter().zip(&contacts).filter(|(_, contact)| contact.is_coplanar);
         coplanar.for_each(|(&[s, t], _)| _ = sets.union(s, t));
-        let roots = sets.into_roots(&job.part(0.3, 0.3), STAGE)?;
+        let roots = sets.into_roots(&job.sub_job(0.3, 0.3), STAGE)?;
         let (mut points, mut segments) = (Vec::new(), Vec::new());
         for (&[s, t], contact) in pairs.iter().zip(&contacts) {
             let [mut low, mut high] = [NONE; 2];
@@ -127,7 +134,7 @@ impl ExactArrangement {
                 alloc::extend(&mut points, [(in_s, low), (in_t, low)])?;
             }
         }
-        let (count, silent) = (triangles.len(), job.part(0.3, 0.3));
+        let (count, silent) = (triangles.len(), job.sub_job(0.3, 0.3));
         let points = Buckets::new_cancellable(count, 0, points.iter().copied(), &silent, STAGE)?;
         let segments: Buckets<Segment> =
             Buckets::new_cancellable(count, ([0; 2], 0), segments.iter().copied(), &silent, STAGE)?;
@@ -139,7 +146,7 @@ impl ExactArrangement {
         };
         let busy = alloc::gather((0..count as u32).filter(|&t| roots[t as usize] == t).filter(is_split))?;
         let corners = |t: u32| triangles[t as usize];
-        let split_part = job.part(0.3, 0.9);
+        let split_part = job.sub_job(0.3, 0.9);
         let tasks = par::split_into_ranges(busy.len(), CLUSTERS_PER_TASK);
         let base = &self.points;
         let split = par::map_jobs(&split_part, STAGE, tasks, |range, job| {
@@ -158,13 +165,13 @@ impl ExactArrangement {
         for cluster in split.iter().flatten() {
             self.add_cluster(cluster, start, &mut parts)?;
         }
-        self.rename_equal_points(&crossings, start, &mut parts, &job.part(0.9, 1.0))?;
+        self.rename_equal_points(&crossings, start, &mut parts, &job.sub_job(0.9, 1.0))?;
         parts.sort_by_key(|&(_, t)| t);
         Ok(parts)
     }
 
-    /// Adds the points and parts of a cluster, whose own points begin at `start`.
-    fn add_cluster(&mut self, cluster: &SplitCluster, start: u32, parts: &mut Vec<Part>) -> Result<()> {
+    /// Adds the points and parts of a cluster, whose own points begin at `first_number`.
+    fn add_cluster(&mut self, cluster: &SplitCluster, start: u32, parts: &mut Vec<TrianglePart>) -> Result<()> {
         let shift = self.points.end() - start;
         self.points.append(&cluster.points)?;
         let rename = |p: u32| if p < start { p } else { p + shift };
@@ -184,7 +191,7 @@ impl ExactArrangement {
         let base = &self.points;
         let tasks = par::split_into_ranges(keys.len(), POINTS_PER_TASK);
         let made = par::map_jobs(job, STAGE, tasks, |range, _| {
-            let mut points = ExactPoints::over(base);
+            let mut points = ExactPoints::extending(base);
             for key in &keys[range] {
                 if let ContactPoint::Crossing(edge, t) = *key {
                     let plane = Plane::from_triangle(triangles[t as usize].map(|v| base.rounded(v)));
@@ -194,10 +201,10 @@ impl ExactArrangement {
             Ok(points.into_own())
         })?;
         made.iter().try_for_each(|points| self.points.append(points))?;
-        Ok(Crossings { keys, start })
+        Ok(Crossings { crossing_points: keys, first_number: start })
     }
 
-    /// Returns for each point from `start` on the first point that equals it, among these and the
+    /// Returns for each point from `first_number` on the first point that equals it, among these and the
     /// given ones.
     fn unite_equal_points(&self, mut given: Vec<u32>, start: u32, job: &Job<'_>) -> Result<Vec<u32>> {
         let mut names = alloc::collect((start as usize..self.points.end() as usize).map(|p| p as u32))?;
@@ -210,13 +217,19 @@ impl ExactArrangement {
         Ok(names)
     }
 
-    /// Gives one number to equal points, where clusters made them from `start` on.
-    fn rename_equal_points(&self, crossings: &Crossings, start: u32, parts: &mut [Part], job: &Job<'_>) -> Result<()> {
+    /// Gives one number to equal points, where clusters made them from `first_number` on.
+    fn rename_equal_points(
+        &self,
+        crossings: &Crossings,
+        start: u32,
+        parts: &mut [TrianglePart],
+        job: &Job<'_>,
+    ) -> Result<()> {
         if self.points.end() == start {
             return Ok(());
         }
         let corners = parts.iter().flat_map(|(part, _)| *part);
-        let old = alloc::gather(corners.filter(|p| (crossings.start..start).contains(p)))?;
+        let old = alloc::gather(corners.filter(|p| (crossings.first_number..start).contains(p)))?;
         let names = self.unite_equal_points(old, start, job)?;
         for p in parts.iter_mut().flat_map(|(part, _)| part) {
             if *p >= start {
@@ -229,28 +242,28 @@ impl ExactArrangement {
 
 /// Points in which edges cross triangles, in ascending order, and the number of the first.
 struct Crossings {
-    keys: Vec<ContactPoint>,
-    start: u32,
+    crossing_points: Vec<ContactPoint>,
+    first_number: u32,
 }
 
 /// The triangles that are not degenerate, with the first vertices at their positions.
 struct SolidTriangles {
     corners: Vec<[u32; 3]>,
     /// The number of each among the given triangles.
-    numbers: Vec<u32>,
+    number_of_triangle: Vec<u32>,
 }
 
 impl SolidTriangles {
     fn new(points: &[DVec3], triangles: &[[u32; 3]], first: &[u32]) -> Result<Self> {
         let mut made = SolidTriangles {
             corners: alloc::with_capacity(triangles.len())?,
-            numbers: alloc::with_capacity(triangles.len())?,
+            number_of_triangle: alloc::with_capacity(triangles.len())?,
         };
         for (t, corners) in triangles.iter().enumerate() {
             let corners = corners.map(|v| first[v as usize]);
             if projection_axis(corners.map(|v| points[v as usize])).is_some() {
                 made.corners.push(corners);
-                made.numbers.push(t as u32);
+                made.number_of_triangle.push(t as u32);
             }
         }
         Ok(made)
@@ -258,21 +271,25 @@ impl SolidTriangles {
 
     /// Returns the place of a given triangle, which is not degenerate, in the list.
     fn place_of(&self, t: u32) -> u32 {
-        self.numbers.partition_point(|&number| number < t) as u32
+        self.number_of_triangle.partition_point(|&number| number < t) as u32
     }
 
     /// Returns the pairs of given triangles that intersect. See [`GridTriangles::new`].
     fn intersecting_pairs(&self, points: &[DVec3], suspects: Option<&BitSet>, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
-        let is_suspect = |k: &u32| suspects.is_none_or(|suspects| suspects.contains(self.numbers[*k as usize]));
+        let is_suspect =
+            |k: &u32| suspects.is_none_or(|suspects| suspects.contains(self.number_of_triangle[*k as usize]));
         let all = 0..self.corners.len() as u32;
         let mut order = alloc::gather(all.clone().filter(is_suspect))?;
         let suspect_count = order.len();
         alloc::extend(&mut order, all.filter(|k| !is_suspect(k)))?;
         let corners = alloc::collect(order.iter().map(|&k| self.corners[k as usize]))?;
         let (new, old) = corners.split_at(suspect_count);
-        let mut pairs = intersecting_pairs(&TriangleSoup { at: |v| points[v as usize], new, old }, job)?;
+        let mut pairs = intersecting_pairs(
+            &TriangleSoup { position_of_vertex: |v| points[v as usize], new_triangles: new, old_triangles: old },
+            job,
+        )?;
         for pair in &mut pairs {
-            *pair = pair.map(|k| self.numbers[order[k as usize] as usize]);
+            *pair = pair.map(|k| self.number_of_triangle[order[k as usize] as usize]);
             pair.sort_unstable();
         }
         pairs.sort_unstable();
@@ -288,11 +305,11 @@ fn find_contacts(
 ) -> Result<Vec<Contact>> {
     let corners = |t: u32| {
         let vertices = triangles[t as usize];
-        Corners { triangle: t, vertices, at: vertices.map(|v| points.rounded(v)) }
+        TriangleCorners { triangle: t, vertices, positions: vertices.map(|v| points.rounded(v)) }
     };
     let tasks = par::split_into_ranges(pairs.len(), PAIRS_PER_TASK);
     let found = par::map_jobs(job, STAGE, tasks, |range, _| {
-        alloc::collect(pairs[range].iter().map(|&[s, t]| contact(&corners(s), &corners(t))))
+        alloc::collect(pairs[range].iter().map(|&[s, t]| find_contact(&corners(s), &corners(t))))
     })?;
     alloc::gather(found.into_iter().flatten())
 }

@@ -84,24 +84,24 @@ impl Plane {
 /// The place of a point's integers.
 #[derive(Clone, Copy, Default)]
 struct LimbRange {
-    start: usize,
+    first_limb: usize,
     /// The number of limbs of each coordinate, negative for a negative coordinate. All are 0 for a
     /// point whose rounded coordinates are exact integers.
-    counts: [i8; 4],
+    limb_counts: [i8; 4],
 }
 
 impl LimbRange {
     fn is_integral(&self) -> bool {
-        self.counts[3] == 0
+        self.limb_counts[3] == 0
     }
 }
 
-/// Points with numbers from `first` on, which continue a base.
+/// Points with numbers from `first_number` on, which continue a base.
 pub(super) struct ExactPoints<'a> {
     base: Option<&'a ExactPoints<'a>>,
-    first: u32,
+    first_number: u32,
     rounded: Vec<DVec3>,
-    places: Vec<LimbRange>,
+    limb_ranges: Vec<LimbRange>,
     limbs: Vec<u64>,
 }
 
@@ -109,17 +109,23 @@ impl<'a> ExactPoints<'a> {
     /// Takes points with integral coordinates.
     pub(super) fn from_integral(points: Vec<DVec3>) -> Result<Self> {
         let places = alloc::filled(LimbRange::default(), points.len())?;
-        Ok(ExactPoints { base: None, first: 0, rounded: points, places, limbs: Vec::new() })
+        Ok(ExactPoints { base: None, first_number: 0, rounded: points, limb_ranges: places, limbs: Vec::new() })
     }
 
     /// Creates an empty set whose numbers continue a base.
-    pub(super) fn over(base: &'a ExactPoints<'a>) -> ExactPoints<'a> {
-        ExactPoints { base: Some(base), first: base.end(), rounded: Vec::new(), places: Vec::new(), limbs: Vec::new() }
+    pub(super) fn extending(base: &'a ExactPoints<'a>) -> ExactPoints<'a> {
+        ExactPoints {
+            base: Some(base),
+            first_number: base.end(),
+            rounded: Vec::new(),
+            limb_ranges: Vec::new(),
+            limbs: Vec::new(),
+        }
     }
 
     /// Returns the number after the last.
     pub(super) fn end(&self) -> u32 {
-        self.first + self.rounded.len() as u32
+        self.first_number + self.rounded.len() as u32
     }
 
     /// Separates the own points from the base.
@@ -132,8 +138,8 @@ impl<'a> ExactPoints<'a> {
         let start = self.limbs.len();
         alloc::append(&mut self.rounded, &other.rounded)?;
         alloc::extend(
-            &mut self.places,
-            other.places.iter().map(|place| LimbRange { start: place.start + start, ..*place }),
+            &mut self.limb_ranges,
+            other.limb_ranges.iter().map(|place| LimbRange { first_limb: place.first_limb + start, ..*place }),
         )?;
         alloc::append(&mut self.limbs, &other.limbs)
     }
@@ -141,7 +147,7 @@ impl<'a> ExactPoints<'a> {
     /// Appends a point with integral coordinates.
     pub(super) fn push_integral(&mut self, point: DVec3) -> Result<u32> {
         alloc::push(&mut self.rounded, point)?;
-        alloc::push(&mut self.places, LimbRange::default())?;
+        alloc::push(&mut self.limb_ranges, LimbRange::default())?;
         Ok(self.end() - 1)
     }
 
@@ -149,11 +155,11 @@ impl<'a> ExactPoints<'a> {
     pub(super) fn push(&mut self, point: &[WideInt; 4]) -> Result<u32> {
         let turn = point[3].is_negative();
         let is_negative = |x: &WideInt| x.is_negative() != turn;
-        let mut place = LimbRange { start: self.limbs.len(), counts: [0; 4] };
+        let mut place = LimbRange { first_limb: self.limbs.len(), limb_counts: [0; 4] };
         let mut rounded = [0.0; 3];
         for (k, x) in point.iter().enumerate() {
             let count = x.limbs().len() as i8;
-            place.counts[k] = if is_negative(x) { -count } else { count };
+            place.limb_counts[k] = if is_negative(x) { -count } else { count };
             alloc::append(&mut self.limbs, x.limbs())?;
             if let Some(rounded) = rounded.get_mut(k) {
                 let size = rounded_quotient(x, &point[3]);
@@ -161,14 +167,14 @@ impl<'a> ExactPoints<'a> {
             }
         }
         alloc::push(&mut self.rounded, DVec3::from_array(rounded))?;
-        alloc::push(&mut self.places, place)?;
+        alloc::push(&mut self.limb_ranges, place)?;
         Ok(self.end() - 1)
     }
 
     fn owner(&self, i: u32) -> (&ExactPoints<'a>, usize) {
         match self.base {
-            Some(base) if i < self.first => (base, i as usize),
-            _ => (self, (i - self.first) as usize),
+            Some(base) if i < self.first_number => (base, i as usize),
+            _ => (self, (i - self.first_number) as usize),
         }
     }
 
@@ -180,19 +186,19 @@ impl<'a> ExactPoints<'a> {
 
     fn is_integral(&self, i: u32) -> bool {
         let (set, k) = self.owner(i);
-        set.places[k].is_integral()
+        set.limb_ranges[k].is_integral()
     }
 
     /// Returns the homogeneous coordinates of a point.
     fn homogeneous(&self, i: u32) -> [WideInt; 4] {
         let (set, k) = self.owner(i);
-        let place = set.places[k];
+        let place = set.limb_ranges[k];
         if place.is_integral() {
             let [x, y, z] = integers(set.rounded[k]);
             return [x, y, z, WideInt::from_integral(1.0)];
         }
-        let mut start = place.start;
-        place.counts.map(|count| {
+        let mut start = place.first_limb;
+        place.limb_counts.map(|count| {
             let end = start + usize::from(count.unsigned_abs());
             let made = WideInt::from_limbs(&set.limbs[start..end], count < 0);
             start = end;

@@ -18,7 +18,7 @@ pub(super) struct FaceGroups {
     /// The number of parts that are oriented like the corners, less the number of others.
     pub(super) multiplicities: Vec<i32>,
     /// The parts of each distinct triangle, in ascending order.
-    pub(super) members: Buckets<u32>,
+    pub(super) parts_of_group: Buckets<u32>,
     /// The sides of the distinct triangles: the smaller and the larger end, and the half-edge. Half-edge
     /// 3 g + k leads from corner k of triangle g to the next. In ascending order.
     pub(super) half_edges: Vec<[u32; 3]>,
@@ -40,10 +40,10 @@ impl FaceGroups {
         let part = |i: u32| parts[i as usize].0;
         let mut keys = alloc::collect_cancellable(
             parts.iter().enumerate().map(|(i, &(t, _))| (sorted(t), i as u32)),
-            &job.part(0.0, 0.1),
+            &job.sub_job(0.0, 0.1),
             STAGE,
         )?;
-        sort(&mut keys, Ord::cmp, &job.part(0.1, 0.4), STAGE)?;
+        sort(&mut keys, Ord::cmp, &job.sub_job(0.1, 0.4), STAGE)?;
         // Groups in the order of their first parts.
         let mut firsts = alloc::filled(0u32, parts.len())?;
         for same in keys.chunk_by(|a, b| a.0 == b.0) {
@@ -64,12 +64,12 @@ impl FaceGroups {
             multiplicities[group as usize] += if are_oriented_alike(t, corners[group as usize]) { 1 } else { -1 };
         }
         let grouped = numbers.iter().map(|&group| group as usize).zip(0..);
-        let members = Buckets::new_cancellable(corners.len(), 0, grouped, &job.part(0.4, 0.5), STAGE)?;
+        let members = Buckets::new_cancellable(corners.len(), 0, grouped, &job.sub_job(0.4, 0.5), STAGE)?;
         let sides = corners.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
         let mut half_edges = alloc::gather(sides.zip(0..).map(|([p, q], h)| [p.min(q), p.max(q), h]))?;
         job.step(0.5, STAGE)?;
         sort_by_bucket(&mut half_edges, arrangement.points.end() as usize, |edge| edge[0])?;
-        Ok(FaceGroups { corners, multiplicities, members, half_edges })
+        Ok(FaceGroups { corners, multiplicities, parts_of_group: members, half_edges })
     }
 
     /// Returns the half-edges of each edge.
@@ -92,7 +92,7 @@ impl FaceGroups {
 
     /// Returns the given triangle of the first part of a group.
     fn origin(&self, arrangement: &ExactArrangement, group: u32) -> u32 {
-        let first = self.members.get(group as usize).first();
+        let first = self.parts_of_group.get(group as usize).first();
         first.map_or(0, |&part| arrangement.parts[part as usize].1)
     }
 }
@@ -137,7 +137,7 @@ impl EdgeOrder {
         triangles: &[[u32; 3]],
     ) -> HalfPlane {
         let origin = groups.origin(arrangement, half_edge / 3);
-        let at = |v: u32| arrangement.points.rounded(arrangement.first[v as usize]);
+        let at = |v: u32| arrangement.points.rounded(arrangement.first_vertex_at_position[v as usize]);
         let mut normal = Plane::from_triangle(triangles[origin as usize].map(at)).normal;
         if !groups.begins_at(half_edge, from) {
             normal = normal.map(WideInt::negated);

@@ -12,7 +12,7 @@ use gusset_base::geom::bit_set::BitSet;
 use gusset_base::sort::sort_by_bucket;
 
 /// A flat triangle.
-enum Flat {
+enum FlatKind {
     /// A side, from corner k to the next, is short.
     Needle(usize),
     /// The corner opposite to the side from corner k is near it.
@@ -21,22 +21,22 @@ enum Flat {
 
 impl Solid {
     /// Returns how a triangle is flat, or `None`.
-    fn flatness(&self, triangle: [u32; 3], tolerance: f64) -> Option<Flat> {
+    fn flatness(&self, triangle: [u32; 3], tolerance: f64) -> Option<FlatKind> {
         let at = triangle.map(|v| self.points[v as usize]);
         let sides = [0, 1, 2].map(|k| at[(k + 1) % 3] - at[k]);
         let lengths = sides.map(DVec3::length);
         let by_length = |i: &usize, j: &usize| lengths[*i].total_cmp(&lengths[*j]);
         let (shortest, longest) = ((0..3).min_by(by_length)?, (0..3).max_by(by_length)?);
         if lengths[shortest] <= tolerance {
-            return Some(Flat::Needle(shortest));
+            return Some(FlatKind::Needle(shortest));
         }
         let height = sides[longest].cross(sides[shortest]).length() / lengths[longest];
-        (height <= tolerance).then_some(Flat::Cap(longest))
+        (height <= tolerance).then_some(FlatKind::Cap(longest))
     }
 
     /// Removes flat triangles among those given, in turn. All others meet none. Returns false if nothing changes.
     /// Vertices of the input stay. O(n log n) for n triangles.
-    pub(super) fn mend(&mut self, among: &[u32], tolerance: f64) -> Result<bool> {
+    pub(super) fn mend_flat_triangles(&mut self, among: &[u32], tolerance: f64) -> Result<bool> {
         let (count, corners) = (self.points.len(), self.triangles.len());
         let sides = self.triangles.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
         let mut edges = alloc::gather(sides.zip(0u32..).map(|([p, q], h)| [p.min(q), p.max(q), h]))?;
@@ -56,14 +56,14 @@ impl Solid {
                 continue;
             }
             match self.flatness(triangle, tolerance) {
-                Some(Flat::Needle(k)) => {
+                Some(FlatKind::Needle(k)) => {
                     let ends = [triangle[k], triangle[(k + 1) % 3]];
                     let Some(movable) = (0..2).find(|&j| self.vertices[ends[j] as usize] == NONE) else { continue };
                     targets[ends[movable] as usize] = ends[1 - movable];
                     ends.iter().for_each(|&v| used.insert(v));
                     is_changed = true;
                 }
-                Some(Flat::Cap(k)) => {
+                Some(FlatKind::Cap(k)) => {
                     let [p, q, tip] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
                     let [first, second] = half_edges(p, q) else { continue };
                     let beyond = if first[2] / 3 == t { second[2] } else { first[2] };

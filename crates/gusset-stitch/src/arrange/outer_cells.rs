@@ -131,23 +131,23 @@ impl<'a> OuterCells<'a> {
         // Given triangles with their components.
         let mut owners = alloc::filled(NONE, self.triangles.len())?;
         for (group, &component) in self.components.iter().enumerate() {
-            for &part in self.groups.members.get(group) {
+            for &part in self.groups.parts_of_group.get(group) {
                 owners[self.arrangement.parts[part as usize].1 as usize] = component;
             }
         }
         let solid = alloc::gather((0..self.triangles.len()).filter(|&t| owners[t] != NONE))?;
-        let vertices = |t: usize| self.triangles[t].map(|v| self.arrangement.first[v as usize]);
+        let vertices = |t: usize| self.triangles[t].map(|v| self.arrangement.first_vertex_at_position[v as usize]);
         let corners = |t: usize| vertices(t).map(|v| self.arrangement.points.rounded(v));
         let boxes = alloc::collect(solid.iter().map(|&t| Aabb::from_points(corners(t))))?;
-        let order = spatial_order(&boxes, MAX_LEAF_TRIANGLES, &job.part(0.0, 0.5), STAGE)?;
+        let order = spatial_order(&boxes, MAX_LEAF_TRIANGLES, &job.sub_job(0.0, 0.5), STAGE)?;
         let leaves = order.chunks(MAX_LEAF_TRIANGLES);
         let around = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &k| whole.union(boxes[k as usize]));
-        let tree = BoxTree::new_cancellable(leaves.map(around), &job.part(0.5, 0.5), STAGE)?;
+        let tree = BoxTree::new_cancellable(leaves.map(around), &job.sub_job(0.5, 0.5), STAGE)?;
         let size = boxes.iter().fold(Aabb::EMPTY, |whole, b| whole.union(*b)).size();
         let axis = (0..3).min_by(|&j, &k| size[j].total_cmp(&size[k])).unwrap_or(0);
-        let mut points = ExactPoints::over(&self.arrangement.points);
+        let mut points = ExactPoints::extending(&self.arrangement.points);
         for (k, (edge, number)) in outer.iter().zip(&mut numbers).enumerate() {
-            job.part(0.5, 1.0).step_every(RAYS_PER_REPORT, k, outer.len(), STAGE)?;
+            job.sub_job(0.5, 1.0).step_every(RAYS_PER_REPORT, k, outer.len(), STAGE)?;
             let [p, q] = edge.ends;
             let from = points.push(&self.arrangement.points.midpoint(p, q))?;
             // The point lies within half a unit in the last place.

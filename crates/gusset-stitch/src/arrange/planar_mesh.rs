@@ -25,9 +25,9 @@ pub(super) struct PlanarMesh<'p, 'b> {
     /// The axis of the projection.
     axis: usize,
     /// The orientation of the first triangle in the projection.
-    turn: i32,
+    orientation_sign: i32,
     /// The point of each vertex.
-    names: Vec<u32>,
+    point_of_vertex: Vec<u32>,
     triangles: Vec<[u32; 3]>,
     /// The triangle beyond each edge k, from corner k to the next; `NONE` on the border.
     neighbours: Vec<[u32; 3]>,
@@ -36,7 +36,7 @@ pub(super) struct PlanarMesh<'p, 'b> {
     /// A triangle at each vertex.
     stars: Vec<u32>,
     /// The triangle where the next search begins.
-    last: u32,
+    start_triangle_of_search: u32,
 }
 
 /// The place of a point in the triangulation.
@@ -52,19 +52,19 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
         Ok(PlanarMesh {
             points,
             axis,
-            turn,
-            names: alloc::copied(&corners)?,
+            orientation_sign: turn,
+            point_of_vertex: alloc::copied(&corners)?,
             triangles: alloc::filled([0, 1, 2], 1)?,
             neighbours: alloc::filled([NONE; 3], 1)?,
             walls: alloc::filled([NONE; 3], 1)?,
             stars: alloc::filled(0, 3)?,
-            last: 0,
+            start_triangle_of_search: 0,
         })
     }
 
     /// Returns the points of all triangles.
     pub(super) fn named_triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> {
-        self.triangles.iter().map(|t| t.map(|v| self.names[v as usize]))
+        self.triangles.iter().map(|t| t.map(|v| self.point_of_vertex[v as usize]))
     }
 
     /// Returns the neighbours of a triangle.
@@ -78,12 +78,12 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
     }
 
     fn orientation(&self, vertices: [u32; 3]) -> i32 {
-        self.turn * self.points.orientation(self.axis, vertices.map(|v| self.names[v as usize]))
+        self.orientation_sign * self.points.orientation(self.axis, vertices.map(|v| self.point_of_vertex[v as usize]))
     }
 
     /// Returns 1 if three points turn like the first triangle.
     pub(super) fn named_orientation(&self, points: [u32; 3]) -> i32 {
-        self.turn * self.points.orientation(self.axis, points)
+        self.orientation_sign * self.points.orientation(self.axis, points)
     }
 
     fn corner(&self, t: u32, k: usize) -> u32 {
@@ -91,9 +91,9 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
     }
 
     fn add_vertex(&mut self, point: u32) -> Result<u32> {
-        alloc::push(&mut self.names, point)?;
+        alloc::push(&mut self.point_of_vertex, point)?;
         alloc::push(&mut self.stars, 0)?;
-        Ok(self.names.len() as u32 - 1)
+        Ok(self.point_of_vertex.len() as u32 - 1)
     }
 
     fn add_triangle(&mut self) -> Result<u32> {
@@ -104,7 +104,7 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
     }
 
     /// Sets a triangle. Each edge has a neighbour and a wall.
-    fn set(&mut self, t: u32, corners: [u32; 3], edges: [(u32, u32); 3]) {
+    fn set_triangle(&mut self, t: u32, corners: [u32; 3], edges: [(u32, u32); 3]) {
         self.triangles[t as usize] = corners;
         self.neighbours[t as usize] = edges.map(|(neighbour, _)| neighbour);
         self.walls[t as usize] = edges.map(|(_, wall)| wall);
@@ -131,9 +131,9 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
     fn split_triangle(&mut self, t: u32, v: u32) -> Result<()> {
         let ([a, b, c], [ab, bc, ca]) = self.rotated(t, 0);
         let (t1, t2) = (self.add_triangle()?, self.add_triangle()?);
-        self.set(t1, [b, c, v], [bc, (t2, NONE), (t, NONE)]);
-        self.set(t2, [c, a, v], [ca, (t, NONE), (t1, NONE)]);
-        self.set(t, [a, b, v], [ab, (t1, NONE), (t2, NONE)]);
+        self.set_triangle(t1, [b, c, v], [bc, (t2, NONE), (t, NONE)]);
+        self.set_triangle(t2, [c, a, v], [ca, (t, NONE), (t1, NONE)]);
+        self.set_triangle(t, [a, b, v], [ab, (t1, NONE), (t2, NONE)]);
         self.relink(bc.0, t, t1);
         self.relink(ca.0, t, t2);
         Ok(())
@@ -145,13 +145,13 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
         let t1 = self.add_triangle()?;
         let other = if u == NONE { None } else { self.edge_towards(u, t) };
         let u1 = if other.is_some() { self.add_triangle()? } else { NONE };
-        self.set(t1, [v, b, c], [(u1, wall), bc, (t, NONE)]);
-        self.set(t, [a, v, c], [(u, wall), (t1, NONE), ca]);
+        self.set_triangle(t1, [v, b, c], [(u1, wall), bc, (t, NONE)]);
+        self.set_triangle(t, [a, v, c], [(u, wall), (t1, NONE), ca]);
         self.relink(bc.0, t, t1);
         if let Some(j) = other {
             let ([_, _, d], [_, ad, db]) = self.rotated(u, j);
-            self.set(u1, [b, v, d], [(t1, wall), (u, NONE), db]);
-            self.set(u, [v, a, d], [(t, wall), ad, (u1, NONE)]);
+            self.set_triangle(u1, [b, v, d], [(t1, wall), (u, NONE), db]);
+            self.set_triangle(u, [v, a, d], [(t, wall), ad, (u1, NONE)]);
             self.relink(db.0, u, u1);
         }
         Ok(())
@@ -169,8 +169,8 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
         if !is_wanted(self, [a, b, c, d]) || self.orientation([a, d, c]) <= 0 || self.orientation([d, b, c]) <= 0 {
             return false;
         }
-        self.set(u, [d, b, c], [db, bc, (t, NONE)]);
-        self.set(t, [a, d, c], [ad, (u, NONE), ca]);
+        self.set_triangle(u, [d, b, c], [db, bc, (t, NONE)]);
+        self.set_triangle(t, [a, d, c], [ad, (u, NONE), ca]);
         self.relink(ad.0, u, t);
         self.relink(bc.0, t, u);
         true
@@ -179,7 +179,7 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
     /// Returns true if d lies clearly in the circle through a, b and c.
     fn is_in_circle(&self, [a, b, c, d]: [u32; 4]) -> bool {
         let (x, y) = [(1, 2), (2, 0), (0, 1)][self.axis];
-        let at = |v: u32| self.points.rounded(self.names[v as usize]);
+        let at = |v: u32| self.points.rounded(self.point_of_vertex[v as usize]);
         let last = at(d);
         let [p, q, r] = [a, b, c].map(|v| {
             let (x, y) = (at(v)[x] - last[x], at(v)[y] - last[y]);
@@ -187,11 +187,11 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
         });
         let parts = [p.2 * (q.0 * r.1 - q.1 * r.0), q.2 * (r.0 * p.1 - r.1 * p.0), r.2 * (p.0 * q.1 - p.1 * q.0)];
         let size = p.2 * (q.2 * r.2).sqrt() + q.2 * (r.2 * p.2).sqrt() + r.2 * (p.2 * q.2).sqrt();
-        f64::from(self.turn) * parts.iter().sum::<f64>() > 1e-12 * size
+        f64::from(self.orientation_sign) * parts.iter().sum::<f64>() > 1e-12 * size
     }
 
     /// Flips edges of the triangles in the stack, and of those that flips change.
-    fn improve(&mut self, mut stack: Vec<u32>) -> Result<()> {
+    fn restore_delaunay(&mut self, mut stack: Vec<u32>) -> Result<()> {
         let mut left = 4 * self.triangles.len() + 64;
         while let Some(t) = stack.pop() {
             for k in 0..3 {
@@ -207,13 +207,13 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
     }
 
     /// Makes all triangles well shaped, as far as the segments allow it.
-    pub(super) fn improve_all(&mut self) -> Result<()> {
+    pub(super) fn restore_delaunay_everywhere(&mut self) -> Result<()> {
         let all = alloc::collect((0..self.triangles.len()).map(|t| t as u32))?;
-        self.improve(all)
+        self.restore_delaunay(all)
     }
 
     fn locate(&self, v: u32) -> Option<Place> {
-        let mut t = self.last;
+        let mut t = self.start_triangle_of_search;
         for step in 0..3 * self.triangles.len() + 9 {
             match self.step_towards(t, step, v) {
                 Ok(place) => return place,
@@ -252,8 +252,8 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
         }
         let mut stack = Vec::new();
         self.visit_star(v, |_, t, _| alloc::push(&mut stack, t).map(|()| None::<()>))?;
-        self.improve(stack)?;
-        self.last = self.stars[v as usize];
+        self.restore_delaunay(stack)?;
+        self.start_triangle_of_search = self.stars[v as usize];
         Ok(Some(v))
     }
 
@@ -263,7 +263,7 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
         let start = vertices.len();
         alloc::grow(vertices, start + given.len(), NONE)?;
         for (k, place) in self.short_tour(given)?.into_iter().enumerate() {
-            job.part(0.0, 0.0).step_every(ELEMENTS_PER_REPORT, k + 1, given.len() + 1, "arranging triangles")?;
+            job.sub_job(0.0, 0.0).step_every(ELEMENTS_PER_REPORT, k + 1, given.len() + 1, "arranging triangles")?;
             match self.insert_point(given[place as usize])? {
                 Some(v) => vertices[start + place as usize] = v,
                 None => return Ok(false),
@@ -338,7 +338,7 @@ impl<'p, 'b> PlanarMesh<'p, 'b> {
 
     /// Returns true if p lies on the ray from a through b, where the three are collinear.
     fn is_ahead(&self, [a, b, p]: [u32; 3]) -> bool {
-        let [a, b, p] = [a, b, p].map(|v| self.names[v as usize]);
+        let [a, b, p] = [a, b, p].map(|v| self.point_of_vertex[v as usize]);
         let along =
             (0..3).map(|k| (k, self.points.compare_along(k, a, b))).find(|&(_, order)| order != Ordering::Equal);
         along.is_some_and(|(k, order)| self.points.compare_along(k, a, p) == order)

@@ -8,7 +8,7 @@ use gusset_base::job::Job;
 use gusset_mesh::Scalar;
 
 /// Number of rounds without fewer intersections after which the search for a better result ends.
-const PATIENCE: u32 = 4;
+const MAX_ROUNDS_WITHOUT_GAIN: u32 = 4;
 /// The search also ends at more than twice the fewest intersections, and this number.
 const MAX_GROWTH: usize = 64;
 
@@ -24,7 +24,7 @@ pub(super) struct Resolved {
 /// Applies `step` to a surface and its arrangement until nothing intersects, at most `max_rounds` times with
 /// the step that made the surface. Returns the result with the fewest intersections. `counts` tells whether a pair of
 /// triangles with common points counts as one.
-pub(super) fn resolve(
+pub(super) fn resolve_intersections(
     mut solid: Solid,
     scalar: Scalar,
     max_rounds: u32,
@@ -36,8 +36,8 @@ pub(super) fn resolve(
     for round in 1..=max_rounds {
         // Later rounds are shorter.
         let [start, end] = [round - 1, round].map(|round| f64::from(round) / f64::from(round + 1));
-        let job = job.part(start, end);
-        let mut found = solid.find_pairs(&job.part(0.0, 0.3))?;
+        let job = job.sub_job(start, end);
+        let mut found = solid.find_pairs(&job.sub_job(0.0, 0.3))?;
         let intersections = counted_pairs(&solid, &found, counts)?;
         if intersections.is_empty() && !found.has_degenerate {
             return Ok(Resolved { solid, intersections, round_count: round });
@@ -46,7 +46,8 @@ pub(super) fn resolve(
             let solid = solid.copied()?;
             best = Some(Resolved { solid, intersections, round_count: round });
         } else if best.as_ref().is_some_and(|held| {
-            round >= held.round_count + PATIENCE || intersections.len() > 2 * held.intersections.len() + MAX_GROWTH
+            round >= held.round_count + MAX_ROUNDS_WITHOUT_GAIN
+                || intersections.len() > 2 * held.intersections.len() + MAX_GROWTH
         }) {
             break;
         }
@@ -54,9 +55,9 @@ pub(super) fn resolve(
             break;
         }
         if solid.mend_pairs(&found.pairs, scalar, round)? {
-            found = solid.find_pairs(&job.part(0.3, 0.5))?;
+            found = solid.find_pairs(&job.sub_job(0.3, 0.5))?;
         }
-        solid = step(&solid, &found.arrange(&job.part(0.5, 0.7))?, &job.part(0.7, 1.0))?;
+        solid = step(&solid, &found.arrange(&job.sub_job(0.5, 0.7))?, &job.sub_job(0.7, 1.0))?;
     }
     let unsearched = Resolved { solid, intersections: Vec::new(), round_count: max_rounds };
     Ok(best.unwrap_or(unsearched))
@@ -68,6 +69,6 @@ pub(super) fn counted_pairs(
     found: &GridTriangles,
     counts: &impl Fn([u32; 3], [u32; 3]) -> bool,
 ) -> Result<Vec<[u32; 2]>> {
-    let corners = |t: u32| solid.triangles[t as usize].map(|v| found.first[v as usize]);
+    let corners = |t: u32| solid.triangles[t as usize].map(|v| found.first_vertex_at_position[v as usize]);
     alloc::gather(found.pairs.iter().copied().filter(|&[s, t]| counts(corners(s), corners(t))))
 }

@@ -46,7 +46,7 @@ pub(super) fn border_faces(
     for (group, &corners) in groups.corners.iter().enumerate() {
         let [is_front_solid, is_back_solid] = [front[group] > 0, back[group] > 0];
         if is_front_solid != is_back_solid {
-            let members = groups.members.get(group);
+            let members = groups.parts_of_group.get(group);
             let fits = |&&i: &&u32| are_oriented_alike(arrangement.parts[i as usize].0, corners) != is_front_solid;
             let part = members.iter().find(fits).or(members.first()).copied().unwrap_or(0);
             alloc::push(&mut faces, BorderFace { group: group as u32, is_turned: is_front_solid, part })?;
@@ -64,8 +64,8 @@ pub(super) fn join_sheets(
     border: &[BorderFace],
     job: &Job<'_>,
 ) -> Result<SheetMesh> {
-    let (fans, mut pinched) = join_corners(arrangement, groups, triangles, border, &job.part(0.0, 0.7))?;
-    let mut fans = fans.into_roots(&job.part(0.7, 0.7), STAGE)?;
+    let (fans, mut pinched) = join_corners(arrangement, groups, triangles, border, &job.sub_job(0.0, 0.7))?;
+    let mut fans = fans.into_roots(&job.sub_job(0.7, 0.7), STAGE)?;
     // The given vertex of each fan: the smallest that a corner of its faces has in its triangle.
     let mut given = alloc::filled(NONE, fans.len())?;
     let point_of = |corner: usize| {
@@ -74,8 +74,10 @@ pub(super) fn join_sheets(
     };
     for corner in 0..fans.len() {
         let part = arrangement.parts[border[corner / 3].part as usize];
-        let own = triangles[part.1 as usize].into_iter().find(|&v| arrangement.first[v as usize] == point_of(corner));
-        let is_given = (point_of(corner) as usize) < arrangement.first.len();
+        let own = triangles[part.1 as usize]
+            .into_iter()
+            .find(|&v| arrangement.first_vertex_at_position[v as usize] == point_of(corner));
+        let is_given = (point_of(corner) as usize) < arrangement.first_vertex_at_position.len();
         let own = own.unwrap_or(if is_given { point_of(corner) } else { NONE });
         let held = &mut given[fans[corner] as usize];
         *held = own.min(*held);

@@ -113,7 +113,10 @@ impl Solid {
         let largest = self.points.iter().fold(0.0, |largest: f64, p| largest.max(p.abs().max_element()));
         let exponent = if scalar == Scalar::F32 { MEND_EXPONENT_F32 } else { MEND_EXPONENT };
         let doublings = MAX_DOUBLINGS.min(round as i32 - 1);
-        self.mend(&triangles_of(pairs)?, floor_to_power_of_two(largest) * libm::scalbn(1.0, exponent + doublings))
+        self.mend_flat_triangles(
+            &triangles_of(pairs)?,
+            floor_to_power_of_two(largest) * libm::scalbn(1.0, exponent + doublings),
+        )
     }
 
     /// Removes faces inside and parts outside. New points are rounded.
@@ -124,9 +127,9 @@ impl Solid {
         scalar: Scalar,
         job: &Job<'_>,
     ) -> Result<Solid> {
-        let numbers = windings(arrangement, groups, &self.triangles, &job.part(0.0, 0.5))?;
-        let border = border_faces(arrangement, groups, [&numbers.front, &numbers.back])?;
-        let sheets = join_sheets(arrangement, groups, &self.triangles, &border, &job.part(0.5, 1.0))?;
+        let numbers = windings(arrangement, groups, &self.triangles, &job.sub_job(0.0, 0.5))?;
+        let border = border_faces(arrangement, groups, [&numbers.windings_in_front, &numbers.windings_behind])?;
+        let sheets = join_sheets(arrangement, groups, &self.triangles, &border, &job.sub_job(0.5, 1.0))?;
         let place = |&[point, given]: &[u32; 2]| match self.points.get(given as usize) {
             Some(&own) => own,
             None => rounded(arrangement.grid.position(arrangement.points.rounded(point)), scalar),
@@ -190,7 +193,8 @@ impl Solid {
             for p in &mut triangle {
                 if *p < given {
                     // A corner keeps its number among vertices at one position.
-                    *p = own.into_iter().find(|&v| arrangement.first[v as usize] == *p).unwrap_or(*p);
+                    *p =
+                        own.into_iter().find(|&v| arrangement.first_vertex_at_position[v as usize] == *p).unwrap_or(*p);
                     continue;
                 }
                 let name = &mut names[(*p - given) as usize];

@@ -1,7 +1,7 @@
 //! Splits triangles where they meet.
 
 use super::exact_arrangement::ExactArrangement;
-use super::rounds::{Resolved, resolve};
+use super::rounds::{Resolved, resolve_intersections};
 use super::solid::Solid;
 use super::unite::Options;
 use gusset_base::alloc;
@@ -44,15 +44,15 @@ pub struct SplitFaces {
 pub fn split_intersecting_faces(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<SplitFaces> {
     Error::require(options.max_rounds >= 1, "max_rounds", options.max_rounds.into())?;
     let scalar = mesh.positions().scalar();
-    let solid = Solid::from_mesh(mesh, &job.part(0.0, 0.05))?;
-    let found = solid.find_pairs(&job.part(0.05, 0.3))?;
+    let solid = Solid::from_mesh(mesh, &job.sub_job(0.0, 0.05))?;
+    let found = solid.find_pairs(&job.sub_job(0.05, 0.3))?;
     let pair_count = found.pairs.len() as u64;
     let sorted = |mut t: [u32; 3]| {
         t.sort_unstable();
         t
     };
     let counts = |s: [u32; 3], t: [u32; 3]| sorted(s) != sorted(t);
-    let arrangement = found.arrange(&job.part(0.3, 0.5))?;
+    let arrangement = found.arrange(&job.sub_job(0.3, 0.5))?;
     let split = solid.split(&arrangement, scalar)?;
     let is_unchanged = split.triangles == solid.triangles && split.points == solid.points;
     let step = |solid: &Solid, arrangement: &ExactArrangement, job: &Job<'_>| {
@@ -62,14 +62,14 @@ pub fn split_intersecting_faces(mesh: &MeshView<'_>, options: &Options, job: &Jo
     let Resolved { solid, intersections, round_count } = if is_unchanged {
         Resolved { solid: split, intersections: Vec::new(), round_count: 0 }
     } else {
-        resolve(split, scalar, options.max_rounds, &counts, &step, &job.part(0.5, 0.9))?
+        resolve_intersections(split, scalar, options.max_rounds, &counts, &step, &job.sub_job(0.5, 0.9))?
     };
     // Coincident triangles, by the positions of their vertices.
     let first_at =
-        super::coordinate_grid::first_at_position(&solid.points, &solid.triangles, &job.part(0.9, 0.95), STAGE)?;
+        super::coordinate_grid::first_at_position(&solid.points, &solid.triangles, &job.sub_job(0.9, 0.95), STAGE)?;
     let key = |t: &[u32; 3]| sorted(t.map(|v| first_at[v as usize]));
     let mut keys = alloc::gather(solid.triangles.iter().map(key).zip(0u32..))?;
-    sort(&mut keys, Ord::cmp, &job.part(0.95, 1.0), STAGE)?;
+    sort(&mut keys, Ord::cmp, &job.sub_job(0.95, 1.0), STAGE)?;
     let mut first_coincident = alloc::filled(0, keys.len())?;
     for same in keys.chunk_by(|a, b| a.0 == b.0) {
         same.iter().for_each(|&(_, t)| first_coincident[t as usize] = same[0].1);

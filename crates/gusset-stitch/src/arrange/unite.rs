@@ -3,7 +3,7 @@
 use super::cells::unbalanced_triangle;
 use super::exact_arrangement::ExactArrangement;
 use super::face_groups::FaceGroups;
-use super::rounds::{Resolved, resolve};
+use super::rounds::{Resolved, resolve_intersections};
 use super::solid::Solid;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -71,9 +71,9 @@ pub fn unite(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Un
 ///
 /// O((n + k) log n) for n triangles and k intersecting pairs.
 pub(crate) fn find_unbalanced_face(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<u32>> {
-    let solid = Solid::from_mesh(mesh, &job.part(0.0, 0.1))?;
-    let arrangement = solid.find_pairs(&job.part(0.1, 0.5))?.arrange(&job.part(0.5, 0.8))?;
-    let groups = FaceGroups::new(&arrangement, &job.part(0.8, 1.0))?;
+    let solid = Solid::from_mesh(mesh, &job.sub_job(0.0, 0.1))?;
+    let arrangement = solid.find_pairs(&job.sub_job(0.1, 0.5))?.arrange(&job.sub_job(0.5, 0.8))?;
+    let groups = FaceGroups::new(&arrangement, &job.sub_job(0.8, 1.0))?;
     Ok(unbalanced_triangle(&arrangement, &groups).map(|triangle| solid.faces[triangle as usize]))
 }
 
@@ -86,25 +86,25 @@ pub(crate) fn unite_with_suspects(
 ) -> Result<Union> {
     Error::require(options.max_rounds >= 1, "max_rounds", options.max_rounds.into())?;
     let scalar = mesh.positions().scalar();
-    let mut solid = Solid::from_mesh(mesh, &job.part(0.0, 0.05))?;
+    let mut solid = Solid::from_mesh(mesh, &job.sub_job(0.0, 0.05))?;
     suspects.map_or(Ok(()), |faces| solid.suspect_faces(faces))?;
-    let found = solid.find_pairs(&job.part(0.05, 0.2))?;
+    let found = solid.find_pairs(&job.sub_job(0.05, 0.2))?;
     let intersection_count = found.pairs.len() as u64;
-    let arrangement = found.arrange(&job.part(0.2, 0.3))?;
-    let groups = FaceGroups::new(&arrangement, &job.part(0.3, 0.4))?;
+    let arrangement = found.arrange(&job.sub_job(0.2, 0.3))?;
+    let groups = FaceGroups::new(&arrangement, &job.sub_job(0.3, 0.4))?;
     if let Some(triangle) = unbalanced_triangle(&arrangement, &groups) {
         return Err(Error::MeshNotClosed { input: 0, face: solid.faces[triangle as usize] });
     }
-    let united = solid.unite(&arrangement, &groups, scalar, &job.part(0.4, 0.6))?;
+    let united = solid.unite(&arrangement, &groups, scalar, &job.sub_job(0.4, 0.6))?;
     let is_unchanged = united.triangles == solid.triangles && united.points == solid.points;
     let step = |solid: &Solid, arrangement: &ExactArrangement, job: &Job<'_>| {
-        let groups = FaceGroups::new(arrangement, &job.part(0.0, 0.3))?;
-        solid.unite(arrangement, &groups, scalar, &job.part(0.3, 1.0))
+        let groups = FaceGroups::new(arrangement, &job.sub_job(0.0, 0.3))?;
+        solid.unite(arrangement, &groups, scalar, &job.sub_job(0.3, 1.0))
     };
     let Resolved { solid, intersections, round_count } = if is_unchanged {
         Resolved { solid: united, intersections: Vec::new(), round_count: 0 }
     } else {
-        resolve(united, scalar, options.max_rounds, &|_, _| true, &step, &job.part(0.6, 0.95))?
+        resolve_intersections(united, scalar, options.max_rounds, &|_, _| true, &step, &job.sub_job(0.6, 0.95))?
     };
     job.step(0.95, STAGE)?;
     let mut is_kept = BitSet::new(mesh.faces().len())?;

@@ -35,11 +35,11 @@ impl CombinedPieces {
             if *first == NONE {
                 *first = own;
             }
-            if !self.alike.is_empty() {
+            if !self.overlapping_pairs.is_empty() {
                 agreement.union(*first, own, false);
             }
         }
-        for [first, second] in self.alike.iter().map(|pair| pair.map(|k| first_of[k as usize])) {
+        for [first, second] in self.overlapping_pairs.iter().map(|pair| pair.map(|k| first_of[k as usize])) {
             if first != NONE && second != NONE {
                 agreement.union(first, second, false);
             }

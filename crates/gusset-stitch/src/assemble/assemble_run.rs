@@ -57,22 +57,27 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap)?;
     }
     let Overlaps::Trim(how) = options.overlaps else {
-        let mut base = CombinedPieces::new(pieces, None, options, &job.part(0.0, 0.3))?;
-        base.assembly.left =
-            join_facing_loops(pieces, &mut base, options, &mut IntersectingStripTreatment::Kept, &job.part(0.3, 0.8))?;
-        return base.fill_and_turn(options, &job.part(0.8, 1.0)).map(|(assembly, _)| assembly);
+        let mut base = CombinedPieces::new(pieces, None, options, &job.sub_job(0.0, 0.3))?;
+        base.assembly.left = join_facing_loops(
+            pieces,
+            &mut base,
+            options,
+            &mut IntersectingStripTreatment::Kept,
+            &job.sub_job(0.3, 0.8),
+        )?;
+        return base.fill_and_turn(options, &job.sub_job(0.8, 1.0)).map(|(assembly, _)| assembly);
     };
-    let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
+    let mut trimmed = trim(pieces, &how, &job.sub_job(0.0, 0.4))?;
     // Pieces that were cut along an overlap are near each other, so the gap is narrow unless parts
     // stay unjoined.
     let mut edges = DEFAULT_GAP_MEAN_EDGES[0];
     // Each round removes small unjoined parts, and faces around strips and patches that intersect;
     // then it starts again.
     let mut round = 0;
-    let same = how.surface_distance(trimmed.spacing);
+    let same = how.same_surface_limits(trimmed.spacing);
     let mut assembly = loop {
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
-        let (now, then) = (job.part(part(round), part(round + 1)), job.part(part(round + 1), part(round + 1)));
+        let (now, then) = (job.sub_job(part(round), part(round + 1)), job.sub_job(part(round + 1), part(round + 1)));
         let refuses = round >= ROUNDS_WITH_INTERSECTING_STRIPS;
         let gap_of = |edges: f64| match options.max_gap {
             MaxGap::Auto => MaxGap::Given(edges * trimmed.spacing),
@@ -107,7 +112,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             round = ROUNDS_WITH_INTERSECTING_STRIPS;
         }
     };
-    assembly.lost_faces = list_lost_faces(pieces, &assembly, same, &job.part(1.0, 1.0))?;
+    assembly.lost_faces = list_lost_faces(pieces, &assembly, same, &job.sub_job(1.0, 1.0))?;
     if !assembly.lost_faces.is_empty() {
         job.note("trimming dropped faces that no kept face covers: the report of the assembly lists them");
     }
@@ -135,22 +140,22 @@ fn join_trimmed_pieces(
     refuses: bool,
     job: &Job<'_>,
 ) -> Result<(Assembly, Vec<[u32; 2]>)> {
-    let mut base = CombinedPieces::new(pieces, Some(trimmed), options, &job.part(0.0, 0.3))?;
+    let mut base = CombinedPieces::new(pieces, Some(trimmed), options, &job.sub_job(0.0, 0.3))?;
     let mut cuts =
         if refuses { IntersectingStripTreatment::Refused } else { IntersectingStripTreatment::Listed(Vec::new()) };
-    base.assembly.left = join_facing_loops(pieces, &mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
+    base.assembly.left = join_facing_loops(pieces, &mut base, options, &mut cuts, &job.sub_job(0.3, 0.7))?;
     // Where three pieces meet, the first strips leave loops that face each other, now on one
     // component. The sides of such a seam may be farther apart than unrelated loops.
     let again = Options { within_components: true, pairs: &[], max_gap: wide, ..*options };
     for pass in 0..ADDITIONAL_JOINING_PASSES {
         let before = base.assembly.joints.len();
-        alloc::grow(&mut base.piece, base.assembly.mesh.positions.len(), NONE)?;
+        alloc::grow(&mut base.piece_of_vertex, base.assembly.mesh.positions.len(), NONE)?;
         base.assembly.left = join_facing_loops(
             pieces,
             &mut base,
             &again,
             &mut cuts,
-            &job.part(0.7, 0.8).share(pass, ADDITIONAL_JOINING_PASSES),
+            &job.sub_job(0.7, 0.8).sub_job_of_item(pass, ADDITIONAL_JOINING_PASSES),
         )?;
         if base.assembly.joints[before..].iter().all(|joint| joint.outcome != Outcome::Joined) {
             break;
@@ -158,7 +163,7 @@ fn join_trimmed_pieces(
     }
     match cuts {
         IntersectingStripTreatment::Listed(cuts) if !cuts.is_empty() => Ok((base.into_joined(), cuts)),
-        _ => base.fill_and_turn(options, &job.part(0.8, 1.0)),
+        _ => base.fill_and_turn(options, &job.sub_job(0.8, 1.0)),
     }
 }
 
@@ -171,11 +176,11 @@ fn join_facing_loops(
     cuts: &mut IntersectingStripTreatment,
     job: &Job<'_>,
 ) -> Result<Vec<LeftLoop>> {
-    let CombinedPieces { assembly, piece, seam, .. } = &*base;
-    let mut loops = PieceLoops::new(&assembly.mesh, piece, seam, &job.part(0.0, 0.15))?;
+    let CombinedPieces { assembly, piece_of_vertex: piece, vertices_merged_by_sewing: seam, .. } = &*base;
+    let mut loops = PieceLoops::new(&assembly.mesh, piece, seam, &job.sub_job(0.0, 0.15))?;
     let excluded = loops.list_excluded_pairs(&assembly.maps, options)?;
-    let wide = list_wide_slits(pieces, base, &loops, options, &job.part(0.15, 0.2))?;
-    let mut found = choose_loop_pairs(base, &loops, options, &excluded, &wide, &job.part(0.2, 0.4))?;
+    let wide = list_wide_slits(pieces, base, &loops, options, &job.sub_job(0.15, 0.2))?;
+    let mut found = choose_loop_pairs(base, &loops, options, &excluded, &wide, &job.sub_job(0.2, 0.4))?;
     if options.within_components
         && matches!(cuts, IntersectingStripTreatment::Listed(_) | IntersectingStripTreatment::Refused)
     {
@@ -193,17 +198,17 @@ fn join_facing_loops(
     options.strip.note_unread_options(job);
     let strips = stitch::Options { twist: 0, ..options.strip.strip_options() };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
-        let part = job.part(0.4, 1.0).share(k, found.len());
+        let part = job.sub_job(0.4, 1.0).sub_job_of_item(k, found.len());
         let sides = loops.facing_sides(facing)?;
         facing.rims.iter().for_each(|&r| tried[r] = true);
         let shared = shared_vertex(&sides[0], &sides[1])?.is_some()
-            || have_coincident_vertices(&sides[0], &sides[1], base.tolerance / loops.unit, &part.part(0.0, 0.0))?;
+            || have_coincident_vertices(&sides[0], &sides[1], base.tolerance / loops.unit, &part.sub_job(0.0, 0.0))?;
         let outcome = if outcome == Outcome::Joined && shared { Outcome::ShareVertex } else { outcome };
         let whole = joined_wholly[k];
         let mut joint = Joint {
             sides: [alloc::copied(&sides[0].vertices)?, alloc::copied(&sides[1].vertices)?],
             whole,
-            gap: facing.gap * loops.unit,
+            gap: facing.mean_gap * loops.unit,
             outcome,
             finish: Finish::Strip,
             vertices: 0..0,
@@ -220,11 +225,11 @@ fn join_facing_loops(
             // The ends of a slit already have edges.
             let strips = if is_slit { stitch::Options { rows: Rows::None, ..strips } } else { strips };
             let mean = || *mean_side.get_or_init(|| base.assembly.mesh.mean_side_length()) / loops.unit;
-            match Strip::build(a, b, &existing, &strips, mean, &part.part(0.0, 0.6)) {
+            match Strip::build(a, b, &existing, &strips, mean, &part.sub_job(0.0, 0.6)) {
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
-                    let (mesh, part) = (&base.assembly.mesh, part.part(0.6, 1.0));
+                    let (mesh, part) = (&base.assembly.mesh, part.sub_job(0.6, 1.0));
                     let checked = fair_and_check(mesh, &mut strip, loops.unit, &existing, &strips, &part)?;
                     let pairs = checked.intersections.as_deref().unwrap_or_default();
                     match cuts {
@@ -242,14 +247,14 @@ fn join_facing_loops(
                                 &existing,
                                 loops.unit,
                                 &strips,
-                                &part.part(1.0, 1.0),
+                                &part.sub_job(1.0, 1.0),
                             )?;
                         }
                         IntersectingStripTreatment::Kept | IntersectingStripTreatment::Refused => {}
                     }
                     let attached = append_strip(&mut base.assembly.mesh, &strip, loops.unit)?;
                     edges.add_strip_edges(&strip)?;
-                    let name = |v: u32| attached.names[v as usize];
+                    let name = |v: u32| attached.mesh_vertex_of_strip_vertex[v as usize];
                     let new = strip.parents.iter().map(|parents| (parents.vertices.map(name), parents.weights));
                     base.assembly.history.add_parents(new)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];
@@ -263,7 +268,7 @@ fn join_facing_loops(
         }
         base.assembly.joints.push(joint);
     }
-    list_left_loops(loops, options, &excluded, [&has_strip, &tried], &job.part(1.0, 1.0))
+    list_left_loops(loops, options, &excluded, [&has_strip, &tried], &job.sub_job(1.0, 1.0))
 }
 
 /// Returns true if a blend between two sides would not intersect other faces. Only strips whose
@@ -299,12 +304,12 @@ fn list_left_loops(
 ) -> Result<Vec<LeftLoop>> {
     let without = alloc::collect(has_strip.iter().map(|&has_strip| !has_strip))?;
     let explained = loops.facing_search(options, has_strip, excluded).explain_left_loops(&without, job)?;
-    let mut left = std::mem::take(&mut loops.others);
+    let mut left = std::mem::take(&mut loops.loops_without_strip);
     for (r, found) in explained.iter().enumerate() {
         let Some(found) = found else { continue };
         let vertices = std::mem::take(&mut loops.rims[r].vertices);
         let reason = if tried[r] { Reason::NotJoined } else { found.reason };
-        let [gap, allowed_gap] = [found.gap, found.allowed].map(|length| length * loops.unit);
+        let [gap, allowed_gap] = [found.mean_gap, found.allowed_gap].map(|length| length * loops.unit);
         alloc::push(&mut left, LeftLoop { vertices, origin: [NONE; 2], reason, gap, allowed_gap, filled: false })?;
     }
     let smallest = |left: &LeftLoop| left.vertices.iter().fold(NONE, |smallest, &v| smallest.min(v));
@@ -327,7 +332,7 @@ fn list_wide_slits(
     let search = loops.facing_search(options, &[], &[]);
     let is_wide = |r: &usize| {
         let slit = loops.slits[*r].filter(|slit| slit.is_opposed);
-        slit.is_some_and(|slit| !(slit.closes && slit.gap <= search.max_slit_gap(*r)))
+        slit.is_some_and(|slit| !(slit.may_be_closed && slit.mean_gap <= search.max_slit_gap(*r)))
     };
     let mut wide = alloc::gather((0..loops.rims.len()).filter(is_wide))?;
     if !wide.is_empty() {
@@ -358,7 +363,7 @@ fn choose_loop_pairs(
     let mut taken = alloc::filled(false, loops.rims.len())?;
     let mut found: Vec<FacingLoops> = Vec::new();
     for (k, pair) in options.pairs.iter().enumerate() {
-        let given = GivenLoopPair { option: "pairs", number: k as u32, pair };
+        let given = GivenLoopPair { option: "pairs", pair_index: k as u32, pair };
         given.check_pieces_and_vertices_exist(&base.assembly.maps)?;
         let rims = given.find_named_rims(
             |selector| loops.select_loops(&base.assembly.maps, &places, selector),
@@ -371,7 +376,7 @@ fn choose_loop_pairs(
             _ => FacingLoops {
                 rims,
                 arcs: None,
-                gap: mean_gap(&loops.rims[rims[0]], &loops.rims[rims[1]], &job.part(0.0, 0.0))?,
+                mean_gap: mean_gap(&loops.rims[rims[0]], &loops.rims[rims[1]], &job.sub_job(0.0, 0.0))?,
             },
         };
         alloc::push(&mut found, facing)?;
@@ -383,7 +388,7 @@ fn choose_loop_pairs(
         alloc::append(&mut seen, &loops.facing_search(options, &taken, excluded).find_facing_loops(job)?)?;
         let first = |found: &FacingLoops| found.arcs.map_or(0, |arcs| arcs[0].first);
         sort::sort_stable(&mut seen, &|x, y| {
-            x.gap.total_cmp(&y.gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y)))
+            x.mean_gap.total_cmp(&y.mean_gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y)))
         });
         alloc::append(&mut found, &seen)?;
     }

@@ -18,7 +18,7 @@ pub(super) struct FacingLoops {
     pub(super) arcs: Option<[Arc; 2]>,
     /// The mean distance from the vertices of one to the nearest vertex of the other, the larger of
     /// both means.
-    pub(super) gap: f64,
+    pub(super) mean_gap: f64,
 }
 
 /// Measures of a loop.
@@ -28,19 +28,26 @@ pub(super) struct LoopMeasures {
     /// The piece of the loop's first vertex.
     pub(super) piece: u32,
     /// The largest extent of the component along an axis.
-    pub(super) size: f64,
+    pub(super) component_size: f64,
     /// The mean distance of the loop's vertices from their centre.
-    pub(super) radius: f64,
+    pub(super) mean_radius: f64,
     pub(super) length: f64,
     /// The mean length of the loop's edges.
-    pub(super) spacing: f64,
+    pub(super) mean_edge_length: f64,
 }
 
 impl LoopMeasures {
     pub(super) fn new(rim: &Rim, component: u32, piece: u32, size: f64) -> Self {
         let n = rim.points.len();
         let length = (0..n).map(|i| rim.points[i].distance(rim.points[(i + 1) % n])).sum::<f64>();
-        LoopMeasures { component, piece, size, radius: rim.mean_radius(), length, spacing: length / n as f64 }
+        LoopMeasures {
+            component,
+            piece,
+            component_size: size,
+            mean_radius: rim.mean_radius(),
+            length,
+            mean_edge_length: length / n as f64,
+        }
     }
 }
 
@@ -50,20 +57,20 @@ pub(super) struct SlitLoop {
     /// The side with both ends, and the other side.
     pub(super) arcs: [Arc; 2],
     /// The mean distance from the vertices of a side to the other side, the larger of both.
-    pub(super) gap: f64,
+    pub(super) mean_gap: f64,
     /// True if the sides are near each other relative to their length.
     pub(super) is_narrow: bool,
     /// True if the sides face each other along their length, at any distance.
     pub(super) is_opposed: bool,
     /// True if the sides face each other, are near, or bound surfaces that continue each other.
-    pub(super) closes: bool,
+    pub(super) may_be_closed: bool,
 }
 
 pub(super) struct FacingSearch<'a> {
     pub(super) rims: &'a [Rim],
     pub(super) candidates: &'a [LoopMeasures],
     /// True for loops that are already joined.
-    pub(super) used: &'a [bool],
+    pub(super) is_joined_loop: &'a [bool],
     /// The sides of each loop that is a slit.
     pub(super) slits: &'a [Option<SlitLoop>],
     /// Excluded pairs (smaller, larger), in ascending order.
@@ -78,7 +85,7 @@ pub(super) struct FacingSearch<'a> {
 pub(super) struct LoopVertices {
     pub(super) points: Vec<DVec3>,
     /// The loop of each vertex.
-    pub(super) owners: Vec<u32>,
+    pub(super) loop_of_vertex: Vec<u32>,
     /// The group of each vertex. A search from a vertex skips its own group.
     pub(super) groups: Vec<u32>,
     /// The index of each loop's first vertex.
@@ -108,7 +115,7 @@ impl LoopVisitCounter {
 impl FacingSearch<'_> {
     pub(super) fn may_join_loops(&self, r: usize, k: usize) -> bool {
         let [r, k] = [r.min(k), r.max(k)];
-        !self.used[k]
+        !self.is_joined_loop[k]
             && (self.within_components || self.candidates[r].component != self.candidates[k].component)
             && !self.is_excluded_pair(r, k)
     }
@@ -131,6 +138,6 @@ impl FacingSearch<'_> {
             true => r,
             false => self.candidates[r as usize].component,
         }))?;
-        Ok(LoopVertices { points, owners, groups, firsts })
+        Ok(LoopVertices { points, loop_of_vertex: owners, groups, firsts })
     }
 }

@@ -23,15 +23,15 @@ use std::slice;
 pub(super) struct CombinedPieces {
     pub(super) assembly: Assembly,
     /// For each vertex of the mesh, the first piece that it comes from.
-    pub(super) piece: Vec<u32>,
+    pub(super) piece_of_vertex: Vec<u32>,
     /// The number of faces of the pieces. Faces of strips follow.
-    pub(super) piece_faces: usize,
+    pub(super) old_face_count: usize,
     /// The vertices that sewing merged from several, ascending.
-    pub(super) seam: Vec<u32>,
+    pub(super) vertices_merged_by_sewing: Vec<u32>,
     /// The largest distance between coincident vertices; 0 if borders are not sewn.
     pub(super) tolerance: f64,
     /// Pairs of overlapping pieces, which agree in orientation.
-    pub(super) alike: Vec<[u32; 2]>,
+    pub(super) overlapping_pairs: Vec<[u32; 2]>,
 }
 
 impl CombinedPieces {
@@ -42,21 +42,22 @@ impl CombinedPieces {
         options: &Options<'_>,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let start = &job.part(0.0, 0.0);
-        let TrimmedPieces { mut mesh, places, mut vertex_map, mut face_map, faces, corners } = match trimmed {
-            Some(trimmed) => TrimmedPieces::new(pieces, trimmed, start)?,
-            None => place_pieces_side_by_side(pieces, start)?,
-        };
+        let start = &job.sub_job(0.0, 0.0);
+        let TrimmedPieces { mut mesh, piece_offsets: places, mut vertex_map, mut face_map, faces, corners } =
+            match trimmed {
+                Some(trimmed) => TrimmedPieces::new(pieces, trimmed, start)?,
+                None => place_pieces_side_by_side(pieces, start)?,
+            };
         let trimmed_faces = face_map.iter().filter(|&&f| f == NONE).count() as u32;
         let (mut welded_vertices, mut sewn_edges, mut splits, mut tolerance) = (0, 0, 0, 0.0);
         let mut near = NearBorders::default();
         let (mut seam, mut joints) = (Vec::new(), Vec::new());
         let mut history = History::new(pieces)?;
         if let Some(how) = &options.weld {
-            let (view, part) = (mesh.view(&job.part(0.0, 0.1))?, job.part(0.1, 0.5));
+            let (view, part) = (mesh.view(&job.sub_job(0.0, 0.1))?, job.sub_job(0.1, 0.5));
             let mut sewn = match options.edge_to_edge {
-                true => Sew::from_weld(weld(&view, how, &part.part(0.0, 0.8))?)?,
-                false => sew(&view, how, &part.part(0.0, 0.8))?,
+                true => Sew::from_weld(weld(&view, how, &part.sub_job(0.0, 0.8))?)?,
+                false => sew(&view, how, &part.sub_job(0.0, 0.8))?,
             };
             let vertices_of = |sewn_map: &[u32], selector: Selector| {
                 let Some(place) = places.get(selector.piece as usize) else { return Ok(Vec::new()) };
@@ -73,7 +74,7 @@ impl CombinedPieces {
                 let names = vertex_map.iter().map(|&v| if v == NONE { NONE } else { sewn_map[v as usize] });
                 UnsewnLoopPairs::find(pieces, options, names, job)
             };
-            joints = close_touching_borders(&mut sewn, options, vertices_of, unsewn_pairs, &part.part(0.8, 1.0))?;
+            joints = close_touching_borders(&mut sewn, options, vertices_of, unsewn_pairs, &part.sub_job(0.8, 1.0))?;
             (welded_vertices, sewn_edges, splits, tolerance) =
                 (sewn.welded_vertices, sewn.sewn_edges, sewn.splits, sewn.tolerance);
             let through = |before: &mut [u32], after: &[u32]| {
@@ -92,7 +93,7 @@ impl CombinedPieces {
         let mut one_sided = Vec::new();
         if !options.keep_orientation && mesh.face_count() > 0 {
             let how = orient::Options::default();
-            let oriented = orient::orient(&mesh.view(&job.part(0.5, 0.6))?, &how, &job.part(0.6, 1.0))?;
+            let oriented = orient::orient(&mesh.view(&job.sub_job(0.5, 0.6))?, &how, &job.sub_job(0.6, 1.0))?;
             (mesh, turned) = (oriented.mesh, oriented.turned);
             one_sided = alloc::collect(oriented.one_sided.iter().map(|component| component.face))?;
         }
@@ -131,13 +132,20 @@ impl CombinedPieces {
             non_manifold_edges: 0,
         };
         let alike = trimmed.map_or(Ok(Vec::new()), |trimmed| alloc::copied(&trimmed.pairs))?;
-        Ok(CombinedPieces { assembly: done, piece, piece_faces, seam, tolerance, alike })
+        Ok(CombinedPieces {
+            assembly: done,
+            piece_of_vertex: piece,
+            old_face_count: piece_faces,
+            vertices_merged_by_sewing: seam,
+            tolerance,
+            overlapping_pairs: alike,
+        })
     }
 
     /// Ends joining: the list of turned faces keeps the faces of the pieces.
     pub(super) fn into_joined(self) -> Assembly {
         let mut assembly = self.assembly;
-        assembly.turned.truncate(self.piece_faces);
+        assembly.turned.truncate(self.old_face_count);
         assembly
     }
 
@@ -159,8 +167,12 @@ impl CombinedPieces {
                 (keep, _) => keep,
             };
             let how = fill::Options { outward: Outward::Keep, plan_only: false, keep, finish, ..*how };
-            let filled =
-                fill_holes(&assembly.mesh.view(&job.part(0.0, 0.1))?, LoopSelection::All, &how, &job.part(0.1, 0.4))?;
+            let filled = fill_holes(
+                &assembly.mesh.view(&job.sub_job(0.0, 0.1))?,
+                LoopSelection::All,
+                &how,
+                &job.sub_job(0.1, 0.4),
+            )?;
             (assembly.mesh, assembly.holes, assembly.hole_rims) = (filled.mesh, filled.holes, filled.rims);
             cuts = alloc::copied(filled.intersections.as_deref().unwrap_or_default())?;
             assembly.hole_intersections = filled.intersections;
@@ -173,7 +185,7 @@ impl CombinedPieces {
             job.note("loops are left although others are near: the report of the assembly gives the reasons");
         }
         if options.outward == Outward::Closed && !options.keep_orientation {
-            let outwards = turn_outwards(&mut assembly.mesh, &job.part(0.4, 0.6))?;
+            let outwards = turn_outwards(&mut assembly.mesh, &job.sub_job(0.4, 0.6))?;
             assembly.zero_volume = outwards.zero_volume;
             if !assembly.zero_volume.is_empty() {
                 job.note("a closed component encloses no volume, as one piece given twice does");
@@ -185,12 +197,12 @@ impl CombinedPieces {
                 }
             }
         }
-        let view = assembly.mesh.view(&job.part(0.6, 0.7))?;
-        let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.7, 1.0))?;
+        let view = assembly.mesh.view(&job.sub_job(0.6, 0.7))?;
+        let boundary = boundary_loops(&view, &boundary::Options::default(), &job.sub_job(0.7, 1.0))?;
         assembly.loops_left = boundary.len() as u32;
         let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
         assembly.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
-        assembly.add_report_details(&job.part(1.0, 1.0))?;
+        assembly.add_report_details(&job.sub_job(1.0, 1.0))?;
         Ok((assembly, cuts))
     }
 }
@@ -217,5 +229,5 @@ fn place_pieces_side_by_side(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<T
     let (mesh, places) = concat::concatenate(pieces, job)?;
     let vertex_map = alloc::collect(0..mesh.positions.len() as u32)?;
     let face_map = alloc::collect(0..mesh.face_count() as u32)?;
-    Ok(TrimmedPieces { mesh, places, vertex_map, face_map, faces: Vec::new(), corners: Vec::new() })
+    Ok(TrimmedPieces { mesh, piece_offsets: places, vertex_map, face_map, faces: Vec::new(), corners: Vec::new() })
 }

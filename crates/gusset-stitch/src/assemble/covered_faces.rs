@@ -4,7 +4,7 @@
 //! meshes of one surface, and faces the same side.
 
 use super::assemble_request::Assembly;
-use crate::trim::SurfaceDistance;
+use crate::trim::SameSurfaceLimits;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -27,8 +27,8 @@ impl KeptTriangles {
     /// Collects the faces of the pieces in the result for which `counts` holds, each in the
     /// orientation that it has in its piece. O(F) for F faces.
     fn new(done: &Assembly, counts: impl Fn(u32) -> bool, job: &Job<'_>) -> Result<Self> {
-        let view = done.mesh.view(&job.part(0.0, 0.5))?;
-        let all = FaceTriangles::from_mesh(&view, &job.part(0.5, 1.0))?;
+        let view = done.mesh.view(&job.sub_job(0.0, 0.5))?;
+        let all = FaceTriangles::from_mesh(&view, &job.sub_job(0.5, 1.0))?;
         let mut points = alloc::collect((0..view.positions().len()).map(|v| view.positions().get(v as u32)))?;
         let unit = common_unit(&points);
         points.iter_mut().for_each(|p| *p /= unit);
@@ -50,24 +50,24 @@ impl KeptTriangles {
 /// it. Kept faces for which `counts` is false are ignored.
 ///
 /// O((F + n) log F) for n faces and F kept faces.
-pub(super) fn visit_covers(
+pub(super) fn visit_covering_triangles(
     pieces: &[MeshView<'_>],
     done: &Assembly,
     faces: &[[u32; 2]],
     counts: impl Fn(u32) -> bool,
-    same: SurfaceDistance,
+    same: SameSurfaceLimits,
     job: &Job<'_>,
     mut visit: impl FnMut([u32; 2], bool) -> Result<()>,
 ) -> Result<()> {
     if faces.is_empty() {
         return Ok(());
     }
-    let kept = KeptTriangles::new(done, counts, &job.part(0.0, 0.2))?;
-    let tree = TriangleTree::new(&kept.points, &kept.triangles, STAGE, &job.part(0.2, 0.4))?;
+    let kept = KeptTriangles::new(done, counts, &job.sub_job(0.0, 0.2))?;
+    let tree = TriangleTree::new(&kept.points, &kept.triangles, STAGE, &job.sub_job(0.2, 0.4))?;
     let reach = same.distance / kept.unit;
     let mut guess = None;
     for (n, &[k, f]) in faces.iter().enumerate() {
-        job.part(0.4, 1.0).step_within_list(n, STAGE)?;
+        job.sub_job(0.4, 1.0).step_within_list(n, STAGE)?;
         let piece = &pieces[k as usize];
         let (centre, normal) = centre_and_normal(piece, f as usize, kept.unit);
         let place = tree.nearest_with_guess(centre, reach * reach, guess);
@@ -82,7 +82,7 @@ pub(super) fn visit_covers(
 pub(super) fn list_lost_faces(
     pieces: &[MeshView<'_>],
     done: &Assembly,
-    same: SurfaceDistance,
+    same: SameSurfaceLimits,
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 2]>> {
     let mut dropped = Vec::new();
@@ -90,7 +90,7 @@ pub(super) fn list_lost_faces(
         alloc::extend(&mut dropped, (0..).zip(&map.faces).filter(|&(_, &name)| name == NONE).map(|(f, _)| [k, f]))?;
     }
     let mut lost = Vec::new();
-    visit_covers(
+    visit_covering_triangles(
         pieces,
         done,
         &dropped,

@@ -1,8 +1,8 @@
 //! Removal of faces from trimmed pieces after a trial joint.
 
 use super::assemble_request::Assembly;
-use super::covered_faces::visit_covers;
-use crate::trim::{KeptFacesOfPieces, SurfaceDistance};
+use super::covered_faces::visit_covering_triangles;
+use crate::trim::{KeptFacesOfPieces, SameSurfaceLimits};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bit_set::BitSet;
@@ -16,11 +16,11 @@ use std::ops::Range;
 struct IntersectingPatch {
     faces: Range<u32>,
     /// The number of vertices on its rims.
-    rim: usize,
+    rim_vertex_count: usize,
     /// The number of these vertices beside trimmed faces.
-    beside: usize,
+    rim_vertices_beside_trimmed_faces: usize,
     /// The number of faces of the part that it closes.
-    part: usize,
+    faces_of_closed_part: usize,
 }
 
 impl IntersectingPatch {
@@ -28,7 +28,8 @@ impl IntersectingPatch {
     /// or a hole in it. A disc of F triangles has a rim of about 2.3 sqrt(F) edges, and a square
     /// 2.8 sqrt(F).
     fn covers_surface(&self) -> bool {
-        2 * self.beside <= self.rim && self.rim * self.rim > 2 * self.part
+        2 * self.rim_vertices_beside_trimmed_faces <= self.rim_vertex_count
+            && self.rim_vertex_count * self.rim_vertex_count > 2 * self.faces_of_closed_part
     }
 }
 
@@ -36,7 +37,7 @@ impl IntersectingPatch {
 struct IntersectingPatches(Vec<IntersectingPatch>);
 
 impl IntersectingPatches {
-    /// Collects the intersecting patches. `beside` is the set of vertices beside trimmed faces.
+    /// Collects the intersecting patches. `rim_vertices_beside_trimmed_faces` is the set of vertices beside trimmed faces.
     /// `size` returns the number of faces of a vertex's part. O(size + c log c) for c
     /// intersections.
     fn new(
@@ -58,13 +59,22 @@ impl IntersectingPatches {
             }
             // Several loops may share a patch.
             if patches.last().is_none_or(|patch| patch.faces != hole.faces) {
-                alloc::push(&mut patches, IntersectingPatch { faces: hole.faces.clone(), rim: 0, beside: 0, part: 0 })?;
+                alloc::push(
+                    &mut patches,
+                    IntersectingPatch {
+                        faces: hole.faces.clone(),
+                        rim_vertex_count: 0,
+                        rim_vertices_beside_trimmed_faces: 0,
+                        faces_of_closed_part: 0,
+                    },
+                )?;
             }
             let last = patches.len() - 1;
             let rim = &done.hole_rims[hole.rim.clone()];
-            patches[last].rim += rim.len();
-            patches[last].part = patches[last].part.max(rim.first().map_or(0, |&v| size(v) as usize));
-            patches[last].beside += rim.iter().filter(|&&v| beside.contains(v)).count();
+            patches[last].rim_vertex_count += rim.len();
+            patches[last].faces_of_closed_part =
+                patches[last].faces_of_closed_part.max(rim.first().map_or(0, |&v| size(v) as usize));
+            patches[last].rim_vertices_beside_trimmed_faces += rim.iter().filter(|&&v| beside.contains(v)).count();
         }
         Ok(IntersectingPatches(patches))
     }
@@ -83,16 +93,16 @@ pub(super) struct FaceRemovals {
     /// Vertices of the result whose faces are removed.
     vertices: BitSet,
     /// Faces of the result on unjoined parts that other parts cover.
-    covered: BitSet,
-    cuts: bool,
+    covered_faces: BitSet,
+    has_intersections: bool,
     /// True if there are small unjoined parts.
-    parts: bool,
+    has_small_unjoined_parts: bool,
     /// True if other parts cover some of them.
-    covers: bool,
+    are_some_parts_covered: bool,
 }
 
 impl FaceRemovals {
-    /// Selects the faces to remove. `cuts` are pairs of intersecting faces. Parts with fewer than
+    /// Selects the faces to remove. `has_intersections` are pairs of intersecting faces. Parts with fewer than
     /// `least` faces are small. If `whole`, the faces at whole rims of intersecting patches are
     /// removed. An unjoined part is removed only if each of its faces is within `same` of a face of
     /// another part. O(size log size).
@@ -102,7 +112,7 @@ impl FaceRemovals {
         cuts: &[[u32; 2]],
         least: u32,
         whole: bool,
-        same: SurfaceDistance,
+        same: SameSurfaceLimits,
         job: &Job<'_>,
     ) -> Result<FaceRemovals> {
         let mesh = &done.mesh;
@@ -173,7 +183,7 @@ impl FaceRemovals {
         }
         let part_of_face = |name: u32| roots[mesh.corner(mesh.face_offsets[name as usize] as usize) as usize];
         let mut is_bare = alloc::filled(false, roots.len())?;
-        visit_covers(
+        visit_covering_triangles(
             pieces,
             done,
             &of_alone_parts,
@@ -190,16 +200,22 @@ impl FaceRemovals {
             covers = true;
             covered.insert(f);
         }
-        Ok(FaceRemovals { vertices: spoilt, covered, cuts: is_spoilt, parts: parts_alone, covers })
+        Ok(FaceRemovals {
+            vertices: spoilt,
+            covered_faces: covered,
+            has_intersections: is_spoilt,
+            has_small_unjoined_parts: parts_alone,
+            are_some_parts_covered: covers,
+        })
     }
 
     /// Returns true if there are unjoined parts.
     pub(super) fn has_unjoined_parts(&self) -> bool {
-        self.parts
+        self.has_small_unjoined_parts
     }
 
     /// Removes the selected faces from the trimmed pieces, and faces of unjoined parts only if
-    /// `parts`. Returns false if nothing was removed.
+    /// `has_small_unjoined_parts`. Returns false if nothing was removed.
     pub(super) fn remove_faces_from(
         &self,
         pieces: &[MeshView<'_>],
@@ -207,7 +223,7 @@ impl FaceRemovals {
         done: &Assembly,
         parts: bool,
     ) -> bool {
-        if !(self.cuts || self.covers && parts) {
+        if !(self.has_intersections || self.are_some_parts_covered && parts) {
             return false;
         }
         let mut less = false;
@@ -215,7 +231,7 @@ impl FaceRemovals {
             let before = kept.len();
             kept.retain(|&f| {
                 let name = map.faces[f as usize];
-                let is_dropped = parts && name != NONE && self.covered.contains(name);
+                let is_dropped = parts && name != NONE && self.covered_faces.contains(name);
                 let mut corners = piece.face(f as usize).map(|v| map.vertices[v as usize]);
                 !is_dropped && !corners.any(|v| v != NONE && self.vertices.contains(v))
             });

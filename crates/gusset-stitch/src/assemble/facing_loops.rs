@@ -39,7 +39,7 @@ const VERTICES_PER_REPORT: usize = 1 << 12;
 struct NearestLoopVertex {
     /// The loop, or [`NONE`].
     rim: u32,
-    place: u32,
+    index_on_rim: u32,
     distance: f64,
 }
 
@@ -47,7 +47,10 @@ impl FacingSearch<'_> {
     /// Returns the largest gap between arcs of loops `r` and `k`.
     fn max_arc_gap(&self, r: usize, k: usize) -> f64 {
         let [r, k] = [&self.candidates[r], &self.candidates[k]];
-        self.max_gap.unwrap_or((MAX_ARC_GAP_MEAN_EDGES * r.spacing.max(k.spacing)).min(0.5 * r.radius.min(k.radius)))
+        self.max_gap.unwrap_or(
+            (MAX_ARC_GAP_MEAN_EDGES * r.mean_edge_length.max(k.mean_edge_length))
+                .min(0.5 * r.mean_radius.min(k.mean_radius)),
+        )
     }
 
     /// Returns the pairs in no particular order. No loop belongs to two pairs of whole loops, and
@@ -55,10 +58,10 @@ impl FacingSearch<'_> {
     ///
     /// O(V log V) for V vertices on loops that have others near them.
     pub(super) fn find_facing_loops(&self, job: &Job<'_>) -> Result<Vec<FacingLoops>> {
-        let nearest_vertices = self.find_nearest_loop_vertices(&job.part(0.0, 0.3))?;
+        let nearest_vertices = self.find_nearest_loop_vertices(&job.sub_job(0.0, 0.3))?;
         let mut found = match self.extent {
             Extent::Parts => Vec::new(),
-            _ => self.pair_whole_loops(&shares_of_nearest_loops(&nearest_vertices)?, &job.part(0.3, 1.0))?,
+            _ => self.pair_whole_loops(&shares_of_nearest_loops(&nearest_vertices)?, &job.sub_job(0.3, 1.0))?,
         };
         let mut whole = alloc::filled(false, self.rims.len())?;
         found.iter().flat_map(|facing| facing.rims).for_each(|r| whole[r] = true);
@@ -66,7 +69,7 @@ impl FacingSearch<'_> {
             self.add_facing_arcs(&nearest_vertices, &whole, &mut found)?;
         }
         if found.is_empty() && self.extent != Extent::Parts {
-            alloc::extend(&mut found, self.pair_only_two_loops(&job.part(1.0, 1.0))?)?;
+            alloc::extend(&mut found, self.pair_only_two_loops(&job.sub_job(1.0, 1.0))?)?;
         }
         Ok(found)
     }
@@ -75,27 +78,27 @@ impl FacingSearch<'_> {
     /// given.
     fn pair_only_two_loops(&self, job: &Job<'_>) -> Result<Option<FacingLoops>> {
         let of_two_pieces = self.rims.len() == 2 && self.candidates[0].piece != self.candidates[1].piece;
-        if !of_two_pieces || self.max_gap.is_some() || self.used[0] || !self.may_join_loops(0, 1) {
+        if !of_two_pieces || self.max_gap.is_some() || self.is_joined_loop[0] || !self.may_join_loops(0, 1) {
             return Ok(None);
         }
         if self.lie_beside_each_other(0, 1, job)? {
             return Ok(None);
         }
-        Ok(Some(FacingLoops { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1], job)? }))
+        Ok(Some(FacingLoops { rims: [0, 1], arcs: None, mean_gap: mean_gap(&self.rims[0], &self.rims[1], job)? }))
     }
 
     /// Returns the nearest vertex of another loop for each vertex, within twice the limit of whole
     /// loops.
     fn find_nearest_loop_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestLoopVertex>>> {
-        let LoopVertices { points, owners, groups, firsts } = self.collect_loop_vertices()?;
+        let LoopVertices { points, loop_of_vertex: owners, groups, firsts } = self.collect_loop_vertices()?;
         let total = points.len();
-        let tree = KdTree::with_groups(&points, &groups, &job.part(0.0, 0.1), STAGE)?;
+        let tree = KdTree::with_groups(&points, &groups, &job.sub_job(0.0, 0.1), STAGE)?;
         let mut nearest_vertices = alloc::with_capacity(self.rims.len())?;
         let mut done = 0;
         let looks = LoopVisitCounter::default();
         for (r, rim) in self.rims.iter().enumerate() {
             let mut of_rim = alloc::with_capacity(rim.points.len())?;
-            let widest = self.max_gap.unwrap_or(self.candidates[r].radius);
+            let widest = self.max_gap.unwrap_or(self.candidates[r].mean_radius);
             let own = groups[firsts[r] as usize];
             for &p in &rim.points {
                 if done % VERTICES_PER_REPORT == 0 || looks.take_report_due() {
@@ -107,13 +110,14 @@ impl FacingSearch<'_> {
                     looks.count_visit();
                     owners[v as usize] as usize != r && self.may_join_loops(r, owners[v as usize] as usize)
                 };
-                let nearest = if self.used[r] { None } else { tree.nearest_in_other_groups(p, limit, own, accept) };
+                let nearest =
+                    if self.is_joined_loop[r] { None } else { tree.nearest_in_other_groups(p, limit, own, accept) };
                 of_rim.push(match nearest {
                     Some((squared, v)) => {
                         let k = owners[v as usize];
-                        NearestLoopVertex { rim: k, place: v - firsts[k as usize], distance: squared.sqrt() }
+                        NearestLoopVertex { rim: k, index_on_rim: v - firsts[k as usize], distance: squared.sqrt() }
                     }
-                    None => NearestLoopVertex { rim: NONE, place: NONE, distance: f64::INFINITY },
+                    None => NearestLoopVertex { rim: NONE, index_on_rim: NONE, distance: f64::INFINITY },
                 });
             }
             nearest_vertices.push(of_rim);
@@ -139,8 +143,8 @@ impl FacingSearch<'_> {
         let sees = |r: usize, look: &NearestLoopVertex| {
             near(r, look) && {
                 let k = look.rim as usize;
-                let back = nearest_vertices[k][look.place as usize];
-                let spacing = self.candidates[r].spacing.max(self.candidates[k].spacing);
+                let back = nearest_vertices[k][look.index_on_rim as usize];
+                let spacing = self.candidates[r].mean_edge_length.max(self.candidates[k].mean_edge_length);
                 near(k, &back) && back.rim as usize == r && look.distance <= 2.0 * back.distance + spacing
             }
         };
@@ -168,7 +172,7 @@ impl FacingSearch<'_> {
         let partner = |&(r, k, arc): &(usize, usize, Arc)| -> Result<(u32, f64)> {
             let mut facing = alloc::with_capacity(arc.count)?;
             let places = arc.places(nearest_vertices[r].len());
-            facing.extend(places.clone().map(|i| of_vertex[k][nearest_vertices[r][i].place as usize]));
+            facing.extend(places.clone().map(|i| of_vertex[k][nearest_vertices[r][i].index_on_rim as usize]));
             facing.sort_unstable();
             let groups = facing.chunk_by(|x, y| x == y).filter(|group| group[0] != NONE);
             let most = groups.rev().max_by_key(|group| group.len()).map_or(NONE, |group| group[0]);
@@ -178,7 +182,7 @@ impl FacingSearch<'_> {
         let conormals = alloc::try_collect(self.rims.iter().map(rim_conormals))?;
         let look = |&(r, k, arc): &(usize, usize, Arc)| {
             let cosine = |i: usize| {
-                let way = self.rims[k].points[nearest_vertices[r][i].place as usize] - self.rims[r].points[i];
+                let way = self.rims[k].points[nearest_vertices[r][i].index_on_rim as usize] - self.rims[r].points[i];
                 if way == DVec3::ZERO { 1.0 } else { way.dot(conormals[r][i]) / way.length() }
             };
             arc.places(nearest_vertices[r].len()).map(cosine).sum::<f64>() / arc.count as f64
@@ -190,7 +194,10 @@ impl FacingSearch<'_> {
                     continue;
                 }
                 let gap = gap.max(partners[y as usize].1);
-                alloc::push(found, FacingLoops { rims: [first.0, second.0], arcs: Some([first.2, second.2]), gap })?;
+                alloc::push(
+                    found,
+                    FacingLoops { rims: [first.0, second.0], arcs: Some([first.2, second.2]), mean_gap: gap },
+                )?;
             }
         }
         Ok(())
@@ -202,7 +209,9 @@ impl FacingSearch<'_> {
 fn trim_arc_ends(arc: Arc, nearest_vertices: &[NearestLoopVertex]) -> Arc {
     let look = |i: usize| &nearest_vertices[(arc.first + i) % nearest_vertices.len()];
     let (mut first, mut last) = (0, arc.count.saturating_sub(1));
-    let behind = |i: usize, next: usize| look(i).place == look(next).place && look(i).distance > look(next).distance;
+    let behind = |i: usize, next: usize| {
+        look(i).index_on_rim == look(next).index_on_rim && look(i).distance > look(next).distance
+    };
     while first < last && behind(first, first + 1) {
         first += 1;
     }

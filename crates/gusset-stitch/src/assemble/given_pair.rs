@@ -9,14 +9,14 @@ use gusset_mesh::NONE;
 pub(super) struct GivenLoopPair<'a> {
     pub(super) option: &'static str,
     /// The index of the pair in the option.
-    pub(super) number: u32,
+    pub(super) pair_index: u32,
     pub(super) pair: &'a [Selector; 2],
 }
 
 impl GivenLoopPair<'_> {
     fn pair_error(&self, k: usize, fault: LoopPairFault) -> Error {
         let (Selector { piece, vertex }, side) = (self.pair[k], [Side::A, Side::B][k]);
-        Error::BadLoopPair { option: self.option, pair: self.number, side, piece, vertex, fault }
+        Error::BadLoopPair { option: self.option, pair: self.pair_index, side, piece, vertex, fault }
     }
 
     /// Checks that both pieces exist, and the named vertices.

@@ -14,15 +14,15 @@ pub(super) struct LoopEdges {
     /// The edges, in ascending order.
     pub(super) edges: Vec<(u32, u32)>,
     /// Pairs of a vertex and a loop through it, in ascending order.
-    pub(super) places: Vec<(u32, u32)>,
+    pub(super) vertex_loop_pairs: Vec<(u32, u32)>,
 }
 
 impl LoopEdges {
-    /// Collects the edges of `mesh` between the vertices of `places`, which are ascending.
+    /// Collects the edges of `mesh` between the vertices of `vertex_loop_pairs`, which are ascending.
     pub(super) fn new(mesh: &Mesh, places: Vec<(u32, u32)>) -> Result<Self> {
         let mut on_rim = alloc::filled(false, mesh.positions.len())?;
         places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
-        let mut edges = LoopEdges { edges: Vec::new(), places };
+        let mut edges = LoopEdges { edges: Vec::new(), vertex_loop_pairs: places };
         for face in mesh.faces() {
             for (k, &u) in face.iter().enumerate() {
                 let v = face[(k + 1) % face.len()];
@@ -52,7 +52,7 @@ impl LoopEdges {
         let sides = strip.faces.iter().flat_map(|face| face.iter().zip(face.iter().cycle().skip(1)));
         for (&k, &j) in sides.filter(|&(&k, &j)| (k.max(j) as usize) < rims) {
             let [u, v] = [name(k), name(j)];
-            if [u, v].iter().all(|&v| entries_of_vertex(&self.places, v).len() > 1) {
+            if [u, v].iter().all(|&v| entries_of_vertex(&self.vertex_loop_pairs, v).len() > 1) {
                 self.add_edge(u, v)?;
             }
         }
@@ -77,7 +77,7 @@ impl LoopEdges {
         for &u in &a.vertices {
             let from_u = entries_of_vertex(&self.edges, u);
             if from_u.len() <= b.vertices.len() {
-                let on_other = |v: u32| self.places.binary_search(&(v, other)).is_ok();
+                let on_other = |v: u32| self.vertex_loop_pairs.binary_search(&(v, other)).is_ok();
                 alloc::extend(&mut edges, from_u.iter().copied().filter(|&(_, v)| on_other(v)))?;
             } else {
                 let is_edge = |v: u32| from_u.binary_search(&(u, v)).is_ok();

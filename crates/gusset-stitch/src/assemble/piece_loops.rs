@@ -29,7 +29,7 @@ pub(super) struct PieceLoops {
     /// The sides of each loop that is a slit.
     pub(super) slits: Vec<Option<SlitLoop>>,
     /// The loops that cannot carry a strip, with the reason.
-    pub(super) others: Vec<LeftLoop>,
+    pub(super) loops_without_strip: Vec<LeftLoop>,
     /// The unit of the rims' points.
     pub(super) unit: f64,
     /// The number of vertices of the mesh.
@@ -45,25 +45,25 @@ impl PieceLoops {
             candidates: Vec::new(),
             components: DisjointSets::default(),
             slits: Vec::new(),
-            others: Vec::new(),
+            loops_without_strip: Vec::new(),
             unit: 1.0,
             vertex_count: mesh.positions.len(),
         };
         if mesh.face_count() == 0 {
             return Ok(loops);
         }
-        let view = mesh.view(&job.part(0.0, 0.3))?;
-        let boundary: Boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.3, 1.0))?;
+        let view = mesh.view(&job.sub_job(0.0, 0.3))?;
+        let boundary: Boundary = boundary_loops(&view, &boundary::Options::default(), &job.sub_job(0.3, 1.0))?;
         job.step(1.0, STAGE)?;
         loops.components = vertex_components(&view)?;
         for (number, found) in boundary.iter().enumerate() {
-            job.part(1.0, 1.0).step_every(LOOPS_PER_REPORT, number, boundary.len(), STAGE)?;
+            job.sub_job(1.0, 1.0).step_every(LOOPS_PER_REPORT, number, boundary.len(), STAGE)?;
             if is_usable(&found) {
                 alloc::push(&mut loops.rims, Rim::from_loop(&view, &found)?)?;
             } else {
                 let reason = if found.vertices.len() < 3 { Reason::TooShort } else { Reason::NotSimple };
                 alloc::push(
-                    &mut loops.others,
+                    &mut loops.loops_without_strip,
                     LeftLoop {
                         vertices: alloc::copied(found.vertices)?,
                         origin: [NONE; 2],
@@ -81,7 +81,7 @@ impl PieceLoops {
             rim.points.iter_mut().for_each(|p| *p /= loops.unit);
             alloc::push(
                 &mut loops.slits,
-                SlitLoop::find_in_loop(&view, &found, rim, loops.unit, seam, &job.part(1.0, 1.0))?,
+                SlitLoop::find_in_loop(&view, &found, rim, loops.unit, seam, &job.sub_job(1.0, 1.0))?,
             )?;
             let component = loops.components.find(rim.vertices[0]);
             let piece = piece[rim.vertices[0] as usize];
@@ -110,7 +110,7 @@ impl PieceLoops {
             || (0..2).all(|side| {
                 let own = &self.candidates[facing.rims[side]];
                 let vertices = facing.arcs.map_or(self.rims[facing.rims[side]].vertices.len(), |arcs| arcs[side].count);
-                vertices as f64 * own.spacing >= MIN_SEAM_ASPECT_RATIO * facing.gap
+                vertices as f64 * own.mean_edge_length >= MIN_SEAM_ASPECT_RATIO * facing.mean_gap
             })
     }
 
@@ -132,7 +132,7 @@ impl PieceLoops {
         FacingSearch {
             rims: &self.rims,
             candidates: &self.candidates,
-            used,
+            is_joined_loop: used,
             slits: &self.slits,
             excluded,
             within_components: options.within_components,
@@ -179,7 +179,7 @@ impl PieceLoops {
         let places = self.vertex_loop_pairs()?;
         let mut excluded = Vec::new();
         for (k, pair) in options.excluded.iter().enumerate() {
-            GivenLoopPair { option: "excluded", number: k as u32, pair }.check_pieces_and_vertices_exist(maps)?;
+            GivenLoopPair { option: "excluded", pair_index: k as u32, pair }.check_pieces_and_vertices_exist(maps)?;
             let [first, second] =
                 [self.select_loops(maps, &places, pair[0])?, self.select_loops(maps, &places, pair[1])?];
             let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));

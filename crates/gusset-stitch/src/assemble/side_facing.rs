@@ -42,15 +42,15 @@ pub(super) struct RimRun<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct SideFacing {
     /// The mean distance to the other run.
-    pub(super) gap: f64,
+    pub(super) mean_gap: f64,
     /// The largest distance to the other run.
-    pub(super) width: f64,
+    pub(super) max_gap: f64,
     /// The mean cosine between conormals and directions to the other run.
-    pub(super) cosine: f64,
+    pub(super) mean_facing_cosine: f64,
     /// The mean cosine between conormals of both runs.
-    pub(super) agreement: f64,
+    pub(super) mean_conormal_cosine: f64,
     /// The fraction of the length whose nearest place on the other run is between its ends.
-    pub(super) between_ends: f64,
+    pub(super) fraction_between_ends: f64,
     /// The length of the shorter run.
     pub(super) length: f64,
 }
@@ -77,13 +77,20 @@ impl RimRun<'_> {
     pub(super) fn measure_facing(&self, other: &RimRun<'_>, job: &Job<'_>) -> Result<Option<SideFacing>> {
         let places = |run: &RimRun<'_>| run.arc.places(run.rim.points.len());
         let line = alloc::collect(places(other).map(|k| other.rim.points[k]))?;
-        let tree = KdTree::new(&line, &job.part(0.0, 0.5), STAGE)?;
+        let tree = KdTree::new(&line, &job.sub_job(0.0, 0.5), STAGE)?;
         let (points, n) = (&self.rim.points, self.rim.points.len());
         let side = |i: usize| points[i].distance(points[(i + 1) % n]);
         let mut sum = 0.0;
-        let mut all = SideFacing { gap: 0.0, width: 0.0, cosine: 0.0, agreement: 0.0, between_ends: 0.0, length: 0.0 };
+        let mut all = SideFacing {
+            mean_gap: 0.0,
+            max_gap: 0.0,
+            mean_facing_cosine: 0.0,
+            mean_conormal_cosine: 0.0,
+            fraction_between_ends: 0.0,
+            length: 0.0,
+        };
         for (k, i) in places(self).enumerate().take(self.arc.count - 1).skip(1) {
-            job.part(0.5, 1.0).step_every(1 << 12, k, self.arc.count, STAGE)?;
+            job.sub_job(0.5, 1.0).step_every(1 << 12, k, self.arc.count, STAGE)?;
             let p = points[i];
             let Some((_, v)) = tree.nearest(p, f64::INFINITY, |_| true) else {
                 continue;
@@ -94,19 +101,19 @@ impl RimRun<'_> {
             let (weight, distance) = (side((i + n - 1) % n) + side(i), way.length());
             let conormal = self.conormal_at(k);
             sum += weight;
-            all.gap += weight * distance;
-            all.width = all.width.max(distance);
-            all.cosine += weight * if distance > 0.0 { way.dot(conormal) / distance } else { 1.0 };
-            all.agreement += weight * conormal.dot(other.conormal_at(v as usize));
-            all.between_ends += if is_between { weight } else { 0.0 };
+            all.mean_gap += weight * distance;
+            all.max_gap = all.max_gap.max(distance);
+            all.mean_facing_cosine += weight * if distance > 0.0 { way.dot(conormal) / distance } else { 1.0 };
+            all.mean_conormal_cosine += weight * conormal.dot(other.conormal_at(v as usize));
+            all.fraction_between_ends += if is_between { weight } else { 0.0 };
         }
         let mean = |total: f64| total / sum;
         Ok((sum > 0.0).then(|| SideFacing {
-            gap: mean(all.gap),
-            width: all.width,
-            cosine: mean(all.cosine),
-            agreement: mean(all.agreement),
-            between_ends: mean(all.between_ends),
+            mean_gap: mean(all.mean_gap),
+            max_gap: all.max_gap,
+            mean_facing_cosine: mean(all.mean_facing_cosine),
+            mean_conormal_cosine: mean(all.mean_conormal_cosine),
+            fraction_between_ends: mean(all.fraction_between_ends),
             length: self.edge_lengths().sum::<f64>().min(other.edge_lengths().sum()),
         }))
     }
@@ -119,8 +126,8 @@ impl SideFacing {
     /// The sides face each other, or the surfaces along them continue each other: their conormals
     /// are opposite. Conormals of two pages of a book are parallel.
     pub(super) fn may_close(&self, is_near: bool) -> bool {
-        let continues = self.agreement < 0.0 && self.cosine >= MIN_FACING_COSINE_SUM_OF_STEP;
-        is_near || continues || self.cosine >= MIN_FACING_COSINE_SUM
+        let continues = self.mean_conormal_cosine < 0.0 && self.mean_facing_cosine >= MIN_FACING_COSINE_SUM_OF_STEP;
+        is_near || continues || self.mean_facing_cosine >= MIN_FACING_COSINE_SUM
     }
 
     /// Returns true if the sides face each other along their length, at any distance.
@@ -128,14 +135,14 @@ impl SideFacing {
     /// The sides of a hole that a seam crosses see each other's ends instead, and their conormals
     /// agree there.
     pub(super) fn is_opposed(&self) -> bool {
-        self.agreement < 0.0
-            && self.cosine >= MIN_FACING_COSINE_SUM
-            && self.between_ends >= MIN_LENGTH_SHARE_BETWEEN_ENDS
+        self.mean_conormal_cosine < 0.0
+            && self.mean_facing_cosine >= MIN_FACING_COSINE_SUM
+            && self.fraction_between_ends >= MIN_LENGTH_SHARE_BETWEEN_ENDS
     }
 
     /// Returns true if the opening is narrow relative to its length.
     pub(super) fn is_narrow(&self) -> bool {
-        self.width <= MAX_WIDTH_TO_LENGTH_RATIO * self.length
+        self.max_gap <= MAX_WIDTH_TO_LENGTH_RATIO * self.length
     }
 
     /// Measures how two runs see each other: the larger distances and shares, and the sums of the
@@ -143,11 +150,11 @@ impl SideFacing {
     pub(super) fn between(first: &RimRun<'_>, second: &RimRun<'_>, job: &Job<'_>) -> Result<Option<Self>> {
         let (there, back) = (first.measure_facing(second, job)?, second.measure_facing(first, job)?);
         let sum = |(x, y): (Self, Self)| SideFacing {
-            gap: x.gap.max(y.gap),
-            width: x.width.max(y.width),
-            cosine: x.cosine + y.cosine,
-            agreement: x.agreement + y.agreement,
-            between_ends: x.between_ends.max(y.between_ends),
+            mean_gap: x.mean_gap.max(y.mean_gap),
+            max_gap: x.max_gap.max(y.max_gap),
+            mean_facing_cosine: x.mean_facing_cosine + y.mean_facing_cosine,
+            mean_conormal_cosine: x.mean_conormal_cosine + y.mean_conormal_cosine,
+            fraction_between_ends: x.fraction_between_ends.max(y.fraction_between_ends),
             length: x.length,
         };
         Ok(there.or(back).zip(back.or(there)).map(sum))

@@ -54,7 +54,7 @@ impl SlitLoop {
         for (k, &s) in ends.iter().enumerate() {
             for &t in &ends[k + 1..] {
                 let slit = SlitLoop::slit_between_ends(rim, [s, t], is_near, job)?;
-                let rank = |slit: &SlitLoop| (!slit.closes, slit.gap);
+                let rank = |slit: &SlitLoop| (!slit.may_be_closed, slit.mean_gap);
                 let better = |slit: &SlitLoop| best.is_none_or(|best| rank(slit) < rank(&best));
                 best = slit.filter(better).or(best);
             }
@@ -80,16 +80,16 @@ impl SlitLoop {
         let seen = SideFacing::between(&sides[0], &sides[1], job)?;
         Ok(seen.map(|seen| SlitLoop {
             arcs,
-            gap: seen.gap,
+            mean_gap: seen.mean_gap,
             is_narrow: seen.is_narrow(),
             is_opposed: seen.is_opposed(),
-            closes: seen.may_close(is_near(seen.gap)),
+            may_be_closed: seen.may_close(is_near(seen.mean_gap)),
         }))
     }
 
     /// Returns the two sides as a pair of loop `r` with itself.
     pub(super) fn as_facing_loops(&self, r: usize) -> FacingLoops {
-        FacingLoops { rims: [r, r], arcs: Some(self.arcs), gap: self.gap }
+        FacingLoops { rims: [r, r], arcs: Some(self.arcs), mean_gap: self.mean_gap }
     }
 }
 
@@ -98,8 +98,8 @@ impl FacingSearch<'_> {
     /// in ascending order.
     pub(super) fn unused_slits<'s>(&'s self, wide: &'s [usize]) -> impl Iterator<Item = FacingLoops> + 's {
         let closes = move |&(r, slit): &(usize, SlitLoop)| {
-            let wanted = self.extent != Extent::WholeLoops && !self.used[r];
-            let is_near = slit.closes && slit.gap <= self.max_slit_gap(r);
+            let wanted = self.extent != Extent::WholeLoops && !self.is_joined_loop[r];
+            let is_near = slit.may_be_closed && slit.mean_gap <= self.max_slit_gap(r);
             wanted && (is_near || wide.binary_search(&r).is_ok()) && !self.is_excluded_pair(r, r)
         };
         let all = self.slits.iter().enumerate().filter_map(|(r, slit)| Some((r, (*slit)?)));
@@ -110,7 +110,7 @@ impl FacingSearch<'_> {
     pub(super) fn max_slit_gap(&self, r: usize) -> f64 {
         let own = &self.candidates[r];
         let is_narrow = self.slits[r].is_some_and(|slit| slit.is_narrow);
-        let by_radius = if is_narrow { f64::INFINITY } else { 0.5 * own.radius };
-        self.max_gap.unwrap_or((DEFAULT_MAX_SLIT_MEAN_EDGES * own.spacing).min(by_radius))
+        let by_radius = if is_narrow { f64::INFINITY } else { 0.5 * own.mean_radius };
+        self.max_gap.unwrap_or((DEFAULT_MAX_SLIT_MEAN_EDGES * own.mean_edge_length).min(by_radius))
     }
 }

@@ -57,7 +57,7 @@ const STAGE: &str = "closing gaps between touching borders";
 struct Run {
     rim: usize,
     first: usize,
-    edges: usize,
+    count: usize,
 }
 
 impl Run {
@@ -74,12 +74,12 @@ struct Lens {
     /// True if both runs start at the same end; otherwise each starts where the other ends.
     same_way: bool,
     /// The mean distance from the vertices of a run to the other run, the larger of both.
-    gap: f64,
+    mean_gap: f64,
 }
 
 impl Lens {
     fn ends(&self, rims: &[Rim]) -> RunEnds {
-        let [[a, c], [b, d]] = self.runs.map(|run| [run.vertex_at(rims, 0), run.vertex_at(rims, run.edges)]);
+        let [[a, c], [b, d]] = self.runs.map(|run| [run.vertex_at(rims, 0), run.vertex_at(rims, run.count)]);
         if self.same_way { [[a, b], [c, d]] } else { [[a, d], [c, b]] }
     }
 }
@@ -94,7 +94,7 @@ impl UsedEdges {
 
     fn places(&self, run: Run) -> impl Iterator<Item = usize> + use<> {
         let n = self.0[run.rim].len();
-        (run.first..run.first + run.edges).map(move |place| place % n)
+        (run.first..run.first + run.count).map(move |place| place % n)
     }
 
     fn are_free(&self, runs: &[Run; 2]) -> bool {
@@ -103,7 +103,7 @@ impl UsedEdges {
 
     /// Sorts lenses by their gaps, and keeps those whose edges are free when their turn comes.
     fn keep_free_lenses(&mut self, lenses: &mut Vec<Lens>) {
-        sort::sort_stable(lenses, &|x, y| x.gap.total_cmp(&y.gap));
+        sort::sort_stable(lenses, &|x, y| x.mean_gap.total_cmp(&y.mean_gap));
         lenses.retain(|lens| {
             let free = self.are_free(&lens.runs);
             for run in lens.runs.iter().filter(|_| free) {
@@ -129,7 +129,7 @@ struct TouchingLoops {
     /// The points of each loop, by place.
     points: Vec<Vec<CommonPoint>>,
     /// The depths of the faces along each loop.
-    depths: Vec<EdgeDepths>,
+    edge_depths: Vec<EdgeDepths>,
     unit: f64,
     tolerance: f64,
 }
@@ -150,37 +150,37 @@ pub(super) fn close_touching_borders(
     if sewn.left_vertices.is_empty() || options.extent == Extent::WholeLoops || options.max_gap == MaxGap::Given(0.0) {
         return Ok(Vec::new());
     }
-    let mut loops = TouchingLoops::new(sewn, options, &job.part(0.0, 0.4))?;
+    let mut loops = TouchingLoops::new(sewn, options, &job.sub_job(0.0, 0.4))?;
     let excluded = loops.list_excluded_rims(options, |selector| vertices_of(&sewn.vertex_map, selector))?;
     let unsewn_pairs = |job: &Job<'_>| unsewn_pairs(&sewn.vertex_map, job);
-    let lenses = loops.find_lenses(options, &excluded, unsewn_pairs, &job.part(0.4, 0.6))?;
+    let lenses = loops.find_lenses(options, &excluded, unsewn_pairs, &job.sub_job(0.4, 0.6))?;
     if lenses.is_empty() {
         return Ok(Vec::new());
     }
-    let view = sewn.mesh.view(&job.part(0.6, 0.6))?;
-    let topology = Topology::new(&view, &job.part(0.6, 0.65))?;
+    let view = sewn.mesh.view(&job.sub_job(0.6, 0.6))?;
+    let topology = Topology::new(&view, &job.sub_job(0.6, 0.65))?;
     let ends = alloc::collect(lenses.iter().map(|lens| lens.ends(&loops.rims)))?;
-    let (merged, representative) = merge_run_ends(&view, &topology, &ends, &job.part(0.65, 0.7))?;
-    let vertex_map = sewn.merge_vertices(&representative, &job.part(0.7, 0.8))?;
+    let (merged, representative) = merge_run_ends(&view, &topology, &ends, &job.sub_job(0.65, 0.7))?;
+    let vertex_map = sewn.merge_vertices(&representative, &job.sub_job(0.7, 0.8))?;
     for vertex in loops.rims.iter_mut().flat_map(|rim| &mut rim.vertices) {
         *vertex = vertex_map[*vertex as usize];
     }
     let closed = alloc::gather(lenses.iter().zip(&merged).filter(|&(_, &merged)| merged).map(|(&lens, _)| lens))?;
-    loops.append_strips(&mut sewn.mesh, &closed, options, &job.part(0.8, 1.0))
+    loops.append_strips(&mut sewn.mesh, &closed, options, &job.sub_job(0.8, 1.0))
 }
 
 impl TouchingLoops {
     fn new(sewn: &Sew, options: &Options<'_>, job: &Job<'_>) -> Result<Self> {
-        let view = sewn.mesh.view(&job.part(0.0, 0.1))?;
+        let view = sewn.mesh.view(&job.sub_job(0.0, 0.1))?;
         let oriented = match options.keep_orientation {
             true => None,
-            false => Some(orient::orient(&view, &orient::Options::default(), &job.part(0.1, 0.4))?.mesh),
+            false => Some(orient::orient(&view, &orient::Options::default(), &job.sub_job(0.1, 0.4))?.mesh),
         };
-        let view = oriented.as_ref().unwrap_or(&sewn.mesh).view(&job.part(0.4, 0.5))?;
-        let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.5, 0.8))?;
+        let view = oriented.as_ref().unwrap_or(&sewn.mesh).view(&job.sub_job(0.4, 0.5))?;
+        let boundary = boundary_loops(&view, &boundary::Options::default(), &job.sub_job(0.5, 0.8))?;
         let usable = boundary.iter().filter(is_usable);
         let mut rims = alloc::try_collect(usable.map(|found| Rim::from_loop(&view, &found)))?;
-        let clusters = border_clusters(&view, sewn.tolerance, &job.part(0.8, 1.0))?;
+        let clusters = border_clusters(&view, sewn.tolerance, &job.sub_job(0.8, 1.0))?;
         let mut members = alloc::filled(0u32, clusters.len())?;
         for &vertex in rims.iter().flat_map(|rim| &rim.vertices) {
             members[clusters[vertex as usize] as usize] += 1;
@@ -197,7 +197,7 @@ impl TouchingLoops {
         let with_loops = rims.iter().zip(boundary.iter().filter(is_usable));
         let depths = alloc::try_collect(with_loops.map(|(rim, found)| EdgeDepths::measure(&view, &found, rim, unit)))?;
         let (components, tolerance) = (vertex_components(&view)?, sewn.tolerance / unit);
-        Ok(TouchingLoops { rims, components, points, depths, unit, tolerance })
+        Ok(TouchingLoops { rims, components, points, edge_depths: depths, unit, tolerance })
     }
 
     /// Returns the pairs of rims that the options exclude, in ascending order.
@@ -261,7 +261,7 @@ impl TouchingLoops {
             job.step_every(POINTS_PER_REPORT, number, candidates.len(), STAGE)?;
             match self.narrow_gap_between(runs, options, job)? {
                 Some(gap) if self.fits_direction(runs, same_way)? => {
-                    alloc::push(&mut lenses, Lens { runs, same_way, gap })?;
+                    alloc::push(&mut lenses, Lens { runs, same_way, mean_gap: gap })?;
                 }
                 _ => alloc::push(&mut others, (runs, same_way))?,
             }
@@ -295,7 +295,7 @@ impl TouchingLoops {
             if let Some(gap) = self.wide_gap_between(runs, job)?
                 && self.fits_direction(runs, same_way)?
             {
-                alloc::push(&mut wide, Lens { runs, same_way, gap })?;
+                alloc::push(&mut wide, Lens { runs, same_way, mean_gap: gap })?;
             }
         }
         if wide.is_empty() {
@@ -306,7 +306,7 @@ impl TouchingLoops {
         joined.sort_unstable();
         let pairs = unsewn_pairs(job)?;
         let is_paired = |lens: &Lens| -> Result<bool> {
-            let vertices = |run: Run| alloc::collect((0..run.edges + 1).map(|k| run.vertex_at(&self.rims, k)));
+            let vertices = |run: Run| alloc::collect((0..run.count + 1).map(|k| run.vertex_at(&self.rims, k)));
             Ok(joined.binary_search(&rims(lens)).is_ok()
                 || pairs.join_runs(&vertices(lens.runs[0])?, &vertices(lens.runs[1])?)?)
         };
@@ -336,13 +336,13 @@ impl TouchingLoops {
                 if end_x.cluster != end_y.cluster || (x == y && end_x == end_y) {
                     return None;
                 }
-                let a = Run { rim: x.rim, first: x.place, edges: edges_to(x, end_x, counts[0]) };
+                let a = Run { rim: x.rim, first: x.place, count: edges_to(x, end_x, counts[0]) };
                 let b = match same_way {
-                    true => Run { rim: y.rim, first: y.place, edges: edges_to(y, end_y, counts[1]) },
-                    false => Run { rim: y.rim, first: end_y.place, edges: edges_to(end_y, y, counts[1]) },
+                    true => Run { rim: y.rim, first: y.place, count: edges_to(y, end_y, counts[1]) },
+                    false => Run { rim: y.rim, first: end_y.place, count: edges_to(end_y, y, counts[1]) },
                 };
-                let fits = x.rim != y.rim || a.edges + b.edges <= counts[0];
-                (fits && a.edges + b.edges > 2).then_some([a, b])
+                let fits = x.rim != y.rim || a.count + b.count <= counts[0];
+                (fits && a.count + b.count > 2).then_some([a, b])
             })
         })
     }
@@ -354,37 +354,39 @@ impl TouchingLoops {
         if a.max(b) > MAX_LENGTH_RATIO * a.min(b) {
             return Ok(None);
         }
-        let Some(seen) = SideFacing::between(&sides[0], &sides[1], &job.part(0.0, 0.0))? else { return Ok(None) };
+        let Some(seen) = SideFacing::between(&sides[0], &sides[1], &job.sub_job(0.0, 0.0))? else {
+            return Ok(None);
+        };
         let is_near = |run: Run| {
-            let depths = &self.depths[run.rim];
-            depths.is_near_gap(seen.gap, (run.first..run.first + run.edges).map(|place| place % depths.len()))
+            let depths = &self.edge_depths[run.rim];
+            depths.is_near_gap(seen.mean_gap, (run.first..run.first + run.count).map(|place| place % depths.len()))
         };
         let allowed = match options.max_gap {
             MaxGap::Auto => sides.iter().flat_map(RimRun::edge_lengths).fold(0.0, f64::max),
             MaxGap::Given(gap) => gap / self.unit,
         };
-        let is_open = seen.is_narrow() && (self.tolerance < seen.width) && seen.gap <= allowed;
-        Ok((is_open && seen.may_close(runs.into_iter().all(is_near))).then_some(seen.gap))
+        let is_open = seen.is_narrow() && (self.tolerance < seen.max_gap) && seen.mean_gap <= allowed;
+        Ok((is_open && seen.may_close(runs.into_iter().all(is_near))).then_some(seen.mean_gap))
     }
 
     /// Returns the gap of a lens of any width if its sides face each other along their length.
     fn wide_gap_between(&self, runs: [Run; 2], job: &Job<'_>) -> Result<Option<f64>> {
         let sides = self.sides_of_lens(runs);
-        let seen = SideFacing::between(&sides[0], &sides[1], &job.part(0.0, 0.0))?;
-        Ok(seen.filter(|seen| self.tolerance < seen.width && seen.is_opposed()).map(|seen| seen.gap))
+        let seen = SideFacing::between(&sides[0], &sides[1], &job.sub_job(0.0, 0.0))?;
+        Ok(seen.filter(|seen| self.tolerance < seen.max_gap && seen.is_opposed()).map(|seen| seen.mean_gap))
     }
 
     fn sides_of_lens(&self, runs: [Run; 2]) -> [RimRun<'_>; 2] {
-        runs.map(|run| RimRun { rim: &self.rims[run.rim], arc: Arc { first: run.first, count: run.edges + 1 } })
+        runs.map(|run| RimRun { rim: &self.rims[run.rim], arc: Arc { first: run.first, count: run.count + 1 } })
     }
 
     /// Returns true if the direction of two runs is possible. The ends of the runs decide, unless
     /// the runs are whole rims with one common point.
     fn fits_direction(&self, runs: [Run; 2], same_way: bool) -> Result<bool> {
-        if runs.iter().any(|run| run.edges < self.rims[run.rim].vertices.len()) {
+        if runs.iter().any(|run| run.count < self.rims[run.rim].vertices.len()) {
             return Ok(true);
         }
-        let [a, b] = runs.map(|run| self.rims[run.rim].arc_of_run(run.first, run.edges + 1));
+        let [a, b] = runs.map(|run| self.rims[run.rim].arc_of_run(run.first, run.count + 1));
         Ok(arcs_run_the_same_way(&a?.points, &b?.points)? == same_way)
     }
 
@@ -399,7 +401,7 @@ impl TouchingLoops {
         let mut places = Vec::new();
         for (lens, k) in lenses.iter().zip(0u32..) {
             for run in lens.runs {
-                alloc::extend(&mut places, (0..run.edges + 1).map(|place| (run.vertex_at(&self.rims, place), k)))?;
+                alloc::extend(&mut places, (0..run.count + 1).map(|place| (run.vertex_at(&self.rims, place), k)))?;
             }
         }
         sort::sort_distinct(&mut places);
@@ -408,12 +410,12 @@ impl TouchingLoops {
         let strips = stitch::Options { twist: 0, rows: Rows::None, finish: Finish::Strip, ..plain };
         let mut joints = alloc::with_capacity(lenses.len())?;
         for (k, lens) in lenses.iter().enumerate() {
-            let part = job.share(k, lenses.len());
+            let part = job.sub_job_of_item(k, lenses.len());
             let mut sides = self.sides_of_strip(lens)?;
             let mut joint = Joint {
                 sides: [alloc::copied(&sides[0].vertices)?, alloc::copied(&sides[1].vertices)?],
                 whole: false,
-                gap: lens.gap * self.unit,
+                gap: lens.mean_gap * self.unit,
                 outcome: Outcome::NoStrip,
                 finish: Finish::Strip,
                 vertices: 0..0,
@@ -425,11 +427,11 @@ impl TouchingLoops {
             let existing = edges.existing_edges_between([k, k], &sides)?;
             sides[1].reverse();
             let [a, b] = sides;
-            match Strip::build(a, b, &existing, &strips, || 1.0, &part.part(0.0, 0.6)) {
+            match Strip::build(a, b, &existing, &strips, || 1.0, &part.sub_job(0.0, 0.6)) {
                 Err(Error::NoStrip { .. }) => {}
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
-                    let part = part.part(0.6, 1.0);
+                    let part = part.sub_job(0.6, 1.0);
                     let checked = fair_and_check(mesh, &mut strip, self.unit, &existing, &strips, &part)?;
                     if strip_has_area(&strip) && !repeats_edges(&strip)? {
                         let attached = append_strip(mesh, &strip, self.unit)?;
@@ -449,11 +451,11 @@ impl TouchingLoops {
     /// Returns the sides of a strip, in opposite directions: the run with fewer edges, with both
     /// ends, and the vertices between the ends of the other run.
     fn sides_of_strip(&self, lens: &Lens) -> Result<[Rim; 2]> {
-        let fewer = usize::from(lens.runs[1].edges < lens.runs[0].edges);
+        let fewer = usize::from(lens.runs[1].count < lens.runs[0].count);
         let [a, b] = [lens.runs[fewer], lens.runs[1 - fewer]];
         let mut sides = [
-            self.rims[a.rim].arc_of_run(a.first, a.edges + 1)?,
-            self.rims[b.rim].arc_of_run((b.first + 1) % self.rims[b.rim].vertices.len(), b.edges - 1)?,
+            self.rims[a.rim].arc_of_run(a.first, a.count + 1)?,
+            self.rims[b.rim].arc_of_run((b.first + 1) % self.rims[b.rim].vertices.len(), b.count - 1)?,
         ];
         if lens.same_way {
             sides[1].adapt_to_turned_surface();

@@ -40,10 +40,10 @@ impl UnsewnLoopPairs {
         names: impl Iterator<Item = u32>,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let (mut mesh, places) = concatenate(pieces, &job.part(0.0, 0.1))?;
+        let (mut mesh, places) = concatenate(pieces, &job.sub_job(0.0, 0.1))?;
         if !options.keep_orientation {
-            let view = mesh.view(&job.part(0.1, 0.2))?;
-            mesh = orient::orient(&view, &orient::Options::default(), &job.part(0.2, 0.5))?.mesh;
+            let view = mesh.view(&job.sub_job(0.1, 0.2))?;
+            mesh = orient::orient(&view, &orient::Options::default(), &job.sub_job(0.2, 0.5))?.mesh;
         }
         let (mut piece, mut maps) = (alloc::with_capacity(mesh.positions.len())?, alloc::with_capacity(pieces.len())?);
         for ((view, place), k) in pieces.iter().zip(&places).zip(0..) {
@@ -52,11 +52,11 @@ impl UnsewnLoopPairs {
             let vertices = alloc::collect(place.first_vertex..place.first_vertex + count)?;
             maps.push(IndexMap { vertices, faces: Vec::new() });
         }
-        let loops = PieceLoops::new(&mesh, &piece, &[], &job.part(0.5, 0.7))?;
+        let loops = PieceLoops::new(&mesh, &piece, &[], &job.sub_job(0.5, 0.7))?;
         let excluded = loops.list_excluded_pairs(&maps, options)?;
         let used = alloc::filled(false, loops.rims.len())?;
         let whole = Options { extent: Extent::WholeLoops, ..*options };
-        let found = loops.facing_search(&whole, &used, &excluded).find_facing_loops(&job.part(0.7, 1.0))?;
+        let found = loops.facing_search(&whole, &used, &excluded).find_facing_loops(&job.sub_job(0.7, 1.0))?;
         let mut pairs = alloc::collect(found.iter().map(|facing| {
             let [r, k] = facing.rims.map(|r| r as u32);
             [r.min(k), r.max(k)]

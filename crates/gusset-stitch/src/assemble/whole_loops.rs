@@ -82,18 +82,18 @@ const SAME_PIECE_GAIN_FACTOR: f64 = 0.5;
 #[derive(Clone, Copy)]
 struct FacingMeasures {
     /// The mean distance from its vertices to the nearest point of the other loop.
-    gap: f64,
+    mean_gap: f64,
     /// The mean cosine between its conormals and the directions to the other loop.
-    cosine: f64,
+    mean_facing_cosine: f64,
     /// True if its distances are similar, or its nearest points wind once around the other loop.
-    round: bool,
+    winds_around_or_is_parallel: bool,
     /// True if it lies beside the other loop.
-    beside: bool,
+    lies_beside: bool,
 }
 
 /// The nearest loop ahead of a vertex.
 struct LoopAhead {
-    place: u32,
+    index_on_rim: u32,
     rim: u32,
     distance: f64,
 }
@@ -103,14 +103,16 @@ struct LoopAhead {
 pub(super) struct NearestLoopShare {
     /// The seeing loop, and the seen loop.
     pub(super) rims: [u32; 2],
-    pub(super) share: f64,
+    pub(super) vertex_fraction: f64,
 }
 
 impl FacingSearch<'_> {
     /// Returns the largest gap across which two loops may be joined whole.
     pub(super) fn max_gap_between_whole_loops(&self, first: usize, second: usize) -> f64 {
         let [a, b] = [first, second].map(|k| &self.candidates[k]);
-        self.max_gap.unwrap_or_else(|| a.radius.min(b.radius).max(DEFAULT_GAP_TO_SIZE_RATIO * a.size.max(b.size)))
+        self.max_gap.unwrap_or_else(|| {
+            a.mean_radius.min(b.mean_radius).max(DEFAULT_GAP_TO_SIZE_RATIO * a.component_size.max(b.component_size))
+        })
     }
 
     /// Returns the pairs of whole loops. `near` lists the loops with the nearest vertices of each
@@ -119,14 +121,14 @@ impl FacingSearch<'_> {
     /// O(V log V) for V vertices on loops, plus nearest-point searches for each pair of loops ahead
     /// of each other.
     pub(super) fn pair_whole_loops(&self, near: &[NearestLoopShare], job: &Job<'_>) -> Result<Vec<FacingLoops>> {
-        let (building, job) = (job.part(0.0, 0.1), job.part(0.1, 1.0));
+        let (building, job) = (job.sub_job(0.0, 0.1), job.sub_job(0.1, 1.0));
         let mut trees = alloc::with_capacity(self.rims.len())?;
         for (r, rim) in self.rims.iter().enumerate() {
-            trees.push(KdTree::new(&rim.points, &building.share(r, self.rims.len()), STAGE)?);
+            trees.push(KdTree::new(&rim.points, &building.sub_job_of_item(r, self.rims.len()), STAGE)?);
         }
         let lengths = alloc::try_collect(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
         let conormals = alloc::try_collect(self.rims.iter().map(rim_conormals))?;
-        let before = self.find_loops_ahead(&conormals, &job.part(0.0, 0.5))?;
+        let before = self.find_loops_ahead(&conormals, &job.sub_job(0.0, 0.5))?;
         let mut pairs = alloc::gather(near.iter().map(|seen| seen.rims))?;
         for (of_loop, r) in before.iter().zip(0u32..) {
             alloc::extend(&mut pairs, of_loop.iter().map(|ahead| [r, ahead.rim]))?;
@@ -146,13 +148,16 @@ impl FacingSearch<'_> {
             }
             let there = measure_loop_facing(&self.rims[r], &conormals[r], &self.rims[k], &lengths[k], &trees[k])?;
             let back = measure_loop_facing(&self.rims[k], &conormals[k], &self.rims[r], &lengths[r], &trees[r])?;
-            let (gap, limit) = (there.gap.max(back.gap), self.max_gap_between_whole_loops(r, k));
-            let looks = there.cosine + back.cosine;
+            let (gap, limit) = (there.mean_gap.max(back.mean_gap), self.max_gap_between_whole_loops(r, k));
+            let looks = there.mean_facing_cosine + back.mean_facing_cosine;
             let face = before >= MIN_AHEAD_VERTEX_SHARE
-                && there.cosine.min(back.cosine) >= MIN_FACING_COSINE
+                && there.mean_facing_cosine.min(back.mean_facing_cosine) >= MIN_FACING_COSINE
                 && looks >= MIN_FACING_COSINE_SUM;
             // Overlapping rims, like hem and waist, look away from each other.
-            let round = near >= MIN_NEAREST_VERTEX_SHARE && there.round && back.round && !(there.beside && back.beside);
+            let round = near >= MIN_NEAREST_VERTEX_SHARE
+                && there.winds_around_or_is_parallel
+                && back.winds_around_or_is_parallel
+                && !(there.lies_beside && back.lies_beside);
             if gap <= limit && (face || round) {
                 let [first, second] = [&self.candidates[r], &self.candidates[k]];
                 let nearness = 1.0 - (1.0 - MIN_PAIR_GAIN_FACTOR) * if limit > 0.0 { gap / limit } else { 0.0 };
@@ -163,11 +168,11 @@ impl FacingSearch<'_> {
                 alloc::push(&mut gaps, gap)?;
             }
         }
-        let chosen = choose_best_pairs(&matches, &job.part(1.0, 1.0))?;
+        let chosen = choose_best_pairs(&matches, &job.sub_job(1.0, 1.0))?;
         alloc::collect(chosen.into_iter().map(|number| FacingLoops {
             rims: matches[number].ends.map(|r| r as usize),
             arcs: None,
-            gap: gaps[number],
+            mean_gap: gaps[number],
         }))
     }
 
@@ -177,7 +182,7 @@ impl FacingSearch<'_> {
             let (from, to) = (&self.rims[r], &self.rims[k]);
             let tree = KdTree::new(&to.points, job, STAGE)?;
             let lengths = polyline::lengths(&to.points, true)?;
-            Ok(measure_loop_facing(from, &rim_conormals(from)?, to, &lengths, &tree)?.beside)
+            Ok(measure_loop_facing(from, &rim_conormals(from)?, to, &lengths, &tree)?.lies_beside)
         };
         Ok(is_beside(first, second)? && is_beside(second, first)?)
     }
@@ -185,27 +190,27 @@ impl FacingSearch<'_> {
     /// Returns the nearest loop ahead for some vertices of each loop.
     fn find_loops_ahead(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Vec<LoopAhead>>> {
         let loops = self.collect_loop_vertices()?;
-        let tree = KdTree::with_groups(&loops.points, &loops.groups, &job.part(0.0, 0.0), STAGE)?;
+        let tree = KdTree::with_groups(&loops.points, &loops.groups, &job.sub_job(0.0, 0.0), STAGE)?;
         let mut before = alloc::with_capacity(self.rims.len())?;
         for (r, rim) in self.rims.iter().enumerate() {
             job.step(r as f64 / self.rims.len() as f64, STAGE)?;
             let own = loops.groups[loops.firsts[r] as usize];
-            let widest = self
-                .max_gap
-                .unwrap_or(self.candidates[r].radius.max(DEFAULT_GAP_TO_SIZE_RATIO * self.largest_component_size()));
+            let widest = self.max_gap.unwrap_or(
+                self.candidates[r].mean_radius.max(DEFAULT_GAP_TO_SIZE_RATIO * self.largest_component_size()),
+            );
             let mut of_loop = Vec::new();
-            let asked = if self.used[r] { 0 } else { rim.points.len() };
+            let asked = if self.is_joined_loop[r] { 0 } else { rim.points.len() };
             for i in (0..asked).step_by(rim.points.len().div_ceil(MAX_AHEAD_SAMPLES)) {
                 let (p, ahead) = (rim.points[i], conormals[r][i]);
                 let accept = |v: u32| {
-                    let k = loops.owners[v as usize] as usize;
+                    let k = loops.loop_of_vertex[v as usize] as usize;
                     let way = loops.points[v as usize] - p;
                     k != r && self.may_join_loops(r, k) && way.dot(ahead) >= MIN_COSINE_AHEAD * way.length()
                 };
                 // A mean gap within the limit may be wider in places.
                 if let Some((squared, v)) = tree.nearest_in_other_groups(p, 4.0 * widest * widest, own, accept) {
-                    let rim = loops.owners[v as usize];
-                    alloc::push(&mut of_loop, LoopAhead { place: i as u32, rim, distance: squared.sqrt() })?;
+                    let rim = loops.loop_of_vertex[v as usize];
+                    alloc::push(&mut of_loop, LoopAhead { index_on_rim: i as u32, rim, distance: squared.sqrt() })?;
                 }
             }
             before.push(of_loop);
@@ -215,7 +220,7 @@ impl FacingSearch<'_> {
 
     /// Returns the size of the largest component.
     fn largest_component_size(&self) -> f64 {
-        self.candidates.iter().map(|candidate: &LoopMeasures| candidate.size).fold(0.0, f64::max)
+        self.candidates.iter().map(|candidate: &LoopMeasures| candidate.component_size).fold(0.0, f64::max)
     }
 }
 
@@ -229,7 +234,8 @@ pub(super) fn add_nearest_loop_shares(
 ) -> Result<()> {
     others.sort_unstable();
     let groups = others.chunk_by(|x, y| x == y);
-    let shares = groups.map(|group| NearestLoopShare { rims: [r, group[0]], share: group.len() as f64 / asked as f64 });
+    let shares = groups
+        .map(|group| NearestLoopShare { rims: [r, group[0]], vertex_fraction: group.len() as f64 / asked as f64 });
     shares.into_iter().try_for_each(|share| alloc::push(seen, share))
 }
 
@@ -238,14 +244,14 @@ pub(super) fn add_nearest_loop_shares(
 fn share_of_vertices_with_loop_ahead(of_loop: &[LoopAhead], rim: &Rim, tree: &KdTree<'_>) -> f64 {
     let is_near = |ahead: &&LoopAhead| {
         let limit = MAX_FARTHER_DISTANCE_RATIO * ahead.distance;
-        tree.nearest(rim.points[ahead.place as usize], limit * limit, |_| true).is_some()
+        tree.nearest(rim.points[ahead.index_on_rim as usize], limit * limit, |_| true).is_some()
     };
     of_loop.iter().filter(is_near).count() as f64 / of_loop.len().max(1) as f64
 }
 
 /// Returns the fraction of the first loop's vertices that see the second loop.
 fn nearest_share_of_pair(seen: &[NearestLoopShare], rims: [u32; 2]) -> f64 {
-    seen.binary_search_by_key(&rims, |seen| seen.rims).map_or(0.0, |at| seen[at].share)
+    seen.binary_search_by_key(&rims, |seen| seen.rims).map_or(0.0, |at| seen[at].vertex_fraction)
 }
 
 /// Returns the conormal of edge `i` of a loop. The surface is on the left.
@@ -304,8 +310,18 @@ fn measure_loop_facing(
     let beside = !winds && one_way > MIN_MEAN_DIRECTION_LENGTH && cosine < MAX_BESIDE_COSINE_RATIO * one_way * sum;
     let round = alike || winds;
     Ok(if sum > 0.0 {
-        FacingMeasures { gap: gap / sum, cosine: cosine / sum, round, beside }
+        FacingMeasures {
+            mean_gap: gap / sum,
+            mean_facing_cosine: cosine / sum,
+            winds_around_or_is_parallel: round,
+            lies_beside: beside,
+        }
     } else {
-        FacingMeasures { gap: 0.0, cosine: 1.0, round, beside }
+        FacingMeasures {
+            mean_gap: 0.0,
+            mean_facing_cosine: 1.0,
+            winds_around_or_is_parallel: round,
+            lies_beside: beside,
+        }
     })
 }

@@ -42,13 +42,13 @@ impl BlendFairing {
 pub(crate) struct NewVertexLimits {
     /// Estimated number of vertices for the sizes. If more are needed, all sides grow. If the
     /// estimate is too low for the shape, there are at most twice as many.
-    pub(crate) new: u32,
+    pub(crate) max_estimated_vertices: u32,
     /// For each rim vertex, the number of new vertices that is always allowed, and the number in
     /// addition for sharp angles.
-    pub(crate) at_rim: u32,
+    pub(crate) max_vertices_per_rim_vertex: u32,
     /// The blend fails if sides must grow by more than this. If this is finite, it also fails if
     /// the limits are reached.
-    pub(crate) growth: f64,
+    pub(crate) max_side_growth: f64,
 }
 
 /// The replacement of coarse triangles.
@@ -68,14 +68,14 @@ pub(crate) type GuideSurface<'a> = dyn Fn(&mut [DVec3]) -> Result<()> + 'a;
 pub(crate) struct BlendPlan<T: Fn(u32, u32) -> bool> {
     ring: OldRing,
     /// Returns true if two rim vertices must not get an edge.
-    taken: T,
+    is_forbidden_edge: T,
     /// The coarse triangles with refined sides.
     mesh: PatchMesh,
     sizing: VertexSizes,
     /// Creases with a smaller cosine are smoothed out.
     min_cosine: f64,
     /// True for rim vertices at which old creases end.
-    creased: Vec<bool>,
+    is_crease_end: Vec<bool>,
 }
 
 impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
@@ -90,15 +90,15 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
         guide: Option<&GuideSurface<'_>>,
         job: &Job<'_>,
     ) -> Result<Option<Self>> {
-        let rim = ring.centred.len();
+        let rim = ring.has_laplacian_in_energy.len();
         let (usual, creased) = ring.measure_bends()?;
         // The cosine of twice the angle.
         let min_cosine = MIN_SMOOTH_BEND_COSINE.min(2.0 * usual * usual - 1.0);
         let mut mesh = PatchMesh::new(alloc::copied(&ring.points[..rim])?, triangles)?;
         let mut size = ring.mean_side_lengths_at_rims()?;
         size.iter_mut().for_each(|s| *s *= NEW_SIDE_TO_OLD_SIDE_RATIO);
-        let at_rim = limits.at_rim.saturating_mul(rim as u32);
-        let limit = limits.new.max(at_rim);
+        let at_rim = limits.max_vertices_per_rim_vertex.saturating_mul(rim as u32);
+        let limit = limits.max_estimated_vertices.max(at_rim);
         let needed = estimate_new_vertices(&mesh, &size);
         // Sides of length 0 make the estimate infinite.
         if !needed.is_finite() {
@@ -106,56 +106,60 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
         }
         let needed = needed.min(f64::from(limit));
         let grown = size_growth_for_limit(&mesh, &size, limit);
-        if grown > limits.growth {
+        if grown > limits.max_side_growth {
             return Ok(None);
         }
         size.iter_mut().for_each(|s| *s *= grown);
         ring.draw_old_vertices_to_rims(&size)?;
         let mut sizing = VertexSizes {
-            size,
-            unfaired: alloc::copied(&mesh.points)?,
+            wanted_side_lengths: size,
+            points_before_fairing: alloc::copied(&mesh.points)?,
             curvature: alloc::filled(DVec3::ZERO, rim)?,
             // Twice the estimate, for shapes that need more.
-            limit: rim + 2 * needed as usize + at_rim as usize,
-            shortest: MIN_RELATIVE_SHORTEST_SIDE,
+            max_vertices: rim + 2 * needed as usize + at_rim as usize,
+            min_shortest_side_in_sizes: MIN_RELATIVE_SHORTEST_SIDE,
         };
-        even_out_side_lengths(&mut mesh, rim, &mut sizing, &taken, &job.part(0.0, 0.5))?;
-        refine_by_insertion(&mut mesh, rim, &mut sizing, &taken, &job.part(0.5, 0.8))?;
-        if limits.growth.is_finite() && mesh.points.len() >= sizing.limit {
+        even_out_side_lengths(&mut mesh, rim, &mut sizing, &taken, &job.sub_job(0.0, 0.5))?;
+        refine_by_insertion(&mut mesh, rim, &mut sizing, &taken, &job.sub_job(0.5, 0.8))?;
+        if limits.max_side_growth.is_finite() && mesh.points.len() >= sizing.max_vertices {
             return Ok(None);
         }
-        mesh.move_vertices_within_surface(rim, &taken, VERTEX_MOVE_ROUNDS[0], &job.part(0.8, 1.0))?;
+        mesh.move_vertices_within_surface(rim, &taken, VERTEX_MOVE_ROUNDS[0], &job.sub_job(0.8, 1.0))?;
         if let Some(guide) = guide {
             guide(&mut mesh.points[rim..])?;
-            sizing.unfaired.copy_from_slice(&mesh.points);
+            sizing.points_before_fairing.copy_from_slice(&mesh.points);
         }
         let closed = |v: usize| v >= rim;
         sizing.curvature =
-            mean_curvature(&mesh.points, &mesh.triangles, &closed, CURVATURE_SMOOTHING_PASSES, &job.part(1.0, 1.0))?;
-        Ok(Some(BlendPlan { ring, taken, mesh, sizing, min_cosine, creased }))
+            mean_curvature(&mesh.points, &mesh.triangles, &closed, CURVATURE_SMOOTHING_PASSES, &job.sub_job(1.0, 1.0))?;
+        Ok(Some(BlendPlan { ring, is_forbidden_edge: taken, mesh, sizing, min_cosine, is_crease_end: creased }))
     }
 
     /// Creates the blend. For n new vertices O(n log n), plus O(n^1.5) for the plate; nearly linear
     /// on a narrow strip.
     pub(crate) fn create_blend(&self, way: BlendFairing, job: &Job<'_>) -> Result<Blend> {
-        let (ring, taken, rim) = (&self.ring, &self.taken, self.ring.centred.len());
+        let (ring, taken, rim) = (&self.ring, &self.is_forbidden_edge, self.ring.has_laplacian_in_energy.len());
         let (mut mesh, mut sizing) = (self.mesh.try_clone()?, self.sizing.try_clone()?);
         for round in 0..way.rounds {
-            let part = job.part(0.0, 0.6).share(round as usize, way.rounds as usize);
+            let part = job.sub_job(0.0, 0.6).sub_job_of_item(round as usize, way.rounds as usize);
             if round > 0 {
-                refine_by_insertion(&mut mesh, rim, &mut sizing, taken, &part.part(0.0, 0.3))?;
-                mesh.move_vertices_within_surface(rim, taken, VERTEX_MOVE_ROUNDS[0], &part.part(0.3, 0.4))?;
-                if let Some(passes) = ring.follows {
-                    sizing.curvature = ring.smoothed_curvature_of_patch(&mesh, passes, &part.part(0.4, 0.4))?;
+                refine_by_insertion(&mut mesh, rim, &mut sizing, taken, &part.sub_job(0.0, 0.3))?;
+                mesh.move_vertices_within_surface(rim, taken, VERTEX_MOVE_ROUNDS[0], &part.sub_job(0.3, 0.4))?;
+                if let Some(passes) = ring.smoothing_passes_of_rest_curvature {
+                    sizing.curvature = ring.smoothed_curvature_of_patch(&mesh, passes, &part.sub_job(0.4, 0.4))?;
                 }
             }
-            ring.fair_patch(&mut mesh, &sizing, way.unfolds, &part.part(0.4, 1.0))?;
+            ring.fair_patch(&mut mesh, &sizing, way.unfolds, &part.sub_job(0.4, 1.0))?;
         }
-        mesh.iron_out_creases(rim, self.min_cosine, &self.creased, &job.part(0.6, 0.7))?;
-        sizing.shortest = FINAL_MIN_RELATIVE_SHORTEST_SIDE;
-        refine_by_insertion(&mut mesh, rim, &mut sizing, taken, &job.part(0.7, 0.8))?;
-        mesh.move_vertices_within_surface(rim, taken, VERTEX_MOVE_ROUNDS[1], &job.part(0.8, 1.0))?;
+        mesh.iron_out_creases(rim, self.min_cosine, &self.is_crease_end, &job.sub_job(0.6, 0.7))?;
+        sizing.min_shortest_side_in_sizes = FINAL_MIN_RELATIVE_SHORTEST_SIDE;
+        refine_by_insertion(&mut mesh, rim, &mut sizing, taken, &job.sub_job(0.7, 0.8))?;
+        mesh.move_vertices_within_surface(rim, taken, VERTEX_MOVE_ROUNDS[1], &job.sub_job(0.8, 1.0))?;
         let back = |points: &[DVec3]| alloc::collect(points[rim..].iter().map(|&p| p + ring.origin));
-        Ok(Blend { points: back(&mesh.points)?, unfaired: back(&sizing.unfaired)?, triangles: mesh.triangles })
+        Ok(Blend {
+            points: back(&mesh.points)?,
+            unfaired: back(&sizing.points_before_fairing)?,
+            triangles: mesh.triangles,
+        })
     }
 }

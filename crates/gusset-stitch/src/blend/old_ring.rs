@@ -27,17 +27,17 @@ pub(crate) struct OldRing {
     /// The sides of the faces, face by face.
     pub(crate) sides: Vec<(u32, u32)>,
     /// True for rim vertices whose Laplacian enters the plate's energy.
-    pub(crate) centred: Vec<bool>,
+    pub(crate) has_laplacian_in_energy: Vec<bool>,
     /// The length of each rim, and whether it is a loop.
-    pub(crate) rims: Vec<(usize, bool)>,
+    pub(crate) rim_lengths_and_closedness: Vec<(usize, bool)>,
     /// Blends wider than this follow the coarse triangles; see [`RestShape`].
-    pub(crate) reach: f64,
+    pub(crate) max_width_without_springs: f64,
     /// The rest shape of the plate after the first solution: `None` keeps the first one. Otherwise
     /// it is the solution's own curvature, including the rims, after this number of smoothing
     /// passes. Curvature that equals its own mean, as on a sphere, is preserved.
-    pub(crate) follows: Option<u32>,
+    pub(crate) smoothing_passes_of_rest_curvature: Option<u32>,
     /// The old surface beyond, for curvature continuity.
-    pub(crate) beyond: SecondRing,
+    pub(crate) second_ring: SecondRing,
 }
 
 /// The old faces next to those that touch the rims.
@@ -48,7 +48,7 @@ pub(crate) struct SecondRing {
     pub(crate) continuity: Continuity,
     pub(crate) triangles: Vec<[u32; 3]>,
     /// For each old vertex after the rims', in order, true if its Laplacian is known.
-    pub(crate) centred: Vec<bool>,
+    pub(crate) is_laplacian_known: Vec<bool>,
 }
 
 impl OldRing {
@@ -56,7 +56,7 @@ impl OldRing {
     /// [`USUAL_BEND_PERCENTILE`] percent of the edges reach, at least 0, and for each rim vertex
     /// whether one of its edges bends by more than [`MIN_SMOOTH_BEND_COSINE`].
     pub(super) fn measure_bends(&self) -> Result<(f64, Vec<bool>)> {
-        let rim = self.centred.len();
+        let rim = self.has_laplacian_in_energy.len();
         let mut edges = alloc::with_capacity(3 * self.triangles.len())?;
         for &[a, b, c] in &self.triangles {
             let [p, q, r] = [a, b, c].map(|v| self.points[v as usize]);
@@ -83,7 +83,7 @@ impl OldRing {
     /// slivers count little. The sizes vary slowly along the rims: each is at least the size of a
     /// neighbour minus its distance. A corner that the rim cuts off says little about the surface.
     pub(super) fn mean_side_lengths_at_rims(&self) -> Result<Vec<f64>> {
-        let rim = self.centred.len();
+        let rim = self.has_laplacian_in_energy.len();
         let mut sums = alloc::filled((0.0, 0.0), rim)?;
         for &(u, v) in &self.sides {
             let length = self.points[u as usize].distance(self.points[v as usize]);
@@ -94,7 +94,7 @@ impl OldRing {
         }
         let mut size = alloc::collect(sums.iter().map(|&(squares, sum)| if sum > 0.0 { squares / sum } else { 0.0 }))?;
         let mut first = 0;
-        for &(n, closed) in &self.rims {
+        for &(n, closed) in &self.rim_lengths_and_closedness {
             // Twice around a loop, in both directions.
             let places = if closed { 2 * n } else { n };
             let mut pass = |u: usize, v: usize| {
@@ -116,7 +116,7 @@ impl OldRing {
     ///
     /// Does nothing for curvature continuity, because the move would change the curvature.
     pub(super) fn draw_old_vertices_to_rims(&mut self, size: &[f64]) -> Result<()> {
-        if self.beyond.continuity == Continuity::C2 {
+        if self.second_ring.continuity == Continuity::C2 {
             return Ok(());
         }
         let rim = size.len();
@@ -143,13 +143,13 @@ impl OldRing {
     /// Returns the ring's points followed by the new points of a patch, and all triangles over
     /// them.
     fn merged_with_patch(&self, mesh: &PatchMesh) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
-        let rim = self.centred.len();
+        let rim = self.has_laplacian_in_energy.len();
         let old = self.points.len();
         let mut points = alloc::copied(&self.points)?;
         alloc::append(&mut points, &mesh.points[rim..])?;
         let name = |v: u32| if (v as usize) < rim { v } else { v + (old - rim) as u32 };
         let mut triangles = alloc::copied(&self.triangles)?;
-        alloc::append(&mut triangles, &self.beyond.triangles)?;
+        alloc::append(&mut triangles, &self.second_ring.triangles)?;
         alloc::extend(&mut triangles, mesh.triangles.iter().map(|triangle| triangle.map(name)))?;
         Ok((points, triangles))
     }
@@ -161,9 +161,15 @@ impl OldRing {
         passes: u32,
         job: &Job<'_>,
     ) -> Result<Vec<DVec3>> {
-        let (rim, old) = (self.centred.len(), self.points.len());
+        let (rim, old) = (self.has_laplacian_in_energy.len(), self.points.len());
         let (points, triangles) = self.merged_with_patch(mesh)?;
-        let all = mean_curvature(&points, &triangles, &|v| v >= old || v < rim && self.centred[v], passes, job)?;
+        let all = mean_curvature(
+            &points,
+            &triangles,
+            &|v| v >= old || v < rim && self.has_laplacian_in_energy[v],
+            passes,
+            job,
+        )?;
         let mut own = alloc::copied(&all[..rim])?;
         alloc::append(&mut own, &all[old..])?;
         Ok(own)
@@ -177,29 +183,34 @@ impl OldRing {
         unfolds: bool,
         job: &Job<'_>,
     ) -> Result<()> {
-        let rim = self.centred.len();
+        let rim = self.has_laplacian_in_energy.len();
         let (old, new) = (self.points.len(), mesh.points.len() - rim);
         let (mut points, triangles) = self.merged_with_patch(mesh)?;
         let mut free = alloc::filled(false, old + new)?;
         free[old..].fill(true);
         let mut centres = alloc::copied(&free)?;
-        centres[..rim].copy_from_slice(&self.centred);
-        centres[rim..][..self.beyond.centred.len()].copy_from_slice(&self.beyond.centred);
+        centres[..rim].copy_from_slice(&self.has_laplacian_in_energy);
+        centres[rim..][..self.second_ring.is_laplacian_known.len()]
+            .copy_from_slice(&self.second_ring.is_laplacian_known);
         let mut curvature = alloc::copied(&sizing.curvature[..rim])?;
         alloc::append(&mut curvature, &alloc::filled(DVec3::ZERO, old - rim)?)?;
         alloc::append(&mut curvature, &sizing.curvature[rim..])?;
         let mut places = alloc::copied(&self.points)?;
-        alloc::append(&mut places, &sizing.unfaired[rim..])?;
+        alloc::append(&mut places, &sizing.points_before_fairing[rim..])?;
         // With curvature continuity, the old surface's curvature bends the plate.
-        let is_bent = self.beyond.continuity == Continuity::C1;
+        let is_bent = self.second_ring.continuity == Continuity::C1;
         let plate = Plate {
             triangles: &triangles,
-            free: &free,
-            centres: &centres,
+            is_free_vertex: &free,
+            has_laplacian_in_energy: &centres,
             weights: LaplacianWeights::Cotangent,
-            continuity: self.beyond.continuity,
-            shape: is_bent.then_some(RestShape { curvature: &curvature, places: &places, reach: self.reach }),
-            layout: None,
+            continuity: self.second_ring.continuity,
+            shape: is_bent.then_some(RestShape {
+                curvature: &curvature,
+                rest_positions: &places,
+                max_width_without_springs: self.max_width_without_springs,
+            }),
+            ordering_positions: None,
         };
         minimise_plate_energy(&mut points, &plate, job)?;
         if unfolds {

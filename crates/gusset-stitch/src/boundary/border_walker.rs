@@ -46,13 +46,13 @@ fn end_vertex(mesh: &MeshView<'_>, h: u32) -> u32 {
 pub(super) struct BorderWalker<'m, 'a> {
     mesh: &'m MeshView<'a>,
     topology: &'m Topology,
-    mode: NonManifold,
+    non_manifold_mode: NonManifold,
     /// The half-edges of free and of non-manifold edges, ascending.
     border: Vec<u32>,
     /// For each entry of `border`, true if it belongs to a walk.
     visited: Vec<bool>,
     /// The next entry of `border` to start from.
-    next: usize,
+    next_border_entry: usize,
     /// For each vertex, true if a walk passed it and its faces form more than one fan.
     bow_tie: Vec<bool>,
 }
@@ -67,12 +67,12 @@ impl<'m, 'a> BorderWalker<'m, 'a> {
         let border = topology.border_half_edges(job)?;
         let visited = alloc::filled(false, border.len())?;
         let bow_tie = alloc::zeroed(mesh.positions().len())?;
-        Ok(BorderWalker { mesh, topology, mode, border, visited, next: 0, bow_tie })
+        Ok(BorderWalker { mesh, topology, non_manifold_mode: mode, border, visited, next_border_entry: 0, bow_tie })
     }
 
     /// Returns the fraction of the border that has been visited.
     pub(super) fn visited_fraction(&self) -> f64 {
-        self.next as f64 / self.border.len().max(1) as f64
+        self.next_border_entry as f64 / self.border.len().max(1) as f64
     }
 
     /// Returns true if the edge of `h` has three or more faces.
@@ -91,11 +91,11 @@ impl<'m, 'a> BorderWalker<'m, 'a> {
     pub(super) fn next_walk(&mut self, walk: &mut Vec<DirectedHalfEdge>, job: &Job<'_>) -> Result<Option<bool>> {
         walk.clear();
         let start = loop {
-            let Some(&h) = self.border.get(self.next) else {
+            let Some(&h) = self.border.get(self.next_border_entry) else {
                 return Ok(None);
             };
-            self.next += 1;
-            if !self.visited[self.next - 1] && !self.is_non_manifold_edge(h) {
+            self.next_border_entry += 1;
+            if !self.visited[self.next_border_entry - 1] && !self.is_non_manifold_edge(h) {
                 break DirectedHalfEdge { half_edge: h, forward: true };
             }
         };
@@ -154,7 +154,7 @@ impl<'m, 'a> BorderWalker<'m, 'a> {
             if corners < self.topology.corner_count(v) {
                 self.bow_tie[v as usize] = true;
             }
-            let stop = across == Opposite::Singular && self.mode == NonManifold::Stop;
+            let stop = across == Opposite::Singular && self.non_manifold_mode == NonManifold::Stop;
             return (!stop).then_some(DirectedHalfEdge { half_edge: other, forward: arriving });
         }
     }

@@ -157,31 +157,31 @@ const WALKS_PER_REPORT: usize = 1 << 12;
 /// see [`LoopFlags`] and [`Boundary::defects`].
 pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Boundary> {
     if options.survey == Survey::BoundaryOnly
-        && let Some(walks) = find_regular_walks(mesh, &job.part(0.0, 0.5))?
+        && let Some(walks) = find_regular_walks(mesh, &job.sub_job(0.0, 0.5))?
     {
         let mut boundary = Boundary { walks: walks.len() as u32, ..Boundary::default() };
-        let walking = job.part(0.5, 1.0);
+        let walking = job.sub_job(0.5, 1.0);
         for (number, darts) in walks.iter().enumerate() {
             walking.step_every(WALKS_PER_REPORT, number, walks.len(), STAGE)?;
             let piece =
                 SimpleWalkPiece { darts, closed: true, walk: number as u32, walk_closed: true, is_split: false };
-            boundary.append_piece(mesh, &piece, None, &walking.share(number, walks.len()))?;
+            boundary.append_piece(mesh, &piece, None, &walking.sub_job_of_item(number, walks.len()))?;
         }
         job.step(1.0, STAGE)?;
         return Ok(boundary);
     }
     let done = if options.survey == Survey::BoundaryOnly { 0.5 } else { 0.0 };
-    let job = &job.part(done, 1.0);
-    let topology = Topology::new(mesh, &job.part(0.0, 0.9))?;
+    let job = &job.sub_job(done, 1.0);
+    let topology = Topology::new(mesh, &job.sub_job(0.0, 0.9))?;
     job.step(0.9, STAGE)?;
     let mut boundary = Boundary { defects: alloc::copied(topology.defects())?, ..Boundary::default() };
     let mut walker = BorderWalker::new(mesh, &topology, options.non_manifold, job)?;
     job.step(0.9, STAGE)?;
     let mut place = alloc::filled(NONE, mesh.positions().len())?;
     let mut walk = Vec::new();
-    let mut walking = job.part(0.9, 1.0);
+    let mut walking = job.sub_job(0.9, 1.0);
     while let Some(walk_closed) = walker.next_walk(&mut walk, &walking)? {
-        walking = job.part(0.9 + 0.1 * walker.visited_fraction(), 1.0);
+        walking = job.sub_job(0.9 + 0.1 * walker.visited_fraction(), 1.0);
         walking.step(0.0, STAGE)?;
         let number = boundary.walks;
         boundary.walks += 1;
@@ -261,7 +261,7 @@ impl Boundary {
                 | bow_tie(tail);
             self.vertices.push(tail);
             self.half_edges.push(dart.half_edge);
-            self.faces.push(mesh.faces().face_of(dart.half_edge));
+            self.faces.push(mesh.faces().face_of_half_edge(dart.half_edge));
             self.edge_flags.push(
                 (u8::from(!dart.forward) * EdgeFlags::REVERSED)
                     | (u8::from(singular) * EdgeFlags::NON_MANIFOLD)

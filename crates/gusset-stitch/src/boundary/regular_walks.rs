@@ -47,9 +47,9 @@ const MAX_SUMMING_THREADS: usize = 8;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct CandidateHalfEdge {
     /// The smaller end, and the larger end.
-    ends: [u32; 2],
+    sorted_ends: [u32; 2],
     /// True if the half-edge runs from the smaller to the larger end.
-    up: bool,
+    is_ascending: bool,
     half_edge: u32,
 }
 
@@ -68,16 +68,16 @@ pub(super) fn find_regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<O
         mesh.faces().len().div_ceil(FACES_PER_TASK).min(MAX_SUMMING_THREADS),
         job.requested_threads(),
     );
-    let sums = BorderSums::sum_over_mesh(mesh, threads)?;
+    let sums = BorderDetectionSums::sum_over_mesh(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
     let parts = par::map(threads, par::split_into_ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
-        let mut gather = CandidateCollector { sums: &sums, found: Vec::new() };
+        let mut gather = CandidateCollector { sums: &sums, candidates: Vec::new() };
         mesh.faces().visit_faces(range, &mut gather)?;
-        Ok(gather.found)
+        Ok(gather.candidates)
     })?;
     let mut candidates = Vec::new();
     alloc::append_all(&mut candidates, parts)?;
-    let job = job.part(0.9, 1.0);
+    let job = job.sub_job(0.9, 1.0);
     job.step(0.0, STAGE)?;
     let Some(border) = border_half_edges(candidates)? else {
         return Ok(None);
@@ -85,7 +85,7 @@ pub(super) fn find_regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<O
     job.step(0.2, STAGE)?;
     match next_border_edges(&border)? {
         Some(next) if sums.are_explained_by_border(&border, &next) => {
-            closed_walks(mesh, &border, next, &job.part(0.4, 1.0)).map(Some)
+            closed_walks(mesh, &border, next, &job.sub_job(0.4, 1.0)).map(Some)
         }
         _ => Ok(None),
     }
@@ -111,53 +111,53 @@ fn wrapping_difference_u64(x: u32, y: u32) -> u64 {
 }
 
 /// Both sums over some or all faces.
-struct BorderSums {
-    of_vertex: Vec<u32>,
-    area: u64,
+struct BorderDetectionSums {
+    vertex_sums: Vec<u32>,
+    shoelace_sum: u64,
 }
 
-impl FaceVisitor for BorderSums {
+impl FaceVisitor for BorderDetectionSums {
     #[inline(always)]
     fn visit_face(&mut self, _: u32, corners: &[u32]) -> Result<()> {
         let (count, first) = (corners.len(), corners[0]);
         let mut before = vertex_hash(corners[count - 1]);
         for (i, &here) in corners.iter().enumerate() {
             let after = corners[if i + 1 < count { i + 1 } else { 0 }];
-            let sum = &mut self.of_vertex[here as usize];
+            let sum = &mut self.vertex_sums[here as usize];
             *sum = sum.wrapping_add(vertex_hash(after).wrapping_sub(before));
             // The face as a fan of triangles (first, here, after). The first and the last of them
             // are degenerate.
             let area = wrapping_difference_u64(here, first)
                 .wrapping_mul(wrapping_difference_u64(after, first))
                 .wrapping_mul(wrapping_difference_u64(after, here));
-            self.area = self.area.wrapping_add(area);
+            self.shoelace_sum = self.shoelace_sum.wrapping_add(area);
             before = vertex_hash(here);
         }
         Ok(())
     }
 }
 
-impl BorderSums {
+impl BorderDetectionSums {
     /// Sums over the whole mesh. Each thread sums into an array of its own. All additions wrap, so
     /// that their order does not matter.
     fn sum_over_mesh(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
-        let idle: Mutex<Vec<BorderSums>> = Mutex::new(Vec::new());
+        let idle: Mutex<Vec<BorderDetectionSums>> = Mutex::new(Vec::new());
         let pool = || lock(&idle);
         let added = par::map(threads, par::split_into_ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
             let free = pool().pop();
             let mut partial = match free {
                 Some(partial) => partial,
-                None => BorderSums { of_vertex: alloc::zeroed(mesh.positions().len())?, area: 0 },
+                None => BorderDetectionSums { vertex_sums: alloc::zeroed(mesh.positions().len())?, shoelace_sum: 0 },
             };
             mesh.faces().visit_faces(range, &mut partial)?;
             alloc::push(&mut pool(), partial)
         })?;
         added.into_iter().collect::<Result<()>>()?;
         let mut partials = idle.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter();
-        let mut sums = partials.next().unwrap_or(BorderSums { of_vertex: Vec::new(), area: 0 });
+        let mut sums = partials.next().unwrap_or(BorderDetectionSums { vertex_sums: Vec::new(), shoelace_sum: 0 });
         for partial in partials {
-            sums.area = sums.area.wrapping_add(partial.area);
-            let both = sums.of_vertex.iter_mut().zip(partial.of_vertex);
+            sums.shoelace_sum = sums.shoelace_sum.wrapping_add(partial.shoelace_sum);
+            let both = sums.vertex_sums.iter_mut().zip(partial.vertex_sums);
             both.for_each(|(sum, part)| *sum = sum.wrapping_add(part));
         }
         Ok(sums)
@@ -165,24 +165,24 @@ impl BorderSums {
 
     /// Returns true if s(v) is not 0.
     fn has_nonzero_sum(&self, v: u32) -> bool {
-        self.of_vertex[v as usize] != 0
+        self.vertex_sums[v as usize] != 0
     }
 
     /// Returns true if both sums match the border, in which edge `next[i]` follows edge i.
     fn are_explained_by_border(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
         let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| {
-            self.of_vertex[v as usize] == vertex_hash(border[i].1).wrapping_sub(vertex_hash(u))
+            self.vertex_sums[v as usize] == vertex_hash(border[i].1).wrapping_sub(vertex_hash(u))
         };
         let area = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(shoelace_term(u, v)));
-        let flagged = self.of_vertex.iter().filter(|&&sum| sum != 0).count();
-        border.len() == flagged && border.iter().zip(next).all(fits) && area == self.area
+        let flagged = self.vertex_sums.iter().filter(|&&sum| sum != 0).count();
+        border.len() == flagged && border.iter().zip(next).all(fits) && area == self.shoelace_sum
     }
 }
 
 /// Gathers half-edges between vertices with s != 0.
 struct CandidateCollector<'a> {
-    sums: &'a BorderSums,
-    found: Vec<CandidateHalfEdge>,
+    sums: &'a BorderDetectionSums,
+    candidates: Vec<CandidateHalfEdge>,
 }
 
 impl FaceVisitor for CandidateCollector<'_> {
@@ -202,7 +202,10 @@ impl CandidateCollector<'_> {
         let after = corners.iter().cycle().skip(1);
         for ((&u, &v), half_edge) in corners.iter().zip(after).zip(first..) {
             if self.sums.has_nonzero_sum(u) && self.sums.has_nonzero_sum(v) {
-                alloc::push(&mut self.found, CandidateHalfEdge { ends: [u.min(v), u.max(v)], up: u <= v, half_edge })?;
+                alloc::push(
+                    &mut self.candidates,
+                    CandidateHalfEdge { sorted_ends: [u.min(v), u.max(v)], is_ascending: u <= v, half_edge },
+                )?;
             }
         }
         Ok(())
@@ -214,12 +217,12 @@ impl CandidateCollector<'_> {
 fn border_half_edges(mut candidates: Vec<CandidateHalfEdge>) -> Result<Option<Vec<(u32, u32, u32)>>> {
     candidates.sort_unstable();
     let mut border = alloc::with_capacity(candidates.len())?;
-    for edge in candidates.chunk_by(|x, y| x.ends == y.ends) {
+    for edge in candidates.chunk_by(|x, y| x.sorted_ends == y.sorted_ends) {
         match edge {
-            &[CandidateHalfEdge { ends: [u, v], up, half_edge }] if u != v => {
+            &[CandidateHalfEdge { sorted_ends: [u, v], is_ascending: up, half_edge }] if u != v => {
                 border.push(if up { (u, v, half_edge) } else { (v, u, half_edge) });
             }
-            [x, y] if x.up != y.up => {}
+            [x, y] if x.is_ascending != y.is_ascending => {}
             _ => return Ok(None),
         }
     }
@@ -257,8 +260,8 @@ fn closed_walks(
 ) -> Result<Vec<Vec<DirectedHalfEdge>>> {
     job.step(0.0, STAGE)?;
     let mut order = alloc::collect((0..border.len()).map(|i| (border[i].2, i)))?;
-    sort(&mut order, Ord::cmp, &job.part(0.0, 0.5), STAGE)?;
-    let job = job.part(0.5, 1.0);
+    sort(&mut order, Ord::cmp, &job.sub_job(0.0, 0.5), STAGE)?;
+    let job = job.sub_job(0.5, 1.0);
     let mut walks: Vec<Vec<DirectedHalfEdge>> = Vec::new();
     for (k, (_, first)) in order.into_iter().enumerate() {
         job.step_every(HALF_EDGES_PER_REPORT, k, border.len(), STAGE)?;

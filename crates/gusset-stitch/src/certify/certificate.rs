@@ -82,22 +82,22 @@ pub struct Certificate {
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn certify(inputs: &[MeshView<'_>], result: &MeshView<'_>, job: &Job<'_>) -> Result<Certificate> {
-    let found = check(result, &job.part(0.0, 0.2))?;
-    let pairs = find_intersecting_faces(result, &job.part(0.2, 0.5))?;
+    let found = check(result, &job.sub_job(0.0, 0.2))?;
+    let pairs = find_intersecting_faces(result, &job.sub_job(0.2, 0.5))?;
     let may_face_outwards = found.closed && found.oriented && pairs.is_empty();
     let is_nesting_certain =
-        may_face_outwards && (found.components < 2 || have_own_vertices(result, &job.part(0.5, 0.53))?);
+        may_face_outwards && (found.components < 2 || have_own_vertices(result, &job.sub_job(0.5, 0.53))?);
     let outward = is_nesting_certain && {
-        let wrong = find_wrong_components(result, &job.part(0.53, 0.6))?;
+        let wrong = find_wrong_components(result, &job.sub_job(0.53, 0.6))?;
         wrong.turned.is_empty() && wrong.zero_volume.is_empty()
     };
-    let polygon_triangles = split_polygons(result, &job.part(0.6, 0.65))?;
-    let collinear_triangles = count_collinear_triangles(result, &polygon_triangles, &job.part(0.65, 0.7))?;
+    let polygon_triangles = split_polygons(result, &job.sub_job(0.6, 0.65))?;
+    let collinear_triangles = count_collinear_triangles(result, &polygon_triangles, &job.sub_job(0.65, 0.7))?;
     let mut meshes = alloc::gather(inputs)?;
     alloc::push(&mut meshes, result)?;
-    let points = NumberedPoints::new(&meshes, &job.part(0.7, 0.8))?;
-    let matched = match_faces(&meshes, &points, &job.part(0.8, 0.9))?;
-    let farthest_vertex = find_farthest_vertex(&meshes, &points, &job.part(0.9, 1.0))?;
+    let points = NumberedPoints::new(&meshes, &job.sub_job(0.7, 0.8))?;
+    let matched = match_faces(&meshes, &points, &job.sub_job(0.8, 0.9))?;
+    let farthest_vertex = find_farthest_vertex(&meshes, &points, &job.sub_job(0.9, 1.0))?;
     let count = |list: &[u32]| list.len() as u32;
     Ok(Certificate {
         vertices: found.vertices - count(&found.unused_vertices),
@@ -114,10 +114,10 @@ pub fn certify(inputs: &[MeshView<'_>], result: &MeshView<'_>, job: &Job<'_>) ->
         duplicate_faces: count(&found.duplicate_faces),
         collinear_triangles,
         intersecting_pairs: pairs.len() as u64,
-        kept_faces: matched.kept,
-        turned_faces: matched.turned,
-        lost_faces: matched.lost,
-        new_faces: matched.new,
+        kept_faces: matched.kept_count,
+        turned_faces: matched.turned_pairs,
+        lost_faces: matched.lost_faces,
+        new_faces: matched.new_count,
         farthest_vertex,
         polygon_triangles,
     })
@@ -133,7 +133,7 @@ fn split_polygons(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<[u32; 3]>> {
         if corners.len() > 3 {
             let half_edge = |k: usize| (corners.start + k) as u32;
             let at = |k: usize| mesh.positions().get(faces.corner(half_edge(k)));
-            split.append_face(corners.len(), at, half_edge, f as u32, &job.share(f, faces.len()))?;
+            split.append_face(corners.len(), at, half_edge, f as u32, &job.sub_job_of_item(f, faces.len()))?;
         }
     }
     Ok(split.corners)

@@ -17,10 +17,10 @@ const STAGE: &str = "matching faces";
 /// The input faces, as (piece, face) ascending, and the result faces without an input face.
 #[derive(Default)]
 pub(super) struct MatchedFaces {
-    pub(super) kept: u64,
-    pub(super) turned: Vec<[u32; 2]>,
-    pub(super) lost: Vec<[u32; 2]>,
-    pub(super) new: u32,
+    pub(super) kept_count: u64,
+    pub(super) turned_pairs: Vec<[u32; 2]>,
+    pub(super) lost_faces: Vec<[u32; 2]>,
+    pub(super) new_count: u32,
 }
 
 /// A face of a mesh, with its place in the list of cycles.
@@ -45,7 +45,7 @@ pub(super) fn match_faces(meshes: &[&MeshView<'_>], points: &NumberedPoints, job
     let mut scratch = Vec::new();
     for (m, mesh) in meshes.iter().enumerate() {
         for f in 0..mesh.faces().len() {
-            job.part(0.0, 0.0).step_within_list(f, STAGE)?;
+            job.sub_job(0.0, 0.0).step_within_list(f, STAGE)?;
             let start = numbers.len();
             numbers.extend(mesh.face(f).map(|v| points.number(m, v)));
             let cycle = &mut numbers[start..];
@@ -58,16 +58,16 @@ pub(super) fn match_faces(meshes: &[&MeshView<'_>], points: &NumberedPoints, job
     let compare = |a: &FaceCycle, b: &FaceCycle| cycle(a).cmp(cycle(b));
     let place = |face: &FaceCycle| (face.mesh, face.face);
     let order = |a: &FaceCycle, b: &FaceCycle| compare(a, b).then(place(a).cmp(&place(b)));
-    sort(&mut faces, order, &job.part(0.1, 0.7), STAGE)?;
+    sort(&mut faces, order, &job.sub_job(0.1, 0.7), STAGE)?;
     let mut matched = MatchedFaces::default();
     let mut unserved = Vec::new();
     for (k, equal) in faces.chunk_by(|a, b| compare(a, b).is_eq()).enumerate() {
-        job.part(0.7, 0.8).step_within_list(k, STAGE)?;
+        job.sub_job(0.7, 0.8).step_within_list(k, STAGE)?;
         let inputs = equal.partition_point(|face| (face.mesh as usize) < meshes.len() - 1);
         matched.add_equal_faces(equal.split_at(inputs), &mut unserved)?;
     }
-    sort(&mut matched.turned, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
-    sort(&mut matched.lost, Ord::cmp, &job.part(0.9, 1.0), STAGE)?;
+    sort(&mut matched.turned_pairs, Ord::cmp, &job.sub_job(0.8, 0.9), STAGE)?;
+    sort(&mut matched.lost_faces, Ord::cmp, &job.sub_job(0.9, 1.0), STAGE)?;
     Ok(matched)
 }
 
@@ -86,21 +86,21 @@ impl MatchedFaces {
                 0 => alloc::push(unserved, face)?,
                 count => {
                     *count -= 1;
-                    self.kept += 1;
+                    self.kept_count += 1;
                 }
             }
         }
         for face in unserved {
             let place = [face.mesh, face.face];
             match &mut free[usize::from(!face.is_reversed)] {
-                0 => alloc::push(&mut self.lost, place)?,
+                0 => alloc::push(&mut self.lost_faces, place)?,
                 count => {
                     *count -= 1;
-                    alloc::push(&mut self.turned, place)?;
+                    alloc::push(&mut self.turned_pairs, place)?;
                 }
             }
         }
-        self.new += (free[0] + free[1]) as u32;
+        self.new_count += (free[0] + free[1]) as u32;
         Ok(())
     }
 }

@@ -55,7 +55,7 @@ pub(super) fn find_farthest_vertex(
     let mut moved = Vec::new();
     for (m, mesh) in inputs.iter().enumerate() {
         for v in 0..mesh.positions().len() as u32 {
-            job.part(0.0, 0.0).step_within_list(v as usize, STAGE)?;
+            job.sub_job(0.0, 0.0).step_within_list(v as usize, STAGE)?;
             let number = points.number(m, v);
             if number != NONE && !is_seen.contains(number) {
                 is_seen.insert(number);
@@ -70,9 +70,9 @@ pub(super) fn find_farthest_vertex(
     let largest = moved.iter().map(|&place| at(place)).chain(places.iter().copied());
     let unit = common_unit(&[largest.fold(DVec3::ZERO, |most, p| most.max(p.abs()))]);
     places.iter_mut().for_each(|p| *p /= unit);
-    let tree = KdTree::new(&places, &job.part(0.0, 0.3), STAGE)?;
+    let tree = KdTree::new(&places, &job.sub_job(0.0, 0.3), STAGE)?;
     let tasks = par::split_into_ranges(moved.len(), VERTICES_PER_TASK);
-    let farthest = par::map_jobs(&job.part(0.3, 1.0), STAGE, tasks, |task, job| {
+    let farthest = par::map_jobs(&job.sub_job(0.3, 1.0), STAGE, tasks, |task, job| {
         let mut farthest: Option<(f64, [u32; 2], u32)> = None;
         for (k, &place) in moved[task].iter().enumerate() {
             job.step_within_heavy_list(1 << 6, k, STAGE)?;

@@ -11,12 +11,12 @@ const STAGE: &str = "comparing positions";
 
 /// The positions of the vertices that faces use, numbered from 0 in lexicographic order.
 pub(super) struct NumberedPoints {
-    /// The start of each mesh's vertices in `numbers`.
-    starts: Vec<usize>,
+    /// The start of each mesh's vertices in `number_of_vertex`.
+    mesh_starts: Vec<usize>,
     /// For each vertex of all meshes, the number of its position; [`NONE`] if no face uses it.
-    numbers: Vec<u32>,
+    number_of_vertex: Vec<u32>,
     /// The number of different positions.
-    count: usize,
+    distinct_count: usize,
 }
 
 /// A vertex of all meshes, and its position.
@@ -39,7 +39,7 @@ impl NumberedPoints {
         let mut start = 0;
         for mesh in meshes {
             let own = &mut numbers[start..start + mesh.positions().len()];
-            job.part(0.0, 0.2).work_in_ranges(STAGE, mesh.faces().half_edge_count(), |corners| {
+            job.sub_job(0.0, 0.2).work_in_ranges(STAGE, mesh.faces().half_edge_count(), |corners| {
                 mesh.faces().corners(corners).for_each(|v| own[v as usize] = 0);
                 Ok(())
             })?;
@@ -53,24 +53,24 @@ impl NumberedPoints {
             starts.push(start);
             start += mesh.positions().len();
         }
-        sort(&mut placed, |a, b| compare_points(a, b).then(a.vertex.cmp(&b.vertex)), &job.part(0.2, 0.9), STAGE)?;
+        sort(&mut placed, |a, b| compare_points(a, b).then(a.vertex.cmp(&b.vertex)), &job.sub_job(0.2, 0.9), STAGE)?;
         let mut count = 0;
         for (k, equal) in placed.chunk_by(|a, b| compare_points(a, b).is_eq()).enumerate() {
-            job.part(0.9, 1.0).step_within_list(k, STAGE)?;
+            job.sub_job(0.9, 1.0).step_within_list(k, STAGE)?;
             equal.iter().for_each(|placed| numbers[placed.vertex as usize] = count);
             count += 1;
         }
-        Ok(NumberedPoints { starts, numbers, count: count as usize })
+        Ok(NumberedPoints { mesh_starts: starts, number_of_vertex: numbers, distinct_count: count as usize })
     }
 
     /// Returns the number of different positions.
     pub(super) fn count(&self) -> usize {
-        self.count
+        self.distinct_count
     }
 
     /// Returns the number of a vertex's position; [`NONE`] if no face uses the vertex.
     pub(super) fn number(&self, mesh: usize, vertex: u32) -> u32 {
-        self.numbers[self.starts[mesh] + vertex as usize]
+        self.number_of_vertex[self.mesh_starts[mesh] + vertex as usize]
     }
 }
 

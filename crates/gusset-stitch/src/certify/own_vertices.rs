@@ -23,21 +23,21 @@ const STAGE: &str = "nesting components";
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub(super) fn have_own_vertices(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<bool> {
     let faces = mesh.faces();
-    let topology = Topology::new(mesh, &job.part(0.0, 0.4))?;
-    let points = NumberedPoints::new(&[mesh], &job.part(0.4, 0.8))?;
+    let topology = Topology::new(mesh, &job.sub_job(0.0, 0.4))?;
+    let points = NumberedPoints::new(&[mesh], &job.sub_job(0.4, 0.8))?;
     let mut components = DisjointSets::new(faces.len())?;
     for f in 0..faces.len() {
-        job.part(0.8, 0.8).step_within_list(f, STAGE)?;
+        job.sub_job(0.8, 0.8).step_within_list(f, STAGE)?;
         for h in faces.corner_range(f) {
             if let Opposite::Mate(mate) = topology.opposite(h as u32) {
-                components.union(f as u32, faces.face_of(mate));
+                components.union(f as u32, faces.face_of_half_edge(mate));
             }
         }
     }
     // For each position its only component.
     let mut owners = alloc::filled(NONE, points.count())?;
     for f in 0..faces.len() {
-        job.part(0.9, 0.9).step_within_list(f, STAGE)?;
+        job.sub_job(0.9, 0.9).step_within_list(f, STAGE)?;
         let component = components.find(f as u32);
         for v in mesh.face(f) {
             let owner = &mut owners[points.number(0, v) as usize];

@@ -17,7 +17,7 @@ pub(super) fn find_bow_tie_vertices(mesh: &MeshView<'_>, topology: &Topology, jo
     // A corner is identified by the half-edge that leaves it. Corners are joined across every edge
     // with two faces, at both ends.
     let mut corners = DisjointSets::new(count)?;
-    let joining = job.part(0.0, 0.7);
+    let joining = job.sub_job(0.0, 0.7);
     for h in 0..count as u32 {
         joining.step_every(HALF_EDGES_PER_REPORT, h as usize, count, "checking fans")?;
         if topology.is_ignored(h) {

@@ -34,7 +34,7 @@ pub(crate) fn duplicate_face_groups(mesh: &MeshView<'_>, degenerate: &[u32], job
         let (f, g) = (f as usize, g as usize);
         starts[f].vertex_cycle(mesh, f).cmp(starts[g].vertex_cycle(mesh, g))
     };
-    sort(&mut order, |f, g| compare(f, g).then(f.cmp(g)), &job.part(0.2, 0.9), "checking faces")?;
+    sort(&mut order, |f, g| compare(f, g).then(f.cmp(g)), &job.sub_job(0.2, 0.9), "checking faces")?;
     let mut groups = Vec::new();
     for group in order.chunk_by(|f, g| compare(f, g).is_eq()).filter(|group| group.len() > 1) {
         alloc::extend(&mut groups, group.iter().map(|&f| (group[0], f)))?;

@@ -22,7 +22,8 @@ use gusset_mesh::{FaceTriangles, MeshView};
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn find_intersecting_faces(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
-    let FaceTriangles { corners: mut triangles, mut faces, .. } = FaceTriangles::from_mesh(mesh, &job.part(0.0, 0.1))?;
+    let FaceTriangles { corners: mut triangles, mut faces, .. } =
+        FaceTriangles::from_mesh(mesh, &job.sub_job(0.0, 0.1))?;
     let repeats = |&[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
     let mut is_kept = triangles.iter().map(|triangle| !repeats(triangle));
     faces.retain(|_| is_kept.next() != Some(false));
@@ -30,9 +31,9 @@ pub fn find_intersecting_faces(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec
     let at = |v: u32| mesh.positions().get(v);
     let largest = triangles.as_flattened().iter().map(|&v| at(v).abs().max_element()).fold(0.0, f64::max);
     let unit = common_unit(&[DVec3::splat(largest)]);
-    let soup = TriangleSoup { at: |v| at(v) / unit, new: &triangles, old: &[] };
+    let soup = TriangleSoup { position_of_vertex: |v| at(v) / unit, new_triangles: &triangles, old_triangles: &[] };
     let wanted = |s: u32, t: u32| faces[s as usize] != faces[t as usize];
-    let pairs = intersecting_pairs_where(&soup, &wanted, &|_, _| true, &job.part(0.1, 1.0))?;
+    let pairs = intersecting_pairs_where(&soup, &wanted, &|_, _| true, &job.sub_job(0.1, 1.0))?;
     // Triangles are in the order of their faces.
     let mut pairs = alloc::collect(pairs.iter().map(|pair| pair.map(|t| faces[t as usize])))?;
     sort_distinct(&mut pairs);

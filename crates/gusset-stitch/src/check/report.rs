@@ -81,19 +81,19 @@ const HALF_EDGES_PER_REPORT: usize = 1 << 20;
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled). Defects are not errors.
 pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
-    let topology = Topology::new(mesh, &job.part(0.0, 0.3))?;
+    let topology = Topology::new(mesh, &job.sub_job(0.0, 0.3))?;
     let mut report =
         Check { vertices: mesh.positions().len() as u32, faces: mesh.faces().len() as u32, ..Check::default() };
     report.list_defects(&topology)?;
-    report.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
-    report.bow_ties = find_bow_tie_vertices(mesh, &topology, &job.part(0.7, 0.8))?;
-    report.list_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
-    report.duplicate_faces = find_duplicate_faces(mesh, &report.degenerate_faces, &job.part(0.8, 0.85))?;
-    report.count_edges(mesh, &topology, &job.part(0.85, 0.85))?;
-    report.count_components(mesh, &topology, &job.part(0.85, 0.9))?;
+    report.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.sub_job(0.3, 0.7))?.walk_count();
+    report.bow_ties = find_bow_tie_vertices(mesh, &topology, &job.sub_job(0.7, 0.8))?;
+    report.list_non_manifold_vertices(mesh, &job.sub_job(0.8, 0.8))?;
+    report.duplicate_faces = find_duplicate_faces(mesh, &report.degenerate_faces, &job.sub_job(0.8, 0.85))?;
+    report.count_edges(mesh, &topology, &job.sub_job(0.85, 0.85))?;
+    report.count_components(mesh, &topology, &job.sub_job(0.85, 0.9))?;
     job.step(0.9, "checking areas")?;
     report.list_unused_vertices(mesh)?;
-    report.zero_area_faces = find_zero_area_faces(mesh, &job.part(0.9, 1.0))?;
+    report.zero_area_faces = find_zero_area_faces(mesh, &job.sub_job(0.9, 1.0))?;
     report.zero_area_faces.retain(|f| report.degenerate_faces.binary_search(f).is_err());
 
     report.manifold = report.non_manifold_edges.is_empty() && report.non_manifold_vertices.is_empty();
@@ -172,7 +172,7 @@ impl Check {
                         alloc::push(&mut singular, (unordered(ends), f as u32))?;
                     }
                     Opposite::Mate(mate) => {
-                        let (f, g) = (f as u32, faces.face_of(mate));
+                        let (f, g) = (f as u32, faces.face_of_half_edge(mate));
                         pieces.union(f, g);
                         let opposed = faces.corner(h as u32) == faces.corner(mate);
                         self.orientable &= orientations.union(f, g, opposed);

@@ -34,7 +34,7 @@ pub(super) struct ChartMesh {
     pub(super) faces: Vec<u32>,
     pub(super) shapes: Vec<TriangleShape>,
     /// For each triangle, the triangles across its sides, or [`NONE`].
-    pub(super) across: Vec<[u32; 3]>,
+    pub(super) triangles_across_sides: Vec<[u32; 3]>,
     /// The edges of the border, each in the direction of its face.
     pub(super) border: Vec<[u32; 2]>,
 }
@@ -52,7 +52,7 @@ impl ChartMesh {
         let vertices = split.vertices[chart].clone();
         let first = vertices.start;
         let at = |v: u32| mesh.positions().get(split.vertex_map[v as usize]) / unit;
-        let points = alloc::collect_cancellable(vertices.map(at), &job.part(0.0, 0.0), STAGE)?;
+        let points = alloc::collect_cancellable(vertices.map(at), &job.sub_job(0.0, 0.0), STAGE)?;
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
         let (mut corners, mut places, mut own) = (Vec::new(), Vec::new(), Vec::new());
         let mut sides = Vec::<TriangleSide>::new();
@@ -65,7 +65,7 @@ impl ChartMesh {
             alloc::extend(&mut corners, split.corners[range].iter().map(|&v| v - first))?;
             places.clear();
             alloc::extend(&mut places, corners.iter().map(|&v: &u32| points[v as usize]))?;
-            triangulate_polygon(&places, &mut own, &job.share(k as usize, count))?;
+            triangulate_polygon(&places, &mut own, &job.sub_job_of_item(k as usize, count))?;
             for &triangle in &own {
                 for i in 0..3 {
                     let [a, b] = [triangle[i], triangle[(i + 1) % 3]];
@@ -89,15 +89,15 @@ impl ChartMesh {
         // A chart that is a point has mean edge 0; in the unit, the surface's size is about 1.
         let least = MIN_RELATIVE_TRIANGLE_HEIGHT * mean.max(MIN_RELATIVE_TRIANGLE_HEIGHT);
         let shapes = triangles.iter().map(|t| clamped_triangle_shape(at(t), least));
-        let shapes = alloc::collect_cancellable(shapes, &job.part(1.0, 1.0), STAGE)?;
+        let shapes = alloc::collect_cancellable(shapes, &job.sub_job(1.0, 1.0), STAGE)?;
         job.step(1.0, STAGE)?;
-        let across = triangles_across_sides(sides, &job.part(1.0, 1.0))?;
+        let across = triangles_across_sides(sides, &job.sub_job(1.0, 1.0))?;
         job.step(1.0, STAGE)?;
         let sides = triangles.iter().zip(&across).flat_map(|(triangle, across)| {
             (0..3).filter(|&k| across[k] == NONE).map(|k| [triangle[k], triangle[(k + 1) % 3]])
         });
         let border = alloc::gather(sides)?;
-        Ok(ChartMesh { points, triangles, faces, shapes, across, border })
+        Ok(ChartMesh { points, triangles, faces, shapes, triangles_across_sides: across, border })
     }
 
     /// Returns the distance of two vertices on the surface.

@@ -8,7 +8,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_base::sparse::{SparseSymmetric, UnknownCouplings, dissect};
+use gusset_base::sparse::{SparseSymmetric, UnknownCouplings, order_by_nested_dissection};
 
 /// Number of vertices between two progress reports.
 const VERTICES_PER_REPORT: usize = 1 << 16;
@@ -16,11 +16,11 @@ const VERTICES_PER_REPORT: usize = 1 << 16;
 /// A symmetric matrix of 2 x 2 blocks for vertices and edges, and a right-hand side.
 pub(super) struct ChartSystem {
     /// The place of each vertex in the order of elimination.
-    place: Vec<u32>,
+    elimination_position: Vec<u32>,
     /// For each place, the earlier places whose vertices are neighbours of its vertex.
-    earlier: Buckets<u32>,
+    earlier_neighbours: Buckets<u32>,
     matrix: SparseSymmetric,
-    right: Vec<DVec3>,
+    right_side: Vec<DVec3>,
     /// True for vertices with a fixed position.
     is_fixed: Vec<bool>,
 }
@@ -56,12 +56,12 @@ impl ChartSystem {
         let neighbours = Buckets::new_cancellable(n, 0u32, sides, job, STAGE)?;
         job.step(0.1, STAGE)?;
         let mut order = alloc::collect(0..n as u32)?;
-        dissect(&mut order, &chart.points, NeighbourCoupling(&neighbours), &job.part(0.1, 0.6))?;
+        order_by_nested_dissection(&mut order, &chart.points, NeighbourCoupling(&neighbours), &job.sub_job(0.1, 0.6))?;
         let mut place = alloc::filled(0, n)?;
         order.iter().zip(0..).for_each(|(&v, k)| place[v as usize] = k);
         let mut pairs = Vec::new();
         for (k, &v) in order.iter().enumerate() {
-            job.part(0.6, 0.8).step_every(VERTICES_PER_REPORT, k, n, STAGE)?;
+            job.sub_job(0.6, 0.8).step_every(VERTICES_PER_REPORT, k, n, STAGE)?;
             let first = pairs.len();
             let earlier = neighbours.get(v as usize).iter().map(|&w| place[w as usize]);
             alloc::extend(&mut pairs, earlier.filter(|&w| (w as usize) < k).map(|w| (k, w)))?;
@@ -69,14 +69,14 @@ impl ChartSystem {
         }
         job.step(0.8, STAGE)?;
         pairs.dedup();
-        let earlier = Buckets::new_cancellable(n, 0u32, pairs.iter().copied(), &job.part(0.8, 0.8), STAGE)?;
+        let earlier = Buckets::new_cancellable(n, 0u32, pairs.iter().copied(), &job.sub_job(0.8, 0.8), STAGE)?;
         job.step(0.8, STAGE)?;
         // Column 2 k has the rows of both coordinates of the earlier places; column 2 k + 1 has one
         // row more.
         let (mut start, mut entries) = (alloc::with_capacity(2 * n + 1)?, alloc::with_capacity(4 * pairs.len() + n)?);
         start.push(0);
         for k in 0..n {
-            job.part(0.8, 1.0).step_every(VERTICES_PER_REPORT, k, n, STAGE)?;
+            job.sub_job(0.8, 1.0).step_every(VERTICES_PER_REPORT, k, n, STAGE)?;
             for coordinate in 0..2 {
                 let rows = earlier.get(k).iter().flat_map(|&w| [2 * w, 2 * w + 1]);
                 entries.extend(rows.chain((coordinate == 1).then_some(2 * k as u32)).map(|row| (row, 0.0)));
@@ -84,9 +84,15 @@ impl ChartSystem {
             }
         }
         job.step(1.0, STAGE)?;
-        let matrix = SparseSymmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
+        let matrix = SparseSymmetric { column_starts: start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
         let right = alloc::filled(DVec3::ZERO, 2 * n)?;
-        Ok(ChartSystem { place, earlier, matrix, right, is_fixed: alloc::filled(false, n)? })
+        Ok(ChartSystem {
+            elimination_position: place,
+            earlier_neighbours: earlier,
+            matrix,
+            right_side: right,
+            is_fixed: alloc::filled(false, n)?,
+        })
     }
 
     pub(super) fn clear_equations(&mut self, job: &Job<'_>) -> Result<()> {
@@ -96,7 +102,7 @@ impl ChartSystem {
             Ok(())
         })?;
         self.matrix.diagonal.fill(0.0);
-        self.right.fill(DVec3::ZERO);
+        self.right_side.fill(DVec3::ZERO);
         self.is_fixed.fill(false);
         job.step(1.0, STAGE)
     }
@@ -115,13 +121,13 @@ impl ChartSystem {
             [false, true] => return self.add_right_hand_side(u, -(block * x[v as usize])),
             [false, false] => {}
         }
-        let [a, b] = [u, v].map(|v| self.place[v as usize]);
+        let [a, b] = [u, v].map(|v| self.elimination_position[v as usize]);
         let (low, high, block) = if a < b { (a, b, block) } else { (b, a, block.transpose()) };
-        let Ok(slot) = self.earlier.get(high as usize).binary_search(&low) else {
+        let Ok(slot) = self.earlier_neighbours.get(high as usize).binary_search(&low) else {
             return;
         };
         for (coordinate, column) in [block.x_axis, block.y_axis].into_iter().enumerate() {
-            let first = self.matrix.start[2 * high as usize + coordinate] + 2 * slot;
+            let first = self.matrix.column_starts[2 * high as usize + coordinate] + 2 * slot;
             self.matrix.entries[first].1 += column.x;
             self.matrix.entries[first + 1].1 += column.y;
         }
@@ -132,29 +138,29 @@ impl ChartSystem {
         if self.is_fixed[v as usize] {
             return;
         }
-        let k = 2 * self.place[v as usize] as usize;
+        let k = 2 * self.elimination_position[v as usize] as usize;
         self.matrix.diagonal[k] += block.x_axis.x;
         self.matrix.diagonal[k + 1] += block.y_axis.y;
         // The last entry of its column.
-        let end = self.matrix.start[k + 2];
+        let end = self.matrix.column_starts[k + 2];
         self.matrix.entries[end - 1].1 += block.y_axis.x;
     }
 
     pub(super) fn add_right_hand_side(&mut self, v: u32, value: DVec2) {
         if !self.is_fixed[v as usize] {
-            let k = 2 * self.place[v as usize] as usize;
-            self.right[k].x += value.x;
-            self.right[k + 1].x += value.y;
+            let k = 2 * self.elimination_position[v as usize] as usize;
+            self.right_side[k].x += value.x;
+            self.right_side[k + 1].x += value.y;
         }
     }
 
     /// Returns the solution. Fixed and undetermined vertices keep their `x`.
     pub(super) fn solve_positions(&mut self, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
-        let factor = self.matrix.factor(&job.part(0.0, 0.8))?;
-        factor.solve(&mut self.right, &job.part(0.8, 1.0))?;
+        let factor = self.matrix.factorise(&job.sub_job(0.0, 0.8))?;
+        factor.solve(&mut self.right_side, &job.sub_job(0.8, 1.0))?;
         let at = |(v, &old): (usize, &DVec2)| {
-            let k = 2 * self.place[v] as usize;
-            let found = DVec2::new(self.right[k].x, self.right[k + 1].x);
+            let k = 2 * self.elimination_position[v] as usize;
+            let found = DVec2::new(self.right_side[k].x, self.right_side[k + 1].x);
             if self.is_fixed[v] || !found.is_finite() { old } else { found }
         };
         alloc::collect(x.iter().enumerate().map(at))

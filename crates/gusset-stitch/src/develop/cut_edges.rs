@@ -25,7 +25,7 @@ pub(super) struct CutSurface<'m, 'a> {
 impl<'m, 'a> CutSurface<'m, 'a> {
     /// Creates a surface without cuts. O(H log d).
     pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Self> {
-        let topology = Topology::new(mesh, &job.part(0.0, 0.8))?;
+        let topology = Topology::new(mesh, &job.sub_job(0.0, 0.8))?;
         // Degenerate faces come first in the list.
         if let Some(&Defect::DegenerateFace { face, vertex }) = topology.defects().first() {
             return Err(Error::RepeatedCorner { face, vertex });
@@ -33,7 +33,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         let count = mesh.faces().half_edge_count();
         let mut mates = alloc::filled(NONE, count)?;
         for f in 0..mesh.faces().len() {
-            job.part(0.8, 1.0).step_within_list(f, STAGE)?;
+            job.sub_job(0.8, 1.0).step_within_list(f, STAGE)?;
             for (h, u, v) in half_edges(mesh, f) {
                 if let Opposite::Mate(mate) = topology.opposite(h)
                     && (mesh.faces().corner(mate), mesh.faces().corner(mesh.faces().next(mate))) == (v, u)
@@ -169,7 +169,7 @@ pub(super) struct PathSearch {
     /// The distance of each vertex; infinity if it was not reached.
     pub(super) distances: Vec<f64>,
     /// The preceding vertex, and the half-edge from it.
-    before: Vec<(u32, u32)>,
+    predecessors: Vec<(u32, u32)>,
     touched: Vec<u32>,
 }
 
@@ -177,7 +177,7 @@ impl PathSearch {
     pub(super) fn new(count: usize) -> Result<PathSearch> {
         Ok(PathSearch {
             distances: alloc::filled(f64::INFINITY, count)?,
-            before: alloc::filled((NONE, NONE), count)?,
+            predecessors: alloc::filled((NONE, NONE), count)?,
             touched: Vec::new(),
         })
     }
@@ -192,7 +192,7 @@ impl PathSearch {
         job: &Job<'_>,
     ) -> Result<Option<u32>> {
         for &v in &self.touched {
-            (self.distances[v as usize], self.before[v as usize]) = (f64::INFINITY, (NONE, NONE));
+            (self.distances[v as usize], self.predecessors[v as usize]) = (f64::INFINITY, (NONE, NONE));
         }
         self.touched.clear();
         let mut heap = BinaryHeap::from(alloc::with_capacity(sources.len())?);
@@ -226,15 +226,15 @@ impl PathSearch {
         if self.distances[v as usize] == f64::INFINITY {
             alloc::push(&mut self.touched, v)?;
         }
-        (self.distances[v as usize], self.before[v as usize]) = (distance, before);
+        (self.distances[v as usize], self.predecessors[v as usize]) = (distance, before);
         Ok(())
     }
 
     /// Returns the half-edges of the path to a reached vertex, from its end to its source.
     pub(super) fn path_half_edges(&self, mut v: u32) -> Result<Vec<u32>> {
         let mut path = Vec::new();
-        while self.before[v as usize].0 != NONE {
-            let (u, h) = self.before[v as usize];
+        while self.predecessors[v as usize].0 != NONE {
+            let (u, h) = self.predecessors[v as usize];
             alloc::push(&mut path, h)?;
             v = u;
         }
@@ -243,6 +243,6 @@ impl PathSearch {
 
     /// Returns true if the path to `v` ends with half-edge `h`, in either direction.
     pub(super) fn path_ends_with(&self, v: u32, h: u32) -> bool {
-        self.before[v as usize].1 == h
+        self.predecessors[v as usize].1 == h
     }
 }

@@ -36,7 +36,8 @@ pub(super) fn open_charts_to_discs(
     for chart in (0..charts).filter(|&chart| !split.is_disc(chart)) {
         let done = chart as f64 / charts as f64;
         job.step(done, STAGE)?;
-        DiscOpening { split, graph: &graph, search: &mut search, chart }.cut_to_disc(surface, &job.part(done, done))?;
+        DiscOpening { split, graph: &graph, search: &mut search, chart }
+            .cut_to_disc(surface, &job.sub_job(done, done))?;
     }
     Ok(true)
 }
@@ -182,7 +183,7 @@ impl DiscOpening<'_> {
         let mut cuts = Vec::new();
         for (k, (_, h)) in edges.into_iter().enumerate() {
             job.step_within_list(k, STAGE)?;
-            if !joined.union(faces.face_of(h), faces.face_of(surface.mate_across(h))) {
+            if !joined.union(faces.face_of_half_edge(h), faces.face_of_half_edge(surface.mate_across(h))) {
                 alloc::push(&mut cuts, h)?;
                 for v in self.ends_in_split_surface(surface, h) {
                     alloc::append(&mut cuts, &self.search.path_half_edges(v)?)?;

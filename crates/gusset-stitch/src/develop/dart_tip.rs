@@ -23,10 +23,10 @@ pub(super) fn find_dart_tip(chart: &ChartMesh, system: &mut ChartSystem, job: &J
     chart.border.iter().for_each(|&[v, _]| on_border.insert(v));
     let mut defects = alloc::filled(TAU, n)?;
     let zero = alloc::filled(DVec2::ZERO, n)?;
-    system.clear_equations(&job.part(0.0, 0.0))?;
+    system.clear_equations(&job.sub_job(0.0, 0.0))?;
     chart.border.iter().for_each(|&[v, _]| system.fix_vertex(v));
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
-        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
+        job.sub_job(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         for i in 0..3 {
             let [g, next] = [i, (i + 1) % 3].map(|k| shape.gradients[k]);
             let value = shape.area * g.dot(next);
@@ -40,7 +40,7 @@ pub(super) fn find_dart_tip(chart: &ChartMesh, system: &mut ChartSystem, job: &J
     for (v, &defect) in (0..n as u32).zip(&defects) {
         system.add_right_hand_side(v, DVec2::new(defect, 0.0));
     }
-    let scale = system.solve_positions(&zero, &job.part(0.1, 1.0))?;
+    let scale = system.solve_positions(&zero, &job.sub_job(0.1, 1.0))?;
     let inside = (0..n as u32).filter(|&v| !on_border.contains(v));
     let best = inside.fold(None, |best: Option<(f64, u32)>, v| {
         let size = scale[v as usize].x.abs();

@@ -46,9 +46,9 @@ pub(super) enum DescentOutcome {
 
 /// The result of a descent.
 pub(super) struct Descent {
-    pub(super) x: Vec<DVec2>,
+    pub(super) positions: Vec<DVec2>,
     pub(super) iterations: u32,
-    pub(super) end: DescentOutcome,
+    pub(super) outcome: DescentOutcome,
 }
 
 /// The treatment of the border in a descent.
@@ -71,18 +71,18 @@ pub(super) fn minimise_by_descent(
     max_iterations: u32,
     job: &Job<'_>,
 ) -> Result<Descent> {
-    let mut value = mean_energy(chart, distortion, &x, &job.part(0.0, 0.0))?;
+    let mut value = mean_energy(chart, distortion, &x, &job.sub_job(0.0, 0.0))?;
     for iteration in 0..max_iterations {
-        let job = job.share(iteration as usize, max_iterations as usize);
+        let job = job.sub_job_of_item(iteration as usize, max_iterations as usize);
         let is_apart = |x: &[DVec2], job: &Job<'_>| Ok(count_border_intersections(&chart.border, x, 0.0, 1, job)? == 0);
         if let BorderRule::Free(last) = &mut border
-            && is_apart(&x, &job.part(0.0, 0.0))?
+            && is_apart(&x, &job.sub_job(0.0, 0.0))?
         {
             **last = Some(alloc::copied(&x)?);
         }
-        let gradient = assemble_proxy_system(chart, system, distortion, &x, &job.part(0.0, 0.1))?;
-        let target = system.solve_positions(&x, &job.part(0.1, 0.8))?;
-        let late = job.part(0.9, 0.9);
+        let gradient = assemble_proxy_system(chart, system, distortion, &x, &job.sub_job(0.0, 0.1))?;
+        let target = system.solve_positions(&x, &job.sub_job(0.1, 0.8))?;
+        let late = job.sub_job(0.9, 0.9);
         let way = alloc::collect(target.iter().zip(&x).map(|(&to, &from)| to - from))?;
         let slope: f64 = gradient.iter().zip(&way).map(|(g, d)| g.dot(*d)).sum();
         let mut step = f64::min(1.0, MAX_STEP_TO_FIRST_FOLD_RATIO * first_fold_fraction(chart, &x, &way, &late)?);
@@ -110,10 +110,10 @@ pub(super) fn minimise_by_descent(
             } else {
                 DescentOutcome::Stalled
             };
-            return Ok(Descent { x, iterations: iteration + 1, end });
+            return Ok(Descent { positions: x, iterations: iteration + 1, outcome: end });
         }
     }
-    Ok(Descent { x, iterations: max_iterations, end: DescentOutcome::IterationLimit })
+    Ok(Descent { positions: x, iterations: max_iterations, outcome: DescentOutcome::IterationLimit })
 }
 
 /// Returns the mean energy over the area.
@@ -127,7 +127,7 @@ pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2]
     Ok(sum / chart.total_area())
 }
 
-/// Builds the system of the quadratic proxy at `x`, and returns the gradient of the mean energy.
+/// Builds the system of the quadratic proxy at `positions`, and returns the gradient of the mean energy.
 fn assemble_proxy_system(
     chart: &ChartMesh,
     system: &mut ChartSystem,
@@ -138,7 +138,7 @@ fn assemble_proxy_system(
     let mut gradient = alloc::filled(DVec2::ZERO, x.len())?;
     let whole = chart.total_area();
     let mut trace = 0.0;
-    system.clear_equations(&job.part(0.0, 0.0))?;
+    system.clear_equations(&job.sub_job(0.0, 0.0))?;
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
         job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));

@@ -33,7 +33,7 @@ const MAX_RELATIVE_TOUCH_DEPTH: f64 = 1e-8;
 /// A chart in the plane.
 struct FlatChart {
     /// The positions in the unit.
-    x: Vec<DVec2>,
+    positions: Vec<DVec2>,
     finish: Finish,
     iterations: u32,
     /// The stretches of each face of the chart.
@@ -44,7 +44,7 @@ struct FlatChart {
     area: f64,
     flat_area: f64,
     /// The vertex at which a dart should end, if it was searched.
-    tip: Option<u32>,
+    dart_tip: Option<u32>,
 }
 
 impl FlatChart {
@@ -84,49 +84,50 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     job.step(0.0, STAGE)?;
     let corners = 0..mesh.faces().half_edge_count() as u32;
     let points = corners.map(|h| mesh.positions().get(mesh.faces().corner(h)));
-    let points = alloc::collect_cancellable(points, &job.part(0.0, 0.0), STAGE)?;
+    let points = alloc::collect_cancellable(points, &job.sub_job(0.0, 0.0), STAGE)?;
     job.step(0.0, STAGE)?;
     let unit = common_unit(&points);
     drop(points);
-    let mut surface = CutSurface::new(mesh, &job.part(0.0, 0.05))?;
-    surface.cut_paths(&options.cuts, &job.part(0.05, 0.05))?;
-    let mut split = SurfaceSplitAtCuts::new(&surface, &job.part(0.05, 0.06))?;
-    if open_charts_to_discs(&mut surface, &split, &job.part(0.06, 0.08))? {
-        split = SurfaceSplitAtCuts::new(&surface, &job.part(0.08, 0.1))?;
+    let mut surface = CutSurface::new(mesh, &job.sub_job(0.0, 0.05))?;
+    surface.cut_paths(&options.cuts, &job.sub_job(0.05, 0.05))?;
+    let mut split = SurfaceSplitAtCuts::new(&surface, &job.sub_job(0.05, 0.06))?;
+    if open_charts_to_discs(&mut surface, &split, &job.sub_job(0.06, 0.08))? {
+        split = SurfaceSplitAtCuts::new(&surface, &job.sub_job(0.08, 0.1))?;
     }
     let count = split.vertices.len();
     let mut flats: Vec<Option<FlatChart>> = alloc::with_capacity(count)?;
     flats.resize_with(count, || None);
-    let whole = job.part(0.1, 0.95);
+    let whole = job.sub_job(0.1, 0.95);
     // The number of darts is unknown in advance: each gets half of the remaining progress.
     let looks = options.max_darts > 0;
     let middle = if looks { 0.5 } else { 1.0 };
-    let (first, mut rest) = (whole.part(0.0, middle), whole.part(middle, 1.0));
+    let (first, mut rest) = (whole.sub_job(0.0, middle), whole.sub_job(middle, 1.0));
     for (chart, flat) in flats.iter_mut().enumerate() {
-        *flat = Some(flatten_chart(&surface, &split, chart, unit, options, looks, &first.share(chart, count))?);
+        *flat =
+            Some(flatten_chart(&surface, &split, chart, unit, options, looks, &first.sub_job_of_item(chart, count))?);
     }
     let mut made = 0;
     while made < options.max_darts {
         let Some((chart, tip)) = choose_chart_for_dart(&flats, options) else {
             break;
         };
-        let job = rest.part(0.0, 0.5);
-        rest = rest.part(0.5, 1.0);
-        let cut = cut_dart(&mut surface, &split, chart, tip, &job.part(0.0, 0.1))?;
-        let parts = SurfaceSplitAtCuts::new(&surface, &job.part(0.1, 0.1))?;
-        let flat = flatten_chart(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
+        let job = rest.sub_job(0.0, 0.5);
+        rest = rest.sub_job(0.5, 1.0);
+        let cut = cut_dart(&mut surface, &split, chart, tip, &job.sub_job(0.0, 0.1))?;
+        let parts = SurfaceSplitAtCuts::new(&surface, &job.sub_job(0.1, 0.1))?;
+        let flat = flatten_chart(&surface, &parts, chart, unit, options, true, &job.sub_job(0.1, 1.0))?;
         let old = flats[chart].as_mut().filter(|old| !flat.is_better_than(old));
         if let Some(old) = old {
             // Do not try further darts on this chart.
             surface.undo_cuts(&cut);
-            old.tip = None;
+            old.dart_tip = None;
         } else {
             (split, flats[chart], made) = (parts, Some(flat), made + 1);
         }
     }
     let flats = alloc::gather(flats.into_iter().flatten())?;
     job.step(0.95, STAGE)?;
-    build_result(mesh, surface, split, &flats, unit, made, &job.part(0.95, 1.0))
+    build_result(mesh, surface, split, &flats, unit, made, &job.sub_job(0.95, 1.0))
 }
 
 /// Returns the chart that most needs a dart, and the vertex at which the dart should end.
@@ -134,7 +135,7 @@ fn choose_chart_for_dart(flats: &[Option<FlatChart>], options: &Options<'_>) -> 
     let limit = options.max_stretch.unwrap_or(1.0);
     let needs = flats.iter().enumerate().filter_map(|(k, flat)| {
         let flat = flat.as_ref()?;
-        (flat.largest_stretch() > limit).then_some((flat.largest_stretch(), k, flat.tip?))
+        (flat.largest_stretch() > limit).then_some((flat.largest_stretch(), k, flat.dart_tip?))
     });
     needs.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))).map(|(_, chart, tip)| (chart, tip))
 }
@@ -178,46 +179,54 @@ fn flatten_chart(
     looks_for_tip: bool,
     job: &Job<'_>,
 ) -> Result<FlatChart> {
-    let chart = ChartMesh::new(surface, split, number, unit, &job.part(0.0, 0.05))?;
-    let exact = |x| measure_flat_chart(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
-    let lengths = EdgeLengths::new(&chart, &job.part(0.05, 0.05))?;
-    let turned = unfold_triangles(&chart, &job.part(0.05, 0.05))?;
-    if lengths.are_lengths_kept(&turned, &job.part(0.05, 0.05))? {
+    let chart = ChartMesh::new(surface, split, number, unit, &job.sub_job(0.0, 0.05))?;
+    let exact = |x| measure_flat_chart(&chart, x, Finish::Exact, 0, None, &job.sub_job(0.95, 1.0));
+    let lengths = EdgeLengths::new(&chart, &job.sub_job(0.05, 0.05))?;
+    let turned = unfold_triangles(&chart, &job.sub_job(0.05, 0.05))?;
+    if lengths.are_lengths_kept(&turned, &job.sub_job(0.05, 0.05))? {
         return exact(turned);
     }
-    let mut system = ChartSystem::new(&chart, &job.part(0.05, 0.1))?;
-    if let Some(x) = lengths.restore_lengths(&mut system, turned, &job.part(0.1, 0.12))? {
+    let mut system = ChartSystem::new(&chart, &job.sub_job(0.05, 0.1))?;
+    if let Some(x) = lengths.restore_lengths(&mut system, turned, &job.sub_job(0.1, 0.12))? {
         return exact(x);
     }
-    let x = conformal_map(&chart, &mut system, &job.part(0.12, 0.15))?;
-    if let Some(x) = lengths.restore_lengths(&mut system, alloc::copied(&x)?, &job.part(0.15, 0.18))? {
+    let x = conformal_map(&chart, &mut system, &job.sub_job(0.12, 0.15))?;
+    if let Some(x) = lengths.restore_lengths(&mut system, alloc::copied(&x)?, &job.sub_job(0.15, 0.18))? {
         return exact(x);
     }
     let tip = match looks_for_tip {
-        true => find_dart_tip(&chart, &mut system, &job.part(0.18, 0.2))?.map(|v| v + split.vertices[number].start),
+        true => find_dart_tip(&chart, &mut system, &job.sub_job(0.18, 0.2))?.map(|v| v + split.vertices[number].start),
         false => None,
     };
     let is_conformal = options.distortion == Distortion::Conformal;
-    if is_conformal && chart.count_folded_triangles(&x) == 0 && has_simple_border(&chart, &x, &job.part(0.2, 0.2))? {
-        return measure_flat_chart(&chart, x, Finish::Conformal, 0, tip, &job.part(0.95, 1.0));
+    if is_conformal && chart.count_folded_triangles(&x) == 0 && has_simple_border(&chart, &x, &job.sub_job(0.2, 0.2))? {
+        return measure_flat_chart(&chart, x, Finish::Conformal, 0, tip, &job.sub_job(0.95, 1.0));
     }
     let limit = if options.max_iterations == 0 { DEFAULT_MAX_ITERATIONS } else { options.max_iterations };
     // The rigid energy does not prevent folds, so start from a map without folds.
     let end = if options.distortion == Distortion::Rigid { 0.6 } else { 0.95 };
-    let mut descent = minimise_distortion(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
-    if options.distortion == Distortion::Rigid && descent.end != DescentOutcome::Folded {
+    let mut descent =
+        minimise_distortion(&chart, &mut system, Distortion::Symmetric, x, limit, &job.sub_job(0.2, end))?;
+    if options.distortion == Distortion::Rigid && descent.outcome != DescentOutcome::Folded {
         let before = descent.iterations;
-        descent = minimise_distortion(&chart, &mut system, Distortion::Rigid, descent.x, limit, &job.part(end, 0.95))?;
+        descent = minimise_distortion(
+            &chart,
+            &mut system,
+            Distortion::Rigid,
+            descent.positions,
+            limit,
+            &job.sub_job(end, 0.95),
+        )?;
         descent.iterations += before;
     }
-    let finish = match descent.end {
+    let finish = match descent.outcome {
         DescentOutcome::Folded => Finish::Folded,
         _ if is_conformal => Finish::NotConformal,
         DescentOutcome::Converged => Finish::Converged,
         DescentOutcome::Stalled => Finish::Stalled,
         DescentOutcome::IterationLimit => Finish::IterationLimit,
     };
-    measure_flat_chart(&chart, descent.x, finish, descent.iterations, tip, &job.part(0.95, 1.0))
+    measure_flat_chart(&chart, descent.positions, finish, descent.iterations, tip, &job.sub_job(0.95, 1.0))
 }
 
 /// Returns true if the border of a map does not intersect itself.
@@ -225,7 +234,7 @@ fn has_simple_border(chart: &ChartMesh, x: &[DVec2], job: &Job<'_>) -> Result<bo
     Ok(count_border_intersections(&chart.border, x, 0.0, 1, job)? == 0)
 }
 
-/// Returns the injective map of least distortion by descent from `x`. If `x` folds, or the descent
+/// Returns the injective map of least distortion by descent from `positions`. If `positions` folds, or the descent
 /// fails, starts again from Tutte's map.
 fn minimise_distortion(
     chart: &ChartMesh,
@@ -236,7 +245,7 @@ fn minimise_distortion(
     job: &Job<'_>,
 ) -> Result<Descent> {
     let (mut start, mut iterations) = (x, 0);
-    for job in [job.part(0.0, 0.5), job.part(0.5, 1.0)] {
+    for job in [job.sub_job(0.0, 0.5), job.sub_job(0.5, 1.0)] {
         if chart.count_folded_triangles(&start) == 0 {
             let mut last = None;
             let free = minimise_by_descent(
@@ -246,10 +255,10 @@ fn minimise_distortion(
                 start,
                 BorderRule::Free(&mut last),
                 limit,
-                &job.part(0.0, 0.4),
+                &job.sub_job(0.0, 0.4),
             )?;
             iterations += free.iterations;
-            if has_simple_border(chart, &free.x, &job.part(0.4, 0.4))? {
+            if has_simple_border(chart, &free.positions, &job.sub_job(0.4, 0.4))? {
                 return Ok(Descent { iterations, ..free });
             }
             if let Some(last) = last {
@@ -260,14 +269,14 @@ fn minimise_distortion(
                     last,
                     BorderRule::Apart,
                     limit,
-                    &job.part(0.4, 0.9),
+                    &job.sub_job(0.4, 0.9),
                 )?;
                 return Ok(Descent { iterations: iterations + done.iterations, ..done });
             }
         }
-        start = tutte_map(chart, system, &job.part(0.9, 1.0))?;
+        start = tutte_map(chart, system, &job.sub_job(0.9, 1.0))?;
     }
-    Ok(Descent { x: start, iterations, end: DescentOutcome::Folded })
+    Ok(Descent { positions: start, iterations, outcome: DescentOutcome::Folded })
 }
 
 /// Measures the chart, after turning it so that it is longest along x.
@@ -295,7 +304,7 @@ fn measure_flat_chart(
         finish,
         iterations,
         stretches,
-        energy: mean_energy(chart, Distortion::Symmetric, &x, &job.part(0.0, 0.0))?,
+        energy: mean_energy(chart, Distortion::Symmetric, &x, &job.sub_job(0.0, 0.0))?,
         // In an exact chart, the sides of slits coincide.
         overlaps: count_border_intersections(
             &chart.border,
@@ -307,8 +316,8 @@ fn measure_flat_chart(
         folds: if finish == Finish::Exact { 0 } else { chart.count_folded_triangles(&x) },
         area: chart.total_area(),
         flat_area: (0..chart.triangles.len()).map(|t| chart.signed_double_area(t, &x) / 2.0).sum(),
-        tip,
-        x,
+        dart_tip: tip,
+        positions: x,
     })
 }
 
@@ -343,15 +352,15 @@ fn build_result(
     job: &Job<'_>,
 ) -> Result<Developed> {
     job.step(0.0, STAGE)?;
-    let width = |flat: &FlatChart| flat.x.iter().fold(0.0, |most: f64, p| most.max(p.x));
+    let width = |flat: &FlatChart| flat.positions.iter().fold(0.0, |most: f64, p| most.max(p.x));
     let gap = RELATIVE_CHART_GAP * flats.iter().map(width).fold(0.0, f64::max);
     job.step(0.0, STAGE)?;
     let mut points = alloc::with_capacity(split.vertex_map.len())?;
     let mut stretches = alloc::filled([1.0; 2], mesh.faces().len())?;
     let (mut charts, mut left) = (alloc::with_capacity(flats.len())?, 0.0);
     for (k, flat) in flats.iter().enumerate() {
-        job.part(0.0, 0.5).step_every(1 << 15, k, flats.len(), STAGE)?;
-        points.extend(flat.x.iter().map(|&p| unit * (p + DVec2::new(left, 0.0))));
+        job.sub_job(0.0, 0.5).step_every(1 << 15, k, flats.len(), STAGE)?;
+        points.extend(flat.positions.iter().map(|&p| unit * (p + DVec2::new(left, 0.0))));
         left += width(flat) + gap;
         for (&f, &stretch) in split.faces.get(k).iter().zip(&flat.stretches) {
             stretches[f as usize] = stretch;

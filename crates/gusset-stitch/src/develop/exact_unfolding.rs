@@ -31,18 +31,18 @@ const RELATIVE_HOLD_WEIGHT: f64 = 1e-9;
 /// The lengths of the edges of a chart.
 pub(super) struct EdgeLengths<'a> {
     chart: &'a ChartMesh,
-    mean: f64,
+    mean_length: f64,
 }
 
 impl<'a> EdgeLengths<'a> {
     pub(super) fn new(chart: &'a ChartMesh, job: &Job<'_>) -> Result<Self> {
-        let mut lengths = EdgeLengths { chart, mean: 0.0 };
+        let mut lengths = EdgeLengths { chart, mean_length: 0.0 };
         let mut sum = 0.0;
         for (k, [u, v]) in lengths.edge_ends().enumerate() {
             job.step_within_list(k, STAGE)?;
             sum += chart.surface_distance(u, v);
         }
-        lengths.mean = sum / (3 * chart.triangles.len()) as f64;
+        lengths.mean_length = sum / (3 * chart.triangles.len()) as f64;
         Ok(lengths)
     }
 
@@ -60,7 +60,8 @@ impl<'a> EdgeLengths<'a> {
     fn largest_length_error(&self, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
         let of = |[u, v]: [u32; 2]| {
             let wanted = self.chart.surface_distance(u, v);
-            (x[u as usize].distance(x[v as usize]) - wanted).abs() / wanted.max(MIN_RELATIVE_EDGE_LENGTH * self.mean)
+            (x[u as usize].distance(x[v as usize]) - wanted).abs()
+                / wanted.max(MIN_RELATIVE_EDGE_LENGTH * self.mean_length)
         };
         let largest = |worst: f64, error: f64| if error > worst || error.is_nan() { error } else { worst };
         let mut worst = 0.0;
@@ -76,10 +77,10 @@ impl<'a> EdgeLengths<'a> {
     pub(super) fn are_lengths_kept(&self, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
         let stands = |t: usize| {
             let [a, b, c] = self.chart.triangles[t].map(|v| self.chart.points[v as usize]);
-            let least = (b - a).cross(c - a).length() - MAX_RELATIVE_AREA_DEFICIT * self.mean * self.mean;
+            let least = (b - a).cross(c - a).length() - MAX_RELATIVE_AREA_DEFICIT * self.mean_length * self.mean_length;
             self.chart.signed_double_area(t, x) >= least
         };
-        let job = job.part(0.0, 0.0);
+        let job = job.sub_job(0.0, 0.0);
         let is_long_enough = self.largest_length_error(x, &job)? <= MAX_LENGTH_ERROR;
         for t in 0..self.chart.triangles.len() {
             job.step_within_list(t, STAGE)?;
@@ -99,7 +100,7 @@ impl<'a> EdgeLengths<'a> {
         job: &Job<'_>,
     ) -> Result<Option<Vec<DVec2>>> {
         for step in 0..MAX_GAUSS_NEWTON_STEPS {
-            let job = job.share(step, MAX_GAUSS_NEWTON_STEPS);
+            let job = job.sub_job_of_item(step, MAX_GAUSS_NEWTON_STEPS);
             let error = self.largest_length_error(&x, &job)?;
             if error <= MAX_LENGTH_ERROR || error.is_nan() || error > MAX_RESTORABLE_LENGTH_ERROR {
                 break;
@@ -108,7 +109,7 @@ impl<'a> EdgeLengths<'a> {
             x = gauss_newton_step(self.chart, system, &x, &job)?;
             job.step(1.0, STAGE)?;
         }
-        Ok(self.are_lengths_kept(&x, &job.part(1.0, 1.0))?.then_some(x))
+        Ok(self.are_lengths_kept(&x, &job.sub_job(1.0, 1.0))?.then_some(x))
     }
 }
 
@@ -136,7 +137,7 @@ pub(super) fn unfold_triangles(chart: &ChartMesh, job: &Job<'_>) -> Result<Vec<D
                     third_corner([x[a as usize], x[b as usize]], [a, b, c].map(|v| chart.points[v as usize]));
             }
         }
-        for &next in chart.across[t].iter().filter(|&&next| next != NONE) {
+        for &next in chart.triangles_across_sides[t].iter().filter(|&&next| next != NONE) {
             if !std::mem::replace(&mut seen[next as usize], true) {
                 waiting.push_back(next as usize);
             }
@@ -157,9 +158,9 @@ fn third_corner([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
 /// Returns the positions after one Gauss-Newton step on the squared differences of lengths.
 fn gauss_newton_step(chart: &ChartMesh, system: &mut ChartSystem, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
     let still = alloc::filled(DVec2::ZERO, x.len())?;
-    system.clear_equations(&job.part(0.0, 0.0))?;
+    system.clear_equations(&job.sub_job(0.0, 0.0))?;
     for (k, triangle) in chart.triangles.iter().enumerate() {
-        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
+        job.sub_job(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         for i in 0..3 {
             let [u, v] = [triangle[i], triangle[(i + 1) % 3]];
             let side = x[v as usize] - x[u as usize];
@@ -173,6 +174,6 @@ fn gauss_newton_step(chart: &ChartMesh, system: &mut ChartSystem, x: &[DVec2], j
             }
         }
     }
-    let by = system.solve_positions(&still, &job.part(0.1, 1.0))?;
+    let by = system.solve_positions(&still, &job.sub_job(0.1, 1.0))?;
     alloc::collect(x.iter().zip(by).map(|(&x, by)| x + by))
 }

@@ -24,7 +24,7 @@ pub(super) fn count_border_intersections(
     enough: u32,
     job: &Job<'_>,
 ) -> Result<u32> {
-    let job = &job.part(0.0, 0.0);
+    let job = &job.sub_job(0.0, 0.0);
     let low = |edge: &[u32; 2]| edge.map(|v| x[v as usize].x).into_iter().fold(f64::INFINITY, f64::min);
     let high = |edge: &[u32; 2]| edge.map(|v| x[v as usize].x).into_iter().fold(f64::NEG_INFINITY, f64::max);
     let mut order = alloc::collect(0..border.len() as u32)?;

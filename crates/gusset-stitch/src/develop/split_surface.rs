@@ -36,7 +36,7 @@ impl SurfaceSplitAtCuts {
 
     /// Splits a surface along its cuts. O(H).
     pub(super) fn new(surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<SurfaceSplitAtCuts> {
-        let job = &job.part(0.0, 0.0);
+        let job = &job.sub_job(0.0, 0.0);
         let faces = surface.mesh.faces();
         let (count, corner_count) = (faces.len(), faces.half_edge_count());
         // Corners share a vertex if their faces meet along an edge that is not cut.
@@ -48,7 +48,7 @@ impl SurfaceSplitAtCuts {
             if mate != NONE && h < mate {
                 same.union(h, faces.next(mate));
                 same.union(faces.next(h), mate);
-                joined.union(faces.face_of(h), faces.face_of(mate));
+                joined.union(faces.face_of_half_edge(h), faces.face_of_half_edge(mate));
             }
         }
         let roots = joined.into_roots(job, STAGE)?;

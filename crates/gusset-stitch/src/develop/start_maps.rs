@@ -22,11 +22,11 @@ pub(super) fn conformal_map(chart: &ChartMesh, system: &mut ChartSystem, job: &J
     let first = farthest(chart.border[0][0]);
     let second = farthest(first);
     x[second as usize].x = chart.surface_distance(first, second).max(chart.total_area().sqrt());
-    system.clear_equations(&job.part(0.0, 0.0))?;
+    system.clear_equations(&job.sub_job(0.0, 0.0))?;
     system.fix_vertex(first);
     system.fix_vertex(second);
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
-        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
+        job.sub_job(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         let g = shape.gradients;
         for i in 0..3 {
             let j = (i + 1) % 3;
@@ -40,7 +40,7 @@ pub(super) fn conformal_map(chart: &ChartMesh, system: &mut ChartSystem, job: &J
             );
         }
     }
-    let mut x = system.solve_positions(&x, &job.part(0.1, 1.0))?;
+    let mut x = system.solve_positions(&x, &job.sub_job(0.1, 1.0))?;
     job.step(1.0, STAGE)?;
     scale_to_chart_area(chart, &mut x);
     Ok(x)
@@ -58,7 +58,7 @@ pub(super) fn tutte_map(chart: &ChartMesh, system: &mut ChartSystem, job: &Job<'
     let part = |u: u32| length(u).max(1e-3 * mean);
     let all: f64 = chart.border.iter().map(|&[u, _]| part(u)).sum();
     let (mut v, mut angle) = (chart.border[0][0], 0.0);
-    system.clear_equations(&job.part(0.0, 0.0))?;
+    system.clear_equations(&job.sub_job(0.0, 0.0))?;
     for _ in 0..chart.border.len() {
         system.fix_vertex(v);
         x[v as usize] = DVec2::new(libm::cos(angle), libm::sin(angle));
@@ -66,14 +66,14 @@ pub(super) fn tutte_map(chart: &ChartMesh, system: &mut ChartSystem, job: &Job<'
         v = next[v as usize];
     }
     for (k, triangle) in chart.triangles.iter().enumerate() {
-        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
+        job.sub_job(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         for i in 0..3 {
             let [u, v] = [triangle[i], triangle[(i + 1) % 3]];
             system.add_block(u, v, -DMat2::IDENTITY, &x);
             [u, v].iter().for_each(|&v| system.add_diagonal_block(v, DMat2::IDENTITY));
         }
     }
-    let mut x = system.solve_positions(&x, &job.part(0.1, 1.0))?;
+    let mut x = system.solve_positions(&x, &job.sub_job(0.1, 1.0))?;
     job.step(1.0, STAGE)?;
     scale_to_chart_area(chart, &mut x);
     Ok(x)

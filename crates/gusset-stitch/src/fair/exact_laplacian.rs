@@ -30,7 +30,7 @@ const CONDITIONS_PER_VERTEX: usize = 5;
 pub(super) struct ExactLaplacian {
     rows: Vec<(u32, f64)>,
     columns: Vec<(u32, f64)>,
-    middle: Vec<f64>,
+    diagonal: Vec<f64>,
 }
 
 impl ExactLaplacian {
@@ -58,15 +58,15 @@ impl ExactLaplacian {
                 next += 1;
             }
         }
-        Ok(ExactLaplacian { rows, columns, middle })
+        Ok(ExactLaplacian { rows, columns, diagonal: middle })
     }
 
     pub(super) fn matrix_rows<'a>(&'a self, rings: &'a OneRings) -> MatrixRows<'a> {
-        MatrixRows::new(rings, &self.rows, &self.middle)
+        MatrixRows::new(rings, &self.rows, &self.diagonal)
     }
 
     pub(super) fn matrix_columns<'a>(&'a self, rings: &'a OneRings) -> MatrixRows<'a> {
-        MatrixRows::new(rings, &self.columns, &self.middle)
+        MatrixRows::new(rings, &self.columns, &self.diagonal)
     }
 }
 

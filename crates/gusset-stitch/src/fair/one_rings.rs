@@ -24,12 +24,12 @@ pub(crate) enum LaplacianWeights {
 
 /// The neighbours of every vertex, ascending, with symmetric weights, and the scale of each vertex.
 pub(super) struct OneRings {
-    start: Vec<u32>,
-    entries: Vec<(u32, f64)>,
+    ring_starts: Vec<u32>,
+    neighbours_and_weights: Vec<(u32, f64)>,
     /// The negative sum of the weights around each vertex.
-    middle: Vec<f64>,
+    negative_weight_sums: Vec<f64>,
     /// The square of s(v), times the vertex's area.
-    scale: Vec<f64>,
+    energy_scales: Vec<f64>,
 }
 
 /// Cotangents are clamped to this, for angles of 2.9 and 177.1 degrees, so that slivers do not
@@ -72,8 +72,13 @@ impl OneRings {
             let share = double_area(triangle) / 6.0;
             triangle.iter().for_each(|&v| area[v as usize] += share);
         }
-        let mut rings = OneRings { start, entries, middle: Vec::new(), scale: area };
-        rings.merge_edge_entries(&job.part(0.5, 1.0))?;
+        let mut rings = OneRings {
+            ring_starts: start,
+            neighbours_and_weights: entries,
+            negative_weight_sums: Vec::new(),
+            energy_scales: area,
+        };
+        rings.merge_edge_entries(&job.sub_job(0.5, 1.0))?;
         rings.set_weights(points.len(), weights)?;
         Ok(rings)
     }
@@ -82,47 +87,50 @@ impl OneRings {
     fn merge_edge_entries(&mut self, job: &Job<'_>) -> Result<()> {
         let mut kept = 0;
         let mut from = 0;
-        for v in 1..self.start.len() {
-            job.step_every(VERTICES_PER_REPORT, v, self.start.len(), "fairing")?;
-            let to = self.start[v] as usize;
+        for v in 1..self.ring_starts.len() {
+            job.step_every(VERTICES_PER_REPORT, v, self.ring_starts.len(), "fairing")?;
+            let to = self.ring_starts[v] as usize;
             // Sort by weight too, so that the sum does not depend on the order of the triangles.
-            sort::sort_stable(&mut self.entries[from..to], &|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+            sort::sort_stable(&mut self.neighbours_and_weights[from..to], &|a, b| {
+                a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+            });
             let first = kept;
             for i in from..to {
-                let (w, weight) = self.entries[i];
-                if kept > first && self.entries[kept - 1].0 == w {
-                    self.entries[kept - 1].1 += weight;
+                let (w, weight) = self.neighbours_and_weights[i];
+                if kept > first && self.neighbours_and_weights[kept - 1].0 == w {
+                    self.neighbours_and_weights[kept - 1].1 += weight;
                 } else {
-                    self.entries[kept] = (w, weight);
+                    self.neighbours_and_weights[kept] = (w, weight);
                     kept += 1;
                 }
             }
             from = to;
-            self.start[v] = kept as u32;
+            self.ring_starts[v] = kept as u32;
         }
-        self.entries.truncate(kept);
+        self.neighbours_and_weights.truncate(kept);
         Ok(())
     }
 
     /// Replaces the cotangents by the chosen weights, and the areas by scales.
     fn set_weights(&mut self, count: usize, weights: LaplacianWeights) -> Result<()> {
-        let used = self.scale.iter().filter(|&&area| area > 0.0).count().max(1) as f64;
-        let least_area = (MIN_RELATIVE_VERTEX_AREA * self.scale.iter().sum::<f64>() / used).max(f64::MIN_POSITIVE);
-        self.middle = alloc::with_capacity(count)?;
+        let used = self.energy_scales.iter().filter(|&&area| area > 0.0).count().max(1) as f64;
+        let least_area =
+            (MIN_RELATIVE_VERTEX_AREA * self.energy_scales.iter().sum::<f64>() / used).max(f64::MIN_POSITIVE);
+        self.negative_weight_sums = alloc::with_capacity(count)?;
         for v in 0..count {
-            let range = self.start[v] as usize..self.start[v + 1] as usize;
+            let range = self.ring_starts[v] as usize..self.ring_starts[v + 1] as usize;
             let valence = range.len().max(1) as f64;
-            for entry in &mut self.entries[range.clone()] {
+            for entry in &mut self.neighbours_and_weights[range.clone()] {
                 entry.1 = match weights {
                     LaplacianWeights::Uniform => 1.0,
                     LaplacianWeights::Cotangent => entry.1.max(MIN_COTANGENT_WEIGHT),
                 };
             }
-            let sum = self.entries[range].iter().map(|e| e.1).sum::<f64>();
-            self.middle.push(-sum);
-            self.scale[v] = match weights {
+            let sum = self.neighbours_and_weights[range].iter().map(|e| e.1).sum::<f64>();
+            self.negative_weight_sums.push(-sum);
+            self.energy_scales[v] = match weights {
                 LaplacianWeights::Uniform => 1.0 / (valence * valence),
-                LaplacianWeights::Cotangent => 1.0 / self.scale[v].max(least_area),
+                LaplacianWeights::Cotangent => 1.0 / self.energy_scales[v].max(least_area),
             };
         }
         Ok(())
@@ -130,44 +138,48 @@ impl OneRings {
 
     /// Returns the neighbours of `v` and their weights.
     pub(super) fn ring(&self, v: usize) -> &[(u32, f64)] {
-        &self.entries[self.start[v] as usize..self.start[v + 1] as usize]
+        &self.neighbours_and_weights[self.ring_starts[v] as usize..self.ring_starts[v + 1] as usize]
     }
 
     /// Returns the rows of L before scaling, which are its columns too.
     pub(super) fn laplacian_rows(&self) -> MatrixRows<'_> {
-        MatrixRows { start: &self.start, entries: &self.entries, middle: &self.middle }
+        MatrixRows {
+            row_starts: &self.ring_starts,
+            off_diagonal_entries: &self.neighbours_and_weights,
+            diagonal: &self.negative_weight_sums,
+        }
     }
 
     /// Returns the factor of the square of row `v` in the energy.
     pub(super) fn energy_scale(&self, v: usize) -> f64 {
-        self.scale[v]
+        self.energy_scales[v]
     }
 }
 
 /// The rows of a matrix that couples neighbours.
 #[derive(Clone, Copy)]
 pub(super) struct MatrixRows<'a> {
-    start: &'a [u32],
-    entries: &'a [(u32, f64)],
-    middle: &'a [f64],
+    row_starts: &'a [u32],
+    off_diagonal_entries: &'a [(u32, f64)],
+    diagonal: &'a [f64],
 }
 
 impl<'a> MatrixRows<'a> {
     /// Creates rows with the neighbours of `rings` and other entries.
     pub(super) fn new(rings: &'a OneRings, entries: &'a [(u32, f64)], middle: &'a [f64]) -> Self {
-        MatrixRows { start: &rings.start, entries, middle }
+        MatrixRows { row_starts: &rings.ring_starts, off_diagonal_entries: entries, diagonal: middle }
     }
 
     /// Returns the entry of a row in the column of a neighbour.
     pub(super) fn row_entry(self, v: usize, w: u32) -> f64 {
-        let ring = &self.entries[self.start[v] as usize..self.start[v + 1] as usize];
+        let ring = &self.off_diagonal_entries[self.row_starts[v] as usize..self.row_starts[v + 1] as usize];
         ring.binary_search_by_key(&w, |&(w, _)| w).map_or(0.0, |at| ring[at].1)
     }
 
     /// Returns the row of a vertex, the vertex itself first.
     pub(super) fn row(self, v: usize) -> impl Iterator<Item = (usize, f64)> + 'a {
-        let ring = &self.entries[self.start[v] as usize..self.start[v + 1] as usize];
-        std::iter::once((v, self.middle[v])).chain(ring.iter().map(|&(w, weight)| (w as usize, weight)))
+        let ring = &self.off_diagonal_entries[self.row_starts[v] as usize..self.row_starts[v + 1] as usize];
+        std::iter::once((v, self.diagonal[v])).chain(ring.iter().map(|&(w, weight)| (w as usize, weight)))
     }
 }
 

@@ -17,7 +17,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
-use gusset_base::sparse::{SparseSymmetric, dissect};
+use gusset_base::sparse::{SparseSymmetric, order_by_nested_dissection};
 use gusset_mesh::NONE;
 
 /// Number of vertices between two progress reports.
@@ -28,11 +28,11 @@ const VERTICES_PER_REPORT: usize = 1 << 12;
 pub(crate) struct Plate<'a> {
     pub(crate) triangles: &'a [[u32; 3]],
     /// True for the vertices that may move.
-    pub(crate) free: &'a [bool],
+    pub(crate) is_free_vertex: &'a [bool],
     /// True for the vertices whose Laplacian enters the energy. For a seam without a crease, these
     /// are the free vertices and the fixed vertices next to a free one. `triangles` must contain
     /// the whole one-ring of each, including old neighbours.
-    pub(crate) centres: &'a [bool],
+    pub(crate) has_laplacian_in_energy: &'a [bool],
     pub(crate) weights: LaplacianWeights,
     /// The energy: the Laplacian, or, with [`LaplacianWeights::Cotangent`] only, its gradient. In
     /// the latter case the fixed vertices next to those above are centres too.
@@ -43,7 +43,7 @@ pub(crate) struct Plate<'a> {
     /// Positions by which the vertices are ordered: evenly spread, with neighbours near each other;
     /// `None` for the points themselves. They affect time and memory, and the result only by
     /// round-off.
-    pub(crate) layout: Option<&'a [DVec3]>,
+    pub(crate) ordering_positions: Option<&'a [DVec3]>,
 }
 
 /// The rest shape of a plate.
@@ -52,10 +52,10 @@ pub(crate) struct RestShape<'a> {
     /// The Laplacian h at each vertex, in the reciprocal of the points' unit.
     pub(crate) curvature: &'a [DVec3],
     /// The rest positions x0.
-    pub(crate) places: &'a [DVec3],
+    pub(crate) rest_positions: &'a [DVec3],
     /// The length r, in the points' unit. Weak springs tie a wider plate to its rest positions,
     /// because small errors of the curvature would add up across it.
-    pub(crate) reach: f64,
+    pub(crate) max_width_without_springs: f64,
 }
 
 /// Moves the free vertices of a plate to the minimum of its energy; the others are fixed.
@@ -82,13 +82,19 @@ pub(crate) fn minimise_plate_energy(points: &mut [DVec3], plate: &Plate<'_>, job
     // Use coordinates relative to one of the points, to keep precision far from the origin.
     let origin = points.first().map_or(DVec3::ZERO, |&p| p / unit);
     let local = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-    let rings = OneRings::new(&local, plate.triangles, plate.weights, &job.part(0.0, 0.15))?;
-    let mut unknowns = anchored_vertices(&rings, plate.free)?;
-    let couplings = PlateCouplings { rings: &rings, is_row: plate.centres, continuity: plate.continuity };
-    dissect(&mut unknowns, plate.layout.unwrap_or(&local), couplings, &job.part(0.15, 0.2))?;
+    let rings = OneRings::new(&local, plate.triangles, plate.weights, &job.sub_job(0.0, 0.15))?;
+    let mut unknowns = anchored_vertices(&rings, plate.is_free_vertex)?;
+    let couplings =
+        PlateCouplings { rings: &rings, is_row: plate.has_laplacian_in_energy, continuity: plate.continuity };
+    order_by_nested_dissection(
+        &mut unknowns,
+        plate.ordering_positions.unwrap_or(&local),
+        couplings,
+        &job.sub_job(0.15, 0.2),
+    )?;
     let (matrix, mut moves) =
-        assemble_plate_equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
-    matrix.factor(&job.part(0.3, 0.9))?.solve(&mut moves, &job.part(0.9, 1.0))?;
+        assemble_plate_equations(&local, &rings, &unknowns, plate, (unit, origin), &job.sub_job(0.2, 0.3))?;
+    matrix.factorise(&job.sub_job(0.3, 0.9))?.solve(&mut moves, &job.sub_job(0.9, 1.0))?;
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
         if by != DVec3::ZERO && place.is_finite() {
@@ -133,10 +139,10 @@ fn assemble_plate_equations(
     (unit, origin): (f64, DVec3),
     job: &Job<'_>,
 ) -> Result<(SparseSymmetric, Vec<DVec3>)> {
-    let centres = plate.centres;
+    let centres = plate.has_laplacian_in_energy;
     let exact = match plate.continuity {
         Continuity::C1 => None,
-        Continuity::C2 => Some(ExactLaplacian::new(points, plate.triangles, rings, &job.part(0.0, 0.3))?),
+        Continuity::C2 => Some(ExactLaplacian::new(points, plate.triangles, rings, &job.sub_job(0.0, 0.3))?),
     };
     let (rows, columns) = exact.as_ref().map_or((rings.laplacian_rows(), rings.laplacian_rows()), |exact| {
         (exact.matrix_rows(rings), exact.matrix_columns(rings))
@@ -146,13 +152,13 @@ fn assemble_plate_equations(
     for (k, &v) in unknowns.iter().enumerate() {
         place[v as usize] = k as u32;
     }
-    let (n, assembly) = (unknowns.len(), job.part(0.3, 1.0));
+    let (n, assembly) = (unknowns.len(), job.sub_job(0.3, 1.0));
     let mut matrix = SparseSymmetric {
-        start: alloc::with_capacity(n + 1)?,
+        column_starts: alloc::with_capacity(n + 1)?,
         entries: alloc::with_capacity(10 * n)?,
         diagonal: alloc::with_capacity(n)?,
     };
-    matrix.start.push(0);
+    matrix.column_starts.push(0);
     let mut moves = alloc::with_capacity(n)?;
     let (mut shares, mut column) = (SparseSums::new(points.len())?, SparseSums::new(n)?);
     for (k, &v) in unknowns.iter().enumerate() {
@@ -181,9 +187,9 @@ fn assemble_plate_equations(
         }
         // A spring with the strength area / reach^4.
         let spring = |own: RestShape<'_>| {
-            let squared = (own.reach / unit) * (own.reach / unit);
+            let squared = (own.max_width_without_springs / unit) * (own.max_width_without_springs / unit);
             let strength = 1.0 / (squared * squared * rings.energy_scale(v as usize));
-            (strength, points[v as usize] - (own.places[v as usize] / unit - origin))
+            (strength, points[v as usize] - (own.rest_positions[v as usize] / unit - origin))
         };
         let (strength, away) = plate.shape.map_or((0.0, DVec3::ZERO), spring);
         moves.push(-gradient - strength * away);
@@ -197,7 +203,7 @@ fn assemble_plate_equations(
             }
         }
         matrix.diagonal.push(diagonal);
-        matrix.start.push(matrix.entries.len());
+        matrix.column_starts.push(matrix.entries.len());
     }
     Ok((matrix, moves))
 }
@@ -211,7 +217,7 @@ fn bend_derivatives(
     plate: &Plate<'_>,
     unit: f64,
 ) -> Result<Vec<DVec3>> {
-    let centres = plate.centres;
+    let centres = plate.has_laplacian_in_energy;
     let scale = |c: usize| if plate.continuity == Continuity::C1 { rings.energy_scale(c) } else { 1.0 };
     let mut bend = alloc::filled(DVec3::ZERO, points.len())?;
     for c in (0..points.len()).filter(|&c| centres[c]) {
@@ -236,32 +242,32 @@ fn edges_to_centres(rings: &OneRings, centres: &[bool], c: usize) -> impl Iterat
 struct SparseSums {
     sums: Vec<f64>,
     has_terms: Vec<bool>,
-    numbers: Vec<u32>,
+    indices_with_terms: Vec<u32>,
 }
 
 impl SparseSums {
     fn new(count: usize) -> Result<Self> {
         let (sums, has_terms) = (alloc::filled(0.0, count)?, alloc::filled(false, count)?);
-        Ok(SparseSums { sums, has_terms, numbers: Vec::new() })
+        Ok(SparseSums { sums, has_terms, indices_with_terms: Vec::new() })
     }
 
     fn add_term(&mut self, number: usize, value: f64) -> Result<()> {
         if !std::mem::replace(&mut self.has_terms[number], true) {
-            alloc::push(&mut self.numbers, number as u32)?;
+            alloc::push(&mut self.indices_with_terms, number as u32)?;
         }
         self.sums[number] += value;
         Ok(())
     }
 
     fn len(&self) -> usize {
-        self.numbers.len()
+        self.indices_with_terms.len()
     }
 
     /// Returns the indices with terms, in the order of their first terms, and their sums. Resets
     /// all sums.
     fn drain_sums(&mut self) -> impl Iterator<Item = (usize, f64)> {
         let (sums, has_terms) = (&mut self.sums, &mut self.has_terms);
-        self.numbers.drain(..).map(|number| {
+        self.indices_with_terms.drain(..).map(|number| {
             has_terms[number as usize] = false;
             (number as usize, std::mem::take(&mut sums[number as usize]))
         })

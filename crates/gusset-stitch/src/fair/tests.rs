@@ -46,8 +46,17 @@ impl TestPatch {
         let (triangles, free) = (&self.triangles, &self.free);
         let places = self.points.clone();
         // The reach is far beyond the patch, so that the springs do not matter.
-        let shape = curvature.map(|curvature| RestShape { curvature, places: &places, reach: 1e9 });
-        let plate = Plate { triangles, free, centres, weights, continuity: Continuity::C1, shape, layout: None };
+        let shape =
+            curvature.map(|curvature| RestShape { curvature, rest_positions: &places, max_width_without_springs: 1e9 });
+        let plate = Plate {
+            triangles,
+            is_free_vertex: free,
+            has_laplacian_in_energy: centres,
+            weights,
+            continuity: Continuity::C1,
+            shape,
+            ordering_positions: None,
+        };
         minimise_plate_energy(&mut self.points, &plate, &Job::default()).unwrap();
     }
 }
@@ -328,7 +337,15 @@ fn degenerate_patches_do_no_harm() {
         }
     }
     let (triangles, free, centres, weights) = (&[], &[], &[], LaplacianWeights::Uniform);
-    let plate = Plate { triangles, free, centres, weights, continuity: Continuity::C1, shape: None, layout: None };
+    let plate = Plate {
+        triangles,
+        is_free_vertex: free,
+        has_laplacian_in_energy: centres,
+        weights,
+        continuity: Continuity::C1,
+        shape: None,
+        ordering_positions: None,
+    };
     let nothing = minimise_plate_energy(&mut [], &plate, &Job::default());
     assert_eq!(nothing, Ok(()));
 }
@@ -406,7 +423,15 @@ fn triharmonic_functions_are_found() {
         }
         let (triangles, free) = (&patch.triangles, &patch.free);
         let weights = LaplacianWeights::Cotangent;
-        let plate = Plate { triangles, free, centres: &centres, weights, continuity, shape: None, layout: None };
+        let plate = Plate {
+            triangles,
+            is_free_vertex: free,
+            has_laplacian_in_energy: &centres,
+            weights,
+            continuity,
+            shape: None,
+            ordering_positions: None,
+        };
         minimise_plate_energy(&mut patch.points, &plate, &Job::default()).unwrap();
         patch.points.iter().map(|&p| (p.z - height(p)).abs()).fold(0.0, f64::max) / 1e-4
     };
@@ -455,7 +480,15 @@ fn a_plane_stays_a_plane_with_its_curvature() {
     let centres: Vec<_> = (0..patch.points.len()).map(|v| v < patch.points.len() - 54).collect();
     let (triangles, free) = (&patch.triangles, &patch.free);
     let (weights, continuity) = (LaplacianWeights::Cotangent, Continuity::C2);
-    let plate = Plate { triangles, free, centres: &centres, weights, continuity, shape: None, layout: None };
+    let plate = Plate {
+        triangles,
+        is_free_vertex: free,
+        has_laplacian_in_energy: &centres,
+        weights,
+        continuity,
+        shape: None,
+        ordering_positions: None,
+    };
     minimise_plate_energy(&mut patch.points, &plate, &Job::default()).unwrap();
     assert!(patch.points.iter().all(|p| p.z.abs() < 1e-10));
 }

@@ -50,7 +50,7 @@ fn candidates_of_all_loops(
             *status = HoleStatus::Unsewn;
         }
     });
-    leave_open(mesh, boundary, options.keep, &mut usable)?;
+    mark_loops_left_open(mesh, boundary, options.keep, &mut usable)?;
     let mut candidates = alloc::with_capacity(boundary.len())?;
     for (found, status) in boundary.iter().zip(usable) {
         let measures = loop_measures(mesh, found.vertices);
@@ -64,7 +64,12 @@ fn candidates_of_all_loops(
 }
 
 /// Changes the status of the loops that [`Keep`] leaves open.
-fn leave_open(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep, statuses: &mut [HoleStatus]) -> Result<()> {
+fn mark_loops_left_open(
+    mesh: &MeshView<'_>,
+    boundary: &Boundary,
+    keep: Keep,
+    statuses: &mut [HoleStatus],
+) -> Result<()> {
     let usable = alloc::gather((0..boundary.len()).filter(|&i| statuses[i] == HoleStatus::Filled))?;
     let loops = || usable.iter().filter_map(|&i| Some((i, boundary.get(i)?)));
     match keep {

@@ -47,12 +47,12 @@ impl ChordSet for AllChords {
 /// A sparse set of chords, indexed by both ends.
 pub(super) struct ChordsNearTriangulation {
     /// The chords (i, k) of one k occupy `first[start[k]..start[k + 1]]`. A chord's number is its
-    /// index in `first`.
-    start: Vec<u32>,
+    /// index in `first_ends`.
+    starts_by_second_end: Vec<u32>,
     /// The ends i, descending for each k.
-    first: Vec<u32>,
+    first_ends: Vec<u32>,
     /// For each i, the chords (i, k) as pairs of k, ascending, and the chord's number.
-    after: Buckets<(u32, u32)>,
+    chords_by_first_end: Buckets<(u32, u32)>,
 }
 
 impl ChordsNearTriangulation {
@@ -93,35 +93,36 @@ impl ChordsNearTriangulation {
         let places = (0..n).flat_map(|k| (start[k]..start[k + 1]).map(move |number| (k, number)));
         let after =
             Buckets::new(n, (0, 0), places.map(|(k, number)| (first[number as usize] as usize, (k as u32, number))))?;
-        Ok(ChordsNearTriangulation { start, first, after })
+        Ok(ChordsNearTriangulation { starts_by_second_end: start, first_ends: first, chords_by_first_end: after })
     }
 
     fn chord_starts_to(&self, k: usize) -> &[u32] {
-        &self.first[self.start[k] as usize..self.start[k + 1] as usize]
+        &self.first_ends[self.starts_by_second_end[k] as usize..self.starts_by_second_end[k + 1] as usize]
     }
 }
 
 impl ChordSet for ChordsNearTriangulation {
     fn chord_count(&self) -> usize {
-        self.first.len()
+        self.first_ends.len()
     }
 
     fn find_chord_number(&self, i: usize, k: usize) -> Option<usize> {
-        let after = self.after.get(i);
+        let after = self.chords_by_first_end.get(i);
         after.binary_search_by_key(&(k as u32), |&(k, _)| k).ok().map(|at| after[at].1 as usize)
     }
 
     fn try_each_chord(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
-        for k in 0..self.start.len() - 1 {
-            for number in self.start[k] as usize..self.start[k + 1] as usize {
-                visit(number, [self.first[number] as usize, k])?;
+        for k in 0..self.starts_by_second_end.len() - 1 {
+            for number in self.starts_by_second_end[k] as usize..self.starts_by_second_end[k + 1] as usize {
+                visit(number, [self.first_ends[number] as usize, k])?;
             }
         }
         Ok(())
     }
 
     fn visit_apexes(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
-        let (after, before, start) = (self.after.get(i), self.chord_starts_to(k), self.start[k] as usize);
+        let (after, before, start) =
+            (self.chords_by_first_end.get(i), self.chord_starts_to(k), self.starts_by_second_end[k] as usize);
         // Walk the shorter list, and search the longer one.
         if after.len() <= before.len() {
             for &(m, left) in after.iter().take_while(|&&(m, _)| (m as usize) < k) {

@@ -18,8 +18,8 @@ const STAGE: &str = "looking round the holes";
 /// Returns the faces whose boxes meet one of `boxes`, in ascending order. O(F log n) for F faces
 /// and n boxes; extra memory: 4 bytes per returned face, and about 200 per box.
 pub(super) fn find_faces_near_boxes(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<u32>> {
-    let order = spatial_order(boxes, 1, &job.part(0.0, 0.1), STAGE)?;
-    let job = job.part(0.1, 1.0);
+    let order = spatial_order(boxes, 1, &job.sub_job(0.0, 0.1), STAGE)?;
+    let job = job.sub_job(0.1, 1.0);
     let tree = BoxTree::new(order.iter().map(|&i| boxes[i as usize]))?;
     let chunk = |range: Range<usize>| -> Result<Vec<u32>> {
         let mut faces_found = Vec::new();

@@ -62,13 +62,13 @@ pub(super) fn build_result(
     }
     let (holes, rims) = hole_reports(&made, candidates, options, &mut whole)?;
     job.step(0.1, "putting the pieces together")?;
-    let part = faces_as_mesh(&whole, mesh.faces().len(), &job.part(0.1, 0.3))?;
+    let part = faces_as_mesh(&whole, mesh.faces().len(), &job.sub_job(0.1, 0.3))?;
     let outward = if options.plan_only { Outward::Keep } else { options.outward };
     let measured = if outward == Outward::Closed { 0.7 } else { 1.0 };
-    let quality = Quality::measure(&whole, &part, &job.part(0.3, measured))?;
+    let quality = Quality::measure(&whole, &part, &job.sub_job(0.3, measured))?;
     let turned_outwards = match outward {
         Outward::Keep => Vec::new(),
-        Outward::Closed => turn_outwards(&mut whole, &job.part(measured, 1.0))?.turned,
+        Outward::Closed => turn_outwards(&mut whole, &job.sub_job(measured, 1.0))?.turned,
     };
     let intersections = made.intersections;
     Ok(Filled {

@@ -50,7 +50,7 @@ struct LoopGroup {
 /// Two groups that cost less together than apart.
 struct GroupPair {
     /// The relative gain: (cost apart - cost together) / cost apart.
-    gain: f64,
+    relative_gain: f64,
     groups: [usize; 2],
     triangles: Vec<[u32; 3]>,
 }
@@ -70,7 +70,7 @@ struct GroupSearch<'a> {
     /// `None` for a group that was merged into a later one.
     groups: Vec<Option<LoopGroup>>,
     /// The group of each loop.
-    owner: Vec<usize>,
+    group_of_loop: Vec<usize>,
     /// The remaining number of trials; `None` once a trial was refused.
     trials: Option<usize>,
 }
@@ -90,8 +90,8 @@ pub(super) fn group_by_cost(
     let loops = alloc::collect(groups.iter().map(|group| candidates[group[0]].vertices.as_slice()))?;
     let around = |vertices: &&[u32]| Aabb::from_points(vertices.iter().map(|&v| mesh.positions().get(v)));
     let boxes = alloc::collect(loops.iter().map(around))?;
-    let near = find_faces_near_boxes(mesh, &boxes, &job.part(0.0, 0.05))?;
-    let surroundings = OldFacesAtRims::new(mesh, loops_through_vertex, &near, Continuity::C1, &job.part(0.05, 0.1))?;
+    let near = find_faces_near_boxes(mesh, &boxes, &job.sub_job(0.0, 0.05))?;
+    let surroundings = OldFacesAtRims::new(mesh, loops_through_vertex, &near, Continuity::C1, &job.sub_job(0.05, 0.1))?;
     let partners = alloc::collect(loops.iter().map(|_| Vec::new()))?;
     let owner = alloc::collect(0..loops.len())?;
     // Each merge adds one group, and there are fewer merges than loops.
@@ -102,11 +102,11 @@ pub(super) fn group_by_cost(
         partners,
         weight,
         groups: joined,
-        owner,
+        group_of_loop: owner,
         trials: Some(MAX_GROUP_PAIR_TRIALS),
     };
-    search.find_partner_groups(&boxes, &job.part(0.1, 0.3))?;
-    search.merge_groups(&job.part(0.3, 1.0))?;
+    search.find_partner_groups(&boxes, &job.sub_job(0.1, 0.3))?;
+    search.merge_groups(&job.sub_job(0.3, 1.0))?;
     let joined = search.groups.iter().flatten().map(|group| {
         let mut numbers = alloc::collect(group.loops.iter().map(|&k| groups[k][0]))?;
         numbers.sort_unstable();
@@ -119,8 +119,8 @@ pub(super) fn group_by_cost(
 
 impl GroupSearch<'_> {
     fn find_partner_groups(&mut self, boxes: &[Aabb], job: &Job<'_>) -> Result<()> {
-        let near = find_nearby_pairs(boxes, &job.part(0.0, 0.2))?;
-        let job = job.part(0.2, 1.0);
+        let near = find_nearby_pairs(boxes, &job.sub_job(0.0, 0.2))?;
+        let job = job.sub_job(0.2, 1.0);
         for (at, &([i, k], distance)) in near.iter().enumerate() {
             job.step(at as f64 / near.len() as f64, "triangulating holes")?;
             let Some((rim, _)) = self.surroundings.build_patch_rim([i, k].into_iter().map(|k| self.loops[k]), &job)?
@@ -128,7 +128,7 @@ impl GroupSearch<'_> {
                 continue;
             };
             let polygons = rim.loop_polygons()?;
-            if may_cost_less_together([&polygons[0], &polygons[1]], self.weight, &job.part(1.0, 1.0))? {
+            if may_cost_less_together([&polygons[0], &polygons[1]], self.weight, &job.sub_job(1.0, 1.0))? {
                 alloc::push(&mut self.partners[i], (k, distance))?;
                 alloc::push(&mut self.partners[k], (i, distance))?;
             }
@@ -144,7 +144,7 @@ impl GroupSearch<'_> {
             let found = if self.partners[k].is_empty() {
                 None
             } else {
-                self.triangulate_loops(&alone, &job.part(0.0, 0.2).share(k, count))?
+                self.triangulate_loops(&alone, &job.sub_job(0.0, 0.2).sub_job_of_item(k, count))?
             };
             let triangles = found.and_then(|(_, triangles)| triangles);
             self.groups.push(Some(LoopGroup { loops: alone, triangles }));
@@ -156,20 +156,20 @@ impl GroupSearch<'_> {
         near.sort_unstable_by(compare_by_distance_then_index);
         near.dedup();
         let mut pairs = Vec::new();
-        self.try_group_pairs(&near, &mut pairs, &job.part(0.2, 0.6))?;
+        self.try_group_pairs(&near, &mut pairs, &job.sub_job(0.2, 0.6))?;
         while let Some(GroupPair { groups, triangles, .. }) = remove_best_pair(&mut pairs) {
             let [Some(one), Some(other)] = groups.map(|group| self.groups[group].take()) else {
                 break;
             };
             let (new, mut loops) = (self.groups.len(), one.loops);
             alloc::append(&mut loops, &other.loops)?;
-            loops.iter().for_each(|&k| self.owner[k] = new);
+            loops.iter().for_each(|&k| self.group_of_loop[k] = new);
             self.groups.push(Some(LoopGroup { loops, triangles: Some(triangles) }));
             pairs.retain(|pair| pair.groups.iter().all(|&group| self.groups[group].is_some()));
             self.try_group_pairs(
                 &self.group_pairs_to_try(new)?,
                 &mut pairs,
-                &job.part(0.6, 1.0).share(new - count, count),
+                &job.sub_job(0.6, 1.0).sub_job_of_item(new - count, count),
             )?;
         }
         Ok(())
@@ -184,7 +184,7 @@ impl GroupSearch<'_> {
         let own = self.loops_of_group(group);
         let mut neighbours = Vec::new();
         for &(k, distance) in own.iter().flat_map(|&k| &self.partners[k]) {
-            let other = self.owner[k];
+            let other = self.group_of_loop[k];
             if other != group && own.len() + self.loops_of_group(other).len() <= MAX_LOOPS_PER_PATCH {
                 alloc::push(&mut neighbours, (other, distance))?;
             }
@@ -208,7 +208,7 @@ impl GroupSearch<'_> {
                 job.note("there are too many loops near each other: some were not tried together");
                 break;
             }
-            if let Some(pair) = self.triangulate_groups_together(groups, &job.share(at, near.len()))? {
+            if let Some(pair) = self.triangulate_groups_together(groups, &job.sub_job_of_item(at, near.len()))? {
                 alloc::push(pairs, pair)?;
             }
         }
@@ -239,7 +239,7 @@ impl GroupSearch<'_> {
         } else {
             1.0
         };
-        Ok((gain > MIN_RELATIVE_GAIN).then_some(GroupPair { gain, groups, triangles }))
+        Ok((gain > MIN_RELATIVE_GAIN).then_some(GroupPair { relative_gain: gain, groups, triangles }))
     }
 
     /// Triangulates loops together; `None` if two of them share a vertex.
@@ -256,7 +256,7 @@ impl GroupSearch<'_> {
 /// Removes the pair that gains most. Among equal pairs the earlier groups win.
 fn remove_best_pair(pairs: &mut Vec<GroupPair>) -> Option<GroupPair> {
     let order = |(_, a): &(usize, &GroupPair), (_, b): &(usize, &GroupPair)| {
-        a.gain.total_cmp(&b.gain).then(b.groups.cmp(&a.groups))
+        a.relative_gain.total_cmp(&b.relative_gain).then(b.groups.cmp(&a.groups))
     };
     let best = pairs.iter().enumerate().max_by(order)?.0;
     Some(pairs.swap_remove(best))
@@ -276,12 +276,12 @@ fn compare_by_distance_then_index<T: Ord>((i, a): &(T, BoxDistance), (k, b): &(T
 /// Each box proposes its nearest boxes. At most [`MAX_LOOPS_PER_PATCH`] boxes may propose one box:
 /// otherwise the border of a sheet would be near all holes in it.
 fn find_nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<NearbyPair>> {
-    let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(RELATIVE_BOX_MARGIN * around.diagonal())))?;
-    let order = spatial_order(&rooms, 1, &job.part(0.0, 0.2), "triangulating holes")?;
+    let rooms = alloc::collect(boxes.iter().map(|around| around.grown_by(RELATIVE_BOX_MARGIN * around.diagonal())))?;
+    let order = spatial_order(&rooms, 1, &job.sub_job(0.0, 0.2), "triangulating holes")?;
     let tree = BoxTree::new(order.iter().map(|&k| rooms[k as usize]))?;
     let mut pairs = Vec::new();
     for (i, room) in rooms.iter().enumerate() {
-        job.part(0.2, 1.0).step_every(LOOPS_PER_REPORT, i, rooms.len(), "triangulating holes")?;
+        job.sub_job(0.2, 1.0).step_every(LOOPS_PER_REPORT, i, rooms.len(), "triangulating holes")?;
         let mut neighbours = Vec::new();
         tree.visit_overlapping(room, 0.0, |leaf| {
             let others = order.get(leaf).map(|&k| k as usize).filter(|&k| k != i);

@@ -27,15 +27,15 @@ pub(super) struct HoleFilling<'a> {
     /// The candidates to fill. Each group gets one patch.
     groups: &'a [Vec<usize>],
     /// For each group, a box that contains its patch.
-    rooms: Vec<Aabb>,
+    patch_boxes: Vec<Aabb>,
     /// For each mesh vertex, the number of loops that pass it.
     loops_through_vertex: &'a [u8],
     /// The faces near the holes, ascending.
-    near: Vec<u32>,
+    faces_near_holes: Vec<u32>,
     surroundings: OldFacesAtRims<'a>,
     /// New edges between old vertices that several loops pass. No other patch may repeat them.
     bridges: HashSet<(u32, u32)>,
-    pub(super) made: FinishedPatches<'a>,
+    pub(super) finished_patches: FinishedPatches<'a>,
 }
 
 impl<'a> HoleFilling<'a> {
@@ -58,41 +58,41 @@ impl<'a> HoleFilling<'a> {
             let bulges = options.refinement != Refinement::None;
             alloc::push(&mut boxes, if bulges { patch_bounds(rim) } else { Aabb::from_points(rim) })?;
         }
-        let near = find_faces_near_boxes(mesh, &boxes, &job.part(0.0, 0.9))?;
+        let near = find_faces_near_boxes(mesh, &boxes, &job.sub_job(0.0, 0.9))?;
         let surroundings =
-            OldFacesAtRims::new(mesh, loops_through_vertex, &near, options.continuity, &job.part(0.9, 1.0))?;
+            OldFacesAtRims::new(mesh, loops_through_vertex, &near, options.continuity, &job.sub_job(0.9, 1.0))?;
         let made =
             FinishedPatches { vertices: MeshAndPatchVertices::new(mesh, &points), ..FinishedPatches::empty(mesh) };
         Ok(HoleFilling {
             options,
             candidates,
             groups,
-            rooms: boxes,
+            patch_boxes: boxes,
             loops_through_vertex,
-            near,
+            faces_near_holes: near,
             surroundings,
             bridges: HashSet::new(),
-            made,
+            finished_patches: made,
         })
     }
 
     pub(super) fn build_patches(&mut self, job: &Job<'_>) -> Result<()> {
         let length = |group: &[usize]| group.iter().map(|&k| self.candidates[k].vertices.len()).sum::<usize>();
         let all: usize = self.groups.iter().map(|group| length(group)).sum();
-        let (mut done, make) = (0, job.part(0.0, 0.6));
+        let (mut done, make) = (0, job.sub_job(0.0, 0.6));
         let mut rooms = alloc::with_capacity(self.groups.len())?;
         for (k, group) in self.groups.iter().enumerate() {
             let end = done + length(group);
-            let part = make.part(done as f64 / all as f64, end as f64 / all as f64);
+            let part = make.sub_job(done as f64 / all as f64, end as f64 / all as f64);
             done = end;
             if let Some(placed) = self.build_first_patch(group, &part)? {
-                alloc::push(&mut self.made.groups, group.as_slice())?;
-                alloc::push(&mut self.made.patches, placed)?;
-                rooms.push(self.rooms[k]);
+                alloc::push(&mut self.finished_patches.groups, group.as_slice())?;
+                alloc::push(&mut self.finished_patches.patches, placed)?;
+                rooms.push(self.patch_boxes[k]);
             }
         }
         if self.options.intersections != Intersections::Ignore {
-            self.replace_intersecting_patches(&rooms, &job.part(0.6, 1.0))?;
+            self.replace_intersecting_patches(&rooms, &job.sub_job(0.6, 1.0))?;
         }
         Ok(())
     }
@@ -114,13 +114,19 @@ impl<'a> HoleFilling<'a> {
         let (mut found, mut limited) = (None, false);
         let ways = list_attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
-            let job = job.share(i, ways.len());
+            let job = job.sub_job_of_item(i, ways.len());
             if planner.exceeds_limit(attempt, 0) {
                 limited = true;
                 continue;
             }
-            if let Some(patch) = planner.build_patch(attempt, &job.part(0.0, 0.9))? {
-                found = Some(self.made.vertices.place_patch(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
+            if let Some(patch) = planner.build_patch(attempt, &job.sub_job(0.0, 0.9))? {
+                found = Some(self.finished_patches.vertices.place_patch(
+                    &rim,
+                    &names,
+                    &patch,
+                    attempt,
+                    &job.sub_job(0.9, 1.0),
+                )?);
             }
             // The search for several loops is incomplete, so another weight may succeed.
             if found.is_some() || planner.lacks_triangulation() && group.len() == 1 {
@@ -138,31 +144,44 @@ impl<'a> HoleFilling<'a> {
         Ok(found)
     }
 
-    /// Looks for intersections, and tries other patches where there are any. `rooms` are the
+    /// Looks for intersections, and tries other patches where there are any. `patch_boxes` are the
     /// patches' boxes.
     fn replace_intersecting_patches(&mut self, rooms: &[Aabb], job: &Job<'_>) -> Result<()> {
-        let old = OldTriangles::new(self.made.vertices.mesh, &self.near, &job.part(0.0, 0.1))?;
-        let mut pairs = find_patch_intersections(&self.made.vertices, &self.made.patches, &old, &job.part(0.1, 0.3))?;
+        let old =
+            OldTriangles::new(self.finished_patches.vertices.mesh, &self.faces_near_holes, &job.sub_job(0.0, 0.1))?;
+        let mut pairs = find_patch_intersections(
+            &self.finished_patches.vertices,
+            &self.finished_patches.patches,
+            &old,
+            &job.sub_job(0.1, 0.3),
+        )?;
         if !pairs.is_empty() && self.options.intersections == Intersections::Auto {
-            let trials = IntersectionCounter::new(&self.made.vertices, &old, rooms, &job.part(0.3, 0.3))?;
-            let cutting = intersecting_patches(&pairs, &self.made.patches)?;
+            let trials =
+                IntersectionCounter::new(&self.finished_patches.vertices, &old, rooms, &job.sub_job(0.3, 0.3))?;
+            let cutting = intersecting_patches(&pairs, &self.finished_patches.patches)?;
             for (i, &k) in cutting.iter().enumerate() {
-                let job = job.part(0.3, 0.8).share(i, cutting.len());
+                let job = job.sub_job(0.3, 0.8).sub_job_of_item(i, cutting.len());
                 self.replace_by_best_attempt(k, &trials, &job)?;
             }
-            pairs = find_patch_intersections(&self.made.vertices, &self.made.patches, &old, &job.part(0.8, 1.0))?;
+            pairs = find_patch_intersections(
+                &self.finished_patches.vertices,
+                &self.finished_patches.patches,
+                &old,
+                &job.sub_job(0.8, 1.0),
+            )?;
         }
-        let first_new = self.made.vertices.mesh.faces().len() as u32;
-        self.made.intersections = Some(old.pairs_of_faces(&pairs, &self.made.patches, first_new)?);
+        let first_new = self.finished_patches.vertices.mesh.faces().len() as u32;
+        self.finished_patches.intersections =
+            Some(old.pairs_of_faces(&pairs, &self.finished_patches.patches, first_new)?);
         Ok(())
     }
 
     /// Replaces patch `k` by the attempt with the fewest intersections, the first of equals.
     fn replace_by_best_attempt(&mut self, k: usize, trials: &IntersectionCounter<'_>, job: &Job<'_>) -> Result<()> {
-        let Some((rim, names)) = self.build_group_rim(self.made.groups[k], job)? else {
+        let Some((rim, names)) = self.build_group_rim(self.finished_patches.groups[k], job)? else {
             return Ok(());
         };
-        if rim.count == 3 && self.options.refinement == Refinement::None {
+        if rim.rim_vertex_count == 3 && self.options.refinement == Refinement::None {
             // A triangular hole has only one triangulation.
             return Ok(());
         }
@@ -170,38 +189,44 @@ impl<'a> HoleFilling<'a> {
             |u: u32, v: u32| is_taken_edge(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
         let mut planner = PatchBuilder::new(&rim, self.options, &taken);
         let mut least = trials.count_intersections(
-            &self.made.vertices,
-            &self.made.patches,
+            &self.finished_patches.vertices,
+            &self.finished_patches.patches,
             k,
-            &self.made.patches[k],
-            &job.part(0.0, 0.0),
+            &self.finished_patches.patches[k],
+            &job.sub_job(0.0, 0.0),
         )?;
-        let first_tried = self.made.vertices.end_vertex_number();
-        let (mut better, mut limited, first) = (None, false, self.made.patches[k].vertices.len());
+        let first_tried = self.finished_patches.vertices.end_vertex_number();
+        let (mut better, mut limited, first) = (None, false, self.finished_patches.patches[k].vertices.len());
         let ways = list_attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
-            let job = job.share(i, ways.len());
+            let job = job.sub_job_of_item(i, ways.len());
             if least == 0 {
                 break;
             }
-            if attempt == self.made.patches[k].attempt {
+            if attempt == self.finished_patches.patches[k].attempt {
                 continue;
             }
             if planner.exceeds_limit(attempt, first) {
                 limited = true;
                 continue;
             }
-            let Some(patch) = planner.build_patch(attempt, &job.part(0.0, 0.7))? else {
+            let Some(patch) = planner.build_patch(attempt, &job.sub_job(0.0, 0.7))? else {
                 continue;
             };
-            let mut placed = self.made.vertices.place_patch(&rim, &names, &patch, attempt, &job.part(0.7, 0.8))?;
-            let count =
-                trials.count_intersections(&self.made.vertices, &self.made.patches, k, &placed, &job.part(0.8, 1.0))?;
+            let mut placed =
+                self.finished_patches.vertices.place_patch(&rim, &names, &patch, attempt, &job.sub_job(0.7, 0.8))?;
+            let count = trials.count_intersections(
+                &self.finished_patches.vertices,
+                &self.finished_patches.patches,
+                k,
+                &placed,
+                &job.sub_job(0.8, 1.0),
+            )?;
             if count < least {
-                self.made.vertices.move_last_patch_down(&mut placed, first_tried);
+                self.finished_patches.vertices.move_last_patch_down(&mut placed, first_tried);
                 (least, better) = (count, Some(placed));
             } else {
-                self.made.vertices.remove_last_patch(&placed);
+                self.finished_patches.vertices.remove_last_patch(&placed);
             }
         }
         if limited {
@@ -213,7 +238,7 @@ impl<'a> HoleFilling<'a> {
             better.iter().flat_map(|placed| edges_between_shared_vertices(self.loops_through_vertex, placed)),
         )?;
         if let Some(placed) = better {
-            self.made.patches[k] = placed;
+            self.finished_patches.patches[k] = placed;
         }
         Ok(())
     }

@@ -63,11 +63,11 @@ pub fn fill_holes(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Filled> {
-    let survey = HoleSurvey::new(mesh, selection, &job.part(0.0, 0.25))?;
+    let survey = HoleSurvey::new(mesh, selection, &job.sub_job(0.0, 0.25))?;
     if survey.coincident_edges() > 0 {
         job.note("boundary edges coincide with others: sew them first, as a join does");
     }
-    survey.fill(options, &job.part(0.25, 1.0))
+    survey.fill(options, &job.sub_job(0.25, 1.0))
 }
 
 /// The boundary loops of a mesh before its holes are filled.
@@ -87,9 +87,9 @@ impl<'m, 'a> HoleSurvey<'m, 'a> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn new(mesh: &'m MeshView<'a>, selection: LoopSelection<'m>, job: &Job<'_>) -> Result<Self> {
         let survey = boundary::Options { survey: Survey::BoundaryOnly, ..boundary::Options::default() };
-        let boundary = boundary_loops(mesh, &survey, &job.part(0.0, 0.8))?;
+        let boundary = boundary_loops(mesh, &survey, &job.sub_job(0.0, 0.8))?;
         let unsewn = match selection {
-            LoopSelection::All => UnsewnLoops::find(mesh, &boundary, &job.part(0.8, 1.0))?,
+            LoopSelection::All => UnsewnLoops::find(mesh, &boundary, &job.sub_job(0.8, 1.0))?,
             _ => UnsewnLoops::default(),
         };
         Ok(HoleSurvey { mesh, selection, boundary, unsewn })
@@ -123,7 +123,7 @@ impl<'m, 'a> HoleSurvey<'m, 'a> {
             Ok(Filled { coincident_edges: unsewn.edges, ..filled })
         };
         if options.plan_only {
-            return built(FinishedPatches::empty(mesh), &job.part(0.0, 1.0));
+            return built(FinishedPatches::empty(mesh), &job.sub_job(0.0, 1.0));
         }
         let mut loops_through_vertex = alloc::filled(0u8, mesh.positions().len())?;
         for found in boundary.iter() {
@@ -134,12 +134,18 @@ impl<'m, 'a> HoleSurvey<'m, 'a> {
         }
         let mut groups = group_candidates_by_patch(&candidates, selection, options.together)?;
         if options.together == Together::Cheapest && !matches!(selection, LoopSelection::Groups(_)) {
-            groups =
-                group_by_cost(mesh, &loops_through_vertex, &candidates, &groups, options.weight, &job.part(0.0, 0.2))?;
+            groups = group_by_cost(
+                mesh,
+                &loops_through_vertex,
+                &candidates,
+                &groups,
+                options.weight,
+                &job.sub_job(0.0, 0.2),
+            )?;
         }
         let mut filling =
-            HoleFilling::new(mesh, &candidates, &groups, &loops_through_vertex, options, &job.part(0.2, 0.25))?;
-        filling.build_patches(&job.part(0.25, 0.75))?;
-        built(filling.made, &job.part(0.75, 1.0))
+            HoleFilling::new(mesh, &candidates, &groups, &loops_through_vertex, options, &job.sub_job(0.2, 0.25))?;
+        filling.build_patches(&job.sub_job(0.25, 0.75))?;
+        built(filling.finished_patches, &job.sub_job(0.75, 1.0))
     }
 }

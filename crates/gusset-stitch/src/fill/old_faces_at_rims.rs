@@ -16,12 +16,12 @@ pub(super) struct OldFacesAtRims<'a> {
     /// For each mesh vertex, the number of loops and chains that pass it.
     loops_through_vertex: &'a [u8],
     /// Sorted pairs (rim vertex, face).
-    corners: Vec<(u32, u32)>,
+    vertex_face_pairs: Vec<(u32, u32)>,
     /// Sorted pairs (vertex of a face that touches a rim, face that does not); empty for tangent
     /// continuity.
-    beyond: Vec<(u32, u32)>,
+    vertices_of_second_ring: Vec<(u32, u32)>,
     /// For each mesh vertex, scratch space.
-    names: Vec<u32>,
+    rim_number_of_vertex: Vec<u32>,
 }
 
 /// Number of faces between two progress reports; smaller where each face takes more work.
@@ -57,14 +57,14 @@ impl<'a> OldFacesAtRims<'a> {
         Ok(OldFacesAtRims {
             mesh,
             loops_through_vertex,
-            corners,
-            beyond,
-            names: alloc::filled(NONE, mesh.positions().len())?,
+            vertex_face_pairs: corners,
+            vertices_of_second_ring: beyond,
+            rim_number_of_vertex: alloc::filled(NONE, mesh.positions().len())?,
         })
     }
 
     fn corners_at_rim_vertex(&self, v: u32) -> &[(u32, u32)] {
-        corners_at_vertex(&self.corners, v)
+        corners_at_vertex(&self.vertex_face_pairs, v)
     }
 
     /// Returns true if one face has both rim vertices, as an edge or as a diagonal. A diagonal
@@ -83,7 +83,7 @@ impl<'a> OldFacesAtRims<'a> {
         loops: impl Iterator<Item = &'b [u32]>,
         job: &Job<'_>,
     ) -> Result<Option<(PatchRim, Vec<u32>)>> {
-        let job = job.part(0.0, 0.0);
+        let job = job.sub_job(0.0, 0.0);
         let mesh = self.mesh;
         let (mut names, mut next, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
         for vertices in loops {
@@ -96,11 +96,11 @@ impl<'a> OldFacesAtRims<'a> {
         let n = rim.len();
         let mut is_simple = true;
         for (&v, i) in rim.iter().zip(0..) {
-            is_simple &= self.names[v as usize] == NONE;
-            self.names[v as usize] = i;
+            is_simple &= self.rim_number_of_vertex[v as usize] == NONE;
+            self.rim_number_of_vertex[v as usize] = i;
         }
         if !is_simple {
-            rim.iter().for_each(|&v| self.names[v as usize] = NONE);
+            rim.iter().for_each(|&v| self.rim_number_of_vertex[v as usize] = NONE);
             return Ok(None);
         }
         let mut faces = Vec::new();
@@ -128,7 +128,7 @@ impl<'a> OldFacesAtRims<'a> {
                 }
             }
         }
-        let next_to = names[n..].iter().flat_map(|&v| corners_at_vertex(&self.beyond, v));
+        let next_to = names[n..].iter().flat_map(|&v| corners_at_vertex(&self.vertices_of_second_ring, v));
         let mut next_to = alloc::gather(next_to.map(|&(_, face)| face))?;
         sort_distinct(&mut next_to);
         let mut beyond = FaceTriangles::default();
@@ -139,8 +139,9 @@ impl<'a> OldFacesAtRims<'a> {
         }
         let points = alloc::collect_cancellable(names.iter().map(|&v| mesh.positions().get(v)), &job, STAGE)?;
         let whole = alloc::collect(rim.iter().map(|&v| self.loops_through_vertex[v as usize] == 1))?;
-        names.iter().for_each(|&v| self.names[v as usize] = NONE);
-        let old = OldFaces { around: around.corners, beyond: beyond.corners, sides };
+        names.iter().for_each(|&v| self.rim_number_of_vertex[v as usize] = NONE);
+        let old =
+            OldFaces { first_ring: around.corners, second_ring_triangles: beyond.corners, first_ring_sides: sides };
         Ok(Some((PatchRim::new(&points, lengths, old, across, whole)?, rim)))
     }
 }
@@ -183,7 +184,7 @@ impl OldFacesAtRims<'_> {
     fn number_corners(&mut self, face: u32, names: &mut Vec<u32>, corners: &mut Vec<u32>) -> Result<()> {
         corners.clear();
         for v in self.mesh.face(face as usize) {
-            let name = &mut self.names[v as usize];
+            let name = &mut self.rim_number_of_vertex[v as usize];
             if *name == NONE {
                 *name = names.len() as u32;
                 alloc::push(names, v)?;

@@ -39,7 +39,7 @@ pub(super) const MAX_RELATIVE_BULGE: f64 = 0.5;
 pub(super) struct PatchAttempt {
     pub(super) weight: Weight,
     /// How the blend is faired; `None` for a patch without new vertices.
-    way: Option<BlendFairing>,
+    fairing: Option<BlendFairing>,
     /// True if creases of the old surface are continued. Without creases the attempt fails.
     creased: bool,
 }
@@ -47,12 +47,12 @@ pub(super) struct PatchAttempt {
 impl PatchAttempt {
     /// Returns true if the patch has new vertices.
     pub(super) fn is_blend(self) -> bool {
-        self.way.is_some()
+        self.fairing.is_some()
     }
 
     /// Returns the construction of the resulting patch.
     pub(super) fn construction(self) -> Finish {
-        match self.way {
+        match self.fairing {
             None => Finish::Plain,
             Some(BlendFairing::WITHOUT_FAIRING) => Finish::Refined,
             Some(_) => Finish::Faired,
@@ -73,9 +73,9 @@ pub(super) fn list_attempts(options: &Options) -> Vec<PatchAttempt> {
     for weight in weights {
         let creases: &[bool] = if options.ignore_creases { &[false] } else { &[true, false] };
         for &creased in creases {
-            ways.extend(blends.iter().map(|&way| PatchAttempt { weight, way: Some(way), creased }));
+            ways.extend(blends.iter().map(|&way| PatchAttempt { weight, fairing: Some(way), creased }));
         }
-        ways.extend(creases.iter().map(|&creased| PatchAttempt { weight, way: None, creased }));
+        ways.extend(creases.iter().map(|&creased| PatchAttempt { weight, fairing: None, creased }));
     }
     ways
 }
@@ -87,9 +87,9 @@ pub(super) struct Patch {
     pub(super) points: Vec<DVec3>,
     /// Their positions without fairing: on the triangles of the initial triangulation, or between
     /// creases, near these triangles.
-    pub(super) unfaired: Vec<DVec3>,
+    pub(super) points_before_fairing: Vec<DVec3>,
     /// The initial triangulation.
-    pub(super) coarse: Vec<[u32; 3]>,
+    pub(super) coarse_triangles: Vec<[u32; 3]>,
     /// The new faces.
     pub(super) triangles: Vec<[u32; 3]>,
 }
@@ -99,17 +99,24 @@ pub(super) struct PatchBuilder<'a, T: Fn(u32, u32) -> bool> {
     rim: &'a PatchRim,
     options: &'a Options,
     /// Returns true if two rim vertices must not get an edge.
-    taken: &'a T,
+    is_forbidden_edge: &'a T,
     /// The last triangulation, and the plan of the blends based on it.
-    coarse: Option<(Weight, Vec<[u32; 3]>)>,
-    plan: Option<blend::BlendPlan<&'a T>>,
+    coarse_triangulation: Option<(Weight, Vec<[u32; 3]>)>,
+    blend_plan: Option<blend::BlendPlan<&'a T>>,
     /// The number of new vertices of all blends so far, also of those that were rejected.
     blended_vertices: Cell<usize>,
 }
 
 impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
     pub(super) fn new(rim: &'a PatchRim, options: &'a Options, taken: &'a T) -> Self {
-        PatchBuilder { rim, options, taken, coarse: None, plan: None, blended_vertices: Cell::new(0) }
+        PatchBuilder {
+            rim,
+            options,
+            is_forbidden_edge: taken,
+            coarse_triangulation: None,
+            blend_plan: None,
+            blended_vertices: Cell::new(0),
+        }
     }
 
     /// Returns true if the attempt is a blend, and the blends so far have used up
@@ -132,7 +139,7 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
 
     /// Returns true if the last patch had no triangulation.
     pub(super) fn lacks_triangulation(&self) -> bool {
-        self.coarse.is_none()
+        self.coarse_triangulation.is_none()
     }
 
     /// Builds the patch. Returns `None` if no triangulation is found without a taken edge, or if
@@ -142,49 +149,65 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
     /// m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
     pub(super) fn build_patch(&mut self, attempt: PatchAttempt, job: &Job<'_>) -> Result<Option<Patch>> {
         let rim = self.rim;
-        if self.coarse.as_ref().is_none_or(|&(weight, _)| weight != attempt.weight) {
-            self.plan = None;
-            let found = triangulate_rim(rim, attempt.weight, self.taken, &job.part(0.0, 0.4))?;
-            self.coarse = found.map(|triangles| (attempt.weight, triangles));
+        if self.coarse_triangulation.as_ref().is_none_or(|&(weight, _)| weight != attempt.weight) {
+            self.blend_plan = None;
+            let found = triangulate_rim(rim, attempt.weight, self.is_forbidden_edge, &job.sub_job(0.0, 0.4))?;
+            self.coarse_triangulation = found.map(|triangles| (attempt.weight, triangles));
         }
-        let Some((_, coarse)) = &self.coarse else {
+        let Some((_, coarse)) = &self.coarse_triangulation else {
             return Ok(None);
         };
         if attempt.creased {
-            return self.build_creased_patch(attempt, coarse, &job.part(0.4, 1.0));
+            return self.build_creased_patch(attempt, coarse, &job.sub_job(0.4, 1.0));
         }
         if let (Refinement::RimDensity(limit), None, true) =
-            (self.options.refinement, &self.plan, attempt.way.is_some())
+            (self.options.refinement, &self.blend_plan, attempt.fairing.is_some())
         {
             let copy = alloc::copied(coarse)?;
-            self.plan = blend::BlendPlan::new(
+            self.blend_plan = blend::BlendPlan::new(
                 rim.old_ring(self.options.continuity)?,
                 copy,
                 new_vertex_limits(limit),
-                self.taken,
+                self.is_forbidden_edge,
                 None,
-                &job.part(0.4, 0.6),
+                &job.sub_job(0.4, 0.6),
             )?;
         }
         let coarse = alloc::copied(coarse)?;
-        if attempt.is_blend() && self.plan.is_none() {
+        if attempt.is_blend() && self.blend_plan.is_none() {
             return Ok(None);
         }
-        let (Some(plan), Some(way)) = (&self.plan, attempt.way) else {
+        let (Some(plan), Some(way)) = (&self.blend_plan, attempt.fairing) else {
             let triangles = alloc::copied(&coarse)?;
-            return Ok(Some(Patch { points: Vec::new(), unfaired: Vec::new(), coarse, triangles }));
+            return Ok(Some(Patch {
+                points: Vec::new(),
+                points_before_fairing: Vec::new(),
+                coarse_triangles: coarse,
+                triangles,
+            }));
         };
-        let made = self.create_blend(plan, way, &job.part(0.6, 1.0))?;
+        let made = self.create_blend(plan, way, &job.sub_job(0.6, 1.0))?;
         if !is_near_rim(rim, &made.points) {
             return Ok(None);
         }
         if way != BlendFairing::WITHOUT_FAIRING {
-            return Ok(Some(Patch { points: made.points, unfaired: made.unfaired, coarse, triangles: made.triangles }));
+            return Ok(Some(Patch {
+                points: made.points,
+                points_before_fairing: made.unfaired,
+                coarse_triangles: coarse,
+                triangles: made.triangles,
+            }));
         }
         // Flips and moves cut the corners of a bent triangulation. Project the vertices back onto
         // it, so that each lies at the weighted mean of its parents.
-        let points = project_onto_triangles(&rim.points[..rim.count], &coarse, &made.points, &job.part(1.0, 1.0))?;
-        Ok(Some(Patch { unfaired: alloc::copied(&points)?, points, coarse, triangles: made.triangles }))
+        let points =
+            project_onto_triangles(&rim.points[..rim.rim_vertex_count], &coarse, &made.points, &job.sub_job(1.0, 1.0))?;
+        Ok(Some(Patch {
+            points_before_fairing: alloc::copied(&points)?,
+            points,
+            coarse_triangles: coarse,
+            triangles: made.triangles,
+        }))
     }
 
     /// Builds the patch from parts between creases; `None` if no creases continue. `whole` is the
@@ -192,51 +215,58 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
     fn build_creased_patch(&self, attempt: PatchAttempt, whole: &[[u32; 3]], job: &Job<'_>) -> Result<Option<Patch>> {
         let rim = self.rim;
         let limits = match self.options.refinement {
-            Refinement::RimDensity(limit) if attempt.way.is_some() => Some(new_vertex_limits(limit)),
+            Refinement::RimDensity(limit) if attempt.fairing.is_some() => Some(new_vertex_limits(limit)),
             _ => None,
         };
         // Half of the new vertices are for the parts.
         let Some(DividedHole { points, parts }) =
-            divide_along_creases(rim, self.taken, limits.map(|limits| limits.new / 2))?
+            divide_along_creases(rim, self.is_forbidden_edge, limits.map(|limits| limits.max_estimated_vertices / 2))?
         else {
             return Ok(None);
         };
         // A crease within the plane of the hole does not bend the patch, and the parts could
         // overlap.
-        let mut outlines = alloc::copied(&rim.points[..rim.count])?;
+        let mut outlines = alloc::copied(&rim.points[..rim.rim_vertex_count])?;
         let normal = mean_normal(&outlines);
         alloc::append(&mut outlines, &points)?;
         if parts.len() > 1 && counts_only_area(attempt.weight, &outlines, normal) {
             return Ok(None);
         }
         let unfaired = alloc::copied(&points)?;
-        let mut patch = Patch { points, unfaired, coarse: alloc::copied(whole)?, triangles: Vec::new() };
+        let mut patch = Patch {
+            points,
+            points_before_fairing: unfaired,
+            coarse_triangles: alloc::copied(whole)?,
+            triangles: Vec::new(),
+        };
         let all: usize = parts.iter().map(|part| part.names.len()).sum();
         for (k, part) in parts.iter().enumerate() {
-            let job = job.share(k, parts.len());
-            let taken = |u: u32, v: u32| part.is_taken_edge(u, v, self.taken);
-            let Some(mut triangles) = triangulate_rim(&part.rim, attempt.weight, &taken, &job.part(0.0, 0.4))? else {
+            let job = job.sub_job_of_item(k, parts.len());
+            let taken = |u: u32, v: u32| part.is_taken_edge(u, v, self.is_forbidden_edge);
+            let Some(mut triangles) = triangulate_rim(&part.rim, attempt.weight, &taken, &job.sub_job(0.0, 0.4))?
+            else {
                 return Ok(None);
             };
-            let first = rim.count + patch.points.len();
-            if let Some((way, limits)) = attempt.way.zip(limits) {
-                let new = (u64::from(limits.new / 2) * part.names.len() as u64 / all as u64).max(1) as u32;
-                let limits = NewVertexLimits { new, ..limits };
+            let first = rim.rim_vertex_count + patch.points.len();
+            if let Some((way, limits)) = attempt.fairing.zip(limits) {
+                let new =
+                    (u64::from(limits.max_estimated_vertices / 2) * part.names.len() as u64 / all as u64).max(1) as u32;
+                let limits = NewVertexLimits { max_estimated_vertices: new, ..limits };
                 let plan = blend::BlendPlan::new(
                     part.rim.old_ring(self.options.continuity)?,
                     triangles,
                     limits,
                     taken,
                     None,
-                    &job.part(0.4, 0.6),
+                    &job.sub_job(0.4, 0.6),
                 )?;
                 let Some(plan) = plan else {
                     return Ok(None);
                 };
-                let made = self.create_blend(&plan, way, &job.part(0.6, 1.0))?;
+                let made = self.create_blend(&plan, way, &job.sub_job(0.6, 1.0))?;
                 let unfaired = if way == BlendFairing::WITHOUT_FAIRING { &made.points } else { &made.unfaired };
                 alloc::append(&mut patch.points, &made.points)?;
-                alloc::append(&mut patch.unfaired, unfaired)?;
+                alloc::append(&mut patch.points_before_fairing, unfaired)?;
                 triangles = made.triangles;
             }
             let name = |v: u32| match (v as usize).checked_sub(part.names.len()) {
@@ -253,7 +283,7 @@ impl<'a, T: Fn(u32, u32) -> bool> PatchBuilder<'a, T> {
 fn new_vertex_limits(limit: u32) -> NewVertexLimits {
     let [new, at_rim] =
         if limit == 0 { [DEFAULT_MAX_NEW_VERTICES, DEFAULT_MAX_NEW_PER_RIM_VERTEX] } else { [limit, 0] };
-    NewVertexLimits { new, at_rim, growth: f64::INFINITY }
+    NewVertexLimits { max_estimated_vertices: new, max_vertices_per_rim_vertex: at_rim, max_side_growth: f64::INFINITY }
 }
 
 /// Returns the nearest point on the triangles for each point.
@@ -269,14 +299,14 @@ fn project_onto_triangles(
 }
 
 fn is_near_rim(rim: &PatchRim, points: &[DVec3]) -> bool {
-    let room = patch_bounds(&rim.points[..rim.count]);
+    let room = patch_bounds(&rim.points[..rim.rim_vertex_count]);
     points.iter().all(|&p| room.axis_distances(p) == DVec3::ZERO)
 }
 
 /// Returns the box that no patch leaves.
 pub(super) fn patch_bounds(rim: &[DVec3]) -> Aabb {
     let around = Aabb::from_points(rim);
-    around.inflated(MAX_RELATIVE_BULGE * around.diagonal())
+    around.grown_by(MAX_RELATIVE_BULGE * around.diagonal())
 }
 
 /// Returns the triangulation of least weight; `None` if none is found without a taken edge.
@@ -296,19 +326,20 @@ pub(super) fn triangulate_rim(
     let planar = counts_only_area(weight, points, mean_normal(points));
     if planar
         && n > MAX_EXACT_VERTICES
-        && let Some(triangles) = clip_ears(points, taken, &job.part(0.0, 0.1))?
+        && let Some(triangles) = clip_ears(points, taken, &job.sub_job(0.0, 0.1))?
     {
-        return flip_to_delaunay(points, triangles, taken, &job.part(0.1, 1.0)).map(Some);
+        return flip_to_delaunay(points, triangles, taken, &job.sub_job(0.1, 1.0)).map(Some);
     }
     // On a plane, the surface beyond the rim does not matter.
     let weight = if planar { Weight::Area } else { weight };
-    let found = minimum_weight_triangulation(polygon, weight, &|i, k| taken(i as u32, k as u32), &job.part(0.1, 1.0))?;
+    let found =
+        minimum_weight_triangulation(polygon, weight, &|i, k| taken(i as u32, k as u32), &job.sub_job(0.1, 1.0))?;
     let Some(triangles) = found else {
         // For a long rim, only chords in bands were tried.
-        return if n > MAX_EXACT_VERTICES { clip_ears(points, taken, &job.part(1.0, 1.0)) } else { Ok(None) };
+        return if n > MAX_EXACT_VERTICES { clip_ears(points, taken, &job.sub_job(1.0, 1.0)) } else { Ok(None) };
     };
     if planar {
-        return flip_to_delaunay(points, triangles, taken, &job.part(1.0, 1.0)).map(Some);
+        return flip_to_delaunay(points, triangles, taken, &job.sub_job(1.0, 1.0)).map(Some);
     }
     Ok(Some(triangles))
 }

@@ -23,7 +23,7 @@ impl OldTriangles {
             job.step_every(FACES_PER_REPORT, k, near.len(), "looking for intersections")?;
             face.clear();
             alloc::extend(&mut face, mesh.face(f as usize))?;
-            let within = job.share(k, near.len());
+            let within = job.sub_job_of_item(k, near.len());
             triangles.append_face(face.len(), |k| mesh.positions().get(face[k]), |k| face[k], f, &within)?;
         }
         Ok(OldTriangles(triangles))
@@ -62,7 +62,14 @@ pub(super) fn find_patch_intersections(
 ) -> Result<Vec<[u32; 2]>> {
     let mut new = alloc::with_capacity(patches.iter().map(|patch| patch.triangles.len()).sum())?;
     patches.iter().for_each(|patch| new.extend_from_slice(&patch.triangles));
-    intersecting_pairs(&TriangleSoup { at: |v| vertices.scaled_position(v), new: &new, old: &old.0.corners }, job)
+    intersecting_pairs(
+        &TriangleSoup {
+            position_of_vertex: |v| vertices.scaled_position(v),
+            new_triangles: &new,
+            old_triangles: &old.0.corners,
+        },
+        job,
+    )
 }
 
 /// Returns the patches with triangles among pairs of [`find_patch_intersections`], ascending.
@@ -79,11 +86,11 @@ pub(super) fn intersecting_patches(pairs: &[[u32; 2]], patches: &[PlacedPatch]) 
 
 /// Counts the intersections of single patches.
 pub(super) struct IntersectionCounter<'a> {
-    old: &'a OldTriangles,
+    old_triangles: &'a OldTriangles,
     /// Boxes of single old triangles.
-    triangles: OrderedBoxTree,
+    patch_triangles: OrderedBoxTree,
     /// Boxes that contain the patches.
-    rooms: OrderedBoxTree,
+    patch_boxes: OrderedBoxTree,
 }
 
 /// A tree over boxes in spatial order.
@@ -96,8 +103,8 @@ impl OrderedBoxTree {
     fn new(boxes: &[Aabb], job: &Job<'_>) -> Result<Self> {
         let order = spatial_order(boxes, 1, job, "looking for intersections")?;
         let leaves = order.iter().map(|&k| boxes[k as usize]);
-        let leaves = alloc::collect_cancellable(leaves, &job.part(1.0, 1.0), "looking for intersections")?;
-        let tree = BoxTree::new_cancellable(leaves.into_iter(), &job.part(1.0, 1.0), "looking for intersections")?;
+        let leaves = alloc::collect_cancellable(leaves, &job.sub_job(1.0, 1.0), "looking for intersections")?;
+        let tree = BoxTree::new_cancellable(leaves.into_iter(), &job.sub_job(1.0, 1.0), "looking for intersections")?;
         Ok(OrderedBoxTree { tree, order })
     }
 
@@ -108,7 +115,7 @@ impl OrderedBoxTree {
 }
 
 impl<'a> IntersectionCounter<'a> {
-    /// Builds the trees. `rooms` has a box for each patch that contains every attempt at it. O(n
+    /// Builds the trees. `patch_boxes` has a box for each patch that contains every attempt at it. O(n
     /// log n) for n old triangles and patches.
     pub(super) fn new(
         vertices: &MeshAndPatchVertices<'_>,
@@ -117,11 +124,11 @@ impl<'a> IntersectionCounter<'a> {
         job: &Job<'_>,
     ) -> Result<Self> {
         let boxes = old.0.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| vertices.position(v))));
-        let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), "looking for intersections")?;
+        let boxes = alloc::collect_cancellable(boxes, &job.sub_job(0.0, 0.0), "looking for intersections")?;
         Ok(IntersectionCounter {
-            old,
-            triangles: OrderedBoxTree::new(&boxes, &job.part(0.0, 0.5))?,
-            rooms: OrderedBoxTree::new(rooms, &job.part(0.5, 1.0))?,
+            old_triangles: old,
+            patch_triangles: OrderedBoxTree::new(&boxes, &job.sub_job(0.0, 0.5))?,
+            patch_boxes: OrderedBoxTree::new(rooms, &job.sub_job(0.5, 1.0))?,
         })
     }
 
@@ -136,14 +143,23 @@ impl<'a> IntersectionCounter<'a> {
         job: &Job<'_>,
     ) -> Result<usize> {
         // Enlarge the box: scaling by the unit, a power of two, may round tiny coordinates to 0.
-        let around = patch.around.inflated(f64::MIN_POSITIVE * vertices.unit);
+        let around = patch.bounding_box.grown_by(f64::MIN_POSITIVE * vertices.unit);
         let mut others = Vec::new();
-        self.triangles.visit_overlapping_boxes(&around, |t| alloc::push(&mut others, self.old.0.corners[t]))?;
-        self.rooms.visit_overlapping_boxes(&around, |j| {
+        self.patch_triangles
+            .visit_overlapping_boxes(&around, |t| alloc::push(&mut others, self.old_triangles.0.corners[t]))?;
+        self.patch_boxes.visit_overlapping_boxes(&around, |j| {
             let other = &patches[j];
-            if j != k && other.around.overlaps(&around) { alloc::append(&mut others, &other.triangles) } else { Ok(()) }
+            if j != k && other.bounding_box.overlaps(&around) {
+                alloc::append(&mut others, &other.triangles)
+            } else {
+                Ok(())
+            }
         })?;
-        let soup = TriangleSoup { at: |v| vertices.scaled_position(v), new: &patch.triangles, old: &others };
+        let soup = TriangleSoup {
+            position_of_vertex: |v| vertices.scaled_position(v),
+            new_triangles: &patch.triangles,
+            old_triangles: &others,
+        };
         Ok(intersecting_pairs(&soup, job)?.len())
     }
 }

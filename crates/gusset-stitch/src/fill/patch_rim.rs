@@ -13,39 +13,39 @@ use gusset_base::geom::scale::common_unit;
 /// follow.
 pub(super) struct PatchRim {
     /// The number of rim vertices.
-    pub(super) count: usize,
+    pub(super) rim_vertex_count: usize,
     /// The number of vertices of each loop.
-    pub(super) lengths: Vec<usize>,
+    pub(super) loop_lengths: Vec<usize>,
     /// The coordinates are relative to this origin, one of the rim's points, in this unit.
     pub(super) origin: DVec3,
     pub(super) unit: f64,
     /// The rim's points and the other old points.
     pub(crate) points: Vec<DVec3>,
     /// The old faces with a vertex on the rim, as triangles.
-    pub(super) around: Vec<[u32; 3]>,
+    pub(super) first_ring: Vec<[u32; 3]>,
     /// The old faces next to these, as triangles; empty for tangent continuity.
-    pub(super) beyond: Vec<[u32; 3]>,
-    /// Lists the sides of the old faces in `around`, face by face. Each is a pair of vertices in
+    pub(super) second_ring_triangles: Vec<[u32; 3]>,
+    /// Lists the sides of the old faces in `first_ring`, face by face. Each is a pair of vertices in
     /// the face's direction.
-    pub(super) sides: Vec<(u32, u32)>,
+    pub(super) first_ring_sides: Vec<(u32, u32)>,
     /// The unit normal of the old face at the edge from each rim vertex to the next; 0 if it is not
     /// known.
-    pub(super) across: Vec<DVec3>,
+    pub(super) normals_across_edges: Vec<DVec3>,
     /// The unit normal of the old surface at each rim vertex; 0 if it is undefined.
     pub(crate) normals: Vec<DVec3>,
     /// True for rim vertices that have a complete one-ring once the loops are closed.
-    pub(super) whole: Vec<bool>,
+    pub(super) has_complete_one_ring: Vec<bool>,
 }
 
 /// The old faces around a rim; see [`PatchRim`].
 pub(super) struct OldFaces {
-    pub(super) around: Vec<[u32; 3]>,
-    pub(super) beyond: Vec<[u32; 3]>,
-    pub(super) sides: Vec<(u32, u32)>,
+    pub(super) first_ring: Vec<[u32; 3]>,
+    pub(super) second_ring_triangles: Vec<[u32; 3]>,
+    pub(super) first_ring_sides: Vec<(u32, u32)>,
 }
 
 impl PatchRim {
-    /// Creates a rim from points in mesh coordinates. `whole` and `across` describe the rim's
+    /// Creates a rim from points in mesh coordinates. `has_complete_one_ring` and `normals_across_edges` describe the rim's
     /// vertices.
     pub(super) fn new(
         points: &[DVec3],
@@ -77,7 +77,7 @@ impl PatchRim {
         (origin, unit): (DVec3, f64),
         points: Vec<DVec3>,
         lengths: Vec<usize>,
-        OldFaces { around, beyond, sides }: OldFaces,
+        OldFaces { first_ring: around, second_ring_triangles: beyond, first_ring_sides: sides }: OldFaces,
         (across, whole): (Vec<DVec3>, Vec<bool>),
     ) -> Result<PatchRim> {
         let count = whole.len();
@@ -90,7 +90,19 @@ impl PatchRim {
             }
         }
         normals.iter_mut().for_each(|normal| *normal = normal.normalize_or_zero());
-        Ok(PatchRim { count, lengths, origin, unit, points, around, beyond, sides, across, normals, whole })
+        Ok(PatchRim {
+            rim_vertex_count: count,
+            loop_lengths: lengths,
+            origin,
+            unit,
+            points,
+            first_ring: around,
+            second_ring_triangles: beyond,
+            first_ring_sides: sides,
+            normals_across_edges: across,
+            normals,
+            has_complete_one_ring: whole,
+        })
     }
 
     /// Converts a point back to mesh coordinates.
@@ -101,11 +113,11 @@ impl PatchRim {
     /// Returns each loop as a polygon.
     pub(super) fn loop_polygons(&self) -> Result<Vec<Polygon>> {
         let mut first = 0;
-        alloc::try_collect(self.lengths.iter().map(|&n| {
+        alloc::try_collect(self.loop_lengths.iter().map(|&n| {
             let own = first..first + n;
             first += n;
             let part = |of: &[DVec3]| alloc::copied(&of[own.clone()]);
-            Ok(Polygon::new(part(&self.points)?, part(&self.across)?, part(&self.normals)?))
+            Ok(Polygon::new(part(&self.points)?, part(&self.normals_across_edges)?, part(&self.normals)?))
         }))
     }
 
@@ -113,25 +125,26 @@ impl PatchRim {
     /// spreads over about a third of a round hole. The number grows with the square of the longest
     /// loop's length in edges.
     fn curvature_smoothing_steps(&self) -> u32 {
-        let radius = self.lengths.iter().copied().max().unwrap_or(0) as f64 / std::f64::consts::TAU;
+        let radius = self.loop_lengths.iter().copied().max().unwrap_or(0) as f64 / std::f64::consts::TAU;
         (0.5 * radius * radius).clamp(10.0, 400.0) as u32
     }
 
     /// Returns the old surface to which a blend is clamped.
     pub(super) fn old_ring(&self, continuity: Continuity) -> Result<OldRing> {
         let mut valence = alloc::filled(0usize, self.points.len())?;
-        self.around.as_flattened().iter().for_each(|&v| valence[v as usize] += 1);
+        self.first_ring.as_flattened().iter().for_each(|&v| valence[v as usize] += 1);
         let is_centre = |(&whole, &valence): (&bool, &usize)| whole && valence <= MAX_FAN_TRIANGLES;
         Ok(OldRing {
             points: alloc::copied(&self.points)?,
             origin: DVec3::ZERO,
-            triangles: alloc::copied(&self.around)?,
-            sides: alloc::copied(&self.sides)?,
-            centred: alloc::collect(self.whole.iter().zip(&valence).map(is_centre))?,
-            rims: alloc::collect(self.lengths.iter().map(|&n| (n, true)))?,
-            reach: f64::INFINITY,
-            follows: (continuity == Continuity::C1).then(|| self.curvature_smoothing_steps()),
-            beyond: self.second_ring(continuity)?,
+            triangles: alloc::copied(&self.first_ring)?,
+            sides: alloc::copied(&self.first_ring_sides)?,
+            has_laplacian_in_energy: alloc::collect(self.has_complete_one_ring.iter().zip(&valence).map(is_centre))?,
+            rim_lengths_and_closedness: alloc::collect(self.loop_lengths.iter().map(|&n| (n, true)))?,
+            max_width_without_springs: f64::INFINITY,
+            smoothing_passes_of_rest_curvature: (continuity == Continuity::C1)
+                .then(|| self.curvature_smoothing_steps()),
+            second_ring: self.second_ring(continuity)?,
         })
     }
 
@@ -141,8 +154,8 @@ impl PatchRim {
         if continuity == Continuity::C1 {
             return Ok(SecondRing::default());
         }
-        let triangles = self.around.iter().chain(&self.beyond);
-        let mut sides = alloc::with_capacity(3 * (self.around.len() + self.beyond.len()))?;
+        let triangles = self.first_ring.iter().chain(&self.second_ring_triangles);
+        let mut sides = alloc::with_capacity(3 * (self.first_ring.len() + self.second_ring_triangles.len()))?;
         sides.extend(triangles.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]));
         sides.sort_unstable();
         let mut valence = alloc::filled(0usize, self.points.len())?;
@@ -159,7 +172,11 @@ impl PatchRim {
             }
         }
         let is_centre = |v: usize| is_whole[v] && (1..=MAX_FAN_TRIANGLES).contains(&valence[v]);
-        let centred = alloc::collect((self.count..self.points.len()).map(is_centre))?;
-        Ok(SecondRing { continuity, triangles: alloc::copied(&self.beyond)?, centred })
+        let centred = alloc::collect((self.rim_vertex_count..self.points.len()).map(is_centre))?;
+        Ok(SecondRing {
+            continuity,
+            triangles: alloc::copied(&self.second_ring_triangles)?,
+            is_laplacian_known: centred,
+        })
     }
 }

@@ -69,7 +69,7 @@ impl<'a> MeshAndPatchVertices<'a> {
         let first = self.mesh.positions().len() + self.points.len();
         let end = first + patch.points.len();
         check_size(end as u64, (self.mesh.faces().half_edge_count() + 3 * patch.triangles.len()) as u64)?;
-        let name = |v: u32| match (v as usize).checked_sub(rim.count) {
+        let name = |v: u32| match (v as usize).checked_sub(rim.rim_vertex_count) {
             None => names[v as usize],
             Some(k) => (first + k) as u32,
         };
@@ -82,10 +82,16 @@ impl<'a> MeshAndPatchVertices<'a> {
         let around = Aabb::from_points(names.iter().map(|&v| self.mesh.positions().get(v)).chain(own));
         // The parents are the corners of the initial triangle that each new vertex lay on before
         // fairing.
-        let mut parents = nearest_places(&rim.points[..rim.count], &patch.coarse, &patch.unfaired, "refining", job)?;
+        let mut parents = nearest_places(
+            &rim.points[..rim.rim_vertex_count],
+            &patch.coarse_triangles,
+            &patch.points_before_fairing,
+            "refining",
+            job,
+        )?;
         parents.iter_mut().for_each(|(corners, _)| *corners = corners.map(|v| names[v as usize]));
         let triangles = alloc::collect(patch.triangles.iter().map(|triangle| triangle.map(name)))?;
-        Ok(PlacedPatch { vertices: first as u32..end as u32, triangles, around, attempt, parents })
+        Ok(PlacedPatch { vertices: first as u32..end as u32, triangles, bounding_box: around, attempt, parents })
     }
 }
 
@@ -96,7 +102,7 @@ pub(super) struct PlacedPatch {
     /// The faces of the patch.
     pub(super) triangles: Vec<[u32; 3]>,
     /// The bounding box in mesh coordinates.
-    pub(super) around: Aabb,
+    pub(super) bounding_box: Aabb,
     pub(super) attempt: PatchAttempt,
     /// The parents of each new vertex, with their weights.
     pub(super) parents: Vec<([u32; 3], [f64; 3])>,

@@ -25,18 +25,18 @@ pub(super) struct Polygon {
     pub(super) points: Vec<DVec3>,
     /// The unit normal of the face across the edge from each point to the next; 0 if it is not
     /// known.
-    pub(super) across: Vec<DVec3>,
+    pub(super) normals_across_edges: Vec<DVec3>,
     /// The unit normal of the old surface at each point; 0 if it is undefined.
     pub(super) normals: Vec<DVec3>,
     /// The reciprocal of the unit of bulges.
-    per_unit: f64,
+    reciprocal_bulge_unit: f64,
 }
 
 impl Polygon {
     pub(super) fn new(points: Vec<DVec3>, across: Vec<DVec3>, normals: Vec<DVec3>) -> Self {
-        let mut polygon = Polygon { points, across, normals, per_unit: 0.0 };
+        let mut polygon = Polygon { points, normals_across_edges: across, normals, reciprocal_bulge_unit: 0.0 };
         let length = polygon.perimeter();
-        polygon.per_unit = if length > 0.0 { BULGE_UNITS_PER_RIM / length } else { 0.0 };
+        polygon.reciprocal_bulge_unit = if length > 0.0 { BULGE_UNITS_PER_RIM / length } else { 0.0 };
         polygon
     }
 
@@ -48,8 +48,13 @@ impl Polygon {
     /// Returns the polygon thinned to at most `max_points` points.
     pub(super) fn thinned_to_point_count(&self, max_points: usize) -> Result<Polygon> {
         let of = |points: &[DVec3]| alloc::copied(points);
-        let (points, across, normals) = (of(&self.points)?, of(&self.across)?, of(&self.normals)?);
-        let mut few = Polygon { points, across, normals, per_unit: self.per_unit };
+        let (points, across, normals) = (of(&self.points)?, of(&self.normals_across_edges)?, of(&self.normals)?);
+        let mut few = Polygon {
+            points,
+            normals_across_edges: across,
+            normals,
+            reciprocal_bulge_unit: self.reciprocal_bulge_unit,
+        };
         while few.points.len() > max_points {
             few = few.every_other_point()?.0;
         }
@@ -66,11 +71,19 @@ impl Polygon {
         let at = |of: &[DVec3]| alloc::collect(kept.iter().map(|&i| of[i as usize]));
         let across = alloc::collect((0..kept.len()).map(|i| {
             let edges = kept[i] as usize..kept.get(i + 1).map_or(n, |&end| end as usize);
-            let weighted = |e: usize| self.across[e] * self.points[e].distance(self.points[(e + 1) % n]);
+            let weighted = |e: usize| self.normals_across_edges[e] * self.points[e].distance(self.points[(e + 1) % n]);
             edges.map(weighted).sum::<DVec3>().normalize_or_zero()
         }))?;
         let (points, normals) = (at(&self.points)?, at(&self.normals)?);
-        Ok((Polygon { points, across, normals, per_unit: self.per_unit }, kept))
+        Ok((
+            Polygon {
+                points,
+                normals_across_edges: across,
+                normals,
+                reciprocal_bulge_unit: self.reciprocal_bulge_unit,
+            },
+            kept,
+        ))
     }
 }
 
@@ -78,46 +91,59 @@ impl Polygon {
 #[derive(Clone, Copy)]
 pub(super) struct TriangulationCost {
     /// The number of triangles without area.
-    degenerate: u32,
+    degenerate_count: u32,
     /// The largest bend across an edge, as 1 - cosine in steps of 2^-20, so that rounding does not
-    /// decide before `value` does.
-    bend: u32,
+    /// decide before `area_and_bend_cost` does.
+    largest_bend_steps: u32,
     /// The area plus the cost of bends, or the sum of bends and bulges.
-    value: f64,
+    area_and_bend_cost: f64,
     /// The sum of squared sides of the triangles, which decides among flat triangulations.
-    sides: f64,
+    squared_side_sum: f64,
 }
 
 impl TriangulationCost {
-    pub(super) const ZERO: TriangulationCost = TriangulationCost { degenerate: 0, bend: 0, value: 0.0, sides: 0.0 };
+    pub(super) const ZERO: TriangulationCost = TriangulationCost {
+        degenerate_count: 0,
+        largest_bend_steps: 0,
+        area_and_bend_cost: 0.0,
+        squared_side_sum: 0.0,
+    };
 
     pub(super) fn plus(self, other: TriangulationCost) -> TriangulationCost {
         TriangulationCost {
-            degenerate: self.degenerate + other.degenerate,
-            bend: self.bend.max(other.bend),
-            value: self.value + other.value,
-            sides: self.sides + other.sides,
+            degenerate_count: self.degenerate_count + other.degenerate_count,
+            largest_bend_steps: self.largest_bend_steps.max(other.largest_bend_steps),
+            area_and_bend_cost: self.area_and_bend_cost + other.area_and_bend_cost,
+            squared_side_sum: self.squared_side_sum + other.squared_side_sum,
         }
     }
 
     /// Multiplies the cost by a factor.
     pub(super) fn scaled(self, times: f64) -> TriangulationCost {
-        let bend = (f64::from(self.bend) * times).ceil() as u32;
-        TriangulationCost { bend, value: self.value * times, sides: self.sides * times, ..self }
+        let bend = (f64::from(self.largest_bend_steps) * times).ceil() as u32;
+        TriangulationCost {
+            largest_bend_steps: bend,
+            area_and_bend_cost: self.area_and_bend_cost * times,
+            squared_side_sum: self.squared_side_sum * times,
+            ..self
+        }
     }
 
     #[cfg(test)]
     pub(super) fn weighted_value(&self) -> f64 {
-        self.value
+        self.area_and_bend_cost
     }
 
     /// Returns the relative gain in value over another cost; 1 if this cost has fewer degenerate
     /// triangles or a smaller bend.
     pub(super) fn relative_gain_over(&self, other: &TriangulationCost) -> f64 {
-        match (self.degenerate, self.bend).cmp(&(other.degenerate, other.bend)) {
+        match (self.degenerate_count, self.largest_bend_steps).cmp(&(other.degenerate_count, other.largest_bend_steps))
+        {
             Ordering::Less => 1.0,
             Ordering::Greater => 0.0,
-            Ordering::Equal => (other.value - self.value) / other.value.max(f64::MIN_POSITIVE),
+            Ordering::Equal => {
+                (other.area_and_bend_cost - self.area_and_bend_cost) / other.area_and_bend_cost.max(f64::MIN_POSITIVE)
+            }
         }
     }
 }
@@ -134,14 +160,14 @@ const MAX_EQUAL_ANGLE_SUM_DIFFERENCE: f64 = 1e-6;
 const MAX_DEGENERATE_AREA_RATIO: f64 = 1e-10;
 /// The ends of a side coincide if its length is at most this fraction of the triangle's size.
 const MAX_COINCIDENT_END_RATIO: f64 = 1e-10;
-/// Number of steps of [`TriangulationCost::bend`] per unit of 1 - cosine.
+/// Number of steps of [`TriangulationCost::largest_bend_steps`] per unit of 1 - cosine.
 const BEND_STEPS_PER_COSINE: f64 = (1 << 20) as f64;
 
 /// The quantities that all triangulations of the same loops share.
 #[derive(Clone, Copy)]
 pub(super) struct CostNormalisation {
     /// The square of the largest distance from the first point.
-    size: f64,
+    squared_extent: f64,
     /// The reciprocal of the unit of bulges.
     per_unit: f64,
     /// The number of triangles of any triangulation.
@@ -156,7 +182,7 @@ impl CostNormalisation {
         let sides = loops.flat_map(|points| points.iter().zip(points.iter().cycle().skip(1)));
         let length: f64 = sides.map(|(p, q)| p.distance(*q)).sum();
         let per_unit = if length > 0.0 { BULGE_UNITS_PER_RIM / length } else { 0.0 };
-        CostNormalisation { size, per_unit, triangles: triangles.max(1) as f64 }
+        CostNormalisation { squared_extent: size, per_unit, triangles: triangles.max(1) as f64 }
     }
 
     /// Replaces the unit of bulges by the unit of `all`.
@@ -169,11 +195,11 @@ impl CostNormalisation {
 pub(super) struct CostEvaluator<'a> {
     polygon: &'a Polygon,
     /// True for places whose edge to the next place is a bridge. Empty for a single loop.
-    bridges: &'a [bool],
+    is_bridge: &'a [bool],
     weight: Weight,
     /// Values that differ by at most this are equal.
     rounding: f64,
-    measure: CostNormalisation,
+    normalisation: CostNormalisation,
 }
 
 impl<'a> CostEvaluator<'a> {
@@ -184,7 +210,7 @@ impl<'a> CostEvaluator<'a> {
         CostEvaluator::for_opened_loops(
             polygon,
             weight,
-            CostNormalisation { size, per_unit: polygon.per_unit, triangles },
+            CostNormalisation { squared_extent: size, per_unit: polygon.reciprocal_bulge_unit, triangles },
             &[],
         )
     }
@@ -199,9 +225,9 @@ impl<'a> CostEvaluator<'a> {
         let rounding = if weight == Weight::Continuation {
             MAX_EQUAL_ANGLE_SUM_DIFFERENCE
         } else {
-            MAX_RELATIVE_EQUAL_AREA_DIFFERENCE * measure.size
+            MAX_RELATIVE_EQUAL_AREA_DIFFERENCE * measure.squared_extent
         };
-        CostEvaluator { polygon, bridges, weight, rounding, measure }
+        CostEvaluator { polygon, is_bridge: bridges, weight, rounding, normalisation: measure }
     }
 
     pub(super) fn polygon(&self) -> &'a Polygon {
@@ -209,18 +235,20 @@ impl<'a> CostEvaluator<'a> {
     }
 
     pub(super) fn is_cheaper(&self, a: &TriangulationCost, b: &TriangulationCost) -> bool {
-        match (a.degenerate, a.bend).cmp(&(b.degenerate, b.bend)) {
+        match (a.degenerate_count, a.largest_bend_steps).cmp(&(b.degenerate_count, b.largest_bend_steps)) {
             Ordering::Less => true,
             Ordering::Greater => false,
-            Ordering::Equal if (a.value - b.value).abs() > self.rounding => a.value < b.value,
-            Ordering::Equal => a.sides < b.sides,
+            Ordering::Equal if (a.area_and_bend_cost - b.area_and_bend_cost).abs() > self.rounding => {
+                a.area_and_bend_cost < b.area_and_bend_cost
+            }
+            Ordering::Equal => a.squared_side_sum < b.squared_side_sum,
         }
     }
 
     /// Returns the likely distance of the old surface from the middle of the chord (i, k), in the
     /// unit of bulges; 0 along the rim.
     pub(super) fn chord_bulge(&self, i: usize, k: usize) -> f64 {
-        let is_rim = |edge: usize| !self.bridges.get(edge).is_some_and(|&is_bridge| is_bridge);
+        let is_rim = |edge: usize| !self.is_bridge.get(edge).is_some_and(|&is_bridge| is_bridge);
         if k == i + 1 && is_rim(i) || k - i + 1 == self.polygon.points.len() && is_rim(k) {
             return 0.0;
         }
@@ -233,7 +261,7 @@ impl<'a> CostEvaluator<'a> {
         if self.weight != Weight::Continuation {
             return 0.0;
         }
-        let chord = (points[k] - points[i]) * self.measure.per_unit;
+        let chord = (points[k] - points[i]) * self.normalisation.per_unit;
         let [h, g] = [i, k].map(|end| chord.dot(normals[end]));
         ((h * h + g * g) / 32.0).sqrt()
     }
@@ -254,7 +282,7 @@ impl<'a> CostEvaluator<'a> {
         let squared = |a: usize, b: usize| self.polygon.points[a].distance_squared(self.polygon.points[b]);
         let [first, second, third] = [squared(i, m), squared(m, k), squared(k, i)];
         let none = MAX_COINCIDENT_END_RATIO * MAX_COINCIDENT_END_RATIO * (first + second + third);
-        if !self.bridges.is_empty() {
+        if !self.is_bridge.is_empty() {
             None
         } else if third <= none {
             Some((DVec3::ZERO, self.bend_cost([i, m], left, right)))
@@ -281,10 +309,20 @@ impl<'a> CostEvaluator<'a> {
         let flat = flat && shortest > MAX_COINCIDENT_END_RATIO * MAX_COINCIDENT_END_RATIO * sides;
         let [x, y, z] = bulges;
         let value = match self.weight {
-            Weight::Continuation => (x * x + y * y + z * z + x * y + y * z + z * x) / (6.0 * self.measure.triangles),
+            Weight::Continuation => {
+                (x * x + y * y + z * z + x * y + y * z + z * x) / (6.0 * self.normalisation.triangles)
+            }
             Weight::AreaAndBend | Weight::BendThenArea | Weight::Area => 0.5 * double_area,
         };
-        (normal, TriangulationCost { degenerate: u32::from(flat), bend: 0, value, sides })
+        (
+            normal,
+            TriangulationCost {
+                degenerate_count: u32::from(flat),
+                largest_bend_steps: 0,
+                area_and_bend_cost: value,
+                squared_side_sum: sides,
+            },
+        )
     }
 
     /// Returns the cost of the bend across the chord (i, k) between two unit normals; 0 if one is
@@ -298,10 +336,10 @@ impl<'a> CostEvaluator<'a> {
         match self.weight {
             Weight::Area => {}
             // 2 sin(t / 2) = sqrt(2 (1 - cos t)).
-            Weight::Continuation => cost.value = (2.0 * bend).sqrt(),
-            Weight::BendThenArea => cost.bend = (BEND_STEPS_PER_COSINE * bend).round() as u32,
+            Weight::Continuation => cost.area_and_bend_cost = (2.0 * bend).sqrt(),
+            Weight::BendThenArea => cost.largest_bend_steps = (BEND_STEPS_PER_COSINE * bend).round() as u32,
             Weight::AreaAndBend => {
-                cost.value = bend * self.polygon.points[i].distance_squared(self.polygon.points[k]);
+                cost.area_and_bend_cost = bend * self.polygon.points[i].distance_squared(self.polygon.points[k]);
             }
         }
         cost

@@ -56,15 +56,15 @@ pub(super) fn minimum_weight_triangulation(
     }
     let (coarse, kept) = polygon.every_other_point()?;
     // Taken chords do not matter on the coarse level.
-    let Some(coarse) = minimum_weight_triangulation(&coarse, weight, &|_, _| false, &job.part(0.0, 0.4))? else {
+    let Some(coarse) = minimum_weight_triangulation(&coarse, weight, &|_, _| false, &job.sub_job(0.0, 0.4))? else {
         return Ok(None);
     };
-    let job = job.part(0.4, 1.0);
+    let job = job.sub_job(0.4, 1.0);
     let scale = CostEvaluator::new(polygon, weight);
     for band in band_widths_to_try(n) {
         let chords = ChordsNearTriangulation::new(n, &coarse, &kept, band)?;
-        if let Some(found) = best_triangulation(&scale, &chords, taken, None, &job.part(0.0, 0.5))? {
-            return repeat_search_near(&scale, found, band, taken, &job.part(0.5, 1.0)).map(Some);
+        if let Some(found) = best_triangulation(&scale, &chords, taken, None, &job.sub_job(0.0, 0.5))? {
+            return repeat_search_near(&scale, found, band, taken, &job.sub_job(0.5, 1.0)).map(Some);
         }
     }
     Ok(None)
@@ -88,7 +88,7 @@ fn repeat_search_near(
     let rounds = MAX_SEARCHED_VERTICES / n;
     for round in 0..rounds {
         let chords = ChordsNearTriangulation::new(n, &found.triangles, &same, band)?;
-        let Some(next) = best_triangulation(scale, &chords, taken, None, &job.share(round, rounds))? else {
+        let Some(next) = best_triangulation(scale, &chords, taken, None, &job.sub_job_of_item(round, rounds))? else {
             break;
         };
         let gain = next.cost.relative_gain_over(&found.cost);
@@ -137,8 +137,12 @@ pub(super) fn best_triangulation(
     chords.try_each_chord(|number, [i, k]| {
         job.step_every(CHORDS_PER_REPORT, number, chords.chord_count(), "triangulating holes")?;
         if k == i + 1 {
-            cells[number] =
-                ChordOptimum { apex: i as u32, normal: polygon.across[i], bulge: scale.chord_bulge(i, k), ..none };
+            cells[number] = ChordOptimum {
+                apex: i as u32,
+                normal: polygon.normals_across_edges[i],
+                bulge: scale.chord_bulge(i, k),
+                ..none
+            };
         } else if k - i + 1 == n || !taken(i, k) {
             cells[number] = best_triangle_on_chord(scale, chords, &cells, [i, k], limit).unwrap_or(none);
         }
@@ -200,7 +204,7 @@ fn best_triangle_on_chord(
             ));
         }
         if at_root {
-            cost = cost.plus(scale.bend_cost([i, k], normal, polygon.across[k]));
+            cost = cost.plus(scale.bend_cost([i, k], normal, polygon.normals_across_edges[k]));
         }
         if is_less(&cost) {
             best = Some(ChordOptimum { cost, apex: m as u32, normal, bulge });

@@ -42,22 +42,22 @@ impl UnsewnLoops {
         let mut edges = Vec::new();
         for (k, found) in boundary.iter().enumerate() {
             let sides = found.vertices.iter().zip(found.vertices.iter().cycle().skip(1));
-            let faces = found.half_edges.iter().map(|&h| mesh.faces().face_of(h));
+            let faces = found.half_edges.iter().map(|&h| mesh.faces().face_of_half_edge(h));
             alloc::extend(&mut edges, sides.zip(faces).map(|((&u, &v), face)| ([u, v], face, k)))?;
         }
         let vertices = alloc::collect(edges.iter().map(|&([u, _], ..)| u))?;
-        let tolerance = coordinate_round_off(mesh, &vertices, &job.part(0.0, 0.1))?;
+        let tolerance = coordinate_round_off(mesh, &vertices, &job.sub_job(0.0, 0.1))?;
         let points = alloc::collect(vertices.iter().map(|&v| mesh.positions().get(v)))?;
         let unit = common_unit(&points);
         let tolerance = tolerance / unit;
         let ends = |e: usize| edges[e].0.map(|v| mesh.positions().get(v) / unit);
-        let boxes = alloc::collect((0..edges.len()).map(|e| Aabb::from_points(ends(e)).inflated(tolerance)))?;
-        let order = spatial_order(&boxes, EDGES_PER_LEAF, &job.part(0.1, 0.3), STAGE)?;
+        let boxes = alloc::collect((0..edges.len()).map(|e| Aabb::from_points(ends(e)).grown_by(tolerance)))?;
+        let order = spatial_order(&boxes, EDGES_PER_LEAF, &job.sub_job(0.1, 0.3), STAGE)?;
         let around = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
-        let tree = BoxTree::new_cancellable(order.chunks(EDGES_PER_LEAF).map(around), &job.part(0.3, 0.3), STAGE)?;
+        let tree = BoxTree::new_cancellable(order.chunks(EDGES_PER_LEAF).map(around), &job.sub_job(0.3, 0.3), STAGE)?;
         let mut unsewn = UnsewnLoops { is_unsewn: alloc::filled(false, boundary.len())?, edges: 0 };
         for e in 0..edges.len() {
-            job.part(0.3, 1.0).step_every(EDGES_PER_REPORT, e, edges.len(), STAGE)?;
+            job.sub_job(0.3, 1.0).step_every(EDGES_PER_REPORT, e, edges.len(), STAGE)?;
             let [p, q] = ends(e);
             let middle = (p + q) / 2.0;
             let spot = Aabb { low: middle, high: middle };

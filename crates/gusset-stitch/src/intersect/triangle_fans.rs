@@ -26,7 +26,7 @@ pub(super) struct TriangleFans(Vec<SharedApex>);
 struct SharedApex {
     /// [`NONE`] unless they share exactly one vertex.
     apex: u32,
-    others: Aabb,
+    box_of_other_corners: Aabb,
 }
 
 impl TriangleFans {
@@ -53,7 +53,7 @@ impl TriangleFans {
                 (a, b) => a.or(b),
             };
         }
-        let mut fans = alloc::filled(SharedApex { apex: NONE, others: Aabb::EMPTY }, 2 * leaves)?;
+        let mut fans = alloc::filled(SharedApex { apex: NONE, box_of_other_corners: Aabb::EMPTY }, 2 * leaves)?;
         for (node, fan) in fans.iter_mut().enumerate().skip(1) {
             report(node)?;
             let [apex, second, third] = shared[node].unwrap_or([NONE; 3]);
@@ -65,7 +65,7 @@ impl TriangleFans {
             let first = (node * width - leaves) * group;
             let triangles = &order[first.min(order.len())..(first + width * group).min(order.len())];
             let corners = triangles.iter().flat_map(|&t| new[t as usize]).filter(|&v| v != apex);
-            *fan = SharedApex { apex, others: Aabb::from_points(corners.map(at)) };
+            *fan = SharedApex { apex, box_of_other_corners: Aabb::from_points(corners.map(at)) };
         }
         Ok(TriangleFans(fans))
     }
@@ -77,11 +77,16 @@ impl TriangleFans {
         let fan = &self.0[node];
         fan.apex != NONE
             && sides.vertices.iter().position(|&v| v == fan.apex).is_some_and(|k| {
-                let slack = MAX_RELATIVE_ROUND_OFF * (sides.size + fan.others.max_vector_length());
+                let slack =
+                    MAX_RELATIVE_ROUND_OFF * (sides.max_coordinate + fan.box_of_other_corners.max_vector_length());
                 [k, (k + 2) % 3].into_iter().any(|side| {
                     let normal = sides.normals[side];
                     // The corner of the box that is least far along the normal.
-                    let least = DVec3::select(normal.cmpge(DVec3::ZERO), fan.others.low, fan.others.high);
+                    let least = DVec3::select(
+                        normal.cmpge(DVec3::ZERO),
+                        fan.box_of_other_corners.low,
+                        fan.box_of_other_corners.high,
+                    );
                     (least - sides.corners[k]).dot(normal) > slack
                 })
             })
@@ -103,7 +108,7 @@ pub(super) struct TrianglePlanes {
     /// corner k to the next. The normal is 0 if round-off would put a part of the triangle beyond
     /// the plane.
     normals: [DVec3; 3],
-    size: f64,
+    max_coordinate: f64,
 }
 
 fn coordinate_size(points: &[DVec3; 3]) -> f64 {
@@ -123,7 +128,7 @@ impl TrianglePlanes {
                 && away.dot(other) <= MAX_OWN_SIDE_SLOPE * other.length();
             if is_sound { away } else { DVec3::ZERO }
         });
-        TrianglePlanes { vertices, corners, normals, size: coordinate_size(&corners) }
+        TrianglePlanes { vertices, corners, normals, max_coordinate: coordinate_size(&corners) }
     }
 
     /// Returns true if another triangle lies strictly beyond one of the sides, except for common
@@ -131,7 +136,7 @@ impl TrianglePlanes {
     #[inline]
     pub(super) fn meets_only_in_common_vertices(&self, other: [u32; 3], at: &impl Fn(u32) -> DVec3) -> bool {
         let points = other.map(at);
-        let slack = MAX_RELATIVE_ROUND_OFF * (coordinate_size(&points) + self.size);
+        let slack = MAX_RELATIVE_ROUND_OFF * (coordinate_size(&points) + self.max_coordinate);
         (0..3).any(|k| {
             let ends = [self.vertices[k], self.vertices[(k + 1) % 3]];
             let is_beyond =
@@ -166,7 +171,11 @@ mod tests {
             let line = 2..n as u32 + 2;
             let new: Vec<[u32; 3]> = line.map(|k| [k % 3 / 2, k, k + 1]).collect();
             let at = |v: u32| points[v as usize];
-            let found = intersecting_pairs(&TriangleSoup { at, new: &new, old: &[] }, &Job::default()).unwrap();
+            let found = intersecting_pairs(
+                &TriangleSoup { position_of_vertex: at, new_triangles: &new, old_triangles: &[] },
+                &Job::default(),
+            )
+            .unwrap();
             let all = (0..new.len() as u32).flat_map(|j| (0..j).map(move |i| [i, j]));
             let mut expected: Vec<_> =
                 all.filter(|pair| triangles_intersect(new[pair[0] as usize], new[pair[1] as usize], at)).collect();

@@ -31,11 +31,11 @@ const STAGE: &str = "looking for intersections";
 /// New and old triangles over common points, in a unit that keeps products in range.
 pub(crate) struct TriangleSoup<'a, P: Fn(u32) -> DVec3 + Sync> {
     /// Returns the position of a vertex.
-    pub(crate) at: P,
+    pub(crate) position_of_vertex: P,
     /// The new triangles.
-    pub(crate) new: &'a [[u32; 3]],
+    pub(crate) new_triangles: &'a [[u32; 3]],
     /// The old triangles to test.
-    pub(crate) old: &'a [[u32; 3]],
+    pub(crate) old_triangles: &'a [[u32; 3]],
 }
 
 /// Returns an oriented box for each node of the tree over groups of triangles in this order.
@@ -45,7 +45,7 @@ fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<
     let groups = order.chunks(MAX_LEAF_TRIANGLES);
     let leaves = groups.len().next_power_of_two();
     let empty = std::iter::repeat_n(OrientedBox::EMPTY, 2 * leaves);
-    let mut boxes = alloc::collect_cancellable(empty, &job.part(0.0, 0.0), STAGE)?;
+    let mut boxes = alloc::collect_cancellable(empty, &job.sub_job(0.0, 0.0), STAGE)?;
     for (k, (turned, group)) in boxes[leaves..].iter_mut().zip(groups).enumerate() {
         job.step_every(GROUPS_PER_REPORT, k, leaves, STAGE)?;
         *turned = OrientedBox::from_triangles(group.iter().map(|&i| corners(i)));
@@ -78,27 +78,34 @@ pub(crate) fn intersecting_pairs_where(
     list: &(impl Fn(u32, u32) -> bool + Sync),
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 2]>> {
-    if soup.new.is_empty() {
+    if soup.new_triangles.is_empty() {
         return Ok(Vec::new());
     }
     job.step(0.0, STAGE)?;
-    let around = |t: &[u32; 3]| Aabb::from_points(t.map(&soup.at));
-    let boxes = alloc::collect_cancellable(soup.new.iter().map(around), &job.part(0.0, 0.0), STAGE)?;
-    let order = spatial_order(&boxes, MAX_LEAF_TRIANGLES, &job.part(0.0, 0.1), STAGE)?;
-    let job = job.part(0.1, 1.0);
+    let around = |t: &[u32; 3]| Aabb::from_points(t.map(&soup.position_of_vertex));
+    let boxes = alloc::collect_cancellable(soup.new_triangles.iter().map(around), &job.sub_job(0.0, 0.0), STAGE)?;
+    let order = spatial_order(&boxes, MAX_LEAF_TRIANGLES, &job.sub_job(0.0, 0.1), STAGE)?;
+    let job = job.sub_job(0.1, 1.0);
     let leaf_box = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
-    let tree = BoxTree::new_cancellable(order.chunks(MAX_LEAF_TRIANGLES).map(leaf_box), &job.part(0.0, 0.0), STAGE)?;
+    let tree = BoxTree::new_cancellable(order.chunks(MAX_LEAF_TRIANGLES).map(leaf_box), &job.sub_job(0.0, 0.0), STAGE)?;
     job.step(0.0, STAGE)?;
-    let turned = oriented_boxes(&order, |i| soup.new[i as usize].map(&soup.at), &job.part(0.0, 0.0))?;
-    let report = |k| job.part(0.0, 0.0).step_every(GROUPS_PER_REPORT, k, order.len(), STAGE);
-    let fans = TriangleFans::new(&order, MAX_LEAF_TRIANGLES, soup.new, &soup.at, &report)?;
-    let n = soup.new.len();
+    let turned = oriented_boxes(
+        &order,
+        |i| soup.new_triangles[i as usize].map(&soup.position_of_vertex),
+        &job.sub_job(0.0, 0.0),
+    )?;
+    let report = |k| job.sub_job(0.0, 0.0).step_every(GROUPS_PER_REPORT, k, order.len(), STAGE);
+    let fans = TriangleFans::new(&order, MAX_LEAF_TRIANGLES, soup.new_triangles, &soup.position_of_vertex, &report)?;
+    let n = soup.new_triangles.len();
     let pairs_of = |range: std::ops::Range<usize>, job: &Job<'_>| -> Result<Vec<[u32; 2]>> {
         let (mut pairs_of_chunk, mut leaves) = (Vec::new(), 0usize);
         for k in range {
-            let (triangle, query) =
-                if k < n { (soup.new[k], boxes[k]) } else { (soup.old[k - n], around(&soup.old[k - n])) };
-            let corners = triangle.map(&soup.at);
+            let (triangle, query) = if k < n {
+                (soup.new_triangles[k], boxes[k])
+            } else {
+                (soup.old_triangles[k - n], around(&soup.old_triangles[k - n]))
+            };
+            let corners = triangle.map(&soup.position_of_vertex);
             let sides = TrianglePlanes::new(triangle, corners);
             let enter = |node: usize, b: &Aabb| {
                 b.overlaps(&query) && !turned[node].is_beside(&corners) && !fans.meets_fan_only_in_apex(node, &sides)
@@ -113,8 +120,9 @@ pub(crate) fn intersecting_pairs_where(
                     (i as usize) < k
                         && boxes[i as usize].overlaps(&query)
                         && wanted(i, k as u32)
-                        && !sides.meets_only_in_common_vertices(soup.new[i as usize], &soup.at)
-                        && triangles_intersect(soup.new[i as usize], triangle, &soup.at)
+                        && !sides
+                            .meets_only_in_common_vertices(soup.new_triangles[i as usize], &soup.position_of_vertex)
+                        && triangles_intersect(soup.new_triangles[i as usize], triangle, &soup.position_of_vertex)
                         && list(i, k as u32)
                 };
                 of_leaf.iter().filter(met).try_for_each(|&i| alloc::push(&mut pairs_of_chunk, [i, k as u32]))
@@ -123,10 +131,10 @@ pub(crate) fn intersecting_pairs_where(
         Ok(pairs_of_chunk)
     };
     let mut pairs = Vec::new();
-    let total = n + soup.old.len();
+    let total = n + soup.old_triangles.len();
     for start in (0..total).step_by(TRIANGLES_PER_REPORT) {
         let count = TRIANGLES_PER_REPORT.min(total - start);
-        let part = job.part(start as f64 / total as f64, (start + count) as f64 / total as f64);
+        let part = job.sub_job(start as f64 / total as f64, (start + count) as f64 / total as f64);
         let pairs_of_chunk =
             par::map_jobs(&part, STAGE, par::split_into_ranges(count, TRIANGLES_PER_TASK), |range, job| {
                 pairs_of(start + range.start..start + range.end, job)

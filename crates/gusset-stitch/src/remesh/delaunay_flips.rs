@@ -33,7 +33,7 @@ impl PatchMesh {
         job: &Job<'_>,
     ) -> Result<()> {
         for pass in 0..MAX_FLIP_PASSES {
-            let pass = job.share(pass, MAX_FLIP_PASSES);
+            let pass = job.sub_job_of_item(pass, MAX_FLIP_PASSES);
             let mut flipped = false;
             for t in 0..self.triangles.len() {
                 pass.step_every(ELEMENTS_PER_REPORT, t, self.triangles.len(), "refining")?;

@@ -40,15 +40,15 @@ pub(crate) fn even_out_side_lengths(
     let side = |t: usize, k: usize| mesh.corner_points(t)[k].distance(mesh.corner_points(t)[(k + 1) % 3]);
     let longest = |t: usize| side(t, 0).max(side(t, 1)).max(side(t, 2)) / sizing.mean_triangle_size(mesh.triangles[t]);
     let halves = (0..mesh.triangles.len()).map(longest).filter(|count| count.is_finite()).sum::<f64>();
-    let room = sizing.limit.saturating_sub(mesh.points.len()).max(1) as f64;
+    let room = sizing.max_vertices.saturating_sub(mesh.points.len()).max(1) as f64;
     let coarser = libm::ceil(libm::log2(halves / room)).clamp(0.0, 64.0) as usize;
-    let scale = |sizing: &mut VertexSizes, by: f64| sizing.size.iter_mut().for_each(|size| *size *= by);
+    let scale = |sizing: &mut VertexSizes, by: f64| sizing.wanted_side_lengths.iter_mut().for_each(|size| *size *= by);
     scale(sizing, libm::exp2(coarser as f64));
     for level in 0..coarser {
-        halve_and_collapse_once(mesh, rim, sizing, taken, &job.share(level, coarser + 1))?;
+        halve_and_collapse_once(mesh, rim, sizing, taken, &job.sub_job_of_item(level, coarser + 1))?;
         scale(sizing, 0.5);
     }
-    halve_and_collapse_once(mesh, rim, sizing, taken, &job.share(coarser, coarser + 1))
+    halve_and_collapse_once(mesh, rim, sizing, taken, &job.sub_job_of_item(coarser, coarser + 1))
 }
 
 fn halve_and_collapse_once(
@@ -61,15 +61,15 @@ fn halve_and_collapse_once(
     let mut star = Vec::new();
     let mut limited = true;
     for pass in 0..MAX_EVENING_PASSES {
-        let part = job.share(pass as usize, MAX_EVENING_PASSES as usize + 1);
+        let part = job.sub_job_of_item(pass as usize, MAX_EVENING_PASSES as usize + 1);
         // Halve again if the limit stopped the last pass.
         if limited {
-            limited = halve_long_sides(mesh, sizing, &part.part(0.0, 0.5))?;
+            limited = halve_long_sides(mesh, sizing, &part.sub_job(0.0, 0.5))?;
         }
-        mesh.flip_edges_to_delaunay(rim, taken, &part.part(0.5, 1.0))?;
+        mesh.flip_edges_to_delaunay(rim, taken, &part.sub_job(0.5, 1.0))?;
         let before = mesh.points.len();
         for t in 0..mesh.triangles.len() {
-            part.part(1.0, 1.0).step_every(ELEMENTS_PER_REPORT, t, mesh.triangles.len(), "refining")?;
+            part.sub_job(1.0, 1.0).step_every(ELEMENTS_PER_REPORT, t, mesh.triangles.len(), "refining")?;
             for k in 0..3 {
                 if !mesh.is_removed(t) && (mesh.triangles[t][k] as usize) >= rim {
                     collapse_short_edge(mesh, rim, sizing, taken, (t, k), &mut star)?;
@@ -82,7 +82,11 @@ fn halve_and_collapse_once(
             break;
         }
     }
-    mesh.flip_edges_to_delaunay(rim, taken, &job.share(MAX_EVENING_PASSES as usize, MAX_EVENING_PASSES as usize + 1))
+    mesh.flip_edges_to_delaunay(
+        rim,
+        taken,
+        &job.sub_job_of_item(MAX_EVENING_PASSES as usize, MAX_EVENING_PASSES as usize + 1),
+    )
 }
 
 /// Halves long sides, those far too long first, so that opposite sides of long needles are cut
@@ -102,7 +106,7 @@ fn halve_long_sides(mesh: &mut PatchMesh, sizing: &mut VertexSizes, job: &Job<'_
             job.step_every(ELEMENTS_PER_REPORT, t, mesh.triangles.len(), "refining")?;
             match longest_side_if_inner(mesh, sizing, t).filter(|found| found.1 > length) {
                 None => t += 1,
-                Some(_) if mesh.points.len() >= sizing.limit => return Ok(true),
+                Some(_) if mesh.points.len() >= sizing.max_vertices => return Ok(true),
                 Some((k, _, beyond)) => {
                     let [u, v] = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);
                     let middle = mesh.points[u as usize].midpoint(mesh.points[v as usize]);

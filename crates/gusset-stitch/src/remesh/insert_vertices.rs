@@ -62,12 +62,12 @@ pub(crate) fn refine_by_insertion(
     job: &Job<'_>,
 ) -> Result<()> {
     for pass in 1..=MAX_REFINEMENT_PASSES {
-        let part = job.part(1.0 - 1.0 / f64::from(pass), 1.0 - 1.0 / f64::from(pass + 1));
+        let part = job.sub_job(1.0 - 1.0 / f64::from(pass), 1.0 - 1.0 / f64::from(pass + 1));
         mesh.flip_edges_to_delaunay(rim, taken, &part)?;
         let before = mesh.points.len();
         for t in 0..mesh.triangles.len() {
-            part.part(1.0, 1.0).step_every(ELEMENTS_PER_REPORT, t, mesh.triangles.len(), "refining")?;
-            if mesh.points.len() >= sizing.limit {
+            part.sub_job(1.0, 1.0).step_every(ELEMENTS_PER_REPORT, t, mesh.triangles.len(), "refining")?;
+            if mesh.points.len() >= sizing.max_vertices {
                 break;
             }
             let Some((place, spacing)) = place_of_wanted_vertex(mesh, t, sizing) else {
@@ -79,7 +79,7 @@ pub(crate) fn refine_by_insertion(
             return Ok(());
         }
     }
-    mesh.flip_edges_to_delaunay(rim, taken, &job.part(1.0, 1.0))
+    mesh.flip_edges_to_delaunay(rim, taken, &job.sub_job(1.0, 1.0))
 }
 
 /// Returns the place of a new vertex that improves triangle `t`, and its smallest distance from
@@ -99,7 +99,10 @@ fn place_of_wanted_vertex(mesh: &PatchMesh, t: usize, sizing: &VertexSizes) -> O
     let longest = sides[0].max(sides[1]).max(sides[2]);
     let large = longest > MAX_SIDE_LENGTH_IN_SIZES * size
         || (radius > MAX_CIRCUMRADIUS_IN_SIZES * size && e >= MIN_SHORTEST_SIDE_IN_SIZES * size);
-    let sharp = || e >= sizing.shortest * size && min_angle(corners[0], corners[1], corners[2]) < MIN_TRIANGLE_RADIANS;
+    let sharp = || {
+        e >= sizing.min_shortest_side_in_sizes * size
+            && min_angle(corners[0], corners[1], corners[2]) < MIN_TRIANGLE_RADIANS
+    };
     if !large && !sharp() {
         return None;
     }

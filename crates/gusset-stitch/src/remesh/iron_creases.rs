@@ -38,7 +38,7 @@ impl PatchMesh {
         let stays = fixed_vertices(&neighbours, self.points.len(), creased)?;
         let (mut fewest, mut gained) = (usize::MAX, 0);
         for round in 0..MAX_IRONING_ROUNDS {
-            let round_job = job.share(round, MAX_IRONING_ROUNDS);
+            let round_job = job.sub_job_of_item(round, MAX_IRONING_ROUNDS);
             let mut moves = alloc::filled(false, self.points.len())?;
             let mut count = 0;
             for t in self.bent_triangles(min_cosine, &round_job)? {
@@ -68,11 +68,11 @@ impl PatchMesh {
             let [a, b, c] = self.corner_points(t);
             (b - a).cross(c - a).normalize_or_zero()
         });
-        let normals = alloc::collect_cancellable(normals, &job.part(0.0, 0.5), "refining")?;
+        let normals = alloc::collect_cancellable(normals, &job.sub_job(0.0, 0.5), "refining")?;
         let is_bent = |t: usize, s: usize| {
             normals[t].dot(normals[s]) < min_cosine && normals[t] != DVec3::ZERO && normals[s] != DVec3::ZERO
         };
-        let job = job.part(0.5, 1.0);
+        let job = job.sub_job(0.5, 1.0);
         let mut bent = Vec::new();
         for t in 0..self.triangles.len() {
             job.step_every(ELEMENTS_PER_REPORT, t, self.triangles.len(), "refining")?;

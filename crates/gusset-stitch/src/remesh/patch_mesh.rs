@@ -12,7 +12,7 @@ pub(crate) struct PatchMesh {
     pub(crate) points: Vec<DVec3>,
     pub(crate) triangles: Vec<[u32; 3]>,
     /// For each side from corner k to the next, the triangle across it, or [`NONE`].
-    across: Vec<[u32; 3]>,
+    triangles_across_sides: Vec<[u32; 3]>,
 }
 
 fn next_corner(k: usize) -> usize {
@@ -36,14 +36,14 @@ impl PatchMesh {
             across[t as usize][k] = s;
             across[s as usize][j] = t;
         }
-        Ok(PatchMesh { points, triangles, across })
+        Ok(PatchMesh { points, triangles, triangles_across_sides: across })
     }
 
     pub(crate) fn try_clone(&self) -> Result<PatchMesh> {
         Ok(PatchMesh {
             points: alloc::copied(&self.points)?,
             triangles: alloc::copied(&self.triangles)?,
-            across: alloc::copied(&self.across)?,
+            triangles_across_sides: alloc::copied(&self.triangles_across_sides)?,
         })
     }
 
@@ -54,7 +54,7 @@ impl PatchMesh {
     /// Returns the triangle across side `k` of triangle `t`, and the index of the side there;
     /// `None` at the rim.
     pub(crate) fn triangle_across(&self, t: usize, k: usize) -> Option<(usize, usize)> {
-        let s = self.across[t][k];
+        let s = self.triangles_across_sides[t][k];
         if s == NONE {
             return None;
         }
@@ -68,15 +68,15 @@ impl PatchMesh {
         let middle = self.points.len() as u32;
         alloc::push(&mut self.points, point)?;
         let parts = [t, self.triangles.len(), self.triangles.len() + 1];
-        let (old, across) = (self.triangles[t], self.across[t]);
+        let (old, across) = (self.triangles[t], self.triangles_across_sides[t]);
         for (k, &part) in parts.iter().enumerate() {
             let corners = [old[k], old[next_corner(k)], middle];
             let around = [across[k], parts[next_corner(k)] as u32, parts[next_corner(next_corner(k))] as u32];
             if part == t {
-                (self.triangles[t], self.across[t]) = (corners, around);
+                (self.triangles[t], self.triangles_across_sides[t]) = (corners, around);
             } else {
                 alloc::push(&mut self.triangles, corners)?;
-                alloc::push(&mut self.across, around)?;
+                alloc::push(&mut self.triangles_across_sides, around)?;
                 self.replace_neighbour(across[k], t as u32, part as u32);
             }
         }
@@ -95,15 +95,21 @@ impl PatchMesh {
         alloc::push(&mut self.points, point)?;
         let (a, b) = (self.triangles[t][k], self.triangles[t][next_corner(k)]);
         let (c, d) = (self.triangles[t][next_corner(next_corner(k))], self.triangles[s][next_corner(next_corner(j))]);
-        let [beyond_bc, beyond_ca] = [self.across[t][next_corner(k)], self.across[t][next_corner(next_corner(k))]];
-        let [beyond_ad, beyond_db] = [self.across[s][next_corner(j)], self.across[s][next_corner(next_corner(j))]];
+        let [beyond_bc, beyond_ca] = [
+            self.triangles_across_sides[t][next_corner(k)],
+            self.triangles_across_sides[t][next_corner(next_corner(k))],
+        ];
+        let [beyond_ad, beyond_db] = [
+            self.triangles_across_sides[s][next_corner(j)],
+            self.triangles_across_sides[s][next_corner(next_corner(j))],
+        ];
         let (t2, s2) = (self.triangles.len(), self.triangles.len() + 1);
         alloc::reserve(&mut self.triangles, 2)?;
-        alloc::reserve(&mut self.across, 2)?;
-        (self.triangles[t], self.across[t]) = ([a, middle, c], [s2 as u32, t2 as u32, beyond_ca]);
-        (self.triangles[s], self.across[s]) = ([b, middle, d], [t2 as u32, s2 as u32, beyond_db]);
+        alloc::reserve(&mut self.triangles_across_sides, 2)?;
+        (self.triangles[t], self.triangles_across_sides[t]) = ([a, middle, c], [s2 as u32, t2 as u32, beyond_ca]);
+        (self.triangles[s], self.triangles_across_sides[s]) = ([b, middle, d], [t2 as u32, s2 as u32, beyond_db]);
         self.triangles.extend([[middle, b, c], [middle, a, d]]);
-        self.across.extend([[s as u32, beyond_bc, t as u32], [t as u32, beyond_ad, s as u32]]);
+        self.triangles_across_sides.extend([[s as u32, beyond_bc, t as u32], [t as u32, beyond_ad, s as u32]]);
         self.replace_neighbour(beyond_bc, t as u32, t2 as u32);
         self.replace_neighbour(beyond_ad, s as u32, s2 as u32);
         Ok([t, s, t2, s2])
@@ -113,10 +119,16 @@ impl PatchMesh {
     pub(crate) fn flip_side(&mut self, (t, k): (usize, usize), (s, j): (usize, usize)) {
         let (a, b) = (self.triangles[t][k], self.triangles[t][next_corner(k)]);
         let (c, d) = (self.triangles[t][next_corner(next_corner(k))], self.triangles[s][next_corner(next_corner(j))]);
-        let [beyond_bc, beyond_ca] = [self.across[t][next_corner(k)], self.across[t][next_corner(next_corner(k))]];
-        let [beyond_ad, beyond_db] = [self.across[s][next_corner(j)], self.across[s][next_corner(next_corner(j))]];
-        (self.triangles[t], self.across[t]) = ([a, d, c], [beyond_ad, s as u32, beyond_ca]);
-        (self.triangles[s], self.across[s]) = ([d, b, c], [beyond_db, beyond_bc, t as u32]);
+        let [beyond_bc, beyond_ca] = [
+            self.triangles_across_sides[t][next_corner(k)],
+            self.triangles_across_sides[t][next_corner(next_corner(k))],
+        ];
+        let [beyond_ad, beyond_db] = [
+            self.triangles_across_sides[s][next_corner(j)],
+            self.triangles_across_sides[s][next_corner(next_corner(j))],
+        ];
+        (self.triangles[t], self.triangles_across_sides[t]) = ([a, d, c], [beyond_ad, s as u32, beyond_ca]);
+        (self.triangles[s], self.triangles_across_sides[s]) = ([d, b, c], [beyond_db, beyond_bc, t as u32]);
         self.replace_neighbour(beyond_ad, s as u32, t as u32);
         self.replace_neighbour(beyond_bc, t as u32, s as u32);
     }
@@ -157,10 +169,10 @@ impl PatchMesh {
         for &(s, j) in [star[0], star[star.len() - 1]].iter() {
             // The sides that do not vanish: for t, the ones after and before the collapsed side.
             let sides = if s == t { [next_corner(j), next_corner(next_corner(j))] } else { [next_corner(j), j] };
-            let [x, y] = sides.map(|side| self.across[s][side]);
+            let [x, y] = sides.map(|side| self.triangles_across_sides[s][side]);
             self.replace_neighbour(x, s as u32, y);
             self.replace_neighbour(y, s as u32, x);
-            (self.triangles[s], self.across[s]) = ([NONE; 3], [NONE; 3]);
+            (self.triangles[s], self.triangles_across_sides[s]) = ([NONE; 3], [NONE; 3]);
         }
     }
 
@@ -186,7 +198,7 @@ impl PatchMesh {
     /// Replaces the neighbour `old` of triangle `t` by `new`.
     fn replace_neighbour(&mut self, t: u32, old: u32, new: u32) {
         if t != NONE {
-            for side in self.across[t as usize].iter_mut().filter(|side| **side == old) {
+            for side in self.triangles_across_sides[t as usize].iter_mut().filter(|side| **side == old) {
                 *side = new;
             }
         }
@@ -209,7 +221,7 @@ impl PatchMesh {
                     return true;
                 }
                 let side = if way == 0 { corner(here) } else { next_corner(next_corner(corner(here))) };
-                let beyond = self.across[here][side];
+                let beyond = self.triangles_across_sides[here][side];
                 if beyond == NONE {
                     break;
                 }

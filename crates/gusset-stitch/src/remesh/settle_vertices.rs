@@ -24,12 +24,12 @@ impl PatchMesh {
         job: &Job<'_>,
     ) -> Result<()> {
         for round in 0..rounds {
-            let part = job.share(round as usize, rounds as usize);
+            let part = job.sub_job_of_item(round as usize, rounds as usize);
             let corners = self.triangles.iter().enumerate().flat_map(|(t, corners)| corners.map(|v| (v as usize, t)));
             let around = Buckets::new(self.points.len(), 0usize, corners)?;
             let mut star = Vec::new();
             for v in rim..self.points.len() {
-                part.part(0.0, 0.5).step_every(ELEMENTS_PER_REPORT, v, self.points.len(), "refining")?;
+                part.sub_job(0.0, 0.5).step_every(ELEMENTS_PER_REPORT, v, self.points.len(), "refining")?;
                 star.clear();
                 alloc::extend(
                     &mut star,
@@ -41,7 +41,7 @@ impl PatchMesh {
                 )?;
                 self.points[v] = better_position_in_star(self.points[v], &star);
             }
-            self.flip_edges_to_delaunay(rim, taken, &part.part(0.5, 1.0))?;
+            self.flip_edges_to_delaunay(rim, taken, &part.sub_job(0.5, 1.0))?;
         }
         Ok(())
     }

@@ -58,11 +58,11 @@ fn assert_disc(mesh: &PatchMesh, rim: usize) {
 
 fn uniform_sizes(mesh: &PatchMesh, size: f64) -> VertexSizes {
     VertexSizes {
-        size: vec![size; mesh.points.len()],
-        unfaired: mesh.points.clone(),
+        wanted_side_lengths: vec![size; mesh.points.len()],
+        points_before_fairing: mesh.points.clone(),
         curvature: vec![DVec3::ZERO; mesh.points.len()],
-        limit: mesh.points.len() + 100_000,
-        shortest: 1e-3,
+        max_vertices: mesh.points.len() + 100_000,
+        min_shortest_side_in_sizes: 1e-3,
     }
 }
 
@@ -112,7 +112,7 @@ fn a_square_is_refined_to_any_size_without_sharp_angles() {
         assert_disc(&mesh, rim);
         let whole = f64::from(n * n);
         assert!((total_area(&mesh) / whole - 1.0).abs() < 1e-12);
-        assert_eq!(sizing.unfaired.len(), mesh.points.len());
+        assert_eq!(sizing.points_before_fairing.len(), mesh.points.len());
         let least = (0..mesh.triangles.len())
             .map(|t| {
                 let [a, b, c] = mesh.corner_points(t);
@@ -147,7 +147,7 @@ fn coincident_and_collinear_points_do_not_hang() {
         let mut mesh = PatchMesh::new(points, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
         for size in [0.0, 0.1, f64::NAN] {
             let mut sizing = uniform_sizes(&mesh, size);
-            sizing.limit = mesh.points.len() + 50;
+            sizing.max_vertices = mesh.points.len() + 50;
             even_out_side_lengths(&mut mesh, 4, &mut sizing, &NO_TAKEN_EDGE, &Job::default()).unwrap();
             refine_by_insertion(&mut mesh, 4, &mut sizing, &NO_TAKEN_EDGE, &Job::default()).unwrap();
             mesh.move_vertices_within_surface(4, &NO_TAKEN_EDGE, 2, &Job::default()).unwrap();

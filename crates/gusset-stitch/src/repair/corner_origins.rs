@@ -9,9 +9,9 @@ pub struct CornerOnEdge {
     /// The corner of the new mesh.
     pub corner: u32,
     /// The old corner at the edge's end. The corner at its start is in [`CornerOrigins::corners`].
-    pub end: u32,
+    pub end_corner: u32,
     /// The position along the edge, from 0 to 1.
-    pub at: f64,
+    pub edge_parameter: f64,
 }
 
 /// The origin of each corner of a repaired mesh.
@@ -29,7 +29,10 @@ impl CornerOrigins {
     pub(crate) fn push(&mut self, origin: CornerOrigin) -> Result<()> {
         if origin.at > 0.0 {
             let corner = self.corners.len() as u32;
-            alloc::push(&mut self.on_edges, CornerOnEdge { corner, end: origin.end, at: origin.at })?;
+            alloc::push(
+                &mut self.on_edges,
+                CornerOnEdge { corner, end_corner: origin.end, edge_parameter: origin.at },
+            )?;
         }
         alloc::push(&mut self.corners, origin.start)
     }
@@ -48,7 +51,7 @@ impl CornerOrigins {
     pub(crate) fn composed_with_earlier(mut self, left: Option<&[u32]>) -> CornerOrigins {
         if let Some(left) = left {
             self.corners.iter_mut().for_each(|corner| *corner = left[*corner as usize]);
-            self.on_edges.iter_mut().for_each(|on| on.end = left[on.end as usize]);
+            self.on_edges.iter_mut().for_each(|on| on.end_corner = left[on.end_corner as usize]);
         }
         self
     }
@@ -57,7 +60,7 @@ impl CornerOrigins {
     pub(crate) fn origin_of_corner(&self, corner: u32) -> CornerOrigin {
         let start = self.corners[corner as usize];
         match self.on_edges.binary_search_by_key(&corner, |on| on.corner) {
-            Ok(k) => CornerOrigin { start, end: self.on_edges[k].end, at: self.on_edges[k].at },
+            Ok(k) => CornerOrigin { start, end: self.on_edges[k].end_corner, at: self.on_edges[k].edge_parameter },
             Err(_) => CornerOrigin { start, end: start, at: 0.0 },
         }
     }

@@ -50,7 +50,7 @@ impl NearBorders {
         if alone.len() < 4 {
             return Ok(NearBorders::default());
         }
-        let partner = find_near_partners(mesh, &alone, MAX_NEAR_TO_EDGE_RATIO, &job.part(0.0, 0.8))?;
+        let partner = find_near_partners(mesh, &alone, MAX_NEAR_TO_EDGE_RATIO, &job.sub_job(0.0, 0.8))?;
         if alone.iter().all(|&v| partner[v as usize] == NONE) {
             return Ok(NearBorders::default());
         }
@@ -102,13 +102,13 @@ pub(crate) fn find_near_partners(
     max_ratio: f64,
     job: &Job<'_>,
 ) -> Result<Vec<u32>> {
-    let shortest = shortest_edge_lengths(mesh, alone, 0.0, &job.part(0.0, 0.2))?;
+    let shortest = shortest_edge_lengths(mesh, alone, 0.0, &job.sub_job(0.0, 0.2))?;
     let points = alloc::collect(alone.iter().map(|&v| mesh.positions().get(v)))?;
-    let tree = KdTree::new(&points, &job.part(0.2, 0.4), STAGE)?;
+    let tree = KdTree::new(&points, &job.sub_job(0.2, 0.4), STAGE)?;
     let limit = |i: usize| max_ratio * shortest[alone[i] as usize];
     let mut nearest = alloc::with_capacity(alone.len())?;
     for (i, &p) in points.iter().enumerate() {
-        job.part(0.4, 1.0).step_every(VERTICES_PER_REPORT, i, points.len(), STAGE)?;
+        job.sub_job(0.4, 1.0).step_every(VERTICES_PER_REPORT, i, points.len(), STAGE)?;
         let found = tree.nearest(p, limit(i) * limit(i), |j| j as usize != i);
         nearest.push(found.map_or(NONE, |(_, j)| j));
     }

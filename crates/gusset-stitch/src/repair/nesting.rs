@@ -34,18 +34,18 @@ const STAGE: &str = "nesting components";
 pub(super) struct ClosedComponents {
     faces: Vec<u32>,
     /// The end of each component in `faces`.
-    ends: Vec<usize>,
+    component_ends: Vec<usize>,
 }
 
 impl ClosedComponents {
     pub(super) fn push(&mut self, faces: &[u32]) -> Result<()> {
         alloc::append(&mut self.faces, faces)?;
-        alloc::push(&mut self.ends, self.faces.len())
+        alloc::push(&mut self.component_ends, self.faces.len())
     }
 
     pub(super) fn faces(&self, component: usize) -> &[u32] {
-        let start = if component == 0 { 0 } else { self.ends[component - 1] };
-        &self.faces[start..self.ends[component]]
+        let start = if component == 0 { 0 } else { self.component_ends[component - 1] };
+        &self.faces[start..self.component_ends[component]]
     }
 
     /// Returns the number of other components that enclose each component.
@@ -54,12 +54,12 @@ impl ClosedComponents {
     /// overlapping boxes of faces of nested components. Linear extra memory; none of it unless the
     /// box of one component contains the box of another.
     pub(super) fn depths(&self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
-        let count = self.ends.len();
+        let count = self.component_ends.len();
         let mut depths = alloc::filled(0, count)?;
         if count < 2 {
             return Ok(depths);
         }
-        let pairs = NestingSearch::new(self, mesh, &job.part(0.0, 0.2))?.enclosing_pairs(&job.part(0.2, 1.0))?;
+        let pairs = NestingSearch::new(self, mesh, &job.sub_job(0.0, 0.2))?.enclosing_pairs(&job.sub_job(0.2, 1.0))?;
         pairs.iter().for_each(|&[inner, _]| depths[inner as usize] += 1);
         Ok(depths)
     }
@@ -74,9 +74,9 @@ struct NestingSearch<'m> {
     /// The triangles of all components that take part.
     triangles: Vec<[u32; 3]>,
     /// The component of each triangle.
-    owners: Vec<u32>,
+    component_of_triangle: Vec<u32>,
     /// The triangles of each component.
-    ranges: Vec<Range<usize>>,
+    triangles_of_component: Vec<Range<usize>>,
     /// True for each component whose box contains another box.
     is_outer: Vec<bool>,
     /// True for each component whose box lies in another box.
@@ -85,7 +85,7 @@ struct NestingSearch<'m> {
 
 impl<'m> NestingSearch<'m> {
     fn new(components: &ClosedComponents, mesh: &'m MeshView<'m>, job: &Job<'_>) -> Result<Self> {
-        let count = components.ends.len();
+        let count = components.component_ends.len();
         let point = |v: u32| mesh.positions().get(v);
         let corners = |k: usize| components.faces(k).iter().flat_map(|&f| mesh.face(f as usize)).map(point);
         let mut boxes = alloc::with_capacity(count)?;
@@ -129,27 +129,40 @@ impl<'m> NestingSearch<'m> {
             }
             ranges.push(start..triangles.len());
         }
-        Ok(NestingSearch { mesh, unit, boxes, triangles, owners, ranges, is_outer, is_inner })
+        Ok(NestingSearch {
+            mesh,
+            unit,
+            boxes,
+            triangles,
+            component_of_triangle: owners,
+            triangles_of_component: ranges,
+            is_outer,
+            is_inner,
+        })
     }
 
-    fn at(&self, v: u32) -> DVec3 {
+    fn scaled_position(&self, v: u32) -> DVec3 {
         self.mesh.positions().get(v) / self.unit
     }
 
     /// Returns the pairs (enclosed, enclosing), ascending.
     fn enclosing_pairs(&self, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
-        let mut pairs = self.pairs_by_rays(&job.part(0.0, 0.5))?;
+        let mut pairs = self.pairs_by_rays(&job.sub_job(0.0, 0.5))?;
         if pairs.is_empty() {
             return Ok(pairs);
         }
-        let pair_of = |s: u32, t: u32| [s, t].map(|t| self.owners[t as usize]);
+        let pair_of = |s: u32, t: u32| [s, t].map(|t| self.component_of_triangle[t as usize]);
         let is_listed = |pair: [u32; 2]| pairs.binary_search(&pair).is_ok();
         let wanted = |s: u32, t: u32| {
             let [a, b] = pair_of(s, t);
             a != b && (is_listed([a, b]) || is_listed([b, a]))
         };
-        let soup = TriangleSoup { at: |v| self.at(v), new: &self.triangles, old: &[] };
-        let meeting = intersecting_pairs_where(&soup, &wanted, &|_, _| true, &job.part(0.5, 1.0))?;
+        let soup = TriangleSoup {
+            position_of_vertex: |v| self.scaled_position(v),
+            new_triangles: &self.triangles,
+            old_triangles: &[],
+        };
+        let meeting = intersecting_pairs_where(&soup, &wanted, &|_, _| true, &job.sub_job(0.5, 1.0))?;
         let mut meeting = alloc::collect(meeting.iter().map(|&[s, t]| pair_of(s, t)))?;
         meeting.iter_mut().for_each(|pair| pair.sort_unstable());
         sort_distinct(&mut meeting);
@@ -160,9 +173,11 @@ impl<'m> NestingSearch<'m> {
     /// Returns the pairs (enclosed, enclosing) by one ray from each component; ascending. The
     /// surfaces may cross.
     fn pairs_by_rays(&self, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
-        let outer = |&t: &usize| self.is_outer[self.owners[t] as usize];
+        let outer = |&t: &usize| self.is_outer[self.component_of_triangle[t] as usize];
         let places = alloc::gather((0..self.triangles.len()).filter(outer))?;
-        let boxes = alloc::collect(places.iter().map(|&t| Aabb::from_points(self.triangles[t].map(|v| self.at(v)))))?;
+        let boxes = alloc::collect(
+            places.iter().map(|&t| Aabb::from_points(self.triangles[t].map(|v| self.scaled_position(v)))),
+        )?;
         let size = boxes.iter().fold(Aabb::EMPTY, |whole, b| whole.union(*b)).size();
         let axis = (0..3).min_by(|&j, &k| size[j].total_cmp(&size[k])).unwrap_or(0);
         let mut pairs = Vec::new();
@@ -171,9 +186,9 @@ impl<'m> NestingSearch<'m> {
                 job.step_every(RAYS_PER_REPORT, inner, self.boxes.len(), STAGE)?;
                 // The components whose surfaces contain all vertices so far; at first, any.
                 let mut undecided: Option<Vec<u32>> = None;
-                let triangles = &self.triangles[self.ranges[inner].clone()];
-                let vertices = triangles.as_flattened().iter().map(|&v| (self.at(v), 0.0));
-                let inner_points = triangles.iter().flat_map(|t| inner_points(t.map(|v| self.at(v))));
+                let triangles = &self.triangles[self.triangles_of_component[inner].clone()];
+                let vertices = triangles.as_flattened().iter().map(|&v| (self.scaled_position(v), 0.0));
+                let inner_points = triangles.iter().flat_map(|t| inner_points(t.map(|v| self.scaled_position(v))));
                 for (from, slack) in vertices.chain(inner_points) {
                     let mut ray = Aabb { low: from, high: from };
                     ray.high[axis] = f64::INFINITY;
@@ -182,7 +197,7 @@ impl<'m> NestingSearch<'m> {
                     tree.visit_overlapping(&ray, 0.0, |leaf| {
                         for &place in order.chunks(MAX_LEAF_BOXES).nth(leaf).unwrap_or_default() {
                             let t = places[place as usize];
-                            let outer = self.owners[t];
+                            let outer = self.component_of_triangle[t];
                             let is_asked = undecided.as_ref().is_none_or(|list| list.binary_search(&outer).is_ok());
                             if !is_asked
                                 || !boxes[place as usize].overlaps(&ray)
@@ -191,7 +206,7 @@ impl<'m> NestingSearch<'m> {
                             {
                                 continue;
                             }
-                            let corners = self.triangles[t].map(|v| self.at(v));
+                            let corners = self.triangles[t].map(|v| self.scaled_position(v));
                             if is_on_triangle(from, corners) || is_within(from, corners, slack) {
                                 alloc::push(&mut touched, outer)?;
                             } else if ray_meets_triangle(from, axis, corners) {
@@ -241,7 +256,7 @@ fn contains_box(outer: &Aabb, inner: &Aabb) -> bool {
 
 /// Hands over a tree over the boxes, with the order of the boxes in its leaves.
 fn visit_leaf_boxes(boxes: &[Aabb], job: &Job<'_>, visit: impl FnOnce(&BoxTree, &[u32]) -> Result<()>) -> Result<()> {
-    let order = spatial_order(boxes, MAX_LEAF_BOXES, &job.part(0.0, 0.0), STAGE)?;
+    let order = spatial_order(boxes, MAX_LEAF_BOXES, &job.sub_job(0.0, 0.0), STAGE)?;
     let around = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &k| whole.union(boxes[k as usize]));
-    visit(&BoxTree::new_cancellable(order.chunks(MAX_LEAF_BOXES).map(around), &job.part(0.0, 0.0), STAGE)?, &order)
+    visit(&BoxTree::new_cancellable(order.chunks(MAX_LEAF_BOXES).map(around), &job.sub_job(0.0, 0.0), STAGE)?, &order)
 }

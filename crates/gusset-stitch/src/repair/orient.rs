@@ -88,18 +88,18 @@ const STAGE: &str = "orienting faces";
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Oriented> {
-    let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
+    let topology = Topology::new(mesh, &job.sub_job(0.0, 0.5))?;
     let count = mesh.faces().len();
     let mut turned = alloc::filled(false, count)?;
     let mut search = ComponentSearch::new(mesh, &topology)?;
     let (mut components, mut one_sided, mut closed) = (0, Vec::new(), ClosedComponents::default());
     for f in 0..count as u32 {
-        if search.seen[f as usize] {
+        if search.is_seen[f as usize] {
             continue;
         }
         components += 1;
-        search.find_component(f, &mut turned, &job.part(0.5, 0.9))?;
-        let component = &search.found;
+        search.find_component(f, &mut turned, &job.sub_job(0.5, 0.9))?;
+        let component = &search.component_faces;
         if search.half_edge != NONE {
             component.iter().for_each(|&g| turned[g as usize] = false);
             alloc::push(&mut one_sided, OneSided { face: f, half_edge: search.half_edge })?;
@@ -109,18 +109,18 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         if 2 * against > component.len() {
             component.iter().for_each(|&g| turned[g as usize] ^= true);
         }
-        if options.outward == Outward::Closed && search.closed {
+        if options.outward == Outward::Closed && search.is_closed {
             closed.push(component)?;
         }
     }
-    let facing = Facing::new(mesh, &closed, &turned, &job.part(0.9, 0.9))?;
+    let facing = Facing::new(mesh, &closed, &turned, &job.sub_job(0.9, 0.9))?;
     let inverted_components = facing.inward.len() as u32;
     for face in facing.inward.iter().flat_map(|&k| closed.faces(k)) {
         turned[*face as usize] ^= true;
     }
     job.step(0.9, STAGE)?;
     let mut oriented = concat::empty_mesh_with_room(slice::from_ref(mesh).iter(), [0; 3])?;
-    concat::append_piece(&mut oriented, mesh, &job.part(0.9, 0.9), |f| turned[f])?;
+    concat::append_piece(&mut oriented, mesh, &job.sub_job(0.9, 0.9), |f| turned[f])?;
     job.step(1.0, STAGE)?;
     let turned_faces = turned.iter().filter(|&&t| t).count() as u32;
     Ok(Oriented { mesh: oriented, turned, turned_faces, components, inverted_components, one_sided })
@@ -145,9 +145,9 @@ pub fn turn_outwards(mesh: &mut Mesh, job: &Job<'_>) -> Result<Outwards> {
     if mesh.face_count() == 0 {
         return Ok(Outwards::default());
     }
-    let mut found = find_wrong_components(&mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.95))?;
+    let mut found = find_wrong_components(&mesh.view(&job.sub_job(0.0, 0.1))?, &job.sub_job(0.1, 0.95))?;
     job.step(0.95, STAGE)?;
-    sort(&mut found.turned, Ord::cmp, &job.part(0.95, 1.0), STAGE)?;
+    sort(&mut found.turned, Ord::cmp, &job.sub_job(0.95, 1.0), STAGE)?;
     for &f in &found.turned {
         mesh.turn_face(f as usize);
     }
@@ -168,22 +168,22 @@ pub struct Outwards {
 
 /// Finds the components that face the wrong side, and those without volume.
 pub(crate) fn find_wrong_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
-    let topology = Topology::new(mesh, &job.part(0.0, 0.6))?;
+    let topology = Topology::new(mesh, &job.sub_job(0.0, 0.6))?;
     let mut against = alloc::filled(false, mesh.faces().len())?;
     let mut search = ComponentSearch::new(mesh, &topology)?;
     let mut closed = ClosedComponents::default();
     for f in 0..mesh.faces().len() as u32 {
-        if search.seen[f as usize] {
+        if search.is_seen[f as usize] {
             continue;
         }
-        search.find_component(f, &mut against, &job.part(0.6, 0.8))?;
-        let component = &search.found;
+        search.find_component(f, &mut against, &job.sub_job(0.6, 0.8))?;
+        let component = &search.component_faces;
         let consistent = search.half_edge == NONE && !component.iter().any(|&g| against[g as usize]);
-        if search.closed && consistent {
+        if search.is_closed && consistent {
             closed.push(component)?;
         }
     }
-    let facing = Facing::new(mesh, &closed, &against, &job.part(0.8, 1.0))?;
+    let facing = Facing::new(mesh, &closed, &against, &job.sub_job(0.8, 1.0))?;
     let turned = alloc::gather(facing.inward.iter().flat_map(|&k| closed.faces(k)).copied())?;
     let zero_volume = alloc::collect(facing.zero_volume.iter().map(|&k| closed.faces(k)[0]))?;
     Ok(Outwards { turned, zero_volume })
@@ -199,10 +199,10 @@ impl Facing {
     /// Judges each component by its volume and by the components that enclose it. `turned` marks
     /// faces that are turned over.
     fn new(mesh: &MeshView<'_>, closed: &ClosedComponents, turned: &[bool], job: &Job<'_>) -> Result<Self> {
-        let depths = closed.depths(mesh, &job.part(0.0, 0.9))?;
+        let depths = closed.depths(mesh, &job.sub_job(0.0, 0.9))?;
         let mut facing = Facing { inward: Vec::new(), zero_volume: Vec::new() };
         for (k, depth) in depths.iter().enumerate() {
-            match is_inside_out(mesh, closed.faces(k), turned, &job.part(0.9, 1.0))? {
+            match is_inside_out(mesh, closed.faces(k), turned, &job.sub_job(0.9, 1.0))? {
                 Some(inside_out) if inside_out != (depth % 2 == 1) => alloc::push(&mut facing.inward, k)?,
                 Some(_) => {}
                 None => alloc::push(&mut facing.zero_volume, k)?,
@@ -216,15 +216,15 @@ impl Facing {
 struct ComponentSearch<'m> {
     mesh: &'m MeshView<'m>,
     topology: &'m Topology,
-    seen: Vec<bool>,
+    is_seen: Vec<bool>,
     /// The faces of the component, in the order of the search.
-    found: Vec<u32>,
+    component_faces: Vec<u32>,
     /// The number of faces of all components so far.
-    reached: usize,
+    reached_face_count: usize,
     /// The smallest contradicting half-edge, or [`NONE`].
     half_edge: u32,
     /// True if every edge of the component has two faces.
-    closed: bool,
+    is_closed: bool,
 }
 
 impl<'m> ComponentSearch<'m> {
@@ -233,38 +233,38 @@ impl<'m> ComponentSearch<'m> {
         Ok(ComponentSearch {
             mesh,
             topology,
-            seen: alloc::filled(false, count)?,
-            found: alloc::with_capacity(count)?,
-            reached: 0,
+            is_seen: alloc::filled(false, count)?,
+            component_faces: alloc::with_capacity(count)?,
+            reached_face_count: 0,
             half_edge: NONE,
-            closed: true,
+            is_closed: true,
         })
     }
 
     /// Finds the component of face `f`. Marks in `turned` the faces that disagree with `f`.
     fn find_component(&mut self, f: u32, turned: &mut [bool], job: &Job<'_>) -> Result<()> {
         let faces = self.mesh.faces();
-        (self.half_edge, self.closed) = (NONE, true);
-        self.found.clear();
-        self.found.push(f);
-        self.seen[f as usize] = true;
+        (self.half_edge, self.is_closed) = (NONE, true);
+        self.component_faces.clear();
+        self.component_faces.push(f);
+        self.is_seen[f as usize] = true;
         let mut next = 0;
-        while let Some(&f) = self.found.get(next) {
-            job.step_every(FACES_PER_REPORT, self.reached, faces.len(), STAGE)?;
-            self.reached += 1;
+        while let Some(&f) = self.component_faces.get(next) {
+            job.step_every(FACES_PER_REPORT, self.reached_face_count, faces.len(), STAGE)?;
+            self.reached_face_count += 1;
             next += 1;
             let proper = |&h: &u32| !self.topology.is_ignored(h);
             for h in faces.corner_range(f as usize).map(|h| h as u32).filter(proper) {
                 let Opposite::Mate(mate) = self.topology.opposite(h) else {
-                    self.closed = false;
+                    self.is_closed = false;
                     continue;
                 };
-                let g = faces.face_of(mate) as usize;
+                let g = faces.face_of_half_edge(mate) as usize;
                 let wanted = turned[f as usize] ^ (faces.corner(h) == faces.corner(mate));
-                if !self.seen[g] {
-                    self.seen[g] = true;
+                if !self.is_seen[g] {
+                    self.is_seen[g] = true;
                     turned[g] = wanted;
-                    self.found.push(g as u32);
+                    self.component_faces.push(g as u32);
                 } else if turned[g] != wanted {
                     self.half_edge = self.half_edge.min(h);
                 }

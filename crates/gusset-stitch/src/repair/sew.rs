@@ -68,7 +68,7 @@ pub struct Sew {
 /// many elements.
 pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew> {
     let given = ToleranceSource::from_option(options.tolerance)?;
-    let first = weld_within(mesh, options, given, &job.part(0.0, 0.4))?;
+    let first = weld_within(mesh, options, given, &job.sub_job(0.0, 0.4))?;
     let source = match given {
         ToleranceSource::Data => ToleranceSource::Earlier(first.tolerance),
         given => given,
@@ -78,10 +78,10 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
         return Ok(sewn);
     }
     let (split, left) = {
-        let view = sewn.mesh.view(&job.part(0.4, 0.45))?;
-        let topology = Topology::new(&view, &job.part(0.45, 0.5))?;
-        let junctions = TJunctions::find(&view, &topology, source, &job.part(0.5, 0.7))?;
-        (split_edges(&view, &junctions, &job.part(0.7, 0.75))?, junctions.left)
+        let view = sewn.mesh.view(&job.sub_job(0.4, 0.45))?;
+        let topology = Topology::new(&view, &job.sub_job(0.45, 0.5))?;
+        let junctions = TJunctions::find(&view, &topology, source, &job.sub_job(0.5, 0.7))?;
+        (split_edges(&view, &junctions, &job.sub_job(0.7, 0.75))?, junctions.vertices_on_unsplit_edges)
     };
     let second = match split.split_faces {
         0 => None,
@@ -89,8 +89,8 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
             // Split vertices are used by no face until the faces' own split vertices are restored.
             let remove_unused = options.remove_unused && !mesh.faces().is_merged();
             let options = Options { vertices: Vertices::Boundary, remove_unused, ..*options };
-            let view = split.mesh.view(&job.part(0.75, 0.8))?;
-            Some(weld_within(&view, &options, source, &job.part(0.8, 1.0))?)
+            let view = split.mesh.view(&job.sub_job(0.75, 0.8))?;
+            Some(weld_within(&view, &options, source, &job.sub_job(0.8, 1.0))?)
         }
     };
     sewn.list_vertices_left(&left, second.as_ref())?;
@@ -198,8 +198,8 @@ impl Sew {
     /// Merges further vertices of the mesh. `representative` has the smallest vertex of the merged
     /// set of each vertex. No face may have two vertices of a set. Returns the new vertex of each.
     pub(crate) fn merge_vertices(&mut self, representative: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
-        let view = self.mesh.view(&job.part(0.0, 0.5))?;
-        let welded = rebuild_mesh(&view, representative, &Options::default(), &job.part(0.5, 1.0))?;
+        let view = self.mesh.view(&job.sub_job(0.0, 0.5))?;
+        let welded = rebuild_mesh(&view, representative, &Options::default(), &job.sub_job(0.5, 1.0))?;
         let mut sources = alloc::filled(0u8, welded.mesh.positions.len())?;
         let before = |v: usize| 1 + u8::from(self.seam_vertices.binary_search(&(v as u32)).is_ok());
         count_sources_saturating(&welded.vertex_map, before, &mut sources);

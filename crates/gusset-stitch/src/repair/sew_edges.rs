@@ -54,14 +54,14 @@ pub(super) fn sew_coincident_edges(
     collapse: bool,
     job: &Job<'_>,
 ) -> Result<Vec<u32>> {
-    let pairs = pairs_to_sew(mesh, topology, clusters, &job.part(0.0, 0.3))?;
-    let job = job.part(0.3, 1.0);
-    let mut sets = MergedVertexSets::new(mesh, topology, collapse, &job.part(0.0, 0.0))?;
+    let pairs = pairs_to_sew(mesh, topology, clusters, &job.sub_job(0.0, 0.3))?;
+    let job = job.sub_job(0.3, 1.0);
+    let mut sets = MergedVertexSets::new(mesh, topology, collapse, &job.sub_job(0.0, 0.0))?;
     for (i, &[g, h]) in pairs.iter().enumerate() {
         job.step_every(PAIRS_PER_REPORT, i, pairs.len(), STAGE)?;
         let ([u, v], [a, b]) = (sets.end_sets(g), sets.end_sets(h));
         let [a, b] = if clusters[u as usize] == clusters[a as usize] { [a, b] } else { [b, a] };
-        let of = |v: u32| sets.label[v as usize];
+        let of = |v: u32| sets.set_label[v as usize];
         let seam = Seam([[of(u), of(a)], [of(v), of(b)]]);
         if sets.can_sew_without_harm(&seam) {
             seam.0.iter().for_each(|&[a, b]| sets.merge_sets(a, b));
@@ -81,14 +81,14 @@ pub(crate) fn merge_run_ends(
     runs: &[RunEnds],
     job: &Job<'_>,
 ) -> Result<(Vec<bool>, Vec<u32>)> {
-    let mut sets = MergedVertexSets::new(mesh, topology, false, &job.part(0.0, 0.5))?;
+    let mut sets = MergedVertexSets::new(mesh, topology, false, &job.sub_job(0.0, 0.5))?;
     let mut merged = alloc::with_capacity(runs.len())?;
     for (i, pairs) in runs.iter().enumerate() {
-        job.part(0.5, 1.0).step_every(PAIRS_PER_REPORT, i, runs.len(), STAGE)?;
-        let seam = Seam(pairs.map(|pair| pair.map(|v| sets.label[v as usize])));
+        job.sub_job(0.5, 1.0).step_every(PAIRS_PER_REPORT, i, runs.len(), STAGE)?;
+        let seam = Seam(pairs.map(|pair| pair.map(|v| sets.set_label[v as usize])));
         let harmless = sets.can_sew_without_harm(&seam);
         if harmless {
-            pairs.iter().for_each(|&[a, b]| sets.merge_sets(sets.label[a as usize], sets.label[b as usize]));
+            pairs.iter().for_each(|&[a, b]| sets.merge_sets(sets.set_label[a as usize], sets.set_label[b as usize]));
         }
         merged.push(harmless);
     }
@@ -101,12 +101,12 @@ fn pairs_to_sew(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32], job:
     job.step(0.0, STAGE)?;
     let clustered = free_edges(mesh, topology).map(|(h, ends)| (ends.map(|v| clusters[v as usize]), h));
     let mut free = alloc::gather(clustered.filter(|([u, v], _)| u != v).map(|(ends, h)| (unordered(ends), h)))?;
-    sort(&mut free, Ord::cmp, &job.part(0.0, 0.6), STAGE)?;
+    sort(&mut free, Ord::cmp, &job.sub_job(0.0, 0.6), STAGE)?;
     let mut pairs = alloc::gather(free.chunk_by(|a, b| a.0 == b.0).filter_map(|together| match *together {
         [(_, g), (_, h)] => Some([g, h]),
         _ => None,
     }))?;
-    sort(&mut pairs, Ord::cmp, &job.part(0.6, 1.0), STAGE)?;
+    sort(&mut pairs, Ord::cmp, &job.sub_job(0.6, 1.0), STAGE)?;
     job.step(1.0, STAGE)?;
     Ok(pairs)
 }
@@ -135,9 +135,9 @@ struct MergedVertexSets<'m> {
     corners: VertexCorners,
     collapse: bool,
     /// For each vertex, the label of its set: one of its vertices.
-    label: Vec<u32>,
+    set_label: Vec<u32>,
     /// For each vertex, the next vertex of its set in a cyclic list.
-    next: Vec<u32>,
+    next_in_set: Vec<u32>,
     /// For each label, the number of face corners at all vertices of its set.
     degree: Vec<u32>,
 }
@@ -150,7 +150,15 @@ impl<'m> MergedVertexSets<'m> {
         let count = mesh.positions().len();
         let degree = alloc::collect((0..count).map(|v| corners.corners_at_vertex(v as u32).len() as u32))?;
         let identity = || alloc::collect((0..count).map(|v| v as u32));
-        Ok(MergedVertexSets { mesh, topology, corners, collapse, label: identity()?, next: identity()?, degree })
+        Ok(MergedVertexSets {
+            mesh,
+            topology,
+            corners,
+            collapse,
+            set_label: identity()?,
+            next_in_set: identity()?,
+            degree,
+        })
     }
 
     fn end_sets(&self, h: u32) -> [u32; 2] {
@@ -160,7 +168,7 @@ impl<'m> MergedVertexSets<'m> {
     }
 
     fn vertices_of_set(&self, label: u32) -> impl Iterator<Item = u32> {
-        iter::successors(Some(label), move |&v| Some(self.next[v as usize]).filter(|&v| v != label))
+        iter::successors(Some(label), move |&v| Some(self.next_in_set[v as usize]).filter(|&v| v != label))
     }
 
     fn corners_of_set(&self, label: u32) -> impl Iterator<Item = u32> {
@@ -175,7 +183,7 @@ impl<'m> MergedVertexSets<'m> {
         let before = if h == start { end } else { h - 1 };
         let after = if h == end { start } else { h + 1 };
         let far = [(h, after), (before, before)].into_iter().filter(|&(edge, _)| !self.topology.is_ignored(edge));
-        far.map(move |(_, corner)| self.label[faces.corner(corner) as usize])
+        far.map(move |(_, corner)| self.set_label[faces.corner(corner) as usize])
     }
 
     /// Returns true if the face of corner `h` has a corner in a set.
@@ -189,7 +197,7 @@ impl<'m> MergedVertexSets<'m> {
 
     /// Returns the sets at the corners of the face of corner `h`.
     fn sets_at_face(&self, h: u32) -> impl Iterator<Item = u32> {
-        self.mesh.face(self.corners.face_of_corner(h)).map(|v| self.label[v as usize])
+        self.mesh.face(self.corners.face_of_corner(h)).map(|v| self.set_label[v as usize])
     }
 
     /// Returns true if sewing the seam makes no edge non-manifold. Unless `collapse` is set, sewing
@@ -248,22 +256,22 @@ impl<'m> MergedVertexSets<'m> {
         let [small, large] = if self.degree[a as usize] <= self.degree[b as usize] { [a, b] } else { [b, a] };
         let mut v = small;
         loop {
-            self.label[v as usize] = large;
-            v = self.next[v as usize];
+            self.set_label[v as usize] = large;
+            v = self.next_in_set[v as usize];
             if v == small {
                 break;
             }
         }
         self.degree[large as usize] += self.degree[small as usize];
-        self.next.swap(small as usize, large as usize);
+        self.next_in_set.swap(small as usize, large as usize);
     }
 
     /// Returns for each vertex the smallest vertex of its set.
     fn smallest_vertices(self) -> Result<Vec<u32>> {
-        let mut smallest = alloc::filled(NONE, self.label.len())?;
-        for (v, &label) in self.label.iter().enumerate() {
+        let mut smallest = alloc::filled(NONE, self.set_label.len())?;
+        for (v, &label) in self.set_label.iter().enumerate() {
             smallest[label as usize] = smallest[label as usize].min(v as u32);
         }
-        alloc::collect(self.label.iter().map(|&label| smallest[label as usize]))
+        alloc::collect(self.set_label.iter().map(|&label| smallest[label as usize]))
     }
 }

@@ -34,7 +34,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &TJunctions, job: &Job
     let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
     check_size((vertices + splits.len()) as u64, (mesh.faces().half_edge_count() + 6 * splits.len()) as u64)?;
     let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), vertices + splits.len())?;
-    job.part(0.0, 0.0).work_in_ranges(STAGE, vertices, |range| positions.append(mesh.positions(), range))?;
+    job.sub_job(0.0, 0.0).work_in_ranges(STAGE, vertices, |range| positions.append(mesh.positions(), range))?;
     let sources = alloc::collect(splits.iter().map(|split| split.vertex))?;
     positions.append(&PositionBuffer::gather(mesh.positions(), &sources)?.view(), 0..sources.len())?;
 
@@ -46,7 +46,9 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &TJunctions, job: &Job
         mesh: Mesh::new(positions, face_offsets, alloc::with_capacity(corners)?),
         face_origin: alloc::with_capacity(count)?,
         corner_origins: CornerOrigins { corners: alloc::with_capacity(corners)?, on_edges: Vec::new() },
-        new_vertices: alloc::collect(splits.iter().map(|split| (edges[split.edge as usize].ends, split.at)))?,
+        new_vertices: alloc::collect(
+            splits.iter().map(|split| (edges[split.edge as usize].ends, split.edge_parameter)),
+        )?,
         split_faces: 0,
     };
     let face_of = |k: usize| splits.get(k).map(|split| edges[split.edge as usize].face as usize);
@@ -69,7 +71,11 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &TJunctions, job: &Job
             next += 1;
         }
         let half_edge = |k: usize| edges[splits[k].edge as usize].half_edge;
-        split_face.set_face(mesh, f, (first..next).map(|k| (half_edge(k), splits[k].at, (vertices + k) as u32)))?;
+        split_face.set_face(
+            mesh,
+            f,
+            (first..next).map(|k| (half_edge(k), splits[k].edge_parameter, (vertices + k) as u32)),
+        )?;
         result.split_faces += 1;
         split_face.visit_parts(|part| {
             for &(v, origin) in part {

@@ -61,7 +61,7 @@ pub(super) struct EdgeSplit {
     /// The index of the edge.
     pub(super) edge: u32,
     /// The position along the edge, from 0 to 1.
-    pub(super) at: f64,
+    pub(super) edge_parameter: f64,
     /// The smallest of the coincident vertices at this place.
     pub(super) vertex: u32,
 }
@@ -73,7 +73,7 @@ pub(super) struct TJunctions {
     /// The splits, ordered by edge and along each edge.
     pub(super) splits: Vec<EdgeSplit>,
     /// Vertices that lie on a free edge that is not split there, ascending.
-    pub(super) left: Vec<u32>,
+    pub(super) vertices_on_unsplit_edges: Vec<u32>,
 }
 
 impl TJunctions {
@@ -87,7 +87,7 @@ impl TJunctions {
         let faces = mesh.faces().len();
         let mut edges = Vec::new();
         for face in 0..faces {
-            job.part(0.0, 0.0).step_every(FACES_PER_REPORT, face, faces, STAGE)?;
+            job.sub_job(0.0, 0.0).step_every(FACES_PER_REPORT, face, faces, STAGE)?;
             let free = half_edges(mesh, face).filter(|&(h, ..)| is_free(topology, h));
             let free = free.map(|(half_edge, u, v)| FreeEdge { half_edge, face: face as u32, ends: [u, v] });
             alloc::extend(&mut edges, free)?;
@@ -95,19 +95,25 @@ impl TJunctions {
         job.step(0.0, STAGE)?;
         let members = free_vertices(mesh, topology)?;
         job.step(0.0, STAGE)?;
-        let tolerance = WeldDistances::find_for_members(mesh, &members, source, false, &job.part(0.0, 0.1))?;
-        let clusters = VertexClusters::cluster_members(mesh, &members, &tolerance.reach, None, &job.part(0.1, 0.3))?;
-        let border = FreeBorder { mesh, edges: &edges, members: &members, clusters: &clusters.representative };
-        let mut splits = border.find_places_on_edges(&tolerance.reach, &job.part(0.3, 0.7))?;
+        let tolerance = WeldDistances::find_for_members(mesh, &members, source, false, &job.sub_job(0.0, 0.1))?;
+        let clusters = VertexClusters::cluster_members(
+            mesh,
+            &members,
+            &tolerance.max_distance_of_member,
+            None,
+            &job.sub_job(0.1, 0.3),
+        )?;
+        let border = FreeBorder { mesh, edges: &edges, edge_ends: &members, clusters: &clusters.representative };
+        let mut splits = border.find_places_on_edges(&tolerance.max_distance_of_member, &job.sub_job(0.3, 0.7))?;
         job.step(0.7, STAGE)?;
         let mut left = alloc::gather(splits.iter().map(|split| split.vertex))?;
-        border.keep_useful_splits(&mut splits, &job.part(0.7, 1.0))?;
+        border.keep_useful_splits(&mut splits, &job.sub_job(0.7, 1.0))?;
         job.step(1.0, STAGE)?;
         let mut used = alloc::gather(splits.iter().map(|split| split.vertex))?;
         sort_distinct(&mut used);
         sort_distinct(&mut left);
         left.retain(|v| used.binary_search(v).is_err());
-        Ok(TJunctions { edges, splits, left })
+        Ok(TJunctions { edges, splits, vertices_on_unsplit_edges: left })
     }
 }
 
@@ -116,7 +122,7 @@ struct FreeBorder<'a> {
     mesh: &'a MeshView<'a>,
     edges: &'a [FreeEdge],
     /// The ends of the edges, ascending.
-    members: &'a [u32],
+    edge_ends: &'a [u32],
     /// For each vertex, the smallest coincident vertex.
     clusters: &'a [u32],
 }
@@ -129,35 +135,36 @@ impl FreeBorder<'_> {
     /// Returns all places on edges, by edge and along each edge. `reach` has an entry per member;
     /// empty for 0.
     fn find_places_on_edges(&self, reach: &[f64], job: &Job<'_>) -> Result<Vec<EdgeSplit>> {
-        let points = self.members.iter().map(|&v| self.mesh.positions().get(v));
-        let points = alloc::collect_cancellable(points, &job.part(0.0, 0.0), STAGE)?;
+        let points = self.edge_ends.iter().map(|&v| self.mesh.positions().get(v));
+        let points = alloc::collect_cancellable(points, &job.sub_job(0.0, 0.0), STAGE)?;
         job.step(0.0, STAGE)?;
         let unit = common_unit(&points);
         let ends = |e: u32| self.edges[e as usize].ends.map(|v| self.mesh.positions().get(v) / unit);
         // A vertex cannot lie inside an edge of length 0.
         let has_length = |&e: &u32| ends(e)[0] != ends(e)[1];
         let mut long = Vec::new();
-        job.part(0.0, 0.0).work_in_ranges(STAGE, self.edges.len(), |range| {
+        job.sub_job(0.0, 0.0).work_in_ranges(STAGE, self.edges.len(), |range| {
             alloc::extend(&mut long, (range.start as u32..range.end as u32).filter(has_length))
         })?;
         let mut boxes = alloc::with_capacity(long.len())?;
-        job.part(0.0, 0.0).work_in_ranges(STAGE, long.len(), |range| {
+        job.sub_job(0.0, 0.0).work_in_ranges(STAGE, long.len(), |range| {
             boxes.extend(long[range].iter().map(|&e| Aabb::from_points(ends(e))));
             Ok(())
         })?;
-        let order = spatial_order(&boxes, EDGES_PER_LEAF, &job.part(0.0, 0.2), STAGE)?;
+        let order = spatial_order(&boxes, EDGES_PER_LEAF, &job.sub_job(0.0, 0.2), STAGE)?;
         let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
-        let groups = alloc::collect_cancellable(order.chunks(EDGES_PER_LEAF).map(around), &job.part(0.2, 0.2), STAGE)?;
-        let tree = BoxTree::new_cancellable(groups.into_iter(), &job.part(0.2, 0.2), STAGE)?;
+        let groups =
+            alloc::collect_cancellable(order.chunks(EDGES_PER_LEAF).map(around), &job.sub_job(0.2, 0.2), STAGE)?;
+        let tree = BoxTree::new_cancellable(groups.into_iter(), &job.sub_job(0.2, 0.2), STAGE)?;
         let mut splits: Vec<EdgeSplit> = Vec::new();
         let mut leaves = 0;
-        for (i, (&v, &p)) in self.members.iter().zip(&points).enumerate() {
-            let here = job.part(0.2, 0.6).share(i, points.len());
+        for (i, (&v, &p)) in self.edge_ends.iter().zip(&points).enumerate() {
+            let here = job.sub_job(0.2, 0.6).sub_job_of_item(i, points.len());
             if i % VERTICES_PER_REPORT == 0 {
                 here.step(0.0, STAGE)?;
             }
             // A vertex at the exact position of its representative finds the same places.
-            let first = self.members.binary_search(&self.cluster_of(v)).unwrap_or(i);
+            let first = self.edge_ends.binary_search(&self.cluster_of(v)).unwrap_or(i);
             if first < i && points[first] == p && reach.get(first) == reach.get(i) {
                 continue;
             }
@@ -172,20 +179,23 @@ impl FreeBorder<'_> {
                     if let Some(at) = position_along_edge(ends(e), point, reach)
                         && self.face_of_edge_has_no_corner_near(v, e)
                     {
-                        alloc::push(&mut splits, EdgeSplit { edge: e, at, vertex: self.cluster_of(v) })?;
+                        alloc::push(
+                            &mut splits,
+                            EdgeSplit { edge: e, edge_parameter: at, vertex: self.cluster_of(v) },
+                        )?;
                     }
                 }
                 Ok(())
             })?;
         }
-        let by_place = |a: &EdgeSplit, b: &EdgeSplit| a.at.total_cmp(&b.at);
+        let by_place = |a: &EdgeSplit, b: &EdgeSplit| a.edge_parameter.total_cmp(&b.edge_parameter);
         let by_vertex = |a: &EdgeSplit, b: &EdgeSplit| a.edge.cmp(&b.edge).then(a.vertex.cmp(&b.vertex));
-        sort(&mut splits, |a, b| by_vertex(a, b).then(by_place(a, b)), &job.part(0.6, 0.8), STAGE)?;
+        sort(&mut splits, |a, b| by_vertex(a, b).then(by_place(a, b)), &job.sub_job(0.6, 0.8), STAGE)?;
         job.step(0.8, STAGE)?;
         splits.dedup_by_key(|split| (split.edge, split.vertex));
         let along =
             |a: &EdgeSplit, b: &EdgeSplit| a.edge.cmp(&b.edge).then(by_place(a, b)).then(a.vertex.cmp(&b.vertex));
-        sort(&mut splits, along, &job.part(0.8, 1.0), STAGE)?;
+        sort(&mut splits, along, &job.sub_job(0.8, 1.0), STAGE)?;
         Ok(splits)
     }
 
@@ -201,7 +211,7 @@ impl FreeBorder<'_> {
         for pass in 0..MAX_SPLIT_FILTER_PASSES {
             let before = splits.len();
             if before > 0 {
-                let job = job.share(pass, MAX_SPLIT_FILTER_PASSES);
+                let job = job.sub_job_of_item(pass, MAX_SPLIT_FILTER_PASSES);
                 self.keep_splits_that_match(splits, &job)?;
                 job.step(1.0, STAGE)?;
                 self.keep_splits_without_turned_parts(splits, &job)?;
@@ -220,7 +230,7 @@ impl FreeBorder<'_> {
         let mut rest = splits.iter().peekable();
         for (e, edge) in self.edges.iter().enumerate() {
             let [mut from, end] = edge.ends.map(|v| self.cluster_of(v));
-            job.part(0.0, 0.0).step_every(FACES_PER_REPORT, e, self.edges.len(), STAGE)?;
+            job.sub_job(0.0, 0.0).step_every(FACES_PER_REPORT, e, self.edges.len(), STAGE)?;
             while let Some(split) = rest.next_if(|split| split.edge as usize == e) {
                 pieces.push((unordered([from, split.vertex]), pieces.len() as u32));
                 from = split.vertex;
@@ -231,7 +241,7 @@ impl FreeBorder<'_> {
         sort(&mut pieces, Ord::cmp, job, STAGE)?;
         job.step(1.0, STAGE)?;
         for (k, together) in pieces.chunk_by(|a, b| a.0 == b.0).enumerate() {
-            job.part(1.0, 1.0).step_every(FACES_PER_REPORT, k, pieces.len(), STAGE)?;
+            job.sub_job(1.0, 1.0).step_every(FACES_PER_REPORT, k, pieces.len(), STAGE)?;
             let [_, _] = together else { continue };
             together.iter().for_each(|&(_, piece)| matched[piece as usize] = true);
         }
@@ -251,10 +261,11 @@ impl FreeBorder<'_> {
         let mut upright = alloc::with_capacity(splits.len())?;
         let mut split_face = SplitFace::default();
         for (k, of_face) in splits.chunk_by(|a, b| face(a) == face(b)).enumerate() {
-            job.part(1.0, 1.0).step_every(FACES_PER_REPORT, k, splits.len(), STAGE)?;
+            job.sub_job(1.0, 1.0).step_every(FACES_PER_REPORT, k, splits.len(), STAGE)?;
             let f = face(&of_face[0]) as usize;
-            let places =
-                of_face.iter().map(|split| (self.edges[split.edge as usize].half_edge, split.at, split.vertex));
+            let places = of_face
+                .iter()
+                .map(|split| (self.edges[split.edge as usize].half_edge, split.edge_parameter, split.vertex));
             split_face.set_face(self.mesh, f, places)?;
             let fits = has_upright_parts(self.mesh, f, &split_face);
             upright.extend(of_face.iter().map(|_| fits));

@@ -43,11 +43,17 @@ const STAGE: &str = "clustering vertices";
 /// Returns for each vertex the smallest border vertex that coincides with it; the vertex itself if
 /// none does. `tolerance` is limited at short edges.
 pub(crate) fn border_clusters(mesh: &MeshView<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<u32>> {
-    let topology = Topology::new(mesh, &job.part(0.0, 0.4))?;
+    let topology = Topology::new(mesh, &job.sub_job(0.0, 0.4))?;
     let members = free_vertices(mesh, &topology)?;
     let source = ToleranceSource::Earlier(tolerance);
-    let distances = WeldDistances::find_for_members(mesh, &members, source, false, &job.part(0.4, 0.5))?;
-    let clusters = VertexClusters::cluster_members(mesh, &members, &distances.reach, None, &job.part(0.5, 1.0))?;
+    let distances = WeldDistances::find_for_members(mesh, &members, source, false, &job.sub_job(0.4, 0.5))?;
+    let clusters = VertexClusters::cluster_members(
+        mesh,
+        &members,
+        &distances.max_distance_of_member,
+        None,
+        &job.sub_job(0.5, 1.0),
+    )?;
     Ok(clusters.representative)
 }
 
@@ -64,10 +70,10 @@ impl VertexClusters {
         job: &Job<'_>,
     ) -> Result<Self> {
         let positions = members.iter().map(|&v| mesh.positions().get(v));
-        let points = alloc::collect_cancellable(positions, &job.part(0.0, 0.0), STAGE)?;
+        let points = alloc::collect_cancellable(positions, &job.sub_job(0.0, 0.0), STAGE)?;
         job.step(0.0, STAGE)?;
-        let near = NearVertexSearch::new(&points, reach, &job.part(0.0, 0.4))?;
-        let job = job.part(0.4, 1.0);
+        let near = NearVertexSearch::new(&points, reach, &job.sub_job(0.0, 0.4))?;
+        let job = job.sub_job(0.4, 1.0);
         job.step(0.0, STAGE)?;
         let mut guard = FaceCornerGuard::new(mesh, corners)?;
         let mut clusters = VertexClusters {
@@ -85,7 +91,7 @@ impl VertexClusters {
             claimed[i] = true;
             candidates.clear();
             let here = i as f64 / members.len() as f64;
-            near.append_near_members(&points, i, &mut candidates, &job.part(here, here))?;
+            near.append_near_members(&points, i, &mut candidates, &job.sub_job(here, here))?;
             guard.admit_to_cluster(representative, representative);
             for (k, &(_, j)) in (1..).zip(&candidates) {
                 if k % CANDIDATES_PER_REPORT == 0 {
@@ -129,18 +135,18 @@ impl<'a> NearVertexSearch<'a> {
         job.step(0.0, STAGE)?;
         // Convert -0 to 0, so that the order of bits is the order of numbers.
         let numbered = points.iter().enumerate().map(|(i, &p)| (p + DVec3::ZERO, i as u32));
-        let mut sorted = alloc::collect_cancellable(numbered, &job.part(0.0, 0.0), STAGE)?;
+        let mut sorted = alloc::collect_cancellable(numbered, &job.sub_job(0.0, 0.0), STAGE)?;
         let by_position = |(p, i): &(DVec3, u32), (q, j): &(DVec3, u32)| {
             p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z)).then(i.cmp(j))
         };
         sort(&mut sorted, by_position, job, STAGE)?;
-        let order = alloc::collect_cancellable(sorted.iter().map(|&(_, i)| i), &job.part(1.0, 1.0), STAGE)?;
+        let order = alloc::collect_cancellable(sorted.iter().map(|&(_, i)| i), &job.sub_job(1.0, 1.0), STAGE)?;
         drop(sorted);
         job.step(1.0, STAGE)?;
         let mut begin = alloc::filled(0u32, points.len())?;
         let mut group = 0;
         for (k, &i) in order.iter().enumerate() {
-            job.part(1.0, 1.0).step_within_list(k, STAGE)?;
+            job.sub_job(1.0, 1.0).step_within_list(k, STAGE)?;
             if points[i as usize] != points[order[group] as usize] {
                 group = k;
             }
@@ -191,24 +197,28 @@ impl<'a> NearVertexSearch<'a> {
 struct FaceCornerGuard<'a> {
     corners: Option<&'a VertexCorners>,
     /// For each face, the representative that last got one of its corners.
-    owner: Vec<u32>,
+    last_representative_of_face: Vec<u32>,
 }
 
 impl<'a> FaceCornerGuard<'a> {
     fn new(mesh: &MeshView<'_>, corners: Option<&'a VertexCorners>) -> Result<Self> {
         let faces = if corners.is_some() { mesh.faces().len() } else { 0 };
-        Ok(FaceCornerGuard { corners, owner: alloc::filled(NONE, faces)? })
+        Ok(FaceCornerGuard { corners, last_representative_of_face: alloc::filled(NONE, faces)? })
     }
 
     /// Admits `v` to the cluster of `representative`. Returns false if a face has both `v` and an
     /// earlier vertex of the cluster.
     fn admit_to_cluster(&mut self, representative: u32, v: u32) -> bool {
         let Some(corners) = self.corners else { return true };
-        if corners.corners_at_vertex(v).iter().any(|&h| self.owner[corners.face_of_corner(h)] == representative) {
+        if corners
+            .corners_at_vertex(v)
+            .iter()
+            .any(|&h| self.last_representative_of_face[corners.face_of_corner(h)] == representative)
+        {
             return false;
         }
         for &h in corners.corners_at_vertex(v) {
-            self.owner[corners.face_of_corner(h)] = representative;
+            self.last_representative_of_face[corners.face_of_corner(h)] = representative;
         }
         true
     }

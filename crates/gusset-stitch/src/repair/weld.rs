@@ -116,32 +116,37 @@ pub(super) fn weld_within(
     source: ToleranceSource,
     job: &Job<'_>,
 ) -> Result<Weld> {
-    let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
+    let topology = Topology::new(mesh, &job.sub_job(0.0, 0.2))?;
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;
     let members = weldable_vertices(mesh, &topology, sewing)?;
-    let tolerance = WeldDistances::find_for_members(mesh, &members, source, options.collapse, &job.part(0.2, 0.3))?;
+    let tolerance = WeldDistances::find_for_members(mesh, &members, source, options.collapse, &job.sub_job(0.2, 0.3))?;
     job.step(0.3, STAGE)?;
-    let corners = if sewing || options.collapse { None } else { Some(VertexCorners::new(mesh, &job.part(0.3, 0.3))?) };
-    let part = job.part(0.3, 0.6);
+    let corners =
+        if sewing || options.collapse { None } else { Some(VertexCorners::new(mesh, &job.sub_job(0.3, 0.3))?) };
+    let part = job.sub_job(0.3, 0.6);
     let mut clusters = match source {
         ToleranceSource::Given(length) if length > 0.0 && sewing && !options.collapse => {
             VertexClusters::cluster_across_borders(mesh, &members, length, &part)?
         }
-        _ => VertexClusters::cluster_members(mesh, &members, &tolerance.reach, corners.as_ref(), &part)?,
+        _ => {
+            VertexClusters::cluster_members(mesh, &members, &tolerance.max_distance_of_member, corners.as_ref(), &part)?
+        }
     };
     let representative = match sewing {
-        true => sew_coincident_edges(mesh, &topology, &clusters.representative, options.collapse, &job.part(0.6, 0.9))?,
+        true => {
+            sew_coincident_edges(mesh, &topology, &clusters.representative, options.collapse, &job.sub_job(0.6, 0.9))?
+        }
         false => alloc::copied(&clusters.representative)?,
     };
-    let mut welded = rebuild_mesh(mesh, &representative, options, &job.part(0.9, 0.95))?;
-    welded.tolerance = tolerance.length;
+    let mut welded = rebuild_mesh(mesh, &representative, options, &job.sub_job(0.9, 0.95))?;
+    welded.tolerance = tolerance.max_distance;
     let places = [&clusters.representative[..], &representative];
-    welded.count_sewn_edges(mesh, &topology, places, sewing, &job.part(0.95, 0.97))?;
+    welded.count_sewn_edges(mesh, &topology, places, sewing, &job.sub_job(0.95, 0.97))?;
     if sewing {
-        welded.near = NearBorders::find(mesh, &topology, &members, &clusters.representative, &job.part(0.97, 1.0))?;
+        welded.near = NearBorders::find(mesh, &topology, &members, &clusters.representative, &job.sub_job(0.97, 1.0))?;
     }
-    clusters.add_unmerged_members(&members, &representative, &job.part(1.0, 1.0))?;
+    clusters.add_unmerged_members(&members, &representative, &job.sub_job(1.0, 1.0))?;
     welded.left_vertices = clusters.kept_apart;
     job.step(1.0, STAGE)?;
     Ok(welded)
@@ -191,7 +196,7 @@ pub(super) fn rebuild_mesh(
     face_offsets.push(0);
     let mut left = alloc::with_capacity(if options.collapse { faces.half_edge_count() } else { 0 })?;
     for f in 0..faces.len() {
-        job.part(0.0, 0.4).step_every(ELEMENTS_PER_REPORT, f, faces.len(), STAGE)?;
+        job.sub_job(0.0, 0.4).step_every(ELEMENTS_PER_REPORT, f, faces.len(), STAGE)?;
         let start = face_corners.len();
         face_corners.extend(mesh.face(f).map(|v| representative[v as usize]));
         if options.collapse {
@@ -283,7 +288,7 @@ impl Weld {
         let taken = |h| if free_only { is_free(topology, h) } else { !topology.is_ignored(h) };
         let mut edges = Vec::new();
         for f in 0..mesh.faces().len() {
-            job.part(0.0, 0.2).step_every(ELEMENTS_PER_REPORT, f, mesh.faces().len(), STAGE)?;
+            job.sub_job(0.0, 0.2).step_every(ELEMENTS_PER_REPORT, f, mesh.faces().len(), STAGE)?;
             if self.face_map[f] == NONE {
                 continue;
             }
@@ -294,8 +299,8 @@ impl Weld {
                 }
             }
         }
-        sort(&mut edges, Ord::cmp, &job.part(0.2, 0.8), STAGE)?;
-        let (mut done, count, counting) = (0, edges.len(), job.part(0.8, 0.9));
+        sort(&mut edges, Ord::cmp, &job.sub_job(0.2, 0.8), STAGE)?;
+        let (mut done, count, counting) = (0, edges.len(), job.sub_job(0.8, 0.9));
         for together in edges.chunk_by(|a, b| a.0 == b.0) {
             for edge in together.chunk_by(|a, b| a.1 == b.1) {
                 if done / ELEMENTS_PER_REPORT < (done + edge.len()) / ELEMENTS_PER_REPORT {
@@ -315,6 +320,6 @@ impl Weld {
                 }
             }
         }
-        sort(&mut self.left_edges, Ord::cmp, &job.part(0.9, 1.0), STAGE)
+        sort(&mut self.left_edges, Ord::cmp, &job.sub_job(0.9, 1.0), STAGE)
     }
 }

@@ -84,9 +84,9 @@ impl ToleranceSource {
 /// The largest distance between coincident vertices.
 pub(super) struct WeldDistances {
     /// The largest distance; 0 for equal positions.
-    pub(super) length: f64,
+    pub(super) max_distance: f64,
     /// For each member, the largest distance from it; empty for equal positions.
-    pub(super) reach: Vec<f64>,
+    pub(super) max_distance_of_member: Vec<f64>,
 }
 
 impl WeldDistances {
@@ -100,17 +100,17 @@ impl WeldDistances {
         job: &Job<'_>,
     ) -> Result<Self> {
         let length = match source {
-            ToleranceSource::Data => coordinate_round_off(mesh, members, &job.part(0.0, 0.5))?,
+            ToleranceSource::Data => coordinate_round_off(mesh, members, &job.sub_job(0.0, 0.5))?,
             ToleranceSource::Earlier(length) | ToleranceSource::Given(length) => length,
         };
         let reach = match source {
             _ if length == 0.0 => Vec::new(),
             ToleranceSource::Given(_) => alloc::filled(length, members.len())?,
             ToleranceSource::Data | ToleranceSource::Earlier(_) => {
-                limited_reach(mesh, members, length, collapse, &job.part(0.5, 1.0))?
+                limited_reach(mesh, members, length, collapse, &job.sub_job(0.5, 1.0))?
             }
         };
-        Ok(WeldDistances { length, reach })
+        Ok(WeldDistances { max_distance: length, max_distance_of_member: reach })
     }
 }
 
@@ -169,16 +169,16 @@ pub(crate) fn coordinate_round_off(mesh: &MeshView<'_>, members: &[u32], job: &J
             differences.count_coordinate(steps.classify_digits(x - y, x.abs() + y.abs()));
         }
     }
-    let shown = [coordinates, differences].iter().filter_map(DigitHistogram::visible_step).min();
+    let shown = [coordinates, differences].iter().filter_map(DigitHistogram::finest_visible_step).min();
     Ok(shown.map_or(by_type, |step| by_type.max(2.0 * steps.power_of_ten_of_step(step))))
 }
 
 /// The powers of ten to which coordinates may have been rounded, in descending order.
 struct CoordinateDecimals {
     /// The exponent of the first step.
-    first: i32,
+    first_exponent: i32,
     /// The relative error of a coordinate, due to conversions and a change of unit.
-    error: f64,
+    relative_error: f64,
 }
 
 /// The digits of a coordinate.
@@ -196,19 +196,20 @@ impl CoordinateDecimals {
     /// Returns `None` if powers of ten of this size are not exact.
     fn new(extent: f64, unit_round_off: f64) -> Option<Self> {
         let first = decade_exponent(extent)? - DECIMAL_PLACES_TO_FIRST_STEP;
-        ((first + 1).abs() <= MAX_EXACT_POWER).then_some(CoordinateDecimals { first, error: 2.0 * unit_round_off })
+        ((first + 1).abs() <= MAX_EXACT_POWER)
+            .then_some(CoordinateDecimals { first_exponent: first, relative_error: 2.0 * unit_round_off })
     }
 
     fn power_of_ten_of_step(&self, step: usize) -> f64 {
-        let exponent = self.first - step as i32;
+        let exponent = self.first_exponent - step as i32;
         if exponent < 0 { 1.0 / 10f64.powi(-exponent) } else { 10f64.powi(exponent) }
     }
 
     /// Classifies `x`, which was computed from coordinates of magnitude `size`.
     fn classify_digits(&self, x: f64, size: f64) -> ShownDigits {
-        let error = self.error * size;
+        let error = self.relative_error * size;
         for k in 0..=DECIMAL_STEP_COUNT {
-            let exponent = self.first + 1 - k as i32;
+            let exponent = self.first_exponent + 1 - k as i32;
             let power = 10f64.powi(exponent.abs());
             let [x, error] = [x, error].map(|x| if exponent < 0 { x * power } else { x / power });
             // Beyond this, one number in four is a multiple by chance, or the power is not exact.
@@ -226,24 +227,24 @@ impl CoordinateDecimals {
 /// The number of coordinates of each class.
 #[derive(Default)]
 struct DigitHistogram {
-    steps: [usize; DECIMAL_STEP_COUNT],
-    others: usize,
+    counts_by_step: [usize; DECIMAL_STEP_COUNT],
+    other_count: usize,
 }
 
 impl DigitHistogram {
     fn count_coordinate(&mut self, shown: ShownDigits) {
         match shown {
             ShownDigits::Round => {}
-            ShownDigits::Step(step) => self.steps[step] += 1,
-            ShownDigits::AllDigits => self.others += 1,
+            ShownDigits::Step(step) => self.counts_by_step[step] += 1,
+            ShownDigits::AllDigits => self.other_count += 1,
         }
     }
 
     /// Returns the coarsest step of which a third of the coordinates are multiples.
-    fn visible_step(&self) -> Option<usize> {
-        let count = self.others + self.steps.iter().sum::<usize>();
+    fn finest_visible_step(&self) -> Option<usize> {
+        let count = self.other_count + self.counts_by_step.iter().sum::<usize>();
         let mut multiples = 0;
-        self.steps.iter().position(|&more| {
+        self.counts_by_step.iter().position(|&more| {
             multiples += more;
             count >= MIN_NON_ROUND_COORDINATES && 3 * multiples >= count
         })
@@ -252,19 +253,19 @@ impl DigitHistogram {
 
 /// The number of coordinates of each order of magnitude.
 struct DecadeCounts {
-    first: i32,
+    first_exponent: i32,
     counts: [usize; DECADE_COUNT],
 }
 
 impl DecadeCounts {
     fn new(size: f64) -> Self {
-        DecadeCounts { first: decade_exponent(size).unwrap_or(0), counts: [0; DECADE_COUNT] }
+        DecadeCounts { first_exponent: decade_exponent(size).unwrap_or(0), counts: [0; DECADE_COUNT] }
     }
 
     /// Returns the index of a number's decade; [`DECADE_COUNT`] if it is below all.
     fn decade_index(&self, x: f64) -> usize {
         decade_exponent(x.abs())
-            .map_or(DECADE_COUNT, |exponent| DECADE_COUNT.min((self.first - exponent).max(0) as usize))
+            .map_or(DECADE_COUNT, |exponent| DECADE_COUNT.min((self.first_exponent - exponent).max(0) as usize))
     }
 
     fn count_number(&mut self, x: f64) {

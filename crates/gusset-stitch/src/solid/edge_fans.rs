@@ -20,36 +20,36 @@ const STAGE: &str = "ordering faces around edges";
 pub(super) struct EdgeFans {
     half_edges: Vec<u32>,
     /// The end of each edge in `half_edges`.
-    ends: Vec<u32>,
+    fan_ends: Vec<u32>,
 }
 
 impl EdgeFans {
     /// Finds the fans. O(H) for H half-edges, plus O(k^1.5) and at most O(k log^2 k) comparisons for
     /// an edge of k faces.
     pub(super) fn find(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<Self> {
-        let border = topology.border_half_edges(&job.part(0.0, 0.2))?;
+        let border = topology.border_half_edges(&job.sub_job(0.0, 0.2))?;
         let singular = border.into_iter().filter(|&h| topology.opposite(h) == Opposite::Singular);
         let ends_of = |h: u32| [mesh.faces().corner(h), mesh.faces().corner(topology.next(mesh, h))];
         let mut keyed = alloc::gather(singular.map(|h| (unordered(ends_of(h)), h)))?;
-        sort(&mut keyed, Ord::cmp, &job.part(0.2, 0.6), STAGE)?;
-        let mut fans = EdgeFans { half_edges: alloc::with_capacity(keyed.len())?, ends: Vec::new() };
+        sort(&mut keyed, Ord::cmp, &job.sub_job(0.2, 0.6), STAGE)?;
+        let mut fans = EdgeFans { half_edges: alloc::with_capacity(keyed.len())?, fan_ends: Vec::new() };
         let order = RadialOrder::new(mesh, topology, &keyed);
         for (k, group) in keyed.chunk_by_mut(|a, b| a.0 == b.0).enumerate() {
-            job.part(0.6, 1.0).step_within_list(k, STAGE)?;
+            job.sub_job(0.6, 1.0).step_within_list(k, STAGE)?;
             order.sort_around_edge(group)?;
             fans.half_edges.extend(group.iter().map(|&(_, h)| h));
-            alloc::push(&mut fans.ends, fans.half_edges.len() as u32)?;
+            alloc::push(&mut fans.fan_ends, fans.half_edges.len() as u32)?;
         }
         Ok(fans)
     }
 
     /// Returns the fans of the half-edges for which `keep` returns true, without empty ones.
     pub(super) fn filtered(&self, keep: impl Fn(u32) -> bool) -> Result<EdgeFans> {
-        let mut fans = EdgeFans { half_edges: Vec::new(), ends: Vec::new() };
+        let mut fans = EdgeFans { half_edges: Vec::new(), fan_ends: Vec::new() };
         for fan in self.iter() {
             alloc::extend(&mut fans.half_edges, fan.iter().copied().filter(|&h| keep(h)))?;
-            if fans.ends.last().copied().unwrap_or(0) < fans.half_edges.len() as u32 {
-                alloc::push(&mut fans.ends, fans.half_edges.len() as u32)?;
+            if fans.fan_ends.last().copied().unwrap_or(0) < fans.half_edges.len() as u32 {
+                alloc::push(&mut fans.fan_ends, fans.half_edges.len() as u32)?;
             }
         }
         Ok(fans)
@@ -57,8 +57,8 @@ impl EdgeFans {
 
     /// Returns the half-edges of each edge.
     pub(super) fn iter(&self) -> impl Iterator<Item = &[u32]> + Clone {
-        let starts = std::iter::once(0).chain(self.ends.iter().copied());
-        starts.zip(&self.ends).map(|(start, &end)| &self.half_edges[start as usize..end as usize])
+        let starts = std::iter::once(0).chain(self.fan_ends.iter().copied());
+        starts.zip(&self.fan_ends).map(|(start, &end)| &self.half_edges[start as usize..end as usize])
     }
 }
 
@@ -72,7 +72,7 @@ struct RadialOrder<'m> {
 
 impl<'m> RadialOrder<'m> {
     fn new(mesh: &'m MeshView<'m>, topology: &'m Topology, half_edges: &[(u64, u32)]) -> Self {
-        let faces = half_edges.iter().map(|&(_, h)| mesh.faces().face_of(h) as usize);
+        let faces = half_edges.iter().map(|&(_, h)| mesh.faces().face_of_half_edge(h) as usize);
         let corners = faces.flat_map(|f| mesh.face(f));
         let largest = corners.map(|v| mesh.positions().get(v).abs().max_element()).fold(0.0, f64::max);
         RadialOrder { mesh, topology, unit: common_unit(&[DVec3::splat(largest)]) }
@@ -115,7 +115,7 @@ impl<'m> RadialOrder<'m> {
     /// Returns a point of the half-plane from the edge through its face: the third vertex of a
     /// triangle.
     fn face_point(&self, h: u32) -> DVec3 {
-        let f = self.mesh.faces().face_of(h) as usize;
+        let f = self.mesh.faces().face_of_half_edge(h) as usize;
         if self.mesh.face(f).len() == 3 {
             return self.point(self.mesh.faces().corner(self.topology.previous(self.mesh, h)));
         }

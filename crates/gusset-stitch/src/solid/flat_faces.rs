@@ -42,14 +42,14 @@ pub(super) fn remove_flat_faces(
 ) -> Result<()> {
     if !flat.is_empty() {
         state.collapse_repeated_corners()?;
-        flat = find(&state.mesh.view(&job.part(0.0, 0.0))?, &job.part(0.0, 0.0))?;
+        flat = find(&state.mesh.view(&job.sub_job(0.0, 0.0))?, &job.sub_job(0.0, 0.0))?;
     }
     for pass in 0..MAX_PASSES {
-        let job = job.share(pass, MAX_PASSES);
-        if flat.is_empty() || !remove_separate_faces(state, &flat, &job.part(0.0, 0.7))? {
+        let job = job.sub_job_of_item(pass, MAX_PASSES);
+        if flat.is_empty() || !remove_separate_faces(state, &flat, &job.sub_job(0.0, 0.7))? {
             break;
         }
-        flat = find(&state.mesh.view(&job.part(0.7, 0.8))?, &job.part(0.8, 1.0))?;
+        flat = find(&state.mesh.view(&job.sub_job(0.7, 0.8))?, &job.sub_job(0.8, 1.0))?;
     }
     Ok(())
 }
@@ -63,7 +63,7 @@ fn remove_separate_faces(state: &mut RepairState, flat: &[u32], job: &Job<'_>) -
             alloc::push(&mut removals, (f, removal))?;
         }
     }
-    let sides = SideFaces::find(mesh, &removals, &job.part(0.0, 0.5))?;
+    let sides = SideFaces::find(mesh, &removals, &job.sub_job(0.0, 0.5))?;
     let (mut touched, mut places, mut merges) = (BitSet::new(mesh.positions.len())?, Vec::new(), Vec::new());
     let (mut changed, mut reasons) = (BitSet::new(mesh.face_count())?, alloc::filled(None, mesh.face_count())?);
     for (f, removal) in &removals {
@@ -77,8 +77,8 @@ fn remove_separate_faces(state: &mut RepairState, flat: &[u32], job: &Job<'_>) -
                 alloc::push(&mut merges, (pair[1], pair[0]))?;
             }
             Removal::Insert { side, vertices } => {
-                let others = || sides.at(*side).iter().filter(|&&(_, h)| mesh.face_of(h) as u32 != *f);
-                let faces = || others().map(|&(_, h)| mesh.face_of(h) as u32);
+                let others = || sides.at(*side).iter().filter(|&&(_, h)| mesh.face_of_corner(h) as u32 != *f);
+                let faces = || others().map(|&(_, h)| mesh.face_of_corner(h) as u32);
                 let has_vertex = |g: u32| vertices.iter().any(|(_, v)| face_corners(mesh, g).contains(v));
                 let is_busy = |g: u32| reasons[g as usize].is_some() || corners(g).any(|&v| touched.contains(v));
                 if changed.contains(*f) || faces().chain([*f]).any(is_busy) || faces().any(has_vertex) {
@@ -98,7 +98,7 @@ fn remove_separate_faces(state: &mut RepairState, flat: &[u32], job: &Job<'_>) -
     if merges.is_empty() && (!reasons.iter().any(is_dropped) || reasons.iter().all(is_dropped)) {
         return Ok(false);
     }
-    sort(&mut places, |a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)), &job.part(0.5, 0.6), STAGE)?;
+    sort(&mut places, |a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)), &job.sub_job(0.5, 0.6), STAGE)?;
     merges.sort_unstable();
     for (_, _, v) in &mut places {
         if let Ok(k) = merges.binary_search_by_key(v, |pair| pair.0) {
@@ -106,7 +106,7 @@ fn remove_separate_faces(state: &mut RepairState, flat: &[u32], job: &Job<'_>) -
         }
     }
     state.replace_vertices(&merges);
-    state.drop_and_insert(&reasons, &places, &job.part(0.6, 0.9))?;
+    state.drop_and_insert(&reasons, &places, &job.sub_job(0.6, 0.9))?;
     state.collapse_repeated_corners()?;
     Ok(true)
 }
@@ -157,14 +157,14 @@ impl SideFaces {
         sides.sort_unstable();
         let mut found = Vec::new();
         if !sides.is_empty() {
-            let view = mesh.view(&job.part(0.0, 0.2))?;
+            let view = mesh.view(&job.sub_job(0.0, 0.2))?;
             for f in 0..mesh.face_count() {
-                job.part(0.2, 0.8).step_within_list(f, STAGE)?;
+                job.sub_job(0.2, 0.8).step_within_list(f, STAGE)?;
                 let keyed = half_edges(&view, f).map(|(h, u, v)| (unordered([u, v]), h));
                 alloc::extend(&mut found, keyed.filter(|(side, _)| sides.binary_search(side).is_ok()))?;
             }
         }
-        sort(&mut found, Ord::cmp, &job.part(0.8, 1.0), STAGE)?;
+        sort(&mut found, Ord::cmp, &job.sub_job(0.8, 1.0), STAGE)?;
         Ok(SideFaces { half_edges: found })
     }
 

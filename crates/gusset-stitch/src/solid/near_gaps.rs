@@ -32,13 +32,13 @@ const STAGE: &str = "closing gaps";
 pub(super) fn close_near_gaps(state: &mut RepairState, job: &Job<'_>) -> Result<SewCounts> {
     let (mut counts, mut pairs) = (SewCounts::default(), Vec::new());
     {
-        let view = state.mesh.view(&job.part(0.0, 0.1))?;
-        let topology = Topology::new(&view, &job.part(0.1, 0.5))?;
+        let view = state.mesh.view(&job.sub_job(0.0, 0.1))?;
+        let topology = Topology::new(&view, &job.sub_job(0.1, 0.5))?;
         let vertices = free_vertices(&view, &topology)?;
         if vertices.is_empty() {
             return Ok(counts);
         }
-        let partners = find_near_partners(&view, &vertices, MAX_GAP_TO_EDGE_RATIO, &job.part(0.5, 0.8))?;
+        let partners = find_near_partners(&view, &vertices, MAX_GAP_TO_EDGE_RATIO, &job.sub_job(0.5, 0.8))?;
         let position = |v: u32| view.positions().get(v);
         let across = |v: u32| match partners[v as usize] {
             NONE => v,
@@ -46,7 +46,7 @@ pub(super) fn close_near_gaps(state: &mut RepairState, job: &Job<'_>) -> Result<
             partner => partner,
         };
         let mut edges = alloc::gather(free_edges(&view, &topology).map(|(h, ends)| (unordered(ends), h)))?;
-        sort(&mut edges, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
+        sort(&mut edges, Ord::cmp, &job.sub_job(0.8, 0.9), STAGE)?;
         let direction = |h: u32| direction_from_edge(&view, &topology, h);
         for (h, ends) in free_edges(&view, &topology) {
             let other = ends.map(across);
@@ -61,7 +61,7 @@ pub(super) fn close_near_gaps(state: &mut RepairState, job: &Job<'_>) -> Result<
             }
         }
     }
-    sort(&mut pairs, Ord::cmp, &job.part(0.9, 1.0), STAGE)?;
+    sort(&mut pairs, Ord::cmp, &job.sub_job(0.9, 1.0), STAGE)?;
     pairs.dedup();
     counts.welded_vertices = pairs.len() as u32;
     if !pairs.is_empty() {

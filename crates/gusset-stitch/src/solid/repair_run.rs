@@ -48,9 +48,9 @@ const STAGE: &str = "repairing";
 ///   [`Error::Cancelled`](gusset_base::Error::Cancelled). Defects that remain are not errors; see
 ///   [`Repaired::after`].
 pub fn repair(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Repaired> {
-    let mut run = RepairRun::start(&[*mesh], options, &job.part(0.0, 0.1))?;
-    run.run_rounds(&job.part(0.1, 0.8))?;
-    run.conclude(&[*mesh], &job.part(0.8, 1.0))
+    let mut run = RepairRun::start(&[*mesh], options, &job.sub_job(0.0, 0.1))?;
+    run.run_rounds(&job.sub_job(0.1, 0.8))?;
+    run.conclude(&[*mesh], &job.sub_job(0.8, 1.0))
 }
 
 /// Returns the union of closed pieces: the border of all points whose winding number is at least 1.
@@ -78,25 +78,27 @@ pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> 
         leave_orientation: true,
         ..Options::default()
     };
-    let mut run = RepairRun::start(pieces, &options, &job.part(0.0, 0.05))?;
-    require_closed(pieces, |piece, job| has_border(piece, |_| true, job), &job.part(0.05, 0.1))?;
+    let mut run = RepairRun::start(pieces, &options, &job.sub_job(0.0, 0.05))?;
+    require_closed(pieces, |piece, job| has_border(piece, |_| true, job), &job.sub_job(0.05, 0.1))?;
     for pass in 0..MAX_PASSES {
-        let job = job.part(0.1, 0.8).share(pass, MAX_PASSES);
-        match unite_all_faces(&mut run.state, &job.part(0.0, 0.6)) {
+        let job = job.sub_job(0.1, 0.8).sub_job_of_item(pass, MAX_PASSES);
+        match unite_all_faces(&mut run.state, &job.sub_job(0.0, 0.6)) {
             // All edges have two faces, but some pass an edge in the same direction.
             Err(Error::MeshNotClosed { .. }) if pass == 0 => {
-                require_closed(pieces, |_, _| Ok(true), &job.part(0.9, 1.0))?
+                require_closed(pieces, |_, _| Ok(true), &job.sub_job(0.9, 1.0))?
             }
             Err(Error::MeshNotClosed { .. }) => break,
             done => done?,
         }
-        run.run_rounds(&job.part(0.6, 0.95))?;
+        run.run_rounds(&job.sub_job(0.6, 0.95))?;
         // Rounding can fold faces onto each other, which the next union removes.
-        if run.intersections.as_ref().is_some_and(Vec::is_empty) && !run.has_border(|_| true, &job.part(0.95, 1.0))? {
+        if run.intersections.as_ref().is_some_and(Vec::is_empty)
+            && !run.has_border(|_| true, &job.sub_job(0.95, 1.0))?
+        {
             break;
         }
     }
-    run.conclude(pieces, &job.part(0.8, 1.0))
+    run.conclude(pieces, &job.sub_job(0.8, 1.0))
 }
 
 /// Fails for the first piece that `is_doubtful` and not closed by itself.
@@ -106,9 +108,9 @@ fn require_closed(
     job: &Job<'_>,
 ) -> Result<()> {
     for (input, piece) in pieces.iter().enumerate() {
-        let job = job.share(input, pieces.len());
-        if is_doubtful(piece, &job.part(0.0, 0.3))? {
-            let found = find_unbalanced_face(piece, &job.part(0.3, 1.0))?;
+        let job = job.sub_job_of_item(input, pieces.len());
+        if is_doubtful(piece, &job.sub_job(0.0, 0.3))? {
+            let found = find_unbalanced_face(piece, &job.sub_job(0.3, 1.0))?;
             found.map_or(Ok(()), |face| Err(Error::MeshNotClosed { input: input as u32, face }))?;
         }
     }
@@ -117,8 +119,8 @@ fn require_closed(
 
 /// Returns true if `counts` returns true for an edge that does not have exactly two faces.
 fn has_border(mesh: &MeshView<'_>, counts: impl Fn(Opposite) -> bool, job: &Job<'_>) -> Result<bool> {
-    let topology = Topology::new(mesh, &job.part(0.0, 0.9))?;
-    let border = topology.border_half_edges(&job.part(0.9, 1.0))?;
+    let topology = Topology::new(mesh, &job.sub_job(0.0, 0.9))?;
+    let border = topology.border_half_edges(&job.sub_job(0.9, 1.0))?;
     Ok(border.iter().any(|&h| counts(topology.opposite(h))))
 }
 
@@ -132,11 +134,11 @@ struct RepairRun<'o> {
     split_vertices: u32,
     filled_holes: u32,
     /// A face of the input of each sheet that was attached, and one of the sheet that it was attached to.
-    attached: Vec<[u32; 2]>,
+    attached_faces: Vec<[u32; 2]>,
     /// The pairs of faces that intersect, if the last stage found them and changed nothing.
     intersections: Option<Vec<[u32; 2]>>,
     /// True if rounding made intersections that no round of a union removed.
-    rounding_prevails: bool,
+    is_rounding_unresolvable: bool,
 }
 
 impl<'o> RepairRun<'o> {
@@ -152,9 +154,9 @@ impl<'o> RepairRun<'o> {
             counts: SewCounts::default(),
             split_vertices: 0,
             filled_holes: 0,
-            attached: Vec::new(),
+            attached_faces: Vec::new(),
             intersections: None,
-            rounding_prevails: false,
+            is_rounding_unresolvable: false,
         })
     }
 
@@ -163,9 +165,9 @@ impl<'o> RepairRun<'o> {
         let RepairRun { mut state, inputs, counts, split_vertices, filled_holes, intersections, .. } = self;
         let places = state.finish(inputs.iter().map(|&[.., faces]| faces).sum())?;
         let (after, intersections) = {
-            let view = state.mesh.view(&job.part(0.0, 0.1))?;
-            let after = check(&view, &job.part(0.1, 0.5))?;
-            let search = |_| find_intersecting_faces(&view, &job.part(0.5, 1.0));
+            let view = state.mesh.view(&job.sub_job(0.0, 0.1))?;
+            let after = check(&view, &job.sub_job(0.1, 0.5))?;
+            let search = |_| find_intersecting_faces(&view, &job.sub_job(0.5, 1.0));
             (after, intersections.ok_or(()).or_else(search)?)
         };
         job.step(1.0, STAGE)?;
@@ -189,11 +191,11 @@ impl<'o> RepairRun<'o> {
 
     /// Sews borders, unless the options leave them.
     fn sew(&mut self, round: usize, job: &Job<'_>) -> Result<()> {
-        if !self.options.leave_borders && self.has_border(is_free, &job.part(0.0, 0.2))? {
-            let counts = sew_borders(&mut self.state, self.options.tolerance, round == 0, &job.part(0.2, 0.8))?;
+        if !self.options.leave_borders && self.has_border(is_free, &job.sub_job(0.0, 0.2))? {
+            let counts = sew_borders(&mut self.state, self.options.tolerance, round == 0, &job.sub_job(0.2, 0.8))?;
             self.counts.add(&counts);
             if round == 0 && self.options.tolerance.is_none() {
-                self.counts.add(&close_near_gaps(&mut self.state, &job.part(0.8, 1.0))?);
+                self.counts.add(&close_near_gaps(&mut self.state, &job.sub_job(0.8, 1.0))?);
             }
         }
         Ok(())
@@ -201,23 +203,23 @@ impl<'o> RepairRun<'o> {
 
     /// Returns true if `counts` returns true for an edge that does not have exactly two faces.
     fn has_border(&self, counts: impl Fn(Opposite) -> bool, job: &Job<'_>) -> Result<bool> {
-        has_border(&self.state.mesh.view(&job.part(0.0, 0.3))?, counts, &job.part(0.3, 1.0))
+        has_border(&self.state.mesh.view(&job.sub_job(0.0, 0.3))?, counts, &job.sub_job(0.3, 1.0))
     }
 
     /// Runs all stages until nothing changes. Borders of separated sheets stay apart within a pass, and meet in the
     /// next one, as in a second repair.
     fn run_rounds(&mut self, job: &Job<'_>) -> Result<()> {
         for pass in 0..MAX_PASSES {
-            let job = job.share(pass, MAX_PASSES);
+            let job = job.sub_job_of_item(pass, MAX_PASSES);
             let copies = self.split_vertices;
             for round in 0..MAX_ROUNDS {
                 let changes = self.state.changes;
-                self.run_stages(round, &job.part(0.0, 0.95).share(round, MAX_ROUNDS))?;
+                self.run_stages(round, &job.sub_job(0.0, 0.95).sub_job_of_item(round, MAX_ROUNDS))?;
                 if self.state.changes == changes {
                     break;
                 }
             }
-            if self.split_vertices == copies || !self.has_border(is_free, &job.part(0.95, 1.0))? {
+            if self.split_vertices == copies || !self.has_border(is_free, &job.sub_job(0.95, 1.0))? {
                 break;
             }
         }
@@ -226,26 +228,26 @@ impl<'o> RepairRun<'o> {
 
     /// Runs all stages once.
     fn run_stages(&mut self, round: usize, job: &Job<'_>) -> Result<()> {
-        self.sew(round, &job.part(0.0, 0.05))?;
-        self.drop_flat_faces(&job.part(0.05, 0.1))?;
-        self.drop_duplicates(&job.part(0.1, 0.2))?;
-        self.separate_contacts(&job.part(0.2, 0.25))?;
-        self.fill_holes(&job.part(0.25, 0.5))?;
-        if self.separate_sheets(&job.part(0.5, 0.7))? {
-            self.fill_holes(&job.part(0.7, 0.85))?;
+        self.sew(round, &job.sub_job(0.0, 0.05))?;
+        self.drop_flat_faces(&job.sub_job(0.05, 0.1))?;
+        self.drop_duplicates(&job.sub_job(0.1, 0.2))?;
+        self.separate_contacts(&job.sub_job(0.2, 0.25))?;
+        self.fill_holes(&job.sub_job(0.25, 0.5))?;
+        if self.separate_sheets(&job.sub_job(0.5, 0.7))? {
+            self.fill_holes(&job.sub_job(0.7, 0.85))?;
         }
-        self.drop_fins(&job.part(0.85, 0.9))?;
-        self.turn_outwards(&job.part(0.9, 0.92))?;
+        self.drop_fins(&job.sub_job(0.85, 0.9))?;
+        self.turn_outwards(&job.sub_job(0.9, 0.92))?;
         if !self.options.leave_intersections {
-            let job = job.part(0.92, 1.0);
-            self.intersections = if self.rounding_prevails {
-                let view = self.state.mesh.view(&job.part(0.0, 0.1))?;
-                Some(find_intersecting_faces(&view, &job.part(0.1, 1.0))?)
+            let job = job.sub_job(0.92, 1.0);
+            self.intersections = if self.is_rounding_unresolvable {
+                let view = self.state.mesh.view(&job.sub_job(0.0, 0.1))?;
+                Some(find_intersecting_faces(&view, &job.sub_job(0.1, 1.0))?)
             } else {
                 match unite_parts(&mut self.state, &job)? {
                     Uniting::Unchanged(pairs) => Some(pairs),
                     Uniting::Changed { is_clean } => {
-                        self.rounding_prevails = !is_clean;
+                        self.is_rounding_unresolvable = !is_clean;
                         None
                     }
                 }
@@ -258,15 +260,15 @@ impl<'o> RepairRun<'o> {
         if self.options.leave_flat_faces {
             return Ok(());
         }
-        let flat = find_zero_area_faces(&self.state.mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.3))?;
-        remove_flat_faces(&mut self.state, flat, find_zero_area_faces, &job.part(0.3, 1.0))
+        let flat = find_zero_area_faces(&self.state.mesh.view(&job.sub_job(0.0, 0.1))?, &job.sub_job(0.1, 0.3))?;
+        remove_flat_faces(&mut self.state, flat, find_zero_area_faces, &job.sub_job(0.3, 1.0))
     }
 
     fn drop_duplicates(&mut self, job: &Job<'_>) -> Result<()> {
         if self.options.leave_duplicates {
             return Ok(());
         }
-        let marked = mark_duplicates(&self.state.mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 1.0))?;
+        let marked = mark_duplicates(&self.state.mesh.view(&job.sub_job(0.0, 0.1))?, &job.sub_job(0.1, 1.0))?;
         marked.map_or(Ok(()), |reasons| self.state.drop_faces(&reasons))
     }
 
@@ -285,7 +287,7 @@ impl<'o> RepairRun<'o> {
         for pair in pairs {
             let origins = pair.map(|f| self.state.face_origin[f as usize]);
             if !origins.contains(&NONE) {
-                alloc::push(&mut self.attached, origins)?;
+                alloc::push(&mut self.attached_faces, origins)?;
             }
         }
         Ok(())
@@ -293,13 +295,13 @@ impl<'o> RepairRun<'o> {
 
     /// Fills the holes, without changing other faces.
     fn fill_holes(&mut self, job: &Job<'_>) -> Result<()> {
-        if self.options.leave_holes || !self.has_border(is_free, &job.part(0.0, 0.2))? {
+        if self.options.leave_holes || !self.has_border(is_free, &job.sub_job(0.0, 0.2))? {
             return Ok(());
         }
         let options = fill::Options { plan_only: false, outward: Outward::Keep, ..self.options.fill };
         let filled = {
-            let view = self.state.mesh.view(&job.part(0.2, 0.2))?;
-            fill_holes(&view, LoopSelection::All, &options, &job.part(0.2, 1.0))?
+            let view = self.state.mesh.view(&job.sub_job(0.2, 0.2))?;
+            fill_holes(&view, LoopSelection::All, &options, &job.sub_job(0.2, 1.0))?
         };
         let count = filled.holes.iter().filter(|hole| hole.status == HoleStatus::Filled).count() as u32;
         if count == 0 {
@@ -323,47 +325,47 @@ impl<'o> RepairRun<'o> {
         if self.options.leave_non_manifold {
             return Ok(false);
         }
-        let sheets = self.find_sheets(&job.part(0.0, 0.4))?;
+        let sheets = self.find_sheets(&job.sub_job(0.0, 0.4))?;
         let dropped = sheets.reasons.iter().any(Option::is_some);
         let separated = sheets.pairs.len();
-        let (copies, attached) = sheets.separate(&mut self.state, &job.part(0.4, 0.6))?;
+        let (copies, attached) = sheets.separate(&mut self.state, &job.sub_job(0.4, 0.6))?;
         attached.into_iter().try_for_each(|pair| self.list_attached([pair]))?;
         if separated > 0 {
-            let twins = self.find_sheets(&job.part(0.6, 0.9))?;
-            split_twin_edges(&mut self.state, &twins.pairs, &job.part(0.9, 1.0))?;
+            let twins = self.find_sheets(&job.sub_job(0.6, 0.9))?;
+            split_twin_edges(&mut self.state, &twins.pairs, &job.sub_job(0.9, 1.0))?;
         }
         self.split_vertices += copies;
         Ok(dropped || copies > 0)
     }
 
     fn find_sheets(&self, job: &Job<'_>) -> Result<Sheets> {
-        let view = self.state.mesh.view(&job.part(0.0, 0.1))?;
-        let topology = Topology::new(&view, &job.part(0.1, 0.3))?;
-        let fans = EdgeFans::find(&view, &topology, &job.part(0.3, 0.5))?;
-        let patches = Patches::find(&view, &topology, &fans, &job.part(0.5, 0.6))?;
-        Sheets::find(&view, &topology, &fans, &patches, &job.part(0.6, 1.0))
+        let view = self.state.mesh.view(&job.sub_job(0.0, 0.1))?;
+        let topology = Topology::new(&view, &job.sub_job(0.1, 0.3))?;
+        let fans = EdgeFans::find(&view, &topology, &job.sub_job(0.3, 0.5))?;
+        let patches = Patches::find(&view, &topology, &fans, &job.sub_job(0.5, 0.6))?;
+        Sheets::find(&view, &topology, &fans, &patches, &job.sub_job(0.6, 1.0))
     }
 
     /// Drops the open sheets that were attached to a sheet which is closed now and has a larger area, and
     /// the open sheets attached to those. Attachments at patches are not known.
     fn drop_fins(&mut self, job: &Job<'_>) -> Result<()> {
-        if self.options.leave_fins || self.attached.is_empty() {
+        if self.options.leave_fins || self.attached_faces.is_empty() {
             return Ok(());
         }
         let reasons = {
-            let view = self.state.mesh.view(&job.part(0.0, 0.2))?;
-            let topology = Topology::new(&view, &job.part(0.2, 0.6))?;
+            let view = self.state.mesh.view(&job.sub_job(0.0, 0.2))?;
+            let topology = Topology::new(&view, &job.sub_job(0.2, 0.6))?;
             let faces = view.faces();
             let mut sets = DisjointSets::new(faces.len())?;
             let mut is_open = alloc::filled(false, faces.len())?;
             for h in (0..faces.half_edge_count() as u32).filter(|&h| !topology.is_ignored(h)) {
-                job.part(0.6, 0.8).step_within_list(h as usize, STAGE)?;
+                job.sub_job(0.6, 0.8).step_within_list(h as usize, STAGE)?;
                 match topology.opposite(h) {
-                    Opposite::Mate(mate) => _ = sets.union(faces.face_of(h), faces.face_of(mate)),
-                    _ => is_open[faces.face_of(h) as usize] = true,
+                    Opposite::Mate(mate) => _ = sets.union(faces.face_of_half_edge(h), faces.face_of_half_edge(mate)),
+                    _ => is_open[faces.face_of_half_edge(h) as usize] = true,
                 }
             }
-            let components = sets.into_roots(&job.part(0.8, 1.0), STAGE)?;
+            let components = sets.into_roots(&job.sub_job(0.8, 1.0), STAGE)?;
             let mut areas = alloc::filled(0.0, faces.len())?;
             for f in 0..faces.len() {
                 let root = components[f] as usize;
@@ -386,7 +388,7 @@ impl<'o> RepairRun<'o> {
             let mut is_changed = true;
             while std::mem::take(&mut is_changed) {
                 job.step(0.9, STAGE)?;
-                for &[sheet, host] in &self.attached {
+                for &[sheet, host] in &self.attached_faces {
                     let (Some(sheet), Some(host)) = (component(sheet), component(host)) else { continue };
                     if is_open[sheet] && !is_fin[sheet] && areas[sheet] < host_areas[host] {
                         (is_fin[sheet], host_areas[sheet], is_changed) = (true, host_areas[host], true);
@@ -404,8 +406,8 @@ impl<'o> RepairRun<'o> {
             return Ok(());
         }
         let oriented = {
-            let view = self.state.mesh.view(&job.part(0.0, 0.1))?;
-            orient(&view, &orient::Options { outward: Outward::Closed }, &job.part(0.1, 1.0))?
+            let view = self.state.mesh.view(&job.sub_job(0.0, 0.1))?;
+            orient(&view, &orient::Options { outward: Outward::Closed }, &job.sub_job(0.1, 1.0))?
         };
         (0..oriented.turned.len()).filter(|&f| oriented.turned[f]).for_each(|f| self.state.turn_face(f));
         Ok(())

@@ -139,10 +139,10 @@ impl RepairState {
         let (mut origins, mut turned, mut dropped) = (Vec::new(), Vec::new(), Vec::new());
         let mut places_of_corners = alloc::with_capacity(most)?;
         {
-            let view = self.mesh.view(&job.part(0.0, 0.2))?;
+            let view = self.mesh.view(&job.sub_job(0.0, 0.2))?;
             let (mut next, mut split) = (0, SplitFace::default());
             for (f, &reason) in reasons.iter().enumerate() {
-                job.part(0.2, 1.0).step_within_list(f, STAGE)?;
+                job.sub_job(0.2, 1.0).step_within_list(f, STAGE)?;
                 let first = next;
                 while places.get(next).is_some_and(|&(h, ..)| (h as usize) < view.faces().corner_range(f).end) {
                     next += 1;

@@ -40,12 +40,12 @@ pub(super) fn sew_borders(
     job: &Job<'_>,
 ) -> Result<SewCounts> {
     let how = weld::Options { vertices: Vertices::Boundary, tolerance, collapse: false, remove_unused: false };
-    let mesh = state.mesh.view(&job.part(0.0, 0.1))?;
-    let mut sewn = sew(&mesh, &how, &job.part(0.1, 0.4))?;
+    let mesh = state.mesh.view(&job.sub_job(0.0, 0.1))?;
+    let mut sewn = sew(&mesh, &how, &job.sub_job(0.1, 0.4))?;
     if !sewn.left_vertices.is_empty() {
-        let all = sew(&mesh, &weld::Options { vertices: Vertices::All, ..how }, &job.part(0.4, 0.8))?;
+        let all = sew(&mesh, &weld::Options { vertices: Vertices::All, ..how }, &job.sub_job(0.4, 0.8))?;
         let count = |sewn: &Sew, job: &Job<'_>| border_edges(sewn, is_first, job);
-        if count(&all, &job.part(0.8, 0.9))? < count(&sewn, &job.part(0.9, 1.0))? {
+        if count(&all, &job.sub_job(0.8, 0.9))? < count(&sewn, &job.sub_job(0.9, 1.0))? {
             sewn = all;
         }
     }
@@ -63,9 +63,9 @@ pub(super) fn sew_borders(
 
 /// Returns the number of half-edges of free edges, or also of edges with three or more faces.
 fn border_edges(sewn: &Sew, only_free: bool, job: &Job<'_>) -> Result<usize> {
-    let view = sewn.mesh.view(&job.part(0.0, 0.3))?;
-    let topology = Topology::new(&view, &job.part(0.3, 0.9))?;
-    let border = topology.border_half_edges(&job.part(0.9, 1.0))?;
+    let view = sewn.mesh.view(&job.sub_job(0.0, 0.3))?;
+    let topology = Topology::new(&view, &job.sub_job(0.3, 0.9))?;
+    let border = topology.border_half_edges(&job.sub_job(0.9, 1.0))?;
     Ok(border.iter().filter(|&&h| !only_free || topology.opposite(h) == Opposite::Free).count())
 }
 

@@ -48,7 +48,7 @@ impl Sheets {
         patches: &Patches,
         job: &Job<'_>,
     ) -> Result<Sheets> {
-        let solid = find_solid_sides(mesh, topology, patches, &job.part(0.0, 0.5))?;
+        let solid = find_solid_sides(mesh, topology, patches, &job.sub_job(0.0, 0.5))?;
         let count = mesh.faces().len();
         let (mut reasons, mut turned) = (alloc::filled(None, count)?, alloc::filled(false, count)?);
         for (f, sides) in solid.iter().enumerate() {
@@ -60,7 +60,7 @@ impl Sheets {
         }
         let mut sheets = Sheets { reasons, turned, pairs: Vec::new(), attached: Vec::new() };
         for (k, fan) in fans.iter().enumerate() {
-            job.part(0.5, 1.0).step_within_list(k, STAGE)?;
+            job.sub_job(0.5, 1.0).step_within_list(k, STAGE)?;
             sheets.pair_faces(mesh, topology, fan, patches, &solid)?;
         }
         Ok(sheets)
@@ -75,7 +75,7 @@ impl Sheets {
         patches: &Patches,
         solid: &[Option<[bool; 2]>],
     ) -> Result<()> {
-        let face = |h: u32| mesh.faces().face_of(h);
+        let face = |h: u32| mesh.faces().face_of_half_edge(h);
         // Faces with the solid on neither side may belong to a part with a hole.
         let is_wall = |f: u32| patches.is_closed(f) && solid[f as usize] != Some([false, false]);
         let walls = |wanted: bool| alloc::gather(fan.iter().copied().filter(|&h| is_wall(face(h)) == wanted));
@@ -154,9 +154,9 @@ impl Sheets {
     pub(super) fn separate(self, state: &mut RepairState, job: &Job<'_>) -> Result<(u32, Vec<[u32; 2]>)> {
         let Sheets { reasons, turned, pairs, mut attached } = self;
         let (corners, copies) = {
-            let view = state.mesh.view(&job.part(0.0, 0.1))?;
-            let topology = Topology::new(&view, &job.part(0.1, 0.4))?;
-            split_vertices(&view, &topology, &pairs, &reasons, &job.part(0.4, 0.8))?
+            let view = state.mesh.view(&job.sub_job(0.0, 0.1))?;
+            let topology = Topology::new(&view, &job.sub_job(0.1, 0.4))?;
+            split_vertices(&view, &topology, &pairs, &reasons, &job.sub_job(0.4, 0.8))?
         };
         state.copy_vertices(&copies)?;
         state.mesh.face_corners = corners;
@@ -188,7 +188,7 @@ fn split_vertices(
 ) -> Result<(Vec<u32>, Vec<u32>)> {
     let (faces, count) = (mesh.faces(), mesh.faces().half_edge_count());
     let mut fans = DisjointSets::new(count)?;
-    job.part(0.0, 0.5).work_in_ranges(STAGE, count, |range| {
+    job.sub_job(0.0, 0.5).work_in_ranges(STAGE, count, |range| {
         for h in range.map(|h| h as u32).filter(|&h| !topology.is_ignored(h)) {
             match topology.opposite(h) {
                 Opposite::Mate(mate) if h < mate => join_corners_at_edge(mesh, topology, [h, mate], &mut fans),
@@ -202,8 +202,8 @@ fn split_vertices(
     // The first fan of each vertex keeps it.
     let mut is_owned = alloc::filled(false, mesh.positions().len())?;
     for h in 0..count as u32 {
-        job.part(0.5, 1.0).step_within_list(h as usize, STAGE)?;
-        if topology.is_ignored(h) || reasons[faces.face_of(h) as usize].is_some() {
+        job.sub_job(0.5, 1.0).step_within_list(h as usize, STAGE)?;
+        if topology.is_ignored(h) || reasons[faces.face_of_half_edge(h) as usize].is_some() {
             continue;
         }
         let (v, root) = (corners[h as usize] as usize, fans.find(h));

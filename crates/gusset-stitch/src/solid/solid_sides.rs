@@ -37,17 +37,17 @@ pub(super) fn find_solid_sides(
     patches: &Patches,
     job: &Job<'_>,
 ) -> Result<SolidSides> {
-    let components = edge_components(mesh, topology, &patches.closed_fans, &job.part(0.0, 0.3))?;
+    let components = edge_components(mesh, topology, &patches.closed_fans, &job.sub_job(0.0, 0.3))?;
     let count = mesh.faces().len();
     let mut is_examined = alloc::filled(false, count)?;
     for &h in patches.closed_fans.iter().flatten() {
-        is_examined[components[mesh.faces().face_of(h) as usize] as usize] = true;
+        is_examined[components[mesh.faces().face_of_half_edge(h) as usize] as usize] = true;
     }
-    let cells = cells_of_sides(mesh, topology, &patches.closed_fans, &job.part(0.3, 0.6))?;
-    let cells = Cells { mesh, of_sides: cells, components: &components };
-    let outsides = cells.find_outsides(&|f| is_examined[components[f] as usize], &job.part(0.6, 0.8))?;
+    let cells = cells_of_sides(mesh, topology, &patches.closed_fans, &job.sub_job(0.3, 0.6))?;
+    let cells = Cells { mesh, cell_of_side: cells, components: &components };
+    let outsides = cells.find_outsides(&|f| is_examined[components[f] as usize], &job.sub_job(0.6, 0.8))?;
     let has_solid = |f: usize| outsides[components[f] as usize] != NONE;
-    let inside = cells.find_inside(&outsides, &has_solid, &job.part(0.8, 1.0))?;
+    let inside = cells.find_inside(&outsides, &has_solid, &job.sub_job(0.8, 1.0))?;
     // Faces that intersect connect cells that they should separate.
     let mut excess = alloc::filled(0i64, count)?;
     for f in (0..count).filter(|&f| has_solid(f)) {
@@ -65,20 +65,20 @@ pub(super) fn find_solid_sides(
 fn edge_components(mesh: &MeshView<'_>, topology: &Topology, fans: &EdgeFans, job: &Job<'_>) -> Result<Vec<u32>> {
     let faces = mesh.faces();
     let mut sets = DisjointSets::new(faces.len())?;
-    job.part(0.0, 0.9).work_in_ranges(STAGE, faces.half_edge_count(), |range| {
+    job.sub_job(0.0, 0.9).work_in_ranges(STAGE, faces.half_edge_count(), |range| {
         for h in range.map(|h| h as u32).filter(|&h| !topology.is_ignored(h)) {
             if let Opposite::Mate(mate) = topology.opposite(h)
                 && h < mate
             {
-                sets.union(faces.face_of(h), faces.face_of(mate));
+                sets.union(faces.face_of_half_edge(h), faces.face_of_half_edge(mate));
             }
         }
         Ok(())
     })?;
     for pair in fans.iter().flat_map(|fan| fan.windows(2)) {
-        sets.union(faces.face_of(pair[0]), faces.face_of(pair[1]));
+        sets.union(faces.face_of_half_edge(pair[0]), faces.face_of_half_edge(pair[1]));
     }
-    sets.into_roots(&job.part(0.9, 1.0), STAGE)
+    sets.into_roots(&job.sub_job(0.9, 1.0), STAGE)
 }
 
 /// Returns the cell of each side: the smallest side in it. Face f has its front at 2 f and its back
@@ -86,12 +86,12 @@ fn edge_components(mesh: &MeshView<'_>, topology: &Topology, fans: &EdgeFans, jo
 fn cells_of_sides(mesh: &MeshView<'_>, topology: &Topology, fans: &EdgeFans, job: &Job<'_>) -> Result<Vec<u32>> {
     let faces = mesh.faces();
     let mut sets = DisjointSets::new(2 * faces.len())?;
-    job.part(0.0, 0.8).work_in_ranges(STAGE, faces.half_edge_count(), |range| {
+    job.sub_job(0.0, 0.8).work_in_ranges(STAGE, faces.half_edge_count(), |range| {
         for h in range.map(|h| h as u32).filter(|&h| !topology.is_ignored(h)) {
             if let Opposite::Mate(mate) = topology.opposite(h)
                 && h < mate
             {
-                let (f, g) = (faces.face_of(h), faces.face_of(mate));
+                let (f, g) = (faces.face_of_half_edge(h), faces.face_of_half_edge(mate));
                 let opposed = u32::from(faces.corner(h) == faces.corner(mate));
                 sets.union(2 * f, 2 * g + opposed);
                 sets.union(2 * f + 1, 2 * g + 1 - opposed);
@@ -105,21 +105,21 @@ fn cells_of_sides(mesh: &MeshView<'_>, topology: &Topology, fans: &EdgeFans, job
             sets.union(side_ahead(mesh, topology, h), side_ahead(mesh, topology, next) ^ 1);
         }
     }
-    sets.into_roots(&job.part(0.8, 1.0), STAGE)
+    sets.into_roots(&job.sub_job(0.8, 1.0), STAGE)
 }
 
 /// Returns the side of a face that looks along the counter-clockwise turn about its edge, from the
 /// edge's smaller to its larger vertex.
 pub(super) fn side_ahead(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> u32 {
     let runs_up = mesh.faces().corner(h) < mesh.faces().corner(topology.next(mesh, h));
-    2 * mesh.faces().face_of(h) + u32::from(!runs_up)
+    2 * mesh.faces().face_of_half_edge(h) + u32::from(!runs_up)
 }
 
 /// The cells of a mesh.
 struct Cells<'m> {
     mesh: &'m MeshView<'m>,
     /// The cell of each side: its smallest side.
-    of_sides: Vec<u32>,
+    cell_of_side: Vec<u32>,
     /// The component of each face.
     components: &'m [u32],
 }
@@ -128,11 +128,11 @@ impl Cells<'_> {
     /// Returns for each side whether it lies in the solid, starting from the cell outside of each
     /// component.
     fn find_inside(&self, outsides: &[u32], has_solid: &dyn Fn(usize) -> bool, job: &Job<'_>) -> Result<Vec<bool>> {
-        let sides = (0..self.of_sides.len()).filter(|side| has_solid(side / 2));
-        let sides = sides.map(|side| (self.of_sides[side] as usize, side as u32));
-        let sides = Buckets::new_cancellable(self.of_sides.len(), 0u32, sides, &job.part(0.0, 0.5), STAGE)?;
-        let mut winding = alloc::filled(None, self.of_sides.len())?;
-        let (mut inside, mut reached) = (alloc::filled(false, self.of_sides.len())?, Vec::new());
+        let sides = (0..self.cell_of_side.len()).filter(|side| has_solid(side / 2));
+        let sides = sides.map(|side| (self.cell_of_side[side] as usize, side as u32));
+        let sides = Buckets::new_cancellable(self.cell_of_side.len(), 0u32, sides, &job.sub_job(0.0, 0.5), STAGE)?;
+        let mut winding = alloc::filled(None, self.cell_of_side.len())?;
+        let (mut inside, mut reached) = (alloc::filled(false, self.cell_of_side.len())?, Vec::new());
         for &outside in outsides.iter().filter(|&&cell| cell != NONE) {
             reached.clear();
             alloc::push(&mut reached, outside)?;
@@ -142,7 +142,7 @@ impl Cells<'_> {
                 job.step_within_list(next, STAGE)?;
                 next += 1;
                 for &side in sides.get(cell as usize) {
-                    let other = self.of_sides[side as usize ^ 1];
+                    let other = self.cell_of_side[side as usize ^ 1];
                     // The even side is the front; the winding number is larger behind it.
                     let step = if side % 2 == 0 { 1 } else { -1 };
                     let expected = winding[cell as usize].unwrap_or(0).saturating_add(step);
@@ -168,11 +168,11 @@ impl Cells<'_> {
     /// over the triangles p, q, r around it.
     fn find_outsides(&self, examined: &dyn Fn(usize) -> bool, job: &Job<'_>) -> Result<Vec<u32>> {
         let count = self.components.len();
-        let mut volumes = alloc::filled(0.0, self.of_sides.len())?;
+        let mut volumes = alloc::filled(0.0, self.cell_of_side.len())?;
         let mut rounding = alloc::filled(0.0, count)?;
         let unit = common_unit(&[Aabb::from_points(self.corner_points(examined)).size()]);
         for f in (0..count).filter(|&f| examined(f)) {
-            job.part(0.0, 0.8).step_within_list(f, STAGE)?;
+            job.sub_job(0.0, 0.8).step_within_list(f, STAGE)?;
             let component = self.components[f] as usize;
             let origin = self.mesh.face(component).next().map_or(DVec3::ZERO, |v| self.mesh.positions().get(v));
             let mut corners = self.mesh.face(f).map(|v| (self.mesh.positions().get(v) - origin) / unit);
@@ -182,15 +182,15 @@ impl Cells<'_> {
                 let side = p - first;
                 let volume = first.dot(before.cross(side));
                 // Behind the face is the side for which the face's normal points outwards.
-                volumes[self.of_sides[2 * f + 1] as usize] += volume;
-                volumes[self.of_sides[2 * f] as usize] -= volume;
+                volumes[self.cell_of_side[2 * f + 1] as usize] += volume;
+                volumes[self.cell_of_side[2 * f] as usize] -= volume;
                 rounding[component] += 4.0 * f64::EPSILON * first.length() * before.length() * side.length();
                 before = side;
             }
         }
         let mut outsides = alloc::filled(NONE, count)?;
-        for side in (0..self.of_sides.len()).filter(|side| examined(side / 2)) {
-            let (cell, component) = (self.of_sides[side], self.components[side / 2] as usize);
+        for side in (0..self.cell_of_side.len()).filter(|side| examined(side / 2)) {
+            let (cell, component) = (self.cell_of_side[side], self.components[side / 2] as usize);
             let least = match outsides[component] {
                 NONE => -(count as f64).sqrt() * rounding[component],
                 outside => volumes[outside as usize],

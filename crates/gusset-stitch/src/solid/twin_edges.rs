@@ -23,7 +23,7 @@ pub(super) fn split_twin_edges(state: &mut RepairState, pairs: &[[u32; 2]], job:
     places.sort_unstable_by_key(|&(h, ..)| h);
     let (mut middles, mut new) = (alloc::with_capacity(pairs.len())?, alloc::with_capacity(pairs.len())?);
     {
-        let view = state.mesh.view(&job.part(0.0, 0.3))?;
+        let view = state.mesh.view(&job.sub_job(0.0, 0.3))?;
         let half = |h: u32| view.positions().get(view.faces().corner(h)) * 0.5;
         for (v, &[h, _]) in (old as u32..).zip(pairs) {
             let end = view.faces().next(h);
@@ -36,5 +36,5 @@ pub(super) fn split_twin_edges(state: &mut RepairState, pairs: &[[u32; 2]], job:
     state.mesh.positions.extend(middles.into_iter())?;
     alloc::grow(&mut state.vertex_origin, old + pairs.len(), NONE)?;
     let reasons = alloc::filled(None, state.mesh.face_count())?;
-    state.drop_and_insert(&reasons, &places, &job.part(0.3, 1.0))
+    state.drop_and_insert(&reasons, &places, &job.sub_job(0.3, 1.0))
 }

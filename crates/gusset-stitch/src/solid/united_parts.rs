@@ -33,23 +33,23 @@ pub(super) enum Uniting {
 /// faces by itself stays: a folded sheet that was closed, for example.
 pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<Uniting> {
     let (closed, union) = {
-        let view = state.mesh.view(&job.part(0.0, 0.05))?;
-        let pairs = find_intersecting_faces(&view, &job.part(0.05, 0.2))?;
+        let view = state.mesh.view(&job.sub_job(0.0, 0.05))?;
+        let pairs = find_intersecting_faces(&view, &job.sub_job(0.05, 0.2))?;
         if pairs.is_empty() {
             return Ok(Uniting::Unchanged(pairs));
         }
-        let (is_closed, components) = closed_faces(&view, &job.part(0.2, 0.3))?;
+        let (is_closed, components) = closed_faces(&view, &job.sub_job(0.2, 0.3))?;
         let meets = BitSet::new(view.faces().len())?;
-        let mut parts = ClosedParts { mesh: &state.mesh, components, is_closed, meets };
+        let mut parts = ClosedParts { mesh: &state.mesh, components, is_closed, meets_others: meets };
         if !parts.has_closed(&pairs) {
             return Ok(Uniting::Unchanged(pairs));
         }
-        pairs.as_flattened().iter().for_each(|&f| parts.meets.insert(f));
+        pairs.as_flattened().iter().for_each(|&f| parts.meets_others.insert(f));
         // Triangles of one face may overlap.
         let polygons = (0..view.faces().len()).filter(|&f| view.faces().corner_range(f).len() > 3);
-        polygons.for_each(|f| parts.meets.insert(f as u32));
-        let (closed, union) = parts.unite_all(&job.part(0.3, 0.5))?;
-        let lost = parts.losers(&pairs, &closed, &union, &job.part(0.5, 0.7))?;
+        polygons.for_each(|f| parts.meets_others.insert(f as u32));
+        let (closed, union) = parts.unite_all(&job.sub_job(0.3, 0.5))?;
+        let lost = parts.components_to_drop(&pairs, &closed, &union, &job.sub_job(0.5, 0.7))?;
         if lost.is_empty() {
             (closed, union)
         } else {
@@ -58,10 +58,11 @@ pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<Unit
             if !parts.has_closed(&pairs) {
                 return Ok(Uniting::Unchanged(pairs));
             }
-            parts.unite_all(&job.part(0.7, 0.9))?
+            parts.unite_all(&job.sub_job(0.7, 0.9))?
         }
     };
-    UnitedParts::new(&state.mesh, &closed, &union, &job.part(0.9, 0.92))?.put_into(state, &job.part(0.92, 1.0))?;
+    UnitedParts::new(&state.mesh, &closed, &union, &job.sub_job(0.9, 0.92))?
+        .put_into(state, &job.sub_job(0.92, 1.0))?;
     Ok(Uniting::Changed { is_clean: union.intersections.is_empty() })
 }
 
@@ -70,9 +71,9 @@ pub(super) fn unite_parts(state: &mut RepairState, job: &Job<'_>) -> Result<Unit
 /// # Errors
 /// [`Error::MeshNotClosed`](gusset_base::Error::MeshNotClosed) with a face of the whole mesh.
 pub(super) fn unite_all_faces(state: &mut RepairState, job: &Job<'_>) -> Result<()> {
-    let union = unite(&state.mesh.view(&job.part(0.0, 0.05))?, &Options::default(), &job.part(0.05, 0.9))?;
+    let union = unite(&state.mesh.view(&job.sub_job(0.0, 0.05))?, &Options::default(), &job.sub_job(0.05, 0.9))?;
     let all = alloc::collect((0..state.mesh.face_count()).map(|f| f as u32))?;
-    UnitedParts::new(&state.mesh, &all, &union, &job.part(0.9, 0.92))?.put_into(state, &job.part(0.92, 1.0))
+    UnitedParts::new(&state.mesh, &all, &union, &job.sub_job(0.9, 0.92))?.put_into(state, &job.sub_job(0.92, 1.0))
 }
 
 /// The closed components of a mesh.
@@ -83,7 +84,7 @@ struct ClosedParts<'m> {
     /// Whether the component of each face is closed.
     is_closed: Vec<bool>,
     /// The faces that may intersect others.
-    meets: BitSet,
+    meets_others: BitSet,
 }
 
 impl ClosedParts<'_> {
@@ -101,18 +102,18 @@ impl ClosedParts<'_> {
 
     /// Returns the union of some faces. Its vertices originate from the whole mesh.
     fn unite(&self, faces: &[u32], job: &Job<'_>) -> Result<Union> {
-        let (part, vertices) = select_faces(self.mesh, faces, &job.part(0.0, 0.1))?;
+        let (part, vertices) = select_faces(self.mesh, faces, &job.sub_job(0.0, 0.1))?;
         let mut meets = BitSet::new(faces.len())?;
-        (0..).zip(faces).filter(|&(_, &f)| self.meets.contains(f)).for_each(|(k, _)| meets.insert(k));
-        let part = part.view(&job.part(0.1, 0.15))?;
-        let mut union = unite_with_suspects(&part, Some(&meets), &Options::default(), &job.part(0.15, 1.0))?;
+        (0..).zip(faces).filter(|&(_, &f)| self.meets_others.contains(f)).for_each(|(k, _)| meets.insert(k));
+        let part = part.view(&job.sub_job(0.1, 0.15))?;
+        let mut union = unite_with_suspects(&part, Some(&meets), &Options::default(), &job.sub_job(0.15, 1.0))?;
         union.vertex_origins.iter_mut().filter(|v| **v != NONE).for_each(|v| *v = vertices[*v as usize]);
         Ok(union)
     }
 
     /// Returns the components that intersect themselves and lose more than half of their faces, both in the union of
     /// `closed` and by themselves, in ascending order.
-    fn losers(&self, pairs: &[[u32; 2]], closed: &[u32], union: &Union, job: &Job<'_>) -> Result<Vec<u32>> {
+    fn components_to_drop(&self, pairs: &[[u32; 2]], closed: &[u32], union: &Union, job: &Job<'_>) -> Result<Vec<u32>> {
         let root = |f: u32| self.components[f as usize];
         let dropped = alloc::collect(union.dropped_faces.iter().map(|&k| root(closed[k as usize])))?;
         let mut losers = components_that_lose_most(&self.components, dropped)?;
@@ -124,7 +125,7 @@ impl ClosedParts<'_> {
         let mut lost = Vec::new();
         for (k, &loser) in losers.iter().enumerate() {
             let faces = own.get(k);
-            let union = self.unite(faces, &job.share(k, losers.len()))?;
+            let union = self.unite(faces, &job.sub_job_of_item(k, losers.len()))?;
             if 2 * union.dropped_faces.len() > faces.len() {
                 alloc::push(&mut lost, loser)?;
             }
@@ -146,21 +147,21 @@ fn components_that_lose_most(components: &[u32], mut dropped: Vec<u32>) -> Resul
 /// Returns for each face whether its component is closed, manifold along edges and oriented, and the
 /// smallest face of its component.
 fn closed_faces(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<(Vec<bool>, Vec<u32>)> {
-    let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
+    let topology = Topology::new(mesh, &job.sub_job(0.0, 0.5))?;
     let faces = mesh.faces();
     let mut sets = DisjointSets::new(faces.len())?;
     let mut is_closed = alloc::filled(true, faces.len())?;
     for h in 0..faces.half_edge_count() as u32 {
-        job.part(0.5, 0.8).step_within_list(h as usize, STAGE)?;
-        let f = faces.face_of(h);
+        job.sub_job(0.5, 0.8).step_within_list(h as usize, STAGE)?;
+        let f = faces.face_of_half_edge(h);
         match topology.opposite(h) {
             Opposite::Mate(mate) if mate != h && faces.corner(h) != faces.corner(mate) => {
-                sets.union(f, faces.face_of(mate));
+                sets.union(f, faces.face_of_half_edge(mate));
             }
             _ => is_closed[f as usize] = false,
         }
     }
-    let components = sets.into_roots(&job.part(0.8, 1.0), STAGE)?;
+    let components = sets.into_roots(&job.sub_job(0.8, 1.0), STAGE)?;
     for f in 0..faces.len() {
         is_closed[components[f] as usize] &= is_closed[f];
     }
@@ -176,10 +177,10 @@ fn select_faces(mesh: &Mesh, faces: &[u32], job: &Job<'_>) -> Result<(Mesh, Vec<
         alloc::push(&mut offsets, corners.len() as u32)?;
     }
     let mut vertices = alloc::copied(&corners)?;
-    sort(&mut vertices, Ord::cmp, &job.part(0.0, 0.7), STAGE)?;
+    sort(&mut vertices, Ord::cmp, &job.sub_job(0.0, 0.7), STAGE)?;
     vertices.dedup();
     for (k, v) in corners.iter_mut().enumerate() {
-        job.part(0.7, 1.0).step_within_list(k, STAGE)?;
+        job.sub_job(0.7, 1.0).step_within_list(k, STAGE)?;
         *v = vertices.partition_point(|&other| other < *v) as u32;
     }
     Ok((Mesh::new(mesh.positions.select_vertices(&vertices)?, offsets, corners), vertices))
@@ -202,7 +203,7 @@ struct UnitedParts<'a> {
 struct FaceList {
     offsets: Vec<u32>,
     corners: Vec<u32>,
-    places: Vec<CornerPlace>,
+    corner_places: Vec<CornerPlace>,
     faces: Vec<u32>,
 }
 
@@ -210,7 +211,7 @@ impl FaceList {
     fn push(&mut self, face: u32, corners: impl Iterator<Item = (u32, CornerPlace)>) -> Result<()> {
         for (v, place) in corners {
             alloc::push(&mut self.corners, v)?;
-            alloc::push(&mut self.places, place)?;
+            alloc::push(&mut self.corner_places, place)?;
         }
         alloc::push(&mut self.offsets, self.corners.len() as u32)?;
         alloc::push(&mut self.faces, face)
@@ -219,7 +220,8 @@ impl FaceList {
 
 impl<'a> UnitedParts<'a> {
     fn new(mesh: &Mesh, closed: &'a [u32], union: &'a Union, job: &Job<'_>) -> Result<Self> {
-        let triangles = FaceTriangles::with_half_edges(&mesh.view(&job.part(0.0, 0.2))?, &job.part(0.2, 1.0))?.corners;
+        let triangles =
+            FaceTriangles::with_half_edges(&mesh.view(&job.sub_job(0.0, 0.2))?, &job.sub_job(0.2, 1.0))?.corners;
         Ok(UnitedParts { closed, union, triangles })
     }
 
@@ -229,11 +231,11 @@ impl<'a> UnitedParts<'a> {
         let mesh = &state.mesh;
         // The triangles of the union from each closed face.
         let triangles = self.union.face_origins.iter().enumerate().map(|(t, &k)| (k as usize, t as u32));
-        let triangles = Buckets::new_cancellable(self.closed.len(), 0u32, triangles, &job.part(0.0, 0.3), STAGE)?;
+        let triangles = Buckets::new_cancellable(self.closed.len(), 0u32, triangles, &job.sub_job(0.0, 0.3), STAGE)?;
         let mut list = FaceList { offsets: vec![0], ..FaceList::default() };
         let (mut next, mut scratch) = (0, Vec::new());
         for f in 0..mesh.face_count() as u32 {
-            job.part(0.3, 1.0).step_within_list(f as usize, STAGE)?;
+            job.sub_job(0.3, 1.0).step_within_list(f as usize, STAGE)?;
             let first = mesh.face_offsets[f as usize];
             let old = face_corners(mesh, f);
             let place = |k: usize| state.corner_places[first as usize + k];
@@ -270,7 +272,7 @@ impl<'a> UnitedParts<'a> {
         state.changes += 1;
         state.face_origin = alloc::collect(list.faces.iter().map(|&f| state.face_origin[f as usize]))?;
         state.turned = alloc::collect(list.faces.iter().map(|&f| state.turned[f as usize]))?;
-        state.corner_places = list.places;
+        state.corner_places = list.corner_places;
         (state.mesh.face_offsets, state.mesh.face_corners) = (list.offsets, list.corners);
         Ok(())
     }

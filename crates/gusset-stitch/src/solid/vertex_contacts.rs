@@ -26,11 +26,11 @@ pub(super) struct VertexContacts {
 /// O(H log H) for H half-edges.
 pub(super) fn separate_vertex_contacts(state: &mut RepairState, job: &Job<'_>) -> Result<VertexContacts> {
     let mut contacts = VertexContacts::default();
-    let components = edge_components(&state.mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.8))?;
+    let components = edge_components(&state.mesh.view(&job.sub_job(0.0, 0.1))?, &job.sub_job(0.1, 0.8))?;
     let mut owners = alloc::filled(NONE, state.mesh.positions.len())?;
     let mut shared = Vec::new();
     for (f, face) in state.mesh.faces().enumerate() {
-        job.part(0.8, 0.9).step_within_list(f, STAGE)?;
+        job.sub_job(0.8, 0.9).step_within_list(f, STAGE)?;
         let first = state.mesh.face_offsets[f];
         for (corner, &v) in (first..).zip(face) {
             let owner = &mut owners[v as usize];
@@ -41,7 +41,7 @@ pub(super) fn separate_vertex_contacts(state: &mut RepairState, job: &Job<'_>) -
             }
         }
     }
-    sort(&mut shared, Ord::cmp, &job.part(0.9, 1.0), STAGE)?;
+    sort(&mut shared, Ord::cmp, &job.sub_job(0.9, 1.0), STAGE)?;
     let (old, mut copies) = (state.mesh.positions.len() as u32, Vec::new());
     for group in shared.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
         let (v, _, _, face) = group[0];
@@ -61,13 +61,13 @@ fn edge_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
     let faces = mesh.faces();
     let mut edges = alloc::with_capacity(faces.half_edge_count())?;
     for f in 0..faces.len() {
-        job.part(0.0, 0.3).step_within_list(f, STAGE)?;
+        job.sub_job(0.0, 0.3).step_within_list(f, STAGE)?;
         edges.extend(half_edges(mesh, f).map(|(_, u, v)| (unordered([u, v]), f as u32)));
     }
-    sort(&mut edges, Ord::cmp, &job.part(0.3, 0.8), STAGE)?;
+    sort(&mut edges, Ord::cmp, &job.sub_job(0.3, 0.8), STAGE)?;
     let mut sets = DisjointSets::new(faces.len())?;
     for pair in edges.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
         sets.union(pair[0].1, pair[1].1);
     }
-    sets.into_roots(&job.part(0.8, 1.0), STAGE)
+    sets.into_roots(&job.sub_job(0.8, 1.0), STAGE)
 }

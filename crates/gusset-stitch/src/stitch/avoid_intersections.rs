@@ -57,18 +57,18 @@ pub(super) fn search_strip_without_intersections(
     let test = |strip: &Strip, job: &Job<'_>| {
         StripNeighbourhood::new(whole, strip, unit, Vec::new())?.find_intersections(&old, job)
     };
-    let mut best = test(strip, &job.part(0.0, 0.1))?;
+    let mut best = test(strip, &job.sub_job(0.0, 0.1))?;
     if strip.has_wide_gap() && (!best.pairs.is_empty() || largest_bend(strip) > MAX_UNCONTESTED_BEND) {
-        contest_by_least_bends(strip, &mut best, existing, options, &test, &job.part(0.1, 0.1))?;
+        contest_by_least_bends(strip, &mut best, existing, options, &test, &job.sub_job(0.1, 0.1))?;
     }
     if !best.pairs.is_empty() {
         start_far_from_intersections(strip, &best)?;
         let mut best_meridians = alloc::copied(&strip.meridians)?;
         // The start has moved, and the faces are numbered from the start.
         strip.set_meridians(alloc::copied(&best_meridians)?, 0, existing, options)?;
-        best = test(strip, &job.part(0.1, 0.15))?;
+        best = test(strip, &job.sub_job(0.1, 0.15))?;
         for (k, measure) in MERIDIAN_MEASURES_TO_TRY.into_iter().enumerate() {
-            let part = job.part(0.15 + 0.2 * k as f64, 0.35 + 0.2 * k as f64);
+            let part = job.sub_job(0.15 + 0.2 * k as f64, 0.35 + 0.2 * k as f64);
             let how = Options { meridians: measure, ..*options };
             let mut search = AvoidanceSearch { strip, existing, options: &how, test: &test };
             search.try_strips(&mut best, &mut best_meridians, &part)?;
@@ -182,8 +182,13 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
         kept: &mut Vec<MeridianEnds>,
         job: &Job<'_>,
     ) -> Result<()> {
-        let Some(first) =
-            meridians_from_given_start(&self.strip.a, &self.strip.b, self.existing, self.options, &job.part(0.0, 0.1))?
+        let Some(first) = meridians_from_given_start(
+            &self.strip.a,
+            &self.strip.b,
+            self.existing,
+            self.options,
+            &job.sub_job(0.0, 0.1),
+        )?
         else {
             return Ok(());
         };
@@ -191,7 +196,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
         let mut penalties: Vec<StepPenalty> = Vec::new();
         let mut path = first.pairs;
         for round in 0..MAX_STRIPS_PER_MEASURE {
-            let part = job.part(
+            let part = job.sub_job(
                 0.1 + 0.9 * round as f64 / MAX_STRIPS_PER_MEASURE as f64,
                 0.1 + 0.9 * (round + 1) as f64 / MAX_STRIPS_PER_MEASURE as f64,
             );
@@ -199,7 +204,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
                 Err(Error::NoStrip { .. }) => return Ok(()),
                 other => other?,
             }
-            let found = (self.test)(self.strip, &part.part(0.0, 0.6))?;
+            let found = (self.test)(self.strip, &part.sub_job(0.0, 0.6))?;
             self.penalise_intersecting_steps(&path, &found, unit, &mut penalties)?;
             let is_free = found.pairs.is_empty();
             if found.pairs.len() < best.pairs.len() {
@@ -215,7 +220,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
                 self.options,
                 &path,
                 &penalties,
-                &part.part(0.6, 1.0),
+                &part.sub_job(0.6, 1.0),
             )?;
             let Some(next) = again else {
                 return Ok(());
@@ -238,10 +243,10 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
             for &k in pair.iter().filter(|&&k| (k as usize) < path.len() - 1) {
                 let (from, to) = (path[k as usize], path[k as usize + 1]);
                 let extra = if with_old { 2.0 * unit } else { unit };
-                alloc::push(penalties, StepPenalty { to, on_b: to[0] == from[0], extra })?;
+                alloc::push(penalties, StepPenalty { end_node: to, on_b: to[0] == from[0], additional_cost: extra })?;
             }
         }
-        sort::sort_stable(penalties, &|a, b| (a.to, a.on_b).cmp(&(b.to, b.on_b)));
+        sort::sort_stable(penalties, &|a, b| (a.end_node, a.on_b).cmp(&(b.end_node, b.on_b)));
         Ok(())
     }
 }

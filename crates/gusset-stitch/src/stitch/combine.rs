@@ -29,7 +29,7 @@ pub(super) fn append_piece(
 /// The place of a strip in the combined mesh.
 pub(crate) struct AttachedStrip {
     /// The combined mesh's vertex for each strip vertex: both rims, then the new vertices.
-    pub(crate) names: Vec<u32>,
+    pub(crate) mesh_vertex_of_strip_vertex: Vec<u32>,
     /// The new vertices.
     pub(crate) vertices: Range<u32>,
     /// The strip's faces.
@@ -57,7 +57,11 @@ pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result
         whole.face_corners.extend(face.iter().map(|&v| names[v as usize]));
         whole.face_offsets.push(whole.face_corners.len() as u32);
     }
-    Ok(AttachedStrip { names, vertices: first_vertex..vertices as u32, faces: first_face..whole.face_count() as u32 })
+    Ok(AttachedStrip {
+        mesh_vertex_of_strip_vertex: names,
+        vertices: first_vertex..vertices as u32,
+        faces: first_face..whole.face_count() as u32,
+    })
 }
 
 /// Returns the strip as a separate mesh. Its vertex v is `names[v]` of `whole`.
@@ -73,7 +77,7 @@ pub(crate) fn faces_as_mesh(whole: &Mesh, first: usize, job: &Job<'_>) -> Result
     let start = whole.face_offsets[first];
     let corners = &whole.face_corners[start as usize..];
     let mut names = alloc::copied(corners)?;
-    sort(&mut names, Ord::cmp, &job.part(0.0, 0.5), STAGE)?;
+    sort(&mut names, Ord::cmp, &job.sub_job(0.0, 0.5), STAGE)?;
     names.dedup();
     // Look up the corners in chunks, so that the host can cancel between them.
     let mut face_corners = alloc::with_capacity(corners.len())?;

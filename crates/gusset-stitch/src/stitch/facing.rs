@@ -166,7 +166,7 @@ pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Res
     let (small_a, small_b) = (small(a)?, small(b)?);
     let limit = options.tolerance.map_or(2.0 * relative_round_off(Scalar::F64), |t| t / unit);
     let planes = Planes::new(&small_a, &small_b, options.centres);
-    let mut facing_runs = find_facing_scaled(&small_a, &small_b, planes, limit, options.run, &job.part(0.1, 1.0))?;
+    let mut facing_runs = find_facing_scaled(&small_a, &small_b, planes, limit, options.run, &job.sub_job(0.1, 1.0))?;
     facing_runs.planes.centres = facing_runs.planes.centres.map(|c| c * unit);
     facing_runs.planes.normals = facing_runs.planes.normals.map(|n| n * unit);
     facing_runs.distances.iter_mut().flatten().for_each(|d| *d *= unit);
@@ -254,8 +254,8 @@ fn closest_runs(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -
         points.extend(run.places(b.len()).map(|j| b[j]));
         owner.extend((0..run.count).map(|_| k));
     }
-    let tree = KdTree::with_range_boxes(&points, &job.part(0.0, 0.5), STAGE)?;
-    let job = job.part(0.5, 1.0);
+    let tree = KdTree::with_range_boxes(&points, &job.sub_job(0.0, 0.5), STAGE)?;
+    let job = job.sub_job(0.5, 1.0);
     let interval = (POINTS_PER_REPORT / total.max(1)).clamp(1, 1 << 12);
     let (mut best, mut done) = ((f64::INFINITY, [0, 0]), 0);
     for (k, run) in runs[0].iter().enumerate() {

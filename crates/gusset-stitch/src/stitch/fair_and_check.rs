@@ -55,8 +55,8 @@ pub(crate) fn fair_and_check(
     job: &Job<'_>,
 ) -> Result<CheckedStrip> {
     if options.finish == Finish::Blend && !strip.faces.corners.is_empty() {
-        let checked = check_strip(whole, strip, unit, existing, options, &job.part(0.0, 0.3))?;
-        return check_blend(whole, strip, unit, checked, options, &job.part(0.3, 1.0));
+        let checked = check_strip(whole, strip, unit, existing, options, &job.sub_job(0.0, 0.3))?;
+        return check_blend(whole, strip, unit, checked, options, &job.sub_job(0.3, 1.0));
     }
     check_strip(whole, strip, unit, existing, options, job)
 }
@@ -98,29 +98,29 @@ fn check_strip(
     };
     let is_wide = strip.has_wide_gap();
     if avoids && is_wide {
-        better_meridians(strip, &job.part(0.0, 0.3))?;
+        better_meridians(strip, &job.sub_job(0.0, 0.3))?;
     }
-    let checked = check_rows(whole, strip, unit, options, &job.part(0.3, 0.6))?;
+    let checked = check_rows(whole, strip, unit, options, &job.sub_job(0.3, 0.6))?;
     if !avoids || is_wide || checked.intersections.as_ref().is_none_or(Vec::is_empty) {
         return Ok(checked);
     }
-    better_meridians(strip, &job.part(0.6, 0.7))?;
-    check_rows(whole, strip, unit, options, &job.part(0.7, 1.0))
+    better_meridians(strip, &job.sub_job(0.6, 0.7))?;
+    check_rows(whole, strip, unit, options, &job.sub_job(0.7, 1.0))
 }
 
 /// Fairs and checks the rows of a strip.
 fn check_rows(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Options, job: &Job<'_>) -> Result<CheckedStrip> {
-    let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
+    let faired = options.fairing == Fairing::ThinPlate && !strip.grid.columns_and_fractions.is_empty();
     let rims = strip.rim_count();
     let mut neighbourhood = StripNeighbourhood::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;
     // Round to the scalar type of the result, so that the tested positions are the returned ones.
     neighbourhood.round_new_vertices();
     let straight = alloc::copied(&neighbourhood.points)?;
     if faired {
-        neighbourhood.fair_new_vertices(strip, &job.part(0.0, 0.4))?;
+        neighbourhood.fair_new_vertices(strip, &job.sub_job(0.0, 0.4))?;
         neighbourhood.round_new_vertices();
     }
-    let checked = neighbourhood.check_and_back_off(straight, faired, options.intersections, &job.part(0.4, 1.0))?;
+    let checked = neighbourhood.check_and_back_off(straight, faired, options.intersections, &job.sub_job(0.4, 1.0))?;
     let points = neighbourhood.points;
     strip.grid.points.truncate(rims);
     alloc::append(&mut strip.grid.points, &points)?;
@@ -140,21 +140,22 @@ fn check_blend(
     let rims = strip.rim_count();
     let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
     let mut best: Option<(CheckedStrip, StripBlend)> = None;
-    let Some(plan) = strip_blend::plan_strip_blend(whole, strip, unit, &job.part(0.0, 0.2))? else {
+    let Some(plan) = strip_blend::plan_strip_blend(whole, strip, unit, &job.sub_job(0.0, 0.2))? else {
         job.note("a blend would need too many vertices: the strip stays in its place");
         return Ok(plain);
     };
-    let job = job.part(0.2, 1.0);
+    let job = job.sub_job(0.2, 1.0);
     for (k, way) in FAIRING_ATTEMPTS.into_iter().enumerate() {
-        let part = job.share(k, FAIRING_ATTEMPTS.len());
-        let mut found = strip_blend::create_strip_blend(&plan, strip, way, &part.part(0.0, 0.5))?;
+        let part = job.sub_job_of_item(k, FAIRING_ATTEMPTS.len());
+        let mut found = strip_blend::create_strip_blend(&plan, strip, way, &part.sub_job(0.0, 0.5))?;
         // The strip's own faces are restored after this blend has been judged.
         let faces = std::mem::replace(&mut strip.faces, found.faces);
         let mut neighbourhood = StripNeighbourhood::new(whole, strip, unit, found.unfaired)?;
         neighbourhood.round_new_vertices();
         let straight = std::mem::replace(&mut neighbourhood.points, found.points);
         neighbourhood.round_new_vertices();
-        let checked = neighbourhood.check_and_back_off(straight, true, options.intersections, &part.part(0.5, 1.0))?;
+        let checked =
+            neighbourhood.check_and_back_off(straight, true, options.intersections, &part.sub_job(0.5, 1.0))?;
         (found.points, found.unfaired) = (neighbourhood.points, Vec::new());
         found.faces = std::mem::replace(&mut strip.faces, faces);
         let count = cuts(&checked);
@@ -195,7 +196,7 @@ impl StripNeighbourhood<'_> {
         if intersections == Intersections::Ignore {
             return Ok(checked);
         }
-        let look = |round: u32| job.share(round as usize, MAX_BACK_OFF_ROUNDS as usize + 2);
+        let look = |round: u32| job.sub_job_of_item(round as usize, MAX_BACK_OFF_ROUNDS as usize + 2);
         let old = self.old_triangles_nearby(&straight, job)?;
         let mut found = self.find_intersections(&old, &look(0))?;
         let plate = alloc::copied(&self.points)?;
@@ -224,7 +225,7 @@ impl StripNeighbourhood<'_> {
 
     /// Moves the new vertices to the minimum of the thin plate's energy.
     fn fair_new_vertices(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
-        let mut triangles = self.strip_triangles(&job.part(0.0, 0.0))?.corners;
+        let mut triangles = self.strip_triangles(&job.sub_job(0.0, 0.0))?.corners;
         let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.contains(v)), job)?.corners;
         alloc::append(&mut triangles, &round)?;
         // Number the vertices of the patch consecutively.
@@ -236,9 +237,9 @@ impl StripNeighbourhood<'_> {
         triangles.as_flattened().iter().for_each(|&k| valence[k as usize] += 1);
 
         let mut points = alloc::collect(vertices.iter().map(|&v| self.position(v)))?;
-        let is_end = |v: u32| self.ends.binary_search(&v).is_ok();
-        let is_new = |v: u32| v >= self.base;
-        let on_rim = |v: u32| v < self.base && self.rim.contains(v);
+        let is_end = |v: u32| self.end_vertices.binary_search(&v).is_ok();
+        let is_new = |v: u32| v >= self.old_vertex_count;
+        let on_rim = |v: u32| v < self.old_vertex_count && self.rim.contains(v);
         let free = alloc::collect(vertices.iter().map(|&v| is_new(v) && !is_end(v)))?;
         // A large fan says little about slopes, and its apex would tie all neighbours to each
         // other.
@@ -246,23 +247,23 @@ impl StripNeighbourhood<'_> {
             |(k, &v): (usize, &u32)| (is_new(v) || (on_rim(v) && valence[k] <= MAX_FAN_TRIANGLES)) && !is_end(v);
         let centres = alloc::collect(vertices.iter().enumerate().map(is_centre))?;
         self.space_old_vertices_like_rows(strip, &vertices, &triangles, &mut points)?;
-        let layout = alloc::collect(vertices.iter().map(|&v| match v.checked_sub(self.base) {
+        let layout = alloc::collect(vertices.iter().map(|&v| match v.checked_sub(self.old_vertex_count) {
             Some(k) => strip.grid.regular_grid_position(k as usize),
             None => DVec3::ZERO,
         }))?;
         let plate = Plate {
             triangles: &triangles,
-            free: &free,
-            centres: &centres,
+            is_free_vertex: &free,
+            has_laplacian_in_energy: &centres,
             weights: LaplacianWeights::Uniform,
             continuity: Continuity::C1,
             shape: None,
-            layout: Some(&layout),
+            ordering_positions: Some(&layout),
         };
         minimise_plate_energy(&mut points, &plate, job)?;
         for (&v, &p) in vertices.iter().zip(&points) {
             if is_new(v) {
-                self.points[(v - self.base) as usize] = p;
+                self.points[(v - self.old_vertex_count) as usize] = p;
             }
         }
         Ok(())
@@ -281,8 +282,8 @@ impl StripNeighbourhood<'_> {
         let lengths = strip.meridians.iter().map(|&[i, j]| strip.a.point(i).distance(strip.b.point(j)));
         let parts = strip.grid.matrix.len() / strip.meridians.len() - 1;
         let spacing = lengths.sum::<f64>() / strip.meridians.len() as f64 / parts as f64;
-        let on_rim = |k: u32| vertices[k as usize] < self.base && self.rim.contains(vertices[k as usize]);
-        let beyond = |k: u32| vertices[k as usize] < self.base && !self.rim.contains(vertices[k as usize]);
+        let on_rim = |k: u32| vertices[k as usize] < self.old_vertex_count && self.rim.contains(vertices[k as usize]);
+        let beyond = |k: u32| vertices[k as usize] < self.old_vertex_count && !self.rim.contains(vertices[k as usize]);
         let mut anchors = alloc::filled((DVec3::ZERO, 0.0), vertices.len())?;
         for triangle in triangles {
             for &k in triangle.iter().filter(|&&k| beyond(k)) {
@@ -305,7 +306,7 @@ impl StripNeighbourhood<'_> {
     /// Returns false if no share is left at these vertices.
     fn reduce_fairing_shares(&self, found: &IntersectingTriangles, share: &mut [f64]) -> Result<bool> {
         let mut distance = alloc::filled(REDUCED_FAIRING_RINGS, share.len())?;
-        let index = |v: u32| v.checked_sub(self.base).map(|k| k as usize);
+        let index = |v: u32| v.checked_sub(self.old_vertex_count).map(|k| k as usize);
         let intersecting = found.pairs.as_flattened().iter().filter_map(|&k| found.strip.corners.get(k as usize));
         for k in intersecting.flatten().filter_map(|&v| index(v)) {
             distance[k] = 0;

@@ -47,8 +47,8 @@ pub(super) fn closest_vertex_pair(
     existing: &ExistingEdges,
     job: &Job<'_>,
 ) -> Result<Option<(usize, usize)>> {
-    let tree = KdTree::new(&b.points, &job.part(0.0, 0.1), STAGE)?;
-    let job = job.part(0.1, 1.0);
+    let tree = KdTree::new(&b.points, &job.sub_job(0.0, 0.1), STAGE)?;
+    let job = job.sub_job(0.1, 1.0);
     let mut best = (f64::INFINITY, None);
     for (i, (&p, &u)) in a.points.iter().zip(&a.vertices).enumerate() {
         job.step_every(SEARCHES_PER_REPORT, i, a.points.len(), STAGE)?;

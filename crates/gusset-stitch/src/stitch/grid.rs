@@ -30,7 +30,7 @@ pub(crate) struct MeridianGrid {
     /// The positions of all vertices, in the rims' unit.
     pub(crate) points: Vec<DVec3>,
     /// For each new vertex, its column, and its fraction of the way from A to B.
-    pub(super) new: Vec<(usize, f64)>,
+    pub(super) columns_and_fractions: Vec<(usize, f64)>,
 }
 
 /// A list of faces: the corners, and the offset of each face.
@@ -58,7 +58,7 @@ impl MeridianGrid {
             distinct,
             matrix: alloc::with_capacity((rows + 2) * columns)?,
             points: alloc::with_capacity(n + m + rows * distinct)?,
-            new: alloc::with_capacity(rows * distinct)?,
+            columns_and_fractions: alloc::with_capacity(rows * distinct)?,
         };
         grid.points.extend(a.points.iter().chain(&b.points));
         grid.matrix.extend(pairs.iter().map(|&[i, _]| i % n as u32));
@@ -67,7 +67,7 @@ impl MeridianGrid {
             for (column, &[i, j]) in pairs[..distinct].iter().enumerate() {
                 grid.matrix.push(grid.points.len() as u32);
                 grid.points.push(a.point(i).lerp(b.point(j), t));
-                grid.new.push((column, t));
+                grid.columns_and_fractions.push((column, t));
             }
             if a.closed {
                 grid.matrix.push(grid.matrix[row * columns]);
@@ -80,7 +80,7 @@ impl MeridianGrid {
     /// Returns the position of new vertex `k` in a regular grid with edges of length 1: on a
     /// cylinder, or in a plane for an open strip.
     pub(super) fn regular_grid_position(&self, k: usize) -> DVec3 {
-        let (column, t) = self.new[k];
+        let (column, t) = self.columns_and_fractions[k];
         let (along, up) = (column as f64, t * (self.rows + 1) as f64);
         if self.distinct == self.columns {
             return DVec3::new(along, 0.0, up);
@@ -100,7 +100,9 @@ impl MeridianGrid {
     /// Returns the ends of each new vertex's meridian as strip vertices: one on rim A, and one on
     /// rim B.
     pub(super) fn meridian_ends(&self) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
-        self.new.iter().map(|&(column, _)| [self.vertex_at(0, column), self.vertex_at(self.rows + 1, column)])
+        self.columns_and_fractions
+            .iter()
+            .map(|&(column, _)| [self.vertex_at(0, column), self.vertex_at(self.rows + 1, column)])
     }
 
     /// Returns the faces, meridian by meridian from A to B. If `quads`, four distinct neighbours

@@ -31,7 +31,7 @@ pub(super) struct GuideCurves {
     /// The unit tangent at each point, in the direction from A to B.
     tangents: Vec<DVec3>,
     /// The number of points of rim A.
-    first: u32,
+    point_count_of_rim_a: u32,
 }
 
 impl GuideCurves {
@@ -50,7 +50,7 @@ impl GuideCurves {
         let mut all = tangents(&strip.a, axis_a)?;
         alloc::append(&mut all, &tangents(&strip.b, -axis_b)?)?;
         let points = alloc::gather(strip.a.points.iter().chain(&strip.b.points).copied())?;
-        Ok(Some(GuideCurves { points, tangents: all, first: strip.a.points.len() as u32 }))
+        Ok(Some(GuideCurves { points, tangents: all, point_count_of_rim_a: strip.a.points.len() as u32 }))
     }
 
     /// Returns the guide's point for a point of the strip.
@@ -58,7 +58,7 @@ impl GuideCurves {
         // Weight, weighted point and weighted tangent on each rim.
         let mut ends = [(0.0, DVec3::ZERO, DVec3::ZERO); 2];
         for (&v, &weight) in parents.vertices.iter().zip(&parents.weights) {
-            let (sum, point, tangent) = &mut ends[usize::from(v >= self.first)];
+            let (sum, point, tangent) = &mut ends[usize::from(v >= self.point_count_of_rim_a)];
             *sum += weight;
             *point += weight * self.points[v as usize];
             *tangent += weight * self.tangents[v as usize];

@@ -50,8 +50,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     if matches!(options.extent, Extent::OpenArcs | Extent::Arcs(_)) {
         Error::require(options.twist == 0, "twist", options.twist as f64)?;
     }
-    let RimsInCommonUnit { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
-    cut_arcs(request, options, [&mut a, &mut b], unit, &job.part(0.35, 0.4))?;
+    let RimsInCommonUnit { mut a, mut b, unit } = choose_rims(request, &job.sub_job(0.0, 0.35))?;
+    cut_arcs(request, options, [&mut a, &mut b], unit, &job.sub_job(0.35, 0.4))?;
     let existing = match request.b {
         Some(_) => ExistingEdges::empty(),
         None => {
@@ -81,10 +81,10 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let is_turned = |f: usize| turned_faces.binary_search(&(f as u32)).is_ok();
     let maps = match request.b {
         Some(second) => {
-            let first = append_piece(&mut whole, request.a, &job.part(0.4, 0.4), |_| false)?;
-            [first, append_piece(&mut whole, second, &job.part(0.4, 0.4), is_turned)?]
+            let first = append_piece(&mut whole, request.a, &job.sub_job(0.4, 0.4), |_| false)?;
+            [first, append_piece(&mut whole, second, &job.sub_job(0.4, 0.4), is_turned)?]
         }
-        None => [append_piece(&mut whole, request.a, &job.part(0.4, 0.4), is_turned)?, IndexMap::default()],
+        None => [append_piece(&mut whole, request.a, &job.sub_job(0.4, 0.4), is_turned)?, IndexMap::default()],
     };
     let map_b = if request.b.is_some() { &maps[1] } else { &maps[0] };
     a.vertices.iter_mut().for_each(|v| *v = maps[0].vertices[*v as usize]);
@@ -98,26 +98,26 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     }
     b.reverse();
     let mean_side = || whole.mean_side_length() / unit;
-    let mut strip = Strip::build(a, b, &existing, options, mean_side, &job.part(0.4, 0.6))?;
+    let mut strip = Strip::build(a, b, &existing, options, mean_side, &job.sub_job(0.4, 0.6))?;
     if strip.meridians.iter().any(|&[i, j]| strip.a.point(i) == strip.b.point(j)) {
         job.note("the rims have points in common, where faces of the strip have no area: joining merges such points");
     }
-    let checked = fair_and_check(&whole, &mut strip, unit, &existing, options, &job.part(0.6, 0.75))?;
+    let checked = fair_and_check(&whole, &mut strip, unit, &existing, options, &job.sub_job(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
     let attached = append_strip(&mut whole, &strip, unit)?;
 
-    let name = |v: u32| attached.names[v as usize];
+    let name = |v: u32| attached.mesh_vertex_of_strip_vertex[v as usize];
     let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
     let parents = alloc::collect(strip.parents.iter().map(|parents| parents.vertices.map(name)))?;
     let weights = alloc::collect(strip.parents.iter().map(|parents| parents.weights))?;
     let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
     let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
-    let mut strip = strip_as_mesh(&whole, strip, &attached.names)?;
+    let mut strip = strip_as_mesh(&whole, strip, &attached.mesh_vertex_of_strip_vertex)?;
     let measured = if options.outward == Outward::Closed { 0.9 } else { 1.0 };
-    let quality = Quality::measure(&whole, &strip, &job.part(0.75, measured))?;
+    let quality = Quality::measure(&whole, &strip, &job.sub_job(0.75, measured))?;
     let mut turned_outwards = Vec::new();
     if options.outward == Outward::Closed {
-        turned_outwards = turn_outwards(&mut whole, &job.part(measured, 1.0))?.turned;
+        turned_outwards = turn_outwards(&mut whole, &job.sub_job(measured, 1.0))?.turned;
         let of_strip = turned_outwards.iter().filter_map(|f| f.checked_sub(attached.faces.start));
         of_strip.for_each(|f| strip.turn_face(f as usize));
     }
@@ -174,8 +174,8 @@ struct RimsInCommonUnit {
 
 fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<RimsInCommonUnit> {
     let options = boundary::Options::default();
-    let boundary_a = boundary_loops(request.a, &options, &job.part(0.0, 0.4))?;
-    let second = request.b.map(|b| boundary_loops(b, &options, &job.part(0.4, 0.8))).transpose()?;
+    let boundary_a = boundary_loops(request.a, &options, &job.sub_job(0.0, 0.4))?;
+    let second = request.b.map(|b| boundary_loops(b, &options, &job.sub_job(0.4, 0.8))).transpose()?;
     let (mesh_b, boundary_b) = (request.b.unwrap_or(request.a), second.as_ref().unwrap_or(&boundary_a));
 
     let rims = |mesh: &MeshView<'_>, boundary: &Boundary, vertices: Option<&[u32]>, side| match vertices {
@@ -190,7 +190,7 @@ fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<RimsInCommonUnit>
     if request.loop_a.is_some() && request.loop_b.is_some() {
         return Ok(RimsInCommonUnit { a: a.swap_remove(0), b: b.swap_remove(0), unit });
     }
-    let (a, b) = remove_nearest_pair(a, b, request.b.is_none(), &job.part(0.8, 1.0))?;
+    let (a, b) = remove_nearest_pair(a, b, request.b.is_none(), &job.sub_job(0.8, 1.0))?;
     Ok(RimsInCommonUnit { a, b, unit })
 }
 

@@ -38,10 +38,10 @@ pub(super) fn remove_nearest_pair(
     let boxes = alloc::collect(b.iter().map(|rim| Aabb::from_points(&rim.points)))?;
     let mut best = (f64::INFINITY, None);
     for (i, p) in a.iter().enumerate() {
-        let job = job.share(i, a.len());
+        let job = job.sub_job_of_item(i, a.len());
         job.step(0.0, STAGE)?;
-        let (around, tree_p) = (Aabb::from_points(&p.points), build_tree(&p.points, &job.part(0.0, 0.1))?);
-        let job = job.part(0.1, 1.0);
+        let (around, tree_p) = (Aabb::from_points(&p.points), build_tree(&p.points, &job.sub_job(0.0, 0.1))?);
+        let job = job.sub_job(0.1, 1.0);
         for (j, q) in b.iter().enumerate() {
             // The distance of the boxes is a lower bound.
             if around.distance(&boxes[j]) >= best.0 {
@@ -52,7 +52,8 @@ pub(super) fn remove_nearest_pair(
             if there >= best.0 {
                 continue;
             }
-            let distance = there.max(mean_distance(&p.points, &build_tree(&q.points, &job.share(j, b.len()))?));
+            let distance =
+                there.max(mean_distance(&p.points, &build_tree(&q.points, &job.sub_job_of_item(j, b.len()))?));
             if distance < best.0 && !(one_mesh && shared_vertex(p, q)?.is_some()) {
                 best = (distance, Some((i, j)));
             }
@@ -72,8 +73,8 @@ fn build_tree<'a>(points: &'a [DVec3], job: &Job<'_>) -> Result<KdTree<'a>> {
 /// Returns the larger of the two mean distances from the vertices of one rim to the nearest vertex
 /// of the other.
 pub fn mean_gap(a: &Rim, b: &Rim, job: &Job<'_>) -> Result<f64> {
-    let there = mean_distance(&b.points, &build_tree(&a.points, &job.part(0.0, 0.5))?);
-    Ok(there.max(mean_distance(&a.points, &build_tree(&b.points, &job.part(0.5, 1.0))?)))
+    let there = mean_distance(&b.points, &build_tree(&a.points, &job.sub_job(0.0, 0.5))?);
+    Ok(there.max(mean_distance(&a.points, &build_tree(&b.points, &job.sub_job(0.5, 1.0))?)))
 }
 
 /// Returns the mean distance from the vertices of one rim to the nearest vertex of the other.

@@ -38,10 +38,13 @@ pub struct Quality {
 impl Quality {
     pub(crate) fn measure(whole: &Mesh, strip: &Mesh, job: &Job<'_>) -> Result<Self> {
         let mut quality = Quality { min_angle: FRAC_PI_3, max_aspect: 1.0, ..Quality::default() };
-        quality.measure_strip(strip, &job.part(0.0, 0.1))?;
+        quality.measure_strip(strip, &job.sub_job(0.0, 0.1))?;
 
-        let boundary =
-            boundary_loops(&whole.view(&job.part(0.1, 0.3))?, &boundary::Options::default(), &job.part(0.3, 1.0))?;
+        let boundary = boundary_loops(
+            &whole.view(&job.sub_job(0.1, 0.3))?,
+            &boundary::Options::default(),
+            &job.sub_job(0.3, 1.0),
+        )?;
         quality.loops_left = boundary.len() as u32;
         for defect in boundary.defects() {
             match defect {
@@ -66,12 +69,12 @@ impl Quality {
             longest = (0..face.len()).map(|k| p(k).distance(p(k + 1))).fold(longest, f64::max);
             corners.clear();
             alloc::extend(&mut corners, (0..face.len()).map(p))?;
-            triangulate_polygon(&corners, &mut triangles, &job.share(f, strip.face_offsets.len()))?;
+            triangulate_polygon(&corners, &mut triangles, &job.sub_job_of_item(f, strip.face_offsets.len()))?;
             for &triangle in &triangles {
                 let [a, b, c] = triangle.map(|k| corners[k as usize]);
                 let area = triangle::double_area(a, b, c);
                 self.min_angle = self.min_angle.min(triangle::min_angle(a, b, c));
-                self.max_aspect = self.max_aspect.max(triangle::aspect(a, b, c));
+                self.max_aspect = self.max_aspect.max(triangle::aspect_ratio(a, b, c));
                 self.degenerate_faces += u32::from(area == 0.0);
                 double_area += area;
             }

@@ -43,7 +43,7 @@ fn do_rims_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
 /// seen from the outward direction. All ends of an oriented surface give the same answer.
 pub fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
     let leads = |rim: &Rim| rim.outward.length() > MIN_MEAN_DIRECTION_LENGTH;
-    if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !is_nested(&a.points, &b.points) {
+    if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !are_rims_nested(&a.points, &b.points) {
         let (u, v) = (outward_cosine(a), outward_cosine(b));
         return Ok(u.abs().min(v.abs()) > MIN_MEAN_DIRECTION_LENGTH && u * v < 0.0);
     }
@@ -59,7 +59,7 @@ fn outward_cosine(rim: &Rim) -> f64 {
 }
 
 /// Returns true if the centres are nearer than half the greatest radius of the larger rim.
-fn is_nested(a: &[DVec3], b: &[DVec3]) -> bool {
+fn are_rims_nested(a: &[DVec3], b: &[DVec3]) -> bool {
     let centres = [centre(a), centre(b)];
     let radius = |points: &[DVec3], c: DVec3| points.iter().map(|p| p.distance(c)).fold(0.0, f64::max);
     let largest = radius(a, centres[0]).max(radius(b, centres[1]));

@@ -222,8 +222,8 @@ pub fn shared_vertex(a: &Rim, b: &Rim) -> Result<Option<u32>> {
 /// Returns true if a vertex of `a` is at most `tolerance` from a vertex of `b`. O((n + m) log m).
 pub(crate) fn have_coincident_vertices(a: &Rim, b: &Rim, tolerance: f64, job: &Job<'_>) -> Result<bool> {
     const STAGE: &str = "comparing loops";
-    let tree = KdTree::new(&b.points, &job.part(0.0, 0.5), STAGE)?;
-    let job = job.part(0.5, 1.0);
+    let tree = KdTree::new(&b.points, &job.sub_job(0.0, 0.5), STAGE)?;
+    let job = job.sub_job(0.5, 1.0);
     for (k, &p) in a.points.iter().enumerate() {
         job.step_within_list(k, STAGE)?;
         if tree.nearest(p, f64::INFINITY, |_| true).is_some_and(|(squared, _)| squared.sqrt() <= tolerance) {

@@ -152,7 +152,7 @@ impl Strip {
 
 /// Returns the parents of the vertices in rows.
 fn parents_in_rows(grid: &MeridianGrid) -> Result<Vec<RimParents>> {
-    let new = grid.meridian_ends().zip(&grid.new);
+    let new = grid.meridian_ends().zip(&grid.columns_and_fractions);
     let parents =
         new.map(|([a, b], &(_, weight))| RimParents { vertices: [a, b, b], weights: [1.0 - weight, weight, 0.0] });
     alloc::gather(parents)
@@ -168,17 +168,17 @@ fn choose_best_first_meridian(
 ) -> Result<Vec<MeridianEnds>> {
     let none = Error::NoStrip { vertex: a.vertices[0] };
     let count = b.vertices.len();
-    let (i, j) = closest_vertex_pair(a, b, existing, &job.part(0.0, 0.2))?.ok_or(none)?;
+    let (i, j) = closest_vertex_pair(a, b, existing, &job.sub_job(0.0, 0.2))?.ok_or(none)?;
     let j = ((j as i64 + options.twist.rem_euclid(count as i64)).rem_euclid(count as i64)) as usize;
     let second = match options.start {
         Start::Auto if options.twist == 0 => {
-            vertex_pair_by_best_rotation(a, b, existing, &job.part(0.2, 0.2))?.filter(|&other| other != (i, j))
+            vertex_pair_by_best_rotation(a, b, existing, &job.sub_job(0.2, 0.2))?.filter(|&other| other != (i, j))
         }
         _ => None,
     };
     a.rotate_to_start_at(i);
     b.rotate_to_start_at(j);
-    let job = job.part(0.2, 1.0);
+    let job = job.sub_job(0.2, 1.0);
     job.step(0.0, meridian::STAGE)?;
     let Some((i2, j2)) = second else {
         return meridians_from_given_start(a, b, existing, options, &job)?.map(|chosen| chosen.pairs).ok_or(none);
@@ -250,5 +250,12 @@ fn with_rim_pair<T>(
     };
     let (line_a, line_b) = (a.closed_points()?, b.closed_points()?);
     let sides = Some([a.normals.as_slice(), b.normals.as_slice()]);
-    find(&RimPair { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides, penalties })
+    find(&RimPair {
+        a: &line_a,
+        b: &line_b,
+        closed: a.closed,
+        forbidden: &forbidden,
+        face_normals_along_rims: sides,
+        penalties,
+    })
 }

@@ -19,7 +19,8 @@ const MIN_BLENDED_GAP_RADII: f64 = 3.0;
 /// The same width with a guide, which is nearer to the old surface than the strip, relative to that.
 const GUIDED_REACH_RATIO: f64 = 0.2;
 /// The limits on blends. A gap that needs more vertices, or longer edges, is too wide for a blend.
-const BLEND_VERTEX_LIMITS: NewVertexLimits = NewVertexLimits { new: 50_000, at_rim: 16, growth: 2.0 };
+const BLEND_VERTEX_LIMITS: NewVertexLimits =
+    NewVertexLimits { max_estimated_vertices: 50_000, max_vertices_per_rim_vertex: 16, max_side_growth: 2.0 };
 
 /// The fairing attempts, in order, until nothing intersects.
 pub(super) const FAIRING_ATTEMPTS: [BlendFairing; 4] = [
@@ -47,18 +48,18 @@ pub(super) fn plan_strip_blend(
     unit: f64,
     job: &Job<'_>,
 ) -> Result<Option<blend::BlendPlan<impl Fn(u32, u32) -> bool + use<>>>> {
-    let (mut ring, edges) = old_ring_of_strip(whole, strip, unit, &job.part(0.0, 0.0))?;
+    let (mut ring, edges) = old_ring_of_strip(whole, strip, unit, &job.sub_job(0.0, 0.0))?;
     let taken = move |u: u32, v: u32| edges.binary_search(&(u.min(v), u.max(v))).is_ok();
     let triangles = alloc::copied(strip.faces.corners.as_chunks::<3>().0)?;
     let curves = if strip.has_wide_gap() { GuideCurves::new(strip)? } else { None };
     if curves.is_some() {
-        ring.reach *= GUIDED_REACH_RATIO;
+        ring.max_width_without_springs *= GUIDED_REACH_RATIO;
     }
     let origin = ring.origin;
     let guide = curves.as_ref().map(|curves| {
         move |points: &mut [DVec3]| {
             points.iter_mut().for_each(|p| *p += origin);
-            let parents = parents_of_new_vertices(strip, points, &job.part(0.0, 0.0))?;
+            let parents = parents_of_new_vertices(strip, points, &job.sub_job(0.0, 0.0))?;
             points.iter_mut().zip(&parents).for_each(|(p, parents)| *p = curves.point_at(parents) - origin);
             Ok(())
         }
@@ -74,14 +75,14 @@ pub(super) fn create_strip_blend(
     way: BlendFairing,
     job: &Job<'_>,
 ) -> Result<StripBlend> {
-    let made = plan.create_blend(way, &job.part(0.0, 0.9))?;
+    let made = plan.create_blend(way, &job.sub_job(0.0, 0.9))?;
     Error::check_count("corners of the strip", 3 * made.triangles.len() as u64, MAX_ELEMENTS)?;
     Ok(StripBlend {
         faces: FaceList {
             offsets: alloc::collect((0..made.triangles.len() as u32 + 1).map(|t| 3 * t))?,
             corners: alloc::copied(made.triangles.as_flattened())?,
         },
-        parents: parents_of_new_vertices(strip, &made.unfaired, &job.part(0.9, 1.0))?,
+        parents: parents_of_new_vertices(strip, &made.unfaired, &job.sub_job(0.9, 1.0))?,
         points: made.points,
         unfaired: made.unfaired,
     })
@@ -124,10 +125,23 @@ fn old_ring_of_strip(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> R
     sort_distinct(&mut edges);
     let mut valence = alloc::filled(0usize, rim)?;
     triangles.as_flattened().iter().filter(|&&v| (v as usize) < rim).for_each(|&v| valence[v as usize] += 1);
-    let is_end = |v: u32| around.ends.binary_search(&v).is_ok();
+    let is_end = |v: u32| around.end_vertices.binary_search(&v).is_ok();
     let centred = alloc::collect((0..rim).map(|k| valence[k] <= MAX_FAN_TRIANGLES && !is_end(names[k])))?;
     let reach = MIN_BLENDED_GAP_RADII * strip.a.mean_radius().max(strip.b.mean_radius());
     let rims = vec![(strip.a.vertices.len(), strip.a.closed), (strip.b.vertices.len(), strip.b.closed)];
     let beyond = SecondRing::default();
-    Ok((OldRing { points, origin, triangles, sides, centred, rims, reach, follows: None, beyond }, edges))
+    Ok((
+        OldRing {
+            points,
+            origin,
+            triangles,
+            sides,
+            has_laplacian_in_energy: centred,
+            rim_lengths_and_closedness: rims,
+            max_width_without_springs: reach,
+            smoothing_passes_of_rest_curvature: None,
+            second_ring: beyond,
+        },
+        edges,
+    ))
 }

@@ -15,17 +15,17 @@ const STAGE: &str = "looking for intersections";
 /// The strip and its surroundings, numbered as in the result: old vertices and faces, then new
 /// ones.
 pub(super) struct StripNeighbourhood<'a> {
-    pub(super) whole: &'a Mesh,
+    pub(super) combined_mesh: &'a Mesh,
     unit: f64,
     /// The number of old vertices.
-    pub(super) base: u32,
+    pub(super) old_vertex_count: u32,
     /// The corners of the strip's faces.
     strip: Vec<u32>,
     offsets: &'a [u32],
     /// The set of the rims' vertices.
     pub(super) rim: BitSet,
     /// The vertices at the ends of an open strip, in ascending order; they stay on their meridians.
-    pub(super) ends: Vec<u32>,
+    pub(super) end_vertices: Vec<u32>,
     /// The positions of the new vertices.
     pub(super) points: Vec<DVec3>,
 }
@@ -50,21 +50,30 @@ impl<'a> StripNeighbourhood<'a> {
             ends.sort_unstable();
         }
         let corners = alloc::collect(strip.faces.corners.iter().map(name))?;
-        Ok(StripNeighbourhood { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
+        Ok(StripNeighbourhood {
+            combined_mesh: whole,
+            unit,
+            old_vertex_count: base,
+            strip: corners,
+            offsets: &strip.faces.offsets,
+            rim,
+            end_vertices: ends,
+            points,
+        })
     }
 
     /// Rounds the new vertices to the scalar type of the result.
     pub(super) fn round_new_vertices(&mut self) {
-        if self.whole.positions.view().scalar() == Scalar::F32 {
+        if self.combined_mesh.positions.view().scalar() == Scalar::F32 {
             let unit = self.unit;
             self.points.iter_mut().for_each(|p| *p = (*p * unit).as_vec3().as_dvec3() / unit);
         }
     }
 
     pub(super) fn position(&self, v: u32) -> DVec3 {
-        match v.checked_sub(self.base) {
+        match v.checked_sub(self.old_vertex_count) {
             Some(k) => self.points[k as usize],
-            None => self.whole.positions.get(v) / self.unit,
+            None => self.combined_mesh.positions.get(v) / self.unit,
         }
     }
 
@@ -81,7 +90,7 @@ impl<'a> StripNeighbourhood<'a> {
 
     pub(super) fn strip_triangles(&self, job: &Job<'_>) -> Result<FaceTriangles> {
         let mut triangles = FaceTriangles::default();
-        for (face, number) in self.offsets.windows(2).zip(self.whole.face_count() as u32..) {
+        for (face, number) in self.offsets.windows(2).zip(self.combined_mesh.face_count() as u32..) {
             self.append_face_triangles(&self.strip[face[0] as usize..face[1] as usize], number, &mut triangles, job)?;
         }
         Ok(triangles)
@@ -90,10 +99,10 @@ impl<'a> StripNeighbourhood<'a> {
     /// Returns the old faces that `wanted` selects, as triangles.
     pub(super) fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool, job: &Job<'_>) -> Result<FaceTriangles> {
         let mut triangles = FaceTriangles::default();
-        for (face, number) in self.whole.faces().zip(0..) {
+        for (face, number) in self.combined_mesh.faces().zip(0..) {
             job.step_within_list(number as usize, STAGE)?;
             if wanted(face) {
-                self.append_face_triangles(face, number, &mut triangles, &job.part(0.0, 0.0))?;
+                self.append_face_triangles(face, number, &mut triangles, &job.sub_job(0.0, 0.0))?;
             }
         }
         Ok(triangles)
@@ -101,22 +110,26 @@ impl<'a> StripNeighbourhood<'a> {
 
     /// Returns the old triangles whose boxes overlap the box of the strip, faired and `straight`.
     pub(super) fn old_triangles_nearby(&self, straight: &[DVec3], job: &Job<'_>) -> Result<FaceTriangles> {
-        let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.position(v));
+        let rims = self.strip.iter().filter(|&&v| v < self.old_vertex_count).map(|&v| self.position(v));
         let new = self.points.iter().chain(straight).copied();
         let Aabb { low, high } = Aabb::from_points(rims.chain(new));
         // Enlarge the box in mesh coordinates: scaling by the unit, a power of two, may round tiny
         // coordinates to 0.
-        let around = Aabb { low: low * self.unit, high: high * self.unit }.inflated(f64::MIN_POSITIVE * self.unit);
+        let around = Aabb { low: low * self.unit, high: high * self.unit }.grown_by(f64::MIN_POSITIVE * self.unit);
         self.old_triangles(
-            |face| Aabb::from_points(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around),
+            |face| Aabb::from_points(face.iter().map(|&v| self.combined_mesh.positions.get(v))).overlaps(&around),
             job,
         )
     }
 
     /// Returns the pairs of intersecting triangles, and the strip's triangles that they index.
     pub(super) fn find_intersections(&self, old: &FaceTriangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
-        let strip = self.strip_triangles(&job.part(0.0, 0.0))?;
-        let soup = TriangleSoup { at: |v| self.position(v), new: &strip.corners, old: &old.corners };
+        let strip = self.strip_triangles(&job.sub_job(0.0, 0.0))?;
+        let soup = TriangleSoup {
+            position_of_vertex: |v| self.position(v),
+            new_triangles: &strip.corners,
+            old_triangles: &old.corners,
+        };
         Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
     }
 

@@ -24,14 +24,15 @@ pub(super) fn find_crossing_faces(
         let first = points.len() as u32;
         job.step(0.0, STAGE)?;
         alloc::append(&mut points, &layer.scan.points)?;
-        let kept = layer.triangles.iter().zip(&layer.faces).filter(|(_, f)| region.keeps[**f as usize]);
+        let kept = layer.triangles.iter().zip(&layer.faces).filter(|(_, f)| region.is_kept_face[**f as usize]);
         for (n, (triangle, &f)) in kept.enumerate() {
-            job.part(0.0, 0.0).step_within_list(n, STAGE)?;
+            job.sub_job(0.0, 0.0).step_within_list(n, STAGE)?;
             alloc::push(&mut triangles, triangle.map(|v| v + first))?;
             alloc::push(&mut owners, [k, f])?;
         }
     }
-    let soup = TriangleSoup { at: |v: u32| points[v as usize], new: &triangles, old: &[] };
+    let soup =
+        TriangleSoup { position_of_vertex: |v: u32| points[v as usize], new_triangles: &triangles, old_triangles: &[] };
     // Choose the face of the later piece, as elsewhere. Without a fixed rule, faces of both pieces
     // could be removed at one place.
     let worse = |s: u32, t: u32| if owners[s as usize][0] > owners[t as usize][0] { s } else { t };

@@ -16,7 +16,7 @@ pub struct TrimmedPieces {
     /// their bits, in the scalar type of the first piece.
     pub mesh: Mesh,
     /// The first vertex and the first face of each piece in the maps.
-    pub places: Vec<PieceOffsets>,
+    pub piece_offsets: Vec<PieceOffsets>,
     /// For each vertex of all pieces, the new vertex, or [`NONE`].
     pub vertex_map: Vec<u32>,
     /// For each face of all pieces, the new face, or [`NONE`].
@@ -38,7 +38,7 @@ impl TrimmedPieces {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn new(pieces: &[MeshView<'_>], trimmed: &KeptFacesOfPieces, job: &Job<'_>) -> Result<TrimmedPieces> {
-        let job = &job.part(0.0, 0.0);
+        let job = &job.sub_job(0.0, 0.0);
         let (whole, places) = concatenate(pieces, job)?;
         let count = trimmed.kept.iter().map(Vec::len).sum();
         let mut face_map = alloc::filled(NONE, whole.face_count())?;
@@ -66,6 +66,6 @@ impl TrimmedPieces {
         vertices.iter().zip(0..).for_each(|(&v, name)| vertex_map[v as usize] = name);
         let names = corners.iter().map(|&corner| vertex_map[whole.face_corners[corner as usize] as usize]);
         let mesh = Mesh::new(whole.positions.select_vertices(&vertices)?, face_offsets, alloc::collect(names)?);
-        Ok(TrimmedPieces { mesh, places, vertex_map, face_map, faces, corners })
+        Ok(TrimmedPieces { mesh, piece_offsets: places, vertex_map, face_map, faces, corners })
     }
 }

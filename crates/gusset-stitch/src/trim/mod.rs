@@ -35,7 +35,7 @@ mod kept_meshes;
 mod trim_request;
 mod trim_run;
 
-pub(crate) use trim_request::SurfaceDistance;
+pub(crate) use trim_request::SameSurfaceLimits;
 
 pub use kept_meshes::TrimmedPieces;
 pub use trim_request::{KeptFacesOfPieces, Options};

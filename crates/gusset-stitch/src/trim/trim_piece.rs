@@ -39,15 +39,15 @@ impl TrimPiece {
         options: &Options<'_>,
         job: &Job<'_>,
     ) -> Result<TrimPiece> {
-        let scan = CentredPiece::new(mesh, unit, Some(origin), &job.part(0.0, 0.5))?;
-        let FaceTriangles { corners: triangles, faces, .. } = FaceTriangles::from_mesh(mesh, &job.part(0.5, 0.5))?;
-        let borders = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.5, 0.6))?;
+        let scan = CentredPiece::new(mesh, unit, Some(origin), &job.sub_job(0.0, 0.5))?;
+        let FaceTriangles { corners: triangles, faces, .. } = FaceTriangles::from_mesh(mesh, &job.sub_job(0.5, 0.5))?;
+        let borders = boundary_loops(mesh, &boundary::Options::default(), &job.sub_job(0.5, 0.6))?;
         let mut rim = Vec::new();
         for border in borders.iter().filter(|border| border.vertices.len() >= MIN_BORDER_VERTICES) {
             alloc::extend(&mut rim, border.vertices.iter().map(|&v| scan.points[v as usize]))?;
         }
         // Put all points in one group: of coincident points, only one is visited.
-        let tree = KdTree::with_groups(&rim, &alloc::filled(0, rim.len())?, &job.part(0.6, 0.6), STAGE)?;
+        let tree = KdTree::with_groups(&rim, &alloc::filled(0, rim.len())?, &job.sub_job(0.6, 0.6), STAGE)?;
         let viewpoint = options.viewpoints.get(k).map(|viewpoint| *viewpoint / unit - origin);
         let of = |v: usize| {
             let (p, n) = (scan.points[v], scan.normals[v]);
@@ -58,7 +58,7 @@ impl TrimPiece {
             if scan.spacing > 0.0 { sight * distance / scan.spacing } else { 0.0 }
         };
         let parts = par::map_cancellable(
-            &job.part(0.6, 1.0),
+            &job.sub_job(0.6, 1.0),
             STAGE,
             par::split_into_ranges(scan.points.len(), VERTICES_PER_TASK),
             |range| alloc::collect(range.map(of)),

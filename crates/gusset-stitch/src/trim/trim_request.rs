@@ -37,9 +37,9 @@ impl Options<'_> {
 
     /// Returns the largest difference between places of one surface, on pieces whose coarsest has
     /// the mean edge `spacing`.
-    pub(crate) fn surface_distance(&self, spacing: f64) -> SurfaceDistance {
+    pub(crate) fn same_surface_limits(&self, spacing: f64) -> SameSurfaceLimits {
         let distance = self.max_distance.unwrap_or(DEFAULT_MAX_DISTANCE_MEAN_EDGES * spacing);
-        SurfaceDistance { distance, cosine: self.min_normal_cosine() }
+        SameSurfaceLimits { distance, cosine: self.min_normal_cosine() }
     }
 
     /// Returns the smallest number of faces of a part that other pieces show too.
@@ -55,7 +55,7 @@ const DEFAULT_MAX_NORMAL_RADIANS: f64 = std::f64::consts::FRAC_PI_3;
 
 /// The largest difference between places of one surface.
 #[derive(Clone, Copy)]
-pub(crate) struct SurfaceDistance {
+pub(crate) struct SameSurfaceLimits {
     /// The largest distance, in the unit of the positions.
     pub(crate) distance: f64,
     /// The smallest cosine between normals.

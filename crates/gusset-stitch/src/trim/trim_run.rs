@@ -59,40 +59,44 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     let all = pieces.iter().map(|piece| bounds_of_used_vertices(piece, unit)).fold(Aabb::EMPTY, Aabb::union);
     let origin = if all.is_empty() { glam::DVec3::ZERO } else { all.centre() };
     let count = pieces.len();
-    let (prepare, look) = (job.part(0.0, 0.3), job.part(0.3, 0.8));
+    let (prepare, look) = (job.sub_job(0.0, 0.3), job.sub_job(0.3, 0.8));
     let mut layers = alloc::with_capacity(count)?;
     for (k, piece) in pieces.iter().enumerate() {
-        layers.push(TrimPiece::new(piece, k, unit, origin, options, &prepare.share(k, count))?);
+        layers.push(TrimPiece::new(piece, k, unit, origin, options, &prepare.sub_job_of_item(k, count))?);
     }
     let trees = alloc::try_collect(layers.iter().map(|layer| {
         let TrimPiece { scan, triangles, .. } = layer;
-        TriangleTree::new(&scan.points, triangles, "looking at the pieces", &prepare.part(1.0, 1.0))
+        TriangleTree::new(&scan.points, triangles, "looking at the pieces", &prepare.sub_job(1.0, 1.0))
     }))?;
     let same = SameSurfaceCriterion {
         distance: options.max_distance.map(|distance| distance / unit),
-        edges: DEFAULT_MAX_DISTANCE_MEAN_EDGES,
+        distance_in_mean_edges: DEFAULT_MAX_DISTANCE_MEAN_EDGES,
         cosine: options.min_normal_cosine(),
     };
-    let covers =
-        alloc::try_collect((0..count).map(|k| VertexCovers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
+    let covers = alloc::try_collect(
+        (0..count).map(|k| VertexCovers::new(&layers, &trees, k, &same, &look.sub_job_of_item(k, count))),
+    )?;
     let mut pairs = Vec::new();
     for (k, covers) in (0..).zip(&covers) {
         alloc::extend(&mut pairs, covers.covering_pieces()?.into_iter().map(|j| [j.min(k), j.max(k)]))?;
     }
     sort_distinct(&mut pairs);
     let min_faces = options.min_part_faces();
-    let job = job.part(0.8, 1.0);
+    let job = job.sub_job(0.8, 1.0);
     let mut regions = alloc::try_collect(
-        pieces.iter().enumerate().map(|(k, piece)| KeptFaces::new(piece, &job.part(0.0, 0.1).share(k, count))),
+        pieces
+            .iter()
+            .enumerate()
+            .map(|(k, piece)| KeptFaces::new(piece, &job.sub_job(0.0, 0.1).sub_job_of_item(k, count))),
     )?;
     let mut cut = 0;
     for round in 0..MAX_TRIMMING_ROUNDS {
-        let job = job.part(0.1, 1.0).share(round, MAX_TRIMMING_ROUNDS);
+        let job = job.sub_job(0.1, 1.0).sub_job_of_item(round, MAX_TRIMMING_ROUNDS);
         // Removed faces do not compete, so other faces are kept in their place.
         let mut lost = false;
         for k in 0..count {
             let done = 0.7 * k as f64 / count as f64;
-            lost |= choose_kept_faces(&layers, &covers, &mut regions, k, min_faces, &job.part(done, done))?;
+            lost |= choose_kept_faces(&layers, &covers, &mut regions, k, min_faces, &job.sub_job(done, done))?;
         }
         if lost && round + 2 < MAX_TRIMMING_ROUNDS {
             continue;
@@ -101,16 +105,16 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
             let mut back = false;
             for k in 0..count {
                 job.step(0.7, STAGE)?;
-                let is_kept = |piece: u32, face: u32| regions[piece as usize].keeps[face as usize];
+                let is_kept = |piece: u32, face: u32| regions[piece as usize].is_kept_face[face as usize];
                 let on = (0..layers[k].scan.points.len()).map(|v| covers[k].is_covered_where(v, is_kept));
-                let on = alloc::collect_cancellable(on, &job.part(0.7, 0.7), STAGE)?;
-                back |= regions[k].restore_islands(&on, min_faces, &job.part(0.7, 0.7))?;
+                let on = alloc::collect_cancellable(on, &job.sub_job(0.7, 0.7), STAGE)?;
+                back |= regions[k].restore_islands(&on, min_faces, &job.sub_job(0.7, 0.7))?;
             }
             if back {
                 continue;
             }
         }
-        let mut crossing_faces = find_crossing_faces(&layers, &regions, &job.part(0.7, 1.0))?;
+        let mut crossing_faces = find_crossing_faces(&layers, &regions, &job.sub_job(0.7, 1.0))?;
         add_touching_faces(&layers, &regions, &pairs, &mut crossing_faces)?;
         if crossing_faces.iter().all(Vec::is_empty) {
             break;
@@ -121,7 +125,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         }
     }
     let kept = |region: &KeptFaces<'_, '_>| {
-        alloc::gather((0..).zip(&region.keeps).filter(|(_, keeps)| **keeps).map(|(f, _)| f))
+        alloc::gather((0..).zip(&region.is_kept_face).filter(|(_, keeps)| **keeps).map(|(f, _)| f))
     };
     Ok(KeptFacesOfPieces {
         kept: alloc::try_collect(regions.iter().map(kept))?,
@@ -150,7 +154,7 @@ fn choose_kept_faces(
     job.step(0.0, STAGE)?;
     // Faces of later pieces compete unless they were removed.
     let competes = |piece: u32, face: u32| match (piece as usize).checked_sub(k + 1) {
-        Some(j) => !after[j].lost[face as usize],
+        Some(j) => !after[j].is_lost_face[face as usize],
         None => false,
     };
     let margin = |v| {
@@ -172,7 +176,7 @@ fn choose_kept_faces(
     let is_near_rim = |v: usize| {
         let bars = |rims: &KeptFaceRims, r: u32| rims.normals[r as usize].dot(layer.scan.normals[v]) > 0.0;
         // Borders that already meet need no gap.
-        let count = if layer.scan.rim.contains(v as u32) { 1 } else { 2 };
+        let count = if layer.scan.is_rim_vertex.contains(v as u32) { 1 } else { 2 };
         rims.iter().zip(&trees).take(count).any(|(rims, tree)| {
             let visit = |r| if bars(rims, r) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
             tree.try_for_each_within(points[v], gap, &mut |_, r| visit(r)).is_break()
@@ -181,7 +185,7 @@ fn choose_kept_faces(
     let mut barred = alloc::with_capacity(points.len())?;
     for v in 0..points.len() {
         job.step_every(1 << 14, v, points.len(), STAGE)?;
-        let is_kept = |piece: u32, face: u32| before.get(piece as usize).is_some_and(|r| r.keeps[face as usize]);
+        let is_kept = |piece: u32, face: u32| before.get(piece as usize).is_some_and(|r| r.is_kept_face[face as usize]);
         barred.push(covers[k].is_covered_where(v, is_kept) || is_near_rim(v));
     }
     job.step(0.0, STAGE)?;

@@ -14,15 +14,15 @@ const VERTICES_PER_TASK: usize = 1 << 9;
 /// The criterion for two pieces showing one surface.
 #[derive(Clone, Copy)]
 pub(super) struct SameSurfaceCriterion {
-    /// The largest distance; `None` means `edges` mean edges of the coarser piece.
+    /// The largest distance; `None` means `distance_in_mean_edges` mean edges of the coarser piece.
     pub(super) distance: Option<f64>,
-    pub(super) edges: f64,
+    pub(super) distance_in_mean_edges: f64,
     pub(super) cosine: f64,
 }
 
 impl SameSurfaceCriterion {
     fn max_distance(&self, a: &TrimPiece, b: &TrimPiece) -> f64 {
-        self.distance.unwrap_or(self.edges * a.scan.spacing.max(b.scan.spacing))
+        self.distance.unwrap_or(self.distance_in_mean_edges * a.scan.spacing.max(b.scan.spacing))
     }
 }
 
@@ -36,7 +36,7 @@ struct CoverPlace {
 
 /// The places that the vertices of a piece lie on, at most one on each other piece.
 pub(super) struct VertexCovers {
-    ends: Vec<u32>,
+    place_range_ends: Vec<u32>,
     places: Vec<CoverPlace>,
 }
 
@@ -58,7 +58,7 @@ impl VertexCovers {
         let near = alloc::gather((0..layers.len()).filter(is_near))?;
         let chunks = par::split_into_ranges(own.scan.points.len(), VERTICES_PER_TASK);
         let parts = par::map_cancellable(job, STAGE, chunks, |range| -> Result<VertexCovers> {
-            let mut part = VertexCovers { ends: alloc::with_capacity(range.len())?, places: Vec::new() };
+            let mut part = VertexCovers { place_range_ends: alloc::with_capacity(range.len())?, places: Vec::new() };
             // The triangle of the previous vertex on each piece.
             let mut guesses = alloc::filled(None, near.len())?;
             for v in range {
@@ -71,28 +71,29 @@ impl VertexCovers {
                 if n != DVec3::ZERO {
                     alloc::extend(&mut part.places, near.iter().zip(&mut guesses).filter_map(on))?;
                 }
-                part.ends.push(part.places.len() as u32);
+                part.place_range_ends.push(part.places.len() as u32);
             }
             Ok(part)
         })?;
-        let mut all = VertexCovers { ends: alloc::with_capacity(own.scan.points.len())?, places: Vec::new() };
+        let mut all =
+            VertexCovers { place_range_ends: alloc::with_capacity(own.scan.points.len())?, places: Vec::new() };
         for part in parts {
             let part = part?;
             let first = all.places.len() as u32;
-            all.ends.extend(part.ends.iter().map(|end| first + end));
+            all.place_range_ends.extend(part.place_range_ends.iter().map(|end| first + end));
             alloc::append(&mut all.places, &part.places)?;
         }
         Ok(all)
     }
 
     fn covers_at(&self, v: usize) -> &[CoverPlace] {
-        let start = v.checked_sub(1).map_or(0, |before| self.ends[before]);
-        &self.places[start as usize..self.ends[v] as usize]
+        let start = v.checked_sub(1).map_or(0, |before| self.place_range_ends[before]);
+        &self.places[start as usize..self.place_range_ends[v] as usize]
     }
 
     /// Returns the number of vertices that lie on another piece.
     pub(super) fn covered_vertex_count(&self) -> u32 {
-        (0..self.ends.len()).filter(|&v| !self.covers_at(v).is_empty()).count() as u32
+        (0..self.place_range_ends.len()).filter(|&v| !self.covers_at(v).is_empty()).count() as u32
     }
 
     /// Returns the pieces that at least one vertex lies on, ascending.
@@ -140,7 +141,7 @@ fn find_cover(
     let corners = other.triangles[place.triangle as usize];
     let with = || corners.into_iter().zip(place.weights).filter(|&(_, weight)| weight > 0.0);
     // Beyond a border, the nearest place lies on the border.
-    if with().all(|(v, _)| scan.rim.contains(v)) {
+    if with().all(|(v, _)| scan.is_rim_vertex.contains(v)) {
         return None;
     }
     let normal = with().map(|(v, weight)| scan.normals[v as usize] * weight).sum::<DVec3>();

@@ -71,7 +71,7 @@ impl WingedEdges {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn new(mesh: &MeshView<'_>, winding: Winding, job: &Job<'_>) -> Result<Self> {
-        let topology = Topology::new(mesh, &job.part(0.0, 0.6))?;
+        let topology = Topology::new(mesh, &job.sub_job(0.0, 0.6))?;
         let faces = mesh.faces();
         let mut tables = WingedEdges {
             edges: alloc::with_capacity(faces.half_edge_count() / 2 + 1)?,
@@ -79,7 +79,7 @@ impl WingedEdges {
             of_face: alloc::with_capacity(faces.len())?,
             of_vertex: alloc::filled(NONE, mesh.positions().len())?,
         };
-        let (numbering, filling) = (job.part(0.6, 0.8), job.part(0.8, 1.0));
+        let (numbering, filling) = (job.sub_job(0.6, 0.8), job.sub_job(0.8, 1.0));
         for f in 0..faces.len() {
             numbering.step_every(FACES_PER_REPORT, f, faces.len(), "numbering edges")?;
             tables.number_edges_of_face(mesh, f, &topology)?;

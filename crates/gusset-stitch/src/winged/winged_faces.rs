@@ -29,18 +29,18 @@ const SIDES_PER_REPORT: usize = 1 << 16;
 #[derive(Clone, Copy)]
 struct WingedSide {
     face: u32,
-    from: u32,
-    to: u32,
-    before: u32,
-    after: u32,
+    start_vertex: u32,
+    end_vertex: u32,
+    edge_before: u32,
+    edge_after: u32,
 }
 
 /// Returns the two sides of an edge: R, then L.
 fn edge_sides(edge: &WingedEdge) -> [WingedSide; 2] {
     let &WingedEdge { m, n, b, c, d, e, left, right, .. } = edge;
     [
-        WingedSide { face: right, from: m, to: n, before: d, after: b },
-        WingedSide { face: left, from: n, to: m, before: c, after: e },
+        WingedSide { face: right, start_vertex: m, end_vertex: n, edge_before: d, edge_after: b },
+        WingedSide { face: left, start_vertex: n, end_vertex: m, edge_before: c, edge_after: e },
     ]
 }
 
@@ -66,7 +66,7 @@ pub fn faces(
 ) -> Result<WingedFaces> {
     Error::check_count("edges", edges.len() as u64, MAX_ELEMENTS / 2)?;
     let bad = |edge: usize, why| Err(Error::BadWings { edge: edge as u64, why });
-    let (checking, walking) = (job.part(0.0, 0.4), job.part(0.4, 1.0));
+    let (checking, walking) = (job.sub_job(0.0, 0.4), job.sub_job(0.4, 1.0));
     let mut face_count = 0;
     for (i, edge) in edges.iter().enumerate() {
         checking.step_every(SIDES_PER_REPORT, i, edges.len(), "reading edges")?;
@@ -98,8 +98,8 @@ pub fn faces(
             let side = edge_sides(&edges[at.0 as usize])[at.1];
             // The faces of the mesh run in the opposite direction if they are counter-clockwise.
             let (corner, next) = match winding {
-                Winding::Clockwise => (side.from, next_side(edges, at)),
-                Winding::CounterClockwise => (side.to, previous_side(edges, at)),
+                Winding::Clockwise => (side.start_vertex, next_side(edges, at)),
+                Winding::CounterClockwise => (side.end_vertex, previous_side(edges, at)),
             };
             result.corners.push(corner);
             result.edges.push(at.0);
@@ -129,7 +129,7 @@ fn invalid_reason(edge: &WingedEdge, edge_count: usize, vertex_count: usize) -> 
         return Some("it has no face");
     }
     for side in edge_sides(edge) {
-        let wings = [side.before, side.after];
+        let wings = [side.edge_before, side.edge_after];
         match side.face {
             NONE if wings != [NONE; 2] => return Some("it has a wing on a side that has no face"),
             NONE => {}
@@ -195,17 +195,17 @@ fn first_sides(
 /// Returns the side that follows a side along its face, if the wings agree.
 fn next_side(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
     let side = edge_sides(&edges[edge as usize])[k];
-    let next = edge_sides(&edges[side.after as usize]);
+    let next = edge_sides(&edges[side.edge_after as usize]);
     (0..2)
-        .find(|&j| next[j].face == side.face && next[j].from == side.to && next[j].before == edge)
-        .map(|j| (side.after, j))
+        .find(|&j| next[j].face == side.face && next[j].start_vertex == side.end_vertex && next[j].edge_before == edge)
+        .map(|j| (side.edge_after, j))
 }
 
 /// Returns the side that precedes a side along its face, if the wings agree.
 fn previous_side(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
     let side = edge_sides(&edges[edge as usize])[k];
-    let last = edge_sides(&edges[side.before as usize]);
+    let last = edge_sides(&edges[side.edge_before as usize]);
     (0..2)
-        .find(|&j| last[j].face == side.face && last[j].to == side.from && last[j].after == edge)
-        .map(|j| (side.before, j))
+        .find(|&j| last[j].face == side.face && last[j].end_vertex == side.start_vertex && last[j].edge_after == edge)
+        .map(|j| (side.edge_before, j))
 }

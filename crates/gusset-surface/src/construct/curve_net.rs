@@ -74,9 +74,13 @@ impl Sheet<'static> {
     pub fn from_curves(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         net.check_curves()?;
         if max_segment_degree(net.rows.iter().chain(net.columns).copied())? <= 3 {
-            Ok(Sheet::Cubic(GordonSurface::from_net(net, &job.part(0.0, 0.5))?.compute_patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::Cubic(
+                GordonSurface::from_net(net, &job.sub_job(0.0, 0.5))?.compute_patches(&job.sub_job(0.5, 1.0))?,
+            ))
         } else {
-            Ok(Sheet::High(GordonSurface::from_net(net, &job.part(0.0, 0.5))?.compute_patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::High(
+                GordonSurface::from_net(net, &job.sub_job(0.0, 0.5))?.compute_patches(&job.sub_job(0.5, 1.0))?,
+            ))
         }
     }
 }
@@ -110,7 +114,7 @@ pub(super) struct GordonSurface<const N: usize> {
     nodes: Vec<DVec3>,
     /// For each row and each column, whether it is a single point. These curves do not affect
     /// lengths and breaks.
-    points: [Vec<bool>; 2],
+    is_curve_a_point: [Vec<bool>; 2],
 }
 
 impl<const N: usize> GordonSurface<N> {
@@ -149,7 +153,7 @@ impl<const N: usize> GordonSurface<N> {
                 snap_place_to_joint(&columns[l], met.places[1], slack),
             ])
         }))?;
-        GordonSurface::from_unsorted_curves(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
+        GordonSurface::from_unsorted_curves(rows, columns, net.closed, &places, &job.sub_job(0.8, 1.0))
     }
 
     /// Sorts the curves if they cross each other in another order than given. Curves of a skin run in the
@@ -220,25 +224,29 @@ impl<const N: usize> GordonSurface<N> {
             }))
         };
         let (along_rows, along_columns) = (cut(&mut rows, 0)?, cut(&mut columns, 1)?);
-        Ok(GordonSurface { closed, rows: along_rows, columns: along_columns, nodes, points })
+        Ok(GordonSurface { closed, rows: along_rows, columns: along_columns, nodes, is_curve_a_point: points })
     }
 
     /// Computes the patches over all cells.
     pub(super) fn compute_patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
         if self.rows.is_empty() {
-            let skin =
-                self.compute_skin_patches(&self.columns, &self.points[1], self.closed[1], &job.part(0.0, 0.8))?;
-            return transpose_patches(&skin, &job.part(0.8, 1.0));
+            let skin = self.compute_skin_patches(
+                &self.columns,
+                &self.is_curve_a_point[1],
+                self.closed[1],
+                &job.sub_job(0.0, 0.8),
+            )?;
+            return transpose_patches(&skin, &job.sub_job(0.8, 1.0));
         }
         if self.columns.is_empty() {
-            return self.compute_skin_patches(&self.rows, &self.points[0], self.closed[0], job);
+            return self.compute_skin_patches(&self.rows, &self.is_curve_a_point[0], self.closed[0], job);
         }
-        let u = LineStrips::from_curves(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
-        let v = LineStrips::from_curves(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
+        let u = LineStrips::from_curves(&self.columns, &self.is_curve_a_point[1], &job.sub_job(0.0, 0.1))?;
+        let v = LineStrips::from_curves(&self.rows, &self.is_curve_a_point[0], &job.sub_job(0.1, 0.2))?;
         let (blend_u, blend_v) =
             (cardinal_pieces(&u.lengths, self.closed[0])?, cardinal_pieces(&v.lengths, self.closed[1])?);
-        let rows = v.refine_curves_to_cells(&self.rows, &job.part(0.2, 0.3))?;
-        let columns = u.refine_curves_to_cells(&self.columns, &job.part(0.3, 0.4))?;
+        let rows = v.refine_curves_to_cells(&self.rows, &job.sub_job(0.2, 0.3))?;
+        let columns = u.refine_curves_to_cells(&self.columns, &job.sub_job(0.3, 0.4))?;
         let cells_v = alloc::collect(v.strips_and_ranges_of_cells()?.into_iter().map(|(strip, part)| {
             let piece = &blend_v[strip];
             (piece.lines, piece.bernstein_weights::<N>(part))
@@ -254,7 +262,7 @@ impl<const N: usize> GordonSurface<N> {
                 std::array::from_fn::<DVec3, N, _>(|a| curve[a] - weighted_point_sum(&across[a], &nodes))
             }))?;
             for (j, (lines, along)) in cells_v.iter().enumerate() {
-                job.part(0.4, 1.0).step_every(PATCHES_PER_REPORT, patches.len(), patches.capacity(), PATCH_STAGE)?;
+                job.sub_job(0.4, 1.0).step_every(PATCHES_PER_REPORT, patches.len(), patches.capacity(), PATCH_STAGE)?;
                 let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
                 let point = |a: usize, b: usize| {
                     weighted_point_sum(&across[a], &rows.map(|row| row[b]))
@@ -275,10 +283,10 @@ impl<const N: usize> GordonSurface<N> {
         closed: bool,
         job: &Job<'_>,
     ) -> Result<Patches<N>> {
-        let v = LineStrips::from_curves(rows, points, &job.part(0.0, 0.2))?;
-        let refined = v.refine_curves_to_cells(rows, &job.part(0.2, 0.4))?;
+        let v = LineStrips::from_curves(rows, points, &job.sub_job(0.0, 0.2))?;
+        let refined = v.refine_curves_to_cells(rows, &job.sub_job(0.2, 0.4))?;
         let blend = cardinal_pieces(&row_distances(&refined, closed)?, closed)?;
-        blend_rows(&refined, &blend, &job.part(0.4, 1.0))
+        blend_rows(&refined, &blend, &job.sub_job(0.4, 1.0))
     }
 }
 
@@ -340,14 +348,14 @@ fn permuted<T>(list: Vec<T>, order: &[usize]) -> Result<Vec<T>> {
 /// The place, or the joint of segments if it is within `max_distance`.
 fn snap_place_to_joint<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, max_distance: f64) -> CurvePlace {
     let here = net_curve.point_at(at);
-    let close = |t: f64| net_curve.point_at(CurvePlace { t, ..at }).distance(here) <= max_distance;
+    let close = |t: f64| net_curve.point_at(CurvePlace { parameter: t, ..at }).distance(here) <= max_distance;
     let count = net_curve.segments.len();
-    if at.t < 0.5 && close(0.0) {
-        CurvePlace { t: 0.0, ..at }
-    } else if at.t >= 0.5 && close(1.0) {
+    if at.parameter < 0.5 && close(0.0) {
+        CurvePlace { parameter: 0.0, ..at }
+    } else if at.parameter >= 0.5 && close(1.0) {
         // The start of the next segment, if it exists.
         let next = if net_curve.closed { (at.segment + 1) % count } else { at.segment + 1 };
-        if next < count { CurvePlace { segment: next, t: 0.0 } } else { CurvePlace { t: 1.0, ..at } }
+        if next < count { CurvePlace { segment: next, parameter: 0.0 } } else { CurvePlace { parameter: 1.0, ..at } }
     } else {
         at
     }

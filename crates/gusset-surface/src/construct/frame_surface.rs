@@ -106,10 +106,10 @@ fn patches_of_frame<const N: usize>(
         let (segment, count) = (place.segment as usize, net_curve.segments.len());
         // A joint counts as the start of the next segment.
         match place.t {
-            _ if net_curve.is_single_point() => CurvePlace { segment: 0, t: 0.0 },
-            1.0 if net_curve.closed => CurvePlace { segment: (segment + 1) % count, t: 0.0 },
-            1.0 if segment + 1 < count => CurvePlace { segment: segment + 1, t: 0.0 },
-            t => CurvePlace { segment, t },
+            _ if net_curve.is_single_point() => CurvePlace { segment: 0, parameter: 0.0 },
+            1.0 if net_curve.closed => CurvePlace { segment: (segment + 1) % count, parameter: 0.0 },
+            1.0 if segment + 1 < count => CurvePlace { segment: segment + 1, parameter: 0.0 },
+            t => CurvePlace { segment, parameter: t },
         }
     };
     let row_curves = net_curves(across)?;
@@ -123,6 +123,6 @@ fn patches_of_frame<const N: usize>(
         let (k, l) = (n / columns, n % columns);
         [on_row(n), at(&column_curves[l], along.place(l * rows + k))]
     }))?;
-    GordonSurface::from_crossing_curves(row_curves, column_curves, closed, &places, &job.part(0.0, 0.5))?
-        .compute_patches(&job.part(0.5, 1.0))
+    GordonSurface::from_crossing_curves(row_curves, column_curves, closed, &places, &job.sub_job(0.0, 0.5))?
+        .compute_patches(&job.sub_job(0.5, 1.0))
 }

@@ -19,7 +19,7 @@ pub(super) struct LineStrips {
     /// The ends of each interval's cells, as fractions of the interval; the last one is 1.
     breaks: Vec<Vec<f64>>,
     /// By interval and curve: the ends of the curve's segments, snapped to the breaks.
-    ends: Vec<Vec<Vec<f64>>>,
+    segment_ends: Vec<Vec<Vec<f64>>>,
 }
 
 impl LineStrips {
@@ -39,12 +39,12 @@ impl LineStrips {
         let (mut all_breaks, mut all_ends) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
         for strip in 0..count {
             job.step(strip as f64 / count as f64, STAGE)?;
-            let own = alloc::collect(curves.iter().map(|curve| &curve[strip].ends[..]))?;
+            let own = alloc::collect(curves.iter().map(|curve| &curve[strip].segment_ends[..]))?;
             let (breaks, ends) = merge_breaks(&own, points)?;
             all_breaks.push(breaks);
             all_ends.push(ends);
         }
-        Ok(LineStrips { lengths: fill_zero_lengths(lengths), breaks: all_breaks, ends: all_ends })
+        Ok(LineStrips { lengths: fill_zero_lengths(lengths), breaks: all_breaks, segment_ends: all_ends })
     }
 
     /// The number of cells.
@@ -71,7 +71,7 @@ impl LineStrips {
             job.step(k as f64 / curves.len() as f64, STAGE)?;
             let mut refined = alloc::with_capacity(self.cell_count())?;
             for (strip, piece) in curves[k].iter().enumerate() {
-                piece.append_refined_segments(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
+                piece.append_refined_segments(&self.segment_ends[strip][k], &self.breaks[strip], &mut refined)?;
             }
             Ok(refined)
         }))

@@ -59,10 +59,10 @@ pub(super) struct NearestCurvePlaces {
 
 /// A part of a segment of each curve.
 struct SegmentPartPair<const N: usize> {
-    of: [usize; 2],
+    segments: [usize; 2],
     points: [[DVec3; N]; 2],
-    from: [f64; 2],
-    size: [f64; 2],
+    start_parameters: [f64; 2],
+    parameter_lengths: [f64; 2],
     depth: u32,
 }
 
@@ -79,12 +79,19 @@ pub(super) fn nearest_points_of_curves<const N: usize>(
     boxes: [&SegmentBoxTree; 2],
     slack: f64,
 ) -> Result<NearestCurvePlaces> {
-    let best = NearestCurvePlaces { places: [CurvePlace { segment: 0, t: 0.0 }; 2], distance: f64::INFINITY };
-    let mut search =
-        NearestPointsSearch { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
+    let best = NearestCurvePlaces { places: [CurvePlace { segment: 0, parameter: 0.0 }; 2], distance: f64::INFINITY };
+    let mut search = NearestPointsSearch {
+        net_curves,
+        boxes,
+        slack,
+        nearest_places: best,
+        frontier: Frontier::default(),
+        added: 0,
+        splits: 0,
+    };
     search.push_task(0.0, CurvePairTask::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
     search.search_best_first()?;
-    Ok(search.best)
+    Ok(search.nearest_places)
 }
 
 /// The search for the nearest points of two curves.
@@ -92,7 +99,7 @@ struct NearestPointsSearch<'a, const N: usize> {
     net_curves: [&'a NetCurve<N>; 2],
     boxes: [&'a SegmentBoxTree; 2],
     slack: f64,
-    best: NearestCurvePlaces,
+    nearest_places: NearestCurvePlaces,
     /// Among equal gaps, the pair added first comes first.
     frontier: Frontier<CurvePairTask<N>, usize>,
     added: usize,
@@ -109,7 +116,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
     }
 
     fn is_bound_wanted(&mut self, gap: f64) -> bool {
-        let is_settled = gap >= self.best.distance - self.slack;
+        let is_settled = gap >= self.nearest_places.distance - self.slack;
         !is_settled
     }
 
@@ -118,7 +125,13 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
             CurvePairTask::Boxes([a, b]) if a.0 == 0 && b.0 == 0 => {
                 let of = [a.1, b.1];
                 let points = [0, 1].map(|k| self.net_curves[k].segments[of[k]]);
-                let whole = SegmentPartPair { of, points, from: [0.0; 2], size: [1.0; 2], depth: 0 };
+                let whole = SegmentPartPair {
+                    segments: of,
+                    points,
+                    start_parameters: [0.0; 2],
+                    parameter_lengths: [1.0; 2],
+                    depth: 0,
+                };
                 self.push_task(gap, CurvePairTask::SegmentPair(Box::new(whole)))
             }
             CurvePairTask::Boxes(pair) => {
@@ -154,11 +167,12 @@ impl<const N: usize> NearestPointsSearch<'_, N> {
 
     /// Improves the best places by a descent from the middle of two parts.
     fn improve_best_by_descent(&mut self, parts: &SegmentPartPair<N>) {
-        let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
-        let minimum = minimise_distance(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
-        if minimum.1 < self.best.distance {
-            let places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: minimum.0[k] });
-            self.best = NearestCurvePlaces { places, distance: minimum.1 };
+        let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.segments[k]]);
+        let minimum =
+            minimise_distance(&whole, [0, 1].map(|k| parts.start_parameters[k] + 0.5 * parts.parameter_lengths[k]));
+        if minimum.1 < self.nearest_places.distance {
+            let places = [0, 1].map(|k| CurvePlace { segment: parts.segments[k], parameter: minimum.0[k] });
+            self.nearest_places = NearestCurvePlaces { places, distance: minimum.1 };
         }
     }
 }
@@ -171,8 +185,8 @@ impl<const N: usize> SegmentPartPair<N> {
         [0.0, 0.5].map(|from| {
             let mut half = SegmentPartPair { depth: self.depth + 1, ..*self };
             half.points[longer] = restrict_segment(&self.points[longer], [from, from + 0.5]);
-            half.from[longer] += from * self.size[longer];
-            half.size[longer] *= 0.5;
+            half.start_parameters[longer] += from * self.parameter_lengths[longer];
+            half.parameter_lengths[longer] *= 0.5;
             half
         })
     }

@@ -17,7 +17,7 @@ const MAX_PARAMETER_TO_LENGTH_RATIO: f64 = 16.0;
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub(super) struct CurvePlace {
     pub(super) segment: usize,
-    pub(super) t: f64,
+    pub(super) parameter: f64,
 }
 
 /// Successive Bézier segments of degree N - 1.
@@ -33,7 +33,7 @@ pub(super) struct NetCurve<const N: usize> {
 pub(super) struct CurvePiece<const N: usize> {
     pub(super) segments: Vec<[DVec3; N]>,
     /// The ends of segments as fractions of the piece; the last one is 1.
-    pub(super) ends: Vec<f64>,
+    pub(super) segment_ends: Vec<f64>,
     /// Length of the piece in the curve's parameter.
     pub(super) length: f64,
 }
@@ -108,7 +108,7 @@ impl<const N: usize> NetCurve<N> {
     }
 
     pub(super) fn point_at(&self, at: CurvePlace) -> DVec3 {
-        evaluate(&self.segments[at.segment], at.t)
+        evaluate(&self.segments[at.segment], at.parameter)
     }
 
     /// Reverses the curve.
@@ -120,7 +120,7 @@ impl<const N: usize> NetCurve<N> {
 
     /// The place that corresponds to `at` after [`NetCurve::reverse_direction`].
     pub(super) fn reversed_place(&self, at: CurvePlace) -> CurvePlace {
-        CurvePlace { segment: self.segments.len() - 1 - at.segment, t: 1.0 - at.t }
+        CurvePlace { segment: self.segments.len() - 1 - at.segment, parameter: 1.0 - at.parameter }
     }
 
     /// The pieces between successive places. On a closed curve, the last piece leads from the last
@@ -133,34 +133,37 @@ impl<const N: usize> NetCurve<N> {
     /// The whole curve as one piece.
     pub(super) fn whole_piece(&self) -> Result<CurvePiece<N>> {
         let last = self.segments.len() - 1;
-        self.extract_piece_between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
+        self.extract_piece_between(
+            CurvePlace { segment: 0, parameter: 0.0 },
+            CurvePlace { segment: last, parameter: 1.0 },
+        )
     }
 
     fn extract_piece_between(&self, from: CurvePlace, to: CurvePlace) -> Result<CurvePiece<N>> {
-        let mut piece = CurvePiece { segments: Vec::new(), ends: Vec::new(), length: 0.0 };
+        let mut piece = CurvePiece { segments: Vec::new(), segment_ends: Vec::new(), length: 0.0 };
         let mut add = |segment: usize, [start, end]: [f64; 2]| -> Result<()> {
             if end <= start || self.lengths[segment] == 0.0 {
                 return Ok(());
             }
             piece.length += self.lengths[segment] * (end - start);
-            alloc::push(&mut piece.ends, piece.length)?;
+            alloc::push(&mut piece.segment_ends, piece.length)?;
             alloc::push(&mut piece.segments, restrict_segment(&self.segments[segment], [start, end]))
         };
-        if from.segment == to.segment && from.t < to.t {
-            add(from.segment, [from.t, to.t])?;
+        if from.segment == to.segment && from.parameter < to.parameter {
+            add(from.segment, [from.parameter, to.parameter])?;
         } else {
-            add(from.segment, [from.t, 1.0])?;
+            add(from.segment, [from.parameter, 1.0])?;
             let count = self.segments.len();
             let mut segment = (from.segment + 1) % count;
             while segment != to.segment {
                 add(segment, [0.0, 1.0])?;
                 segment = (segment + 1) % count;
             }
-            add(to.segment, [0.0, to.t])?;
+            add(to.segment, [0.0, to.parameter])?;
         }
         if piece.segments.is_empty() {
             alloc::push(&mut piece.segments, [self.point_at(from); N])?;
-            alloc::push(&mut piece.ends, 0.0)?;
+            alloc::push(&mut piece.segment_ends, 0.0)?;
         }
         piece.normalise_and_separate_segment_ends();
         Ok(piece)
@@ -172,14 +175,14 @@ impl<const N: usize> CurvePiece<N> {
     fn normalise_and_separate_segment_ends(&mut self) {
         let min = MIN_SEGMENT_PARAMETER_FRACTION * self.length;
         let (mut before, mut total) = (0.0, 0.0);
-        for end in &mut self.ends {
+        for end in &mut self.segment_ends {
             let length = *end - before;
             before = *end;
             total += if length > min { length } else { min };
             *end = total;
         }
-        let count = self.ends.len();
-        for (k, end) in self.ends.iter_mut().enumerate() {
+        let count = self.segment_ends.len();
+        for (k, end) in self.segment_ends.iter_mut().enumerate() {
             *end = if k + 1 == count || total == 0.0 { (k + 1) as f64 / count as f64 } else { *end / total };
         }
     }
@@ -190,7 +193,7 @@ impl<const N: usize> CurvePiece<N> {
         let last = self.segments.len() - 1;
         let (start, end) = (from - self.segments[0][0], to - self.segments[last][N - 1]);
         let mut before = 0.0;
-        for (points, &after) in self.segments.iter_mut().zip(&self.ends) {
+        for (points, &after) in self.segments.iter_mut().zip(&self.segment_ends) {
             for (k, point) in points.iter_mut().enumerate() {
                 let at = before + (after - before) * (k as f64 / (N - 1) as f64);
                 *point += start.lerp(end, at);
@@ -203,7 +206,7 @@ impl<const N: usize> CurvePiece<N> {
         }
     }
 
-    /// Appends the segments over the spans between breaks, the last of which is 1. `ends` are the
+    /// Appends the segments over the spans between breaks, the last of which is 1. `segment_ends` are the
     /// ends of the piece's segments, all of which are among the breaks.
     pub(super) fn append_refined_segments(
         &self,

@@ -67,7 +67,7 @@ impl Sheet<'_> {
         let made = Sheet::Grid(Grid::new(nodes, closed, Scheme::SixTap)?);
         let mut deviation = 0.0f64;
         for k in 0..rows * columns {
-            job.part(0.5, 1.0).step_every(1 << 12, k, rows * columns, PROGRESS_STAGE)?;
+            job.sub_job(0.5, 1.0).step_every(1 << 12, k, rows * columns, PROGRESS_STAGE)?;
             let (i, j) = (k / columns, k % columns);
             let corners = [[i, j], [i, j + 1], [i + 1, j], [i + 1, j + 1]].map(|[i, j]| distance(same(i * width + j)));
             let by = corners.iter().sum::<f64>() / 4.0;

@@ -43,13 +43,13 @@ pub(super) fn skin_sections<const N: usize>(
         let out_of_order = |l: usize| Error::CurvesOutOfOrder { row: k as u32, column: l as u32, curve: "row" };
         cut_curve_at_places(&mut sections[k], at, closed[1], ends, out_of_order)
     }))?;
-    let strips = LineStrips::from_curves(&pieces, &points, &job.part(0.0, 0.2))?;
-    let refined = strips.refine_curves_to_cells(&pieces, &job.part(0.2, 0.4))?;
+    let strips = LineStrips::from_curves(&pieces, &points, &job.sub_job(0.0, 0.2))?;
+    let refined = strips.refine_curves_to_cells(&pieces, &job.sub_job(0.2, 0.4))?;
     let distances = row_distances(&refined, closed[0])?;
     let changes = alloc::try_collect(
         (0..distances.len()).map(|k| section_change(&refined[k], &refined[(k + 1) % refined.len()], distances[k])),
     )?;
-    blend_rows(&refined, &calm_pieces(&distances, &changes, closed[0])?, &job.part(0.4, 1.0))
+    blend_rows(&refined, &calm_pieces(&distances, &changes, closed[0])?, &job.sub_job(0.4, 1.0))
 }
 
 /// The change of a section on the way to the next one.

@@ -61,7 +61,7 @@ pub(super) struct SplineInterval {
     /// The index of the knot at which the span begins.
     pub(super) knot: usize,
     /// The parameters at both ends.
-    pub(super) ends: [f64; 2],
+    pub(super) end_parameters: [f64; 2],
 }
 
 /// The control points of the Bézier piece over an interval, as weights of the spline's control
@@ -69,7 +69,7 @@ pub(super) struct SplineInterval {
 pub(super) struct SplinePiece {
     /// The first control point. The next `degree` points follow; they wrap around in a closed
     /// direction.
-    pub(super) first: usize,
+    pub(super) first_control_point: usize,
     /// `weights[k][i]` is the weight of control point `first + i` in point k of the piece.
     pub(super) weights: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1],
 }
@@ -91,7 +91,8 @@ impl Spline<'_> {
 
     /// The index, among the spline's control points, of point (a, b) of a piece's control net.
     pub(super) fn control_point_index(&self, rows: &SplinePiece, columns: &SplinePiece, a: usize, b: usize) -> usize {
-        (rows.first + a) % self.counts[0] * self.counts[1] + (columns.first + b) % self.counts[1]
+        (rows.first_control_point + a) % self.counts[0] * self.counts[1]
+            + (columns.first_control_point + b) % self.counts[1]
     }
 
     /// The control net of a piece, from control points of the spline in any representation.
@@ -123,8 +124,8 @@ impl Spline<'_> {
 pub(super) fn knots_at_cell_borders(intervals: &[Vec<SplineInterval>; 2]) -> Result<[Vec<f64>; 2]> {
     let of = |intervals: &[SplineInterval]| {
         let mut knots = alloc::with_capacity(intervals.len() + 1)?;
-        knots.extend(intervals.first().map(|first| first.ends[0]));
-        knots.extend(intervals.iter().map(|interval| interval.ends[1]));
+        knots.extend(intervals.first().map(|first| first.end_parameters[0]));
+        knots.extend(intervals.iter().map(|interval| interval.end_parameters[1]));
         Ok(knots)
     };
     Ok([of(&intervals[0])?, of(&intervals[1])?])
@@ -142,7 +143,11 @@ impl SplineAxis<'_> {
         let spans = if self.closed { 0..count } else { self.degree..count };
         let ends = |k: usize| [self.knots[k], self.knots[k + 1]];
         let mut intervals = alloc::with_capacity(spans.len())?;
-        intervals.extend(spans.map(|knot| SplineInterval { knot, ends: ends(knot) }).filter(|i| i.ends[0] < i.ends[1]));
+        intervals.extend(
+            spans
+                .map(|knot| SplineInterval { knot, end_parameters: ends(knot) })
+                .filter(|i| i.end_parameters[0] < i.end_parameters[1]),
+        );
         Ok(intervals)
     }
 
@@ -161,7 +166,7 @@ impl SplineAxis<'_> {
             pieces.push(piece);
         }
         if let (true, [first, .., last]) = (self.closed, &mut pieces[..]) {
-            let passed = (first.first + count - last.first) % count;
+            let passed = (first.first_control_point + count - last.first_control_point) % count;
             // Only control points that both the first and the last piece depend on have a weight.
             for i in 0..=self.degree {
                 last.weights[self.degree][i] = if i >= passed { first.weights[0][i - passed] } else { 0.0 };
@@ -217,7 +222,7 @@ impl SplineAxis<'_> {
     /// Weights are not negative, and each is accurate to a few units in the last place, however
     /// small.
     fn bezier_piece(&self, interval: &SplineInterval, count: usize) -> SplinePiece {
-        let (p, k, [a, b]) = (self.degree, interval.knot, interval.ends);
+        let (p, k, [a, b]) = (self.degree, interval.knot, interval.end_parameters);
         let knot = |i: usize| self.periodic_knot(k as isize + 1 + i as isize - p as isize, count);
         // The 2 p knots around the span that its control points depend on: p up to its start, and p
         // after it.
@@ -241,6 +246,6 @@ impl SplineAxis<'_> {
             }
         }
         let first = if self.closed { (k + count * p - p) % count } else { k - p };
-        SplinePiece { first, weights }
+        SplinePiece { first_control_point: first, weights }
     }
 }

@@ -41,7 +41,7 @@ pub(super) struct SignChangeMark {
     /// The key, which all cells and parts that share the side agree on.
     pub(super) key: u64,
     /// The parameters in the cell.
-    pub(super) at: DVec2,
+    pub(super) parameters: DVec2,
     pub(super) side: usize,
     /// True if the sign changes from minus to plus with increasing parameter along the side.
     pub(super) rising: bool,
@@ -50,7 +50,7 @@ pub(super) struct SignChangeMark {
 impl SignChangeMark {
     /// The parameter along its side.
     fn parameter_on_side(&self) -> f64 {
-        self.at[self.side % 2]
+        self.parameters[self.side % 2]
     }
 
     /// True if an arc begins here: counter-clockwise, the sign changes from plus to minus.
@@ -62,15 +62,15 @@ impl SignChangeMark {
 /// An arc as a graph: over u (0) or v (1), with the range of the other parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ArcGraphRange {
-    pub(super) over: usize,
-    pub(super) range: [f64; 2],
+    pub(super) graph_parameter: usize,
+    pub(super) value_range: [f64; 2],
 }
 
 /// An arc of the zero set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct MarkedArc {
-    pub(super) from: SignChangeMark,
-    pub(super) to: SignChangeMark,
+    pub(super) start_mark: SignChangeMark,
+    pub(super) end_mark: SignChangeMark,
     /// The graph of the arc; `None` in unresolved parts.
     pub(super) graph: Option<ArcGraphRange>,
 }
@@ -81,7 +81,7 @@ pub(super) struct CellPartWithMarks<const M: usize> {
     marks: Vec<SignChangeMark>,
     /// Whether the field counts as positive at the corners 2 u + v.
     corners: [bool; 4],
-    from: DVec2,
+    low_corner: DVec2,
     size: f64,
 }
 
@@ -111,12 +111,12 @@ pub(super) fn find_cell_arcs<const M: usize>(
         return None;
     }
     if let Some(over) = graph_parameter(field, rounding_error) {
-        link_marks_along_graph(marks, ArcGraphRange { over, range: [0.0, 1.0] }, &mut add);
+        link_marks_along_graph(marks, ArcGraphRange { graph_parameter: over, value_range: [0.0, 1.0] }, &mut add);
         return None;
     }
     let marks = std::mem::take(marks);
-    let whole = CellPartWithMarks { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0 };
-    let mut search = CellArcSearch { rounding_error, keys, add, unresolved: None };
+    let whole = CellPartWithMarks { field: *field, marks, corners, low_corner: DVec2::ZERO, size: 1.0 };
+    let mut search = CellArcSearch { rounding_error, keys, visit_arc: add, unresolved: None };
     let limits = SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS_PER_CELL };
     let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
     search.unresolved.map(|(_, place)| place)
@@ -126,7 +126,7 @@ pub(super) fn find_cell_arcs<const M: usize>(
 struct CellArcSearch<'a, F> {
     rounding_error: f64,
     keys: &'a mut InnerMarkKeyGenerator,
-    add: F,
+    visit_arc: F,
     /// The middle of the unresolved part with the smallest absolute value there, preceded by that
     /// value.
     unresolved: Option<(f64, DVec2)>,
@@ -152,17 +152,21 @@ impl<F: FnMut(MarkedArc), const M: usize> Subdivision<CellPartWithMarks<M>, 4> f
     }
 
     fn record_solution(&mut self, mut part: CellPartWithMarks<M>, over: usize) -> Result<(), Infallible> {
-        let low = part.from[1 - over];
-        link_marks_along_graph(&mut part.marks, ArcGraphRange { over, range: [low, low + part.size] }, &mut self.add);
+        let low = part.low_corner[1 - over];
+        link_marks_along_graph(
+            &mut part.marks,
+            ArcGraphRange { graph_parameter: over, value_range: [low, low + part.size] },
+            &mut self.visit_arc,
+        );
         Ok(())
     }
 
     fn record_unresolved(&mut self, part: CellPartWithMarks<M>, _exhausted: bool) -> Result<(), Infallible> {
         let middle = part.field.evaluate_jet(0.5, 0.5).value;
         if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
-            self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
+            self.unresolved = Some((middle.abs(), part.low_corner + 0.5 * part.size));
         }
-        link_marks_around_middle(&part.marks, counts_as_positive(middle), &mut self.add);
+        link_marks_around_middle(&part.marks, counts_as_positive(middle), &mut self.visit_arc);
         Ok(())
     }
 
@@ -202,12 +206,14 @@ fn graph_parameter<const M: usize>(field: &BernsteinField<M>, rounding_error: f6
 fn link_marks_along_graph(marks: &mut [SignChangeMark], graph: ArcGraphRange, add: &mut impl FnMut(MarkedArc)) {
     if let [a, b] = *marks {
         let (from, to) = if a.is_entry() { (a, b) } else { (b, a) };
-        return add(MarkedArc { from, to, graph: Some(graph) });
+        return add(MarkedArc { start_mark: from, end_mark: to, graph: Some(graph) });
     }
-    sort::sort_stable(marks, &|a, b| a.at[graph.over].total_cmp(&b.at[graph.over]));
+    sort::sort_stable(marks, &|a, b| {
+        a.parameters[graph.graph_parameter].total_cmp(&b.parameters[graph.graph_parameter])
+    });
     let (entries, exits) = (marks.iter().filter(|mark| mark.is_entry()), marks.iter().filter(|mark| !mark.is_entry()));
     for (&from, &to) in entries.zip(exits) {
-        add(MarkedArc { from, to, graph: Some(graph) });
+        add(MarkedArc { start_mark: from, end_mark: to, graph: Some(graph) });
     }
 }
 
@@ -226,7 +232,7 @@ fn link_marks_around_middle(marks: &[SignChangeMark], middle: bool, add: &mut im
     let count = round.len();
     for (k, &from) in round.iter().enumerate().filter(|(_, mark)| mark.is_entry()) {
         let to = round[(k + if middle { 1 } else { count - 1 }) % count];
-        add(MarkedArc { from, to, graph: None });
+        add(MarkedArc { start_mark: from, end_mark: to, graph: None });
     }
 }
 
@@ -234,7 +240,7 @@ impl<const M: usize> CellPartWithMarks<M> {
     /// The four quarters: low u and low v, low u and high v, high u and low v, high u and high v.
     fn into_quarters(self, keys: &mut InnerMarkKeyGenerator) -> [CellPartWithMarks<M>; 4] {
         let half = 0.5 * self.size;
-        let middle = self.from + half;
+        let middle = self.low_corner + half;
         // The signs at the middles of sides: the sign at the start, changed by each mark before the
         // middle.
         let amid: [bool; SIDES_PER_CELL] = std::array::from_fn(|side| {
@@ -242,7 +248,7 @@ impl<const M: usize> CellPartWithMarks<M> {
             self.corners[CORNERS_OF_SIDES[side][0]] ^ (self.marks.iter().filter(before).count() % 2 == 1)
         });
         let fields = self.field.quarters();
-        let centre = counts_as_positive(fields[0].c[M - 1][M - 1]);
+        let centre = counts_as_positive(fields[0].coefficients[M - 1][M - 1]);
         let [c00, c01, c10, c11] = self.corners;
         let corners = [
             [c00, amid[3], amid[0], centre],
@@ -259,15 +265,15 @@ impl<const M: usize> CellPartWithMarks<M> {
         for (low, high, side) in [(0, 2, 1), (1, 3, 1), (0, 1, 2), (2, 3, 2)] {
             let along = side % 2;
             let c: [f64; M] = match side {
-                1 => fields[low].c[M - 1],
-                _ => fields[low].c.map(|row| row[M - 1]),
+                1 => fields[low].coefficients[M - 1],
+                _ => fields[low].coefficients.map(|row| row[M - 1]),
             };
-            let start = if low == 0 { self.from[along] } else { middle[along] };
+            let start = if low == 0 { self.low_corner[along] } else { middle[along] };
             let ends = CORNERS_OF_SIDES[side].map(|corner| corners[low][corner]);
             find_sign_changes(&c, ends, |crossing| {
                 let mut at = middle;
-                at[along] = start + half * crossing.t;
-                let mark = SignChangeMark { key: keys.next_key(), at, side, rising: crossing.rising };
+                at[along] = start + half * crossing.side_parameter;
+                let mark = SignChangeMark { key: keys.next_key(), parameters: at, side, rising: crossing.rising };
                 marks[low].push(mark);
                 marks[high].push(SignChangeMark { side: (side + 2) % SIDES_PER_CELL, ..mark });
             });
@@ -276,7 +282,7 @@ impl<const M: usize> CellPartWithMarks<M> {
             field: fields[quarter],
             marks: std::mem::take(&mut marks[quarter]),
             corners: corners[quarter],
-            from: self.from + half * DVec2::new((quarter / 2) as f64, (quarter % 2) as f64),
+            low_corner: self.low_corner + half * DVec2::new((quarter / 2) as f64, (quarter % 2) as f64),
             size: half,
         })
     }

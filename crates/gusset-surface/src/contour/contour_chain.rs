@@ -21,7 +21,7 @@ pub(super) struct ContourPath {
     pub(super) level: u32,
     pub(super) closed: bool,
     /// The half-open range of the path's points in [`ContourPaths::places`].
-    pub(super) range: [usize; 2],
+    pub(super) place_range: [usize; 2],
 }
 
 /// The curves on sheets, sheet by sheet. The curves of a sheet are sorted by level, then by their
@@ -41,7 +41,7 @@ impl ContourPaths {
         }
         let shift = self.places.len();
         alloc::append(&mut self.places, &other.places)?;
-        let moved = |path: ContourPath| ContourPath { range: path.range.map(|at| at + shift), ..path };
+        let moved = |path: ContourPath| ContourPath { place_range: path.place_range.map(|at| at + shift), ..path };
         alloc::extend(&mut self.paths, other.paths.into_iter().map(moved))
     }
 }
@@ -61,7 +61,7 @@ impl<'a> ArcTableByStart<'a> {
         let mut table =
             ArcTableByStart { arcs, slots: alloc::filled(NO_SUCCESSOR, 1 << bits)?, shift: u64::BITS - bits };
         for (k, arc) in arcs.iter().enumerate() {
-            let at = table.slot_of_key(arc.keys[0]);
+            let at = table.slot_of_key(arc.end_keys[0]);
             table.slots[at] = k as u32;
         }
         Ok(table)
@@ -70,7 +70,7 @@ impl<'a> ArcTableByStart<'a> {
     /// The slot of a key, or the free slot for it.
     fn slot_of_key(&self, key: u64) -> usize {
         let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> self.shift) as usize;
-        while self.slots[at] != NO_SUCCESSOR && self.arcs[self.slots[at] as usize].keys[0] != key {
+        while self.slots[at] != NO_SUCCESSOR && self.arcs[self.slots[at] as usize].end_keys[0] != key {
             at = (at + 1) & (self.slots.len() - 1);
         }
         at
@@ -97,7 +97,7 @@ pub(super) fn chain_arcs(
         link_arcs_across_sides(&mut found.arcs, lattice)?;
     }
     let levels = alloc::gather(found.arcs.chunk_by(|a, b| a.level == b.level))?;
-    let parts = par::map(threads, levels.into_iter(), |arcs| paths_of_level(sheet, arcs, &found.inner))?;
+    let parts = par::map(threads, levels.into_iter(), |arcs| paths_of_level(sheet, arcs, &found.inner_places))?;
     parts.into_iter().try_for_each(|part| found_paths.append_paths(part?))
 }
 
@@ -119,7 +119,7 @@ fn find_successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
     let mut next = alloc::filled(NO_SUCCESSOR, arcs.len())?;
     let mut entered = alloc::filled(false, arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
-        if let Some(after) = table.arc_beginning_at(arc.keys[1]).filter(|&after| !entered[after]) {
+        if let Some(after) = table.arc_beginning_at(arc.end_keys[1]).filter(|&after| !entered[after]) {
             next[k] = after as u32;
             entered[after] = true;
         }
@@ -130,9 +130,9 @@ fn find_successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
 /// The paths of one level, sorted by the first cell of each, row by row, then by its mark there.
 fn paths_of_level(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<ContourPaths> {
     let (next, entered) = find_successors(arcs)?;
-    let count = arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>();
+    let count = arcs.len() + arcs.iter().map(|arc| (arc.inner_range[1] - arc.inner_range[0]) as usize).sum::<usize>();
     let (mut paths, mut places) = (Vec::new(), alloc::with_capacity(count)?);
-    let lowest = |k: usize| (arcs[k].cell, arcs[k].keys[0]);
+    let lowest = |k: usize| (arcs[k].cell, arcs[k].end_keys[0]);
     let mut used = alloc::filled(false, arcs.len())?;
     // First open paths from their beginnings, then closed ones.
     let open = (0..arcs.len()).filter(|&k| !entered[k]);
@@ -157,18 +157,18 @@ fn paths_of_level(sheet: u32, arcs: &[ContourArc], inner: &[DVec2]) -> Result<Co
         loop {
             let arc = &arcs[at];
             let place = |&at: &DVec2| Place { sheet, cell: arc.cell, u: at.x, v: at.y };
-            let [from, to] = arc.inner.map(|k| k as usize);
-            alloc::push(&mut places, place(&arc.ends[0]))?;
+            let [from, to] = arc.inner_range.map(|k| k as usize);
+            alloc::push(&mut places, place(&arc.end_places[0]))?;
             alloc::extend(&mut places, inner[from..to].iter().map(place))?;
             if arc.jumps || next[at] == NO_SUCCESSOR {
-                alloc::push(&mut places, place(&arc.ends[1]))?;
+                alloc::push(&mut places, place(&arc.end_places[1]))?;
             }
             if next[at] == NO_SUCCESSOR || (closed && next[at] as usize == min) {
                 break;
             }
             at = next[at] as usize;
         }
-        let path = ContourPath { level: arcs[head].level, closed, range: [first, places.len()] };
+        let path = ContourPath { level: arcs[head].level, closed, place_range: [first, places.len()] };
         alloc::push(&mut paths, (lowest(min), path))?;
     }
     sort::sort_stable(&mut paths, &|a, b| a.0.cmp(&b.0));
@@ -181,10 +181,10 @@ struct ArcEndOnSide {
     level: u32,
     /// The index of the side or the corner.
     group: u64,
-    t: f64,
+    side_parameter: f64,
     key: u64,
     arc: usize,
-    exit: bool,
+    is_exit: bool,
 }
 
 /// Links the ends of arcs that leave one cell to those that enter the adjacent one, or the same one
@@ -195,26 +195,27 @@ struct ArcEndOnSide {
 fn link_arcs_across_sides(arcs: &mut [ContourArc], lattice: &ContourLattice) -> Result<()> {
     let mut ends = alloc::with_capacity(2 * arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
-        for (key, at, exit) in [(arc.keys[0], arc.ends[0], false), (arc.keys[1], arc.ends[1], true)] {
+        for (key, at, exit) in [(arc.end_keys[0], arc.end_places[0], false), (arc.end_keys[1], arc.end_places[1], true)]
+        {
             let side = key >> 7;
             let inside = key >> 63 == 1;
             if !inside && !lattice.is_side_on_open_edge(arc.cell, side) {
                 ends.push(ArcEndOnSide {
                     level: arc.level,
                     group: side,
-                    t: at[(side & 1) as usize],
+                    side_parameter: at[(side & 1) as usize],
                     key,
                     arc: k,
-                    exit,
+                    is_exit: exit,
                 });
             }
         }
     }
     let mut left = link_exits_to_entries(ends, arcs)?;
     for end in &mut left {
-        end.group = lattice.corner_index_of_side(end.group, end.t >= 0.5);
+        end.group = lattice.corner_index_of_side(end.group, end.side_parameter >= 0.5);
         // The distance from the corner.
-        end.t = end.t.min(1.0 - end.t);
+        end.side_parameter = end.side_parameter.min(1.0 - end.side_parameter);
     }
     link_exits_to_entries(left, arcs)?;
     Ok(())
@@ -224,7 +225,7 @@ fn link_arcs_across_sides(arcs: &mut [ContourArc], lattice: &ContourLattice) -> 
 fn link_exits_to_entries(mut ends: Vec<ArcEndOnSide>, arcs: &mut [ContourArc]) -> Result<Vec<ArcEndOnSide>> {
     sort::sort_stable(&mut ends, &|a, b| {
         let by = |end: &ArcEndOnSide| (end.level, end.group);
-        by(a).cmp(&by(b)).then(a.t.total_cmp(&b.t)).then(a.key.cmp(&b.key))
+        by(a).cmp(&by(b)).then(a.side_parameter.total_cmp(&b.side_parameter)).then(a.key.cmp(&b.key))
     });
     let mut waiting: VecDeque<ArcEndOnSide> = VecDeque::new();
     let mut left = Vec::new();
@@ -233,9 +234,9 @@ fn link_exits_to_entries(mut ends: Vec<ArcEndOnSide>, arcs: &mut [ContourArc]) -
         waiting.try_reserve(group.len()).map_err(|_| Error::OutOfMemory { bytes })?;
         for &end in group {
             match waiting.pop_front() {
-                Some(first) if end.exit != first.exit => {
-                    let (exit, entry) = if end.exit { (end, first) } else { (first, end) };
-                    arcs[exit.arc].keys[1] = entry.key;
+                Some(first) if end.is_exit != first.is_exit => {
+                    let (exit, entry) = if end.is_exit { (end, first) } else { (first, end) };
+                    arcs[exit.arc].end_keys[1] = entry.key;
                     arcs[exit.arc].jumps = true;
                 }
                 Some(first) => {

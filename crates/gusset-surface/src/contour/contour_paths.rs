@@ -72,7 +72,7 @@ impl SheetContourSet {
             let last = sequence[sequence.len() - 1];
             let closed = sheet_paths.contours[first].closed || after[last] == Some(first);
             if !closed {
-                let ends = [sheet_paths.contours[first].range[0], sheet_paths.contours[last].range[1] - 1];
+                let ends = [sheet_paths.contours[first].place_range[0], sheet_paths.contours[last].place_range[1] - 1];
                 sheet_paths.list_inner_ends_as_unresolved(surface, ends, &mut paths)?;
             }
             sheet_paths.add_joined_path(&sequence, closed, tolerance, &mut paths)?;
@@ -111,8 +111,8 @@ impl EvaluatedContours {
     fn link_ends_to_nearest_starts(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
         let mut after = alloc::filled(None, self.contours.len())?;
         let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
-        let head = |k: usize| self.points[self.contours[k].range[0]];
-        let tail = |k: usize| self.points[self.contours[k].range[1] - 1];
+        let head = |k: usize| self.points[self.contours[k].place_range[0]];
+        let tail = |k: usize| self.points[self.contours[k].place_range[1] - 1];
         let mut heads = alloc::gather(open())?;
         sort::sort_stable(&mut heads, &|&a, &b| {
             let by = |k: usize| self.contours[k].level;
@@ -145,7 +145,8 @@ impl EvaluatedContours {
     /// of the previous one. A path as small as a point is listed as unresolved.
     fn add_joined_path(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
         let first = paths.points.len();
-        let point_numbers = || contours.iter().flat_map(|&k| self.contours[k].range[0]..self.contours[k].range[1]);
+        let point_numbers =
+            || contours.iter().flat_map(|&k| self.contours[k].place_range[0]..self.contours[k].place_range[1]);
         let push = |at: usize, paths: &mut Paths| paths.push_point(self.places[at], self.points[at], self.normals[at]);
         for at in point_numbers() {
             let near = paths.points.len() > first

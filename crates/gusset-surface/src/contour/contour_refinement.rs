@@ -31,7 +31,7 @@ struct ArcOverPatch<'a, const N: usize, const M: usize> {
 /// A place on the arc.
 #[derive(Clone, Copy)]
 struct ArcPoint {
-    at: DVec2,
+    parameters: DVec2,
     point: DVec3,
 }
 
@@ -51,8 +51,8 @@ pub(super) fn is_arc_near_chord<const M: usize>(
     chord_tolerance: f64,
 ) -> bool {
     let Some(graph) = link.graph else { return false };
-    let [low, high] = field.derivative_ranges()[1 - graph.over];
-    is_graph_near_chord(corners, graph.over, low.max(-high), deviation, chord_tolerance)
+    let [low, high] = field.derivative_ranges()[1 - graph.graph_parameter];
+    is_graph_near_chord(corners, graph.graph_parameter, low.max(-high), deviation, chord_tolerance)
 }
 
 /// [`is_arc_near_chord`] for an arc that is a graph over u (0) or v (1). `slope` is a lower bound
@@ -89,7 +89,7 @@ pub(super) fn middle_of_arc<const M: usize>(
     link: &MarkedArc,
     rounding_error: f64,
 ) -> Option<DVec2> {
-    middle_of_graph(field, link.graph?, [link.from.at, link.to.at], rounding_error).ok()
+    middle_of_graph(field, link.graph?, [link.start_mark.parameters, link.end_mark.parameters], rounding_error).ok()
 }
 
 /// Adds places between the ends of an arc until its chords are within `chord_tolerance` of it,
@@ -104,7 +104,8 @@ pub(super) fn insert_arc_points<const N: usize, const M: usize>(
     places: &mut Vec<DVec2>,
 ) -> Option<DVec2> {
     let curve = ArcOverPatch { patch, field, graph: link.graph?, chord: chord_tolerance, rounding_error };
-    let [from, to] = [link.from.at, link.to.at].map(|at| ArcPoint { at, point: patch.point(at.x, at.y) });
+    let [from, to] = [link.start_mark.parameters, link.end_mark.parameters]
+        .map(|at| ArcPoint { parameters: at, point: patch.point(at.x, at.y) });
     curve.middle_point(from, to).and_then(|middle| curve.halve_arc(from, middle, to, MAX_ARC_HALVINGS, places)).err()
 }
 
@@ -112,14 +113,14 @@ pub(super) fn insert_arc_points<const N: usize, const M: usize>(
 /// an error if the field does not vanish there.
 fn middle_of_graph<const M: usize>(
     field: &BernsteinField<M>,
-    ArcGraphRange { over, range }: ArcGraphRange,
+    ArcGraphRange { graph_parameter: over, value_range: range }: ArcGraphRange,
     [a, b]: [DVec2; 2],
     rounding_error: f64,
 ) -> Result<DVec2, DVec2> {
     let along = 0.5 * (a[over] + b[over]);
     let c: [f64; M] = match over {
-        0 => std::array::from_fn(|k| value_and_slope(&field.c.map(|row| row[k]), along)[0]),
-        _ => field.c.map(|row| value_and_slope(&row, along)[0]),
+        0 => std::array::from_fn(|k| value_and_slope(&field.coefficients.map(|row| row[k]), along)[0]),
+        _ => field.coefficients.map(|row| value_and_slope(&row, along)[0]),
     };
     let mut at = DVec2::splat(along);
     at[1 - over] = find_bracketed_root(&c, range);
@@ -135,8 +136,8 @@ fn middle_of_graph<const M: usize>(
 impl<const N: usize, const M: usize> ArcOverPatch<'_, N, M> {
     /// The place at the mean of the parameters of two others.
     fn middle_point(&self, a: ArcPoint, b: ArcPoint) -> Result<ArcPoint, DVec2> {
-        let at = middle_of_graph(self.field, self.graph, [a.at, b.at], self.rounding_error)?;
-        Ok(ArcPoint { at, point: self.patch.point(at.x, at.y) })
+        let at = middle_of_graph(self.field, self.graph, [a.parameters, b.parameters], self.rounding_error)?;
+        Ok(ArcPoint { parameters: at, point: self.patch.point(at.x, at.y) })
     }
 
     /// Adds the places needed between `from` and `to`, given the place between them.
@@ -155,7 +156,7 @@ impl<const N: usize, const M: usize> ArcOverPatch<'_, N, M> {
             return Ok(());
         }
         let before = self.halve_arc(from, quarters[0], middle, depth - 1, places);
-        places.push(middle.at);
+        places.push(middle.parameters);
         before.and(self.halve_arc(middle, quarters[1], to, depth - 1, places))
     }
 }

@@ -34,11 +34,11 @@ pub(super) struct ContourArc {
     pub(super) level: u32,
     pub(super) cell: [u32; 2],
     /// The keys of the marks at its ends.
-    pub(super) keys: [u64; 2],
+    pub(super) end_keys: [u64; 2],
     /// The places of the marks.
-    pub(super) ends: [DVec2; 2],
+    pub(super) end_places: [DVec2; 2],
     /// The range of its inner places.
-    pub(super) inner: [u32; 2],
+    pub(super) inner_range: [u32; 2],
     /// True if the next arc begins at another place than this one ends, across a side with
     /// discontinuous fields.
     pub(super) jumps: bool,
@@ -48,17 +48,17 @@ pub(super) struct ContourArc {
 #[derive(Debug, Default)]
 pub(super) struct ContourArcs {
     pub(super) arcs: Vec<ContourArc>,
-    pub(super) inner: Vec<DVec2>,
+    pub(super) inner_places: Vec<DVec2>,
     /// Cells, and places in them, that are unresolved.
     pub(super) unresolved: Vec<([u32; 2], DVec2)>,
 }
 
 impl ContourArcs {
     fn append_arcs(&mut self, other: &ContourArcs) -> Result<()> {
-        let shift = self.inner.len() as u32;
-        alloc::append(&mut self.inner, &other.inner)?;
+        let shift = self.inner_places.len() as u32;
+        alloc::append(&mut self.inner_places, &other.inner_places)?;
         alloc::append(&mut self.unresolved, &other.unresolved)?;
-        let moved = |arc: &ContourArc| ContourArc { inner: arc.inner.map(|k| k + shift), ..*arc };
+        let moved = |arc: &ContourArc| ContourArc { inner_range: arc.inner_range.map(|k| k + shift), ..*arc };
         alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))
     }
 }
@@ -79,20 +79,20 @@ struct ContourCellWorkspace {
     links: Vec<MarkedArc>,
     /// Arcs of simple cells (arc, end, side) whose ends are still to be computed as roots of the
     /// polynomials along sides.
-    open: Vec<(u32, u8, u8)>,
-    sides: Vec<[f64; 4]>,
+    pending_ends: Vec<(u32, u8, u8)>,
+    side_polynomials: Vec<[f64; 4]>,
     roots: Vec<f64>,
 }
 
 impl ContourCellWorkspace {
     /// Computes the ends that are still open.
     fn solve_pending_arc_ends(&mut self, arcs: &mut [ContourArc]) {
-        compute_side_roots(&self.sides, &mut self.roots);
-        for (&(arc, end, side), &root) in self.open.iter().zip(&self.roots) {
-            arcs[arc as usize].ends[usize::from(end)] = place_on_side(usize::from(side), root);
+        compute_side_roots(&self.side_polynomials, &mut self.roots);
+        for (&(arc, end, side), &root) in self.pending_ends.iter().zip(&self.roots) {
+            arcs[arc as usize].end_places[usize::from(end)] = place_on_side(usize::from(side), root);
         }
-        self.open.clear();
-        self.sides.clear();
+        self.pending_ends.clear();
+        self.side_polynomials.clear();
         self.roots.clear();
     }
 }
@@ -117,7 +117,7 @@ struct LevelInCell<'a, const M: usize> {
     /// Bound of the deviation of the field and the surface from bilinear ones.
     deviation: f64,
     /// Polynomials along the sides.
-    sides: [[f64; M]; SIDES_PER_CELL],
+    side_polynomials: [[f64; M]; SIDES_PER_CELL],
     /// Whether the field counts as positive at the corners 2 u + v.
     corners: [bool; 4],
 }
@@ -133,7 +133,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
         let mut found = ContourArcs::default();
         for first in (0..count).step_by(BLOCKS_PER_TASK * TASKS_PER_MERGE) {
             let blocks = (count - first).min(BLOCKS_PER_TASK * TASKS_PER_MERGE);
-            let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
+            let part = job.sub_job(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
             // With many levels, a single block takes long.
             let chunk = (LEVEL_BLOCKS_PER_TASK / self.source.level_count()).clamp(1, BLOCKS_PER_TASK);
             let parts = par::map_cancellable(&part, "contours", par::split_into_ranges(blocks, chunk), |range| {
@@ -172,7 +172,8 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             {
                 continue;
             }
-            let LevelsAndDataOfCell { levels, rounding_error, data } = self.source.prepare_cell(&block, cell, cache);
+            let LevelsAndDataOfCell { levels, rounding_error, shared_data: data } =
+                self.source.prepare_cell(&block, cell, cache);
             let mut patch = None;
             for level in levels {
                 let field =
@@ -197,7 +198,15 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
                     _ => side_polynomials_of_cell(&field),
                 };
                 let deviation = self.source.bilinear_deviation(&block);
-                let cell_level = LevelInCell { cell, level, field: &field, rounding_error, deviation, sides, corners };
+                let cell_level = LevelInCell {
+                    cell,
+                    level,
+                    field: &field,
+                    rounding_error,
+                    deviation,
+                    side_polynomials: sides,
+                    corners,
+                };
                 self.search_level_in_cell(&cell_level, &mut patch, workspace, found)?;
             }
         }
@@ -217,11 +226,12 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
         if self.chord.is_some_and(|chord| 4.0 * self.source.bilinear_deviation(block) > chord) {
             return Ok(false);
         }
-        let Some(CornerTestData { levels, corners, slack, rounding_error }) = self.source.corner_test_data(block, cell)
+        let Some(CornerTestData { levels, corners, bilinear_deviation: slack, rounding_error }) =
+            self.source.corner_test_data(block, cell)
         else {
             return Ok(false);
         };
-        let (arcs, open) = (found.arcs.len(), workspace.open.len());
+        let (arcs, open) = (found.arcs.len(), workspace.pending_ends.len());
         for level in levels {
             let values = corners.map(|x| x - self.source.value_of_level(level));
             let done = match decide_crossing_by_corners(values, slack, rounding_error) {
@@ -239,8 +249,8 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             };
             if !done {
                 found.arcs.truncate(arcs);
-                workspace.open.truncate(open);
-                workspace.sides.truncate(open);
+                workspace.pending_ends.truncate(open);
+                workspace.side_polynomials.truncate(open);
                 return Ok(false);
             }
         }
@@ -280,21 +290,28 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
         found: &mut ContourArcs,
     ) -> Result<()> {
         let arc = found.arcs.len() as u32;
-        let inner = found.inner.len() as u32;
+        let inner = found.inner_places.len() as u32;
         let keys = sides.map(|side| (2 * self.lattice.side_index(cell, side)) << 6);
         // The end of an arc matters only if no arc follows, which happens at open edges.
         let ends = sides.map(|side| place_on_side(side, root_of_side_chord(corners, side)));
         for (end, side) in sides.into_iter().enumerate() {
             if end == 0 || self.lattice.is_cell_side_open(cell, side) {
-                alloc::push(&mut workspace.open, (arc, end as u8, side as u8))?;
+                alloc::push(&mut workspace.pending_ends, (arc, end as u8, side as u8))?;
                 let along = self.source.field_coefficients_on_side(cell, side, level);
-                alloc::push(&mut workspace.sides, along.map(|x| snap_to_zero(x, rounding_error)))?;
+                alloc::push(&mut workspace.side_polynomials, along.map(|x| snap_to_zero(x, rounding_error)))?;
             }
         }
         let cell = cell.map(|k| k as u32);
         alloc::push(
             &mut found.arcs,
-            ContourArc { level: level as u32, cell, keys, ends, inner: [inner; 2], jumps: false },
+            ContourArc {
+                level: level as u32,
+                cell,
+                end_keys: keys,
+                end_places: ends,
+                inner_range: [inner; 2],
+                jumps: false,
+            },
         )
     }
 
@@ -315,13 +332,16 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
                 *own
             } else {
                 let base = self.source.prepare_cell(block, owner, cache);
-                snap_small_coefficients(self.source.field_with_zeros_at_level(&base.data, level), base.rounding_error)
+                snap_small_coefficients(
+                    self.source.field_with_zeros_at_level(&base.shared_data, level),
+                    base.rounding_error,
+                )
             };
             let [a, b] = ends.map(|end| if end { M - 1 } else { 0 });
-            corners[2 * usize::from(after[0]) + usize::from(after[1])] = counts_as_positive(field.c[a][b]);
+            corners[2 * usize::from(after[0]) + usize::from(after[1])] = counts_as_positive(field.coefficients[a][b]);
             match after {
-                [true, false] => high_u = field.c[a],
-                [false, true] => high_v = field.c.map(|row| row[b]),
+                [true, false] => high_u = field.coefficients[a],
+                [false, true] => high_v = field.coefficients.map(|row| row[b]),
                 _ => {}
             }
         }
@@ -347,7 +367,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             alloc::push(&mut found.unresolved, (cell, place))?;
         }
         for link in links.iter() {
-            let [from, to] = [link.from.at, link.to.at];
+            let [from, to] = [link.start_mark.parameters, link.end_mark.parameters];
             // Places on the arc itself, because the midpoint of its ends may be far from it.
             let places = || [from, middle_of_arc(field, link, rounding_error).unwrap_or(from), to];
             let keeps = self.source.does_arc_belong_to_level(at, level, places);
@@ -357,18 +377,27 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             if keeps != Some(true) {
                 continue;
             }
-            let first = found.inner.len() as u32;
+            let first = found.inner_places.len() as u32;
             let straight = |chord: f64| {
                 deviation < chord && is_arc_near_chord(&self.cell_corner_points(at), field, link, deviation, chord)
             };
             if let Some(chord) = self.chord.filter(|&chord| !straight(chord)) {
                 let patch = patch.get_or_insert_with(|| self.cells.cell_patch(at[0], at[1]));
-                if let Some(place) = insert_arc_points(patch, field, link, chord, rounding_error, &mut found.inner) {
+                if let Some(place) =
+                    insert_arc_points(patch, field, link, chord, rounding_error, &mut found.inner_places)
+                {
                     alloc::push(&mut found.unresolved, (cell, place))?;
                 }
             }
-            let (keys, inner) = ([link.from.key, link.to.key], [first, found.inner.len() as u32]);
-            let arc = ContourArc { level: level as u32, cell, keys, ends: [from, to], inner, jumps: false };
+            let (keys, inner) = ([link.start_mark.key, link.end_mark.key], [first, found.inner_places.len() as u32]);
+            let arc = ContourArc {
+                level: level as u32,
+                cell,
+                end_keys: keys,
+                end_places: [from, to],
+                inner_range: inner,
+                jumps: false,
+            };
             alloc::push(&mut found.arcs, arc)?;
         }
         Ok(())
@@ -380,7 +409,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
         let jumps = self.source.side_continuity() == SideContinuity::Discontinuous;
         let [c00, c01, c10, c11] = cell_level.corners;
         let ends = [[c00, c10], [c10, c11], [c01, c11], [c00, c01]];
-        for (side, (c, ends)) in cell_level.sides.iter().zip(ends).enumerate() {
+        for (side, (c, ends)) in cell_level.side_polynomials.iter().zip(ends).enumerate() {
             // Where fields are discontinuous, the two cells at a side have separate marks.
             let which = u64::from(jumps && (side == 1 || side == 2));
             let key = (2 * self.lattice.side_index(cell_level.cell, side) + which) << 6;
@@ -388,7 +417,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             find_sign_changes(c, ends, |crossing| {
                 marks.push(SignChangeMark {
                     key: key | count,
-                    at: place_on_side(side, crossing.t),
+                    parameters: place_on_side(side, crossing.side_parameter),
                     side,
                     rising: crossing.rising,
                 });
@@ -402,7 +431,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
 /// lies in it exactly, and produces no tiny curves. Equal coefficients remain equal.
 #[inline]
 fn snap_small_coefficients<const M: usize>(field: BernsteinField<M>, rounding_error: f64) -> BernsteinField<M> {
-    BernsteinField { c: field.c.map(|row| row.map(|x| snap_to_zero(x, rounding_error))) }
+    BernsteinField { coefficients: field.coefficients.map(|row| row.map(|x| snap_to_zero(x, rounding_error))) }
 }
 
 #[inline]
@@ -413,7 +442,7 @@ fn snap_to_zero(x: f64, rounding_error: f64) -> f64 {
 /// The polynomials along the sides and the signs at the corners, computed from the cell itself.
 #[inline]
 fn side_polynomials_of_cell<const M: usize>(field: &BernsteinField<M>) -> ([[f64; M]; SIDES_PER_CELL], [bool; 4]) {
-    let c = &field.c;
+    let c = &field.coefficients;
     let sides = [c.map(|row| row[0]), c[M - 1], c.map(|row| row[M - 1]), c[0]];
     (sides, [c[0][0], c[0][M - 1], c[M - 1][0], c[M - 1][M - 1]].map(counts_as_positive))
 }

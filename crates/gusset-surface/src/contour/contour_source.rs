@@ -98,7 +98,7 @@ pub(super) struct LevelsAndDataOfCell<B> {
     /// Values up to this may be 0.
     pub(super) rounding_error: f64,
     /// The data that the levels share.
-    pub(super) data: B,
+    pub(super) shared_data: B,
 }
 
 impl<const M: usize> LevelsAndDataOfCell<BernsteinField<M>> {
@@ -108,7 +108,7 @@ impl<const M: usize> LevelsAndDataOfCell<BernsteinField<M>> {
         LevelsAndDataOfCell {
             levels: levels_between(levels, field.coefficient_range(), rounding_error),
             rounding_error,
-            data: field,
+            shared_data: field,
         }
     }
 }
@@ -120,7 +120,7 @@ pub(super) struct CornerTestData {
     /// The values at the corners 2 u + v, from which levels are subtracted.
     pub(super) corners: [f64; 4],
     /// Bound of the difference between the coefficients of the field and of the bilinear field.
-    pub(super) slack: f64,
+    pub(super) bilinear_deviation: f64,
     /// Values up to this may be 0.
     pub(super) rounding_error: f64,
 }
@@ -141,23 +141,23 @@ const NODES_PER_WINDOW: usize = CELLS_PER_BLOCK_SIDE + NODES_PER_CUBIC - 1;
 
 /// The scalars that the cells of a block depend on, and their weights.
 pub(super) struct ScalarWindow {
-    start: [usize; 2],
+    first_cell: [usize; 2],
     values: [[f64; NODES_PER_WINDOW]; NODES_PER_WINDOW],
     /// By direction and cell: the index of its first node.
-    first: [[usize; CELLS_PER_BLOCK_SIDE]; 2],
+    first_node_of_cell: [[usize; CELLS_PER_BLOCK_SIDE]; 2],
     rows: [[[f64; NODES_PER_CUBIC]; 4]; CELLS_PER_BLOCK_SIDE],
     /// By cell, node and coefficient.
     columns: [[[f64; 4]; NODES_PER_CUBIC]; CELLS_PER_BLOCK_SIDE],
 }
 
 impl ScalarWindow {
-    /// Creates the window of the nodes that a block of cells depends on. `value` returns the scalar
+    /// Creates the window of the nodes that a block of cells depends on. `scalar_at_node` returns the scalar
     /// at a node.
     fn new(axes: [&GridAxis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
         let mut window = ScalarWindow {
-            start: [cells[0].start, cells[1].start],
+            first_cell: [cells[0].start, cells[1].start],
             values: [[0.0; NODES_PER_WINDOW]; NODES_PER_WINDOW],
-            first: [[0; CELLS_PER_BLOCK_SIDE]; 2],
+            first_node_of_cell: [[0; CELLS_PER_BLOCK_SIDE]; 2],
             rows: [[[0.0; NODES_PER_CUBIC]; 4]; CELLS_PER_BLOCK_SIDE],
             columns: [[[0.0; 4]; NODES_PER_CUBIC]; CELLS_PER_BLOCK_SIDE],
         };
@@ -170,7 +170,7 @@ impl ScalarWindow {
                 let first = if axis.is_closed() { k } else { taps[0] - origin };
                 lines[d][first..first + NODES_PER_CUBIC].copy_from_slice(&taps);
                 counts[d] = first + NODES_PER_CUBIC;
-                window.first[d][k] = first;
+                window.first_node_of_cell[d][k] = first;
                 if d == 0 {
                     window.rows[k] = *weights;
                 } else {
@@ -202,8 +202,8 @@ impl ScalarWindow {
     /// of a common side have the same bits in both cells.
     #[inline]
     fn cell_field(&self, [i, j]: [usize; 2]) -> BernsteinField<4> {
-        let (r, c) = (i - self.start[0], j - self.start[1]);
-        let (row, column) = (self.first[0][r], self.first[1][c]);
+        let (r, c) = (i - self.first_cell[0], j - self.first_cell[1]);
+        let (row, column) = (self.first_node_of_cell[0][r], self.first_node_of_cell[1][c]);
         let mut along = [[0.0; 4]; NODES_PER_CUBIC];
         for (sums, values) in along.iter_mut().zip(&self.values[row..]) {
             for (weights, value) in self.columns[c].iter().zip(&values[column..]) {
@@ -212,8 +212,8 @@ impl ScalarWindow {
                 }
             }
         }
-        let mut field = BernsteinField { c: [[0.0; 4]; 4] };
-        for (sums, weights) in field.c.iter_mut().zip(&self.rows[r]) {
+        let mut field = BernsteinField { coefficients: [[0.0; 4]; 4] };
+        for (sums, weights) in field.coefficients.iter_mut().zip(&self.rows[r]) {
             for (weight, values) in weights.iter().zip(&along) {
                 for (sum, value) in sums.iter_mut().zip(values) {
                     *sum += weight * value;
@@ -260,7 +260,7 @@ impl CornerScalarsOfBlock {
 /// Scalars at nodes, interpolated like the nodes.
 pub(super) struct NodalScalarSource<'a, F, D> {
     pub(super) axes: [&'a GridAxis; 2],
-    pub(super) value: F,
+    pub(super) scalar_at_node: F,
     pub(super) levels: &'a [f64],
     pub(super) rounding_error: f64,
     /// Bound of how far values of cells may be outside the range of their nodes, relative to half
@@ -292,7 +292,7 @@ where
             let [rows, columns] = &block.cells;
             for (i, values) in (rows.start..=rows.end).zip(&mut block.corners) {
                 for (j, at) in (columns.start..=columns.end).zip(values) {
-                    *at = (self.value)(i, j);
+                    *at = (self.scalar_at_node)(i, j);
                 }
             }
             return Some(block);
@@ -314,7 +314,7 @@ where
         block.deviation.is_finite().then(|| CornerTestData {
             levels: levels_between(self.levels, block.value_range(cell), self.rounding_error),
             corners: block.corner_values(cell),
-            slack: 2.0 * block.deviation,
+            bilinear_deviation: 2.0 * block.deviation,
             rounding_error: self.rounding_error,
         })
     }
@@ -332,7 +332,7 @@ where
         let ((lines, weights), place) = (axis.nodes_and_weights(cell), axis.index_of_interval_among_its_nodes(cell));
         let mut values = [0.0; NODES_PER_CUBIC];
         for (value, line) in values.iter_mut().zip(lines) {
-            *value = if along_u { (self.value)(line, across) } else { (self.value)(across, line) };
+            *value = if along_u { (self.scalar_at_node)(line, across) } else { (self.scalar_at_node)(across, line) };
         }
         // Sums in the same order as the window, so that results have the same bits.
         let sum = |weights: &[f64; NODES_PER_CUBIC]| {
@@ -385,14 +385,14 @@ impl<F: Fn(usize, usize) -> f64, D> NodalScalarSource<'_, F, D> {
         if cache.as_ref().is_some_and(|(of, _)| *of != first) {
             *cache = None;
         }
-        &cache.get_or_insert_with(|| (first, ScalarWindow::new(self.axes, &block.cells, &self.value))).1
+        &cache.get_or_insert_with(|| (first, ScalarWindow::new(self.axes, &block.cells, &self.scalar_at_node))).1
     }
 }
 
 /// The field minus a number.
 #[inline]
 fn subtract_level<const M: usize>(base: &BernsteinField<M>, level: f64) -> BernsteinField<M> {
-    BernsteinField { c: base.c.map(|row| row.map(|x| x - level)) }
+    BernsteinField { coefficients: base.coefficients.map(|row| row.map(|x| x - level)) }
 }
 
 /// The signed distance from a plane, on patches.
@@ -415,8 +415,9 @@ impl<C: SheetCells<N>, const N: usize> ContourSource<N> for PlaneDistanceSource<
 
     fn prepare_cell(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> LevelsAndDataOfCell<BernsteinField<N>> {
         let patch = self.cells.cell_patch(i, j);
-        let heights =
-            BernsteinField { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
+        let heights = BernsteinField {
+            coefficients: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))),
+        };
         LevelsAndDataOfCell::from_field(heights, self.levels, self.rounding_error)
     }
 

@@ -67,7 +67,7 @@ impl<C: SheetCells<N>, const N: usize, const M: usize> ContourSource<M> for Silh
         LevelsAndDataOfCell {
             levels: 0..1,
             rounding_error: self.0.normal_rounding_error(&of),
-            data: of.normal_component(2),
+            shared_data: of.normal_component(2),
         }
     }
 
@@ -150,7 +150,7 @@ impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSo
         LevelsAndDataOfCell {
             levels,
             rounding_error,
-            data: SquaredNormalFields {
+            shared_data: SquaredNormalFields {
                 along: sum_of_squared_fields(&[along]),
                 across: sum_of_squared_fields(&[first, second]),
             },
@@ -158,12 +158,12 @@ impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSo
     }
 
     fn level_count(&self) -> usize {
-        self.classes.others.len().max(1)
+        self.classes.other_sines_and_cosines.len().max(1)
     }
 
     /// Increases with the cosine of the angle, where H has the sign of cos alpha.
     fn field_with_zeros_at_level(&self, base: &SquaredNormalFields<M>, level: usize) -> BernsteinField<M> {
-        let [sin, cos] = self.classes.others[level];
+        let [sin, cos] = self.classes.other_sines_and_cosines[level];
         let sign = if cos < 0.0 && !self.classes.unsigned { -1.0 } else { 1.0 };
         base.along.linear_combination(sign * sin * sin, &base.across, -sign * cos * cos)
     }
@@ -183,7 +183,7 @@ impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSo
         }
         let rounding_error = self.normals.normal_rounding_error(&self.normals.hodographs(cell));
         let patch = self.normals.cells.cell_patch(cell[0], cell[1]);
-        let sign = self.classes.others[level][1].signum();
+        let sign = self.classes.other_sines_and_cosines[level][1].signum();
         let along = places().map(|at| sign * patch.jet(at.x, at.y).normal().dot(self.normals.frame[2]));
         let (right, wrong) = (along.iter().any(|&x| x > rounding_error), along.iter().any(|&x| x < -rounding_error));
         if right && wrong { None } else { Some(!wrong) }
@@ -201,11 +201,11 @@ struct AngleClasses {
     /// The angles 0 and 180 degrees, with the sign of the cosine.
     poles: Vec<(u32, f64)>,
     /// Sines and cosines of the other angles, and the angles in radians.
-    others: Vec<[f64; 2]>,
+    other_sines_and_cosines: Vec<[f64; 2]>,
     radians: Vec<f64>,
     /// All angles except 0 and 180 degrees.
-    crossed: Vec<f64>,
-    numbers: Vec<u32>,
+    crossed_angles: Vec<f64>,
+    level_numbers: Vec<u32>,
     /// Whether a normal and its opposite are equivalent.
     unsigned: bool,
 }
@@ -264,7 +264,7 @@ impl Surface<'_> {
             }
         }
         let IsophoteSearch { curves, points, .. } = search;
-        let mut isophotes = curves.into_paths(self, &job.part(0.9, 1.0))?;
+        let mut isophotes = curves.into_paths(self, &job.sub_job(0.9, 1.0))?;
         add_point_paths(self, &points, &mut isophotes)?;
         self.report_wrong_angles(axis, angles, unsigned, &mut isophotes)?;
         add_leus_points(isophotes, spacing)
@@ -300,7 +300,7 @@ impl AngleClasses {
         for (k, &angle) in angles.iter().enumerate() {
             let (sin, cos) = (libm::sin(angle), libm::cos(angle));
             if sin.abs() >= MIN_NONZERO_SINE {
-                alloc::push(&mut classes.crossed, angle)?;
+                alloc::push(&mut classes.crossed_angles, angle)?;
             }
             if cos.abs() < MIN_NONZERO_SINE {
                 alloc::push(&mut classes.silhouettes, k as u32)?;
@@ -310,9 +310,9 @@ impl AngleClasses {
                     alloc::push(&mut classes.poles, (k as u32, -cos))?;
                 }
             } else {
-                alloc::push(&mut classes.others, [sin, cos])?;
+                alloc::push(&mut classes.other_sines_and_cosines, [sin, cos])?;
                 alloc::push(&mut classes.radians, angle)?;
-                alloc::push(&mut classes.numbers, k as u32)?;
+                alloc::push(&mut classes.level_numbers, k as u32)?;
             }
         }
         Ok(classes)
@@ -339,7 +339,7 @@ impl IsophoteSearch<'_> {
     ) -> Result<()> {
         let IsophoteSearch { surface, frame, ref classes, chord, ref mut curves, ref mut points } = *self;
         let (sheet, cones, job) =
-            (surface.sheet(k), surface.cones_of_sheet(k, &job.part(0.0, 0.5))?, job.part(0.5, 1.0));
+            (surface.sheet(k), surface.cones_of_sheet(k, &job.sub_job(0.0, 0.5))?, job.sub_job(0.5, 1.0));
         let lattice = ContourLattice::new(sheet);
         let is_smooth =
             matches!(sheet, Sheet::Grid(grid) if grid.axes().iter().all(|axis| axis.has_continuous_slopes()));
@@ -353,13 +353,13 @@ impl IsophoteSearch<'_> {
             })
         };
         let passes = classes.silhouettes.len()
-            + usize::from(!classes.others.is_empty())
+            + usize::from(!classes.other_sines_and_cosines.is_empty())
             + classes.poles.len()
             + usize::from(jumps);
         let mut pass = 0;
         let mut next = || {
             pass += 1;
-            job.share(pass - 1, passes)
+            job.sub_job_of_item(pass - 1, passes)
         };
         let crossed = if classes.silhouettes.is_empty() { Vec::new() } else { blocks(&[0.5 * PI])? };
         for &number in &classes.silhouettes {
@@ -368,16 +368,16 @@ impl IsophoteSearch<'_> {
             contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = number);
             curves.add_sheet_arcs(k, contour_arcs, &lattice, jumps, job.requested_threads())?;
         }
-        if !classes.others.is_empty() {
+        if !classes.other_sines_and_cosines.is_empty() {
             let source = IsophoteSource::<C, N, H> { normals: &normals, classes };
             let crossed = blocks(&classes.radians)?;
             let search = ContourSearch::<_, _, N, M> { cells, source: &source, lattice, chord };
             let mut contour_arcs = search.find_arcs(crossed.len(), |k| crossed[k], &next())?;
-            contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
+            contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = classes.level_numbers[arc.level as usize]);
             curves.add_sheet_arcs(k, contour_arcs, &lattice, jumps, job.requested_threads())?;
         }
         if jumps {
-            let (angles, unsigned) = (&classes.crossed, classes.unsigned);
+            let (angles, unsigned) = (&classes.crossed_angles, classes.unsigned);
             let unresolved = find_creases_at_angles(&normals, cones, &lattice, angles, unsigned, &next())?;
             let crease_arcs = ContourArcs { unresolved, ..ContourArcs::default() };
             curves.add_sheet_arcs(k, crease_arcs, &lattice, true, job.requested_threads())?;

@@ -75,7 +75,7 @@ struct BestAngle {
 
 /// A cell that may contain a better place.
 struct CandidateCell {
-    bound: f64,
+    deviation_bound: f64,
     sheet: u32,
     cell: [u32; 2],
 }
@@ -131,7 +131,7 @@ fn do_components_vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
 /// A part of a cell with the normals over it.
 struct NormalCellPart<const H: usize> {
     normal: [BernsteinField<H>; 3],
-    from: DVec2,
+    low_corner: DVec2,
     size: f64,
     /// The rounding error of components of normals.
     rounding_error: f64,
@@ -141,7 +141,7 @@ struct NormalCellPart<const H: usize> {
 impl<const H: usize> NormalCellPart<H> {
     fn new(normal: [BernsteinField<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
         let deviation = goal.angle_deviation([0, 1, 2].map(|k| normal[k].evaluate_jet(0.5, 0.5).value), rounding_error);
-        NormalCellPart { normal, from, size, rounding_error, deviation }
+        NormalCellPart { normal, low_corner: from, size, rounding_error, deviation }
     }
 
     fn quarters(&self, goal: &TargetAngle) -> [NormalCellPart<H>; 4] {
@@ -149,7 +149,7 @@ impl<const H: usize> NormalCellPart<H> {
         let half = 0.5 * self.size;
         [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
             let k = 2 * corner.x as usize + corner.y as usize;
-            let from = self.from + half * corner;
+            let from = self.low_corner + half * corner;
             NormalCellPart::new([first[k], second[k], along[k]], from, half, self.rounding_error, goal)
         })
     }
@@ -248,7 +248,7 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
                 }
                 alloc::extend(candidates, some)?;
             }
-            candidates.retain(|candidate| candidate.bound < best.deviation);
+            candidates.retain(|candidate| candidate.deviation_bound < best.deviation);
         }
         Ok(())
     }
@@ -271,7 +271,7 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
         if deviation < best.deviation {
             *best = BestAngle { deviation, place: Some(Place { sheet: self.sheet, cell, u: 0.5, v: 0.5 }) };
         }
-        alloc::push(candidates, CandidateCell { bound, sheet: self.sheet, cell })
+        alloc::push(candidates, CandidateCell { deviation_bound: bound, sheet: self.sheet, cell })
     }
 
     /// Improves the best place within a cell. Returns a lower bound of the deviations in the cell.
@@ -280,10 +280,16 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
         let (normal, rounding_error) =
             (std::array::from_fn(|k| of.normal_component::<H>(k)), self.normals.normal_rounding_error(&of));
         let whole = NormalCellPart::new(normal, DVec2::ZERO, 1.0, rounding_error, &self.goal);
-        let mut search = CellAngleSearch::<M> { goal: &self.goal, sheet: self.sheet, cell, best, bound: f64::INFINITY };
+        let mut search = CellAngleSearch::<M> {
+            goal: &self.goal,
+            sheet: self.sheet,
+            cell,
+            best_angle: best,
+            deviation_bound: f64::INFINITY,
+        };
         let limits = SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS_PER_CELL };
         let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
-        search.bound
+        search.deviation_bound
     }
 }
 
@@ -292,9 +298,9 @@ struct CellAngleSearch<'a, const M: usize> {
     goal: &'a TargetAngle,
     sheet: u32,
     cell: [u32; 2],
-    best: &'a mut BestAngle,
+    best_angle: &'a mut BestAngle,
     /// A lower bound of the deviations in settled parts.
-    bound: f64,
+    deviation_bound: f64,
 }
 
 impl<const H: usize, const M: usize> Subdivision<NormalCellPart<H>, 4> for CellAngleSearch<'_, M> {
@@ -303,20 +309,20 @@ impl<const H: usize, const M: usize> Subdivision<NormalCellPart<H>, 4> for CellA
     type Stop = Infallible;
 
     fn classify_box(&mut self, part: &NormalCellPart<H>) -> Result<BoxTest<Infallible, ()>, Infallible> {
-        if part.deviation < self.best.deviation {
-            let at = part.from + 0.5 * part.size;
+        if part.deviation < self.best_angle.deviation {
+            let at = part.low_corner + 0.5 * part.size;
             let place = Place { sheet: self.sheet, cell: self.cell, u: at.x, v: at.y };
-            *self.best = BestAngle { deviation: part.deviation, place: Some(place) };
+            *self.best_angle = BestAngle { deviation: part.deviation, place: Some(place) };
         }
         let ranges = part.normal.map(|field| field.coefficient_range());
         if do_components_vanish(&ranges, part.rounding_error) {
             // The normal does not exist here.
             return Ok(BoxTest::Empty);
         }
-        let proved = (self.best.deviation - ANGLE_TOLERANCE_RADIANS).max(0.0);
+        let proved = (self.best_angle.deviation - ANGLE_TOLERANCE_RADIANS).max(0.0);
         let near = self.goal.deviation_bound(angle_range_to_third_axis(&ranges, 0.0));
         if near >= proved || self.goal.is_deviation_beyond::<H, M>(&part.normal, proved) {
-            self.bound = self.bound.min(near.max(proved));
+            self.deviation_bound = self.deviation_bound.min(near.max(proved));
             return Ok(BoxTest::Empty);
         }
         Ok(BoxTest::Undecided(()))
@@ -328,7 +334,8 @@ impl<const H: usize, const M: usize> Subdivision<NormalCellPart<H>, 4> for CellA
 
     fn record_unresolved(&mut self, part: NormalCellPart<H>, _exhausted: bool) -> Result<(), Infallible> {
         let ranges = part.normal.map(|field| field.coefficient_range());
-        self.bound = self.bound.min(self.goal.deviation_bound(angle_range_to_third_axis(&ranges, 0.0)));
+        self.deviation_bound =
+            self.deviation_bound.min(self.goal.deviation_bound(angle_range_to_third_axis(&ranges, 0.0)));
         Ok(())
     }
 
@@ -367,19 +374,21 @@ impl Surface<'_> {
         let mut candidates = Vec::new();
         for k in 0..self.len() {
             let (part, sheet) = (self.sheet_job(k, job), self.sheet(k));
-            let (cones, part) = (self.cones_of_sheet(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
+            let (cones, part) = (self.cones_of_sheet(k, &part.sub_job(0.0, 0.5))?, part.sub_job(0.5, 1.0));
             each_sheet!(sheet, cells => {
                 let search = SheetAngleSearch::new(self, k, cells, frame, goal);
                 search.collect_candidates(cones, &ContourLattice::new(sheet), &mut best, &mut candidates, &part)
             })?;
         }
         let order = |candidate: &CandidateCell| (candidate.sheet, candidate.cell);
-        sort::sort_stable(&mut candidates, &|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
-        let (last, mut bound) = (job.part(0.9, 1.0), f64::INFINITY);
+        sort::sort_stable(&mut candidates, &|a, b| {
+            a.deviation_bound.total_cmp(&b.deviation_bound).then(order(a).cmp(&order(b)))
+        });
+        let (last, mut bound) = (job.sub_job(0.9, 1.0), f64::INFINITY);
         for (k, candidate) in candidates.iter().enumerate() {
             last.step_every(16, k, candidates.len(), "angles")?;
-            if candidate.bound >= (best.deviation - ANGLE_TOLERANCE_RADIANS).max(0.0) {
-                bound = bound.min(candidate.bound);
+            if candidate.deviation_bound >= (best.deviation - ANGLE_TOLERANCE_RADIANS).max(0.0) {
+                bound = bound.min(candidate.deviation_bound);
                 break;
             }
             let (k, cell) = (candidate.sheet as usize, candidate.cell);

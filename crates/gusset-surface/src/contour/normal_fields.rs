@@ -38,7 +38,7 @@ fn field_from_scaled_coefficients<const M: usize>(scaled: &ScaledCoefficients<M>
     for (row, a) in c.iter_mut().zip(by) {
         row.iter_mut().zip(by).for_each(|(x, b)| *x /= a * b);
     }
-    BernsteinField { c }
+    BernsteinField { coefficients: c }
 }
 
 /// Coefficients multiplied by factors for rows and columns.
@@ -142,7 +142,7 @@ pub(super) fn sum_of_squared_fields<const H: usize, const M: usize>(fields: &[Be
     let by = const { binomial_row::<H>(H - 1) };
     let mut sum = [[0.0; M]; M];
     for field in fields {
-        let scaled = scale_coefficients(&field.c, &by, &by);
+        let scaled = scale_coefficients(&field.coefficients, &by, &by);
         add_scaled_product(&scaled, &scaled, &mut sum);
     }
     field_from_scaled_coefficients(&sum)

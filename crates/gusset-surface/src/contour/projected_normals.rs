@@ -29,8 +29,8 @@ pub(super) struct ProjectedNormals<'a, C, const N: usize> {
 
 /// The corners of a block's cells, in the frame.
 pub(super) struct ProjectedBlockCorners {
-    at: [[DVec3; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
-    start: [usize; 2],
+    projected_corners: [[DVec3; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
+    first_cell: [usize; 2],
     /// Bound of the difference between control vectors of S_u and S_v and the sides of the
     /// quadrilateral.
     slack: f64,
@@ -40,8 +40,11 @@ impl ProjectedBlockCorners {
     /// Ranges of the components of N over a cell.
     #[inline]
     pub(super) fn normal_component_ranges(&self, [i, j]: [usize; 2]) -> [[f64; 2]; 3] {
-        let (r, c) = (i - self.start[0], j - self.start[1]);
-        let [[p00, p01], [p10, p11]] = [[self.at[r][c], self.at[r][c + 1]], [self.at[r + 1][c], self.at[r + 1][c + 1]]];
+        let (r, c) = (i - self.first_cell[0], j - self.first_cell[1]);
+        let [[p00, p01], [p10, p11]] = [
+            [self.projected_corners[r][c], self.projected_corners[r][c + 1]],
+            [self.projected_corners[r + 1][c], self.projected_corners[r + 1][c + 1]],
+        ];
         let range = |a: DVec3, b: DVec3| {
             let (low, high) = (a.min(b) - self.slack, a.max(b) + self.slack);
             [0, 1, 2].map(|k| [low[k], high[k]])
@@ -85,7 +88,7 @@ impl<'a, C: SheetCells<N>, const N: usize> ProjectedNormals<'a, C, N> {
             }
         }
         let slack = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.max_coordinate;
-        ProjectedBlockCorners { at, start: [rows.start, columns.start], slack }
+        ProjectedBlockCorners { projected_corners: at, first_cell: [rows.start, columns.start], slack }
     }
 
     /// The corners of a block, and its cells, row by row.
@@ -132,9 +135,9 @@ impl<'a, C: SheetCells<N>, const N: usize> ProjectedNormals<'a, C, N> {
             &mut found,
         )?;
         let along = |at: &DVec2| self.cells.cell_patch(cell[0], cell[1]).jet(at.x, at.y).normal().dot(self.frame[2]);
-        found.simple.retain(|at| along(at) * sign > 0.0);
-        let unresolved = found.unresolved.iter().map(|cluster| cluster.best.middle.truncate());
-        Ok([found.simple, alloc::collect(unresolved)?])
+        found.simple_roots.retain(|at| along(at) * sign > 0.0);
+        let unresolved = found.unresolved.iter().map(|cluster| cluster.best_box.middle.truncate());
+        Ok([found.simple_roots, alloc::collect(unresolved)?])
     }
 
     /// Bound of the rounding error of components of normals.

@@ -67,8 +67,14 @@ impl Surface<'_> {
                         index.distance_bound_from_bilinear_patches(i / CELLS_PER_BLOCK_SIDE, j / CELLS_PER_BLOCK_SIDE)
                             + rounding_error
                     };
-                    let source =
-                        NodalScalarSource { axes, value, levels: planes.levels, rounding_error, excess, deviation };
+                    let source = NodalScalarSource {
+                        axes,
+                        scalar_at_node: value,
+                        levels: planes.levels,
+                        rounding_error,
+                        excess,
+                        deviation,
+                    };
                     ContourSearch { cells: grid, source: &source, lattice, chord }.find_arcs(
                         blocks.len(),
                         block,
@@ -98,7 +104,7 @@ impl Surface<'_> {
             };
             contours.add_sheet_arcs(k, found, &lattice, jumps, job.requested_threads())?;
         }
-        add_leus_points(contours.into_paths(self, &job.part(0.9, 1.0))?, spacing)
+        add_leus_points(contours.into_paths(self, &job.sub_job(0.9, 1.0))?, spacing)
     }
 
     /// Finds the contours of a scalar field that is given at the corners of the cells: the curves
@@ -135,8 +141,14 @@ impl Surface<'_> {
             let value = |i: usize, j: usize| own[i * columns + j];
             let excess = axes[0].lebesgue_constant() * axes[1].lebesgue_constant() - 1.0;
             let rounding_error = 16.0 * f64::EPSILON * largest;
-            let source =
-                NodalScalarSource { axes, value, levels, rounding_error, excess, deviation: |_, _| f64::INFINITY };
+            let source = NodalScalarSource {
+                axes,
+                scalar_at_node: value,
+                levels,
+                rounding_error,
+                excess,
+                deviation: |_, _| f64::INFINITY,
+            };
             let [_, across] = lattice.block_counts();
             let block = |k: usize| [(k / across) as u32, (k % across) as u32];
             let count = lattice.block_counts()[0] * across;
@@ -145,12 +157,12 @@ impl Surface<'_> {
             })?;
             contours.add_sheet_arcs(k, found, &lattice, false, job.requested_threads())?;
         }
-        add_leus_points(contours.into_paths(self, &job.part(0.9, 1.0))?, spacing)
+        add_leus_points(contours.into_paths(self, &job.sub_job(0.9, 1.0))?, spacing)
     }
 
     /// The job of sheet k: its share of the search.
     pub(super) fn sheet_job<'a>(&self, k: usize, job: &Job<'a>) -> Job<'a> {
-        job.part(0.0, 0.9).share(k, self.len())
+        job.sub_job(0.0, 0.9).sub_job_of_item(k, self.len())
     }
 
     fn check_field_values(&self, values: &[f64]) -> Result<()> {

@@ -11,12 +11,12 @@ const SIDES_PER_VECTOR: usize = 8;
 /// Computes the roots of cubic polynomials along sides that
 /// [`decide_crossing_by_corners`](super::corner_crossing::decide_crossing_by_corners) has proven to be crossed.
 pub(super) fn compute_side_roots(sides: &[[f64; 4]], found: &mut Vec<f64>) {
-    simd::run(SideRootKernel { sides, found });
+    simd::run(SideRootKernel { side_polynomials: sides, roots: found });
 }
 
 struct SideRootKernel<'a> {
-    sides: &'a [[f64; 4]],
-    found: &'a mut Vec<f64>,
+    side_polynomials: &'a [[f64; 4]],
+    roots: &'a mut Vec<f64>,
 }
 
 impl Kernel for SideRootKernel<'_> {
@@ -24,7 +24,7 @@ impl Kernel for SideRootKernel<'_> {
 
     #[inline(always)]
     fn run(self) {
-        for sides in self.sides.chunks(SIDES_PER_VECTOR) {
+        for sides in self.side_polynomials.chunks(SIDES_PER_VECTOR) {
             let mut c = [[0.0; SIDES_PER_VECTOR]; 4];
             for lane in 0..SIDES_PER_VECTOR {
                 let side = &sides[lane.min(sides.len() - 1)];
@@ -32,7 +32,7 @@ impl Kernel for SideRootKernel<'_> {
             }
             let mut t = [0.0; SIDES_PER_VECTOR];
             solve_sides_by_newton(&c, &mut t);
-            self.found.extend_from_slice(&t[..sides.len()]);
+            self.roots.extend_from_slice(&t[..sides.len()]);
         }
     }
 }

@@ -16,7 +16,7 @@ const MIN_HALVED_INTERVAL: f64 = 1.0 / (1_u64 << 44) as f64;
 /// A sign change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SideSignChange {
-    pub(super) t: f64,
+    pub(super) side_parameter: f64,
     /// True if the sign changes from minus to plus with increasing t.
     pub(super) rising: bool,
 }
@@ -33,11 +33,11 @@ pub(super) fn counts_as_positive(value: f64) -> bool {
 pub(super) fn find_sign_changes<const M: usize>(c: &[f64; M], ends: [bool; 2], mut found: impl FnMut(SideSignChange)) {
     let [start, end] = [counts_as_positive(c[0]), counts_as_positive(c[M - 1])];
     if start != ends[0] {
-        found(SideSignChange { t: 0.0, rising: start });
+        found(SideSignChange { side_parameter: 0.0, rising: start });
     }
     find_inner_sign_changes(c, &mut found);
     if end != ends[1] {
-        found(SideSignChange { t: 1.0, rising: ends[1] });
+        found(SideSignChange { side_parameter: 1.0, rising: ends[1] });
     }
 }
 
@@ -48,9 +48,14 @@ fn find_inner_sign_changes<const M: usize>(c: &[f64; M], found: &mut impl FnMut(
         let rising = counts_as_positive(c[M - 1]);
         match sign_changes(c.iter().map(|&x| counts_as_positive(x))) {
             0 => return false,
-            1 => found(SideSignChange { t: from + (to - from) * find_bracketed_root(c, [0.0, 1.0]), rising }),
+            1 => found(SideSignChange {
+                side_parameter: from + (to - from) * find_bracketed_root(c, [0.0, 1.0]),
+                rising,
+            }),
             _ if to - from > MIN_HALVED_INTERVAL => return true,
-            _ if counts_as_positive(c[0]) != rising => found(SideSignChange { t: 0.5 * (from + to), rising }),
+            _ if counts_as_positive(c[0]) != rising => {
+                found(SideSignChange { side_parameter: 0.5 * (from + to), rising })
+            }
             _ => {}
         }
         false
@@ -117,7 +122,7 @@ mod tests {
     fn signs_at_the_ends_are_kept() {
         // A line through 1/2, with true and with false signs at its ends.
         let line = [-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0];
-        assert_eq!(all_crossings(line, [false, true]), [SideSignChange { t: 0.5, rising: true }]);
+        assert_eq!(all_crossings(line, [false, true]), [SideSignChange { side_parameter: 0.5, rising: true }]);
         for ends in [[true, true], [false, false], [true, false]] {
             let list = all_crossings(line, ends);
             let mut sign = ends[0];
@@ -125,22 +130,37 @@ mod tests {
                 assert_eq!(crossing.rising, !sign);
                 sign = crossing.rising;
             }
-            assert!(sign == ends[1] && list.iter().any(|crossing| crossing.t == 0.5), "{list:?}");
+            assert!(sign == ends[1] && list.iter().any(|crossing| crossing.side_parameter == 0.5), "{list:?}");
         }
         // The zero polynomial is positive. A value 0 at the start of a negative polynomial is a
         // root there.
         assert!(all_crossings([0.0; 4], [true, true]).is_empty());
-        assert_eq!(all_crossings([0.0, -1.0, -1.0, -1.0], [true, false]), [SideSignChange { t: 0.0, rising: false }]);
+        assert_eq!(
+            all_crossings([0.0, -1.0, -1.0, -1.0], [true, false]),
+            [SideSignChange { side_parameter: 0.0, rising: false }]
+        );
         // The polynomial is 0 at an end, positive next to it, and changes sign elsewhere.
         let [inner] = all_crossings([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
-        assert!(inner.rising && inner.t < 0.9 && value_and_slope(&[-1.0, -0.1, 0.3, 0.0], inner.t)[0].abs() < 1e-15);
+        assert!(
+            inner.rising
+                && inner.side_parameter < 0.9
+                && value_and_slope(&[-1.0, -0.1, 0.3, 0.0], inner.side_parameter)[0].abs() < 1e-15
+        );
         let [inner] = all_crossings([0.0, 0.3, -0.1, -1.0], [true, false])[..] else { panic!() };
-        assert!(!inner.rising && inner.t > 0.1 && value_and_slope(&[0.0, 0.3, -0.1, -1.0], inner.t)[0].abs() < 1e-15);
+        assert!(
+            !inner.rising
+                && inner.side_parameter > 0.1
+                && value_and_slope(&[0.0, 0.3, -0.1, -1.0], inner.side_parameter)[0].abs() < 1e-15
+        );
         // A double root, touched from above and from below.
         assert!(all_crossings([0.25, -0.25, 0.25], [true, true]).len() % 2 == 0);
         assert!(all_crossings([0.25 + 1e-12, -0.25, 0.25], [true, true]).is_empty());
         let two = all_crossings([0.25 - 1e-12, -0.25, 0.25], [true, true]);
-        assert!(two.len() == 2 && two[1].t - two[0].t < 3e-6 && two[1].t > two[0].t);
+        assert!(
+            two.len() == 2
+                && two[1].side_parameter - two[0].side_parameter < 3e-6
+                && two[1].side_parameter > two[0].side_parameter
+        );
     }
 
     #[test]
@@ -155,7 +175,7 @@ mod tests {
         let list = all_crossings(c, [false, true]);
         assert_eq!(list.len(), 3);
         for (crossing, root) in list.iter().zip([a, b, d]) {
-            assert!((crossing.t - root).abs() < 1e-14, "{list:?}");
+            assert!((crossing.side_parameter - root).abs() < 1e-14, "{list:?}");
         }
         assert!(list[0].rising && !list[1].rising && list[2].rising);
     }

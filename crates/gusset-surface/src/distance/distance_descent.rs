@@ -23,32 +23,32 @@ const MIN_POSITIVE_PIVOT: f64 = 1e-10;
 /// The function and its derivatives at a place.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DistanceJet {
-    pub(super) at: PairParameters,
+    pub(super) parameters: PairParameters,
     pub(super) distance: f64,
     difference: DVec3,
-    a: Jet,
-    b: Jet,
+    jet_of_a: Jet,
+    jet_of_b: Jet,
 }
 
 /// Two nets.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NetPair<'a> {
-    pub(super) a: ControlNet<'a>,
-    pub(super) b: ControlNet<'a>,
+    pub(super) net_of_a: ControlNet<'a>,
+    pub(super) net_of_b: ControlNet<'a>,
 }
 
 impl NetPair<'_> {
     /// Which parameters exist.
     fn which_parameters_vary(&self) -> [bool; 4] {
-        let [a, b] = [self.a.shape, self.b.shape].map(|shape| shape.map(|count| count > 1));
+        let [a, b] = [self.net_of_a.shape, self.net_of_b.shape].map(|shape| shape.map(|count| count > 1));
         [a[0], a[1], b[0], b[1]]
     }
 
     pub(super) fn distance_jet_at(&self, at: PairParameters) -> DistanceJet {
         let [u, v, s, t] = at;
-        let (a, b) = (self.a.jet_at([u, v]), self.b.jet_at([s, t]));
+        let (a, b) = (self.net_of_a.jet_at([u, v]), self.net_of_b.jet_at([s, t]));
         let difference = a.point - b.point;
-        DistanceJet { at, distance: difference.length(), difference, a, b }
+        DistanceJet { parameters: at, distance: difference.length(), difference, jet_of_a: a, jet_of_b: b }
     }
 
     /// Descends to a local minimum in at most `max_steps` steps.
@@ -57,12 +57,13 @@ impl NetPair<'_> {
         let mut best = start;
         for _ in 0..max_steps {
             let gradient = best.gradient();
-            let free: [bool; 4] = std::array::from_fn(|k| exist[k] && !does_step_leave_box(best.at[k], gradient[k]));
+            let free: [bool; 4] =
+                std::array::from_fn(|k| exist[k] && !does_step_leave_box(best.parameters[k], gradient[k]));
             let Some(step) = best.descent_step(&gradient, free) else { break };
             let slope = best.squared_projected_gradient(exist);
             let mut length = 1.0;
             let next = loop {
-                let at = std::array::from_fn(|k| (best.at[k] - length * step[k]).clamp(0.0, 1.0));
+                let at = std::array::from_fn(|k| (best.parameters[k] - length * step[k]).clamp(0.0, 1.0));
                 let next = self.distance_jet_at(at);
                 let levels_off = next.distance <= best.distance * (1.0 + 4.0 * f64::EPSILON);
                 if next.distance < best.distance || (levels_off && next.squared_projected_gradient(exist) < slope) {
@@ -74,7 +75,7 @@ impl NetPair<'_> {
                 }
             };
             let Some(next) = next else { break };
-            let moved = (0..4).map(|k| (next.at[k] - best.at[k]).abs()).fold(0.0, f64::max);
+            let moved = (0..4).map(|k| (next.parameters[k] - best.parameters[k]).abs()).fold(0.0, f64::max);
             best = next;
             if moved <= LAST_STEP_PARAMETER_LENGTH {
                 break;
@@ -92,14 +93,15 @@ impl NetPair<'_> {
 impl DistanceJet {
     /// The derivatives of the difference.
     fn tangents_of_difference(&self) -> [DVec3; 4] {
-        [self.a.u, self.a.v, -self.b.u, -self.b.v]
+        [self.jet_of_a.u, self.jet_of_a.v, -self.jet_of_b.u, -self.jet_of_b.v]
     }
 
     /// A lower bound of the distance, if f is convex.
     pub(super) fn min_distance_if_convex(&self) -> f64 {
         let gradient = self.gradient();
         // The smallest value of the tangent plane over the box.
-        let fall: f64 = gradient.iter().zip(self.at).map(|(&slope, at)| (slope * at).max(slope * (at - 1.0))).sum();
+        let fall: f64 =
+            gradient.iter().zip(self.parameters).map(|(&slope, at)| (slope * at).max(slope * (at - 1.0))).sum();
         (self.distance * self.distance - 2.0 * fall).max(0.0).sqrt()
     }
 
@@ -111,7 +113,7 @@ impl DistanceJet {
     /// that lead out of the box.
     fn squared_projected_gradient(&self, exist: [bool; 4]) -> f64 {
         let gradient = self.gradient();
-        let free = (0..4).filter(|&k| exist[k] && !does_step_leave_box(self.at[k], gradient[k]));
+        let free = (0..4).filter(|&k| exist[k] && !does_step_leave_box(self.parameters[k], gradient[k]));
         free.map(|k| gradient[k] * gradient[k]).sum::<f64>()
     }
 
@@ -122,7 +124,7 @@ impl DistanceJet {
         let mut first: MatrixOfParameters =
             std::array::from_fn(|i| std::array::from_fn(|k| tangents[i].dot(tangents[k])));
         let mut hessian = first;
-        for (offset, jet, sign) in [(0, &self.a, 1.0), (2, &self.b, -1.0)] {
+        for (offset, jet, sign) in [(0, &self.jet_of_a, 1.0), (2, &self.jet_of_b, -1.0)] {
             let [uu, uv, vv] = [jet.uu, jet.uv, jet.vv].map(|second| sign * second.dot(self.difference));
             hessian[offset][offset] += uu;
             hessian[offset][offset + 1] += uv;

@@ -3,7 +3,7 @@
 //! The bound of a pair is the distance between the hulls of its pieces. If a pair may contain
 //! closer points, its coarser piece is divided. A pair of nets also yields closer points by
 //! descent. It is settled if the distance is a convex function of the parameters. Invariant: no
-//! points are closer than the best pair so far less the tolerance, than `settled`, or than the
+//! points are closer than the best pair so far less the tolerance, than `least_settled_bound`, or than the
 //! bound of the first waiting pair.
 //!
 //! If all points of two pieces are equally far, as on concentric spheres, bounds cannot separate
@@ -41,8 +41,8 @@ pub(super) const PROGRESS_STAGE: &str = "distance";
 /// A pair of pieces, and a start for the descent.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PiecePair {
-    a: usize,
-    b: usize,
+    piece_of_a: usize,
+    piece_of_b: usize,
     start: PairParameters,
 }
 
@@ -50,25 +50,25 @@ pub(super) struct PiecePair {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NearestPair {
     pub(super) distance: f64,
-    pub(super) a: PiecePosition,
-    pub(super) b: PiecePosition,
+    pub(super) position_on_a: PiecePosition,
+    pub(super) position_on_b: PiecePosition,
 }
 
 /// The search, in the scaled coordinates of the views.
 pub(super) struct DistanceSearch<'a> {
-    pub(super) a: SidePieces<'a>,
-    pub(super) b: SidePieces<'a>,
+    pub(super) side_a: SidePieces<'a>,
+    pub(super) side_b: SidePieces<'a>,
     /// The length to which the distance is proven, and the rounding of distances.
     pub(super) tolerance: f64,
-    pub(super) rounding: f64,
+    pub(super) distance_rounding: f64,
     pub(super) job: &'a Job<'a>,
-    pub(super) best: Option<NearestPair>,
-    /// The pair of pieces of `best`, and its place there.
-    last: Option<(PiecePair, DistanceJet)>,
+    pub(super) nearest_pair: Option<NearestPair>,
+    /// The pair of pieces of `nearest_pair`, and its place there.
+    pieces_and_jet_of_nearest: Option<(PiecePair, DistanceJet)>,
     /// The smallest bound of settled pairs.
-    pub(super) settled: f64,
-    pub(super) pairs: usize,
-    pairs_at_gain: usize,
+    pub(super) least_settled_bound: f64,
+    pub(super) examined_pairs: usize,
+    examined_pairs_at_last_gain: usize,
     frontier: Frontier<PiecePair, (u32, usize, usize)>,
     depth: u32,
 }
@@ -77,16 +77,16 @@ impl<'a> DistanceSearch<'a> {
     pub(super) fn new(sides: [SidePieces<'a>; 2], tolerance: f64, rounding: f64, job: &'a Job<'a>) -> Self {
         let [a, b] = sides;
         DistanceSearch {
-            a,
-            b,
+            side_a: a,
+            side_b: b,
             tolerance,
-            rounding,
+            distance_rounding: rounding,
             job,
-            best: None,
-            last: None,
-            settled: f64::INFINITY,
-            pairs: 0,
-            pairs_at_gain: 0,
+            nearest_pair: None,
+            pieces_and_jet_of_nearest: None,
+            least_settled_bound: f64::INFINITY,
+            examined_pairs: 0,
+            examined_pairs_at_last_gain: 0,
             frontier: Frontier::default(),
             depth: 0,
         }
@@ -97,21 +97,24 @@ impl<'a> DistanceSearch<'a> {
         self.consider_pair(0, 0)?;
         let left = self.search_best_first()?.unwrap_or(f64::INFINITY);
         self.descend_from_best_pair();
-        Ok(left.min(self.settled).min(self.best_distance()))
+        Ok(left.min(self.least_settled_bound).min(self.best_distance()))
     }
 
     /// Descends from the best points to a local minimum in their pieces. If the pair was settled
     /// without a descent, the distance is within the tolerance, but the points may be beside the
     /// nearest ones.
     fn descend_from_best_pair(&mut self) {
-        let Some((pair, value)) = self.last else { return };
-        let (Some(a), Some(b)) = (self.a.control_net(pair.a), self.b.control_net(pair.b)) else { return };
-        let value = NetPair { a, b }.minimise_distance(value, MAX_DESCENT_STEPS);
+        let Some((pair, value)) = self.pieces_and_jet_of_nearest else { return };
+        let (Some(a), Some(b)) = (self.side_a.control_net(pair.piece_of_a), self.side_b.control_net(pair.piece_of_b))
+        else {
+            return;
+        };
+        let value = NetPair { net_of_a: a, net_of_b: b }.minimise_distance(value, MAX_DESCENT_STEPS);
         self.record_pair_if_closer(&pair, &value);
     }
 
     pub(super) fn best_distance(&self) -> f64 {
-        self.best.map_or(f64::INFINITY, |best| best.distance)
+        self.nearest_pair.map_or(f64::INFINITY, |best| best.distance)
     }
 
     /// Pairs with at least this bound need not be examined. Half of the tolerance is reserved for
@@ -121,30 +124,34 @@ impl<'a> DistanceSearch<'a> {
     }
 
     fn record_lower_bound(&mut self, bound: f64) {
-        self.settled = self.settled.min(bound);
+        self.least_settled_bound = self.least_settled_bound.min(bound);
     }
 
     /// Settles a pair by its bound, or adds it to the frontier.
     fn consider_pair(&mut self, a: usize, b: usize) -> Result<()> {
         let limit = self.prune_bound();
-        let apart = self.a.bounding_box(a).distance(self.b.bounding_box(b)) - self.rounding;
+        let apart = self.side_a.bounding_box(a).distance(self.side_b.bounding_box(b)) - self.distance_rounding;
         if apart >= limit {
             self.record_lower_bound(apart);
             return Ok(());
         }
-        let found =
-            hull_distance(self.a.hull_points(a), self.b.hull_points(b), limit + self.rounding, 0.1 * self.tolerance);
-        let bound = (found.bound - self.rounding).max(apart).max(0.0);
+        let found = hull_distance(
+            self.side_a.hull_points(a),
+            self.side_b.hull_points(b),
+            limit + self.distance_rounding,
+            0.1 * self.tolerance,
+        );
+        let bound = (found.lower_bound - self.distance_rounding).max(apart).max(0.0);
         if bound >= limit {
             self.record_lower_bound(bound);
             return Ok(());
         }
-        let corners = &found.corners[..found.count];
+        let corners = &found.corners[..found.corner_count];
         let ([u, v], [s, t]) = (
-            self.a.start_parameters(a, corners, |corner| corner.a),
-            self.b.start_parameters(b, corners, |corner| corner.b),
+            self.side_a.start_parameters(a, corners, |corner| corner.point_of_a),
+            self.side_b.start_parameters(b, corners, |corner| corner.point_of_b),
         );
-        let pair = PiecePair { a, b, start: [u, v, s, t] };
+        let pair = PiecePair { piece_of_a: a, piece_of_b: b, start: [u, v, s, t] };
         // Among equal bounds, the latest pair comes first: where hulls meet, this leads straight to
         // points that meet.
         self.depth = self.depth.saturating_add(1);
@@ -153,31 +160,35 @@ impl<'a> DistanceSearch<'a> {
 
     /// Records a point on each side, if it is closer than the best pair.
     fn record_pair_if_closer(&mut self, pair: &PiecePair, value: &DistanceJet) {
-        let [u, v, s, t] = value.at;
+        let [u, v, s, t] = value.parameters;
         let nearest_pair = NearestPair {
             distance: value.distance,
-            a: self.a.position_at(pair.a, [u, v]),
-            b: self.b.position_at(pair.b, [s, t]),
+            position_on_a: self.side_a.position_at(pair.piece_of_a, [u, v]),
+            position_on_b: self.side_b.position_at(pair.piece_of_b, [s, t]),
         };
-        let key = |nearest: &NearestPair| (nearest.distance, nearest.a, nearest.b);
-        if self.best.is_none_or(|best| key(&nearest_pair) < key(&best)) {
+        let key = |nearest: &NearestPair| (nearest.distance, nearest.position_on_a, nearest.position_on_b);
+        if self.nearest_pair.is_none_or(|best| key(&nearest_pair) < key(&best)) {
             if nearest_pair.distance < self.best_distance() * (1.0 - MIN_RELATIVE_DISTANCE_GAIN) {
-                self.pairs_at_gain = self.pairs;
+                self.examined_pairs_at_last_gain = self.examined_pairs;
             }
-            (self.best, self.last) = (Some(nearest_pair), Some((*pair, *value)));
+            (self.nearest_pair, self.pieces_and_jet_of_nearest) = (Some(nearest_pair), Some((*pair, *value)));
         }
     }
 
     /// Examines a pair of nets. Returns its bound, which may be better than the known one.
     fn examine_net_pair(&mut self, pair: &PiecePair, bound: f64) -> f64 {
-        let balls = [self.a.net_balls(pair.a), self.b.net_balls(pair.b)];
-        let (Some(a), Some(b)) = (self.a.control_net(pair.a), self.b.control_net(pair.b)) else { return bound };
-        let nets = NetPair { a, b };
+        let balls = [self.side_a.net_balls(pair.piece_of_a), self.side_b.net_balls(pair.piece_of_b)];
+        let (Some(a), Some(b)) = (self.side_a.control_net(pair.piece_of_a), self.side_b.control_net(pair.piece_of_b))
+        else {
+            return bound;
+        };
+        let nets = NetPair { net_of_a: a, net_of_b: b };
         let start = nets.distance_jet_at(pair.start);
-        let is_fresh = self.a.is_whole_cell_or_segment(pair.a) && self.b.is_whole_cell_or_segment(pair.b);
+        let is_fresh = self.side_a.is_whole_cell_or_segment(pair.piece_of_a)
+            && self.side_b.is_whole_cell_or_segment(pair.piece_of_b);
         let (value, proven) = if nets.is_distance_convex([&balls[0], &balls[1]]) {
             let value = nets.minimise_distance(start, MAX_DESCENT_STEPS);
-            (value, value.min_distance_if_convex() - self.rounding)
+            (value, value.min_distance_if_convex() - self.distance_rounding)
         } else if is_fresh || start.distance < self.best_distance() {
             (nets.minimise_distance(start, MAX_DESCENT_STEPS_WITHOUT_PROOF), 0.0)
         } else {
@@ -189,18 +200,21 @@ impl<'a> DistanceSearch<'a> {
 
     /// Selects the piece to divide (true for A), and the parameter to divide it along.
     fn choose_division(&mut self, pair: &PiecePair) -> (bool, usize) {
-        let (of_a, of_b) =
-            (self.a.gain_and_parameter_of_division(pair.a), self.b.gain_and_parameter_of_division(pair.b));
+        let (of_a, of_b) = (
+            self.side_a.gain_and_parameter_of_division(pair.piece_of_a),
+            self.side_b.gain_and_parameter_of_division(pair.piece_of_b),
+        );
         if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
             return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
         }
-        let has_net = [self.a.control_net(pair.a).is_some(), self.b.control_net(pair.b).is_some()];
+        let has_net =
+            [self.side_a.control_net(pair.piece_of_a).is_some(), self.side_b.control_net(pair.piece_of_b).is_some()];
         if has_net.contains(&false) {
             return (!has_net[0], 0);
         }
         let (of_a, of_b) = (
-            self.a.length_and_longer_parameter_of_flat_net(pair.a),
-            self.b.length_and_longer_parameter_of_flat_net(pair.b),
+            self.side_a.length_and_longer_parameter_of_flat_net(pair.piece_of_a),
+            self.side_b.length_and_longer_parameter_of_flat_net(pair.piece_of_b),
         );
         if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) }
     }
@@ -217,22 +231,25 @@ impl BranchAndBound for DistanceSearch<'_> {
 
     fn is_bound_wanted(&mut self, bound: f64) -> bool {
         let distance = self.best_distance();
-        let is_long = self.pairs >= MIN_EXAMINED_PAIRS && self.pairs - self.pairs_at_gain >= self.pairs / 2;
-        let is_spent = self.pairs >= MAX_EXAMINED_PAIRS
-            || self.a.point_count() + self.b.point_count() >= MAX_STORED_CONTROL_POINTS
+        let is_long = self.examined_pairs >= MIN_EXAMINED_PAIRS
+            && self.examined_pairs - self.examined_pairs_at_last_gain >= self.examined_pairs / 2;
+        let is_spent = self.examined_pairs >= MAX_EXAMINED_PAIRS
+            || self.side_a.point_count() + self.side_b.point_count() >= MAX_STORED_CONTROL_POINTS
             || (is_long && distance - bound <= SMALL_RELATIVE_GAP * distance);
-        bound < self.prune_bound() && distance > self.rounding && !(is_spent && distance.is_finite())
+        bound < self.prune_bound() && distance > self.distance_rounding && !(is_spent && distance.is_finite())
     }
 
     fn branch_task(&mut self, bound: f64, pair: PiecePair) -> Result<()> {
-        self.pairs += 1;
-        if self.pairs.is_multiple_of(PAIRS_PER_REPORT) {
-            self.job.step(self.pairs as f64 / (2 * MAX_EXAMINED_PAIRS) as f64, PROGRESS_STAGE)?;
+        self.examined_pairs += 1;
+        if self.examined_pairs.is_multiple_of(PAIRS_PER_REPORT) {
+            self.job.step(self.examined_pairs as f64 / (2 * MAX_EXAMINED_PAIRS) as f64, PROGRESS_STAGE)?;
         }
-        let are_nets = self.a.control_net(pair.a).is_some() && self.b.control_net(pair.b).is_some();
+        let are_nets =
+            self.side_a.control_net(pair.piece_of_a).is_some() && self.side_b.control_net(pair.piece_of_b).is_some();
         if are_nets {
             let bound = self.examine_net_pair(&pair, bound);
-            let is_least = self.a.parameter_size(pair.a).max(self.b.parameter_size(pair.b)) <= MIN_DIVIDED_PART_SIZE;
+            let is_least = self.side_a.parameter_size(pair.piece_of_a).max(self.side_b.parameter_size(pair.piece_of_b))
+                <= MIN_DIVIDED_PART_SIZE;
             if bound >= self.prune_bound() || is_least {
                 self.record_lower_bound(bound);
                 return Ok(());
@@ -240,12 +257,12 @@ impl BranchAndBound for DistanceSearch<'_> {
         }
         let (of_a, parameter) = self.choose_division(&pair);
         if of_a {
-            for part in self.a.divide_piece(pair.a, parameter)? {
-                self.consider_pair(part, pair.b)?;
+            for part in self.side_a.divide_piece(pair.piece_of_a, parameter)? {
+                self.consider_pair(part, pair.piece_of_b)?;
             }
         } else {
-            for part in self.b.divide_piece(pair.b, parameter)? {
-                self.consider_pair(pair.a, part)?;
+            for part in self.side_b.divide_piece(pair.piece_of_b, parameter)? {
+                self.consider_pair(pair.piece_of_a, part)?;
             }
         }
         Ok(())

@@ -55,8 +55,8 @@ pub struct NearestPoints<T> {
 
 /// The result of a search, in the caller's unit.
 struct DistanceOutcome {
-    a: PiecePosition,
-    b: PiecePosition,
+    position_on_a: PiecePosition,
+    position_on_b: PiecePosition,
     distance: f64,
     bound: f64,
     proven: bool,
@@ -66,7 +66,7 @@ struct DistanceOutcome {
 impl DistanceOutcome {
     fn to_nearest_points<T>(&self, surface: &Surface<'_>, other: T, other_point: DVec3) -> NearestPoints<T> {
         let DistanceOutcome { distance, bound, proven, meets, .. } = *self;
-        let place = place_of_position(&self.a);
+        let place = place_of_position(&self.position_on_a);
         let point = surface.jet(place).point;
         NearestPoints {
             place,
@@ -84,7 +84,12 @@ impl DistanceOutcome {
 
 /// Converts the position to a place on a surface.
 fn place_of_position(at: &PiecePosition) -> Place {
-    Place { sheet: at.number as u32, cell: at.cell.map(|k| k as u32), u: at.at[0], v: at.at[1] }
+    Place {
+        sheet: at.sheet_or_segment as u32,
+        cell: at.cell.map(|k| k as u32),
+        u: at.parameters[0],
+        v: at.parameters[1],
+    }
 }
 
 /// Refuses coordinates whose squares would overflow.
@@ -133,7 +138,7 @@ impl Surface<'_> {
             let across = DMat3::from_cols(u, v, DVec3::ZERO).transpose();
             self.search_distance_in_view(DistanceSide::Point, (near, across), &[near], tolerance, job)?
         };
-        let t = if is_cut { ends[0] + (ends[1] - ends[0]) * found.b.at[0] } else { 0.0 };
+        let t = if is_cut { ends[0] + (ends[1] - ends[0]) * found.position_on_b.parameters[0] } else { 0.0 };
         let mut approach = found.to_nearest_points(self, t, at(t));
         if !is_cut {
             approach.other = parameter(approach.point);
@@ -191,7 +196,10 @@ impl Surface<'_> {
             tolerance,
             job,
         )?;
-        let at = CurvePlace { segment: nearest.b.number as u32, t: nearest.b.at[0] };
+        let at = CurvePlace {
+            segment: nearest.position_on_b.sheet_or_segment as u32,
+            t: nearest.position_on_b.parameters[0],
+        };
         Ok(nearest.to_nearest_points(self, at, curve.point(at)?))
     }
 
@@ -216,7 +224,7 @@ impl Surface<'_> {
             Some(tolerance),
             job,
         )?;
-        let at = place_of_position(&nearest.b);
+        let at = place_of_position(&nearest.position_on_b);
         Ok(nearest.to_nearest_points(self, at, other.jet(at).point))
     }
 
@@ -249,15 +257,24 @@ impl Surface<'_> {
         let unit = if reach > 0.0 { floor_to_power_of_two(reach) } else { 1.0 };
         let rounding = 32.0 * f64::EPSILON * (largest / unit);
         let tolerance = (tolerance / unit).max(4.0 * rounding);
-        let view = AffineView { origin, turned, unit };
+        let view = AffineView { origin, linear_map: turned, unit };
         let sides = [SidePieces::new(DistanceSide::Surface(self), view)?, SidePieces::new(other, view)?];
         let mut search = DistanceSearch::new(sides, tolerance, rounding, job);
         let bound = search.find_nearest_pair()?;
         // Every search examines a pair of nets before it may end.
-        let (distance, a, b) = search.best.map_or_else(Default::default, |best| (best.distance, best.a, best.b));
+        let (distance, a, b) = search
+            .nearest_pair
+            .map_or_else(Default::default, |best| (best.distance, best.position_on_a, best.position_on_b));
         let meets = distance <= rounding;
         let (distance, bound) = if meets { (0.0, 0.0) } else { (distance, bound.min(distance)) };
         let proven = bound >= distance - tolerance;
-        Ok(DistanceOutcome { a, b, distance: distance * unit, bound: bound * unit, proven, meets })
+        Ok(DistanceOutcome {
+            position_on_a: a,
+            position_on_b: b,
+            distance: distance * unit,
+            bound: bound * unit,
+            proven,
+            meets,
+        })
     }
 }

@@ -23,13 +23,13 @@ use std::ops::Range;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AffineView {
     pub(super) origin: DVec3,
-    pub(super) turned: DMat3,
+    pub(super) linear_map: DMat3,
     pub(super) unit: f64,
 }
 
 impl AffineView {
     fn map_point(&self, point: DVec3) -> DVec3 {
-        self.turned * ((point - self.origin) / self.unit)
+        self.linear_map * ((point - self.origin) / self.unit)
     }
 }
 
@@ -62,24 +62,24 @@ enum PieceKind {
 /// A position: the sheet or segment, the cell, and parameters in it.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
 pub(super) struct PiecePosition {
-    pub(super) number: usize,
+    pub(super) sheet_or_segment: usize,
     pub(super) cell: [usize; 2],
-    pub(super) at: [f64; 2],
+    pub(super) parameters: [f64; 2],
 }
 
 #[derive(Debug, Clone)]
 pub(super) struct SearchPiece {
     kind: PieceKind,
     /// The range of its hull among the points.
-    first: usize,
+    first_hull_point: usize,
     shape: [usize; 2],
     bounds: Aabb,
     /// The ranges of its parts; for nets, along each parameter. Empty until the piece is divided.
-    parts: [[usize; 2]; 2],
+    part_ranges: [[usize; 2]; 2],
     /// For nets: the position of the start, the size as a fraction of the cell or segment, and the
     /// balls, once computed.
-    whereabouts: PiecePosition,
-    size: [f64; 2],
+    low_position: PiecePosition,
+    parameter_size: [f64; 2],
     balls: Option<DerivativeBalls>,
 }
 
@@ -115,7 +115,7 @@ impl<'a> SidePieces<'a> {
     }
 
     pub(super) fn hull_points(&self, piece: usize) -> &[DVec3] {
-        let SearchPiece { first, shape, .. } = self.pieces[piece];
+        let SearchPiece { first_hull_point: first, shape, .. } = self.pieces[piece];
         &self.points[first..first + shape[0] * shape[1]]
     }
 
@@ -137,19 +137,19 @@ impl<'a> SidePieces<'a> {
 
     /// The position of given parameters of a net.
     pub(super) fn position_at(&self, piece: usize, at: [f64; 2]) -> PiecePosition {
-        let SearchPiece { whereabouts, size, .. } = self.pieces[piece];
-        let at = [0, 1].map(|k| (whereabouts.at[k] + size[k] * at[k]).clamp(0.0, 1.0));
-        PiecePosition { at, ..whereabouts }
+        let SearchPiece { low_position: whereabouts, parameter_size: size, .. } = self.pieces[piece];
+        let at = [0, 1].map(|k| (whereabouts.parameters[k] + size[k] * at[k]).clamp(0.0, 1.0));
+        PiecePosition { parameters: at, ..whereabouts }
     }
 
     /// True for a whole cell or segment.
     pub(super) fn is_whole_cell_or_segment(&self, piece: usize) -> bool {
-        self.pieces[piece].size == [1.0; 2]
+        self.pieces[piece].parameter_size == [1.0; 2]
     }
 
     /// The longer side of a net, as a fraction of its cell or segment.
     pub(super) fn parameter_size(&self, piece: usize) -> f64 {
-        self.pieces[piece].size[0].max(self.pieces[piece].size[1])
+        self.pieces[piece].parameter_size[0].max(self.pieces[piece].parameter_size[1])
     }
 
     /// Parameters close to the point of a net that is a weighted sum of control points. `side`
@@ -187,7 +187,7 @@ impl<'a> SidePieces<'a> {
 
     /// The parts of a piece. A net is divided along the given parameter.
     pub(super) fn divide_piece(&mut self, piece: usize, parameter: usize) -> Result<Range<usize>> {
-        let SearchPiece { kind, parts, .. } = self.pieces[piece];
+        let SearchPiece { kind, part_ranges: parts, .. } = self.pieces[piece];
         let parameter = if matches!(kind, PieceKind::ControlNet) { parameter } else { 0 };
         if parts[parameter] == [0; 2] {
             let first = self.pieces.len();
@@ -202,9 +202,9 @@ impl<'a> SidePieces<'a> {
                 PieceKind::Block { sheet, level, row, column } => self.add_child_blocks(sheet, level, [row, column])?,
                 PieceKind::ControlNet => self.halve_net(piece, parameter)?,
             }
-            self.pieces[piece].parts[parameter] = [first, self.pieces.len()];
+            self.pieces[piece].part_ranges[parameter] = [first, self.pieces.len()];
         }
-        let [first, last] = self.pieces[piece].parts[parameter];
+        let [first, last] = self.pieces[piece].part_ranges[parameter];
         Ok(first..last)
     }
 
@@ -216,7 +216,16 @@ impl<'a> SidePieces<'a> {
         }
         let bounds = Aabb::from_points(&self.points[first..]);
         let (parts, whereabouts) = ([[0; 2]; 2], PiecePosition::default());
-        let piece = SearchPiece { kind, first, shape, bounds, parts, whereabouts, size: [1.0; 2], balls: None };
+        let piece = SearchPiece {
+            kind,
+            first_hull_point: first,
+            shape,
+            bounds,
+            part_ranges: parts,
+            low_position: whereabouts,
+            parameter_size: [1.0; 2],
+            balls: None,
+        };
         alloc::push(&mut self.pieces, piece)
     }
 
@@ -230,7 +239,7 @@ impl<'a> SidePieces<'a> {
     ) -> Result<()> {
         self.add_piece(PieceKind::ControlNet, shape, points.iter().copied())?;
         if let Some(piece) = self.pieces.last_mut() {
-            (piece.whereabouts, piece.size) = (whereabouts, size);
+            (piece.low_position, piece.parameter_size) = (whereabouts, size);
         }
         Ok(())
     }
@@ -251,7 +260,7 @@ impl<'a> SidePieces<'a> {
                 let points = alloc::collect(curve.segment(from).iter().map(|&point| self.view.map_point(point)))?;
                 // A segment whose points coincide lacks a parameter.
                 let count = if points.iter().all(|&point| point == points[0]) { 1 } else { points.len() };
-                let whereabouts = PiecePosition { number: from, ..PiecePosition::default() };
+                let whereabouts = PiecePosition { sheet_or_segment: from, ..PiecePosition::default() };
                 return self.add_net(&points[..count], [count, 1], whereabouts, [1.0; 2]);
             }
             DistanceSide::Curve(curve) => {
@@ -292,7 +301,7 @@ impl<'a> SidePieces<'a> {
         let DistanceSide::Surface(surface) = self.source else { return Ok(()) };
         let (kind, view) = (surface.sheet(sheet), self.view);
         for cell in cells_of_block(block, kind.cells()) {
-            let whereabouts = PiecePosition { number: sheet, cell, at: [0.0; 2] };
+            let whereabouts = PiecePosition { sheet_or_segment: sheet, cell, parameters: [0.0; 2] };
             each_sheet!(kind, cells => {
                 let mut patch = SheetCells::cell_patch(cells, cell[0], cell[1]);
                 let side = patch.points.len();
@@ -306,7 +315,7 @@ impl<'a> SidePieces<'a> {
 
     /// Adds the halves of a net.
     fn halve_net(&mut self, piece: usize, parameter: usize) -> Result<()> {
-        let SearchPiece { shape, whereabouts, mut size, .. } = self.pieces[piece];
+        let SearchPiece { shape, low_position: whereabouts, parameter_size: mut size, .. } = self.pieces[piece];
         let net = ControlNet { points: self.hull_points(piece), shape };
         let count = net.points.len();
         let mut both = alloc::filled(DVec3::ZERO, 2 * count)?;
@@ -314,7 +323,7 @@ impl<'a> SidePieces<'a> {
         size[parameter] *= 0.5;
         for half in 0..2 {
             let mut whereabouts = whereabouts;
-            whereabouts.at[parameter] += half as f64 * size[parameter];
+            whereabouts.parameters[parameter] += half as f64 * size[parameter];
             self.add_net(&both[half * count..][..count], shape, whereabouts, size)?;
         }
         Ok(())

@@ -22,7 +22,7 @@ pub(crate) struct OrientedBox {
     centre: [f32; 3],
     /// Two of the axes. The third is their cross product.
     axes: [[f32; 3]; 2],
-    half: [f32; 3],
+    half_lengths: [f32; 3],
 }
 
 /// The largest single-precision number that is at most `value`.
@@ -126,7 +126,8 @@ impl OrientedBox {
         let across = along_v.try_normalize().map_or(DVec3::ZERO, |second| first.cross(second));
         let normal = if across.length() > 1e-4 { across.normalize() } else { first.any_orthonormal_vector() };
         let second = normal.cross(first);
-        let mut oriented = OrientedBox { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
+        let mut oriented =
+            OrientedBox { centre: [0.0; 3], axes: [single(first), single(second)], half_lengths: [0.0; 3] };
         // The box is computed for the axes in use, which are rounded.
         let axes = oriented.axes_as_rows();
         let bounds = Aabb::from_points(points.iter().map(|&point| axes * point));
@@ -139,7 +140,7 @@ impl OrientedBox {
         let centre = axes * to_double_precision(oriented.centre);
         let reach = (bounds.high - centre).abs().max((centre - bounds.low).abs());
         // The axes are orthonormal to 1e-7, and so are lengths along them.
-        oriented.half = reach.to_array().map(|half| round_up_to_f32(half * (1.0 + 1e-6)));
+        oriented.half_lengths = reach.to_array().map(|half| round_up_to_f32(half * (1.0 + 1e-6)));
         oriented
     }
 
@@ -156,7 +157,7 @@ impl OrientedBox {
         let [first, second] = self.axes.map(to_double_precision);
         let from = point - to_double_precision(self.centre);
         let along = DVec3::new(from.dot(first), from.dot(second), from.dot(first.cross(second)));
-        let half = to_double_precision(self.half);
+        let half = to_double_precision(self.half_lengths);
         let outside = (along.abs() - half).max(DVec3::ZERO);
         outside.length_squared() * (1.0 - 1e-6)
     }
@@ -165,7 +166,7 @@ impl OrientedBox {
     /// bounds the box in each direction.
     #[inline(always)]
     pub(crate) fn may_meet_line(&self, origin: DVec3, direction: DVec3) -> bool {
-        let ([first, second], half) = (self.axes.map(to_double_precision), to_double_precision(self.half));
+        let ([first, second], half) = (self.axes.map(to_double_precision), to_double_precision(self.half_lengths));
         let (third, from) = (first.cross(second), origin - to_double_precision(self.centre));
         // The axes are orthonormal only to 1e-7, so the box is enlarged by a fraction of the
         // distance.
@@ -185,7 +186,7 @@ impl OrientedBox {
 
     /// False if all points, and so their hull, are beyond one side of the box.
     pub(crate) fn may_meet_hull(&self, points: &[DVec3]) -> bool {
-        let (frame, half) = (self.axes_as_rows(), to_double_precision(self.half));
+        let (frame, half) = (self.axes_as_rows(), to_double_precision(self.half_lengths));
         let (mut bounds, mut farthest) = (Aabb::EMPTY, 0.0_f64);
         for from in points.iter().map(|&point| point - to_double_precision(self.centre)) {
             bounds.add(frame * from);
@@ -199,7 +200,7 @@ impl OrientedBox {
     /// The range of the products of points of the box with a direction.
     #[inline(always)]
     pub(crate) fn product_range_with_direction(&self, direction: DVec3) -> [f64; 2] {
-        let half = to_double_precision(self.half);
+        let half = to_double_precision(self.half_lengths);
         let middle = to_double_precision(self.centre).dot(direction);
         // The axes are orthonormal to 1e-7, so the box may extend slightly farther.
         let reach = (self.axes_as_rows() * direction).abs().dot(half) * (1.0 + 1e-6)
@@ -214,7 +215,7 @@ impl OrientedBox {
         // The box is the set of points whose products with the axes are small. For a matrix that is
         // orthonormal to 1e-7, the transpose equals the inverse to 1e-6, relative to the longest
         // edge, however short the others are.
-        let half = to_double_precision(self.half);
+        let half = to_double_precision(self.half_lengths);
         let [x, y, z] = (half + 1e-6 * half.length()).to_array();
         (to_double_precision(self.centre), [x * first, y * second, z * first.cross(second)])
     }

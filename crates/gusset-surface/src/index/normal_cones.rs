@@ -137,7 +137,7 @@ impl ConePyramid {
             let mut boxes = alloc::filled([Aabb::EMPTY; 2], cones.len())?;
             cells.fill_tangent_boxes(first..first + cones.len() / columns, &mut boxes)?;
             for (cone, boxes) in cones.iter_mut().zip(boxes) {
-                *cone = PackedCone::from_cross_products(boxes.map(|bounds| bounds.inflated(noise)));
+                *cone = PackedCone::from_cross_products(boxes.map(|bounds| bounds.grown_by(noise)));
             }
             Ok(())
         })?

@@ -30,7 +30,7 @@ pub(crate) struct BoxPyramid {
 #[derive(Debug, Clone, Copy, Default)]
 struct PackedDisplacementBox {
     max_length: f32,
-    sides: [i8; 6],
+    scaled_bounds: [i8; 6],
 }
 
 impl PackedDisplacementBox {
@@ -42,13 +42,13 @@ impl PackedDisplacementBox {
         // rounding.
         let low = bounds.low.to_array().map(|x| (x / unit - 1e-9).floor() as i8);
         let high = bounds.high.to_array().map(|x| (x / unit + 1e-9).ceil() as i8);
-        PackedDisplacementBox { max_length, sides: [low[0], low[1], low[2], high[0], high[1], high[2]] }
+        PackedDisplacementBox { max_length, scaled_bounds: [low[0], low[1], low[2], high[0], high[1], high[2]] }
     }
 
     #[inline(always)]
     fn unpack(&self) -> Aabb {
         let unit = f64::from(self.max_length) / 127.0;
-        let [a, b, c, d, e, f] = self.sides.map(|x| f64::from(x) * unit);
+        let [a, b, c, d, e, f] = self.scaled_bounds.map(|x| f64::from(x) * unit);
         Aabb { low: DVec3::new(a, b, c), high: DVec3::new(d, e, f) }
     }
 }
@@ -103,7 +103,7 @@ impl BoxPyramid {
         let parts = base.child_boxes.chunks_mut(rows_together / 2 * across);
         let parts = parts.zip(base.oriented.chunks_mut(rows_together * columns));
         let parts = parts.zip(displacements.chunks_mut(rows_together * columns)).enumerate();
-        par::map_cancellable(&job.part(0.0, 0.8), "index", parts, |(k, ((groups, oriented), displacements))| {
+        par::map_cancellable(&job.sub_job(0.0, 0.8), "index", parts, |(k, ((groups, oriented), displacements))| {
             let first = rows_together * k;
             let mut bounds = alloc::filled(Aabb::EMPTY, displacements.len())?;
             cells.fill_displacement_boxes(first..first + displacements.len() / columns, &mut bounds)?;
@@ -223,7 +223,7 @@ fn build_block_row<const N: usize>(
         }
         // Enlarged by the rounding of the coordinates in these steps.
         let size = hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
-        let displacement = displacement.inflated(16.0 * f64::EPSILON * size);
+        let displacement = displacement.grown_by(16.0 * f64::EPSILON * size);
         displacements[c] = PackedDisplacementBox::new(displacement);
         groups[c / 2].set_child_box(2 * (row % 2) + c % 2, hull.minkowski_sum(displacement));
         let width = right - left + 1;

@@ -10,13 +10,13 @@ use glam::DVec3;
 /// planes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LineSlabTest {
-    /// For each axis, the line's point at parameter 0, shifted so that entries are early (`enter`)
-    /// or exits late (`leave`).
-    enter: [f64; 3],
-    leave: [f64; 3],
-    inverse: [f64; 3],
+    /// For each axis, the line's point at parameter 0, shifted so that entries are early (`point_for_early_entry`)
+    /// or exits late (`point_for_late_exit`).
+    point_for_early_entry: [f64; 3],
+    point_for_late_exit: [f64; 3],
+    inverse_direction: [f64; 3],
     /// For each axis, true if the line runs towards smaller coordinates.
-    falls: [bool; 3],
+    is_direction_negative: [bool; 3],
 }
 
 impl LineSlabTest {
@@ -26,10 +26,10 @@ impl LineSlabTest {
         let falls = direction.to_array().map(|x| x < 0.0);
         let moved = |axis: usize, by: f64| foot[axis] + if falls[axis] { -by } else { by };
         LineSlabTest {
-            enter: [0, 1, 2].map(|axis| moved(axis, rounding)),
-            leave: [0, 1, 2].map(|axis| moved(axis, -rounding)),
-            inverse: direction.to_array().map(|x| if x == 0.0 { f64::INFINITY } else { x.recip() }),
-            falls,
+            point_for_early_entry: [0, 1, 2].map(|axis| moved(axis, rounding)),
+            point_for_late_exit: [0, 1, 2].map(|axis| moved(axis, -rounding)),
+            inverse_direction: direction.to_array().map(|x| if x == 0.0 { f64::INFINITY } else { x.recip() }),
+            is_direction_negative: falls,
         }
     }
 
@@ -40,12 +40,13 @@ impl LineSlabTest {
         let (mut near, mut far) = ([from; 4], [to; 4]);
         for axis in 0..3 {
             let (low, high) = (&boxes.low[axis], &boxes.high[axis]);
-            let (first, last) = if self.falls[axis] { (high, low) } else { (low, high) };
+            let (first, last) = if self.is_direction_negative[axis] { (high, low) } else { (low, high) };
             for child in 0..4 {
                 // A line in a side of a box gives 0 times infinity here. NaN is not greater, so it
                 // is ignored.
-                let enters = (f64::from(first[child]) - self.enter[axis]) * self.inverse[axis];
-                let leaves = (f64::from(last[child]) - self.leave[axis]) * self.inverse[axis];
+                let enters =
+                    (f64::from(first[child]) - self.point_for_early_entry[axis]) * self.inverse_direction[axis];
+                let leaves = (f64::from(last[child]) - self.point_for_late_exit[axis]) * self.inverse_direction[axis];
                 near[child] = if enters > near[child] { enters } else { near[child] };
                 far[child] = if leaves < far[child] { leaves } else { far[child] };
             }

@@ -76,7 +76,7 @@ impl Surface<'_> {
             let to = count.min(from + round);
             for part in
                 par::map(job.requested_threads(), par::split_into_ranges(to - from, SEGMENTS_PER_TASK), |range| {
-                    let mut finder = SegmentFinder::default();
+                    let mut finder = SegmentSearchWorkspace::default();
                     for k in range {
                         self.find_on_segment(from + k, curve.segment(from + k), &mut finder)?;
                     }
@@ -93,7 +93,7 @@ impl Surface<'_> {
     }
 
     /// Adds the finds of segment k.
-    fn find_on_segment(&self, k: usize, controls: &[DVec3], finder: &mut SegmentFinder) -> Result<()> {
+    fn find_on_segment(&self, k: usize, controls: &[DVec3], finder: &mut SegmentSearchWorkspace) -> Result<()> {
         if controls.iter().all(|&point| point == controls[0]) {
             // The segment adds nothing to the ends of its neighbours.
             return Ok(());
@@ -105,21 +105,21 @@ impl Surface<'_> {
         }
     }
 
-    fn find_on_line_segment(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut SegmentFinder) -> Result<()> {
+    fn find_on_line_segment(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut SegmentSearchWorkspace) -> Result<()> {
         self.find_hits(&Line::segment(a, b), HitSelection::All, &mut finder.lines)?;
         for hit in &finder.lines.hits {
             let ends = hit.span.map(|t| a.lerp(b, t));
             let find = CurvePointInCell {
-                at: k as f64 + hit.at,
+                curve_position: k as f64 + hit.at,
                 span: hit.span.map(|t| k as f64 + t),
-                ends,
-                length: ends[0].distance(ends[1]),
+                span_end_points: ends,
+                distance_of_span_ends: ends[0].distance(ends[1]),
                 place: hit.place,
                 point: hit.point,
                 gap: a.lerp(b, hit.at).distance(hit.point),
                 tangent: hit.tangent,
                 runs_inside: false,
-                touches: hit.tangent && hit.span[0] == hit.span[1],
+                is_touching: hit.tangent && hit.span[0] == hit.span[1],
             };
             alloc::push(&mut finder.finds, find)?;
         }
@@ -130,7 +130,7 @@ impl Surface<'_> {
         &self,
         k: usize,
         controls: &[DVec3],
-        finder: &mut SegmentFinder,
+        finder: &mut SegmentSearchWorkspace,
     ) -> Result<()> {
         let part = CurveSegmentPart::whole_segment(elevated_segment::<M>(controls));
         for sheet in 0..self.len() {
@@ -153,15 +153,18 @@ impl Surface<'_> {
         let merge_distance = self.hit_merge_distance();
         merge_overlapping(&mut finds, merge_distance);
         for find in finds.iter_mut().filter(|find| find.tangent) {
-            find.runs_inside = find.length > self.max_touch_length();
-            let point = find.length <= MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES * merge_distance
-                || self.is_crossing_direction(find.place, curve_direction(curve, find.at));
-            find.tangent = find.runs_inside || find.touches || !point;
+            find.runs_inside = find.distance_of_span_ends > self.max_touch_length();
+            let point = find.distance_of_span_ends <= MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES * merge_distance
+                || self.is_crossing_direction(find.place, curve_direction(curve, find.curve_position));
+            find.tangent = find.runs_inside || find.is_touching || !point;
         }
         sort::sort_stable(&mut finds, &compare_curve_finds);
         let mut kept: Vec<CurvePointInCell> = alloc::with_capacity(finds.len())?;
         for find in finds {
-            let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= MAX_SAME_CURVE_PARAMETER_GAP);
+            let mut near = kept
+                .iter()
+                .rev()
+                .take_while(|other| find.curve_position - other.curve_position <= MAX_SAME_CURVE_PARAMETER_GAP);
             let known = near.any(|other| is_same_crossing(other, &find, merge_distance));
             if !known {
                 kept.push(find);
@@ -172,7 +175,7 @@ impl Surface<'_> {
         if let [first, .., last] = &kept[..]
             && curve.is_closed()
             && !(first.tangent || last.tangent)
-            && last.at - round + MAX_SAME_CURVE_PARAMETER_GAP >= first.at
+            && last.curve_position - round + MAX_SAME_CURVE_PARAMETER_GAP >= first.curve_position
             && first.point.distance(last.point) <= merge_distance
         {
             kept.pop();
@@ -180,14 +183,14 @@ impl Surface<'_> {
         for find in kept.iter_mut().filter(|find| !find.tangent) {
             find.tangent = self.does_direction_only_touch(
                 find.place,
-                curve_direction(curve, find.at),
+                curve_direction(curve, find.curve_position),
                 find.point.abs().max_element(),
             );
         }
         alloc::collect(kept.iter().map(|find| {
-            let span = if find.tangent { find.span } else { [find.at; 2] };
+            let span = if find.tangent { find.span } else { [find.curve_position; 2] };
             Hit {
-                at: curve_place_from_number(curve, find.at),
+                at: curve_place_from_number(curve, find.curve_position),
                 span: span.map(|at| curve_place_from_number(curve, at)),
                 place: find.place,
                 point: find.point,
@@ -212,7 +215,9 @@ fn curve_direction(curve: &CurveView<'_>, global_parameter: f64) -> DVec3 {
 
 /// Orders finds by their place on the curve, then by cells.
 fn compare_curve_finds(a: &CurvePointInCell, b: &CurvePointInCell) -> Ordering {
-    a.at.total_cmp(&b.at).then_with(|| (a.place.sheet, a.place.cell).cmp(&(b.place.sheet, b.place.cell)))
+    a.curve_position
+        .total_cmp(&b.curve_position)
+        .then_with(|| (a.place.sheet, a.place.cell).cmp(&(b.place.sheet, b.place.cell)))
 }
 
 /// Merges unresolved finds that overlap along the curve. Keeps the place that is closest to the
@@ -225,12 +230,13 @@ fn merge_overlapping(finds: &mut Vec<CurvePointInCell>, merge_distance: f64) {
     finds.dedup_by(|next, all| {
         let joins = all.tangent && next.tangent && begins_within_or_at_end_of(all, next, merge_distance);
         if joins {
-            all.length += next.length;
+            all.distance_of_span_ends += next.distance_of_span_ends;
             if next.span[1] > all.span[1] {
-                (all.span[1], all.ends[1]) = (next.span[1], next.ends[1]);
+                (all.span[1], all.span_end_points[1]) = (next.span[1], next.span_end_points[1]);
             }
             if next.gap < all.gap {
-                (all.at, all.place, all.point, all.gap) = (next.at, next.place, next.point, next.gap);
+                (all.curve_position, all.place, all.point, all.gap) =
+                    (next.curve_position, next.place, next.point, next.gap);
             }
         }
         joins
@@ -239,7 +245,8 @@ fn merge_overlapping(finds: &mut Vec<CurvePointInCell>, merge_distance: f64) {
 
 /// True if an unresolved find begins within another one, or at its end.
 fn begins_within_or_at_end_of(first: &CurvePointInCell, next: &CurvePointInCell, merge_distance: f64) -> bool {
-    let near = next.span[0] - first.span[1] <= 1e-3 && first.ends[1].distance(next.ends[0]) <= 2.0 * merge_distance;
+    let near = next.span[0] - first.span[1] <= 1e-3
+        && first.span_end_points[1].distance(next.span_end_points[0]) <= 2.0 * merge_distance;
     next.span[0] <= first.span[1] || near
 }
 
@@ -258,7 +265,7 @@ pub(super) fn elevated_segment<const M: usize>(controls: &[DVec3]) -> [DVec3; M]
 
 /// The finds of one thread.
 #[derive(Default)]
-struct SegmentFinder {
+struct SegmentSearchWorkspace {
     lines: LineWorkspace,
     finds: Vec<CurvePointInCell>,
 }

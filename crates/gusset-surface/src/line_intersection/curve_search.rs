@@ -15,11 +15,11 @@ use gusset_base::geom::bernstein::{evaluate, halves};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CurvePointInCell {
     /// The sum of segment index and parameter, at the point and at both ends of the span.
-    pub(super) at: f64,
+    pub(super) curve_position: f64,
     pub(super) span: [f64; 2],
     /// The points of the curve at the ends of the span, and the distance between them.
-    pub(super) ends: [DVec3; 2],
-    pub(super) length: f64,
+    pub(super) span_end_points: [DVec3; 2],
+    pub(super) distance_of_span_ends: f64,
     pub(super) place: Place,
     pub(super) point: DVec3,
     /// The distance between curve and surface at the point.
@@ -27,14 +27,14 @@ pub(super) struct CurvePointInCell {
     pub(super) tangent: bool,
     pub(super) runs_inside: bool,
     /// True for a contact that is resolved, for example at a crease.
-    pub(super) touches: bool,
+    pub(super) is_touching: bool,
 }
 
 /// Memory that the cells of a segment reuse.
 #[derive(Default)]
 struct CurveSolverWorkspace<const M: usize, const N: usize> {
     workspace: CrossingWorkspace<M, N>,
-    found: CurvePatchCrossings,
+    crossings: CurvePatchCrossings,
     /// Bound of the error of control points.
     rounding_error: f64,
 }
@@ -43,14 +43,14 @@ struct CurveSolverWorkspace<const M: usize, const N: usize> {
 #[derive(Clone)]
 pub(super) struct CurveSegmentPart<const M: usize> {
     points: [DVec3; M],
-    from: f64,
-    size: f64,
+    start_parameter: f64,
+    parameter_length: f64,
 }
 
 impl<const M: usize> CurveSegmentPart<M> {
     /// The whole segment as a part.
     pub(super) fn whole_segment(points: [DVec3; M]) -> Self {
-        CurveSegmentPart { points, from: 0.0, size: 1.0 }
+        CurveSegmentPart { points, start_parameter: 0.0, parameter_length: 1.0 }
     }
 
     fn bounding_box(&self) -> Aabb {
@@ -95,16 +95,20 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
         let diagonal = bounds.diagonal();
         let rounding_error =
             (8.0 * f64::EPSILON * (bounds.max_vector_length() + farthest)).min(MAX_RELATIVE_LINE_ROUNDING * diagonal);
-        let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
+        let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.grown_by(rounding_error);
         let mut waiting = vec![CurvePartBlockPair { part, diagonal, level: levels.len(), row: 0, column: 0 }];
         let mut solver = CurveSolverWorkspace { rounding_error, ..CurveSolverWorkspace::default() };
         while let Some(entry) = waiting.pop() {
             let CurvePartBlockPair { part, diagonal, level, row, column } = entry;
-            let bounds = part.bounding_box().inflated(rounding_error);
-            if bounds.diagonal() > 2.0 * diagonal && part.size > MIN_HALVED_PART_SIZE {
+            let bounds = part.bounding_box().grown_by(rounding_error);
+            if bounds.diagonal() > 2.0 * diagonal && part.parameter_length > MIN_HALVED_PART_SIZE {
                 for (half, points) in halves(&part.points).into_iter().enumerate() {
-                    let size = 0.5 * part.size;
-                    let part = CurveSegmentPart { points, size, from: part.from + half as f64 * size };
+                    let size = 0.5 * part.parameter_length;
+                    let part = CurveSegmentPart {
+                        points,
+                        parameter_length: size,
+                        start_parameter: part.start_parameter + half as f64 * size,
+                    };
                     let near = if level == levels.len() {
                         part.bounding_box().overlaps(&whole)
                     } else {
@@ -147,7 +151,7 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
         let level = &self.index.levels()[level];
         let block = level.child_boxes(row / 2, column / 2).child_box(2 * (row % 2) + column % 2);
         !block.is_empty()
-            && part.bounding_box().inflated(rounding_error).overlaps(&block)
+            && part.bounding_box().grown_by(rounding_error).overlaps(&block)
             && level.oriented_box(row, column).is_none_or(|oriented| oriented.may_meet_hull(&part.points))
     }
 
@@ -164,7 +168,7 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
         for [i, j] in cells_of_block(block, self.cells.cell_counts()) {
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];
             let cell = Aabb::from_points(corners.map(|(i, j)| self.cells.corner_point(i, j) - self.index.origin()));
-            if cell.inflated(deviation).overlaps(&along) {
+            if cell.grown_by(deviation).overlaps(&along) {
                 self.search_cell(part, [i, j], solver, finds)?;
             }
         }
@@ -183,27 +187,29 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
         let patch = self.cells.cell_patch(i, j);
         let mut local = patch;
         local.points.as_flattened_mut().iter_mut().for_each(|point| *point -= origin);
-        let CurveSolverWorkspace { workspace, found, rounding_error } = solver;
+        let CurveSolverWorkspace { workspace, crossings: found, rounding_error } = solver;
         find_crossings(&part.points, &local, *rounding_error, self.tolerance, workspace, found)?;
-        let along = |t: f64| self.segment as f64 + (part.from + part.size * t).clamp(0.0, 1.0);
-        let simple = found.simple.iter().map(|crossing| (crossing.t, [crossing.t; 2], crossing.place, false));
+        let along = |t: f64| self.segment as f64 + (part.start_parameter + part.parameter_length * t).clamp(0.0, 1.0);
+        let simple = found.simple_crossings.iter().map(|crossing| {
+            (crossing.curve_parameter, [crossing.curve_parameter; 2], crossing.patch_parameters, false)
+        });
         let unresolved = found.unresolved.iter().map(|cluster| {
-            let (at, span) = (cluster.best.middle, [cluster.low.x, cluster.high.x].map(|t| t.clamp(0.0, 1.0)));
+            let (at, span) = (cluster.best_box.middle, [cluster.low.x, cluster.high.x].map(|t| t.clamp(0.0, 1.0)));
             (at.x, span, DVec2::new(at.y, at.z), true)
         });
         for (t, span, at, tangent) in simple.chain(unresolved) {
             let ends = span.map(|t| evaluate(&part.points, t) + origin);
             let find = CurvePointInCell {
-                at: along(t),
+                curve_position: along(t),
                 span: span.map(along),
-                ends,
-                length: ends[0].distance(ends[1]),
+                span_end_points: ends,
+                distance_of_span_ends: ends[0].distance(ends[1]),
                 place: Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y },
                 point: patch.point(at.x, at.y),
                 gap: evaluate(&part.points, t).distance(local.point(at.x, at.y)),
                 tangent,
                 runs_inside: false,
-                touches: false,
+                is_touching: false,
             };
             alloc::push(finds, find)?;
         }

@@ -60,7 +60,7 @@ impl Surface<'_> {
             // Duplicates are adjacent along the line.
             let same = hits[..kept]
                 .iter()
-                .rposition(|other| (hit.at - other.at) * slack.length > slack.max_gap_at_any_angle())
+                .rposition(|other| (hit.at - other.at) * slack.direction_length > slack.max_gap_at_any_angle())
                 .map_or(0, |last| last + 1);
             match (same..kept).rev().find(|&other| self.is_same_hit(&hits[other], &hit, &slack)) {
                 Some(other) => others.push((other, hit)),
@@ -82,7 +82,7 @@ impl Surface<'_> {
                 // Other sheets contribute the cells on their side of the point.
                 let elsewhere = others().filter_map(|other| self.snap_to_cell_side(other.place, tolerance));
                 let places: Vec<Place> = std::iter::once(place).chain(elsewhere).collect();
-                if self.does_line_only_touch(&places, slack.along) {
+                if self.does_line_only_touch(&places, slack.unit_direction) {
                     (hit.tangent, hit.multiplicity) = (true, 2);
                 }
             }
@@ -97,7 +97,7 @@ impl Surface<'_> {
         let sine = line_rounding.sine_to_surface(a).min(line_rounding.sine_to_surface(b)).min(1.0);
         let rounding = line_rounding.max_gap_at_sine(sine);
         // The line enters at one hit, and leaves at the other.
-        let turned = a.normal.dot(line_rounding.along) * b.normal.dot(line_rounding.along) < 0.0;
+        let turned = a.normal.dot(line_rounding.unit_direction) * b.normal.dot(line_rounding.unit_direction) < 0.0;
         let tolerance = if turned {
             // If the line is practically tangent, there may well be two hits.
             if sine < line_rounding.floor { 0.0 } else { rounding }
@@ -186,9 +186,9 @@ fn is_near_side(place: Place, tolerance: f64) -> bool {
 
 /// Bounds of the effect of rounding on hits of a line.
 struct LineRounding {
-    along: DVec3,
+    unit_direction: DVec3,
     /// The length of the line's direction.
-    length: f64,
+    direction_length: f64,
     /// Bound of the rounding error of points, and the size of the surface.
     rounding_error: f64,
     size: f64,
@@ -203,12 +203,19 @@ impl LineRounding {
         let (rounding_error, size) =
             (4.0 * line_rounding_error(line, low.midpoint(high), [low, high]), low.distance(high));
         let floor = (rounding_error / size).sqrt();
-        LineRounding { along, length, rounding_error, size, merge_distance: surface.hit_merge_distance(), floor }
+        LineRounding {
+            unit_direction: along,
+            direction_length: length,
+            rounding_error,
+            size,
+            merge_distance: surface.hit_merge_distance(),
+            floor,
+        }
     }
 
     /// The sine of the angle between line and surface.
     fn sine_to_surface(&self, hit: &Hit) -> f64 {
-        hit.normal.dot(self.along).abs()
+        hit.normal.dot(self.unit_direction).abs()
     }
 
     /// How far apart rounding may place the same point, if the sine of the angle between line and

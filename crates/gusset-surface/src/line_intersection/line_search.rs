@@ -23,8 +23,8 @@ pub(super) struct PatchRootWorkspace<const N: usize> {
 #[derive(Default)]
 pub(super) struct LineWorkspace {
     pub(super) hits: Vec<Hit>,
-    pub(super) cubic: PatchRootWorkspace<4>,
-    pub(super) high: PatchRootWorkspace<8>,
+    pub(super) cubic_roots: PatchRootWorkspace<4>,
+    pub(super) degree_seven_roots: PatchRootWorkspace<8>,
 }
 
 /// Largest rounding error that is allowed for, relative to the surface's size. A larger one would
@@ -37,14 +37,14 @@ pub(super) const MAX_RELATIVE_LINE_ROUNDING: f64 = 1e-6;
 struct LineFromFoot {
     line: Line,
     /// The foot, relative to the index's origin, and in space.
-    local: DVec3,
+    foot_from_index_origin: DVec3,
     foot: DVec3,
-    along: DVec3,
-    length: f64,
+    unit_direction: DVec3,
+    direction_length: f64,
     /// Two perpendicular directions across the line.
-    across: [DVec3; 2],
+    perpendicular_directions: [DVec3; 2],
     /// The parameter of the foot.
-    start: f64,
+    foot_parameter: f64,
     /// Bound of the rounding error of the foot and the nodes.
     rounding_error: f64,
 }
@@ -59,24 +59,24 @@ impl LineFromFoot {
         let bounds = index.bounding_box();
         LineFromFoot {
             line: *line,
-            local,
+            foot_from_index_origin: local,
             foot: local + index.origin(),
-            along,
-            length,
-            across: [first, second],
-            start: distance / length,
+            unit_direction: along,
+            direction_length: length,
+            perpendicular_directions: [first, second],
+            foot_parameter: distance / length,
             rounding_error: line_rounding_error(line, index.origin(), [bounds.low, bounds.high]),
         }
     }
 
     /// The distance from the foot at a parameter.
     fn distance_from_foot(&self, t: f64) -> f64 {
-        (t - self.start) * self.length
+        (t - self.foot_parameter) * self.direction_length
     }
 
     /// The parameter of a point.
     fn parameter_of_point(&self, point: DVec3) -> f64 {
-        (point - self.line.origin).dot(self.along) / self.length
+        (point - self.line.origin).dot(self.unit_direction) / self.direction_length
     }
 }
 
@@ -90,7 +90,7 @@ pub(super) fn line_rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec
 /// A waiting block, and the distance at which the line enters it.
 #[derive(Debug, Clone, Copy, Default)]
 struct WaitingLineBlock {
-    enters: f64,
+    entry_distance: f64,
     level: u32,
     row: u32,
     column: u32,
@@ -121,17 +121,17 @@ impl SheetLineSearch<'_> {
         let SheetLineSearch { index, sheet, line, selection, tolerance } = *self;
         let ray = LineFromFoot::new(line, index);
         let slack = ray.rounding_error;
-        let slab = LineSlabTest::new(ray.local, ray.along, slack);
+        let slab = LineSlabTest::new(ray.foot_from_index_origin, ray.unit_direction, slack);
         let (from, to) = (ray.distance_from_foot(line.from) - slack, ray.distance_from_foot(line.to) + slack);
         let mut leaf = LineBlockSearch { cells, index, sheet, ray: &ray, tolerance, solver };
         let levels = index.levels();
         let mut stack = [WaitingLineBlock::default(); MAX_WAITING_BLOCKS];
         let mut count = 1;
-        stack[0] = WaitingLineBlock { enters: from, level: levels.len() as u32, row: 0, column: 0 };
+        stack[0] = WaitingLineBlock { entry_distance: from, level: levels.len() as u32, row: 0, column: 0 };
         let mut farthest = self.farthest_mergeable_distance(&ray, to, hits);
         while count > 0 {
             count -= 1;
-            let WaitingLineBlock { enters, level, row, column } = stack[count];
+            let WaitingLineBlock { entry_distance: enters, level, row, column } = stack[count];
             if enters > farthest {
                 continue;
             }
@@ -152,18 +152,23 @@ impl SheetLineSearch<'_> {
             let waiting = count;
             for child in 0..4 {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-                let misses = |oriented: &OrientedBox| !oriented.may_meet_line(ray.local, ray.along);
+                let misses =
+                    |oriented: &OrientedBox| !oriented.may_meet_line(ray.foot_from_index_origin, ray.unit_direction);
                 if near[child] > far[child] || level_below.oriented_box(row, column).is_some_and(misses) {
                     continue;
                 }
                 // Insertion sort: the nearest child is last, and taken first.
                 let mut at = count;
-                while at > waiting && stack[at - 1].enters < near[child] {
+                while at > waiting && stack[at - 1].entry_distance < near[child] {
                     stack[at] = stack[at - 1];
                     at -= 1;
                 }
-                stack[at] =
-                    WaitingLineBlock { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
+                stack[at] = WaitingLineBlock {
+                    entry_distance: near[child],
+                    level: level - 1,
+                    row: row as u32,
+                    column: column as u32,
+                };
                 count += 1;
             }
         }
@@ -201,7 +206,10 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
         for i in first..=last {
             for j in left..=right {
                 let from = self.cells.corner_point(i, j) - self.ray.foot;
-                corners[i - first][j - left] = DVec2::new(from.dot(self.ray.across[0]), from.dot(self.ray.across[1]));
+                corners[i - first][j - left] = DVec2::new(
+                    from.dot(self.ray.perpendicular_directions[0]),
+                    from.dot(self.ray.perpendicular_directions[1]),
+                );
             }
         }
         for (r, i) in (first..last).enumerate() {
@@ -216,11 +224,11 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
     }
 
     fn search_cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
-        let fields = self.cells.patch_coordinates_along(i, j, self.ray.foot, self.ray.across);
+        let fields = self.cells.patch_coordinates_along(i, j, self.ray.foot, self.ray.perpendicular_directions);
         if !find_simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
             return self.search_line_part_as_curve(i, j, hits);
         }
-        let roots = &self.solver.roots.simple;
+        let roots = &self.solver.roots.simple_roots;
         if roots.is_empty() {
             return Ok(());
         }
@@ -236,10 +244,10 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
         let [start, end] = segment;
         let found = &mut self.solver.crossings;
         find_crossings(&segment, &patch, self.ray.rounding_error, self.tolerance, &mut self.solver.workspace, found)?;
-        for crossing in &self.solver.crossings.simple {
-            self.add_hit(&patch, [i, j], crossing.place, None, hits)?;
+        for crossing in &self.solver.crossings.simple_crossings {
+            self.add_hit(&patch, [i, j], crossing.patch_parameters, None, hits)?;
         }
-        for &UnresolvedCluster { best, low, high } in &self.solver.crossings.unresolved {
+        for &UnresolvedCluster { best_box: best, low, high } in &self.solver.crossings.unresolved {
             let span = [low.x, high.x].map(|at| self.ray.parameter_of_point(start.lerp(end, at.clamp(0.0, 1.0))));
             self.add_hit(&patch, [i, j], DVec2::new(best.middle.y, best.middle.z), Some(span), hits)?;
         }
@@ -249,12 +257,12 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
     /// The part of the line beside the patch: both have the same extent along the line.
     fn segment_beside_patch(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
         let ray = self.ray;
-        let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
+        let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.unit_direction));
         let [low, high] = range_of_values(along);
         let slack = ray.rounding_error + self.tolerance;
         let from = (low - slack).max(ray.distance_from_foot(ray.line.from) - ray.rounding_error);
         let to = (high + slack).min(ray.distance_from_foot(ray.line.to) + ray.rounding_error);
-        (from <= to).then(|| [ray.foot + from * ray.along, ray.foot + to * ray.along])
+        (from <= to).then(|| [ray.foot + from * ray.unit_direction, ray.foot + to * ray.unit_direction])
     }
 
     /// Adds a hit, if its parameter is within the line's range.
@@ -268,7 +276,7 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
     ) -> Result<()> {
         let (ray, jet) = (self.ray, patch.jet(at.x, at.y));
         let t = ray.parameter_of_point(jet.point);
-        let slack = ray.rounding_error / ray.length;
+        let slack = ray.rounding_error / ray.direction_length;
         if t < ray.line.from - slack || t > ray.line.to + slack {
             return Ok(());
         }
@@ -276,9 +284,9 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
         let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
         // A root that is not on the line is unresolved. This happens in cells a million times as
         // long as wide.
-        let miss = (jet.point - ray.foot).reject_from_normalized(ray.along).length();
+        let miss = (jet.point - ray.foot).reject_from_normalized(ray.unit_direction).length();
         let is_off = miss > self.tolerance.max(4.0 * ray.rounding_error);
-        let span = span.or_else(|| is_off.then(|| [t - miss / ray.length, t + miss / ray.length]));
+        let span = span.or_else(|| is_off.then(|| [t - miss / ray.direction_length, t + miss / ray.direction_length]));
         let tangent = span.is_some();
         let hit = Hit {
             at: t,

@@ -58,7 +58,7 @@ impl Surface<'_> {
         for k in 0..self.len() {
             let (sheet, index) = self.sheet_and_index(k);
             let search = SheetLineSearch { index, sheet: k as u32, line, selection, tolerance: self.tolerance() };
-            let LineWorkspace { hits, cubic, high } = workspace;
+            let LineWorkspace { hits, cubic_roots: cubic, degree_seven_roots: high } = workspace;
             match sheet {
                 Sheet::Grid(cells) => search.search_sheet(cells, cubic, hits)?,
                 Sheet::Cubic(cells) => search.search_sheet(cells, cubic, hits)?,
@@ -95,7 +95,7 @@ impl Line {
     ) -> Result<NearMisses> {
         self.check_finite_with_direction()?;
         if within == 0.0 {
-            match curve.intersect_line(self.origin, self.direction, &job.part(0.0, 0.5)) {
+            match curve.intersect_line(self.origin, self.direction, &job.sub_job(0.0, 0.5)) {
                 Ok(found) if found.inside.is_empty() && !curve.is_empty() => {
                     return self.keep_meetings_on_line(curve, &found.places);
                 }
@@ -103,7 +103,7 @@ impl Line {
                 Err(error) => return Err(error),
             }
         }
-        self.near_misses(curve, within, &job.part(0.5, 1.0))
+        self.near_misses(curve, within, &job.sub_job(0.5, 1.0))
     }
 
     /// Keeps the places of the infinite line that are on this one, within 1e-12 of the curve's

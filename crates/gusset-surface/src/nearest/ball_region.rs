@@ -21,12 +21,12 @@ pub struct CellsInBall {
     /// Sheet, row and column of each cell, in ascending order.
     pub cells: Vec<[u32; 3]>,
     /// For each cell of the list, whether the whole cell is within the distance.
-    pub whole: Vec<bool>,
+    pub is_whole_cell_inside: Vec<bool>,
     /// One bit for each cell of all sheets, beginning with the lowest bit of the first word. Cell
     /// (i, j) of sheet k has bit `first[k] + i * columns + j`.
     pub mask: Vec<u64>,
     /// The first bit of each sheet, then the total number of bits.
-    pub first: Vec<u64>,
+    pub first_bit_of_sheet: Vec<u64>,
 }
 
 impl CellsInBall {
@@ -52,13 +52,14 @@ impl Surface<'_> {
     pub fn cells_in_ball(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<CellsInBall> {
         check_query_and_distance("radius", query, radius)?;
         job.step(0.0, PROGRESS_STAGE)?;
-        let mut region = CellsInBall { first: alloc::with_capacity(self.len() + 1)?, ..CellsInBall::default() };
+        let mut region =
+            CellsInBall { first_bit_of_sheet: alloc::with_capacity(self.len() + 1)?, ..CellsInBall::default() };
         let mut bits = 0_u64;
         for k in 0..self.len() {
-            region.first.push(bits);
+            region.first_bit_of_sheet.push(bits);
             bits += self.sheet(k).cells().map(|count| count as u64).iter().product::<u64>();
         }
-        region.first.push(bits);
+        region.first_bit_of_sheet.push(bits);
         region.mask = alloc::zeroed(bits.div_ceil(64) as usize)?;
         let ball = QueryBall { query, radius, tolerance: self.distance_tolerance_for(query) };
         let mut cells_in_ball = Vec::new();
@@ -69,10 +70,10 @@ impl Surface<'_> {
         // The blocks were visited in another order.
         cells_in_ball.sort_unstable();
         region.cells = alloc::collect(cells_in_ball.iter().map(|&(cell, _)| cell))?;
-        region.whole = alloc::collect(cells_in_ball.iter().map(|&(_, whole)| whole))?;
+        region.is_whole_cell_inside = alloc::collect(cells_in_ball.iter().map(|&(_, whole)| whole))?;
         for &[k, i, j] in &region.cells {
             let [_, columns] = self.sheet(k as usize).cells();
-            let bit = region.first[k as usize] + u64::from(i) * columns as u64 + u64::from(j);
+            let bit = region.first_bit_of_sheet[k as usize] + u64::from(i) * columns as u64 + u64::from(j);
             region.mask[(bit / 64) as usize] |= 1 << (bit % 64);
         }
         Ok(region)
@@ -128,6 +129,6 @@ impl QueryBall {
         }
         let start = DVec2::splat(0.5);
         let nearest = nearest_on_patch(patch, self.query, start, self.radius, self.tolerance, workspace);
-        nearest.is_some_and(|nearest| nearest.bound <= self.radius)
+        nearest.is_some_and(|nearest| nearest.distance_bound <= self.radius)
     }
 }

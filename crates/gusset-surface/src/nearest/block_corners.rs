@@ -14,7 +14,7 @@ pub(super) struct CentredDisplacementBox {
     low: [f64; 3],
     high: [f64; 3],
     middle: DVec3,
-    half: DVec3,
+    half_size: DVec3,
     /// An upper bound of the lengths of the vectors.
     pub(super) max_length: f64,
 }
@@ -27,7 +27,7 @@ impl CentredDisplacementBox {
             low: low.to_array(),
             high: high.to_array(),
             middle,
-            half,
+            half_size: half,
             max_length: bounds.max_vector_length(),
         }
     }
@@ -35,7 +35,7 @@ impl CentredDisplacementBox {
     /// How far the surface extends beyond the bilinear patches in a direction.
     #[inline(always)]
     pub(super) fn max_displacement_along(&self, direction: DVec3) -> f64 {
-        self.middle.dot(direction) + self.half.dot(direction.abs())
+        self.middle.dot(direction) + self.half_size.dot(direction.abs())
     }
 }
 

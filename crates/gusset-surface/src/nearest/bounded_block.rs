@@ -10,7 +10,7 @@ use glam::DVec3;
 /// A block of any level, with a lower bound of its distance.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BlockWithDistanceBound {
-    pub(super) bound: f64,
+    pub(super) distance_bound: f64,
     pub(super) level: usize,
     pub(super) row: usize,
     pub(super) column: usize,
@@ -19,7 +19,7 @@ pub(super) struct BlockWithDistanceBound {
 impl BlockWithDistanceBound {
     /// The whole sheet.
     pub(super) fn whole_sheet(index: &BoxPyramid) -> BlockWithDistanceBound {
-        BlockWithDistanceBound { bound: 0.0, level: index.levels().len(), row: 0, column: 0 }
+        BlockWithDistanceBound { distance_bound: 0.0, level: index.levels().len(), row: 0, column: 0 }
     }
 
     /// The four child blocks, with their bounds; `None` for children beyond the edge of the sheet.
@@ -32,7 +32,12 @@ impl BlockWithDistanceBound {
             let exists = boxed < f64::INFINITY;
             exists.then(|| {
                 let oriented = level.oriented_box(row, column).map_or(0.0, |oriented| oriented.distance_squared(local));
-                BlockWithDistanceBound { bound: boxed.max(oriented).sqrt(), level: self.level - 1, row, column }
+                BlockWithDistanceBound {
+                    distance_bound: boxed.max(oriented).sqrt(),
+                    level: self.level - 1,
+                    row,
+                    column,
+                }
             })
         })
     }
@@ -65,7 +70,9 @@ pub(super) fn lowest_blocks_within(
             if block.level == 0 {
                 return Some(block);
             }
-            stack.extend(block.child_blocks(index, query).into_iter().flatten().filter(|child| child.bound <= limit));
+            stack.extend(
+                block.child_blocks(index, query).into_iter().flatten().filter(|child| child.distance_bound <= limit),
+            );
         }
         None
     })

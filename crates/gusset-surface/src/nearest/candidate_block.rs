@@ -16,11 +16,11 @@ use glam::{DVec2, DVec3};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CellCandidate {
     /// A lower bound of the cell's distance.
-    pub(super) bound: f64,
+    pub(super) distance_bound: f64,
     /// The unit vector to the query from the nearest point of the cell's bilinear patch, and
     /// parameters close to that point.
     pub(super) direction: DVec3,
-    pub(super) start: DVec2,
+    pub(super) start_parameters: DVec2,
     pub(super) cell: [u32; 2],
 }
 
@@ -88,7 +88,7 @@ impl<C: SheetCells<N>, const N: usize> CandidateBlock<'_, C, N> {
             if is_hull_beyond(&quad, upper.max_examined_distance() + displacement.max_length) {
                 continue;
             }
-            let NearestOnBilinear { distance, direction, start } = nearest_on_bilinear(&quad);
+            let NearestOnBilinear { distance, direction, near_parameters: start } = nearest_on_bilinear(&quad);
             upper.lower_to_distance(distance + displacement.max_length);
             // The hull of the corners contains the bilinear patch.
             let along = quad.map(|corner| -corner.dot(direction)).into_iter().fold(f64::INFINITY, min_ignoring_nan);
@@ -96,7 +96,12 @@ impl<C: SheetCells<N>, const N: usize> CandidateBlock<'_, C, N> {
             if bound > upper.max_examined_distance() {
                 continue;
             }
-            candidates.push(CellCandidate { bound, direction, start, cell: [(top + r) as u32, (left + c) as u32] });
+            candidates.push(CellCandidate {
+                distance_bound: bound,
+                direction,
+                start_parameters: start,
+                cell: [(top + r) as u32, (left + c) as u32],
+            });
         }
         corners.distance_between_extreme_corners()
     }
@@ -122,7 +127,7 @@ struct NearestOnBilinear {
     /// A unit vector to the origin from a point close to the nearest one.
     direction: DVec3,
     /// Parameters close to the nearest point.
-    start: DVec2,
+    near_parameters: DVec2,
 }
 
 /// Approximates the nearest point to the origin on the bilinear patch through four corners (00, 01,
@@ -167,7 +172,11 @@ fn nearest_on_bilinear(corners: &[DVec3; 4]) -> NearestOnBilinear {
     };
     let distance = square.sqrt();
     let direction = if distance > 0.0 { (middle + s * u + t * v) / -distance } else { DVec3::ZERO };
-    NearestOnBilinear { distance: distance + 0.25 * twist.length(), direction, start: DVec2::new(s + 0.5, t + 0.5) }
+    NearestOnBilinear {
+        distance: distance + 0.25 * twist.length(),
+        direction,
+        near_parameters: DVec2::new(s + 0.5, t + 0.5),
+    }
 }
 
 #[cfg(test)]
@@ -224,7 +233,7 @@ mod tests {
                 for (&[i, j], &truth) in all.iter().zip(&truth) {
                     let found = candidates.iter().find(|candidate| candidate.cell == [i as u32, j as u32]);
                     match found {
-                        Some(candidate) => assert!(candidate.bound <= truth, "{seed} {query} {i} {j}"),
+                        Some(candidate) => assert!(candidate.distance_bound <= truth, "{seed} {query} {i} {j}"),
                         None => assert!(truth >= upper.distance, "{seed} {query} {i} {j}"),
                     }
                     asked += 1;
@@ -257,7 +266,7 @@ mod tests {
                 let near = nearest_on_bilinear(&quad);
                 assert!(near.distance + displacement.max_length >= truth - 0.05, "{seed} {query} {i} {j}");
                 let [a, b, c, d] = quad;
-                let (s, t) = (near.start.x, near.start.y);
+                let (s, t) = (near.near_parameters.x, near.near_parameters.y);
                 let point = (a * (1.0 - t) + b * t) * (1.0 - s) + (c * (1.0 - t) + d * t) * s;
                 assert!(point.length() <= near.distance + 1e-12, "{seed} {query} {i} {j}");
             }

@@ -52,8 +52,8 @@ impl Surface<'_> {
         check_query_and_distance("limit", query, limit).ok()?;
         let tolerance = self.distance_tolerance_for(query);
         NearestSurfaceSearch { surface: self, search }.find_nearest(query, limit, tolerance);
-        let best = search.incumbent.best.filter(|best| best.distance <= limit)?;
-        let (place, bound) = (best.place(), search.settled.min(best.distance));
+        let best = search.incumbent.nearest_answer.filter(|best| best.distance <= limit)?;
+        let (place, bound) = (best.place(), search.least_settled_bound.min(best.distance));
         Some(Closest {
             place,
             point: best.point,

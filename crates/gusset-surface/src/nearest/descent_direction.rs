@@ -29,13 +29,13 @@ pub(super) fn has_descent_direction<const N: usize>(patch: &Patch<N>, query: DVe
         |along: DVec3, bend: DVec3| along.length_squared() <= patch.derivative_noise().powi(2) + moved * bend.length();
     let are_parallel = u.cross(v).length() <= MAX_RELATIVE_ROUNDING * u.length() * v.length();
     if is_fold(u, foot.jet.uu) || is_fold(v, foot.jet.vv) || are_parallel {
-        let lowest = descend_to_foot(patch, query, foot.place, MAX_NEWTON_STEPS_ON_PATCH);
+        let lowest = descend_to_foot(patch, query, foot.parameters, MAX_NEWTON_STEPS_ON_PATCH);
         return lowest.distance < foot.distance && lowest.jet.point.distance(foot.jet.point) > moved;
     }
     let (gradient, hessian) = gradient_and_hessian(&foot.jet, query);
     let slack = max_slope_rounding(patch, &foot, query, MAX_DISTANCE_ON_SIDE);
     // Steps in both directions that stay in the patch.
-    let ways = |k: usize| [-1.0, 1.0].into_iter().filter(move |way| foot.place[k] != 0.5 * (way + 1.0));
+    let ways = |k: usize| [-1.0, 1.0].into_iter().filter(move |way| foot.parameters[k] != 0.5 * (way + 1.0));
     if (0..2).any(|k| ways(k).any(|way| way * gradient[k] < -slack[k])) {
         return true;
     }

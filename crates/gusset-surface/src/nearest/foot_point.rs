@@ -23,7 +23,7 @@ const MAX_DISTANCE_ON_BORDER: f64 = 1e-13;
 /// A point of a patch, with its derivatives and its distance from the query.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FootPoint {
-    pub(super) place: DVec2,
+    pub(super) parameters: DVec2,
     pub(super) jet: Jet,
     pub(super) distance: f64,
 }
@@ -31,14 +31,14 @@ pub(super) struct FootPoint {
 impl FootPoint {
     pub(super) fn from_place<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2) -> FootPoint {
         let jet = patch.jet(place.x, place.y);
-        FootPoint { place, jet, distance: jet.point.distance(query) }
+        FootPoint { parameters: place, jet, distance: jet.point.distance(query) }
     }
 
     /// The gradient of |S - q|^2 / 2. Components that point out of the patch are set to 0.
     pub(super) fn projected_gradient(&self, query: DVec3) -> DVec2 {
         let (gradient, _) = gradient_and_hessian(&self.jet, query);
         DVec2::from_array(
-            [0, 1].map(|k| if is_step_blocked_by_border(self.place[k], gradient[k]) { 0.0 } else { gradient[k] }),
+            [0, 1].map(|k| if is_step_blocked_by_border(self.parameters[k], gradient[k]) { 0.0 } else { gradient[k] }),
         )
     }
 }
@@ -53,11 +53,11 @@ pub(super) fn descend_to_foot<const N: usize>(
     let mut foot = FootPoint::from_place(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
     for _ in 0..max_steps {
         let (gradient, hessian) = gradient_and_hessian(&foot.jet, query);
-        let free = [0, 1].map(|k| !is_step_blocked_by_border(foot.place[k], gradient[k]));
+        let free = [0, 1].map(|k| !is_step_blocked_by_border(foot.parameters[k], gradient[k]));
         let Some(step) = newton_step(gradient, hessian, &foot.jet, free) else { break };
         let (next, done) = match try_shorter_steps(patch, query, &foot, step) {
             StepOutcome::Down { next, whole } => {
-                (next, whole && (next.place - foot.place).abs().max_element() < LAST_STEP_PARAMETER_LENGTH)
+                (next, whole && (next.parameters - foot.parameters).abs().max_element() < LAST_STEP_PARAMETER_LENGTH)
             }
             StepOutcome::Ended => break,
             StepOutcome::Overshot => {
@@ -95,8 +95,8 @@ fn try_shorter_steps<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot
     let bounded = step.abs().max_element().max(1.0).recip();
     let mut length = 1.0;
     while length > 1e-3 * bounded {
-        let place = (foot.place - length * step).clamp(DVec2::ZERO, DVec2::ONE);
-        let moved = (place - foot.place).abs().max_element();
+        let place = (foot.parameters - length * step).clamp(DVec2::ZERO, DVec2::ONE);
+        let moved = (place - foot.parameters).abs().max_element();
         if moved <= 1e-14 {
             return StepOutcome::Ended;
         }

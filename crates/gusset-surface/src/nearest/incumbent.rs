@@ -68,9 +68,9 @@ pub(super) struct IncumbentAnswers {
     pub(super) query: DVec3,
     /// The length to which distances are proven, at least the rounding error.
     pub(super) tolerance: f64,
-    pub(super) upper: DistanceUpperBound,
+    pub(super) distance_upper_bound: DistanceUpperBound,
     /// The nearest answer so far.
-    pub(super) best: Option<NearestPointCandidate>,
+    pub(super) nearest_answer: Option<NearestPointCandidate>,
     /// Answers within the tolerance of the nearest one, and a few that are slightly farther.
     ties: Vec<NearestPointCandidate>,
     /// The unit vector from the nearest answer to the query; zero without an answer.
@@ -80,14 +80,15 @@ pub(super) struct IncumbentAnswers {
 impl IncumbentAnswers {
     pub(super) fn begin_query(&mut self, query: DVec3, limit: f64, tolerance: f64) {
         self.ties.clear();
-        (self.best, self.direction) = (None, DVec3::ZERO);
-        (self.query, self.tolerance, self.upper) = (query, tolerance, DistanceUpperBound::new(limit, tolerance));
+        (self.nearest_answer, self.direction) = (None, DVec3::ZERO);
+        (self.query, self.tolerance, self.distance_upper_bound) =
+            (query, tolerance, DistanceUpperBound::new(limit, tolerance));
     }
 
     /// The distance of the nearest answer; infinite without an answer.
     #[inline(always)]
     pub(super) fn nearest_distance(&self) -> f64 {
-        self.best.map_or(f64::INFINITY, |best| best.distance)
+        self.nearest_answer.map_or(f64::INFINITY, |best| best.distance)
     }
 
     /// True if an answer at this distance would be notably closer.
@@ -98,15 +99,15 @@ impl IncumbentAnswers {
     /// Adds a point of the surface.
     pub(super) fn add_answer(&mut self, answer: NearestPointCandidate) {
         let distance = self.nearest_distance();
-        self.upper.lower_to_distance(answer.distance);
-        if self.best.is_none_or(|best| answer.is_preferred_to(&best)) {
-            self.best = Some(answer);
+        self.distance_upper_bound.lower_to_distance(answer.distance);
+        if self.nearest_answer.is_none_or(|best| answer.is_preferred_to(&best)) {
+            self.nearest_answer = Some(answer);
             self.direction = (self.query - answer.point).normalize_or_zero();
             if answer.distance < distance - self.tolerance {
                 self.ties.clear();
             }
         }
-        if answer.distance <= self.upper.max_examined_distance() && self.ties.len() < MAX_KEPT_ANSWERS {
+        if answer.distance <= self.distance_upper_bound.max_examined_distance() && self.ties.len() < MAX_KEPT_ANSWERS {
             // A pole belongs to many cells, and one answer for it suffices.
             let same = 0.1 * self.min_distance_of_distinct_points();
             if self.ties.iter().all(|other| other.point.distance(answer.point) > same) {

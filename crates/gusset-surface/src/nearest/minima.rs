@@ -53,11 +53,11 @@ struct FoundMinimum {
 }
 
 impl Surface<'_> {
-    /// Returns the local minima of the distance from `query` that are at most `limit` away, the
-    /// nearest first. If `most` is not 0, returns only the nearest `most` minima.
+    /// Returns the local minima of the distance from `query` that are at most `max_distance` away, the
+    /// nearest first. If `max_minima` is not 0, returns only the nearest `max_minima` minima.
     ///
     /// Finds every minimum. A place that may be a minimum, without proof, is returned with `proven`
-    /// false. If `most` is given, cells farther than the last minimum are not searched.
+    /// false. If `max_minima` is given, cells farther than the last minimum are not searched.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the limit is negative or NaN, [`Error::NotFinite`],
@@ -68,13 +68,13 @@ impl Surface<'_> {
         let mut search = MinimaSearch {
             surface: self,
             query,
-            limit,
+            max_distance: limit,
             tolerance: self.distance_tolerance_for(query),
-            most,
-            found: Vec::new(),
+            max_minima: most,
+            proven_minima: Vec::new(),
             undecided: Vec::new(),
             frontier: Frontier::default(),
-            looked_at: 0,
+            examined_count: 0,
             job,
         };
         for sheet in 0..self.len() {
@@ -88,16 +88,16 @@ impl Surface<'_> {
 struct MinimaSearch<'a> {
     surface: &'a Surface<'a>,
     query: DVec3,
-    limit: f64,
+    max_distance: f64,
     tolerance: f64,
-    most: usize,
-    found: Vec<FoundMinimum>,
+    max_minima: usize,
+    proven_minima: Vec<FoundMinimum>,
     undecided: Vec<FoundMinimum>,
     /// Equal bounds are ordered by sheet, level, row and column, so that the result does not depend
     /// on the queue.
     frontier: Frontier<(usize, BlockWithDistanceBound), [usize; 4]>,
     /// The number of blocks and cells examined.
-    looked_at: usize,
+    examined_count: usize,
     job: &'a Job<'a>,
 }
 
@@ -129,22 +129,22 @@ impl MinimaSearch<'_> {
     /// Counts a block or a cell, and reports progress.
     #[inline(never)]
     fn count_cell_and_report(&mut self) -> Result<()> {
-        self.looked_at += 1;
-        if self.looked_at.is_multiple_of(CELLS_PER_REPORT) { self.job.step(0.0, PROGRESS_STAGE) } else { Ok(()) }
+        self.examined_count += 1;
+        if self.examined_count.is_multiple_of(CELLS_PER_REPORT) { self.job.step(0.0, PROGRESS_STAGE) } else { Ok(()) }
     }
 
     fn push_block(&mut self, sheet: usize, block: BlockWithDistanceBound) -> Result<()> {
-        self.frontier.push(block.bound, [sheet, block.level, block.row, block.column], (sheet, block))
+        self.frontier.push(block.distance_bound, [sheet, block.level, block.row, block.column], (sheet, block))
     }
 
     /// The distance beyond which minima are not wanted.
     fn max_examined_distance(&self) -> f64 {
-        if self.most == 0 || self.found.len() < self.most {
-            return self.limit;
+        if self.max_minima == 0 || self.proven_minima.len() < self.max_minima {
+            return self.max_distance;
         }
-        let mut distances: Vec<f64> = self.found.iter().map(|found| found.minimum.distance).collect();
-        let (_, &mut last, _) = distances.select_nth_unstable_by(self.most - 1, f64::total_cmp);
-        self.limit.min(last + self.tolerance)
+        let mut distances: Vec<f64> = self.proven_minima.iter().map(|found| found.minimum.distance).collect();
+        let (_, &mut last, _) = distances.select_nth_unstable_by(self.max_minima - 1, f64::total_cmp);
+        self.max_distance.min(last + self.tolerance)
     }
 
     fn search_block<const N: usize>(
@@ -156,7 +156,7 @@ impl MinimaSearch<'_> {
         for cell in block.cells_of_block(cells) {
             self.count_cell_and_report()?;
             let patch = cells.cell_patch(cell[0], cell[1]);
-            if patch.distance_bound_by_box(self.query) > self.limit {
+            if patch.distance_bound_by_box(self.query) > self.max_distance {
                 continue;
             }
             let mut minima = Vec::new();
@@ -173,7 +173,7 @@ impl MinimaSearch<'_> {
 
     fn add_minimum(&mut self, candidate: FoundMinimum) -> Result<()> {
         let minimum = &candidate.minimum;
-        if minimum.bound > self.limit {
+        if minimum.distance_bound > self.max_distance {
             return Ok(());
         }
         if !minimum.proven {
@@ -181,16 +181,19 @@ impl MinimaSearch<'_> {
         }
         let near = MAX_SAME_POINT_DISTANCE_IN_TOLERANCES * self.tolerance;
         let is_same = |other: &FoundMinimum| other.minimum.point.distance(minimum.point) <= near;
-        if minimum.distance > self.limit || self.found.iter().any(is_same) || !self.is_minimum_across_cells(minimum) {
+        if minimum.distance > self.max_distance
+            || self.proven_minima.iter().any(is_same)
+            || !self.is_minimum_across_cells(minimum)
+        {
             return Ok(());
         }
-        alloc::push(&mut self.found, candidate)
+        alloc::push(&mut self.proven_minima, candidate)
     }
 
     /// True if no cell that meets a minimum of one patch has a descent direction there.
     fn is_minimum_across_cells(&self, minimum: &LocalMinimum) -> bool {
         let on_border = |x: f64| x <= MAX_DISTANCE_ON_SIDE || x >= 1.0 - MAX_DISTANCE_ON_SIDE;
-        if !(on_border(minimum.place.x) || on_border(minimum.place.y)) {
+        if !(on_border(minimum.parameters.x) || on_border(minimum.parameters.y)) {
             return true;
         }
         (0..self.surface.len()).all(|sheet| {
@@ -218,7 +221,7 @@ impl MinimaSearch<'_> {
             !has_descent_direction(
                 &patch,
                 self.query,
-                there.place,
+                there.parameters,
                 MAX_SAME_POINT_DISTANCE_IN_TOLERANCES * self.tolerance,
             )
         })
@@ -228,7 +231,7 @@ impl MinimaSearch<'_> {
     fn into_minima(mut self, bound: f64, nearest: Option<Closest>) -> Result<Minima> {
         let complete = self.undecided.len() <= MAX_UNDECIDED_CELLS;
         merge_adjacent_undecided(&mut self.undecided, self.surface)?;
-        let proven = std::mem::take(&mut self.found);
+        let proven = std::mem::take(&mut self.proven_minima);
         // An undecided place next to a proven one is the same place.
         let near = MAX_SAME_POINT_DISTANCE_IN_TOLERANCES * self.tolerance;
         let distance = |a: &FoundMinimum, b: &FoundMinimum| a.minimum.point.distance(b.minimum.point);
@@ -236,8 +239,8 @@ impl MinimaSearch<'_> {
         let mut points = alloc::with_capacity(proven.len() + self.undecided.len() + 1)?;
         for FoundMinimum { minimum, sheet, cell } in proven.into_iter().chain(self.undecided) {
             let cell = cell.map(|k| k as u32);
-            let place = Place { sheet: sheet as u32, cell, u: minimum.place.x, v: minimum.place.y };
-            let LocalMinimum { point, distance, bound, proven, .. } = minimum;
+            let place = Place { sheet: sheet as u32, cell, u: minimum.parameters.x, v: minimum.parameters.y };
+            let LocalMinimum { point, distance, distance_bound: bound, proven, .. } = minimum;
             let normal = self.surface.normal(place);
             points.push(Closest { place, point, normal, distance, bound, proven, is_ambiguous: !proven });
         }
@@ -250,10 +253,10 @@ impl MinimaSearch<'_> {
             let place = |c: &Closest| (c.place.sheet, c.place.cell);
             a.distance.total_cmp(&b.distance).then_with(|| place(a).cmp(&place(b)))
         });
-        points.retain(|point| point.distance <= self.limit);
+        points.retain(|point| point.distance <= self.max_distance);
         merge_coincident_minima(&mut points, near)?;
-        if self.most > 0 {
-            points.truncate(self.most);
+        if self.max_minima > 0 {
+            points.truncate(self.max_minima);
         }
         Ok(Minima { points, complete, bound })
     }
@@ -296,9 +299,9 @@ fn merge_adjacent_undecided(undecided: &mut Vec<FoundMinimum>, surface: &Surface
         let slot = &mut best[groups.find(k as u32) as usize];
         *slot = Some(match *slot {
             Some(other) => {
-                let bound = other.minimum.bound.min(found.minimum.bound);
+                let bound = other.minimum.distance_bound.min(found.minimum.distance_bound);
                 let nearer = if found.minimum.distance < other.minimum.distance { found } else { other };
-                FoundMinimum { minimum: LocalMinimum { bound, ..nearer.minimum }, ..nearer }
+                FoundMinimum { minimum: LocalMinimum { distance_bound: bound, ..nearer.minimum }, ..nearer }
             }
             None => found,
         });

@@ -6,7 +6,7 @@
 //! answer by more than the tolerance.
 //!
 //! Invariant: a point of the surface is in a waiting task, or its distance is at least the upper
-//! bound less the tolerance, or at least `settled`.
+//! bound less the tolerance, or at least `least_settled_bound`.
 //!
 //! At a centre of curvature, all points of a patch are equally close, and bounds cannot separate
 //! its parts. The search then ends without proof after [`MAX_EXAMINED_PARTS`] patches. It ends
@@ -47,7 +47,7 @@ const MAX_CELLS_OF_FINAL_DESCENT: usize = 256;
 /// (see [`SinglePrecisionQuery`]).
 #[derive(Debug, Clone, Copy, Default)]
 struct StackedBlock {
-    bound: f32,
+    squared_distance_bound: f32,
     level: u32,
     row: u32,
     column: u32,
@@ -60,8 +60,8 @@ const MAX_SUBNORMAL_SQUARE_ERROR: f64 = 2.0 * f32::from_bits(1) as f64;
 /// The query, prepared for tests of boxes in single precision.
 struct SinglePrecisionQuery {
     /// Position relative to the index's origin.
-    local: DVec3,
-    single: [f32; 3],
+    position_from_index_origin: DVec3,
+    rounded_position: [f32; 3],
     /// Bound of how far rounding of the query may raise a bound above the distance.
     rounding: f64,
 }
@@ -70,7 +70,11 @@ impl SinglePrecisionQuery {
     fn new(index: &BoxPyramid, query: DVec3) -> Self {
         let local = query - index.origin();
         let rounding = 2.0 * f64::from(f32::EPSILON) * local.abs().max_element();
-        SinglePrecisionQuery { local, single: local.to_array().map(|x| x as f32), rounding }
+        SinglePrecisionQuery {
+            position_from_index_origin: local,
+            rounded_position: local.to_array().map(|x| x as f32),
+            rounding,
+        }
     }
 
     /// The squared distance that boxes farther than `limit` exceed. The relative error of sums of
@@ -117,12 +121,12 @@ struct CellAndPatch<'a, const N: usize> {
 pub(super) struct NearestPointSearch {
     pub(super) incumbent: IncumbentAnswers,
     /// The smallest lower bound of all settled parts.
-    pub(super) settled: f64,
+    pub(super) least_settled_bound: f64,
     /// Number of patches and parts examined, and this number at the last notable gain.
     evaluations: usize,
-    evaluations_at_gain: usize,
+    evaluations_at_last_gain: usize,
     /// Number of blocks of cells examined.
-    blocks: usize,
+    examined_block_count: usize,
     stack: Vec<StackedBlock>,
     candidates: Vec<CellCandidate>,
     /// Tasks with their sheet.
@@ -134,19 +138,20 @@ impl NearestPointSearch {
         self.incumbent.begin_query(query, limit, tolerance);
         self.candidates.clear();
         self.frontier.clear();
-        (self.settled, self.evaluations, self.evaluations_at_gain, self.blocks) = (f64::INFINITY, 0, 0, 0);
+        (self.least_settled_bound, self.evaluations, self.evaluations_at_last_gain, self.examined_block_count) =
+            (f64::INFINITY, 0, 0, 0);
     }
 
     /// The distance beyond which nothing needs to be examined.
     #[inline(always)]
     fn max_examined_distance(&self) -> f64 {
-        self.incumbent.upper.max_examined_distance()
+        self.incumbent.distance_upper_bound.max_examined_distance()
     }
 
     /// Records the lower bound of a part that needs no more work.
     #[inline(always)]
     fn record_lower_bound(&mut self, bound: f64) {
-        self.settled = self.settled.min(bound);
+        self.least_settled_bound = self.least_settled_bound.min(bound);
     }
 
     /// Adds a task to the frontier. If the allocation fails, drops the task and records its bound.
@@ -165,13 +170,18 @@ impl NearestPointSearch {
         stack.clear();
         stack.push(StackedBlock { level: levels.len() as u32, ..StackedBlock::default() });
         while let Some(block) = stack.pop() {
-            if block.bound > query.squared_distance_threshold(self.max_examined_distance()) {
+            if block.squared_distance_bound > query.squared_distance_threshold(self.max_examined_distance()) {
                 continue;
             }
             let (row, column) = (block.row as usize, block.column as usize);
-            if self.evaluations >= MAX_DEPTH_FIRST_PATCHES || self.blocks >= MAX_DEPTH_FIRST_BLOCKS {
-                let (bound, level) = (query.distance_from_squared_bound(block.bound), block.level as usize);
-                self.push_task(bound, sheet, NearestTask::Block(BlockWithDistanceBound { bound, level, row, column }));
+            if self.evaluations >= MAX_DEPTH_FIRST_PATCHES || self.examined_block_count >= MAX_DEPTH_FIRST_BLOCKS {
+                let (bound, level) =
+                    (query.distance_from_squared_bound(block.squared_distance_bound), block.level as usize);
+                self.push_task(
+                    bound,
+                    sheet,
+                    NearestTask::Block(BlockWithDistanceBound { distance_bound: bound, level, row, column }),
+                );
                 continue;
             }
             if block.level == 0 {
@@ -184,7 +194,8 @@ impl NearestPointSearch {
                 continue;
             }
             let level = &levels[block.level as usize - 1];
-            let distances = level.child_boxes(row, column).distances_squared_in_single_precision(query.single);
+            let distances =
+                level.child_boxes(row, column).distances_squared_in_single_precision(query.rounded_position);
             let threshold = query.squared_distance_threshold(self.max_examined_distance());
             let first = stack.len();
             for (child, &boxed) in distances.iter().enumerate() {
@@ -195,7 +206,8 @@ impl NearestPointSearch {
                 let bound = if boxed > threshold {
                     boxed
                 } else {
-                    let oriented = |oriented: &OrientedBox| oriented.distance_squared(query.local) as f32;
+                    let oriented =
+                        |oriented: &OrientedBox| oriented.distance_squared(query.position_from_index_origin) as f32;
                     level.oriented_box(row, column).map_or(0.0, oriented).max(boxed)
                 };
                 if bound > threshold {
@@ -203,8 +215,13 @@ impl NearestPointSearch {
                 }
                 // Insertion sort: the nearest child is last, and taken first.
                 let mut at = stack.len();
-                stack.push(StackedBlock { bound, level: block.level - 1, row: row as u32, column: column as u32 });
-                while at > first && stack[at - 1].bound < bound {
+                stack.push(StackedBlock {
+                    squared_distance_bound: bound,
+                    level: block.level - 1,
+                    row: row as u32,
+                    column: column as u32,
+                });
+                while at > first && stack[at - 1].squared_distance_bound < bound {
                     stack.swap(at, at - 1);
                     at -= 1;
                 }
@@ -217,16 +234,17 @@ impl NearestPointSearch {
     /// Adds a block's candidates. Returns the block's extent.
     #[inline(always)]
     fn collect_block_candidates<const N: usize>(&mut self, leaf: &CandidateBlock<'_, impl SheetCells<N>, N>) -> f64 {
-        self.blocks += 1;
+        self.examined_block_count += 1;
         let (query, direction) = (self.incumbent.query, self.incumbent.direction);
-        leaf.find_candidates(query, direction, &mut self.incumbent.upper, &mut self.candidates)
+        leaf.find_candidates(query, direction, &mut self.incumbent.distance_upper_bound, &mut self.candidates)
     }
 
     /// Examines the candidates of a sheet by rising lower bounds.
     fn examine_candidates<const N: usize>(&mut self, cells: &impl SheetCells<N>, sheet: u32) {
         let mut candidates = std::mem::take(&mut self.candidates);
-        candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then_with(|| a.cell.cmp(&b.cell)));
-        for &CellCandidate { bound, direction, start, cell } in &candidates {
+        candidates
+            .sort_unstable_by(|a, b| a.distance_bound.total_cmp(&b.distance_bound).then_with(|| a.cell.cmp(&b.cell)));
+        for &CellCandidate { distance_bound: bound, direction, start_parameters: start, cell } in &candidates {
             let limit = self.max_examined_distance();
             if bound > limit {
                 // All following candidates are beyond the limit too.
@@ -271,7 +289,7 @@ impl NearestPointSearch {
     }
 
     fn examine_part<const N: usize>(&mut self, at: &CellAndPatch<'_, N>, part: &PatchPart<N>) {
-        if part.bound > self.max_examined_distance() {
+        if part.distance_bound > self.max_examined_distance() {
             return;
         }
         self.evaluations += 1;
@@ -279,21 +297,25 @@ impl NearestPointSearch {
         let local = descend_to_foot(&part.patch, query, DVec2::splat(0.5), MAX_NEWTON_STEPS_ON_PART);
         if local.distance <= self.max_examined_distance().min(self.incumbent.nearest_distance()) {
             // Evaluated on the whole patch, because the part's control points are rounded.
-            self.add_answer(at, &FootPoint::from_place(at.patch, query, part.place_in_patch(local.place)));
+            self.add_answer(at, &FootPoint::from_place(at.patch, query, part.place_in_patch(local.parameters)));
         }
-        let bound = best_distance_bound_of_patch(&part.patch, query, &local, part.bound, tolerance);
+        let bound = best_distance_bound_of_patch(&part.patch, query, &local, part.distance_bound, tolerance);
         if bound >= self.incumbent.nearest_distance() - tolerance || part.is_too_small_to_split() {
             self.record_lower_bound(bound);
         } else {
-            self.push_task(bound, at.sheet, NearestTask::Part { cell: at.cell, from: part.from, size: part.size });
+            self.push_task(
+                bound,
+                at.sheet,
+                NearestTask::Part { cell: at.cell, from: part.low_parameters, size: part.parameter_lengths },
+            );
         }
     }
 
     /// Adds an answer.
     fn add_answer<const N: usize>(&mut self, at: &CellAndPatch<'_, N>, foot: &FootPoint) {
-        let FootPoint { place, jet, distance } = *foot;
+        let FootPoint { parameters: place, jet, distance } = *foot;
         if self.incumbent.is_notably_closer(distance) {
-            self.evaluations_at_gain = self.evaluations;
+            self.evaluations_at_last_gain = self.evaluations;
         }
         let normal = jet.unit_normal_if_regular(at.patch.derivative_noise()).unwrap_or_default();
         let (sheet, cell) = (at.sheet, at.cell);
@@ -307,11 +329,11 @@ impl NearestPointSearch {
         });
     }
 
-    /// True if the search may end although some points may be as close as `bound`.
+    /// True if the search may end although some points may be as close as `squared_distance_bound`.
     fn may_end_without_proof(&self, bound: f64) -> bool {
         let (distance, tolerance) = (self.incumbent.nearest_distance(), self.incumbent.tolerance);
         let is_stalled = self.evaluations >= MIN_EXAMINED_PARTS
-            && self.evaluations - self.evaluations_at_gain >= MIN_EXAMINED_PARTS / 2;
+            && self.evaluations - self.evaluations_at_last_gain >= MIN_EXAMINED_PARTS / 2;
         let is_near = distance - bound <= (SMALL_RELATIVE_GAP * distance).max(tolerance);
         self.evaluations >= MAX_EXAMINED_PARTS || (is_stalled && is_near)
     }
@@ -328,19 +350,21 @@ impl NearestPointSearch {
         let query = self.incumbent.query;
         match task {
             NearestTask::Block(BlockWithDistanceBound { level: 0, row, column, .. }) => {
-                let before = self.incumbent.upper.distance;
+                let before = self.incumbent.distance_upper_bound.distance;
                 self.collect_block_candidates(&CandidateBlock { cells, index, row, column });
-                let upper = self.incumbent.upper.distance;
+                let upper = self.incumbent.distance_upper_bound.distance;
                 if upper < before && self.incumbent.is_notably_closer(upper) {
                     self.examine_candidates(cells, sheet);
                 }
-                while let Some(CellCandidate { bound, start, cell, .. }) = self.candidates.pop() {
+                while let Some(CellCandidate { distance_bound: bound, start_parameters: start, cell, .. }) =
+                    self.candidates.pop()
+                {
                     self.push_task(bound.max(0.0), sheet, NearestTask::Cell { cell, start });
                 }
             }
             NearestTask::Block(block) => {
                 for child in block.child_blocks(index, query).into_iter().flatten() {
-                    self.push_task(child.bound.max(bound), sheet, NearestTask::Block(child));
+                    self.push_task(child.distance_bound.max(bound), sheet, NearestTask::Block(child));
                     let cell = child.middle_cell(cells);
                     if self.incumbent.is_notably_closer(cells.corner_point(cell[0], cell[1]).distance(query)) {
                         self.examine_cell(cells, sheet, cell, DVec2::ZERO);
@@ -361,7 +385,7 @@ impl NearestPointSearch {
     /// have stopped short of the minimum.
     fn descend_across_cells<const N: usize>(&mut self, cells: &impl SheetCells<N>, closed: [bool; 2]) {
         for _ in 0..MAX_CELLS_OF_FINAL_DESCENT {
-            let Some(best) = self.incumbent.best else { return };
+            let Some(best) = self.incumbent.nearest_answer else { return };
             for cell in cells_around(cells.cell_counts(), closed, best.cell.map(|k| k as usize)) {
                 self.examine_cell(cells, best.sheet, cell, DVec2::splat(0.5));
             }
@@ -404,7 +428,9 @@ impl NearestSurfaceSearch<'_> {
         let Ok(left) = self.search_best_first();
         let NearestSurfaceSearch { surface, search } = self;
         left.into_iter().for_each(|bound| search.record_lower_bound(bound));
-        if let Some(best) = search.incumbent.best.filter(|best| search.settled < best.distance - tolerance) {
+        if let Some(best) =
+            search.incumbent.nearest_answer.filter(|best| search.least_settled_bound < best.distance - tolerance)
+        {
             let sheet = surface.sheet(best.sheet as usize);
             each_sheet!(sheet, cells => search.descend_across_cells(cells, sheet.is_closed()));
         }

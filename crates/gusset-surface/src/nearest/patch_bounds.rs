@@ -87,7 +87,7 @@ impl<const N: usize> Patch<N> {
         }
         let [uu, uv, vv] = [uu.scale_products(twice), uv.scale_products(degree * degree), vv.scale_products(twice)];
         let (u, v) = (foot.jet.u.length(), foot.jet.v.length());
-        let farthest = foot.place.max(DVec2::ONE - foot.place);
+        let farthest = foot.parameters.max(DVec2::ONE - foot.parameters);
         let off_u = farthest.x * uu.max_length + farthest.y * uv.max_length;
         let off_v = farthest.x * uv.max_length + farthest.y * vv.max_length;
         let diagonal = |length: f64, off: f64, second: DotProductRange| {

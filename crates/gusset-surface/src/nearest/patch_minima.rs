@@ -33,18 +33,18 @@ const MIN_SIDE_PART_SIZE: f64 = 1e-7;
 /// A local minimum of the distance, or a place that may be one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LocalMinimum {
-    pub(super) place: DVec2,
+    pub(super) parameters: DVec2,
     pub(super) point: DVec3,
     pub(super) distance: f64,
     /// A lower bound of the distance of the part that was examined.
-    pub(super) bound: f64,
+    pub(super) distance_bound: f64,
     pub(super) proven: bool,
 }
 
 impl LocalMinimum {
     fn new(foot: &FootPoint, bound: f64, proven: bool) -> Self {
-        let FootPoint { place, jet, distance } = *foot;
-        LocalMinimum { place, point: jet.point, distance, bound: bound.min(distance), proven }
+        let FootPoint { parameters: place, jet, distance } = *foot;
+        LocalMinimum { parameters: place, point: jet.point, distance, distance_bound: bound.min(distance), proven }
     }
 }
 
@@ -75,7 +75,7 @@ pub(super) fn find_interior_minima<const N: usize>(
         if hessian.is_nowhere_definite(noise * (foot.distance + speed + noise)) {
             continue;
         }
-        let on_whole = || FootPoint::from_place(patch, query, part.place_in_patch(foot.place));
+        let on_whole = || FootPoint::from_place(patch, query, part.place_in_patch(foot.parameters));
         if hessian.min_eigenvalue().is_some() && has_descent_converged(&part.patch, &foot, query) {
             if is_foot_stationary(&part.patch, &foot, query) {
                 add(LocalMinimum::new(&on_whole(), part.patch.distance_bound_by_convexity(query, &foot), true));
@@ -92,9 +92,11 @@ pub(super) fn find_interior_minima<const N: usize>(
             let candidate = LocalMinimum::new(&on_whole(), bound, false);
             undecided = Some(match undecided {
                 Some(other) if other.distance <= candidate.distance => {
-                    LocalMinimum { bound: other.bound.min(bound), ..other }
+                    LocalMinimum { distance_bound: other.distance_bound.min(bound), ..other }
                 }
-                Some(other) => LocalMinimum { bound: other.bound.min(candidate.bound), ..candidate },
+                Some(other) => {
+                    LocalMinimum { distance_bound: other.distance_bound.min(candidate.distance_bound), ..candidate }
+                }
                 None => candidate,
             });
             continue;

@@ -12,15 +12,15 @@ pub(super) const MAX_PARTS_PER_PATCH: usize = 192;
 /// A part of a patch: control net, range of parameters, and a lower bound of the distance.
 pub(super) struct PatchPart<const N: usize> {
     pub(super) patch: Patch<N>,
-    pub(super) from: DVec2,
-    pub(super) size: DVec2,
-    pub(super) bound: f64,
+    pub(super) low_parameters: DVec2,
+    pub(super) parameter_lengths: DVec2,
+    pub(super) distance_bound: f64,
 }
 
 impl<const N: usize> PatchPart<N> {
     /// The whole patch as a part.
     pub(super) fn whole_patch(patch: &Patch<N>) -> Self {
-        PatchPart { patch: *patch, from: DVec2::ZERO, size: DVec2::ONE, bound: 0.0 }
+        PatchPart { patch: *patch, low_parameters: DVec2::ZERO, parameter_lengths: DVec2::ONE, distance_bound: 0.0 }
     }
 
     /// The part of a patch with the given smallest parameters and size.
@@ -28,32 +28,34 @@ impl<const N: usize> PatchPart<N> {
         let (mut patch, to) = (*patch, from + size);
         patch.points.iter_mut().for_each(|row| restrict(row, [from.y, to.y]));
         restrict(&mut patch.points, [from.x, to.x]);
-        PatchPart { patch, from, size, bound }
+        PatchPart { patch, low_parameters: from, parameter_lengths: size, distance_bound: bound }
     }
 
     /// Converts parameters of the part to parameters of the whole patch.
     pub(super) fn place_in_patch(&self, local: DVec2) -> DVec2 {
-        self.from + self.size * local
+        self.low_parameters + self.parameter_lengths * local
     }
 
     /// True if the part is too small to be split.
     pub(super) fn is_too_small_to_split(&self) -> bool {
-        self.size.min_element() <= MIN_PART_PARAMETER_SIZE
+        self.parameter_lengths.min_element() <= MIN_PART_PARAMETER_SIZE
     }
 
     /// Halves the part across its longer direction, or across both if they are similar.
     pub(super) fn split_part(&self, mut add: impl FnMut(PatchPart<N>)) {
-        let half = 0.5 * self.size;
-        let mut give = |patch, corner: DVec2, size| add(PatchPart { patch, from: self.from + corner, size, ..*self });
+        let half = 0.5 * self.parameter_lengths;
+        let mut give = |patch, corner: DVec2, size| {
+            add(PatchPart { patch, low_parameters: self.low_parameters + corner, parameter_lengths: size, ..*self })
+        };
         let [u, v] = self.patch.max_end_point_distances();
         if u > 2.0 * v {
             let [low, high] = self.patch.halves();
-            give(low, DVec2::ZERO, DVec2::new(half.x, self.size.y));
-            give(high, DVec2::new(half.x, 0.0), DVec2::new(half.x, self.size.y));
+            give(low, DVec2::ZERO, DVec2::new(half.x, self.parameter_lengths.y));
+            give(high, DVec2::new(half.x, 0.0), DVec2::new(half.x, self.parameter_lengths.y));
         } else if v > 2.0 * u {
             let [low, high] = self.patch.transposed().halves();
-            give(low.transposed(), DVec2::ZERO, DVec2::new(self.size.x, half.y));
-            give(high.transposed(), DVec2::new(0.0, half.y), DVec2::new(self.size.x, half.y));
+            give(low.transposed(), DVec2::ZERO, DVec2::new(self.parameter_lengths.x, half.y));
+            give(high.transposed(), DVec2::new(0.0, half.y), DVec2::new(self.parameter_lengths.x, half.y));
         } else {
             let corners = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];
             for (patch, corner) in self.patch.quarters().into_iter().zip(corners) {
@@ -69,7 +71,7 @@ impl<const N: usize> PatchPart<N> {
         let direction = (4.0 * query - (a + b + c + d)).normalize_or_zero();
         let bound =
             self.patch.distance_bound_by_box(query).max(self.patch.distance_bound_by_half_space(query, direction));
-        self.bound = self.bound.max(bound);
+        self.distance_bound = self.distance_bound.max(bound);
         self
     }
 }

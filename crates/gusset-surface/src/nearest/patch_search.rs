@@ -15,15 +15,19 @@ use std::convert::Infallible;
 /// The nearest point found on a patch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NearestPlaceOnPatch {
-    pub(super) place: DVec2,
+    pub(super) parameters: DVec2,
     pub(super) distance: f64,
     /// A lower bound of the distance of the patch.
-    pub(super) bound: f64,
+    pub(super) distance_bound: f64,
 }
 
 impl NearestPlaceOnPatch {
     fn new(foot: &FootPoint, bound: f64) -> Self {
-        NearestPlaceOnPatch { place: foot.place, distance: foot.distance, bound: bound.min(foot.distance) }
+        NearestPlaceOnPatch {
+            parameters: foot.parameters,
+            distance: foot.distance,
+            distance_bound: bound.min(foot.distance),
+        }
     }
 }
 
@@ -31,7 +35,7 @@ impl NearestPlaceOnPatch {
 pub(super) type PartFrontier<const N: usize> = Frontier<PatchPart<N>, u32>;
 
 /// Finds the nearest point of a patch to `query`, starting from `start`. Returns `None` if the
-/// whole patch is farther than `limit`. `frontier` is a workspace.
+/// whole patch is farther than `max_distance`. `frontier` is a workspace.
 ///
 /// The result does not depend on the limit. It is the nearest point within `tolerance`, unless its
 /// bound shows that the search ended without proof.
@@ -52,20 +56,31 @@ pub(super) fn nearest_on_patch<const N: usize>(
         return Some(NearestPlaceOnPatch::new(&best, bound));
     }
     let proven = f64::INFINITY;
-    PatchSearch { patch, query, limit, tolerance, best, proven, examined: 0, added: 0, frontier }.find_nearest()
+    PatchSearch {
+        patch,
+        query,
+        max_distance: limit,
+        tolerance,
+        nearest_foot: best,
+        least_settled_bound: proven,
+        examined_part_count: 0,
+        added_part_count: 0,
+        frontier,
+    }
+    .find_nearest()
 }
 
 /// A search of a patch that must be split.
 struct PatchSearch<'a, const N: usize> {
     patch: &'a Patch<N>,
     query: DVec3,
-    limit: f64,
+    max_distance: f64,
     tolerance: f64,
-    best: FootPoint,
+    nearest_foot: FootPoint,
     /// The smallest bound of the settled parts.
-    proven: f64,
-    examined: usize,
-    added: u32,
+    least_settled_bound: f64,
+    examined_part_count: usize,
+    added_part_count: u32,
     frontier: &'a mut PartFrontier<N>,
 }
 
@@ -75,18 +90,18 @@ impl<const N: usize> PatchSearch<'_, N> {
         self.frontier.clear();
         self.split_part(&PatchPart::whole_patch(self.patch));
         let Ok(left) = self.search_best_first();
-        let bound = self.proven.min(left.unwrap_or(f64::INFINITY));
-        (bound <= self.limit).then(|| NearestPlaceOnPatch::new(&self.best, bound))
+        let bound = self.least_settled_bound.min(left.unwrap_or(f64::INFINITY));
+        (bound <= self.max_distance).then(|| NearestPlaceOnPatch::new(&self.nearest_foot, bound))
     }
 
     fn split_part(&mut self, part: &PatchPart<N>) {
         part.split_part(|part| {
             let part = part.with_cheap_distance_bounds(self.query);
-            let bound = part.bound;
-            if self.frontier.push(bound, self.added, part).is_err() {
-                self.proven = self.proven.min(bound);
+            let bound = part.distance_bound;
+            if self.frontier.push(bound, self.added_part_count, part).is_err() {
+                self.least_settled_bound = self.least_settled_bound.min(bound);
             }
-            self.added += 1;
+            self.added_part_count += 1;
         });
     }
 }
@@ -101,26 +116,26 @@ impl<const N: usize> BranchAndBound for PatchSearch<'_, N> {
     }
 
     fn is_bound_wanted(&mut self, bound: f64) -> bool {
-        bound.min(self.proven) <= self.limit
-            && bound < self.best.distance - self.tolerance
-            && self.examined < MAX_PARTS_PER_PATCH
+        bound.min(self.least_settled_bound) <= self.max_distance
+            && bound < self.nearest_foot.distance - self.tolerance
+            && self.examined_part_count < MAX_PARTS_PER_PATCH
     }
 
     fn branch_task(&mut self, bound: f64, part: PatchPart<N>) -> Result<(), Infallible> {
-        self.examined += 1;
+        self.examined_part_count += 1;
         let local = descend_to_foot(&part.patch, self.query, DVec2::splat(0.5), MAX_NEWTON_STEPS_ON_PART);
-        if local.distance < self.best.distance {
+        if local.distance < self.nearest_foot.distance {
             // Evaluated on the whole patch, because the part's control points are rounded.
-            let foot = FootPoint::from_place(self.patch, self.query, part.place_in_patch(local.place));
-            if foot.distance < self.best.distance {
-                self.best = foot;
+            let foot = FootPoint::from_place(self.patch, self.query, part.place_in_patch(local.parameters));
+            if foot.distance < self.nearest_foot.distance {
+                self.nearest_foot = foot;
             }
         }
         let bound = best_distance_bound_of_patch(&part.patch, self.query, &local, bound, self.tolerance);
-        if bound >= self.best.distance - self.tolerance || part.is_too_small_to_split() {
-            self.proven = self.proven.min(bound);
+        if bound >= self.nearest_foot.distance - self.tolerance || part.is_too_small_to_split() {
+            self.least_settled_bound = self.least_settled_bound.min(bound);
         } else {
-            self.split_part(&PatchPart { bound, ..part });
+            self.split_part(&PatchPart { distance_bound: bound, ..part });
         }
         Ok(())
     }

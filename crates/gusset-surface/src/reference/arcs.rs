@@ -59,8 +59,8 @@ impl CurveArcs {
             _ => Place { segment: (k / parts) as u32, t: (k % parts) as f64 / parts as f64 },
         };
         let places = alloc::collect((0..count + 1).map(place))?;
-        let points = curve.points_at(&places, &job.part(0.0, 0.1))?;
-        let (tangents, job) = (curve.tangents_at(&places, &job.part(0.1, 0.3))?, job.part(0.3, 1.0));
+        let points = curve.points_at(&places, &job.sub_job(0.0, 0.1))?;
+        let (tangents, job) = (curve.tangents_at(&places, &job.sub_job(0.1, 0.3))?, job.sub_job(0.3, 1.0));
         let (mut lengths, mut variation) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
         let mut controls = Vec::new();
         for k in 0..count {

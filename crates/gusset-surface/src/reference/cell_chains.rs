@@ -20,7 +20,12 @@ const CELLS_PER_REPORT: usize = 1 << 17;
 ///
 /// # Errors
 /// [`Error::NoSuch`] if an end is not in the region, [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>) -> Result<Option<Vec<[usize; 2]>>> {
+pub fn shortest_chain(
+    region: &CellMask,
+    from: [usize; 2],
+    to: [usize; 2],
+    job: &Job<'_>,
+) -> Result<Option<Vec<[usize; 2]>>> {
     let lattice = region.lattice();
     for end in [from, to] {
         lattice.check_cell(end)?;
@@ -30,7 +35,7 @@ pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>)
     }
     let mut walk = ShortestCellChains::new(lattice)?;
     walk.find_chains(region, to, job, 0.0)?;
-    let steps = |cell: [usize; 2]| walk.steps[lattice.index(cell)];
+    let steps = |cell: [usize; 2]| walk.steps_to_cell[lattice.index(cell)];
     if steps(from) == UNREACHED_CELL {
         return Ok(None);
     }
@@ -69,15 +74,15 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
     let mut walk = ShortestCellChains::new(lattice)?;
     // The middle of the region: half way along a long shortest chain.
     walk.find_chains(region, first, job, 0.0)?;
-    if walk.order.len() != count {
+    if walk.reached_cells.len() != count {
         return Ok(None);
     }
-    let far = walk.order[count - 1];
+    let far = walk.reached_cells[count - 1];
     walk.find_chains(region, lattice.cell(far as usize), job, 0.0)?;
     let mut longest = walk.steps_to_farthest_cell();
     let middle = walk.cell_at_steps(longest / 2);
     walk.find_chains(region, middle, job, 0.0)?;
-    let (steps, order) = (std::mem::take(&mut walk.steps), std::mem::take(&mut walk.order));
+    let (steps, order) = (std::mem::take(&mut walk.steps_to_cell), std::mem::take(&mut walk.reached_cells));
     walk = ShortestCellChains::new(lattice)?;
     for (tried, &cell) in order.iter().rev().enumerate() {
         if longest >= 2 * steps[cell as usize] {
@@ -120,36 +125,40 @@ pub fn euler_characteristic(region: &CellMask, job: &Job<'_>) -> Result<i64> {
 struct ShortestCellChains {
     lattice: CellGridShape,
     /// The steps to each cell.
-    steps: Vec<u32>,
+    steps_to_cell: Vec<u32>,
     /// The cells that were reached, by ascending steps.
-    order: Vec<u32>,
+    reached_cells: Vec<u32>,
 }
 
 impl ShortestCellChains {
     fn new(lattice: CellGridShape) -> Result<Self> {
-        Ok(ShortestCellChains { lattice, steps: alloc::filled(UNREACHED_CELL, lattice.len())?, order: Vec::new() })
+        Ok(ShortestCellChains {
+            lattice,
+            steps_to_cell: alloc::filled(UNREACHED_CELL, lattice.len())?,
+            reached_cells: Vec::new(),
+        })
     }
 
     fn find_chains(&mut self, region: &CellMask, from: [usize; 2], job: &Job<'_>, fraction: f64) -> Result<()> {
         let lattice = self.lattice;
         job.step(fraction, "chains")?;
-        self.steps.fill(UNREACHED_CELL);
-        self.order.clear();
-        alloc::reserve(&mut self.order, region.count())?;
-        self.steps[lattice.index(from)] = 0;
-        self.order.push(lattice.index(from) as u32);
+        self.steps_to_cell.fill(UNREACHED_CELL);
+        self.reached_cells.clear();
+        alloc::reserve(&mut self.reached_cells, region.count())?;
+        self.steps_to_cell[lattice.index(from)] = 0;
+        self.reached_cells.push(lattice.index(from) as u32);
         let mut at = 0;
-        while let Some(&cell) = self.order.get(at) {
+        while let Some(&cell) = self.reached_cells.get(at) {
             at += 1;
             if at % CELLS_PER_REPORT == 0 {
                 job.step(fraction, "chains")?;
             }
-            let next = self.steps[cell as usize] + 1;
+            let next = self.steps_to_cell[cell as usize] + 1;
             for other in lattice.neighbours(lattice.cell(cell as usize)) {
                 let k = lattice.index(other);
-                if self.steps[k] == UNREACHED_CELL && region.get(other) {
-                    self.steps[k] = next;
-                    self.order.push(k as u32);
+                if self.steps_to_cell[k] == UNREACHED_CELL && region.get(other) {
+                    self.steps_to_cell[k] = next;
+                    self.reached_cells.push(k as u32);
                 }
             }
         }
@@ -159,13 +168,13 @@ impl ShortestCellChains {
     /// Returns the number of steps from the start to the farthest cell of the region (the
     /// eccentricity of the start).
     fn steps_to_farthest_cell(&self) -> u32 {
-        self.order.last().map_or(0, |&cell| self.steps[cell as usize])
+        self.reached_cells.last().map_or(0, |&cell| self.steps_to_cell[cell as usize])
     }
 
-    /// The cell `steps` steps from the start, on a shortest chain to the farthest cell.
+    /// The cell `steps_to_cell` steps from the start, on a shortest chain to the farthest cell.
     fn cell_at_steps(&self, steps: u32) -> [usize; 2] {
-        let mut at = self.order.last().map_or([0, 0], |&cell| self.lattice.cell(cell as usize));
-        let of = |cell: [usize; 2]| self.steps[self.lattice.index(cell)];
+        let mut at = self.reached_cells.last().map_or([0, 0], |&cell| self.lattice.cell(cell as usize));
+        let of = |cell: [usize; 2]| self.steps_to_cell[self.lattice.index(cell)];
         let nearer = |at: [usize; 2]| {
             let mut around = self.lattice.neighbours(at);
             around.find(|&next| of(at) > steps && of(next).wrapping_add(1) == of(at))

@@ -19,32 +19,36 @@ pub struct CellGridShape {
 /// last one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct CyclicSpan {
-    pub(crate) first: usize,
+    pub(crate) first_interval: usize,
     pub(crate) len: usize,
-    count: usize,
+    interval_count_of_direction: usize,
 }
 
 impl CyclicSpan {
     /// All intervals of a direction.
     pub(crate) fn all_intervals(count: usize) -> CyclicSpan {
-        CyclicSpan { first: 0, len: count, count }
+        CyclicSpan { first_interval: 0, len: count, interval_count_of_direction: count }
     }
 
-    /// A span that begins at `first`, which may exceed the number of intervals in a closed
+    /// A span that begins at `first_interval`, which may exceed the number of intervals in a closed
     /// direction.
     pub(crate) fn new(first: usize, len: usize, count: usize) -> CyclicSpan {
-        CyclicSpan { first: first % count, len, count }
+        CyclicSpan { first_interval: first % count, len, interval_count_of_direction: count }
     }
 
     pub(crate) fn indices(self) -> impl Iterator<Item = usize> {
-        (self.first..self.first + self.len).map(move |k| if k < self.count { k } else { k - self.count })
+        (self.first_interval..self.first_interval + self.len)
+            .map(move |k| if k < self.interval_count_of_direction { k } else { k - self.interval_count_of_direction })
     }
 
     /// Returns the indices as two ranges: up to the seam of a closed direction, and after it. The
     /// second range is empty if the span does not cross the seam.
     pub(crate) fn ranges_around_seam(self) -> [std::ops::Range<usize>; 2] {
-        let end = self.first + self.len;
-        [self.first..end.min(self.count), 0..end.saturating_sub(self.count)]
+        let end = self.first_interval + self.len;
+        [
+            self.first_interval..end.min(self.interval_count_of_direction),
+            0..end.saturating_sub(self.interval_count_of_direction),
+        ]
     }
 
     pub(crate) fn contains_interval(self, k: usize) -> bool {
@@ -53,8 +57,9 @@ impl CyclicSpan {
 
     /// True if the span contains all intervals of another one.
     pub(crate) fn covers_span(self, other: CyclicSpan) -> bool {
-        let from = (other.first + self.count - self.first) % self.count;
-        self.len >= self.count || other.len == 0 || from + other.len <= self.len
+        let from = (other.first_interval + self.interval_count_of_direction - self.first_interval)
+            % self.interval_count_of_direction;
+        self.len >= self.interval_count_of_direction || other.len == 0 || from + other.len <= self.len
     }
 }
 
@@ -100,7 +105,11 @@ impl CellGridShape {
         let count = self.cells[direction];
         if !self.closed[direction] {
             let first = line.saturating_sub(steps);
-            return CyclicSpan { first, len: line.saturating_add(steps).min(count) - first, count };
+            return CyclicSpan {
+                first_interval: first,
+                len: line.saturating_add(steps).min(count) - first,
+                interval_count_of_direction: count,
+            };
         }
         if steps >= count.div_ceil(2) {
             return CyclicSpan::all_intervals(count);
@@ -136,7 +145,7 @@ impl CellGridShape {
                 return CyclicSpan::new(at + count - 1, 3.min(count), count);
             }
             let first = at.saturating_sub(1);
-            CyclicSpan { first, len: (at + 2).min(count) - first, count }
+            CyclicSpan { first_interval: first, len: (at + 2).min(count) - first, interval_count_of_direction: count }
         };
         let (rows, columns) = (around(0), around(1));
         rows.indices().flat_map(move |i| columns.indices().map(move |j| [i, j])).filter(move |&other| other != cell)

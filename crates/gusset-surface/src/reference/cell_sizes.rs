@@ -15,7 +15,7 @@ use gusset_base::error::{Error, Result};
 #[derive(Debug, Clone, PartialEq)]
 pub struct CellSizeBounds {
     lattice: CellGridShape,
-    sizes: Vec<f64>,
+    bounds_of_cells: Vec<f64>,
     greatest: f64,
 }
 
@@ -37,7 +37,7 @@ impl CellSizeBounds {
     /// Creates sizes from one bound for each cell, row by row. Bounds are neither NaN nor negative.
     pub(super) fn new(lattice: CellGridShape, sizes: Vec<f64>) -> Self {
         let greatest = sizes.iter().copied().fold(0.0, f64::max);
-        CellSizeBounds { lattice, sizes, greatest }
+        CellSizeBounds { lattice, bounds_of_cells: sizes, greatest }
     }
 
     /// The lattice of the cells.
@@ -47,12 +47,12 @@ impl CellSizeBounds {
 
     /// The bounds, row by row.
     pub fn values(&self) -> &[f64] {
-        &self.sizes
+        &self.bounds_of_cells
     }
 
     /// The bound of a cell.
     pub fn get(&self, cell: [usize; 2]) -> f64 {
-        self.sizes[self.lattice.index(cell)]
+        self.bounds_of_cells[self.lattice.index(cell)]
     }
 
     /// The largest bound, d.

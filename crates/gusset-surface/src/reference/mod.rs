@@ -55,7 +55,7 @@ mod section_normal;
 mod cell_sizes;
 
 pub use arcs::{CurveArcs, MAX_ARCS};
-pub use cell_chains::{chain, euler_characteristic, integer_diameter};
+pub use cell_chains::{euler_characteristic, integer_diameter, shortest_chain};
 pub use cell_grid_shape::CellGridShape;
 pub use cell_mask::CellMask;
 pub use cell_sizes::{CellBoundSum, CellSizeBounds};

@@ -33,7 +33,7 @@ pub struct OrthonormalBox {
     /// The smallest and the largest coordinate along each axis.
     intervals: [[f64; 2]; 3],
     /// The number of axes used. Planes need only the first one.
-    count: usize,
+    used_axis_count: usize,
 }
 
 impl PointPlaneOrLine {
@@ -61,7 +61,7 @@ impl PointPlaneOrLine {
                 (finite(origin, "origin")?, [u, v, unit], [from, to].map(|t| t * direction.length()), 3)
             }
         };
-        Ok(OrthonormalBox { origin, axes, intervals: [[0.0; 2], [0.0; 2], along], count })
+        Ok(OrthonormalBox { origin, axes, intervals: [[0.0; 2], [0.0; 2], along], used_axis_count: count })
     }
 }
 
@@ -69,13 +69,13 @@ impl OrthonormalBox {
     /// A lower bound of the squared distance of points with coordinates within `ranges`.
     fn squared_distance_bound(&self, ranges: &[[f64; 2]; 3]) -> f64 {
         let gap = |k: usize| (ranges[k][0] - self.intervals[k][1]).max(self.intervals[k][0] - ranges[k][1]).max(0.0);
-        (0..self.count).map(|k| gap(k) * gap(k)).sum()
+        (0..self.used_axis_count).map(|k| gap(k) * gap(k)).sum()
     }
 
     /// Bound of the rounding error of a point's coordinates. The axes of points are the
     /// coordinate axes: only the last bit is rounded, and the result is 0.
     fn max_coordinate_rounding(&self, from: DVec3) -> f64 {
-        if self.axes[0] == DVec3::X && self.count == 3 {
+        if self.axes[0] == DVec3::X && self.used_axis_count == 3 {
             0.0
         } else {
             8.0 * f64::EPSILON * (from - self.origin).length()

@@ -55,7 +55,7 @@ pub struct SearchOutcome {
     /// The number of lines of cells that were dropped.
     pub dropped: u64,
     /// The nearest evaluated node, and its distance.
-    pub least: ([usize; 2], f64),
+    pub nearest_node_and_distance: ([usize; 2], f64),
 }
 
 /// Finds the cells that may contain an object. `measure` returns the distance of a node from the
@@ -89,8 +89,13 @@ pub(super) fn search_with_node_cost(
     let mut window =
         SpansNotYetDropped { lattice, spans: lattice.cells.map(CyclicSpan::all_intervals), rings: lattice.closed };
     let least = ([0, 0], f64::INFINITY);
-    let mut outcome =
-        SearchOutcome { possible_cells: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
+    let mut outcome = SearchOutcome {
+        possible_cells: CellMask::full(lattice)?,
+        evaluations: 0,
+        blocks: 0,
+        dropped: 0,
+        nearest_node_and_distance: least,
+    };
     let [lines_u, lines_v] = lattice.lines();
     let widest = lines_u.max(lines_v).next_power_of_two();
     let mut stride = if options.by_rows { 1 } else { widest };
@@ -140,12 +145,14 @@ fn exclude_cells_around_node(
     options: &SearchOptions,
 ) -> usize {
     found.evaluations += 1;
-    if distance < found.least.1 || (distance == found.least.1 && node < found.least.0) {
-        found.least = (node, distance);
+    if distance < found.nearest_node_and_distance.1
+        || (distance == found.nearest_node_and_distance.1 && node < found.nearest_node_and_distance.0)
+    {
+        found.nearest_node_and_distance = (node, distance);
     }
     let within = match options.goal {
         SearchGoal::Within(within) => within,
-        SearchGoal::Least => found.least.1,
+        SearchGoal::Least => found.nearest_node_and_distance.1,
     };
     // Points at most `within` away must remain. With the paper's rule, the block may touch them
     // (erratum E2).
@@ -220,18 +227,18 @@ impl SpansNotYetDropped {
         }
         if self.rings[k] {
             self.rings[k] = false;
-            self.spans[k] = CyclicSpan::new(part.first + part.len, count - part.len, count);
+            self.spans[k] = CyclicSpan::new(part.first_interval + part.len, count - part.len, count);
             return part.len;
         }
-        let last = (span.first + span.len - 1) % count;
-        if part.contains_interval(span.first) {
+        let last = (span.first_interval + span.len - 1) % count;
+        if part.contains_interval(span.first_interval) {
             // From the first line to the end of the part.
-            let dropped = (part.first + part.len + count - span.first) % count;
-            self.spans[k] = CyclicSpan::new(span.first + dropped, span.len - dropped, count);
+            let dropped = (part.first_interval + part.len + count - span.first_interval) % count;
+            self.spans[k] = CyclicSpan::new(span.first_interval + dropped, span.len - dropped, count);
             return dropped;
         }
         if part.contains_interval(last) {
-            let kept = (part.first + count - span.first) % count;
+            let kept = (part.first_interval + count - span.first_interval) % count;
             self.spans[k].len = kept;
             return span.len - kept;
         }

@@ -46,7 +46,7 @@ pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -
     // The plane along `first` crosses lines of constant u, the plane along `second` lines of
     // constant v.
     let slope = |direction: usize, along: DVec3, across: DVec3| {
-        let section = NormalPlaneSection { point, along, across, up: b };
+        let section = NormalPlaneSection { point, direction_in_plane: along, plane_normal: across, up: b };
         each_sheet!(sheet, cells => section.section_slope(cells, lattice, direction, cell))
     };
     let normal = slope(0, first, second).zip(slope(1, second, first)).map(|(s, t)| b - s * first - t * second);
@@ -57,9 +57,9 @@ pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -
 struct NormalPlaneSection {
     point: DVec3,
     /// The direction in the plane perpendicular to `up`.
-    along: DVec3,
+    direction_in_plane: DVec3,
     /// The plane's normal.
-    across: DVec3,
+    plane_normal: DVec3,
     up: DVec3,
 }
 
@@ -83,7 +83,7 @@ impl NormalPlaneSection {
             };
             if let Some(crossing) = self.crossing_with_line(cells, lattice, direction, line, cell[1 - direction]) {
                 let from = crossing - self.point;
-                crossings[found] = [from.dot(self.along), from.dot(self.up)];
+                crossings[found] = [from.dot(self.direction_in_plane), from.dot(self.up)];
                 found += 1;
             }
         }
@@ -103,7 +103,7 @@ impl NormalPlaneSection {
         let (count, closed) = (lattice.cells[1 - direction], lattice.closed[1 - direction]);
         let within = |place: usize, range: [f64; 2]| {
             let edge = line_controls_over_cell(cells, lattice, direction, line, place);
-            let field = edge.map(|control| (control - self.point).dot(self.across));
+            let field = edge.map(|control| (control - self.point).dot(self.plane_normal));
             let root = first_root_in_interval(restrict_polynomial(field, range), MAX_EDGE_HALVINGS)?;
             Some(evaluate(&edge, range[0] + root * (range[1] - range[0])))
         };

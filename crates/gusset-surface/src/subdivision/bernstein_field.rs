@@ -6,7 +6,7 @@ use gusset_base::geom::bernstein::{halves, value_and_slope_by_differences};
 /// field lie between the smallest and the largest coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BernsteinField<const N: usize> {
-    pub(crate) c: [[f64; N]; N],
+    pub(crate) coefficients: [[f64; N]; N],
 }
 
 /// Value and partial derivatives at a point.
@@ -23,7 +23,7 @@ impl<const N: usize> BernsteinField<N> {
     pub(crate) fn coefficient_range(&self) -> [f64; 2] {
         // Comparisons instead of f64::min: they vectorise, and may skip NaN.
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for &x in self.c.as_flattened() {
+        for &x in self.coefficients.as_flattened() {
             low = if x < low { x } else { low };
             high = if x > high { x } else { high };
         }
@@ -33,17 +33,17 @@ impl<const N: usize> BernsteinField<N> {
     /// Returns a * self + b * other.
     #[inline]
     pub(crate) fn linear_combination(&self, a: f64, other: &BernsteinField<N>, b: f64) -> BernsteinField<N> {
-        let mut c = self.c;
-        for (row, others) in c.iter_mut().zip(&other.c) {
+        let mut c = self.coefficients;
+        for (row, others) in c.iter_mut().zip(&other.coefficients) {
             row.iter_mut().zip(others).for_each(|(x, &y)| *x = a * *x + b * y);
         }
-        BernsteinField { c }
+        BernsteinField { coefficients: c }
     }
 
     /// Evaluates the field and its derivatives at (u, v).
     pub(crate) fn evaluate_jet(&self, u: f64, v: f64) -> FieldJet {
         let (mut values, mut slopes) = ([0.0; N], [0.0; N]);
-        for (a, row) in self.c.iter().enumerate() {
+        for (a, row) in self.coefficients.iter().enumerate() {
             [values[a], slopes[a]] = value_and_slope_by_differences(row, v);
         }
         let [value, along_u] = value_and_slope_by_differences(&values, u);
@@ -62,10 +62,10 @@ impl<const N: usize> BernsteinField<N> {
         for a in 0..N {
             for b in 0..N {
                 if a + 1 < N {
-                    add(0, self.c[a + 1][b] - self.c[a][b]);
+                    add(0, self.coefficients[a + 1][b] - self.coefficients[a][b]);
                 }
                 if b + 1 < N {
-                    add(1, self.c[a][b + 1] - self.c[a][b]);
+                    add(1, self.coefficients[a][b + 1] - self.coefficients[a][b]);
                 }
             }
         }
@@ -81,7 +81,7 @@ impl<const N: usize> BernsteinField<N> {
 
     /// The halves at u = 1/2.
     pub(crate) fn halves(&self) -> [BernsteinField<N>; 2] {
-        halves(&self.c).map(|c| BernsteinField { c })
+        halves(&self.coefficients).map(|c| BernsteinField { coefficients: c })
     }
 
     /// The field with u and v exchanged.
@@ -89,7 +89,7 @@ impl<const N: usize> BernsteinField<N> {
         let mut turned = *self;
         for a in 0..N {
             for b in 0..N {
-                turned.c[a][b] = self.c[b][a];
+                turned.coefficients[a][b] = self.coefficients[b][a];
             }
         }
         turned
@@ -103,7 +103,7 @@ mod tests {
     #[test]
     fn parts_equal_the_whole_field() {
         let mut random = fastrand::Rng::with_seed(1);
-        let field = BernsteinField::<4> { c: [[0.0; 4]; 4].map(|row| row.map(|_| random.f64() - 0.5)) };
+        let field = BernsteinField::<4> { coefficients: [[0.0; 4]; 4].map(|row| row.map(|_| random.f64() - 0.5)) };
         let parts = field.quarters();
         for k in 0..25 {
             let (u, v) = (f64::from(k / 5) / 4.0, f64::from(k % 5) / 4.0);

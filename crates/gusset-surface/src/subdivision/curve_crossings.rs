@@ -43,18 +43,18 @@ const MAX_FRACTION_OUTSIDE_PAIR: f64 = 1e-12;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CurvePatchCrossing {
     /// Parameter on the curve.
-    pub(crate) t: f64,
+    pub(crate) curve_parameter: f64,
     /// Parameters on the patch.
-    pub(crate) place: DVec2,
+    pub(crate) patch_parameters: DVec2,
     /// Bound of the error of the parameters by rounding.
-    slack: f64,
+    parameter_error_bound: f64,
 }
 
 /// Common points of a curve and a patch.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct CurvePatchCrossings {
     /// The transversal crossings, each once.
-    pub(crate) simple: Vec<CurvePatchCrossing>,
+    pub(crate) simple_crossings: Vec<CurvePatchCrossing>,
     /// Clusters of (t, u, v) that could not be resolved. The middle of a cluster's best box is
     /// where curve and patch are closest.
     pub(crate) unresolved: Vec<UnresolvedCluster>,
@@ -66,8 +66,8 @@ struct CurvePartPatchPartPair<const M: usize, const N: usize> {
     curve: [DVec3; M],
     patch: Patch<N>,
     /// The smallest t, u and v of the pair, and the lengths of their ranges.
-    from: DVec3,
-    size: DVec3,
+    low_parameters: DVec3,
+    parameter_lengths: DVec3,
 }
 
 /// Memory that searches reuse.
@@ -79,7 +79,7 @@ pub(crate) struct CrossingWorkspace<const M: usize, const N: usize> {
 
 /// The search for common points of one curve and one patch.
 struct CurvePatchSearch<'a, const M: usize, const N: usize> {
-    whole: CurvePartPatchPartPair<M, N>,
+    whole_pair: CurvePartPatchPartPair<M, N>,
     rounding_error: f64,
     tolerance: f64,
     simple: &'a mut Vec<CurvePatchCrossing>,
@@ -104,17 +104,18 @@ pub(crate) fn find_crossings<const M: usize, const N: usize>(
     let radius = patch.points.as_flattened().iter().map(|point| point.length_squared()).fold(0.0, f64::max).sqrt();
     let rounding_error = rounding_error + 8.0 * f64::EPSILON * radius;
     let tolerance = tolerance.max(4.0 * rounding_error);
-    let whole = CurvePartPatchPartPair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE };
+    let whole = CurvePartPatchPartPair { curve, patch, low_parameters: DVec3::ZERO, parameter_lengths: DVec3::ONE };
     let CrossingWorkspace { stack, boxes } = workspace;
     boxes.clear();
-    found.simple.clear();
+    found.simple_crossings.clear();
     found.unresolved.clear();
     let first = whole.clone();
-    let mut search = CurvePatchSearch { whole, rounding_error, tolerance, simple: &mut found.simple, boxes };
+    let mut search =
+        CurvePatchSearch { whole_pair: whole, rounding_error, tolerance, simple: &mut found.simple_crossings, boxes };
     let limits = SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_EXAMINED_PAIRS };
     let Ok(()) = subdivide(&mut search, first, stack, limits);
     cluster_touching_boxes(search.boxes, &mut found.unresolved, || Ok(()))?;
-    found.unresolved.iter_mut().for_each(|cluster| search.whole.refine_closest_place(cluster));
+    found.unresolved.iter_mut().for_each(|cluster| search.whole_pair.refine_closest_place(cluster));
     Ok(())
 }
 
@@ -128,7 +129,7 @@ impl<const M: usize, const N: usize> Subdivision<CurvePartPatchPartPair<M, N>, 2
         &mut self,
         pair: &CurvePartPatchPartPair<M, N>,
     ) -> Result<BoxTest<CurvePatchCrossing, ()>, Infallible> {
-        Ok(pair.classify_pair(&self.whole, self.rounding_error, self.tolerance))
+        Ok(pair.classify_pair(&self.whole_pair, self.rounding_error, self.tolerance))
     }
 
     fn record_solution(
@@ -137,8 +138,11 @@ impl<const M: usize, const N: usize> Subdivision<CurvePartPatchPartPair<M, N>, 2
         crossing: CurvePatchCrossing,
     ) -> Result<(), Infallible> {
         let is_same = |other: &CurvePatchCrossing| {
-            let apart = (other.place - crossing.place).abs().max_element().max((other.t - crossing.t).abs());
-            apart <= 2.0 * (other.slack + crossing.slack)
+            let apart = (other.patch_parameters - crossing.patch_parameters)
+                .abs()
+                .max_element()
+                .max((other.curve_parameter - crossing.curve_parameter).abs());
+            apart <= 2.0 * (other.parameter_error_bound + crossing.parameter_error_bound)
         };
         if !self.simple.iter().any(is_same) {
             self.simple.push(crossing);
@@ -148,8 +152,8 @@ impl<const M: usize, const N: usize> Subdivision<CurvePartPatchPartPair<M, N>, 2
 
     fn record_unresolved(&mut self, pair: CurvePartPatchPartPair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
         let residual = (evaluate(&pair.curve, 0.5) - pair.patch.surface_point(0.5, 0.5)).length_squared();
-        let half = 0.5 * pair.size;
-        self.boxes.push(UnresolvedBox { middle: pair.from + half, half, residual });
+        let half = 0.5 * pair.parameter_lengths;
+        self.boxes.push(UnresolvedBox { middle: pair.low_parameters + half, half_size: half, residual });
         Ok(())
     }
 
@@ -184,7 +188,7 @@ impl<const M: usize, const N: usize> CurvePartPatchPartPair<M, N> {
             }
             None => along.union(across).diagonal() <= tolerance,
         };
-        let is_resolved = is_flat && self.size.x <= MAX_UNRESOLVED_PARAMETER_LENGTH;
+        let is_resolved = is_flat && self.parameter_lengths.x <= MAX_UNRESOLVED_PARAMETER_LENGTH;
         let undecided = if is_resolved { BoxTest::Unresolved } else { BoxTest::Undecided(()) };
         let volume = tangent.length() * normal.length();
         if jacobian.determinant().abs() <= 1e-9 * volume || volume == 0.0 {
@@ -256,14 +260,18 @@ impl<const M: usize, const N: usize> CurvePartPatchPartPair<M, N> {
         }
         // Improves the root with the original control points, because splitting rounds the control
         // points.
-        let mut place = self.from + self.size * at;
+        let mut place = self.low_parameters + self.parameter_lengths * at;
         for _ in 0..2 {
             let miss = evaluate(&whole.curve, place.x) - whole.patch.surface_point(place.y, place.z);
-            place -= self.size * (inverse * miss);
+            place -= self.parameter_lengths * (inverse * miss);
         }
         let place = place.clamp(DVec3::ZERO, DVec3::ONE);
-        let slack = (self.size * margin).max_element();
-        Some(BoxTest::Unique(CurvePatchCrossing { t: place.x, place: DVec2::new(place.y, place.z), slack }))
+        let slack = (self.parameter_lengths * margin).max_element();
+        Some(BoxTest::Unique(CurvePatchCrossing {
+            curve_parameter: place.x,
+            patch_parameters: DVec2::new(place.y, place.z),
+            parameter_error_bound: slack,
+        }))
     }
 
     /// Halves the pair in its longest direction.
@@ -285,9 +293,9 @@ impl<const M: usize, const N: usize> CurvePartPatchPartPair<M, N> {
             [low.patch, high.patch] = high.patch.transposed().halves().map(|half| half.transposed());
             2
         };
-        low.size[axis] *= 0.5;
-        high.size[axis] *= 0.5;
-        high.from[axis] += high.size[axis];
+        low.parameter_lengths[axis] *= 0.5;
+        high.parameter_lengths[axis] *= 0.5;
+        high.low_parameters[axis] += high.parameter_lengths[axis];
         [low, high]
     }
 
@@ -296,7 +304,7 @@ impl<const M: usize, const N: usize> CurvePartPatchPartPair<M, N> {
     fn refine_closest_place(&self, cluster: &mut UnresolvedCluster) {
         let (low, high) = (cluster.low.max(DVec3::ZERO), cluster.high.min(DVec3::ONE));
         let miss = |at: DVec3| evaluate(&self.curve, at.x) - self.patch.surface_point(at.y, at.z);
-        let mut at = cluster.best.middle.clamp(low, high);
+        let mut at = cluster.best_box.middle.clamp(low, high);
         let mut gap = miss(at);
         let mut damping = 1e-6;
         for _ in 0..40 {
@@ -318,7 +326,7 @@ impl<const M: usize, const N: usize> CurvePartPatchPartPair<M, N> {
                 damping *= 10.0;
             }
         }
-        cluster.best.middle = at;
+        cluster.best_box.middle = at;
     }
 }
 
@@ -360,7 +368,7 @@ mod tests {
     fn solve_crossings<const M: usize>(curve: &[DVec3; M], patch: &Patch<4>) -> CurvePatchCrossings {
         let mut found = CurvePatchCrossings::default();
         find_crossings(curve, patch, 0.0, 1e-9, &mut CrossingWorkspace::default(), &mut found).unwrap();
-        found.simple.sort_by(|a, b| a.t.total_cmp(&b.t));
+        found.simple_crossings.sort_by(|a, b| a.curve_parameter.total_cmp(&b.curve_parameter));
         found
     }
 
@@ -378,10 +386,13 @@ mod tests {
         let patch = patch_of_sum(cubic_with_roots([0.2, 0.5, 0.9]), [0.0; 4]);
         let line = straight_cubic(DVec3::new(0.0, 0.3, 0.0), DVec3::new(1.0, 0.7, 0.0));
         let found = solve_crossings(&line, &patch);
-        assert_eq!((found.simple.len(), found.unresolved.len()), (3, 0), "{found:?}");
-        for (crossing, t) in found.simple.iter().zip([0.2, 0.5, 0.9]) {
-            assert!((crossing.t - t).abs() < 1e-13 && (crossing.place.x - t).abs() < 1e-13, "{found:?}");
-            assert!((crossing.place.y - (0.3 + 0.4 * t)).abs() < 1e-13, "{found:?}");
+        assert_eq!((found.simple_crossings.len(), found.unresolved.len()), (3, 0), "{found:?}");
+        for (crossing, t) in found.simple_crossings.iter().zip([0.2, 0.5, 0.9]) {
+            assert!(
+                (crossing.curve_parameter - t).abs() < 1e-13 && (crossing.patch_parameters.x - t).abs() < 1e-13,
+                "{found:?}"
+            );
+            assert!((crossing.patch_parameters.y - (0.3 + 0.4 * t)).abs() < 1e-13, "{found:?}");
         }
         // A curve that passes through the plane z = 0 three times.
         let flat = patch_of_sum([0.0; 4], [0.0; 4]);
@@ -389,12 +400,13 @@ mod tests {
         let wave: [DVec3; 4] =
             std::array::from_fn(|k| DVec3::new(0.2 + 0.2 * k as f64, 0.9 - 0.25 * k as f64, heights[k]));
         let found = solve_crossings(&wave, &flat);
-        assert_eq!((found.simple.len(), found.unresolved.len()), (3, 0), "{found:?}");
-        assert!((found.simple[1].t - 0.4).abs() < 1e-13);
+        assert_eq!((found.simple_crossings.len(), found.unresolved.len()), (3, 0), "{found:?}");
+        assert!((found.simple_crossings[1].curve_parameter - 0.4).abs() < 1e-13);
         // A curve past the patch, and a curve away from it.
         let past = straight_cubic(DVec3::new(1.1, -0.2, -1.0), DVec3::new(1.0001, 0.5, 1.0));
         assert!(
-            solve_crossings(&past, &patch).simple.is_empty() && solve_crossings(&past, &patch).unresolved.is_empty()
+            solve_crossings(&past, &patch).simple_crossings.is_empty()
+                && solve_crossings(&past, &patch).unresolved.is_empty()
         );
     }
 
@@ -403,14 +415,17 @@ mod tests {
         let patch = patch_of_sum([0.0; 4], [0.0; 4]);
         let line = straight_cubic(DVec3::new(0.4, 0.6, -0.5), DVec3::new(0.6, 0.4, 0.5));
         let found = solve_crossings(&line, &patch);
-        assert_eq!(found.simple.len(), 1, "{found:?}");
-        assert!(found.simple[0].place.distance(DVec2::splat(0.5)) < 1e-14);
+        assert_eq!(found.simple_crossings.len(), 1, "{found:?}");
+        assert!(found.simple_crossings[0].patch_parameters.distance(DVec2::splat(0.5)) < 1e-14);
         // At a corner and on a side of the patch.
         for place in [DVec2::ZERO, DVec2::new(1.0, 0.25), DVec2::ONE] {
             let at = place.extend(0.0);
             let line = straight_cubic(at - DVec3::new(0.3, -0.2, 1.0), at + DVec3::new(0.3, -0.2, 1.0));
             let found = solve_crossings(&line, &patch);
-            assert!(found.simple.len() == 1 && found.simple[0].place.distance(place) < 1e-13, "{found:?}");
+            assert!(
+                found.simple_crossings.len() == 1 && found.simple_crossings[0].patch_parameters.distance(place) < 1e-13,
+                "{found:?}"
+            );
         }
     }
 
@@ -420,12 +435,12 @@ mod tests {
         let dip = [0.37 * 0.37, 0.37 * 0.37 - 0.74 / 3.0, 0.37 * 0.37 - 1.48 / 3.0 + 1.0 / 3.0, 0.63 * 0.63];
         let line = straight_cubic(DVec3::new(0.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0));
         let found = solve_crossings(&line, &patch_of_sum(dip, [0.0; 4]));
-        assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
-        assert!((found.unresolved[0].best.middle.x - 0.37).abs() < 1e-4, "{found:?}");
+        assert!(found.simple_crossings.is_empty() && found.unresolved.len() == 1, "{found:?}");
+        assert!((found.unresolved[0].best_box.middle.x - 0.37).abs() < 1e-4, "{found:?}");
         // A line in the plane of the patch: the common part runs from t = 0.25 to 0.75.
         let line = straight_cubic(DVec3::new(-0.5, 0.5, 0.0), DVec3::new(1.5, 0.5, 0.0));
         let found = solve_crossings(&line, &patch_of_sum([0.0; 4], [0.0; 4]));
-        assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
+        assert!(found.simple_crossings.is_empty() && found.unresolved.len() == 1, "{found:?}");
         let cluster = found.unresolved[0];
         assert!(
             (cluster.low.x - 0.25).abs() <= MAX_UNRESOLVED_PARAMETER_LENGTH
@@ -435,7 +450,7 @@ mod tests {
         // A line in the plane of the patch that misses the patch.
         let past = straight_cubic(DVec3::new(0.6, -0.45, 0.0), DVec3::new(1.5, 0.45, 0.0));
         let found = solve_crossings(&past, &patch_of_sum([0.0; 4], [0.0; 4]));
-        assert!(found.simple.is_empty() && found.unresolved.is_empty(), "{found:?}");
+        assert!(found.simple_crossings.is_empty() && found.unresolved.is_empty(), "{found:?}");
         // A curve on a curved sheet, along one of its iso-curves.
         let wave = cubic_with_roots([0.1, 0.5, 0.8]);
         let own: [DVec3; 4] = std::array::from_fn(|k| DVec3::new(k as f64 / 3.0, 0.3, wave[k]));
@@ -457,9 +472,15 @@ mod tests {
             (1..n).rev().for_each(|k| raised[k] = raised[k].lerp(raised[k - 1], k as f64 / n as f64));
         }
         let (low, high) = (solve_crossings(&curve, &patch), solve_crossings(&raised, &patch));
-        assert!(!low.simple.is_empty() && low.simple.len() == high.simple.len(), "{low:?} {high:?}");
-        for (a, b) in low.simple.iter().zip(&high.simple) {
-            assert!((a.t - b.t).abs() < 1e-12 && a.place.distance(b.place) < 1e-12);
+        assert!(
+            !low.simple_crossings.is_empty() && low.simple_crossings.len() == high.simple_crossings.len(),
+            "{low:?} {high:?}"
+        );
+        for (a, b) in low.simple_crossings.iter().zip(&high.simple_crossings) {
+            assert!(
+                (a.curve_parameter - b.curve_parameter).abs() < 1e-12
+                    && a.patch_parameters.distance(b.patch_parameters) < 1e-12
+            );
         }
     }
 }

@@ -34,7 +34,7 @@ const MAX_FRACTION_OUTSIDE_PART: f64 = 1e-12;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct FieldRoots<const N: usize> {
     /// Parameters of simple roots, each once.
-    pub(crate) simple: Vec<DVec2>,
+    pub(crate) simple_roots: Vec<DVec2>,
     /// Where roots could not be resolved.
     pub(crate) unresolved: Vec<UnresolvedCluster>,
     stack: BoxStack<FieldPairPart<N>>,
@@ -44,7 +44,7 @@ pub(crate) struct FieldRoots<const N: usize> {
 #[derive(Debug, Clone)]
 struct FieldPairPart<const N: usize> {
     fields: [BernsteinField<N>; 2],
-    from: DVec2,
+    low_corner: DVec2,
     size: f64,
 }
 
@@ -52,7 +52,7 @@ struct FieldPairPart<const N: usize> {
 struct FieldRootSearch<'a> {
     rounding_error: f64,
     tolerance: f64,
-    simple: &'a mut Vec<DVec2>,
+    simple_roots: &'a mut Vec<DVec2>,
     boxes: &'a mut Vec<UnresolvedBox>,
     /// Whether to stop at the first unresolved part.
     simple_only: bool,
@@ -91,13 +91,13 @@ fn search_roots<const N: usize>(
     simple_only: bool,
     found: &mut FieldRoots<N>,
 ) -> bool {
-    let FieldRoots { simple, unresolved, stack, boxes } = found;
+    let FieldRoots { simple_roots: simple, unresolved, stack, boxes } = found;
     simple.clear();
     unresolved.clear();
     boxes.clear();
     stack.clear();
-    let mut search = FieldRootSearch { rounding_error, tolerance, simple, boxes, simple_only };
-    let whole = FieldPairPart { fields, from: DVec2::ZERO, size: 1.0 };
+    let mut search = FieldRootSearch { rounding_error, tolerance, simple_roots: simple, boxes, simple_only };
+    let whole = FieldPairPart { fields, low_corner: DVec2::ZERO, size: 1.0 };
     let max_boxes = if simple_only { MAX_EXAMINED_PARTS_IF_SIMPLE } else { MAX_EXAMINED_PARTS };
     subdivide(&mut search, whole, stack, SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes }).is_ok()
 }
@@ -128,11 +128,11 @@ impl<const N: usize> Subdivision<FieldPairPart<N>, 4> for FieldRootSearch<'_> {
     }
 
     fn record_solution(&mut self, part: FieldPairPart<N>, [place, margin]: [DVec2; 2]) -> Result<(), NotSimpleRoot> {
-        let place = part.from + part.size * place;
+        let place = part.low_corner + part.size * place;
         // A part on the other side of a border may have found the same root.
         let near = 2.0 * part.size * margin.max_element() + 1e-11;
-        if !self.simple.iter().any(|other| (*other - place).abs().max_element() <= near) {
-            self.simple.push(place.clamp(DVec2::ZERO, DVec2::ONE));
+        if !self.simple_roots.iter().any(|other| (*other - place).abs().max_element() <= near) {
+            self.simple_roots.push(place.clamp(DVec2::ZERO, DVec2::ONE));
         }
         Ok(())
     }
@@ -143,7 +143,7 @@ impl<const N: usize> Subdivision<FieldPairPart<N>, 4> for FieldRootSearch<'_> {
         }
         let residual = part.fields.iter().map(|field| field.evaluate_jet(0.5, 0.5).value.abs()).fold(0.0, f64::max);
         let half = DVec2::splat(0.5 * part.size).extend(0.0);
-        self.boxes.push(UnresolvedBox { middle: part.from.extend(0.0) + half, half, residual });
+        self.boxes.push(UnresolvedBox { middle: part.low_corner.extend(0.0) + half, half_size: half, residual });
         Ok(())
     }
 
@@ -151,7 +151,11 @@ impl<const N: usize> Subdivision<FieldPairPart<N>, 4> for FieldRootSearch<'_> {
         let size = 0.5 * part.size;
         let [f, g] = part.fields.map(|field| field.quarters());
         let corners = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];
-        std::array::from_fn(|k| FieldPairPart { fields: [f[k], g[k]], from: part.from + size * corners[k], size })
+        std::array::from_fn(|k| FieldPairPart {
+            fields: [f[k], g[k]],
+            low_corner: part.low_corner + size * corners[k],
+            size,
+        })
     }
 }
 
@@ -226,32 +230,32 @@ mod tests {
         let at = |k: usize| k as f64 / 3.0;
         let rows: [[f64; 4]; 4] = std::array::from_fn(|a| invert(std::array::from_fn(|b| f(at(a), at(b)))));
         let columns: [[f64; 4]; 4] = std::array::from_fn(|b| invert(std::array::from_fn(|a| rows[a][b])));
-        BernsteinField { c: std::array::from_fn(|a| std::array::from_fn(|b| columns[b][a])) }
+        BernsteinField { coefficients: std::array::from_fn(|a| std::array::from_fn(|b| columns[b][a])) }
     }
 
     fn solve_roots(f: impl Fn(f64, f64) -> f64, g: impl Fn(f64, f64) -> f64) -> FieldRoots<4> {
         let mut found = FieldRoots::default();
         find_roots([field_from_function(f), field_from_function(g)], 1e-14, 1e-9, &mut found).unwrap();
-        found.simple.sort_by(|a, b| a.x.total_cmp(&b.x));
+        found.simple_roots.sort_by(|a, b| a.x.total_cmp(&b.x));
         found
     }
 
     #[test]
     fn all_roots_are_found_whether_none_one_or_nine() {
-        assert!(solve_roots(|u, v| u + v + 0.1, |u, v| u - v).simple.is_empty());
+        assert!(solve_roots(|u, v| u + v + 0.1, |u, v| u - v).simple_roots.is_empty());
         let one = solve_roots(|u, _| u - 0.3, |_, v| v - 0.7);
-        assert!(one.simple.len() == 1 && one.simple[0].distance(DVec2::new(0.3, 0.7)) < 1e-14);
+        assert!(one.simple_roots.len() == 1 && one.simple_roots[0].distance(DVec2::new(0.3, 0.7)) < 1e-14);
         // A parabola and a line meet twice.
         let two = solve_roots(|u, v| v - 4.0 * (u - 0.5) * (u - 0.5), |_, v| v - 0.25);
-        assert_eq!(two.simple.len(), 2);
-        assert!((two.simple[0].x - 0.25).abs() < 1e-13 && (two.simple[1].x - 0.75).abs() < 1e-13);
+        assert_eq!(two.simple_roots.len(), 2);
+        assert!((two.simple_roots[0].x - 0.25).abs() < 1e-13 && (two.simple_roots[1].x - 0.75).abs() < 1e-13);
         // Two cubics with nine common roots: u takes three values on each of three lines.
         let cubic = |t: f64| (t - 0.2) * (t - 0.5) * (t - 0.9);
         let nine = solve_roots(move |u, _| cubic(u), move |_, v| cubic(v));
-        assert_eq!((nine.simple.len(), nine.unresolved.len()), (9, 0));
+        assert_eq!((nine.simple_roots.len(), nine.unresolved.len()), (9, 0));
         // Roots at corners of parts are found once.
         let corner = solve_roots(|u, _| u - 0.5, |_, v| v - 0.5);
-        assert_eq!(corner.simple.len(), 1);
+        assert_eq!(corner.simple_roots.len(), 1);
     }
 
     #[test]
@@ -260,13 +264,13 @@ mod tests {
         assert!(!touch.unresolved.is_empty());
         // Roots that rounding creates there lie in the cluster.
         let is_near = |at: DVec2, cluster: &UnresolvedCluster| {
-            let best = cluster.best.middle;
+            let best = cluster.best_box.middle;
             best.truncate().distance(at) <= (cluster.high - best).max(best - cluster.low).length()
         };
         let in_cluster = |&at: &DVec2| touch.unresolved.iter().any(|cluster| is_near(at, cluster));
-        assert!(touch.simple.iter().all(in_cluster), "{touch:?}");
+        assert!(touch.simple_roots.iter().all(in_cluster), "{touch:?}");
         let is_right = |at: DVec3| (at.x - 0.37).abs() < 1e-3 && at.y < 1e-3;
-        assert!(touch.unresolved.iter().all(|cluster| is_right(cluster.best.middle)));
+        assert!(touch.unresolved.iter().all(|cluster| is_right(cluster.best_box.middle)));
         // Two equal curves.
         let same = solve_roots(|u, v| u - v, |u, v| 2.0 * (u - v));
         assert!(!same.unresolved.is_empty() && same.unresolved.len() <= MAX_EXAMINED_PARTS);

@@ -14,14 +14,17 @@ pub(super) const NO_LINKED_ARC: u32 = u32::MAX;
 
 /// The predecessor and the successor of each arc.
 pub(super) struct ArcLinks {
-    before: Vec<u32>,
-    pub(super) after: Vec<u32>,
+    predecessors: Vec<u32>,
+    pub(super) successors: Vec<u32>,
 }
 
 impl ArcLinks {
     /// Creates links without any joints.
     pub(super) fn new(count: usize) -> Result<Self> {
-        Ok(ArcLinks { before: alloc::filled(NO_LINKED_ARC, count)?, after: alloc::filled(NO_LINKED_ARC, count)? })
+        Ok(ArcLinks {
+            predecessors: alloc::filled(NO_LINKED_ARC, count)?,
+            successors: alloc::filled(NO_LINKED_ARC, count)?,
+        })
     }
 
     /// Joins arcs that are not dropped. `joints` holds (distance, end, start), the closest pairs
@@ -37,13 +40,13 @@ impl ArcLinks {
     /// Joins the end of an arc to the start of another, if both are free.
     pub(super) fn join_arcs(&mut self, end: u32, start: u32) {
         if self.can_arc_follow(end, start) {
-            (self.after[end as usize], self.before[start as usize]) = (start, end);
+            (self.successors[end as usize], self.predecessors[start as usize]) = (start, end);
         }
     }
 
     /// Whether arc `end` lacks a successor, and arc `start` a predecessor.
     pub(super) fn can_arc_follow(&self, end: u32, start: u32) -> bool {
-        self.after[end as usize] == NO_LINKED_ARC && self.before[start as usize] == NO_LINKED_ARC
+        self.successors[end as usize] == NO_LINKED_ARC && self.predecessors[start as usize] == NO_LINKED_ARC
     }
 
     /// The chains, ordered by their first arcs.
@@ -56,16 +59,16 @@ impl ArcLinks {
             }
             // Walks back to the beginning, or around to the current arc.
             let mut first = k;
-            while self.before[first as usize] != NO_LINKED_ARC && self.before[first as usize] != k {
-                first = self.before[first as usize];
+            while self.predecessors[first as usize] != NO_LINKED_ARC && self.predecessors[first as usize] != k {
+                first = self.predecessors[first as usize];
             }
-            let closed = self.before[first as usize] == k;
+            let closed = self.predecessors[first as usize] == k;
             let mut chain = ArcChain { arcs: Vec::new(), closed };
             let mut at = if closed { k } else { first };
             while at != NO_LINKED_ARC && !used[at as usize] {
                 used[at as usize] = true;
                 alloc::push(&mut chain.arcs, at)?;
-                at = self.after[at as usize];
+                at = self.successors[at as usize];
             }
             alloc::push(&mut chains, chain)?;
         }

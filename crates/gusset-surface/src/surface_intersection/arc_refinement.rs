@@ -26,12 +26,12 @@ const MAX_PIECES_PER_CUT: f64 = 64.0;
 /// direction in space.
 #[derive(Clone, Copy)]
 struct ArcKnot {
-    x: DVec4,
-    rates: DVec4,
+    parameters: DVec4,
+    parameter_derivatives: DVec4,
     point: DVec3,
     direction: DVec3,
     /// Length of the curve for one unit of the free parameter.
-    speed: f64,
+    length_per_free_parameter: f64,
 }
 
 /// Refines one arc.
@@ -40,20 +40,26 @@ pub(super) struct ArcRefinement<'a, const N: usize, const M: usize> {
     /// The parameter on which the other three depend.
     pub(super) free: usize,
     /// Largest permitted distance of the arc from its chords.
-    pub(super) chord: f64,
+    pub(super) chord_tolerance: f64,
 }
 
 impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
     /// Inserts the points strictly between the ends. `places` are the ends in space.
     pub(super) fn insert_points(&self, ends: [ArcEnd; 2], places: [DVec3; 2], points: &mut Vec<DVec4>) -> Result<()> {
-        if self.chord == f64::INFINITY {
+        if self.chord_tolerance == f64::INFINITY {
             return Ok(());
         }
         let knots = [0, 1].map(|k| {
-            let ArcEnd { x, tangent, direction } = ends[k];
+            let ArcEnd { parameters: x, tangent, direction } = ends[k];
             let rates = tangent / tangent[self.free];
             let speed = self.speed_by_free_parameter(tangent, direction);
-            ArcKnot { x, rates, point: places[k], direction: direction.normalize_or_zero(), speed }
+            ArcKnot {
+                parameters: x,
+                parameter_derivatives: rates,
+                point: places[k],
+                direction: direction.normalize_or_zero(),
+                length_per_free_parameter: speed,
+            }
         });
         let pieces = self.piece_count(&knots);
         if pieces > 1.0 {
@@ -77,7 +83,7 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         let off = (off - off.dot(along).clamp(0.0, chord.length()) * along).length();
         let arch = self.height_over_chord(&[first, middle]).max(self.height_over_chord(&[middle, last]));
         let max = if off >= 4.0 * arch { off } else { (off + 4.0 * arch).powi(2) / (16.0 * arch) };
-        max > self.chord
+        max > self.chord_tolerance
     }
 
     /// Inserts the points that cut the arc between two knots into pieces of equal free parameter.
@@ -104,7 +110,7 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
                 }
             }
             if !last {
-                alloc::push(points, next.x)?;
+                alloc::push(points, next.parameters)?;
             }
             before = next;
         }
@@ -114,7 +120,7 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
     /// The number of pieces after which all chords between two knots are within the tolerance. The
     /// distance decreases with the square of the number.
     fn piece_count(&self, knots: &[ArcKnot; 2]) -> f64 {
-        (self.height_over_chord(knots) / self.chord).sqrt().ceil().min(MAX_PIECES_PER_CUT)
+        (self.height_over_chord(knots) / self.chord_tolerance).sqrt().ceil().min(MAX_PIECES_PER_CUT)
     }
 
     /// The distance between the cubic through two knots and their chord. T and U are the components
@@ -128,9 +134,9 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         let across = |direction: DVec3| direction - direction.dot(along) * along;
         let (one, other) = (across(first.direction), across(last.direction));
         let aside = length * (one.distance(other) / 8.0 + (one + other).length() / (12.0 * 3.0_f64.sqrt()));
-        let span = (last.x[self.free] - first.x[self.free]).abs();
+        let span = (last.parameters[self.free] - first.parameters[self.free]).abs();
         let beyond = |knot: &ArcKnot| {
-            let back = (-span * knot.speed * knot.direction.dot(along)).max(0.0);
+            let back = (-span * knot.length_per_free_parameter * knot.direction.dot(along)).max(0.0);
             back * back / (4.0 * (length + back)).max(f64::MIN_POSITIVE)
         };
         aside.max(beyond(first)).max(beyond(last))
@@ -142,18 +148,18 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
 
     /// The knot at fraction t between two knots, measured by the free parameter.
     fn knot_between(&self, [first, last]: &[ArcKnot; 2], t: f64) -> Option<ArcKnot> {
-        let (s, whole) = (1.0 - t, last.x[self.free] - first.x[self.free]);
-        let rise = s * first.rates - t * last.rates;
-        let line = s * s * (1.0 + 2.0 * t) * first.x + t * t * (3.0 - 2.0 * t) * last.x;
+        let (s, whole) = (1.0 - t, last.parameters[self.free] - first.parameters[self.free]);
+        let rise = s * first.parameter_derivatives - t * last.parameter_derivatives;
+        let line = s * s * (1.0 + 2.0 * t) * first.parameters + t * t * (3.0 - 2.0 * t) * last.parameters;
         let (x, frame) = self.equation.refine_good_guess(line + (s * t * whole) * rise, self.free)?;
         let (tangent, direction) = (frame.parameter_tangent(), frame.curve_direction());
         let (rates, speed) = (tangent / tangent[self.free], self.speed_by_free_parameter(tangent, direction));
         Some(ArcKnot {
-            x,
-            rates,
+            parameters: x,
+            parameter_derivatives: rates,
             point: self.equation.point_of_first_patch(x),
             direction: direction.normalize_or_zero(),
-            speed,
+            length_per_free_parameter: speed,
         })
     }
 }

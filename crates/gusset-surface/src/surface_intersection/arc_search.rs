@@ -18,7 +18,7 @@ use gusset_base::geom::subdivision::BoxTest;
 pub(super) const MAX_CROSSING_PARAMETER_ROUNDING: f64 = 1e-13;
 /// Points closer to a side than this multiple of a solution's rounding error tell nothing.
 const MIN_SIDE_DISTANCE_IN_ROUNDINGS: f64 = 64.0;
-/// A curve runs along a side if its distance is below this fraction of [`ArcBoxSearch::close`].
+/// A curve runs along a side if its distance is below this fraction of [`ArcBoxSearch::close_distance`].
 const MAX_ALONG_SIDE_FRACTION_OF_CLOSE: f64 = 1.0 / 32.0;
 /// Slope of a parameter, relative to the width of its bounds, above which smaller boxes prove its
 /// sign.
@@ -35,7 +35,7 @@ const MIN_LINE_FRACTION_IN_BOX: f64 = 1.0 / 64.0;
 /// An end of an arc, and the directions in which the arc continues, in parameters and in space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcEnd {
-    pub(super) x: DVec4,
+    pub(super) parameters: DVec4,
     pub(super) tangent: DVec4,
     pub(super) direction: DVec3,
 }
@@ -45,9 +45,9 @@ type SolutionAndFrame = (DVec4, DifferenceFrame);
 
 /// Approximation of the curve by its free parameter f: x + f rates + f^2 bend.
 struct LocalCurveApproximation {
-    x: DVec4,
-    rates: DVec4,
-    bend: DVec4,
+    parameters: DVec4,
+    first_coefficient: DVec4,
+    second_coefficient: DVec4,
 }
 
 /// The search could not decide.
@@ -61,19 +61,19 @@ pub(super) type ArcBoxTest = BoxTest<[ArcEnd; 2], Option<usize>>;
 /// The search for the arc in a box.
 pub(super) struct ArcBoxSearch<'a, const N: usize, const M: usize> {
     pub(super) equation: &'a IntersectionEquation<N, M>,
-    pub(super) chart: &'a SolutionGraphProof,
+    pub(super) graph_proof: &'a SolutionGraphProof,
     low: DVec4,
     high: DVec4,
-    margin: DVec4,
+    graph_margin: DVec4,
     /// Runs of a curve beyond a side up to this length may be lost, or be found twice.
-    shortest: f64,
+    max_lost_length: f64,
     rounding_error: f64,
     /// If a curve is within this length of a side, its points tell whether it runs along the side.
-    close: f64,
+    close_distance: f64,
 }
 
 impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
-    /// Creates the search in a box. Arcs no longer than `shortest` may be lost. Lengths up to
+    /// Creates the search in a box. Arcs no longer than `max_lost_length` may be lost. Lengths up to
     /// `rounding_error` may be rounding.
     pub(super) fn new(
         equation: &'a IntersectionEquation<N, M>,
@@ -88,33 +88,46 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
         let close = (1e-3 * resolution).max(512.0 * rounding_error);
         ArcBoxSearch {
             equation,
-            chart,
+            graph_proof: chart,
             low,
             high,
-            margin: GRAPH_MARGIN_FRACTION * part.size,
-            shortest,
+            graph_margin: GRAPH_MARGIN_FRACTION * part.size,
+            max_lost_length: shortest,
             rounding_error,
-            close,
+            close_distance: close,
         }
     }
 
     /// Finds the arc if the line of the middle leads to its ends, which is the usual case. `middle`
     /// holds the derivatives in the middle of the box.
     pub(super) fn find_arc_along_line(&self, middle: &DifferenceFrame) -> Option<ArcBoxTest> {
-        let SolutionGraphProof { free, base, line, .. } = *self.chart;
+        let SolutionGraphProof { free_parameter: free, line_middle: base, line_slopes: line, .. } = *self.graph_proof;
         let [from, to] = self.line_range_inside_box();
         if to - from < MIN_LINE_FRACTION_IN_BOX * (self.high[free] - self.low[free]) {
             return None;
         }
         let half = 0.5 * (from + to);
-        let first =
-            self.find_exit(&LocalCurveApproximation { x: base + half * line, rates: line, bend: DVec4::ZERO }, -1.0)?;
+        let first = self.find_exit(
+            &LocalCurveApproximation {
+                parameters: base + half * line,
+                first_coefficient: line,
+                second_coefficient: DVec4::ZERO,
+            },
+            -1.0,
+        )?;
         // The parabola with the slopes at this end and in the middle.
         let rates = first.tangent / first.tangent[free];
-        let bend = (line - rates) / (2.0 * (base[free] - first.x[free]));
-        let step = base[free] + half - first.x[free];
-        let x = first.x + step * (rates + step * bend);
-        let last = self.find_exit(&LocalCurveApproximation { x, rates: rates + 2.0 * step * bend, bend }, 1.0)?;
+        let bend = (line - rates) / (2.0 * (base[free] - first.parameters[free]));
+        let step = base[free] + half - first.parameters[free];
+        let x = first.parameters + step * (rates + step * bend);
+        let last = self.find_exit(
+            &LocalCurveApproximation {
+                parameters: x,
+                first_coefficient: rates + 2.0 * step * bend,
+                second_coefficient: bend,
+            },
+            1.0,
+        )?;
         Some(self.classify_exits(middle, first, last))
     }
 
@@ -125,7 +138,11 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
             Ok(None) => return BoxTest::Empty,
             Err(UndecidedArc) => return BoxTest::Undecided(None),
         };
-        let curve = LocalCurveApproximation { x, rates: self.slopes_by_free_parameter(&frame), bend: DVec4::ZERO };
+        let curve = LocalCurveApproximation {
+            parameters: x,
+            first_coefficient: self.slopes_by_free_parameter(&frame),
+            second_coefficient: DVec4::ZERO,
+        };
         match (self.find_exit(&curve, -1.0), self.find_exit(&curve, 1.0)) {
             (Some(first), Some(last)) => self.classify_exits(middle, first, last),
             _ => BoxTest::Undecided(None),
@@ -144,31 +161,31 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// The slopes of all parameters with respect to the free one.
     fn slopes_by_free_parameter(&self, frame: &DifferenceFrame) -> DVec4 {
         let tangent = frame.parameter_tangent();
-        tangent / tangent[self.chart.free]
+        tangent / tangent[self.graph_proof.free_parameter]
     }
 
     /// True if a parameter is proven to be monotone in the free one.
     fn is_parameter_monotone(&self, k: usize) -> bool {
-        let [low, high] = self.chart.slopes[k];
+        let [low, high] = self.graph_proof.slope_ranges[k];
         low > 0.0 || high < 0.0
     }
 
-    /// [`ArcBoxSearch::close`] as a distance in parameter k. Larger where the surfaces are nearly
+    /// [`ArcBoxSearch::close_distance`] as a distance in parameter k. Larger where the surfaces are nearly
     /// parallel, and rounding is larger.
     fn close_distance_in_parameter(&self, frame: &DifferenceFrame, k: usize) -> f64 {
-        let rounding = self.rounding_error * frame.parameter_change_per_miss(k, self.chart.free);
-        (self.close / frame.columns[k].length()).max(MIN_SIDE_DISTANCE_IN_ROUNDINGS * rounding).min(1e-3)
+        let rounding = self.rounding_error * frame.parameter_change_per_miss(k, self.graph_proof.free_parameter);
+        (self.close_distance / frame.derivatives[k].length()).max(MIN_SIDE_DISTANCE_IN_ROUNDINGS * rounding).min(1e-3)
     }
 
     /// A solution inside the box, if the box holds an arc longer than the shortest one.
     fn find_solution_inside(&self) -> Result<Option<SolutionAndFrame>, UndecidedArc> {
-        let free = self.chart.free;
+        let free = self.graph_proof.free_parameter;
         let mut guess = self.middle_of_line_in_box();
         for _ in 0..4 {
             let Some((x, frame)) = self.equation.solve_with_fixed_parameter(guess, free) else {
                 return Err(UndecidedArc);
             };
-            if x.cmplt(self.low - self.margin).any() || x.cmpgt(self.high + self.margin).any() {
+            if x.cmplt(self.low - self.graph_margin).any() || x.cmpgt(self.high + self.graph_margin).any() {
                 return Err(UndecidedArc);
             }
             let slack = |k: usize| {
@@ -188,7 +205,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
                 return Err(UndecidedArc);
             };
             let speed = frame.curve_direction().length() / frame.parameter_tangent()[free].abs();
-            if (to - from) * speed <= self.shortest {
+            if (to - from) * speed <= self.max_lost_length {
                 return Ok(None);
             }
             let step = way * 0.5 * (from + to);
@@ -201,7 +218,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// The range of the free parameter, relative to its middle, in which the line of the middle is
     /// inside the box. If it is empty, the first bound is the greater one.
     fn line_range_inside_box(&self) -> [f64; 2] {
-        let SolutionGraphProof { free, base, line, .. } = *self.chart;
+        let SolutionGraphProof { free_parameter: free, line_middle: base, line_slopes: line, .. } = *self.graph_proof;
         let (mut from, mut to) = (self.low[free] - base[free], self.high[free] - base[free]);
         for k in (0..4).filter(|&k| k != free && line[k].abs() > 1e-6) {
             let ends = [self.low[k] - base[k], self.high[k] - base[k]].map(|x| x / line[k]);
@@ -213,7 +230,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// Returns the point of `chart.line`, the tangent line of the solution curve, at the middle of
     /// its part inside the box. If the line misses the box, returns its point near the box.
     fn middle_of_line_in_box(&self) -> DVec4 {
-        let SolutionGraphProof { free, base, line, .. } = *self.chart;
+        let SolutionGraphProof { free_parameter: free, line_middle: base, line_slopes: line, .. } = *self.graph_proof;
         let [from, to] = self.line_range_inside_box();
         let step = (0.5 * (from + to)).clamp(self.low[free] - base[free], self.high[free] - base[free]);
         base + step * line
@@ -233,7 +250,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
             }
         };
         for k in 0..4 {
-            let [low, high] = self.chart.slopes[k].map(|slope| slope * direction);
+            let [low, high] = self.graph_proof.slope_ranges[k].map(|slope| slope * direction);
             let (min, max) = (low.min(high), low.max(high));
             restrict(min, self.high[k] - x[k]);
             restrict(-max, x[k] - self.low[k]);
@@ -244,12 +261,14 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
     /// The exit of the curve from the box, upwards or downwards (`direction`) along the free
     /// parameter.
     fn find_exit(&self, curve: &LocalCurveApproximation, direction: f64) -> Option<ArcEnd> {
-        let free = self.chart.free;
+        let free = self.graph_proof.free_parameter;
         // The side towards which a parameter moves.
-        let rises = |k: usize| k == free && direction > 0.0 || k != free && self.chart.slopes[k][0] * direction > 0.0;
+        let rises = |k: usize| {
+            k == free && direction > 0.0 || k != free && self.graph_proof.slope_ranges[k][0] * direction > 0.0
+        };
         let side = |k: usize| if rises(k) { self.high[k] } else { self.low[k] };
         let leaves = |k: usize| k == free || self.is_parameter_monotone(k);
-        let inside = curve.x;
+        let inside = curve.parameters;
         let nearest = |rates: DVec4| {
             let mut best = (free, f64::INFINITY);
             for k in (0..4).filter(|&k| leaves(k)) {
@@ -258,8 +277,8 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
             }
             best
         };
-        let chord = |step: f64| curve.rates + direction * step * curve.bend;
-        let (_, roughly) = nearest(curve.rates);
+        let chord = |step: f64| curve.first_coefficient + direction * step * curve.second_coefficient;
+        let (_, roughly) = nearest(curve.first_coefficient);
         let (mut through, step) = nearest(chord(roughly));
         let mut guess = inside + direction * step * chord(step);
         for _ in 0..8 {
@@ -277,7 +296,8 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
                 .filter(|&k| k != through && leaves(k) && back(k) > 0.0)
                 .max_by(|&k, &n| back(k).total_cmp(&back(n)));
             let Some(earlier) = earlier else {
-                let end = ArcEnd { x, tangent: frame.parameter_tangent(), direction: frame.curve_direction() };
+                let end =
+                    ArcEnd { parameters: x, tangent: frame.parameter_tangent(), direction: frame.curve_direction() };
                 return self.is_exit_in_box_and_ahead(inside, x, direction).then_some(end);
             };
             guess = x - back(earlier) * rate;
@@ -288,10 +308,13 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
 
     /// Whether an exit is in the box, and in the right direction from the point inside.
     fn is_exit_in_box_and_ahead(&self, inside: DVec4, x: DVec4, direction: f64) -> bool {
-        let free = self.chart.free;
+        let free = self.graph_proof.free_parameter;
         let within = |k: usize| {
-            let slack =
-                if self.is_parameter_monotone(k) { 2.0 * MAX_CROSSING_PARAMETER_ROUNDING } else { self.margin[k] };
+            let slack = if self.is_parameter_monotone(k) {
+                2.0 * MAX_CROSSING_PARAMETER_ROUNDING
+            } else {
+                self.graph_margin[k]
+            };
             x[k] >= self.low[k] - slack && x[k] <= self.high[k] + slack
         };
         direction * (x[free] - inside[free]) >= -2.0 * MAX_CROSSING_PARAMETER_ROUNDING && (0..4).all(within)
@@ -299,12 +322,12 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
 
     /// Whether the parameters that are not monotone stay in the box between two solutions.
     fn classify_parameter_course(&self, frame: &DifferenceFrame, first: &ArcEnd, last: &ArcEnd) -> ParameterCourse {
-        let free = self.chart.free;
-        let length = (last.x[free] - first.x[free]).max(0.0);
+        let free = self.graph_proof.free_parameter;
+        let length = (last.parameters[free] - first.parameters[free]).max(0.0);
         let mut samples = None;
         for k in (0..4).filter(|&k| k != free && !self.is_parameter_monotone(k)) {
-            let [low, high] = self.chart.slopes[k];
-            let (from, to) = (first.x[k], last.x[k]);
+            let [low, high] = self.graph_proof.slope_ranges[k];
+            let (from, to) = (first.parameters[k], last.parameters[k]);
             // The highest and the lowest point that the bounds of slopes at both ends allow.
             let until = |slope: f64, other: f64| {
                 let time = (to - other * length - from) / (slope - other);
@@ -373,8 +396,8 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
         (side, outwards): (f64, f64),
         frame: &DifferenceFrame,
     ) -> bool {
-        let free = self.chart.free;
-        let [low, high] = self.chart.slopes[k];
+        let free = self.graph_proof.free_parameter;
+        let [low, high] = self.graph_proof.slope_ranges[k];
         let [first, .., last] = samples;
         let rise = (last[k] - first[k]).abs();
         if rise <= MIN_PROVABLE_SLOPE_FRACTION * (high - low) * (last[free] - first[free]) {
@@ -391,14 +414,17 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
             let share = if least >= 0.0 { 1.0 } else { most / (most - least) };
             share * self.equation.point_of_first_patch(pair[0]).distance(self.equation.point_of_first_patch(pair[1]))
         };
-        samples.windows(2).map(run).sum::<f64>() > self.shortest
+        samples.windows(2).map(run).sum::<f64>() > self.max_lost_length
     }
 
     /// Solutions at both ends and at three parameters between them.
     fn sample_solutions(&self, first: &ArcEnd, last: &ArcEnd) -> Option<[DVec4; 5]> {
-        let mut samples = [first.x; 5];
+        let mut samples = [first.parameters; 5];
         for (sample, part) in samples.iter_mut().zip([0.0, 0.25, 0.5, 0.75, 1.0]) {
-            (*sample, _) = self.equation.solve_with_fixed_parameter(first.x.lerp(last.x, part), self.chart.free)?;
+            (*sample, _) = self.equation.solve_with_fixed_parameter(
+                first.parameters.lerp(last.parameters, part),
+                self.graph_proof.free_parameter,
+            )?;
         }
         Some(samples)
     }

@@ -45,21 +45,21 @@ pub(super) struct SheetJoints {
 struct BorderPole {
     /// Gives the width of a band around the pole, as 2^-band of a cell. The sheet is proven not to
     /// meet itself there. `None` without a proof.
-    band: Option<i32>,
+    band_halvings: Option<i32>,
 }
 
 /// A part of a cell: its row and column among parts of equal size.
 #[derive(Debug, Clone, Copy)]
 struct CellPart {
     cell: [i64; 2],
-    at: [i64; 2],
+    row_and_column_of_part: [i64; 2],
     /// Number of parts in each direction of the cell.
-    count: i64,
+    parts_per_direction: i64,
 }
 
 impl CellPart {
     fn whole_cell(cell: [u32; 2]) -> CellPart {
-        CellPart { cell: cell.map(i64::from), at: [0; 2], count: 1 }
+        CellPart { cell: cell.map(i64::from), row_and_column_of_part: [0; 2], parts_per_direction: 1 }
     }
 }
 
@@ -117,7 +117,7 @@ impl SheetJoints {
         for (d, s) in [(0, 0), (0, 1), (1, 0), (1, 1)].into_iter().filter(|&(d, s)| is_pole[d][s]) {
             let is_ring = joints.seams[1 - d] == JoinOfOppositeBorders::Straight;
             joints.poles[d][s] =
-                Some(BorderPole { band: poles::halvings_until_injective_at_pole(cells, d, s, is_ring, job)? });
+                Some(BorderPole { band_halvings: poles::halvings_until_injective_at_pole(cells, d, s, is_ring, job)? });
         }
         Ok(joints)
     }
@@ -170,8 +170,10 @@ impl SheetJoints {
         (0..4).filter_map(move |k| {
             let (d, s) = (k / 2, k % 2);
             let is_at = |part: CellPart| match s {
-                0 => part.cell[d] == 0 && part.at[d] == 0,
-                _ => part.cell[d] == self.cells[d] - 1 && part.at[d] == part.count - 1,
+                0 => part.cell[d] == 0 && part.row_and_column_of_part[d] == 0,
+                _ => {
+                    part.cell[d] == self.cells[d] - 1 && part.row_and_column_of_part[d] == part.parts_per_direction - 1
+                }
             };
             self.poles[d][s].filter(|_| is_at(p) && is_at(q))
         })
@@ -182,14 +184,17 @@ impl SheetJoints {
     fn are_parts_in_pole_band(&self, p: CellPart, q: CellPart) -> bool {
         (0..4).any(|k| {
             let (d, s) = (k / 2, k % 2);
-            let Some(band) = self.poles[d][s].and_then(|pole| pole.band) else {
+            let Some(band) = self.poles[d][s].and_then(|pole| pole.band_halvings) else {
                 return false;
             };
             // The number of parts within the band.
-            let deep = |part: CellPart| part.count >> band;
+            let deep = |part: CellPart| part.parts_per_direction >> band;
             let is_in = |part: CellPart| match s {
-                0 => part.cell[d] == 0 && part.at[d] < deep(part),
-                _ => part.cell[d] == self.cells[d] - 1 && part.at[d] >= part.count - deep(part),
+                0 => part.cell[d] == 0 && part.row_and_column_of_part[d] < deep(part),
+                _ => {
+                    part.cell[d] == self.cells[d] - 1
+                        && part.row_and_column_of_part[d] >= part.parts_per_direction - deep(part)
+                }
             };
             is_in(p) && is_in(q)
         })
@@ -203,14 +208,19 @@ impl SheetJoints {
     ) -> CellPartRelation {
         let count = (1.0 / part.size.x) as i64;
         let at = (part.low / part.size).to_array().map(|x| x as i64);
-        let [p, q] = [0, 1].map(|k| CellPart { cell: cells[k].map(i64::from), at: [at[2 * k], at[2 * k + 1]], count });
+        let [p, q] = [0, 1].map(|k| CellPart {
+            cell: cells[k].map(i64::from),
+            row_and_column_of_part: [at[2 * k], at[2 * k + 1]],
+            parts_per_direction: count,
+        });
         if self.are_parts_in_pole_band(p, q) {
             return CellPartRelation::Injective;
         }
         let touches = |joint: &CellJoint| {
             (0..2).all(|d| {
-                let own = if joint.flips[d] { count - 1 - q.at[d] } else { q.at[d] };
-                (own + joint.offset[d] * count - p.at[d]).abs() <= 1
+                let own =
+                    if joint.flips[d] { count - 1 - q.row_and_column_of_part[d] } else { q.row_and_column_of_part[d] };
+                (own + joint.offset[d] * count - p.row_and_column_of_part[d]).abs() <= 1
             })
         };
         if let Some(joint) = self.joints_between(p.cell, q.cell).find(touches) {

@@ -32,7 +32,7 @@ const PAIRS_PER_REPORT: usize = 1 << 16;
 
 /// A sheet and its index.
 struct IndexedSheet<'a> {
-    number: u32,
+    sheet_number: u32,
     sheet: &'a Sheet<'a>,
     index: &'a BoxPyramid,
 }
@@ -43,7 +43,7 @@ struct PyramidBlock {
     row: usize,
     column: usize,
     bounds: Aabb,
-    solid: Option<Parallelepiped>,
+    oriented_solid: Option<Parallelepiped>,
 }
 
 /// A parallelepiped: centre, half edges and their lengths, cross products of two half edges, and
@@ -51,7 +51,7 @@ struct PyramidBlock {
 #[derive(Clone, Copy)]
 struct Parallelepiped {
     centre: DVec3,
-    half: [DVec3; 3],
+    half_edges: [DVec3; 3],
     lengths: [f64; 3],
     normals: [DVec3; 3],
     volume: f64,
@@ -61,7 +61,13 @@ impl Parallelepiped {
     fn new(centre: DVec3, half: [DVec3; 3]) -> Parallelepiped {
         let [x, y, z] = half;
         let normals = [y.cross(z), z.cross(x), x.cross(y)];
-        Parallelepiped { centre, half, lengths: half.map(DVec3::length), normals, volume: x.dot(normals[0]).abs() }
+        Parallelepiped {
+            centre,
+            half_edges: half,
+            lengths: half.map(DVec3::length),
+            normals,
+            volume: x.dot(normals[0]).abs(),
+        }
     }
 
     fn from_oriented_box(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
@@ -75,7 +81,7 @@ impl Parallelepiped {
     fn may_meet(&self, other: &Parallelepiped, gap: f64) -> bool {
         let between = other.centre - self.centre;
         let products = |one: &Parallelepiped, other: &Parallelepiped| {
-            one.normals.map(|n| other.half.map(|half| half.dot(n).abs()))
+            one.normals.map(|n| other.half_edges.map(|half| half.dot(n).abs()))
         };
         let beyond = |one: &Parallelepiped, products: &[[f64; 3]; 3]| {
             (0..3).any(|k| {
@@ -96,7 +102,7 @@ impl Parallelepiped {
         let edges = |i: usize, j: usize| {
             let extent =
                 of_other[(i + 1) % 3][j] + of_other[(i + 2) % 3][j] + of_self[(j + 1) % 3][i] + of_self[(j + 2) % 3][i];
-            let across = between.dot(self.half[i].cross(other.half[j]));
+            let across = between.dot(self.half_edges[i].cross(other.half_edges[j]));
             across.abs() > extent + gap * self.lengths[i] * other.lengths[j]
         };
         !(0..9).any(|k| edges(k / 3, k % 3))
@@ -106,7 +112,7 @@ impl Parallelepiped {
 impl PyramidBlock {
     fn whole_sheet(index: &BoxPyramid, shift: DVec3) -> PyramidBlock {
         let bounds = translate_box(index.bounding_box(), shift - index.origin());
-        PyramidBlock { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
+        PyramidBlock { level: index.levels().len(), row: 0, column: 0, bounds, oriented_solid: None }
     }
 
     /// Child k, if it exists and may be within `gap` of another block.
@@ -126,8 +132,9 @@ impl PyramidBlock {
         }
         let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
         let solid = level.oriented_box(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
-        let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.may_meet(other, gap));
-        (!apart).then_some(PyramidBlock { level: self.level - 1, row, column, bounds, solid })
+        let apart =
+            solid.as_ref().zip(near.oriented_solid.as_ref()).is_some_and(|(one, other)| !one.may_meet(other, gap));
+        (!apart).then_some(PyramidBlock { level: self.level - 1, row, column, bounds, oriented_solid: solid })
     }
 
     fn longest_side(&self) -> f64 {
@@ -150,12 +157,12 @@ struct CellQuadrilateral {
     cell: [u32; 2],
     bounds: Aabb,
     centre: DVec3,
-    half: [DVec3; 2],
+    half_edges: [DVec3; 2],
     twist: DVec3,
     lengths: [f64; 2],
     /// a x b, and the extent of t along it.
     normal: DVec3,
-    rise: f64,
+    max_height_over_plane: f64,
 }
 
 impl CellQuadrilateral {
@@ -166,11 +173,11 @@ impl CellQuadrilateral {
             cell,
             bounds,
             centre: 0.25 * (p + q + r + s),
-            half,
+            half_edges: half,
             twist,
             lengths: half.map(DVec3::length),
             normal,
-            rise: twist.dot(normal).abs(),
+            max_height_over_plane: twist.dot(normal).abs(),
         }
     }
 
@@ -181,10 +188,11 @@ impl CellQuadrilateral {
             return false;
         }
         let between = other.centre - self.centre;
-        let along =
-            |one: &CellQuadrilateral, other: &CellQuadrilateral| other.half.map(|half| half.dot(one.normal).abs());
+        let along = |one: &CellQuadrilateral, other: &CellQuadrilateral| {
+            other.half_edges.map(|half| half.dot(one.normal).abs())
+        };
         let beyond = |one: &CellQuadrilateral, other: &CellQuadrilateral, [x, y]: [f64; 2]| {
-            let extent = one.rise + x + y + other.twist.dot(one.normal).abs();
+            let extent = one.max_height_over_plane + x + y + other.twist.dot(one.normal).abs();
             between.dot(one.normal).abs() > extent + gap * one.lengths[0] * one.lengths[1]
         };
         let of_other = along(self, other);
@@ -196,7 +204,7 @@ impl CellQuadrilateral {
             return false;
         }
         let edges = |i: usize, j: usize| {
-            let axis = self.half[i].cross(other.half[j]);
+            let axis = self.half_edges[i].cross(other.half_edges[j]);
             let extent = of_other[j] + of_self[i] + self.twist.dot(axis).abs() + other.twist.dot(axis).abs();
             between.dot(axis).abs() > extent + gap * self.lengths[i] * other.lengths[j]
         };
@@ -206,7 +214,7 @@ impl CellQuadrilateral {
 
 /// The corners of the cells of a block, and the cells that may meet another block.
 struct BlockQuadrilaterals {
-    at: [usize; 2],
+    block_row_and_column: [usize; 2],
     corners: [[DVec3; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
     /// Bound of the distance between the surface and the cells' quadrilaterals.
     deviation: f64,
@@ -215,7 +223,7 @@ struct BlockQuadrilaterals {
 
 impl BlockQuadrilaterals {
     const NO_BLOCK: BlockQuadrilaterals = BlockQuadrilaterals {
-        at: [usize::MAX; 2],
+        block_row_and_column: [usize::MAX; 2],
         corners: [[DVec3::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
         deviation: 0.0,
         quads: Vec::new(),
@@ -223,13 +231,13 @@ impl BlockQuadrilaterals {
 
     /// Reads the block at a node, unless it is the current one.
     fn read_block(&mut self, sheet: &IndexedSheet<'_>, node: &PyramidBlock, origin: DVec3) {
-        if self.at == [node.row, node.column] {
+        if self.block_row_and_column == [node.row, node.column] {
             return;
         }
-        self.at = [node.row, node.column];
+        self.block_row_and_column = [node.row, node.column];
         self.deviation = sheet.index.distance_bound_from_bilinear_patches(node.row, node.column);
         let [rows, columns] = sheet.sheet.cells();
-        let [first, left] = self.at.map(|at| at * CELLS_PER_BLOCK_SIDE);
+        let [first, left] = self.block_row_and_column.map(|at| at * CELLS_PER_BLOCK_SIDE);
         each_sheet!(sheet.sheet, cells => {
             for (i, line) in (first..=rows).zip(&mut self.corners) {
                 for (j, corner) in (left..=columns).zip(line) {
@@ -242,7 +250,7 @@ impl BlockQuadrilaterals {
     /// Selects the cells that may be within `gap` of a box.
     fn select_cells_near(&mut self, sheet: &Sheet<'_>, near: &Aabb, gap: f64) {
         self.quads.clear();
-        for [i, j] in cells_of_block(self.at, sheet.cells()) {
+        for [i, j] in cells_of_block(self.block_row_and_column, sheet.cells()) {
             let (r, c) = (i % CELLS_PER_BLOCK_SIDE, j % CELLS_PER_BLOCK_SIDE);
             let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
             let [[p, q], [s, t]] = corners;
@@ -299,7 +307,7 @@ impl Surface<'_> {
         for [k, n] in sheets {
             let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {
                 let (sheet, index) = surface.sheet_and_index(k);
-                IndexedSheet { number: k as u32, sheet, index }
+                IndexedSheet { sheet_number: k as u32, sheet, index }
             });
             add_pairs_of_sheets(&a, &b, (within, wanted), &mut cell_pairs, job)?;
         }
@@ -325,7 +333,18 @@ fn add_pairs_of_sheets(
     let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
     let before = found.len();
     let blocks = [BlockQuadrilaterals::NO_BLOCK; 2];
-    let mut descent = PyramidPairDescent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
+    let mut descent = PyramidPairDescent {
+        a,
+        b,
+        origin,
+        shift,
+        max_gap: by,
+        is_wanted_pair: wanted,
+        blocks,
+        pairs_since_report: 0,
+        cell_pairs: found,
+        job,
+    };
     descent.visit_block_pair(
         &PyramidBlock::whole_sheet(a.index, DVec3::ZERO),
         &PyramidBlock::whole_sheet(b.index, shift),
@@ -334,7 +353,7 @@ fn add_pairs_of_sheets(
         let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
         i << 96 | j << 64 | k << 32 | l
     };
-    sort::sort(&mut found[before..], |one, other| key(one).cmp(&key(other)), &job.part(0.0, 0.0), "pairs of cells")
+    sort::sort(&mut found[before..], |one, other| key(one).cmp(&key(other)), &job.sub_job(0.0, 0.0), "pairs of cells")
 }
 
 /// The simultaneous descent of both pyramids.
@@ -344,23 +363,23 @@ struct PyramidPairDescent<'a> {
     /// The origin of coordinates, and the shift of B's boxes to it.
     origin: DVec3,
     shift: DVec3,
-    by: f64,
+    max_gap: f64,
     /// Tells which pairs of cells are wanted.
-    wanted: &'a dyn Fn(&CellPair) -> bool,
+    is_wanted_pair: &'a dyn Fn(&CellPair) -> bool,
     /// The most recent blocks of A and of B.
     blocks: [BlockQuadrilaterals; 2],
     /// Number of pairs since the last progress report.
-    unheard: usize,
-    found: &'a mut Vec<CellPair>,
+    pairs_since_report: usize,
+    cell_pairs: &'a mut Vec<CellPair>,
     job: &'a Job<'a>,
 }
 
 impl PyramidPairDescent<'_> {
     /// Counts examined pairs, and reports progress.
     fn count_examined_pairs(&mut self, pairs: usize) -> Result<()> {
-        self.unheard += pairs;
-        if self.unheard >= PAIRS_PER_REPORT {
-            self.unheard = 0;
+        self.pairs_since_report += pairs;
+        if self.pairs_since_report >= PAIRS_PER_REPORT {
+            self.pairs_since_report = 0;
             self.job.step(0.0, "pairs of cells")?;
         }
         Ok(())
@@ -372,7 +391,7 @@ impl PyramidPairDescent<'_> {
         if one.level == 0 && other.level == 0 {
             return self.add_cell_pairs(one, other);
         }
-        let PyramidPairDescent { a, b, shift, by, .. } = *self;
+        let PyramidPairDescent { a, b, shift, max_gap: by, .. } = *self;
         let halves_a = one.level > 0 && (other.level == 0 || one.longest_side() >= other.longest_side());
         for k in 0..4 {
             if halves_a {
@@ -388,15 +407,15 @@ impl PyramidPairDescent<'_> {
 
     /// Adds the pairs of cells of two blocks of level 0.
     fn add_cell_pairs(&mut self, one: &PyramidBlock, other: &PyramidBlock) -> Result<()> {
-        let PyramidPairDescent { a, b, wanted, ref mut blocks, ref mut found, .. } = *self;
+        let PyramidPairDescent { a, b, is_wanted_pair: wanted, ref mut blocks, cell_pairs: ref mut found, .. } = *self;
         let [left, right] = blocks;
         left.read_block(a, one, self.origin);
         right.read_block(b, other, self.origin);
-        let by = self.by + left.deviation + right.deviation;
+        let by = self.max_gap + left.deviation + right.deviation;
         left.select_cells_near(a.sheet, &other.bounds, by);
         right.select_cells_near(b.sheet, &one.bounds, by);
         for (p, q) in left.quads.iter().flat_map(|p| right.quads.iter().map(move |q| (p, q))) {
-            let pair = CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] };
+            let pair = CellPair { sheets: [a.sheet_number, b.sheet_number], cells: [p.cell, q.cell] };
             if wanted(&pair) && p.may_meet(q, by) {
                 alloc::push(found, pair)?;
             }
@@ -424,10 +443,14 @@ mod tests {
                 [x, y, x.cross(y)].map(|axis| (0.1 + random.f64()) * axis)
             };
             let [one, mut other] = [0, 1].map(|_| Parallelepiped::new(DVec3::ZERO, turned()));
-            let axes = [one.half[k % 3], other.half[k % 3], one.half[k % 3].cross(other.half[k / 3 % 3])];
+            let axes = [
+                one.half_edges[k % 3],
+                other.half_edges[k % 3],
+                one.half_edges[k % 3].cross(other.half_edges[k / 3 % 3]),
+            ];
             let along = axes[k / 9 % 3].normalize();
             let corner = |solid: &Parallelepiped| -> DVec3 {
-                solid.half.map(|half| half * half.dot(along).signum()).iter().sum()
+                solid.half_edges.map(|half| half * half.dot(along).signum()).iter().sum()
             };
             let gap = 0.01 + random.f64();
             // The gap runs from the farthest corner of one box to the nearest of the other, so it

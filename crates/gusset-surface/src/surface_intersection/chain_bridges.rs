@@ -57,13 +57,13 @@ pub(super) struct JoinedCrossings {
     /// Pairs of an arc that ends at a critical point on its path, and that point's index, sorted.
     pub(super) nodes: Vec<(u32, u32)>,
     /// For each critical point, whether the branches around it are joined.
-    pub(super) joined: Vec<bool>,
+    pub(super) is_joined_crossing: Vec<bool>,
 }
 
 /// Joins chains of arcs across unresolved balls.
 pub(super) struct ChainsWithBalls<'a, S> {
-    pub(super) pieces: &'a FoundArcsAndBalls,
-    pub(super) surroundings: &'a S,
+    pub(super) arcs_and_balls: &'a FoundArcsAndBalls,
+    pub(super) surfaces: &'a S,
     pub(super) tolerance: f64,
     /// Accuracy of ends.
     pub(super) resolution: f64,
@@ -91,10 +91,10 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
         let places = alloc::collect(points.iter().map(|&(point, _)| point))?;
         let tree = build_point_tree(&places)?;
         let mut ball_points = Vec::new();
-        for (k, ball) in self.pieces.balls.iter().enumerate() {
-            let (mut result, sheets) = (Ok(()), self.surroundings.sheets_of_pair(ball.pair));
+        for (k, ball) in self.arcs_and_balls.balls.iter().enumerate() {
+            let (mut result, sheets) = (Ok(()), self.surfaces.sheets_of_pair(ball.pair));
             tree.for_each_within(ball.centre, positive_radius(self.chain_end_radius(ball)), &mut |_, n| {
-                if self.surroundings.sheets_of_pair(points[n as usize].1) == sheets && result.is_ok() {
+                if self.surfaces.sheets_of_pair(points[n as usize].1) == sheets && result.is_ok() {
                     result = alloc::push(&mut ball_points, (k as u32, n));
                 }
             });
@@ -112,7 +112,7 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
         dropped: &mut [bool],
         is_used: &dyn Fn(u32) -> bool,
     ) -> Result<()> {
-        let arcs = &self.pieces.arcs;
+        let arcs = &self.arcs_and_balls.arcs;
         let is_scrap = |chain: &ArcChain| {
             !chain.closed && chain.arcs.len() < MIN_ARCS_OF_KEPT_CHAIN
                 || self.chain_length(chain) <= MAX_SCRAP_LENGTH_IN_RESOLUTIONS * self.resolution
@@ -125,9 +125,9 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
         }
         let mut within = alloc::filled(false, points.len())?;
         for (ball, point) in self.points_in_balls(&points)? {
-            let [own, other] = [self.pieces.balls[ball as usize].pair, points[point as usize].1];
-            within[point as usize] |= is_used(ball)
-                && self.surroundings.cell_of_first_surface(own) == self.surroundings.cell_of_first_surface(other);
+            let [own, other] = [self.arcs_and_balls.balls[ball as usize].pair, points[point as usize].1];
+            within[point as usize] |=
+                is_used(ball) && self.surfaces.cell_of_first_surface(own) == self.surfaces.cell_of_first_surface(other);
         }
         let mut rest = within.as_slice();
         for chain in short() {
@@ -154,20 +154,20 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
             true => self.points_of_arc(arc).zip(self.points_of_arc(arc).skip(1)).map(|(p, q)| p.distance(q)).sum(),
             false => arc.ends[0].distance(arc.ends[1]),
         };
-        chain.arcs.iter().map(|&arc| length(&self.pieces.arcs[arc as usize])).sum()
+        chain.arcs.iter().map(|&arc| length(&self.arcs_and_balls.arcs[arc as usize])).sum()
     }
 
     /// The points of an arc.
     fn points_of_arc(&self, arc: &IntersectionArc) -> impl Iterator<Item = DVec3> {
-        let parameters = &self.pieces.points[arc.from as usize..arc.to as usize];
-        parameters.iter().map(|&x| self.surroundings.point_of_pair(arc.pair, x))
+        let parameters = &self.arcs_and_balls.points[arc.first_point as usize..arc.end_point as usize];
+        parameters.iter().map(|&x| self.surfaces.point_of_pair(arc.pair, x))
     }
 
     /// Removes short chains whose ends all lie on a longer one. Returns whether there were any.
     /// Beside poles, parameter lines are so close together that curves are found from both sides.
     /// Their arcs are too short to be told from successive arcs.
     pub(super) fn drop_repeated_chains<'a>(&'a self, chains: &'a [ArcChain], dropped: &mut [bool]) -> Result<bool> {
-        let arcs = &self.pieces.arcs;
+        let arcs = &self.arcs_and_balls.arcs;
         let [longest, near] = MAX_DUPLICATE_LENGTH_AND_DISTANCE_IN_RESOLUTIONS.map(|count| count * self.resolution);
         let is_short =
             |chain: &ArcChain| chain.arcs.len() < MIN_ARCS_OF_KEPT_CHAIN && self.chain_length(chain) <= longest;
@@ -195,12 +195,13 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
         chains: &[ArcChain],
         dropped: &mut [bool],
     ) -> Result<()> {
-        let firsts = alloc::collect(chains.iter().map(|chain| self.pieces.arcs[chain.arcs[0] as usize].ends[0]))?;
+        let firsts =
+            alloc::collect(chains.iter().map(|chain| self.arcs_and_balls.arcs[chain.arcs[0] as usize].ends[0]))?;
         let tree = build_point_tree(&firsts)?;
         for point in points.iter().filter(|point| !point.is_saddle || point.gap.abs() <= self.tolerance) {
             let limit = point.radius + MAX_SAME_POINT_DISTANCE_IN_RESOLUTIONS * self.resolution;
             tree.for_each_within(point.point, positive_radius(limit), &mut |_, n| {
-                let arcs = || chains[n as usize].arcs.iter().map(|&arc| &self.pieces.arcs[arc as usize]);
+                let arcs = || chains[n as usize].arcs.iter().map(|&arc| &self.arcs_and_balls.arcs[arc as usize]);
                 let within = |end: DVec3| end.distance(point.point) <= limit;
                 if arcs().all(|arc| arc.ends.into_iter().all(within)) {
                     chains[n as usize].arcs.iter().for_each(|&arc| dropped[arc as usize] = true);
@@ -221,7 +222,8 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
         chains: &[ArcChain],
         links: &mut ArcLinks,
     ) -> Result<JoinedCrossings> {
-        let mut crossings = JoinedCrossings { nodes: Vec::new(), joined: alloc::filled(false, points.len())? };
+        let mut crossings =
+            JoinedCrossings { nodes: Vec::new(), is_joined_crossing: alloc::filled(false, points.len())? };
         let ends = self.loose_chain_ends(chains)?;
         // For each end, the other end of its path. The path grows while chains are joined.
         let mut others = alloc::collect((0..ends.len()).map(|k| k ^ 1))?;
@@ -264,7 +266,7 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
                     alloc::push(&mut crossings.nodes, (ends[last].arc, k as u32))?;
                 }
             }
-            crossings.joined[k] = true;
+            crossings.is_joined_crossing[k] = true;
         }
         crossings.nodes.sort_unstable();
         Ok(crossings)
@@ -300,7 +302,7 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
         for (_, end, start, is_point) in bridges {
             let (from, to) = (ends[end as usize], ends[start as usize]);
             if links.can_arc_follow(from.arc, to.arc)
-                && (is_point || self.surroundings.is_chord_near_surfaces([from.point, to.point]))
+                && (is_point || self.surfaces.is_chord_near_surfaces([from.point, to.point]))
             {
                 links.join_arcs(from.arc, to.arc);
             }
@@ -314,7 +316,7 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
         alloc::gather(open.flat_map(|chain| {
             let ends = [chain.arcs.first(), chain.arcs.last()].into_iter().flatten().enumerate();
             ends.map(|(k, &arc)| {
-                let end_arc = &self.pieces.arcs[arc as usize];
+                let end_arc = &self.arcs_and_balls.arcs[arc as usize];
                 let is_bound = end_arc.at_border[k] || end_arc.is_cut[k];
                 LooseChainEnd { arc, point: end_arc.ends[k], direction: end_arc.directions[k], is_bound }
             })
@@ -323,12 +325,13 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
 
     /// Pairs of an end and a start of chains in one ball, or in two that touch.
     fn joinable_end_pairs(&self, ends: &[LooseChainEnd], is_used: &dyn Fn(u32) -> bool) -> Result<Vec<[u32; 2]>> {
-        let points = alloc::collect(ends.iter().map(|end| (end.point, self.pieces.arcs[end.arc as usize].pair)))?;
+        let points =
+            alloc::collect(ends.iter().map(|end| (end.point, self.arcs_and_balls.arcs[end.arc as usize].pair)))?;
         let mut members = self.points_in_balls(&points)?;
         members.retain(|&(ball, _)| is_used(ball));
         let groups: Vec<&[(u32, u32)]> =
             alloc::gather(members.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() <= MAX_CHAIN_ENDS_PER_BALL))?;
-        let ball = |k: usize| &self.pieces.balls[groups[k][0].0 as usize];
+        let ball = |k: usize| &self.arcs_and_balls.balls[groups[k][0].0 as usize];
         let centres = alloc::collect((0..groups.len()).map(|k| ball(k).centre))?;
         let tree = build_point_tree(&centres)?;
         let mut pairs = Vec::new();
@@ -351,15 +354,16 @@ impl<S: IntersectedSurfaces> ChainsWithBalls<'_, S> {
     /// For each ball, whether a joint explains it. An explained ball is hardly larger than the
     /// resolution, and a chain passes through it, as at poles.
     pub(super) fn which_balls_a_joint_explains(&self, links: &ArcLinks) -> Result<Vec<bool>> {
-        let followed = self.pieces.arcs.iter().zip(&links.after).filter(|(_, after)| **after != NO_LINKED_ARC);
+        let followed =
+            self.arcs_and_balls.arcs.iter().zip(&links.successors).filter(|(_, after)| **after != NO_LINKED_ARC);
         let limit = MAX_SAME_POINT_DISTANCE_IN_RESOLUTIONS * self.resolution;
         let is_small = |ball: &UnresolvedBall| ball.radius <= limit;
-        let any_small = self.pieces.balls.iter().any(is_small);
+        let any_small = self.arcs_and_balls.balls.iter().any(is_small);
         let joints = alloc::gather(followed.filter(|_| any_small).map(|(arc, _)| arc.ends[1]))?;
         let tree = build_point_tree(&joints)?;
         let passed =
             |ball: &UnresolvedBall| is_small(ball) && tree.nearest(ball.centre, limit * limit, |_| true).is_some();
-        alloc::collect(self.pieces.balls.iter().map(passed))
+        alloc::collect(self.arcs_and_balls.balls.iter().map(passed))
     }
 }
 

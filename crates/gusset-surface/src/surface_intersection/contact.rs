@@ -50,7 +50,7 @@ const MAX_PARAMETER_OUTSIDE_CELL: f64 = 1e-6;
 pub(super) struct CriticalPoint {
     /// The place: a pair of cells, and parameters of both.
     pub(super) pair: u32,
-    pub(super) x: DVec4,
+    pub(super) parameters: DVec4,
     /// The position relative to the origin of the balls.
     pub(super) point: DVec3,
     /// The unit normal of the first surface.
@@ -249,7 +249,7 @@ impl ContactSearch<'_> {
     /// points coincide in the plane. The slopes become g + G d and h + H (d + p - q), which must be
     /// equal.
     fn find_critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<CriticalPointOutcome> {
-        let (mut x, mut last) = (ball.x, f64::INFINITY);
+        let (mut x, mut last) = (ball.parameters, f64::INFINITY);
         for _ in 0..MAX_NEWTON_STEPS {
             let [a, b] = self.places_of_pair(ball.pair, x);
             let (jets, normal) = ([self.surfaces[0].jet(a), self.surfaces[1].jet(b)], self.surfaces[0].normal(a));
@@ -310,8 +310,16 @@ impl ContactSearch<'_> {
                     return Some(CriticalPointOutcome::Beyond(point));
                 }
                 let is_opposed = jets[1].normal().dot(normal) < 0.0;
-                let found =
-                    CriticalPoint { pair: ball.pair, x, point, normal, gap, radius, is_saddle: false, is_opposed };
+                let found = CriticalPoint {
+                    pair: ball.pair,
+                    parameters: x,
+                    point,
+                    normal,
+                    gap,
+                    radius,
+                    is_saddle: false,
+                    is_opposed,
+                };
                 return Some(CriticalPointOutcome::Found(found));
             }
         }

@@ -26,7 +26,7 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 }
 
 impl<const N: usize> CoordinateNet<N> {
-    pub(super) const ZERO: Self = CoordinateNet([BernsteinField { c: [[0.0; N]; N] }; 3]);
+    pub(super) const ZERO: Self = CoordinateNet([BernsteinField { coefficients: [[0.0; N]; N] }; 3]);
 
     /// Creates the net of a patch relative to an origin. Also returns the largest absolute
     /// coordinate before and after the shift.
@@ -36,7 +36,7 @@ impl<const N: usize> CoordinateNet<N> {
         for (a, row) in patch.points.iter().enumerate() {
             for (b, &before) in row.iter().enumerate() {
                 let point = before - origin;
-                (x.c[a][b], y.c[a][b], z.c[a][b]) = (point.x, point.y, point.z);
+                (x.coefficients[a][b], y.coefficients[a][b], z.coefficients[a][b]) = (point.x, point.y, point.z);
                 largest = largest.max(before.abs()).max(point.abs());
             }
         }
@@ -44,7 +44,7 @@ impl<const N: usize> CoordinateNet<N> {
     }
 
     pub(super) fn to_patch(&self) -> Patch<N> {
-        let point = |a: usize, b: usize| DVec3::from_array(std::array::from_fn(|k| self.0[k].c[a][b]));
+        let point = |a: usize, b: usize| DVec3::from_array(std::array::from_fn(|k| self.0[k].coefficients[a][b]));
         Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
     }
 
@@ -53,7 +53,7 @@ impl<const N: usize> CoordinateNet<N> {
     pub(super) fn point_at(&self, u: f64, v: f64) -> DVec3 {
         let ([of_u, _], [of_v, _]) = (bernstein_values_and_slopes::<N>(u), bernstein_values_and_slopes::<N>(v));
         let [x, y, z] = &self.0;
-        DVec3::from_array([x, y, z].map(|field| dot(&weighted_row_sum(&field.c, &of_u), &of_v)))
+        DVec3::from_array([x, y, z].map(|field| dot(&weighted_row_sum(&field.coefficients, &of_u), &of_v)))
     }
 
     /// Evaluates the point and the first derivatives.
@@ -63,7 +63,8 @@ impl<const N: usize> CoordinateNet<N> {
             (bernstein_values_and_slopes::<N>(u), bernstein_values_and_slopes::<N>(v));
         let mut jet = [DVec3::ZERO; 3];
         for (k, field) in self.0.iter().enumerate() {
-            let (values, slopes) = (weighted_row_sum(&field.c, &of_u), weighted_row_sum(&field.c, &slope_u));
+            let (values, slopes) =
+                (weighted_row_sum(&field.coefficients, &of_u), weighted_row_sum(&field.coefficients, &slope_u));
             jet[0][k] = dot(&values, &of_v);
             jet[1][k] = dot(&slopes, &of_v);
             jet[2][k] = dot(&values, &slope_v);
@@ -74,14 +75,14 @@ impl<const N: usize> CoordinateNet<N> {
     /// The component of the net along a direction.
     #[inline]
     pub(super) fn component_along(&self, axis: DVec3) -> BernsteinField<N> {
-        let mut c = self.0[0].c;
+        let mut c = self.0[0].coefficients;
         let [_, y, z] = &self.0;
-        for (row, (y, z)) in c.iter_mut().zip(y.c.iter().zip(&z.c)) {
+        for (row, (y, z)) in c.iter_mut().zip(y.coefficients.iter().zip(&z.coefficients)) {
             for (x, (y, z)) in row.iter_mut().zip(y.iter().zip(z)) {
                 *x = axis.x * *x + axis.y * y + axis.z * z;
             }
         }
-        BernsteinField { c }
+        BernsteinField { coefficients: c }
     }
 
     /// The halves at u = 1/2.

@@ -38,9 +38,9 @@ pub(super) fn find_near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> R
     // Sort keys are rounded, so the limit is wider.
     let mut compared = 0;
     for run in order.chunk_by(|a, b| b.0 - a.0 <= 1.5 * within) {
-        let own = job.part(compared as f64 / points.len() as f64, 1.0);
+        let own = job.sub_job(compared as f64 / points.len() as f64, 1.0);
         if run.len() > MAX_PAIRWISE_COMPARED_POINTS {
-            add_near_pairs_by_tree(points, run, within, &mut pairs, &own.part(0.0, 0.0))?;
+            add_near_pairs_by_tree(points, run, within, &mut pairs, &own.sub_job(0.0, 0.0))?;
             compared += run.len();
             continue;
         }
@@ -101,7 +101,7 @@ pub(super) struct ChainedArcs {
     pub(super) chains: Vec<ArcChain>,
     pub(super) crossings: JoinedCrossings,
     /// For each unresolved ball, whether a joint explains it.
-    pub(super) passed: Vec<bool>,
+    pub(super) is_ball_explained: Vec<bool>,
 }
 
 /// Joins the arcs to chains. `critical` holds the points where the surfaces touch within
@@ -129,7 +129,7 @@ pub(super) fn chain_arcs(
     }
     // The closest pairs first.
     sort::sort_stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    let bridges = ChainsWithBalls { pieces, surroundings, tolerance, resolution };
+    let bridges = ChainsWithBalls { arcs_and_balls: pieces, surfaces: surroundings, tolerance, resolution };
     let mut links = ArcLinks::from_joints(&joints, &dropped)?;
     let mut chains = links.build_chains(&dropped)?;
     // An arc that was removed may have taken the place of another one.
@@ -151,7 +151,7 @@ pub(super) fn chain_arcs(
     Ok(ChainedArcs {
         chains: links.build_chains(&dropped)?,
         crossings,
-        passed: bridges.which_balls_a_joint_explains(&links)?,
+        is_ball_explained: bridges.which_balls_a_joint_explains(&links)?,
     })
 }
 

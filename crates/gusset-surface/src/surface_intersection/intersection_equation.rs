@@ -16,9 +16,9 @@ pub(super) struct IntersectionEquation<const N: usize, const M: usize> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DifferenceFrame {
     /// A - B.
-    pub(super) miss: DVec3,
+    pub(super) difference: DVec3,
     /// A_s, A_t, -B_u, -B_v.
-    pub(super) columns: [DVec3; 4],
+    pub(super) derivatives: [DVec3; 4],
 }
 
 /// For each of the four parameters, the other three.
@@ -32,14 +32,14 @@ const MAX_FIRST_STEP_OF_GOOD_GUESS: f64 = 1e-3;
 impl DifferenceFrame {
     /// N_A and N_B, not normalised.
     pub(super) fn normals(&self) -> [DVec3; 2] {
-        let [a, b, c, d] = self.columns;
+        let [a, b, c, d] = self.derivatives;
         [a.cross(b), c.cross(d)]
     }
 
     /// The direction of the curve A = B in parameters; in space it is N_A x N_B. It solves A_s s' +
     /// A_t t' = B_u u' + B_v v', because (A_s x A_t) x N_B = A_t (A_s . N_B) - A_s (A_t . N_B).
     pub(super) fn parameter_tangent(&self) -> DVec4 {
-        let ([a, b], [s, t, u, v]) = (self.normals(), self.columns);
+        let ([a, b], [s, t, u, v]) = (self.normals(), self.derivatives);
         DVec4::new(-t.dot(b), s.dot(b), -v.dot(a), u.dot(a))
     }
 
@@ -62,17 +62,17 @@ impl DifferenceFrame {
     pub(super) fn step_towards_point(&self, offset: DVec3) -> DVec4 {
         let (tangent, direction) = (self.parameter_tangent(), self.curve_direction());
         let fixed = (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best });
-        let back = newton_step(&self.inverse_with_fixed_parameter(fixed), self.miss, fixed);
-        let left = offset + self.columns[0] * back.x + self.columns[1] * back.y;
+        let back = newton_step(&self.inverse_with_fixed_parameter(fixed), self.difference, fixed);
+        let left = offset + self.derivatives[0] * back.x + self.derivatives[1] * back.y;
         left.dot(direction) / direction.length_squared() * tangent - back
     }
 
     /// The step of two parameters of one surface, `first_moved` and the next one, that brings it
     /// nearest to the other surface's point.
     pub(super) fn step_to_other_surface(&self, first_moved: usize) -> DVec2 {
-        let [p, q] = [self.columns[first_moved], self.columns[first_moved + 1]];
+        let [p, q] = [self.derivatives[first_moved], self.derivatives[first_moved + 1]];
         let (pp, pq, qq) = (p.length_squared(), p.dot(q), q.length_squared());
-        let (f, g) = (self.miss.dot(p), self.miss.dot(q));
+        let (f, g) = (self.difference.dot(p), self.difference.dot(q));
         DVec2::new(g * pq - f * qq, f * pq - g * pp) / (pp * qq - pq * pq)
     }
 
@@ -85,7 +85,7 @@ impl DifferenceFrame {
     /// Rows of the inverse of the derivatives with respect to the three parameters other than
     /// `fixed`.
     fn inverse_with_fixed_parameter(&self, fixed: usize) -> [DVec3; 3] {
-        let [x, y, z] = OTHER_PARAMETERS[fixed].map(|n| self.columns[n]);
+        let [x, y, z] = OTHER_PARAMETERS[fixed].map(|n| self.derivatives[n]);
         let (yz, zx, xy) = (y.cross(z), z.cross(x), x.cross(y));
         let factor = 1.0 / x.dot(yz);
         [factor * yz, factor * zx, factor * xy]
@@ -104,7 +104,7 @@ fn newton_step(inverse: &[DVec3; 3], miss: DVec3, fixed: usize) -> DVec4 {
 impl<const N: usize, const M: usize> IntersectionEquation<N, M> {
     pub(super) fn frame_at(&self, x: DVec4) -> DifferenceFrame {
         let ([p, s, t], [q, u, v]) = (self.a.point_and_tangents(x.x, x.y), self.b.point_and_tangents(x.z, x.w));
-        DifferenceFrame { miss: p - q, columns: [s, t, -u, -v] }
+        DifferenceFrame { difference: p - q, derivatives: [s, t, -u, -v] }
     }
 
     /// Solves the equation near `start` with parameter `fixed` held constant. Returns the solution
@@ -113,7 +113,7 @@ impl<const N: usize, const M: usize> IntersectionEquation<N, M> {
         let (mut x, mut last) = (start, f64::INFINITY);
         for _ in 0..MAX_NEWTON_STEPS {
             let frame = self.frame_at(x);
-            let step = newton_step(&frame.inverse_with_fixed_parameter(fixed), frame.miss, fixed);
+            let step = newton_step(&frame.inverse_with_fixed_parameter(fixed), frame.difference, fixed);
             let length = step.abs().max_element();
             // Far outside the cells, the polynomials are meaningless.
             if !step.is_finite() || length > 4.0 {
@@ -137,7 +137,7 @@ impl<const N: usize, const M: usize> IntersectionEquation<N, M> {
     pub(super) fn refine_good_guess(&self, guess: DVec4, fixed: usize) -> Option<(DVec4, DifferenceFrame)> {
         let frame = self.frame_at(guess);
         let inverse = frame.inverse_with_fixed_parameter(fixed);
-        let first = newton_step(&inverse, frame.miss, fixed);
+        let first = newton_step(&inverse, frame.difference, fixed);
         let length = first.abs().max_element();
         if length < MAX_FIRST_STEP_OF_GOOD_GUESS {
             let x = guess - first;

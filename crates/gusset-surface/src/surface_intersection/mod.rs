@@ -101,7 +101,7 @@ fn positive_or_default(option: &'static str, value: Option<f64>, default: f64) -
 }
 
 impl Surface<'_> {
-    /// Finds the curves in which two surfaces meet. `places` are on this surface, `others` on the
+    /// Finds the curves in which two surfaces meet. `pair_places` are on this surface, `others` on the
     /// other one. Curves run along N_A x N_B, and closed curves are marked as closed. Finds every
     /// branch that is not part of a contact and is longer than the tolerance (the smallest of the
     /// option and the surfaces' own).
@@ -138,18 +138,18 @@ impl Surface<'_> {
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
         let rounding = net_rounding_error(self.box_diagonal().max(other.box_diagonal()));
         let resolution = tolerance.min(self.tolerance().min(other.tolerance())).max(8.0 * rounding);
-        let pairs = self.candidate_cell_pairs(other, tolerance, &job.part(0.0, 0.2))?;
+        let pairs = self.candidate_cell_pairs(other, tolerance, &job.sub_job(0.0, 0.2))?;
         let origin = 0.5 * (self.bounds()[0] + self.bounds()[1]);
         let intersection = SurfaceIntersection {
-            places: PairPlaces { surfaces: [self, other], pairs: &pairs, origin },
+            pair_places: PairPlaces { surfaces: [self, other], pairs: &pairs, origin },
             tolerance,
             resolution,
-            shortest: SHORTEST_ARC_IN_RESOLUTIONS * resolution,
-            chord: chord.max(resolution),
+            max_lost_length: SHORTEST_ARC_IN_RESOLUTIONS * resolution,
+            chord_tolerance: chord.max(resolution),
         };
         let pair_numbers = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
-        let pieces = intersection.solve_pairs(&pair_numbers, &job.part(0.2, 0.9))?;
-        let pieces = intersection.cut_overlapping_arcs(&pieces, &job.part(0.9, 0.9))?.unwrap_or(pieces);
+        let pieces = intersection.solve_pairs(&pair_numbers, &job.sub_job(0.2, 0.9))?;
+        let pieces = intersection.cut_overlapping_arcs(&pieces, &job.sub_job(0.9, 0.9))?.unwrap_or(pieces);
         let search = ContactSearch {
             surfaces: [self, other],
             pairs: &pairs,
@@ -158,21 +158,29 @@ impl Surface<'_> {
             tolerance,
             resolution: intersection.resolution,
         };
-        let critical = search.resolve_clusters(&job.part(0.9, 0.92))?;
-        let chained =
-            chain_arcs(&pieces, &critical, &intersection, [tolerance, intersection.resolution], &job.part(0.92, 0.92))?;
-        let mut paths = intersection.build_paths(&pieces, &chained, &critical.points, &job.part(0.92, 1.0))?;
+        let critical = search.resolve_clusters(&job.sub_job(0.9, 0.92))?;
+        let chained = chain_arcs(
+            &pieces,
+            &critical,
+            &intersection,
+            [tolerance, intersection.resolution],
+            &job.sub_job(0.92, 0.92),
+        )?;
+        let mut paths = intersection.build_paths(&pieces, &chained, &critical.points, &job.sub_job(0.92, 1.0))?;
         for (k, ball) in pieces.balls.iter().enumerate() {
-            let is_explained = chained.passed[k]
+            let is_explained = chained.is_ball_explained[k]
                 || match critical.explanations[k] {
                     NOT_EXPLAINED => false,
                     EXPLAINED_AS_APART => true,
-                    n => chained.crossings.joined[n as usize] || critical.points[n as usize].gap.abs() <= tolerance,
+                    n => {
+                        chained.crossings.is_joined_crossing[n as usize]
+                            || critical.points[n as usize].gap.abs() <= tolerance
+                    }
                 };
             if is_explained {
                 continue;
             }
-            let [place, _] = intersection.places.clamped_places(ball.pair, ball.x);
+            let [place, _] = intersection.pair_places.clamped_places(ball.pair, ball.parameters);
             alloc::push(&mut paths.unresolved, place)?;
         }
         alloc::extend(&mut paths.unresolved, intersection.loose_path_ends(&pieces, &chained))?;
@@ -188,13 +196,13 @@ impl Surface<'_> {
 
 /// Two surfaces to intersect.
 struct SurfaceIntersection<'a> {
-    places: PairPlaces<'a>,
+    pair_places: PairPlaces<'a>,
     tolerance: f64,
     /// Accuracy of the ends of arcs: the surfaces' own tolerance, if the option is greater.
     resolution: f64,
     /// Length up to which arcs may be lost.
-    shortest: f64,
-    chord: f64,
+    max_lost_length: f64,
+    chord_tolerance: f64,
 }
 
 /// For the row and the column of a cell, whether the sheet has another cell before and after it.
@@ -214,20 +222,22 @@ fn net_rounding_error(size: f64) -> f64 {
 
 impl IntersectedSurfaces for SurfaceIntersection<'_> {
     fn sheets_of_pair(&self, pair: u32) -> [u32; 2] {
-        self.places.pairs[pair as usize].sheets
+        self.pair_places.pairs[pair as usize].sheets
     }
 
     fn cell_of_first_surface(&self, pair: u32) -> [u32; 2] {
-        self.places.pairs[pair as usize].cells[0]
+        self.pair_places.pairs[pair as usize].cells[0]
     }
 
     fn point_of_pair(&self, pair: u32, x: DVec4) -> DVec3 {
-        self.places.point_of_first_surface(pair, x)
+        self.pair_places.point_of_first_surface(pair, x)
     }
 
     fn is_chord_near_surfaces(&self, [from, to]: [DVec3; 2]) -> bool {
-        let is_near = |point: DVec3, of: &Surface<'_>| of.closest(self.places.origin + point, self.chord).is_some();
-        let near = |point: DVec3| self.places.surfaces.iter().all(|surface| is_near(point, surface));
+        let is_near = |point: DVec3, of: &Surface<'_>| {
+            of.closest(self.pair_places.origin + point, self.chord_tolerance).is_some()
+        };
+        let near = |point: DVec3| self.pair_places.surfaces.iter().all(|surface| is_near(point, surface));
         [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
     }
 }
@@ -236,13 +246,19 @@ impl SurfaceIntersection<'_> {
     /// Finds the arcs of some pairs of cells, in the order of the pairs.
     fn solve_pairs(&self, pairs: &[u32], job: &Job<'_>) -> Result<FoundArcsAndBalls> {
         let mut pieces = FoundArcsAndBalls::default();
-        self.solve_pairs_within_box_limit(pairs, MAX_BOXES_BEFORE_POSTPONING, false, &mut pieces, &job.part(0.0, 0.8))?;
-        let again = std::mem::take(&mut pieces.exhausted);
+        self.solve_pairs_within_box_limit(
+            pairs,
+            MAX_BOXES_BEFORE_POSTPONING,
+            false,
+            &mut pieces,
+            &job.sub_job(0.0, 0.8),
+        )?;
+        let again = std::mem::take(&mut pieces.exhausted_pairs);
         if !again.is_empty() {
             let max_boxes =
                 (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
-            self.solve_pairs_within_box_limit(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
-            sort::sort_stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
+            self.solve_pairs_within_box_limit(&again, max_boxes, true, &mut pieces, &job.sub_job(0.8, 1.0))?;
+            sort::sort_stable(&mut pieces.arcs, &|a, b| (a.pair, a.first_point).cmp(&(b.pair, b.first_point)));
             sort::sort_stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         }
         Ok(pieces)
@@ -263,7 +279,7 @@ impl SurfaceIntersection<'_> {
         for (k, part) in pairs.chunks(batch).enumerate() {
             let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / pairs.len() as f64).min(1.0));
             let ranges = par::split_into_ranges(part.len(), chunk);
-            let parts_found = par::map_jobs(&job.part(from, to), "intersection", ranges, |range, job| {
+            let parts_found = par::map_jobs(&job.sub_job(from, to), "intersection", ranges, |range, job| {
                 self.find_arcs_of_pairs(&part[range], max_boxes_per_pair, is_last_round, job)
             })?;
             parts_found.iter().try_for_each(|part| pieces.append_arcs(part))?;
@@ -280,10 +296,11 @@ impl SurfaceIntersection<'_> {
         job: &Job<'_>,
     ) -> Result<FoundArcsAndBalls> {
         let mut pieces = FoundArcsAndBalls::default();
-        let sheets = |&k: &u32| self.places.pairs[k as usize].sheets;
+        let sheets = |&k: &u32| self.pair_places.pairs[k as usize].sheets;
         for run in pairs.chunk_by(|k, n| sheets(k) == sheets(n)) {
             let [a, b] = sheets(&run[0]);
-            let (one, other) = (self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize));
+            let (one, other) =
+                (self.pair_places.surfaces[0].sheet(a as usize), self.pair_places.surfaces[1].sheet(b as usize));
             let task = |k: u32, rounding_error: f64| self.pair_task(k, rounding_error, max_boxes, last);
             each_sheet!(one, cells_a => each_sheet!(other, cells_b => {
                 self.solve_pairs_of_sheets(cells_a, cells_b, run, &task, &mut pieces, job)?;
@@ -294,8 +311,9 @@ impl SurfaceIntersection<'_> {
 
     /// For the four parameters of pair k, whether the sheet has another cell before and after.
     fn pair_has_neighbours(&self, k: u32) -> [[bool; 2]; 4] {
-        let CellPair { sheets: [a, b], cells: [p, q] } = self.places.pairs[k as usize];
-        let [one, other] = [self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize)];
+        let CellPair { sheets: [a, b], cells: [p, q] } = self.pair_places.pairs[k as usize];
+        let [one, other] =
+            [self.pair_places.surfaces[0].sheet(a as usize), self.pair_places.surfaces[1].sheet(b as usize)];
         let ([s, t], [u, v]) = (cell_has_neighbours(one, p), cell_has_neighbours(other, q));
         [s, t, u, v]
     }
@@ -304,8 +322,18 @@ impl SurfaceIntersection<'_> {
     fn pair_task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> CellPairTask {
         let [tolerance, resolution] = [self.tolerance, self.resolution].map(|length| length.max(8.0 * rounding_error));
         let (neighbours, chord, shortest) =
-            (self.pair_has_neighbours(k), self.chord, self.shortest.max(4.0 * rounding_error));
-        CellPairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
+            (self.pair_has_neighbours(k), self.chord_tolerance, self.max_lost_length.max(4.0 * rounding_error));
+        CellPairTask {
+            pair: k,
+            neighbours,
+            tolerance,
+            resolution,
+            max_lost_length: shortest,
+            chord_tolerance: chord,
+            max_boxes,
+            is_last_round: last,
+            rounding_error,
+        }
     }
 
     /// Adds the arcs of pairs of two sheets.
@@ -321,16 +349,16 @@ impl SurfaceIntersection<'_> {
         let mut whole = ParameterBox::<N, M>::WHOLE_PATCHES;
         let (mut last, mut size_a) = (None, 0.0);
         for &k in pairs {
-            let [p, q] = self.places.pairs[k as usize].cells;
+            let [p, q] = self.pair_places.pairs[k as usize].cells;
             // Pairs with the same cell of A are successive.
             if last != Some(p) {
                 (whole.nets.a, size_a) =
-                    CoordinateNet::new(&a.cell_patch(p[0] as usize, p[1] as usize), self.places.origin);
+                    CoordinateNet::new(&a.cell_patch(p[0] as usize, p[1] as usize), self.pair_places.origin);
                 last = Some(p);
             }
             let size_b;
             (whole.nets.b, size_b) =
-                CoordinateNet::new(&b.cell_patch(q[0] as usize, q[1] as usize), self.places.origin);
+                CoordinateNet::new(&b.cell_patch(q[0] as usize, q[1] as usize), self.pair_places.origin);
             task(k, net_rounding_error(size_a.max(size_b))).solve_pair(&whole, pieces, job)?;
         }
         Ok(())
@@ -339,8 +367,9 @@ impl SurfaceIntersection<'_> {
     /// Cuts arcs along sides where other arcs on the same side end. Returns `None` if nothing was
     /// cut.
     fn cut_overlapping_arcs(&self, pieces: &FoundArcsAndBalls, job: &Job<'_>) -> Result<Option<FoundArcsAndBalls>> {
-        let (resolution, chord) = (self.resolution, self.chord);
-        OverlappingArcs { pieces, places: &self.places, resolution, chord }.cut_arcs_along_sides(job)
+        let (resolution, chord) = (self.resolution, self.chord_tolerance);
+        OverlappingArcs { arcs_and_balls: pieces, pair_places: &self.pair_places, resolution, chord_tolerance: chord }
+            .cut_arcs_along_sides(job)
     }
 
     /// The ends of paths that are not at the border of a sheet. Something is unresolved there.
@@ -348,9 +377,10 @@ impl SurfaceIntersection<'_> {
         let open = chained.chains.iter().filter(|chain| !chain.closed);
         let ends = open.flat_map(|chain| [(chain.arcs[0], 0), (chain.arcs[chain.arcs.len() - 1], 1)]);
         ends.filter_map(|(arc, k)| {
-            let IntersectionArc { pair, from, to, at_border, .. } = pieces.arcs[arc as usize];
+            let IntersectionArc { pair, first_point: from, end_point: to, at_border, .. } = pieces.arcs[arc as usize];
             let x = pieces.points[[from, to - 1][k] as usize];
-            (!at_border[k] && !self.may_continue_to_border(pair, x)).then(|| self.places.clamped_places(pair, x)[0])
+            (!at_border[k] && !self.may_continue_to_border(pair, x))
+                .then(|| self.pair_places.clamped_places(pair, x)[0])
         })
     }
 
@@ -358,7 +388,7 @@ impl SurfaceIntersection<'_> {
     /// be found.
     fn may_continue_to_border(&self, pair: u32, x: DVec4) -> bool {
         let neighbours = self.pair_has_neighbours(pair);
-        let columns = self.places.origin_and_frame_at(pair, x).1.columns;
+        let columns = self.pair_places.origin_and_frame_at(pair, x).1.derivatives;
         (0..4).any(|k| {
             let near = |away: f64, side: usize| !neighbours[k][side] && away * columns[k].length() <= self.resolution;
             near(x[k], 0) || near(1.0 - x[k], 1)
@@ -366,7 +396,7 @@ impl SurfaceIntersection<'_> {
     }
 
     fn contact_at(&self, point: &CriticalPoint) -> Contact {
-        let [place, other] = self.places.clamped_places(point.pair, point.x);
+        let [place, other] = self.pair_places.clamped_places(point.pair, point.parameters);
         let kind = if point.is_saddle { ContactKind::Crossing } else { ContactKind::Point };
         Contact { kind, place, other, gap: point.gap, radius: point.radius }
     }
@@ -393,7 +423,7 @@ impl SurfaceIntersection<'_> {
                     job.step(k as f64 / chains.len() as f64, "paths")?;
                 }
                 let spare = |&(pair, point): &(u32, DVec3)| {
-                    is_long && pair == arc.pair && point.distance(arc.ends[0]) < self.chord
+                    is_long && pair == arc.pair && point.distance(arc.ends[0]) < self.chord_tolerance
                 };
                 let skips = usize::from(last.as_ref().is_some_and(spare));
                 if skips == 0 {
@@ -404,15 +434,16 @@ impl SurfaceIntersection<'_> {
                 let node = nodes.binary_search_by_key(&number, |&(arc, _)| arc).ok();
                 // The next arc begins at the end of this one.
                 let ends_here = node.is_some() || n + 1 == chain.arcs.len() && !chain.closed;
-                let points: Range<usize> = arc.from as usize + skips..arc.to as usize - usize::from(!ends_here);
+                let points: Range<usize> =
+                    arc.first_point as usize + skips..arc.end_point as usize - usize::from(!ends_here);
                 for &x in &pieces.points[points] {
-                    let [place, other] = self.places.places_clamped_into_cells(arc.pair, x);
+                    let [place, other] = self.pair_places.places_clamped_into_cells(arc.pair, x);
                     alloc::push(&mut paths.places, place)?;
                     alloc::push(&mut paths.others, other)?;
                 }
                 if let Some(node) = node {
-                    let CriticalPoint { pair, x, .. } = critical[nodes[node].1 as usize];
-                    let [place, other] = self.places.clamped_places(pair, x);
+                    let CriticalPoint { pair, parameters: x, .. } = critical[nodes[node].1 as usize];
+                    let [place, other] = self.pair_places.clamped_places(pair, x);
                     alloc::push(&mut paths.places, place)?;
                     alloc::push(&mut paths.others, other)?;
                     last = None;
@@ -422,7 +453,7 @@ impl SurfaceIntersection<'_> {
             alloc::push(&mut paths.closed, chain.closed)?;
         }
         self.evaluate_paths(&mut paths)?;
-        let size = self.places.surfaces.map(Surface::box_diagonal);
+        let size = self.pair_places.surfaces.map(Surface::box_diagonal);
         paths.drop_repeated_points(net_rounding_error(size[0].max(size[1])));
         Ok(paths)
     }
@@ -433,13 +464,13 @@ impl SurfaceIntersection<'_> {
         paths.points = alloc::with_capacity(paths.places.len())?;
         paths.normals = alloc::with_capacity(paths.places.len())?;
         for run in paths.places.chunk_by(|p, q| (p.sheet, p.cell) == (q.sheet, q.cell)) {
-            let (sheet, [i, j]) = (self.places.surfaces[0].sheet(run[0].sheet as usize), run[0].cell);
+            let (sheet, [i, j]) = (self.pair_places.surfaces[0].sheet(run[0].sheet as usize), run[0].cell);
             each_sheet!(sheet, cells => {
                 let patch = SheetCells::cell_patch(cells, i as usize, j as usize);
                 for &place in run {
                     let jet = patch.jet(place.u, place.v);
                     paths.points.push(jet.point);
-                    paths.normals.push(self.places.surfaces[0].normal_with_known_jet(place, &jet));
+                    paths.normals.push(self.pair_places.surfaces[0].normal_with_known_jet(place, &jet));
                 }
             });
         }

@@ -27,37 +27,41 @@ const OWN_END_DISTANCE_RANGE_IN_RESOLUTIONS: [f64; 2] = [0.125, 2.0];
 /// A cut through an arc, behind one of its points.
 struct ArcCut {
     arc: u32,
-    behind: u32,
+    point_before_cut: u32,
     /// Fraction of the chord at the cut.
-    way: f64,
-    at: IntersectionCurvePoint,
+    chord_fraction: f64,
+    cut_point: IntersectionCurvePoint,
 }
 
 /// Cuts the arcs of all pairs of cells.
 pub(super) struct OverlappingArcs<'a> {
-    pub(super) pieces: &'a FoundArcsAndBalls,
-    pub(super) places: &'a PairPlaces<'a>,
+    pub(super) arcs_and_balls: &'a FoundArcsAndBalls,
+    pub(super) pair_places: &'a PairPlaces<'a>,
     /// Accuracy of ends.
     pub(super) resolution: f64,
-    pub(super) chord: f64,
+    pub(super) chord_tolerance: f64,
 }
 
 impl OverlappingArcs<'_> {
     /// Cuts the arcs along sides. Returns `None` if no cut was needed.
     pub(super) fn cut_arcs_along_sides(&self, job: &Job<'_>) -> Result<Option<FoundArcsAndBalls>> {
-        let along = || self.pieces.arcs.iter().filter(|arc| arc.is_along_side);
+        let along = || self.arcs_and_balls.arcs.iter().filter(|arc| arc.is_along_side);
         let ends = alloc::gather(along().flat_map(|arc| arc.ends))?;
         if ends.len() < 4 {
             return Ok(None);
         }
-        let tree = KdTree::new(&ends, &job.part(0.0, 0.1), "paths")?;
+        let tree = KdTree::new(&ends, &job.sub_job(0.0, 0.1), "paths")?;
         let mut cuts = Vec::new();
-        let arcs = &self.pieces.arcs;
+        let arcs = &self.arcs_and_balls.arcs;
         for (k, arc) in arcs.iter().enumerate().filter(|(_, arc)| arc.is_along_side) {
-            job.part(0.1, 1.0).step_every(ARCS_PER_REPORT, k, arcs.len(), "paths")?;
+            job.sub_job(0.1, 1.0).step_every(ARCS_PER_REPORT, k, arcs.len(), "paths")?;
             self.add_cuts_of_arc(k as u32, arc, &ends, &tree, &mut cuts)?;
         }
-        sort::sort_stable(&mut cuts, &|a, b| (a.arc, a.behind).cmp(&(b.arc, b.behind)).then(a.way.total_cmp(&b.way)));
+        sort::sort_stable(&mut cuts, &|a, b| {
+            (a.arc, a.point_before_cut)
+                .cmp(&(b.arc, b.point_before_cut))
+                .then(a.chord_fraction.total_cmp(&b.chord_fraction))
+        });
         if cuts.is_empty() { Ok(None) } else { self.apply_cuts(&cuts).map(Some) }
     }
 
@@ -79,14 +83,14 @@ impl OverlappingArcs<'_> {
         tree: &KdTree<'_>,
         cuts: &mut Vec<ArcCut>,
     ) -> Result<()> {
-        let points = &self.pieces.points[arc.from as usize..arc.to as usize];
+        let points = &self.arcs_and_balls.points[arc.first_point as usize..arc.end_point as usize];
         let within = self.max_distance_of_own_end(arc);
-        let mut from = self.places.point_of_first_surface(arc.pair, points[0]);
+        let mut from = self.pair_places.point_of_first_surface(arc.pair, points[0]);
         for (n, pair) in points.windows(2).enumerate() {
-            let to = self.places.point_of_first_surface(arc.pair, pair[1]);
+            let to = self.pair_places.point_of_first_surface(arc.pair, pair[1]);
             let (whole, mut result) = (to - from, Ok(()));
             // Without a chord tolerance, an arc turns little, because its box is small.
-            let chord = self.chord.min(whole.length());
+            let chord = self.chord_tolerance.min(whole.length());
             let reach = ScaledRadius::new((0.5 * whole.length() + chord).max(f64::MIN_POSITIVE));
             tree.for_each_within(from.midpoint(to), reach, &mut |_, end| {
                 let end = ends[end as usize];
@@ -96,9 +100,13 @@ impl OverlappingArcs<'_> {
                 if result.is_err() || is_own || !(0.0..=1.0).contains(&way) || off > 2.0 * chord {
                     return;
                 }
-                let at = self.places.nearest_curve_point(arc.pair, pair[0].lerp(pair[1], way), end, self.resolution);
+                let at =
+                    self.pair_places.nearest_curve_point(arc.pair, pair[0].lerp(pair[1], way), end, self.resolution);
                 if let Some(at) = at.filter(|at| at.point.distance(end) <= within) {
-                    result = alloc::push(cuts, ArcCut { arc: k, behind: n as u32, way, at });
+                    result = alloc::push(
+                        cuts,
+                        ArcCut { arc: k, point_before_cut: n as u32, chord_fraction: way, cut_point: at },
+                    );
                 }
             });
             result?;
@@ -110,20 +118,20 @@ impl OverlappingArcs<'_> {
     /// Applies the cuts, which are sorted.
     fn apply_cuts(&self, cuts: &[ArcCut]) -> Result<FoundArcsAndBalls> {
         let mut made = FoundArcsAndBalls {
-            points: alloc::copied(&self.pieces.points)?,
-            arcs: alloc::with_capacity(self.pieces.arcs.len() + cuts.len())?,
-            balls: alloc::copied(&self.pieces.balls)?,
-            exhausted: Vec::new(),
+            points: alloc::copied(&self.arcs_and_balls.points)?,
+            arcs: alloc::with_capacity(self.arcs_and_balls.arcs.len() + cuts.len())?,
+            balls: alloc::copied(&self.arcs_and_balls.balls)?,
+            exhausted_pairs: Vec::new(),
         };
         let mut rest = cuts;
-        for (k, arc) in self.pieces.arcs.iter().enumerate() {
+        for (k, arc) in self.arcs_and_balls.arcs.iter().enumerate() {
             let (own, others) = rest.split_at(rest.partition_point(|cut| cut.arc as usize == k));
             rest = others;
             let mut last = None;
             for cut in own {
                 // The ends of several other arcs may nearly coincide.
-                let before = last.map_or(arc.ends[0], |cut: &ArcCut| cut.at.point);
-                if before.distance(cut.at.point) > self.max_distance_of_own_end(arc) {
+                let before = last.map_or(arc.ends[0], |cut: &ArcCut| cut.cut_point.point);
+                if before.distance(cut.cut_point.point) > self.max_distance_of_own_end(arc) {
                     self.add_part_of_arc(arc, [last, Some(cut)], &mut made)?;
                     last = Some(cut);
                 }
@@ -140,16 +148,16 @@ impl OverlappingArcs<'_> {
         cuts: [Option<&ArcCut>; 2],
         made: &mut FoundArcsAndBalls,
     ) -> Result<()> {
-        let [from, to] = cuts.map(|cut| cut.map(|cut| arc.from + cut.behind + 1));
-        let inner = from.unwrap_or(arc.from) as usize..to.unwrap_or(arc.to) as usize;
-        let mut part = IntersectionArc { from: made.points.len() as u32, ..*arc };
-        let [first, last] = cuts.map(|cut| cut.map(|cut| cut.at.x));
+        let [from, to] = cuts.map(|cut| cut.map(|cut| arc.first_point + cut.point_before_cut + 1));
+        let inner = from.unwrap_or(arc.first_point) as usize..to.unwrap_or(arc.end_point) as usize;
+        let mut part = IntersectionArc { first_point: made.points.len() as u32, ..*arc };
+        let [first, last] = cuts.map(|cut| cut.map(|cut| cut.cut_point.parameters));
         alloc::extend(&mut made.points, first)?;
-        alloc::append(&mut made.points, &self.pieces.points[inner])?;
+        alloc::append(&mut made.points, &self.arcs_and_balls.points[inner])?;
         alloc::extend(&mut made.points, last)?;
-        part.to = made.points.len() as u32;
+        part.end_point = made.points.len() as u32;
         for (k, cut) in cuts.into_iter().enumerate() {
-            if let Some(IntersectionCurvePoint { point, direction, .. }) = cut.map(|cut| cut.at) {
+            if let Some(IntersectionCurvePoint { point, direction, .. }) = cut.map(|cut| cut.cut_point) {
                 (part.ends[k], part.directions[k], part.is_cut[k]) = (point, direction, true);
             }
         }

@@ -18,7 +18,7 @@ const MAX_CLAMPED_PARAMETER_ROUNDING: f64 = 1e-13;
 /// curve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct IntersectionCurvePoint {
-    pub(super) x: DVec4,
+    pub(super) parameters: DVec4,
     pub(super) point: DVec3,
     pub(super) direction: DVec3,
 }
@@ -50,7 +50,7 @@ impl PairPlaces<'_> {
     pub(super) fn origin_and_frame_at(&self, pair: u32, x: DVec4) -> (DVec3, DifferenceFrame) {
         let [place, other] = self.clamped_places(pair, x);
         let (a, b) = (self.surfaces[0].jet(place), self.surfaces[1].jet(other));
-        (a.point - self.origin, DifferenceFrame { miss: a.point - b.point, columns: [a.u, a.v, -b.u, -b.v] })
+        (a.point - self.origin, DifferenceFrame { difference: a.point - b.point, derivatives: [a.u, a.v, -b.u, -b.v] })
     }
 
     /// The places of a solution that may be slightly outside its cells. This happens for a curve
@@ -89,13 +89,13 @@ impl PairPlaces<'_> {
             x = (x + step).clamp(DVec4::ZERO, DVec4::ONE);
             // Measured as lengths, because parameters are noise beside poles. Beside crossings,
             // rounding moves the point by more than the last step may be, so steps stop decreasing.
-            let [s, t, u, v] = frame.columns;
+            let [s, t, u, v] = frame.derivatives;
             let (moved, other) = (s * step.x + t * step.y, u * step.z + v * step.w);
             let length = moved.length().max(other.length());
             if length <= LAST_STEP_IN_TOLERANCES * tolerance || (length <= 0.25 * tolerance && length > 0.25 * last) {
                 let (point, frame) = self.origin_and_frame_at(pair, x);
                 return Some(IntersectionCurvePoint {
-                    x,
+                    parameters: x,
                     point,
                     direction: frame.curve_direction().normalize_or_zero(),
                 });

@@ -53,8 +53,8 @@ pub(super) struct IntersectionArc {
     /// The index of the pair.
     pub(super) pair: u32,
     /// The range of its points in [`FoundArcsAndBalls`].
-    pub(super) from: u32,
-    pub(super) to: u32,
+    pub(super) first_point: u32,
+    pub(super) end_point: u32,
     /// The first and the last point, and the directions at them.
     pub(super) ends: [DVec3; 2],
     pub(super) directions: [DVec3; 2],
@@ -71,7 +71,7 @@ pub(super) struct IntersectionArc {
 impl IntersectionArc {
     /// The number of points.
     pub(super) fn point_count(&self) -> usize {
-        (self.to - self.from) as usize
+        (self.end_point - self.first_point) as usize
     }
 }
 
@@ -79,7 +79,7 @@ impl IntersectionArc {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct UnresolvedBall {
     pub(super) pair: u32,
-    pub(super) x: DVec4,
+    pub(super) parameters: DVec4,
     pub(super) centre: DVec3,
     pub(super) radius: f64,
     /// Distance between the cells at x.
@@ -98,7 +98,7 @@ pub(super) struct FoundArcsAndBalls {
     pub(super) arcs: Vec<IntersectionArc>,
     pub(super) balls: Vec<UnresolvedBall>,
     /// Pairs that need more boxes than permitted.
-    pub(super) exhausted: Vec<u32>,
+    pub(super) exhausted_pairs: Vec<u32>,
 }
 
 impl FoundArcsAndBalls {
@@ -118,10 +118,13 @@ impl FoundArcsAndBalls {
     pub(super) fn append_arcs(&mut self, other: &FoundArcsAndBalls) -> Result<()> {
         let before = self.points.len() as u32;
         alloc::append(&mut self.points, &other.points)?;
-        let moved = |arc: &IntersectionArc| IntersectionArc { from: arc.from + before, to: arc.to + before, ..*arc };
+        let moved = |arc: &IntersectionArc| {
+            let [first_point, end_point] = [arc.first_point, arc.end_point].map(|point| point + before);
+            IntersectionArc { first_point, end_point, ..*arc }
+        };
         alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))?;
         alloc::append(&mut self.balls, &other.balls)?;
-        alloc::append(&mut self.exhausted, &other.exhausted)
+        alloc::append(&mut self.exhausted_pairs, &other.exhausted_pairs)
     }
 }
 
@@ -136,13 +139,13 @@ pub(super) struct CellPairTask {
     /// Accuracy of ends; at most the tolerance.
     pub(super) resolution: f64,
     /// Length up to which arcs may be lost.
-    pub(super) shortest: f64,
+    pub(super) max_lost_length: f64,
     /// Largest distance of a chord from the curve.
-    pub(super) chord: f64,
+    pub(super) chord_tolerance: f64,
     /// Largest number of boxes to examine.
     pub(super) max_boxes: usize,
-    /// Whether boxes beyond the limit are reported; else the pair is added to `exhausted`.
-    pub(super) last: bool,
+    /// Whether boxes beyond the limit are reported; else the pair is added to `exhausted_pairs`.
+    pub(super) is_last_round: bool,
     /// Length up to which a difference may be rounding.
     pub(super) rounding_error: f64,
 }
@@ -181,10 +184,11 @@ impl CellPairTask {
     pub(super) fn begin_search<'a, const N: usize, const M: usize>(
         &'a self,
         equation: &'a IntersectionEquation<N, M>,
-        pieces: &'a mut FoundArcsAndBalls,
+        found: &'a mut FoundArcsAndBalls,
         job: &'a Job<'a>,
     ) -> CellPairSearch<'a, N, M> {
-        CellPairSearch { task: self, equation, before: pieces.item_counts(), examined: 0, is_near: false, pieces, job }
+        let counts_before = found.item_counts();
+        CellPairSearch { task: self, equation, counts_before, examined: 0, splits_widest_range: false, found, job }
     }
 }
 
@@ -198,11 +202,11 @@ pub(super) struct CellPairSearch<'a, const N: usize, const M: usize> {
     task: &'a CellPairTask,
     equation: &'a IntersectionEquation<N, M>,
     /// The counts before the search.
-    before: [usize; 3],
+    counts_before: [usize; 3],
     examined: usize,
     /// Whether boxes are split across the widest range instead of the longest side.
-    is_near: bool,
-    pieces: &'a mut FoundArcsAndBalls,
+    splits_widest_range: bool,
+    found: &'a mut FoundArcsAndBalls,
     job: &'a Job<'a>,
 }
 
@@ -242,11 +246,11 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             return Err(SearchStop::Degenerate);
         }
         if self.examined > self.task.max_boxes {
-            return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(SearchStop::Exhausted) };
+            return if self.task.is_last_round { Ok(BoxTest::Unresolved) } else { Err(SearchStop::Exhausted) };
         }
         // If half of the boxes did not resolve a contact, more will not. The other half is spent on
         // branches elsewhere, and contacts are left unresolved at the tolerance.
-        let is_put_back = !self.task.last && resolution < tolerance;
+        let is_put_back = !self.task.is_last_round && resolution < tolerance;
         let is_fine = self.examined <= self.task.max_boxes / 2 || is_put_back;
         let frame = equation.frame_at(part.middle_point());
         let mut unclear = None;
@@ -260,7 +264,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             }
             BoxTest::Unique(chart) => {
                 let search =
-                    ArcBoxSearch::new(equation, part, &chart, [resolution, self.task.shortest], rounding_error);
+                    ArcBoxSearch::new(equation, part, &chart, [resolution, self.task.max_lost_length], rounding_error);
                 let arc_test = match search.find_arc_along_line(&frame) {
                     Some(arc_test) => arc_test,
                     None if part.is_proven_empty_otherwise(&frame, rounding_error) => BoxTest::Empty,
@@ -268,7 +272,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
                 };
                 match arc_test {
                     BoxTest::Empty => return Ok(BoxTest::Empty),
-                    BoxTest::Unique(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
+                    BoxTest::Unique(ends) => return Ok(BoxTest::Unique((ends, chart.free_parameter))),
                     BoxTest::Undecided(k) => unclear = k,
                     _ => {}
                 }
@@ -295,7 +299,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         let widest = || (0..4).fold(longest, |best, k| if part.size[k] > part.size[best] { k } else { best });
         // Near poles, pieces are too short in one direction for it ever to be the longest one.
         let is_long = |&k: &usize| part.size[k] > MIN_HALVED_PARAMETER_SIZE && frame.is_transversal();
-        let split = if self.is_near { widest() } else { unclear.filter(is_long).unwrap_or(longest) };
+        let split = if self.splits_widest_range { widest() } else { unclear.filter(is_long).unwrap_or(longest) };
         Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(split) })
     }
 
@@ -308,12 +312,13 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         // The ends come by rising free parameter, but the curve runs along N_A x N_B.
         let rises = ends[0].tangent[free] > 0.0;
         let ends = if rises { ends } else { [ends[1], ends[0]] };
-        let (equation, points) = (self.equation, &mut self.pieces.points);
-        let places = ends.map(|end| equation.point_of_first_patch(end.x));
-        let is_near = |point: DVec3| places[0].distance(point) <= self.task.shortest;
+        let (equation, points) = (self.equation, &mut self.found.points);
+        let places = ends.map(|end| equation.point_of_first_patch(end.parameters));
+        let is_near = |point: DVec3| places[0].distance(point) <= self.task.max_lost_length;
         let is_closed = is_near(places[1]);
         // The point half way around the curve, if the arc is not a single point.
-        let half_way = || equation.solve_with_fixed_parameter(ends[0].x.midpoint(ends[1].x), free).map(|(x, _)| x);
+        let middle = ends[0].parameters.midpoint(ends[1].parameters);
+        let half_way = || equation.solve_with_fixed_parameter(middle, free).map(|(x, _)| x);
         let is_within = |x: DVec4| (x - 0.5).abs().max_element() <= 0.5 + MAX_CROSSING_PARAMETER_ROUNDING;
         let is_away = |x: &DVec4| is_within(*x) && !is_near(equation.point_of_first_patch(*x));
         let away = if is_closed { half_way().filter(is_away) } else { None };
@@ -321,26 +326,29 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             return Ok(());
         }
         let from = points.len() as u32;
-        alloc::push(points, ends[0].x)?;
-        ArcRefinement { equation, free, chord: self.task.chord }.insert_points(ends, places, points)?;
+        alloc::push(points, ends[0].parameters)?;
+        ArcRefinement { equation, free, chord_tolerance: self.task.chord_tolerance }
+            .insert_points(ends, places, points)?;
         if let Some(away) = away.filter(|_| points.len() as u32 == from + 1) {
             alloc::push(points, away)?;
         }
-        alloc::push(points, ends[1].x)?;
+        alloc::push(points, ends[1].parameters)?;
         let to = points.len() as u32;
         let pair = self.task.pair;
-        let is_along_side = !is_closed && part.are_points_on_one_side(ends.map(|end| end.x), MAX_ALONG_SIDE_DISTANCE);
-        let at_border = self.task.are_ends_at_border(ends.map(|end| end.x), is_along_side);
+        let is_along_side =
+            !is_closed && part.are_points_on_one_side(ends.map(|end| end.parameters), MAX_ALONG_SIDE_DISTANCE);
+        let at_border = self.task.are_ends_at_border(ends.map(|end| end.parameters), is_along_side);
         // Directions from the last Newton iterate are off by the last step divided by the distance
         // from a crossing.
-        let exact =
-            |end: ArcEnd| if is_along_side { equation.frame_at(end.x).curve_direction() } else { end.direction };
+        let exact = |end: ArcEnd| {
+            if is_along_side { equation.frame_at(end.parameters).curve_direction() } else { end.direction }
+        };
         let directions = ends.map(|end| exact(end).normalize_or_zero());
         let ends = places;
         let arc = IntersectionArc {
             pair,
-            from,
-            to,
+            first_point: from,
+            end_point: to,
             ends,
             directions,
             at_border,
@@ -348,7 +356,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             is_closed,
             is_along_side,
         };
-        Ok(alloc::push(&mut self.pieces.arcs, arc)?)
+        Ok(alloc::push(&mut self.found.arcs, arc)?)
     }
 
     fn record_unresolved(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), SearchStop> {
@@ -374,7 +382,7 @@ impl<const N: usize, const M: usize> CellPairSearch<'_, N, M> {
     /// affect the proofs.
     pub(super) fn search_box_of_adjacent_cells(&mut self, part: &ParameterBox<N, M>) -> Result<(), SearchStop> {
         self.examined = self.examined.max(BOXES_BEFORE_DEGENERACY_TEST);
-        self.is_near = true;
+        self.splits_widest_range = true;
         self.search_box(Cow::Borrowed(part))
     }
 
@@ -389,13 +397,13 @@ impl<const N: usize, const M: usize> CellPairSearch<'_, N, M> {
         match done {
             Ok(()) => Ok(()),
             Err(SearchStop::Degenerate) => {
-                self.pieces.truncate_to_counts(self.before);
+                self.found.truncate_to_counts(self.counts_before);
                 self.report_ball(whole, true);
                 Ok(())
             }
             Err(SearchStop::Exhausted) => {
-                self.pieces.truncate_to_counts(self.before);
-                alloc::push(&mut self.pieces.exhausted, self.task.pair)
+                self.found.truncate_to_counts(self.counts_before);
+                alloc::push(&mut self.found.exhausted_pairs, self.task.pair)
             }
             Err(SearchStop::Failed(error)) => Err(error),
         }
@@ -407,14 +415,14 @@ impl<const N: usize, const M: usize> CellPairSearch<'_, N, M> {
         let x = part.middle_point();
         let frame = equation.frame_at(x);
         // Common points lie in both pieces. If one piece is much smaller, it locates them better.
-        let (a, b) = (equation.point_of_first_patch(x), equation.point_of_first_patch(x) - frame.miss);
+        let (a, b) = (equation.point_of_first_patch(x), equation.point_of_first_patch(x) - frame.difference);
         let (of_a, of_b) =
             (max_control_distance(a, &part.nets.a.to_patch()), max_control_distance(b, &part.nets.b.to_patch()));
         let (centre, radius) = if of_a <= 2.0 * of_b { (a, of_a) } else { (b, of_b) };
-        let gap = frame.miss.length();
+        let gap = frame.difference.length();
         let (low, high) = (part.low, part.low + part.size);
-        let ball = UnresolvedBall { pair, x, centre, radius, gap, low, high, is_whole };
-        let own = &mut self.pieces.balls[self.before[2]..];
+        let ball = UnresolvedBall { pair, parameters: x, centre, radius, gap, low, high, is_whole };
+        let own = &mut self.found.balls[self.counts_before[2]..];
         let touches = |other: &UnresolvedBall| other.centre.distance(centre) <= other.radius + radius + resolution;
         // Beyond the largest number of separate balls, the nearest ball absorbs the new one.
         let beyond = |ball: &UnresolvedBall| ball.centre.distance(centre) - ball.radius;
@@ -432,7 +440,7 @@ impl<const N: usize, const M: usize> CellPairSearch<'_, N, M> {
                     ..nearer
                 };
             }
-            None => self.pieces.balls.push(ball),
+            None => self.found.balls.push(ball),
         }
     }
 
@@ -467,15 +475,15 @@ impl<const N: usize, const M: usize> CellPairSearch<'_, N, M> {
         for _ in 0..8 {
             let frame = equation.frame_at(x);
             let [a, b] = frame.normals();
-            let (one, other) = (frame.columns[p], frame.columns[q]);
-            if frame.miss.length() <= self.task.tolerance {
+            let (one, other) = (frame.derivatives[p], frame.derivatives[q]);
+            if frame.difference.length() <= self.task.tolerance {
                 let touches = a.cross(b).length() <= 1e-4 * a.length() * b.length();
                 return touches.then(|| equation.point_of_first_patch(x));
             }
             // A Gauss-Newton step towards the nearest point.
             let (aa, ab, bb) = (one.length_squared(), one.dot(other), other.length_squared());
             let determinant = aa * bb - ab * ab;
-            let (f, g) = (frame.miss.dot(one), frame.miss.dot(other));
+            let (f, g) = (frame.difference.dot(one), frame.difference.dot(other));
             x[p] = (x[p] - (f * bb - g * ab) / determinant).clamp(0.0, 1.0);
             x[q] = (x[q] - (g * aa - f * ab) / determinant).clamp(0.0, 1.0);
             if !x.is_finite() {

@@ -64,12 +64,12 @@ fn pole_quotient_patch<const N: usize>(patch: &Patch<N>) -> Patch<N> {
 /// Bounds over pieces.
 struct InjectivityBoundsAtPole {
     /// The smallest r_s / r, and the smallest a_v.
-    least: [f64; 2],
+    least_radial_and_angular_slope: [f64; 2],
     /// The largest |r_v / r|, and the largest |a_s|.
-    greatest: [f64; 2],
+    greatest_cross_slopes: [f64; 2],
     /// The total angle at the pole, and the largest deviation from it elsewhere.
-    turn: f64,
-    spread: f64,
+    total_angle_at_pole: f64,
+    max_angle_deviation: f64,
 }
 
 impl InjectivityBoundsAtPole {
@@ -104,23 +104,31 @@ impl InjectivityBoundsAtPole {
         let along = |slope: [Interval; 2]| (value[0] * slope[0] + value[1] * slope[1]) * inverse;
         let across = |slope: [Interval; 2]| (value[0] * slope[1] - value[1] * slope[0]) * inverse;
         let size = |range: Interval| range.low.abs().max(range.high.abs());
-        self.least[0] = self.least[0].min(1.0 + along(by_u).low);
-        self.least[1] = self.least[1].min(across(by_v).low);
-        self.greatest[0] = self.greatest[0].max(size(along(by_v)));
-        self.greatest[1] = self.greatest[1].max(size(across(by_u)));
+        self.least_radial_and_angular_slope[0] = self.least_radial_and_angular_slope[0].min(1.0 + along(by_u).low);
+        self.least_radial_and_angular_slope[1] = self.least_radial_and_angular_slope[1].min(across(by_v).low);
+        self.greatest_cross_slopes[0] = self.greatest_cross_slopes[0].max(size(along(by_v)));
+        self.greatest_cross_slopes[1] = self.greatest_cross_slopes[1].max(size(across(by_u)));
         let [from, to] = [flat[0][0], flat[0][N - 1]].map(|[x, y]| libm::atan2(y, x));
-        self.turn += to - from;
-        self.spread = self.spread.max(libm::atan(size(value[1]) / value[0].low));
+        self.total_angle_at_pole += to - from;
+        self.max_angle_deviation = self.max_angle_deviation.max(libm::atan(size(value[1]) / value[0].low));
         Some(())
     }
 
     /// Whether the bounds prove the sheet injective.
     fn prove_injective(&self, is_ring: bool) -> bool {
-        let is_finite = [self.least, self.greatest].as_flattened().iter().all(|x| x.is_finite());
-        let is_dominant = self.least[0] > 0.0
-            && self.least[1] > 0.0
-            && self.least[0] * self.least[1] > (1.0 + 1e-9) * self.greatest[0] * self.greatest[1];
-        let once = if is_ring { self.turn < 1.5 * TAU } else { self.turn + 2.0 * self.spread < TAU };
+        let is_finite = [self.least_radial_and_angular_slope, self.greatest_cross_slopes]
+            .as_flattened()
+            .iter()
+            .all(|x| x.is_finite());
+        let is_dominant = self.least_radial_and_angular_slope[0] > 0.0
+            && self.least_radial_and_angular_slope[1] > 0.0
+            && self.least_radial_and_angular_slope[0] * self.least_radial_and_angular_slope[1]
+                > (1.0 + 1e-9) * self.greatest_cross_slopes[0] * self.greatest_cross_slopes[1];
+        let once = if is_ring {
+            self.total_angle_at_pole < 1.5 * TAU
+        } else {
+            self.total_angle_at_pole + 2.0 * self.max_angle_deviation < TAU
+        };
         is_finite && is_dominant && once
     }
 }
@@ -151,7 +159,12 @@ fn are_quotients_injective<const N: usize>(quotients: &[Patch<N>], is_ring: bool
     let Some(normal) = quotients.iter().map(fan).sum::<DVec3>().try_normalize() else {
         return Ok(false);
     };
-    let mut bounds = InjectivityBoundsAtPole { least: [f64::INFINITY; 2], greatest: [0.0; 2], turn: 0.0, spread: 0.0 };
+    let mut bounds = InjectivityBoundsAtPole {
+        least_radial_and_angular_slope: [f64::INFINITY; 2],
+        greatest_cross_slopes: [0.0; 2],
+        total_angle_at_pole: 0.0,
+        max_angle_deviation: 0.0,
+    };
     let pieces = |patch: &Patch<N>| {
         let eighths = |half: Patch<N>| half.halves().map(|quarter| quarter.halves());
         patch.transposed().halves().map(eighths)

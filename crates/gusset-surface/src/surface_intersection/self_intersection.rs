@@ -71,16 +71,16 @@ impl Surface<'_> {
         // Adjacent cells are close to each other without touching.
         let rounding = net_rounding_error(self.box_diagonal());
         let tolerance = tolerance.min(self.tolerance()).max(8.0 * rounding);
-        let (joints, pairs) = self.joints_and_candidate_pairs(tolerance, &job.part(0.0, 0.2))?;
+        let (joints, pairs) = self.joints_and_candidate_pairs(tolerance, &job.sub_job(0.0, 0.2))?;
         let (mut near, mut far) = (Vec::new(), Vec::new());
         for (k, pair) in pairs.iter().enumerate() {
-            job.part(0.2, 0.2).step_every(PAIRS_PER_REPORT, k, pairs.len(), "pairs of cells")?;
+            job.sub_job(0.2, 0.2).step_every(PAIRS_PER_REPORT, k, pairs.len(), "pairs of cells")?;
             let [a, b] = pair.sheets;
             let joined = a == b && joints[a as usize].do_cells_share_points(pair.cells);
             alloc::push(if joined { &mut near } else { &mut far }, k as u32)?;
         }
         let intersection = SurfaceIntersection {
-            places: PairPlaces {
+            pair_places: PairPlaces {
                 surfaces: [self, self],
                 pairs: &pairs,
                 origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
@@ -89,14 +89,14 @@ impl Surface<'_> {
             resolution: tolerance,
             // Pinch points are located within the tolerance, and belong to the cells that are
             // closer to them.
-            shortest: 0.5 * tolerance,
-            chord: chord.max(tolerance),
+            max_lost_length: 0.5 * tolerance,
+            chord_tolerance: chord.max(tolerance),
         };
-        let mut pieces = intersection.solve_pairs(&far, &job.part(0.2, 0.5))?;
-        intersection.solve_adjacent_pairs(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
-        let pieces = intersection.cut_overlapping_arcs(&pieces, &job.part(0.9, 0.92))?.unwrap_or(pieces);
-        let trails = intersection.build_trails(&pieces, &job.part(0.92, 0.95))?;
-        intersection.build_trail_paths(&pieces, &trails, &job.part(0.95, 1.0))
+        let mut pieces = intersection.solve_pairs(&far, &job.sub_job(0.2, 0.5))?;
+        intersection.solve_adjacent_pairs(&near, &joints, &mut pieces, &job.sub_job(0.5, 0.9))?;
+        let pieces = intersection.cut_overlapping_arcs(&pieces, &job.sub_job(0.9, 0.92))?.unwrap_or(pieces);
+        let trails = intersection.build_trails(&pieces, &job.sub_job(0.92, 0.95))?;
+        intersection.build_trail_paths(&pieces, &trails, &job.sub_job(0.95, 1.0))
     }
 
     /// The joints of each sheet's cells, and the pairs of cells that may meet elsewhere.
@@ -104,7 +104,7 @@ impl Surface<'_> {
         let noise = MAX_SAME_POINT_DISTANCE_IN_ROUNDINGS * net_rounding_error(self.max_coordinate());
         let joints = alloc::try_collect::<_, Error>((0..self.len()).map(|k| {
             let sheet = self.sheet(k);
-            each_sheet!(sheet, cells => SheetJoints::new(cells, sheet.is_closed(), noise, &job.part(0.0, 0.0)))
+            each_sheet!(sheet, cells => SheetJoints::new(cells, sheet.is_closed(), noise, &job.sub_job(0.0, 0.0)))
         }))?;
         let proved = |pair: &CellPair| {
             let [a, b] = pair.sheets;
@@ -130,15 +130,15 @@ impl SurfaceIntersection<'_> {
             MAX_BOXES_BEFORE_POSTPONING,
             false,
             pieces,
-            &job.part(0.0, 0.5),
+            &job.sub_job(0.0, 0.5),
         )?;
-        let again = std::mem::take(&mut pieces.exhausted);
+        let again = std::mem::take(&mut pieces.exhausted_pairs);
         if !again.is_empty() {
             let max_boxes =
                 (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
-            self.solve_adjacent_pairs_with_limit(&again, joints, max_boxes, true, pieces, &job.part(0.5, 1.0))?;
+            self.solve_adjacent_pairs_with_limit(&again, joints, max_boxes, true, pieces, &job.sub_job(0.5, 1.0))?;
         }
-        sort::sort_stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
+        sort::sort_stable(&mut pieces.arcs, &|a, b| (a.pair, a.first_point).cmp(&(b.pair, b.first_point)));
         sort::sort_stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         Ok(())
     }
@@ -158,8 +158,8 @@ impl SurfaceIntersection<'_> {
         let found = par::map_jobs(job, "intersection", pairs.chunks(together), |part, job| {
             let mut found = FoundArcsAndBalls::default();
             for &k in part {
-                let number = self.places.pairs[k as usize].sheets[0] as usize;
-                each_sheet!(self.places.surfaces[0].sheet(number), cells => {
+                let number = self.pair_places.pairs[k as usize].sheets[0] as usize;
+                each_sheet!(self.pair_places.surfaces[0].sheet(number), cells => {
                     self.solve_adjacent_pair(cells, k, &joints[number], (max_boxes, last), &mut found, job)?;
                 });
             }
@@ -178,9 +178,9 @@ impl SurfaceIntersection<'_> {
         found: &mut FoundArcsAndBalls,
         job: &Job<'_>,
     ) -> Result<()> {
-        let cells = self.places.pairs[k as usize].cells;
+        let cells = self.pair_places.pairs[k as usize].cells;
         let [(a, size), (b, other)] =
-            cells.map(|[i, j]| CoordinateNet::new(&sheet.cell_patch(i as usize, j as usize), self.places.origin));
+            cells.map(|[i, j]| CoordinateNet::new(&sheet.cell_patch(i as usize, j as usize), self.pair_places.origin));
         let mut whole = ParameterBox::<N, N>::WHOLE_PATCHES;
         (whole.nets.a, whole.nets.b) = (a, b);
         let task = self.pair_task(k, net_rounding_error(size.max(other)), max_boxes, last);
@@ -191,14 +191,14 @@ impl SurfaceIntersection<'_> {
     fn build_trails(&self, pieces: &FoundArcsAndBalls, job: &Job<'_>) -> Result<Vec<ArcTrail>> {
         let count = 2 * pieces.arcs.len();
         let normals = alloc::try_collect::<_, Error>((0..count).map(|k| {
-            job.part(0.0, 0.5).step_every(ARCS_PER_REPORT, k, count, "paths")?;
+            job.sub_job(0.0, 0.5).step_every(ARCS_PER_REPORT, k, count, "paths")?;
             let arc = pieces.arcs[k / 2];
-            let at = if k % 2 == 0 { arc.from } else { arc.to - 1 };
-            let places = self.places.clamped_places(arc.pair, pieces.points[at as usize]);
-            Ok(places.map(|place| self.places.surfaces[0].normal(place)))
+            let at = if k % 2 == 0 { arc.first_point } else { arc.end_point - 1 };
+            let places = self.pair_places.clamped_places(arc.pair, pieces.points[at as usize]);
+            Ok(places.map(|place| self.pair_places.surfaces[0].normal(place)))
         }))?;
         let trails = TrailBuilder { arcs: &pieces.arcs, normals: &normals, resolution: self.resolution };
-        let mut trails = trails.build_trails(&job.part(0.5, 1.0))?;
+        let mut trails = trails.build_trails(&job.sub_job(0.5, 1.0))?;
         trails.retain(|trail| trail.steps.len() >= MIN_ARCS_OF_KEPT_TRAIL || !self.is_scrap_trail(pieces, trail));
         // Removes duplicates.
         let chains = alloc::try_collect::<_, Error>(trails.iter().map(|trail| {
@@ -206,8 +206,12 @@ impl SurfaceIntersection<'_> {
             Ok(ArcChain { arcs, closed: trail.closed })
         }))?;
         let mut dropped = alloc::filled(false, pieces.arcs.len())?;
-        let bridges =
-            ChainsWithBalls { pieces, surroundings: self, tolerance: self.tolerance, resolution: self.resolution };
+        let bridges = ChainsWithBalls {
+            arcs_and_balls: pieces,
+            surfaces: self,
+            tolerance: self.tolerance,
+            resolution: self.resolution,
+        };
         bridges.drop_repeated_chains(&chains, &mut dropped)?;
         trails.retain(|trail| !dropped[trail.steps[0].arc as usize]);
         Ok(trails)
@@ -232,8 +236,9 @@ impl SurfaceIntersection<'_> {
         }
         self.evaluate_paths(&mut paths)?;
         let key = |place: &Place| (place.sheet, place.cell);
-        paths.unresolved =
-            alloc::gather(pieces.balls.iter().flat_map(|ball| self.places.clamped_places(ball.pair, ball.x)))?;
+        paths.unresolved = alloc::gather(
+            pieces.balls.iter().flat_map(|ball| self.pair_places.clamped_places(ball.pair, ball.parameters)),
+        )?;
         sort::sort_stable(&mut paths.unresolved, &|a, b| key(a).cmp(&key(b)));
         paths.unresolved.dedup_by_key(|place| key(place));
         Ok(paths)
@@ -248,9 +253,10 @@ impl SurfaceIntersection<'_> {
         let mut last: Option<(u32, DVec3)> = None;
         for (n, step) in trail.steps.iter().enumerate() {
             let own = arc(step);
-            let first = own.ends[usize::from(step.reversed)];
-            let spare =
-                last.is_some_and(|(pair, point)| is_long && pair == own.pair && point.distance(first) < self.chord);
+            let first = own.ends[usize::from(step.is_reversed)];
+            let spare = last.is_some_and(|(pair, point)| {
+                is_long && pair == own.pair && point.distance(first) < self.chord_tolerance
+            });
             if !spare {
                 last = Some((own.pair, first));
             }
@@ -258,9 +264,9 @@ impl SurfaceIntersection<'_> {
             let ends_here = n + 1 == trail.steps.len() && !trail.closed;
             let count = own.point_count();
             for at in usize::from(spare)..count - usize::from(!ends_here) {
-                let at = own.from as usize + if step.reversed { count - 1 - at } else { at };
-                let [place, other] = self.places.clamped_places(own.pair, pieces.points[at]);
-                let [place, other] = if step.swapped { [other, place] } else { [place, other] };
+                let at = own.first_point as usize + if step.is_reversed { count - 1 - at } else { at };
+                let [place, other] = self.pair_places.clamped_places(own.pair, pieces.points[at]);
+                let [place, other] = if step.are_surfaces_swapped { [other, place] } else { [place, other] };
                 alloc::push(&mut paths.places, place)?;
                 alloc::push(&mut paths.others, other)?;
             }

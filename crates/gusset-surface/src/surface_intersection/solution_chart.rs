@@ -40,13 +40,13 @@ pub(super) struct ParameterBox<const N: usize, const M: usize> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SolutionGraphProof {
     /// The parameter on which the other three depend.
-    pub(super) free: usize,
+    pub(super) free_parameter: usize,
     /// The point of the line of the middle at the middle of the free parameter.
-    pub(super) base: DVec4,
+    pub(super) line_middle: DVec4,
     /// The slopes of the line of the middle.
-    pub(super) line: DVec4,
+    pub(super) line_slopes: DVec4,
     /// Bounds of the slopes; 1 for the free parameter.
-    pub(super) slopes: [[f64; 2]; 4],
+    pub(super) slope_ranges: [[f64; 2]; 4],
 }
 
 /// A proof that a box is empty, or that its solutions form a graph.
@@ -97,9 +97,9 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         rounding_error: f64,
         tolerance: f64,
     ) -> ChartTest {
-        let mut columns = frame.columns;
+        let mut columns = frame.derivatives;
         (0..4).for_each(|k| columns[k] *= self.size[k]);
-        let tangent = DifferenceFrame { columns, ..*frame }.parameter_tangent();
+        let tangent = DifferenceFrame { derivatives: columns, ..*frame }.parameter_tangent();
         let free = index_of_largest_component(tangent);
         let others = OTHER_PARAMETERS[free];
         let [x, y, z] = others.map(|k| columns[k]);
@@ -140,13 +140,18 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         if is_apart {
             return BoxTest::Empty;
         }
-        let mut chart = SolutionGraphProof { free, base: self.middle_point(), line: DVec4::ONE, slopes: [[1.0; 2]; 4] };
+        let mut chart = SolutionGraphProof {
+            free_parameter: free,
+            line_middle: self.middle_point(),
+            line_slopes: DVec4::ONE,
+            slope_ranges: [[1.0; 2]; 4],
+        };
         for (k, &other) in others.iter().enumerate() {
             // From fractions of the box to parameters of the cells.
             let scale = self.size[other] / self.size[free];
-            chart.base[other] -= rows[k].dot(frame.miss) * self.size[other];
-            chart.line[other] = line[k] * scale;
-            chart.slopes[other] = slopes[k].map(|slope| slope * scale);
+            chart.line_middle[other] -= rows[k].dot(frame.difference) * self.size[other];
+            chart.line_slopes[other] = line[k] * scale;
+            chart.slope_ranges[other] = slopes[k].map(|slope| slope * scale);
         }
         BoxTest::Unique(chart)
     }
@@ -155,8 +160,8 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     /// proves the box empty. Tries the cross products with the derivative along which the curve
     /// runs, and [`Self::are_pieces_separated_sideways`].
     pub(super) fn is_proven_empty_otherwise(&self, frame: &DifferenceFrame, rounding_error: f64) -> bool {
-        let columns: [DVec3; 4] = std::array::from_fn(|k| frame.columns[k] * self.size[k]);
-        let tangent = DifferenceFrame { columns, ..*frame }.parameter_tangent();
+        let columns: [DVec3; 4] = std::array::from_fn(|k| frame.derivatives[k] * self.size[k]);
+        let tangent = DifferenceFrame { derivatives: columns, ..*frame }.parameter_tangent();
         let free = index_of_largest_component(tangent);
         OTHER_PARAMETERS[free]
             .into_iter()
@@ -168,7 +173,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     /// pieces.
     fn are_pieces_separated_sideways(&self, frame: &DifferenceFrame, rounding_error: f64) -> bool {
         let normals = frame.normals();
-        (0..4).any(|k| self.are_pieces_separated_along(normals[k / 2].cross(frame.columns[k]), rounding_error))
+        (0..4).any(|k| self.are_pieces_separated_along(normals[k / 2].cross(frame.derivatives[k]), rounding_error))
     }
 
     fn are_pieces_separated_along(&self, axis: DVec3, rounding_error: f64) -> bool {

@@ -25,9 +25,9 @@ const MAX_DUPLICATE_PLANE_COST: f64 = 1e-6;
 pub(super) struct TrailStep {
     pub(super) arc: u32,
     /// Whether the arc is traversed from its last point to its first.
-    pub(super) reversed: bool,
+    pub(super) is_reversed: bool,
     /// Whether the second place of the arc is on the piece that the path calls the first.
-    pub(super) swapped: bool,
+    pub(super) are_surfaces_swapped: bool,
 }
 
 /// A sequence of arcs, each of which continues where the previous one ends.
@@ -80,7 +80,7 @@ impl TrailBuilder<'_> {
         loop {
             let arc = at / 2;
             done[arc as usize] = true;
-            alloc::push(&mut trail.steps, TrailStep { arc, reversed: at % 2 == 1, swapped })?;
+            alloc::push(&mut trail.steps, TrailStep { arc, is_reversed: at % 2 == 1, are_surfaces_swapped: swapped })?;
             let (last, next) = (at ^ 1, mates[(at ^ 1) as usize]);
             if next == NO_LINKED_ARC || done[next as usize / 2] {
                 trail.closed = next == first;

@@ -159,7 +159,7 @@ pub fn elevate<T: Coefficient>(c: &mut [T], degree: usize) {
 /// Replaces the coefficients by the derivative's, n (c_(i + 1) - c_i), and returns their number: 0
 /// for a constant.
 #[inline(always)]
-pub fn derive<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(c: &mut [T]) -> usize {
+pub fn differentiate<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(c: &mut [T]) -> usize {
     let n = c.len().saturating_sub(1);
     for i in 0..n {
         c[i] = (c[i + 1] - c[i]) * n as f64;
@@ -249,7 +249,7 @@ mod tests {
             let sum = |weights: [f64; 6]| weights.iter().zip(c).map(|(w, c)| w * c).sum::<f64>();
             prop_assert!(near(sum(values), truth) && near(sum(slopes), slope));
             let mut derived = c;
-            prop_assert_eq!(derive(&mut derived), 5);
+            prop_assert_eq!(differentiate(&mut derived), 5);
             prop_assert_eq!(&derived[..5], &steps[..]);
             let mut raised = [0.0; 9];
             raised[..6].copy_from_slice(&c);

@@ -17,8 +17,8 @@ mod polynomial;
 mod roots;
 
 pub use casteljau::{
-    bernstein_values, bernstein_values_and_slopes, blossom, derive, elevate, evaluate, evaluate_with_slope, halve,
-    halves, reduce_by_casteljau, restrict, split, value_and_slope_by_differences,
+    bernstein_values, bernstein_values_and_slopes, blossom, differentiate, elevate, evaluate, evaluate_with_slope,
+    halve, halves, reduce_by_casteljau, restrict, split, value_and_slope_by_differences,
 };
 pub use polynomial::{
     MAX_COEFFICIENTS, MAX_DEGREE, add_product, binomial_row, integral, integral_of_product, value_and_slope,

@@ -13,13 +13,13 @@
 //! derivative, or else in the middle. A root of multiplicity m is thus found once. Places that come
 //! closer to 0 than the noise without reaching 0 count as double roots.
 
-use super::casteljau::{derive, halve};
+use super::casteljau::{differentiate, halve};
 use super::polynomial::{MAX_COEFFICIENTS, value_and_slope};
 
 /// The roots, in ascending order.
 #[derive(Clone, Copy)]
 pub struct Roots {
-    at: [f64; MAX_COEFFICIENTS],
+    roots: [f64; MAX_COEFFICIENTS],
     len: usize,
     /// The polynomial is indistinguishable from 0 everywhere. The list of roots is then empty.
     pub everywhere: bool,
@@ -27,19 +27,19 @@ pub struct Roots {
 
 impl Default for Roots {
     fn default() -> Self {
-        Roots { at: [0.0; MAX_COEFFICIENTS], len: 0, everywhere: false }
+        Roots { roots: [0.0; MAX_COEFFICIENTS], len: 0, everywhere: false }
     }
 }
 
 impl Roots {
     #[inline]
     pub fn as_slice(&self) -> &[f64] {
-        &self.at[..self.len]
+        &self.roots[..self.len]
     }
 
     fn push(&mut self, t: f64) {
         if self.len < MAX_COEFFICIENTS {
-            self.at[self.len] = t;
+            self.roots[self.len] = t;
             self.len += 1;
         }
     }
@@ -72,7 +72,7 @@ pub fn sign_changes(signs: impl Iterator<Item = bool>) -> usize {
 /// Coefficients in a fixed-size buffer.
 #[derive(Clone)]
 struct CoefficientBuffer {
-    c: [f64; MAX_COEFFICIENTS],
+    coefficients: [f64; MAX_COEFFICIENTS],
     len: usize,
 }
 
@@ -80,19 +80,19 @@ impl CoefficientBuffer {
     fn from_slice(given: &[f64]) -> Self {
         let mut c = [0.0; MAX_COEFFICIENTS];
         c[..given.len()].copy_from_slice(given);
-        CoefficientBuffer { c, len: given.len() }
+        CoefficientBuffer { coefficients: c, len: given.len() }
     }
 }
 
 impl AsRef<[f64]> for CoefficientBuffer {
     fn as_ref(&self) -> &[f64] {
-        &self.c[..self.len]
+        &self.coefficients[..self.len]
     }
 }
 
 impl AsMut<[f64]> for CoefficientBuffer {
     fn as_mut(&mut self) -> &mut [f64] {
-        &mut self.c[..self.len]
+        &mut self.coefficients[..self.len]
     }
 }
 
@@ -131,7 +131,7 @@ pub fn roots(c: &[f64], noise: f64) -> Roots {
         return found;
     }
     let mut search = RootIsolation {
-        c,
+        coefficients: c,
         noise,
         clusters: [(0.0, 0.0); MAX_COEFFICIENTS],
         len: 0,
@@ -190,7 +190,7 @@ fn push_quadratic_roots(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -
 }
 
 struct RootIsolation<'a> {
-    c: &'a [f64],
+    coefficients: &'a [f64],
     noise: f64,
     /// The intervals where the polynomial is within the noise; most are single points.
     clusters: [(f64, f64); MAX_COEFFICIENTS],
@@ -200,7 +200,7 @@ struct RootIsolation<'a> {
 
 impl RootIsolation<'_> {
     /// Finds the roots between two ends, from left to right; the polynomial has the coefficients
-    /// `c` there. Returns true if the halves must be searched instead.
+    /// `coefficients` there. Returns true if the halves must be searched instead.
     fn isolate_roots(&mut self, c: &[f64], [low, high]: [f64; 2]) -> bool {
         let noise = self.noise;
         if c.iter().all(|x| x.abs() <= noise) {
@@ -257,8 +257,8 @@ impl RootIsolation<'_> {
         }
         let (a, b) = ((low - (high - low)).max(0.0), (high + (high - low)).min(1.0));
         let mut derived = [0.0; MAX_COEFFICIENTS];
-        derived[..self.c.len()].copy_from_slice(self.c);
-        let mut n = self.c.len();
+        derived[..self.coefficients.len()].copy_from_slice(self.coefficients);
+        let mut n = self.coefficients.len();
         for _ in 0..3 {
             let c = &derived[..n];
             let (fa, fb) = (value_and_slope(c, a).0, value_and_slope(c, b).0);
@@ -269,7 +269,7 @@ impl RootIsolation<'_> {
             if n == 1 {
                 break;
             }
-            n = derive(&mut derived[..n]);
+            n = differentiate(&mut derived[..n]);
         }
         0.5 * (low + high)
     }

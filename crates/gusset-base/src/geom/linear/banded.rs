@@ -14,7 +14,7 @@ const MIN_RELATIVE_PIVOT: f64 = 1e-13;
 pub struct BandedCholesky<const W: usize> {
     /// The rows of the factor. The diagonal entry is last.
     rows: Vec<[f64; W]>,
-    right: Vec<f64>,
+    right_side: Vec<f64>,
 }
 
 impl<const W: usize> BandedCholesky<W> {
@@ -22,9 +22,9 @@ impl<const W: usize> BandedCholesky<W> {
     #[inline]
     pub fn clear_and_reserve(&mut self, count: usize) -> Result<()> {
         self.rows.clear();
-        self.right.clear();
+        self.right_side.clear();
         alloc::reserve(&mut self.rows, count)?;
-        alloc::reserve(&mut self.right, count)
+        alloc::reserve(&mut self.right_side, count)
     }
 
     /// Appends a row and its right side. `row` has the entries up to the diagonal, which is last.
@@ -40,15 +40,15 @@ impl<const W: usize> BandedCholesky<W> {
         }
         let pivot = diagonal - row[..W - 1].iter().map(|a| a * a).sum::<f64>();
         for d in 1..W.min(r + 1) {
-            right -= row[W - 1 - d] * self.right[r - d];
+            right -= row[W - 1 - d] * self.right_side[r - d];
         }
         if pivot > MIN_RELATIVE_PIVOT * diagonal {
             row[W - 1] = pivot.sqrt();
-            self.right.push(right / row[W - 1]);
+            self.right_side.push(right / row[W - 1]);
         } else {
             row = [0.0; W];
             row[W - 1] = 1.0;
-            self.right.push(0.0);
+            self.right_side.push(0.0);
         }
         self.rows.push(row);
     }
@@ -57,13 +57,13 @@ impl<const W: usize> BandedCholesky<W> {
     pub fn solve(&mut self) -> &[f64] {
         for r in (0..self.rows.len()).rev() {
             let row = &self.rows[r];
-            let known = self.right[r] / row[W - 1];
-            self.right[r] = known;
+            let known = self.right_side[r] / row[W - 1];
+            self.right_side[r] = known;
             for d in 1..W.min(r + 1) {
-                self.right[r - d] -= row[W - 1 - d] * known;
+                self.right_side[r - d] -= row[W - 1 - d] * known;
             }
         }
-        &self.right
+        &self.right_side
     }
 }
 

@@ -29,7 +29,7 @@ impl DenseMatrix {
     }
 
     /// Factors the matrix with partial pivoting. Returns false if it is singular.
-    pub fn factor(&mut self) -> bool {
+    pub fn factorise(&mut self) -> bool {
         let n = self.size;
         for k in 0..n {
             let mut best = k;
@@ -57,7 +57,7 @@ impl DenseMatrix {
         true
     }
 
-    /// Solves for a right side in place. Call [`DenseMatrix::factor`] first.
+    /// Solves for a right side in place. Call [`DenseMatrix::factorise`] first.
     pub fn solve(&self, right: &mut [DVec3]) {
         let n = self.size;
         // The factor's rows were exchanged as a whole, so exchange the right side likewise.
@@ -97,12 +97,12 @@ mod tests {
             dense.row(r).copy_from_slice(row);
             right[r] = row.iter().zip(wanted).map(|(a, x)| x * *a).sum();
         }
-        assert!(dense.factor());
+        assert!(dense.factorise());
         dense.solve(&mut right);
         for (x, wanted) in right.iter().zip(wanted) {
             assert!(x.distance(wanted) < 1e-14, "{x} {wanted}");
         }
         dense.resize(2).unwrap();
-        assert!(!dense.factor());
+        assert!(!dense.factorise());
     }
 }

@@ -42,29 +42,34 @@ pub fn solve(
 }
 
 /// One end of a cyclic system while its rows are eliminated towards the middle. The unknown reached
-/// last equals `known` - `ratio` * (next unknown) - `across` * (last unknown).
+/// last equals `constant` - `next_coefficient` * (next unknown) - `last_coefficient` * (last unknown).
 struct EliminationFront {
-    known: DVec3,
-    ratio: f64,
-    across: f64,
+    constant: DVec3,
+    next_coefficient: f64,
+    last_coefficient: f64,
     /// The coefficient of the next unknown in the last row.
-    far: f64,
+    coefficient_in_last_row: f64,
 }
 
 impl EliminationFront {
     /// Starts before any row, at the last unknown itself.
     fn new(far: f64) -> Self {
-        EliminationFront { known: DVec3::ZERO, ratio: 0.0, across: -1.0, far }
+        EliminationFront {
+            constant: DVec3::ZERO,
+            next_coefficient: 0.0,
+            last_coefficient: -1.0,
+            coefficient_in_last_row: far,
+        }
     }
 
     /// Eliminates the next row, given the coefficients of the unknown reached, the next one and the
     /// one after. Returns the pivot and the multiplier.
     #[inline]
     fn eliminate_row(&mut self, [behind, diagonal, ahead]: [f64; 3], known: DVec3) -> [f64; 2] {
-        let pivot = diagonal - behind * self.ratio;
+        let pivot = diagonal - behind * self.next_coefficient;
         let scale = 1.0 / pivot;
-        self.known = (known - self.known * behind) * scale;
-        self.ratio = ahead * scale;
+        self.constant = (known - self.constant * behind) * scale;
+        self.next_coefficient = ahead * scale;
         [pivot, behind * scale]
     }
 
@@ -73,21 +78,22 @@ impl EliminationFront {
     #[inline]
     fn eliminate_row_with_last(&mut self, row: [f64; 3], known: DVec3, last: &mut (f64, DVec3)) -> f64 {
         let [pivot, taken] = self.eliminate_row(row, known);
-        self.across *= -taken;
-        last.0 -= self.far * self.across;
-        last.1 -= self.known * self.far;
-        self.far *= -self.ratio;
+        self.last_coefficient *= -taken;
+        last.0 -= self.coefficient_in_last_row * self.last_coefficient;
+        last.1 -= self.constant * self.coefficient_in_last_row;
+        self.coefficient_in_last_row *= -self.next_coefficient;
         pivot
     }
 
     /// Returns true if the coefficients of the last unknown are negligible.
     fn is_decoupled_from_last(&self) -> bool {
-        self.across.abs() <= MAX_NEGLIGIBLE_COEFFICIENT && self.far.abs() <= MAX_NEGLIGIBLE_COEFFICIENT
+        self.last_coefficient.abs() <= MAX_NEGLIGIBLE_COEFFICIENT
+            && self.coefficient_in_last_row.abs() <= MAX_NEGLIGIBLE_COEFFICIENT
     }
 }
 
 /// Solves a cyclic system of n >= 3 unknowns. `row(i, before)` returns the coefficients of unknowns
-/// `before` (cyclically i - 1), i and i + 1, and `known(i)` the right side. `upper` and `across`
+/// `before` (cyclically i - 1), i and i + 1, and `known(i)` the right side. `upper` and `last_coefficient`
 /// are workspace for n factors each. Returns false if the system is singular.
 ///
 /// Eliminates from both ends at once, which keeps a processor busy while it divides. The rows next
@@ -116,7 +122,8 @@ pub fn solve_cyclic(
     let middle = pairs + alone;
     if alone == 1 {
         least = first_end.eliminate_row_with_last(forth(0), known(0), &mut last).abs();
-        (unknowns[0], upper[0], across[0]) = (first_end.known, first_end.ratio, first_end.across);
+        (unknowns[0], upper[0], across[0]) =
+            (first_end.constant, first_end.next_coefficient, first_end.last_coefficient);
     }
     let mut carried = 0;
     while carried < pairs && !(first_end.is_decoupled_from_last() && last_end.is_decoupled_from_last()) {
@@ -126,24 +133,25 @@ pub fn solve_cyclic(
             last_end.eliminate_row_with_last(back(j), known(j), &mut last),
         ];
         least = least.min(pivots[0].abs()).min(pivots[1].abs());
-        (unknowns[i], upper[i], across[i]) = (first_end.known, first_end.ratio, first_end.across);
-        (unknowns[j], upper[j], across[j]) = (last_end.known, last_end.ratio, last_end.across);
+        (unknowns[i], upper[i], across[i]) =
+            (first_end.constant, first_end.next_coefficient, first_end.last_coefficient);
+        (unknowns[j], upper[j], across[j]) = (last_end.constant, last_end.next_coefficient, last_end.last_coefficient);
         carried += 1;
     }
     for k in carried..pairs {
         let (i, j) = (alone + k, n - 2 - k);
         let [[p, _], [q, _]] = [first_end.eliminate_row(forth(i), known(i)), last_end.eliminate_row(back(j), known(j))];
         least = least.min(p.abs()).min(q.abs());
-        (unknowns[i], upper[i]) = (first_end.known, first_end.ratio);
-        (unknowns[j], upper[j]) = (last_end.known, last_end.ratio);
+        (unknowns[i], upper[i]) = (first_end.constant, first_end.next_coefficient);
+        (unknowns[j], upper[j]) = (last_end.constant, last_end.next_coefficient);
     }
     // The middle row and the last row form a system of two unknowns.
     let [lower, diagonal, above] = forth(middle);
-    let pivot = diagonal - lower * first_end.ratio - above * last_end.ratio;
+    let pivot = diagonal - lower * first_end.next_coefficient - above * last_end.next_coefficient;
     let scale = 1.0 / pivot;
-    let own = (known(middle) - first_end.known * lower - last_end.known * above) * scale;
-    let share = -(lower * first_end.across + above * last_end.across) * scale;
-    let far = first_end.far + last_end.far;
+    let own = (known(middle) - first_end.constant * lower - last_end.constant * above) * scale;
+    let share = -(lower * first_end.last_coefficient + above * last_end.last_coefficient) * scale;
+    let far = first_end.coefficient_in_last_row + last_end.coefficient_in_last_row;
     let last_pivot = last.0 - far * share;
     let end = (last.1 - own * far) / last_pivot;
     let centre = own - end * share;

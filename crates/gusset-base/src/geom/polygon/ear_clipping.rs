@@ -30,7 +30,7 @@ const TESTS_PER_REPORT: u64 = 1 << 16;
 /// Rules for the next corner, from the one that keeps triangles apart to the one that any corner
 /// fulfils.
 #[derive(Clone, Copy, PartialEq)]
-enum Rule {
+enum EarRule {
     /// The corner is convex and its triangle is not thin. No other part of the polygon is in the
     /// triangle, on its border, or so near that rounding may have moved it out. Or the corner repeats
     /// a neighbour, so that nothing changes without it.
@@ -48,7 +48,7 @@ enum Rule {
     Any,
 }
 
-impl Rule {
+impl EarRule {
     fn weakened(self) -> Option<Self> {
         match self {
             Self::Clear => Some(Self::Apart),
@@ -84,7 +84,7 @@ pub fn clip_ears(
     let mut triangles = alloc::with_capacity(n - 2)?;
     // Shortest ear first. Outdated entries are skipped when they are popped.
     let mut ears = BinaryHeap::from(alloc::with_capacity(4 * n)?);
-    let mut rule = Rule::Clear;
+    let mut rule = EarRule::Clear;
     let max_tests = MAX_TESTS_PER_CORNER * n as u64;
     let mut next_report = TESTS_PER_REPORT;
     while triangles.len() + 3 < n {
@@ -97,7 +97,7 @@ pub fn clip_ears(
                 next_report = clipper.tests + TESTS_PER_REPORT;
                 job.step(triangles.len() as f64 / n as f64, "triangulating")?;
             }
-            if clipper.tests >= max_tests && rule != Rule::Any {
+            if clipper.tests >= max_tests && rule != EarRule::Any {
                 break;
             }
             clipper.tests += 1;
@@ -108,15 +108,15 @@ pub fn clip_ears(
             }
             triangles.push(ear);
             clipper.cut_off(ear);
-            if rule != Rule::Clear && clipper.tests < max_tests {
+            if rule != EarRule::Clear && clipper.tests < max_tests {
                 break;
             }
             ears.extend([a, c].map(|v| Reverse(clipper.ear_with_size(v))));
         }
-        rule = if clipper.tests >= max_tests && rule != Rule::Any {
-            Rule::Any
+        rule = if clipper.tests >= max_tests && rule != EarRule::Any {
+            EarRule::Any
         } else if triangles.len() > before {
-            Rule::Clear
+            EarRule::Clear
         } else if let Some(weaker) = rule.weakened() {
             weaker
         } else {
@@ -188,20 +188,20 @@ impl<'a> EarClipper<'a> {
         ear.map(|v| self.flat[v as usize])
     }
 
-    fn fulfils(&mut self, ear: [u32; 3], rule: Rule) -> bool {
+    fn fulfils(&mut self, ear: [u32; 3], rule: EarRule) -> bool {
         let [a, b, c] = self.corners(ear);
         match rule {
-            Rule::Clear => {
+            EarRule::Clear => {
                 let longest = longest_squared_side([a, b, c]);
                 let is_ear = is_clearly_convex([a, b, c], longest)
                     && !self.is_blocked(ear, |turn| turn >= -MAX_THIN_HEIGHT * longest);
                 a == b || b == c || is_ear
             }
-            Rule::Apart => turn(a, b, c) > 0.0 && !self.is_blocked(ear, |turn| turn >= 0.0),
-            Rule::Touching => turn(a, b, c) > 0.0 && !self.is_blocked(ear, |turn| turn > 0.0),
-            Rule::Flat => turn(a, b, c) == 0.0,
-            Rule::Convex => turn(a, b, c) > 0.0,
-            Rule::Any => true,
+            EarRule::Apart => turn(a, b, c) > 0.0 && !self.is_blocked(ear, |turn| turn >= 0.0),
+            EarRule::Touching => turn(a, b, c) > 0.0 && !self.is_blocked(ear, |turn| turn > 0.0),
+            EarRule::Flat => turn(a, b, c) == 0.0,
+            EarRule::Convex => turn(a, b, c) > 0.0,
+            EarRule::Any => true,
         }
     }
 

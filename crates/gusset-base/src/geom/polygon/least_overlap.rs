@@ -16,13 +16,13 @@ const MAX_FLAT_AREA: f64 = 1e-12;
 
 /// Faults of a split, the worst first.
 #[derive(Clone, Copy, Default, PartialEq, PartialOrd)]
-struct Cost {
+struct SplitCost {
     turned_area: f64,
     flat_count: f64,
     diagonals: f64,
 }
 
-impl Cost {
+impl SplitCost {
     fn plus(self, other: Self) -> Self {
         Self {
             turned_area: self.turned_area + other.turned_area,
@@ -39,12 +39,12 @@ pub(super) fn split_with_least_overlap(flat: &[DVec2], triangles: &mut Vec<[u32;
     let extent = flat.iter().fold(0.0_f64, |most, point| most.max(point.abs().max_element()));
     let max_flat = MAX_FLAT_AREA * extent * extent;
     // For each pair of corners: the cost of the best split between them, and the third corner of its triangle.
-    let mut best = alloc::filled((Cost::default(), 0_usize), count * count)?;
+    let mut best = alloc::filled((SplitCost::default(), 0_usize), count * count)?;
     for span in 2..count {
         for start in 0..count - span {
             let end = start + span;
             let diagonal = if span + 1 < count { flat[start].distance(flat[end]) } else { 0.0 };
-            let mut least: Option<(Cost, usize)> = None;
+            let mut least: Option<(SplitCost, usize)> = None;
             for middle in start + 1..end {
                 let triangle = triangle_cost([start, middle, end].map(|corner| flat[corner]), max_flat, diagonal);
                 let cost = best[start * count + middle].0.plus(best[middle * count + end].0).plus(triangle);
@@ -52,7 +52,7 @@ pub(super) fn split_with_least_overlap(flat: &[DVec2], triangles: &mut Vec<[u32;
                     least = Some((cost, middle));
                 }
             }
-            best[start * count + end] = least.unwrap_or((Cost::default(), start + 1));
+            best[start * count + end] = least.unwrap_or((SplitCost::default(), start + 1));
         }
     }
     triangles.clear();
@@ -68,9 +68,9 @@ pub(super) fn split_with_least_overlap(flat: &[DVec2], triangles: &mut Vec<[u32;
     Ok(())
 }
 
-fn triangle_cost([a, b, c]: [DVec2; 3], max_flat: f64, diagonal: f64) -> Cost {
+fn triangle_cost([a, b, c]: [DVec2; 3], max_flat: f64, diagonal: f64) -> SplitCost {
     let area = (b - a).perp_dot(c - a);
-    Cost {
+    SplitCost {
         turned_area: if area < -max_flat { -area } else { 0.0 },
         flat_count: f64::from(u8::from(area.abs() <= max_flat)),
         diagonals: diagonal,

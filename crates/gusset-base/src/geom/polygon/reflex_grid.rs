@@ -15,7 +15,7 @@ pub(super) struct ReflexGrid {
     low: DVec2,
     cells_per_unit: DVec2,
     /// The number of rows, and of columns.
-    side: usize,
+    rows_and_columns: usize,
     corners: Buckets<u32>,
 }
 
@@ -31,8 +31,12 @@ impl ReflexGrid {
         let high = flat.iter().fold(DVec2::NEG_INFINITY, |high, &point| high.max(point));
         let cells_per_unit = (DVec2::splat(side as f64) / (high - low)).to_array();
         let cells_per_unit = cells_per_unit.map(|scale| if scale.is_finite() && scale > 0.0 { scale } else { 0.0 });
-        let mut grid =
-            Self { low, cells_per_unit: DVec2::from_array(cells_per_unit), side, corners: Buckets::default() };
+        let mut grid = Self {
+            low,
+            cells_per_unit: DVec2::from_array(cells_per_unit),
+            rows_and_columns: side,
+            corners: Buckets::default(),
+        };
         let placed = listed.map(|corner| (grid.cell(flat[corner]), corner as u32));
         grid.corners = Buckets::new(side * side, 0, placed)?;
         Ok(grid)
@@ -48,14 +52,14 @@ impl ReflexGrid {
     /// cell more at either end.
     pub(super) fn corners_in_row(&self, row: usize, triangle: [DVec2; 3]) -> &[u32] {
         let columns = self.columns_in_row(row, triangle);
-        let start = row * self.side;
+        let start = row * self.rows_and_columns;
         // The corners of neighbouring cells follow each other.
         let range = self.corners.range(start + columns.start).start..self.corners.range(start + columns.end - 1).end;
         &self.corners.items()[range]
     }
 
     fn columns_in_row(&self, row: usize, triangle: [DVec2; 3]) -> Range<usize> {
-        if self.side == 1 {
+        if self.rows_and_columns == 1 {
             return 0..1;
         }
         let (bottom, top) = (row as f64 - CELL_MARGIN, row as f64 + 1.0 + CELL_MARGIN);
@@ -77,11 +81,11 @@ impl ReflexGrid {
 
     fn cell(&self, point: DVec2) -> usize {
         let scaled = (point - self.low) * self.cells_per_unit;
-        self.place(scaled.y) * self.side + self.place(scaled.x)
+        self.place(scaled.y) * self.rows_and_columns + self.place(scaled.x)
     }
 
     /// Returns the column or row of a coordinate in cells. A conversion from NaN gives 0.
     fn place(&self, scaled: f64) -> usize {
-        (scaled as usize).min(self.side - 1)
+        (scaled as usize).min(self.rows_and_columns - 1)
     }
 }

@@ -24,7 +24,15 @@ use gusset_base::geom::linear::tridiagonal;
 /// Solves for the control points. Returns false if the equations are singular, which can happen
 /// only with joint parameters other than 1/2.
 pub(super) fn solve_control_points(sub: &Subcurve<'_>, solution: &mut CompositeSolution) -> bool {
-    let CompositeSolution { t, beta, handles, controls, upper, across, .. } = solution;
+    let CompositeSolution {
+        point_parameters: t,
+        betas: beta,
+        handles,
+        controls,
+        elimination_factors: upper,
+        last_unknown_factors: across,
+        ..
+    } = solution;
     let n = sub.len();
     let (t, controls) = (&t[..n], &mut controls[..n]);
     let known = |i: usize| sub.points[i];

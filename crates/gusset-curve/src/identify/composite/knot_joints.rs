@@ -9,7 +9,7 @@ use super::control_equations;
 use super::lock::{self, LockWorkspace};
 use crate::curve::segment;
 use crate::identify::composite_solution::CompositeSolution;
-use crate::identify::method::power;
+use crate::identify::method::power_by_roots_if_possible;
 use crate::identify::report::PointStatus;
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::alloc;
@@ -37,14 +37,14 @@ pub(super) fn solve_with_knot_joints(
     let alpha = sub.options.method.chord_exponent().unwrap_or(0.5);
     let span = |i: usize| {
         let [a, p, c] = sub.point_and_neighbours(i);
-        power(a.distance(p), alpha) + power(p.distance(c), alpha)
+        power_by_roots_if_possible(a.distance(p), alpha) + power_by_roots_if_possible(p.distance(c), alpha)
     };
     for i in 0..n {
         let next = sub.next_index(i);
         let inner = sub.closed || (i > 0 && next > 1 && next < n - 1);
         if inner {
             let (here, there) = (span(i), span(next));
-            workspace.solution.beta[i] = here / (here + there);
+            workspace.solution.betas[i] = here / (here + there);
         }
     }
     solve_and_reset_bad_joints(sub, workspace, out).map(|_| ())
@@ -74,10 +74,10 @@ pub(super) fn solve_and_reset_bad_joints(
         )?;
         for i in fallen {
             out.results[i].flag_status(PointStatus::JointFellBack);
-            solution.beta[i] = 0.5;
-            solution.beta[sub.previous_index(i)] = 0.5;
+            solution.betas[i] = 0.5;
+            solution.betas[sub.previous_index(i)] = 0.5;
         }
-        solution.t[..n].copy_from_slice(&solution.data_t[..n]);
+        solution.point_parameters[..n].copy_from_slice(&solution.parameters_by_data_triangles[..n]);
     }
     // Even with middle joints the lock has no nearby solution, so use the lock by parameters
     // everywhere.
@@ -90,8 +90,10 @@ pub(super) fn solve_and_reset_bad_joints(
 fn is_control_too_far_or_point_missed(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> bool {
     let (p, b) = (sub.points[i], solution.controls[i]);
     let section = [solution.joint_point(sub, sub.previous_index(i)), b, solution.joint_point(sub, i)];
-    let (away, miss) = (b.distance(p), segment::point_at(&section, solution.t[i]).distance(p));
-    away.is_nan() || away > MAX_CONTROL_TO_POINT_DISTANCE * sub.size || miss > MAX_POINT_MISS_DISTANCE * sub.size
+    let (away, miss) = (b.distance(p), segment::point_at(&section, solution.point_parameters[i]).distance(p));
+    away.is_nan()
+        || away > MAX_CONTROL_TO_POINT_DISTANCE * sub.outline_size
+        || miss > MAX_POINT_MISS_DISTANCE * sub.outline_size
 }
 
 #[cfg(test)]
@@ -105,17 +107,18 @@ mod tests {
     fn joints_without_a_solution_fall_back_to_the_middle() {
         let points: Vec<DVec3> = (0..9).map(|i| DVec3::new(f64::from(i % 3), f64::from(i * i % 7), 0.0)).collect();
         let options = Options::default();
-        let sub = Subcurve { points: &points, closed: true, tangents: [None, None], size: 6.0, options: &options };
+        let sub =
+            Subcurve { points: &points, closed: true, tangents: [None, None], outline_size: 6.0, options: &options };
         let mut workspace = LockWorkspace::default();
         let (mut report, mut builder, job) = Default::default();
         let mut results = [PointResult::default(); 9];
         workspace.solution.reserve_for_points(9).unwrap();
-        workspace.solution.t.fill(0.4);
-        workspace.solution.data_t.fill(0.4);
+        workspace.solution.point_parameters.fill(0.4);
+        workspace.solution.parameters_by_data_triangles.fill(0.4);
         control_equations::solve_control_points(&sub, &mut workspace.solution);
         let halves = workspace.solution.controls.clone();
         workspace.solution.reset_joint_parameters(9).unwrap();
-        workspace.solution.beta[4] = f64::NAN;
+        workspace.solution.betas[4] = f64::NAN;
         let mut out = SubcurveOutput { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
         solve_and_reset_bad_joints(&sub, &mut workspace, &mut out).unwrap();
         assert_eq!(workspace.solution.controls, halves);

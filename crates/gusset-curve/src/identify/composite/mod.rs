@@ -23,7 +23,7 @@ mod sweeps;
 
 use super::composite_solution::CompositeSolution;
 use super::identify_options::{JointParameter, Lock, Solver};
-use super::method::{Method, power};
+use super::method::{Method, power_by_roots_if_possible};
 use super::report::{PointStatus, Report};
 use super::residuals::MaxJointSine;
 use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
@@ -61,7 +61,7 @@ pub(super) fn append_composite_curve(
     if !sub.closed {
         return append_open_quadratics(sub, solution, out);
     }
-    let places = (0..).zip(&solution.t).map(|(segment, &t)| Place { segment, t });
+    let places = (0..).zip(&solution.point_parameters).map(|(segment, &t)| Place { segment, t });
     out.results.iter_mut().zip(places).for_each(|(result, place)| result.place = place);
     write_closed_curve(sub, solution, |p| p, out.builder.allocate_closed_quadratics(sub.len())?, out.report);
     Ok(())
@@ -76,14 +76,14 @@ pub(super) fn solve_composite_curve(
     let CompositeWorkspace { lock: workspace, joints } = workspace;
     let (n, solution, options) = (sub.len(), &mut workspace.solution, sub.options);
     solution.reserve_for_points(n)?;
-    solution.beta.clear();
+    solution.betas.clear();
     solution.handles.clear();
     find_section_parameters(sub, solution, out.results);
     control_equations::solve_control_points(sub, solution);
     if (options.lock, options.joint, options.solver) == (Lock::Parameter, JointParameter::Half, Solver::Fast) {
         return Ok(());
     }
-    solution.data_t[..n].copy_from_slice(&solution.t[..n]);
+    solution.parameters_by_data_triangles[..n].copy_from_slice(&solution.point_parameters[..n]);
     match options.joint {
         JointParameter::Half => lock::solve_with_lock(sub, workspace, out).map(|_| ()),
         JointParameter::Knot => knot_joints::solve_with_knot_joints(sub, workspace, out),
@@ -112,17 +112,17 @@ fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut CompositeSolution,
                 }
                 Method::Bisector.section_parameter(a, p, c)
             });
-            enter(t.unwrap_or(0.5), &mut solution.t[i], &mut results[i]);
+            enter(t.unwrap_or(0.5), &mut solution.point_parameters[i], &mut results[i]);
         }
         return;
     };
     if alpha == 0.0 {
-        solution.t[sections].fill(0.5);
+        solution.point_parameters[sections].fill(0.5);
         return;
     }
     // Each chord is the first of one section and the last of the previous one. Chord i ends at
     // point i.
-    let chords = &mut solution.upper[..sub.len()];
+    let chords = &mut solution.elimination_factors[..sub.len()];
     let points = sub.points;
     chords[0] = points[points.len() - 1].distance(points[0]);
     for (chord, pair) in chords[1..].iter_mut().zip(points.windows(2)) {
@@ -131,7 +131,7 @@ fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut CompositeSolution,
     match alpha {
         0.5 => chords.iter_mut().for_each(|chord| *chord = chord.sqrt()),
         1.0 => {}
-        _ => chords.iter_mut().for_each(|chord| *chord = power(*chord, alpha)),
+        _ => chords.iter_mut().for_each(|chord| *chord = power_by_roots_if_possible(*chord, alpha)),
     }
     let chords = &*chords;
     let mut all_allowed = true;
@@ -140,10 +140,10 @@ fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut CompositeSolution,
         let (before, after) = (chords[i], chords[sub.next_index(i)]);
         let t = before / (before + after);
         all_allowed &= (low..=high).contains(&t);
-        solution.t[i] = t;
+        solution.point_parameters[i] = t;
     }
     if !all_allowed {
-        for (t, result) in solution.t[first..last].iter_mut().zip(&mut results[first..last]) {
+        for (t, result) in solution.point_parameters[first..last].iter_mut().zip(&mut results[first..last]) {
             enter(*t, t, result);
         }
     }
@@ -169,7 +169,7 @@ fn append_open_quadratics(
                 builder.push_segment(&[control, solution.joint_point(sub, 0)])?;
             }
             for i in sub.section_indices() {
-                results[i].place = Place { segment: builder.len() as u32, t: solution.t[i] };
+                results[i].place = Place { segment: builder.len() as u32, t: solution.point_parameters[i] };
                 builder.push_segment(&[solution.controls[i], solution.joint_point(sub, i)])?;
             }
             if let Some(control) = ends[1] {
@@ -205,7 +205,7 @@ fn append_cubic_sections(sub: &Subcurve<'_>, solution: &CompositeSolution, out: 
     }
     for i in sub.section_indices() {
         let joint = if sub.closed && i == last { start } else { solution.joint_point(sub, i) };
-        results[i].place = Place { segment: builder.len() as u32, t: solution.t[i] };
+        results[i].place = Place { segment: builder.len() as u32, t: solution.point_parameters[i] };
         builder.push_segment(&of_section(i, from, joint))?;
         from = joint;
     }
@@ -234,16 +234,16 @@ pub(super) fn write_closed_curve(
     first[0] = map_point(start);
     let controls = &solution.controls[..n];
     let following = controls[1..].iter().chain(&controls[..1]);
-    let known = sub.points.iter().zip(controls).zip(following).zip(&solution.t);
+    let known = sub.points.iter().zip(controls).zip(following).zip(&solution.point_parameters);
     let (mut joint, mut angle, mut farthest) = (start, MaxJointSine::default(), 0.0f64);
     for (i, (segment, (((&p, &control), &next), &t))) in rest.as_chunks_mut::<2>().0.iter_mut().zip(known).enumerate() {
-        let beta = if solution.beta.is_empty() { 0.5 } else { solution.beta[i] };
+        let beta = if solution.betas.is_empty() { 0.5 } else { solution.betas[i] };
         let end = if i + 1 == n { start } else { control + (next - control) * beta };
         *segment = [map_point(control), map_point(end)];
         farthest = farthest.max(segment::point_at(&[joint, control, end], t).distance_squared(p));
         angle.add_joint(end - control, next - end);
         joint = end;
     }
-    report.max_residual = farthest.sqrt() / sub.size;
+    report.max_residual = farthest.sqrt() / sub.outline_size;
     report.max_joint_sine = angle.sine();
 }

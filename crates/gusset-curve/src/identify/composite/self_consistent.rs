@@ -23,7 +23,7 @@ use super::control_equations;
 use super::lock_rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
 use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::identify_options::Options;
-use crate::identify::method::{Method, power};
+use crate::identify::method::{Method, power_by_roots_if_possible};
 use crate::identify::report::{FitStatus, PointStatus};
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use glam::DVec3;
@@ -60,7 +60,7 @@ pub(super) struct NewtonRow<const D: usize> {
     /// The derivative of F_i with respect to t_i.
     derivative: [f64; D],
     /// F_i.
-    value: [f64; D],
+    equation_value: [f64; D],
 }
 
 /// The workspace of Newton's method in D dimensions.
@@ -68,7 +68,7 @@ pub(super) struct NewtonRow<const D: usize> {
 pub(super) struct SelfConsistentNewton<const D: usize> {
     rows: Vec<NewtonRow<D>>,
     upper: Vec<[[f64; D]; D]>,
-    right: Vec<[f64; D]>,
+    right_sides: Vec<[f64; D]>,
     step: Vec<[f64; D]>,
 }
 
@@ -90,10 +90,11 @@ impl<const D: usize> SelfConsistentNewton<D> {
     ) -> Result<bool> {
         let n = sub.len();
         let length = n + if sub.closed { 2 * MAX_REPEATED_ROWS_PER_END } else { 0 };
-        let empty = NewtonRow { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] };
+        let empty =
+            NewtonRow { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], equation_value: [0.0; D] };
         alloc::grow(&mut self.rows, n, empty)?;
         alloc::grow(&mut self.upper, length, [[0.0; D]; D])?;
-        alloc::grow(&mut self.right, length, [0.0; D])?;
+        alloc::grow(&mut self.right_sides, length, [0.0; D])?;
         alloc::grow(&mut self.step, n, [0.0; D])?;
         let mut regular = true;
         for round in 0..=MAX_FALLBACK_ROUNDS {
@@ -104,9 +105,10 @@ impl<const D: usize> SelfConsistentNewton<D> {
             out.report.status = FitStatus::NotConverged;
             for i in sub.section_indices() {
                 let t = parameter_on_section(sub, solution, i);
-                if round == MAX_FALLBACK_ROUNDS - 1 || (t - solution.t[i]).abs() > sub.options.tolerance {
-                    solution.fell_back[i] = true;
-                    solution.t[i] = solution.data_t[i];
+                if round == MAX_FALLBACK_ROUNDS - 1 || (t - solution.point_parameters[i]).abs() > sub.options.tolerance
+                {
+                    solution.has_fallen_back[i] = true;
+                    solution.point_parameters[i] = solution.parameters_by_data_triangles[i];
                     out.results[i].flag_status(PointStatus::FellBack);
                 }
             }
@@ -114,8 +116,8 @@ impl<const D: usize> SelfConsistentNewton<D> {
         }
         let [low, high] = sub.section_parameter_range();
         for i in sub.section_indices() {
-            let free = low < solution.t[i] && solution.t[i] < high;
-            if !free && !solution.fell_back[i] {
+            let free = low < solution.point_parameters[i] && solution.point_parameters[i] < high;
+            if !free && !solution.has_fallen_back[i] {
                 out.results[i].flag_status(PointStatus::ClampedParameter);
             }
         }
@@ -132,7 +134,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
         max_iterations: u32,
     ) -> Result<bool> {
         let (report, job) = (&mut *out.report, out.job);
-        let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
+        let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.outline_size;
         let (mut smallest, mut scale, mut halvings) = (f64::INFINITY, 0.0, 0);
         for sweep in 0..max_iterations {
             let overlap = (MIN_REPEATED_ROWS_PER_END << (sweep / 4).min(8)).min(MAX_REPEATED_ROWS_PER_END);
@@ -152,13 +154,14 @@ impl<const D: usize> SelfConsistentNewton<D> {
             }
             (smallest, scale, halvings) = (sum, 1.0, 0);
             let farthest = self.add_scaled_step(sub, solution, 1.0);
-            report.record_cycle(farthest / sub.size)?;
-            if farthest <= MAX_RELATIVE_LAST_STEP * sub.size {
+            report.record_cycle(farthest / sub.outline_size)?;
+            if farthest <= MAX_RELATIVE_LAST_STEP * sub.outline_size {
                 solution.save_controls();
                 update_parameters_and_controls(sub, solution);
-                let moves = sub.section_indices().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
-                report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.size;
-                if report.last_move * sub.size <= tolerance {
+                let moves =
+                    sub.section_indices().map(|i| solution.controls[i].distance_squared(solution.previous_controls[i]));
+                report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.outline_size;
+                if report.last_move * sub.outline_size <= tolerance {
                     return Ok(true);
                 }
                 smallest = f64::INFINITY;
@@ -179,15 +182,18 @@ impl<const D: usize> SelfConsistentNewton<D> {
         for i in sub.section_indices() {
             job.step_every(POINTS_PER_REPORT, i, sub.len(), PROGRESS_STAGE)?;
             let [b, u, v] = solution.control_and_joints_relative_to_point(sub, i);
-            let (t, gradients) = match solution.fell_back[i] {
-                true => (solution.data_t[i], [DVec3::ZERO; 2]),
+            let (t, gradients) = match solution.has_fallen_back[i] {
+                true => (solution.parameters_by_data_triangles[i], [DVec3::ZERO; 2]),
                 false => parameter_and_gradients(sub.options, u, v),
             };
-            solution.t[i] = t;
+            solution.point_parameters[i] = t;
             let s = 1.0 - t;
             let value = u * (s * s) + b * (2.0 * t * s) + v * (t * t);
             sum += value.length_squared();
-            let (before, after) = (solution.joints[sub.previous_index(i)], solution.joints[i]);
+            let (before, after) = (
+                solution.joint_parameters_of_iteration[sub.previous_index(i)],
+                solution.joint_parameters_of_iteration[i],
+            );
             self.rows[i] = NewtonRow {
                 factors: control_equations::control_point_coefficients(t, before, after),
                 gradients: [
@@ -196,7 +202,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
                     first_coordinates(gradients[1] * after),
                 ],
                 derivative: first_coordinates(((b - u) * s + (v - b) * t) * 2.0),
-                value: first_coordinates(value),
+                equation_value: first_coordinates(value),
             };
         }
         Ok(sum)
@@ -229,7 +235,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
                     block[r][c] = q[r] * (h[c] - along[c]) - lower * above[r][c];
                 }
                 block[r][r] += middle;
-                value[r] = -row.value[r] - lower * right[r] - q[r] * across;
+                value[r] = -row.equation_value[r] - lower * right[r] - q[r] * across;
             }
             let Some(inverse) = inverse_matrix(&block) else { return Ok(false) };
             let coupling: [[f64; D]; D] =
@@ -241,14 +247,14 @@ impl<const D: usize> SelfConsistentNewton<D> {
                 }
             }
             self.upper[k] = above;
-            self.right[k] = right;
+            self.right_sides[k] = right;
         }
         let mut next = [0.0; D];
         let mut finite = true;
         for k in (0..count).rev() {
             let upper = &self.upper[k];
             let here: [f64; D] =
-                std::array::from_fn(|r| self.right[k][r] - (0..D).map(|c| upper[r][c] * next[c]).sum::<f64>());
+                std::array::from_fn(|r| self.right_sides[k][r] - (0..D).map(|c| upper[r][c] * next[c]).sum::<f64>());
             next = here;
             match sub.closed {
                 true if (repeated_rows..repeated_rows + n).contains(&k) => self.step[k - repeated_rows] = next,
@@ -277,15 +283,15 @@ impl<const D: usize> SelfConsistentNewton<D> {
 /// Reads off the parameters and solves for the control points: the fixed-point map.
 fn update_parameters_and_controls(sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
     for i in sub.section_indices() {
-        solution.t[i] = parameter_on_section(sub, solution, i);
+        solution.point_parameters[i] = parameter_on_section(sub, solution, i);
     }
     control_equations::solve_control_points(sub, solution);
 }
 
 /// Returns the parameter of point `i` on its current section.
 fn parameter_on_section(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> f64 {
-    if solution.fell_back[i] {
-        return solution.data_t[i];
+    if solution.has_fallen_back[i] {
+        return solution.parameters_by_data_triangles[i];
     }
     let [_, u, v] = solution.control_and_joints_relative_to_point(sub, i);
     parameter_and_gradients(sub.options, u, v).0
@@ -304,7 +310,7 @@ pub(super) fn parameter_and_gradients(options: &Options, u: DVec3, v: DVec3) -> 
     let (t, parts, alpha) = match options.method.chord_exponent() {
         Some(alpha) => {
             let parts = [u.length_squared(), v.length_squared()];
-            let [before, after] = parts.map(|part| power(part.sqrt(), alpha));
+            let [before, after] = parts.map(|part| power_by_roots_if_possible(part.sqrt(), alpha));
             (before / (before + after), parts, alpha)
         }
         None => {

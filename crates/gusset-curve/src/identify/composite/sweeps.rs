@@ -57,15 +57,16 @@ pub(super) fn solve_by_sweeps(
     for round in 0..=MAX_FALLBACK_ROUNDS {
         let rests = sweep_until_converged(sub, solution, out, max_iterations_of_round(sub, out.report, round))?;
         for i in sub.section_indices() {
-            let moves = solution.controls[i].distance(solution.previous[i]) > sub.options.tolerance * sub.size;
+            let moves =
+                solution.controls[i].distance(solution.previous_controls[i]) > sub.options.tolerance * sub.outline_size;
             let fails = !rests && (moves || round + 1 >= MAX_FALLBACK_ROUNDS) && lock != Lock::Parameter;
-            if fails && !solution.fell_back[i] {
-                solution.fell_back[i] = true;
+            if fails && !solution.has_fallen_back[i] {
+                solution.has_fallen_back[i] = true;
                 out.results[i].flag_status(PointStatus::FellBack);
                 out.report.status = FitStatus::NotConverged;
             }
-            if solution.fell_back[i] {
-                solution.t[i] = solution.data_t[i];
+            if solution.has_fallen_back[i] {
+                solution.point_parameters[i] = solution.parameters_by_data_triangles[i];
             }
         }
         if rests || lock == Lock::Parameter {
@@ -77,10 +78,10 @@ pub(super) fn solve_by_sweeps(
     let [low, high] = sub.section_parameter_range();
     for i in sub.section_indices() {
         match lock {
-            _ if solution.fell_back[i] || solution.missed_guide[i] => {
+            _ if solution.has_fallen_back[i] || solution.has_missed_guide[i] => {
                 out.results[i].flag_status(PointStatus::NoCrossing);
             }
-            Lock::SelfConsistent if !(low < solution.t[i] && solution.t[i] < high) => {
+            Lock::SelfConsistent if !(low < solution.point_parameters[i] && solution.point_parameters[i] < high) => {
                 out.results[i].flag_status(PointStatus::ClampedParameter);
             }
             _ => {}
@@ -98,9 +99,9 @@ fn move_controls_to_sweep_start(
     if sub.options.lock == Lock::DataGuide {
         find_guide_directions(sub, solution, results)?;
         for i in sub.section_indices() {
-            if !solution.fell_back[i] {
+            if !solution.has_fallen_back[i] {
                 // The nearest place on the guide.
-                let (p, guide) = (sub.points[i], solution.guides[i]);
+                let (p, guide) = (sub.points[i], solution.guide_directions[i]);
                 solution.controls[i] = p + guide * guide.dot(solution.controls[i] - p);
             }
         }
@@ -123,8 +124,8 @@ fn sweep_until_converged(
     max_sweeps: u32,
 ) -> Result<bool> {
     let (report, n) = (&mut *out.report, sub.len());
-    let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
-    let rounding = 16.0 * f64::EPSILON * sub.size;
+    let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.outline_size;
+    let rounding = 16.0 * f64::EPSILON * sub.outline_size;
     let (mut last, mut placed) = (f64::INFINITY, 0_usize);
     for sweep in 0..max_sweeps {
         report.iterations += 1;
@@ -141,7 +142,7 @@ fn sweep_until_converged(
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
         let farthest = farthest.sqrt();
-        report.record_cycle(farthest / sub.size)?;
+        report.record_cycle(farthest / sub.outline_size)?;
         let ratio = farthest / last;
         last = farthest;
         let rests = farthest <= rounding || farthest * ratio <= tolerance * (1.0 - ratio);
@@ -163,26 +164,29 @@ fn place_control_point(
     let [b, u, v] = solution.control_and_joints_relative_to_point(sub, i);
     let mut guide = None;
     let t = match sub.options.lock {
-        _ if solution.fell_back[i] => solution.data_t[i],
-        Lock::Parameter => solution.data_t[i],
+        _ if solution.has_fallen_back[i] => solution.parameters_by_data_triangles[i],
+        Lock::Parameter => solution.parameters_by_data_triangles[i],
         Lock::SelfConsistent => self_consistent::parameter_and_gradients(sub.options, u, v).0,
         Lock::DataGuide => match parameter_where_section_crosses_guide(sub, solution, i) {
             Some(t) => {
-                guide = Some(solution.guides[i]);
-                solution.missed_guide[i] = false;
+                guide = Some(solution.guide_directions[i]);
+                solution.has_missed_guide[i] = false;
                 t
             }
             None => {
-                solution.missed_guide[i] = true;
-                solution.fell_back[i] = sweep >= MAX_SWEEPS_WITHOUT_CROSSING;
-                solution.data_t[i]
+                solution.has_missed_guide[i] = true;
+                solution.has_fallen_back[i] = sweep >= MAX_SWEEPS_WITHOUT_CROSSING;
+                solution.parameters_by_data_triangles[i]
             }
         },
     };
-    solution.t[i] = t;
+    solution.point_parameters[i] = t;
     let s = 1.0 - t;
-    let [_, slope, _] =
-        control_equations::control_point_coefficients(t, solution.joints[sub.previous_index(i)], solution.joints[i]);
+    let [_, slope, _] = control_equations::control_point_coefficients(
+        t,
+        solution.joint_parameters_of_iteration[sub.previous_index(i)],
+        solution.joint_parameters_of_iteration[i],
+    );
     // A point that has returned to its guide is first projected on it.
     let start = guide.map_or(b, |guide| guide * guide.dot(b));
     let left = -(u * (s * s) + b * (2.0 * t * s) + v * (t * t)) + (b - start) * slope;
@@ -192,7 +196,13 @@ fn place_control_point(
         Solver::Step => {
             let direction = guide.unwrap_or_else(|| left.normalize_or_zero());
             let deviation = |x: f64| direction.dot(left) - slope * x;
-            match stepping::step_until_deviation_is_zero(sub.options, sub.size, deviation, &mut report.steps, job)? {
+            match stepping::step_until_deviation_is_zero(
+                sub.options,
+                sub.outline_size,
+                deviation,
+                &mut report.steps,
+                job,
+            )? {
                 Some(along) => start + direction * along,
                 None => return Ok(false),
             }
@@ -207,7 +217,7 @@ fn place_control_point(
 /// Returns the parameter at which the section crosses the guide of its point; `None` if it does
 /// not.
 fn parameter_where_section_crosses_guide(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> Option<f64> {
-    let guide = solution.guides[i];
+    let guide = solution.guide_directions[i];
     let (before, after) = (sub.previous_index(i), sub.next_index(i));
     let p = sub.points[i];
     let (a, c) = (solution.controls[before] - p, solution.controls[after] - p);
@@ -216,8 +226,8 @@ fn parameter_where_section_crosses_guide(sub: &Subcurve<'_>, solution: &Composit
     if a.dot(c) >= 0.0 {
         return None;
     }
-    let first = ((1.0 - solution.joints[before]) * a.length()).sqrt();
-    let last = (solution.joints[i] * c.length()).sqrt();
+    let first = ((1.0 - solution.joint_parameters_of_iteration[before]) * a.length()).sqrt();
+    let last = (solution.joint_parameters_of_iteration[i] * c.length()).sqrt();
     let t = first / (first + last);
     (MIN_CROSSING_PARAMETER..=1.0 - MIN_CROSSING_PARAMETER).contains(&t).then_some(t)
 }
@@ -229,7 +239,7 @@ fn find_guide_directions(
     solution: &mut CompositeSolution,
     results: &mut [PointResult],
 ) -> Result<()> {
-    alloc::reset(&mut solution.guides, sub.len(), DVec3::ZERO)?;
+    alloc::reset(&mut solution.guide_directions, sub.len(), DVec3::ZERO)?;
     let normal = subcurve_plane_normal(sub);
     for i in sub.section_indices() {
         let [a, p, c] = sub.point_and_neighbours(i);
@@ -241,9 +251,9 @@ fn find_guide_directions(
             })
         });
         match found {
-            Ok(guide) => solution.guides[i] = guide,
+            Ok(guide) => solution.guide_directions[i] = guide,
             Err(status) => {
-                solution.fell_back[i] = true;
+                solution.has_fallen_back[i] = true;
                 results[i].flag_status(status);
             }
         }

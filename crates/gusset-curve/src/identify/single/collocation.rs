@@ -132,7 +132,7 @@ impl Collocation {
             bernstein::bernstein_values(&mut self.basis, self.t[i]);
             self.matrix.row(i - 1).copy_from_slice(&self.basis[inner_range.clone()]);
         }
-        if !self.matrix.factor() {
+        if !self.matrix.factorise() {
             self.start_controls_at_points();
             return Ok(());
         }

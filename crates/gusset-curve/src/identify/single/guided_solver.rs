@@ -78,7 +78,7 @@ impl Collocation {
         // Removes the deviations that the steps leave. The control points leave their guides by no
         // more than that.
         self.solve_linear_equations()?;
-        Ok(self.max_and_squared_residual().0 <= MAX_POINT_MISS_DISTANCE * sub.size)
+        Ok(self.max_and_squared_residual().0 <= MAX_POINT_MISS_DISTANCE * sub.outline_size)
     }
 
     /// Returns true if the parameters increase from 0 to 1.
@@ -97,7 +97,7 @@ impl Collocation {
         out: &mut SubcurveOutput<'_>,
     ) -> Result<bool> {
         let (report, job) = (&mut *out.report, out.job);
-        let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
+        let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.outline_size;
         let first = self.inner_control_range().start;
         for sweep in 0..max_sweeps {
             job.step_every(SWEEPS_PER_REPORT, sweep as usize, max_sweeps as usize, PROGRESS_STAGE)?;
@@ -121,7 +121,7 @@ impl Collocation {
                         let deviation = |x: f64| direction.dot(left) - slope * x;
                         stepping::step_until_deviation_is_zero(
                             sub.options,
-                            sub.size,
+                            sub.outline_size,
                             deviation,
                             &mut report.steps,
                             job,
@@ -131,13 +131,13 @@ impl Collocation {
                 };
                 // The sweeps diverged or the steps are used up. Newton's method or the lock by
                 // parameters may do better.
-                if along.is_nan() || along.abs() >= MAX_CONTROL_POINT_MOVE * sub.size {
+                if along.is_nan() || along.abs() >= MAX_CONTROL_POINT_MOVE * sub.outline_size {
                     return Ok(false);
                 }
                 self.controls[own] += direction * along;
                 farthest = farthest.max(along.abs());
             }
-            report.record_cycle(farthest / sub.size)?;
+            report.record_cycle(farthest / sub.outline_size)?;
             if farthest <= tolerance {
                 return Ok(true);
             }
@@ -175,7 +175,7 @@ impl Collocation {
     /// Newton's method for the positions on the guides and the parameters together.
     fn iterate_newton(&mut self, sub: &Subcurve<'_>, normal: DVec3, report: &mut ReportInProgress) -> Result<bool> {
         let inner = self.inner_point_count();
-        let tolerance = sub.options.tolerance.max(2.0 * f64::EPSILON) * sub.size;
+        let tolerance = sub.options.tolerance.max(2.0 * f64::EPSILON) * sub.outline_size;
         let mut residual = self.max_and_squared_residual();
         let mut near = false;
         for _ in 0..MAX_NEWTON_ITERATIONS.min(sub.options.max_sweeps) {
@@ -195,7 +195,7 @@ impl Collocation {
             };
             residual = next;
             let moved = (1..=inner).map(|i| self.right[i - 1].x.abs()).fold(0.0, f64::max);
-            report.record_cycle(fraction * moved / sub.size)?;
+            report.record_cycle(fraction * moved / sub.outline_size)?;
             // Once the points are within the tolerance, one more step removes the rest.
             if near || (residual.0 <= tolerance && moved <= tolerance) {
                 return Ok(residual.0 <= tolerance);
@@ -226,7 +226,7 @@ impl Collocation {
             }
             self.right[i - 1] = DVec3::new(across.dot(left), 0.0, 0.0);
         }
-        if !self.matrix.factor() {
+        if !self.matrix.factorise() {
             return Ok(false);
         }
         self.matrix.solve(&mut self.right[..inner]);

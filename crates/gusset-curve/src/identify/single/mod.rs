@@ -48,7 +48,7 @@ pub(super) fn append_single_curve(
     }
     let segment = out.builder.len() as u32;
     for (i, (result, &t)) in out.results.iter_mut().zip(&collocation.t).enumerate() {
-        if collocation.residual_distance(i) > MAX_ROUNDING_MISS * sub.size {
+        if collocation.residual_distance(i) > MAX_ROUNDING_MISS * sub.outline_size {
             result.flag_status(PointStatus::NotConverged);
         }
         result.place = Place { segment, t };
@@ -90,11 +90,11 @@ fn solve_single_curve(
     if !solved {
         collocation.solve_for_parameters(sub, out)?;
     }
-    if collocation.max_control_distance() > MAX_CONTROL_TO_POINT_DISTANCE * sub.size {
+    if collocation.max_control_distance() > MAX_CONTROL_TO_POINT_DISTANCE * sub.outline_size {
         out.report.status = FitStatus::IllConditioned;
     }
     let miss = collocation.max_and_squared_residual().0;
-    Ok((miss.is_nan() || miss > MAX_POINT_MISS_DISTANCE * sub.size).then_some(FitStatus::IllConditioned))
+    Ok((miss.is_nan() || miss > MAX_POINT_MISS_DISTANCE * sub.outline_size).then_some(FitStatus::IllConditioned))
 }
 
 /// Returns the direction of a closed curve at its seam, which is the direction of the section on

@@ -27,19 +27,19 @@ const MAX_SIDE_MISFIT_RADIANS: f64 = 0.7;
 /// The end of a crease on a rim.
 pub(super) struct CreaseEnd {
     /// The rim vertex at which the crease's last edge inside the surface ends.
-    pub(super) base: usize,
+    pub(super) base_vertex: usize,
     /// Number of rim edges that follow the crease from the base; negative if they run backwards.
-    pub(super) following: isize,
+    pub(super) following_rim_edges: isize,
     /// The rim vertex at which the crease leaves the rim; the base if the rim does not follow the
     /// crease.
-    pub(super) tip: usize,
+    pub(super) tip_vertex: usize,
     /// The crease's vertex before the tip.
-    pub(super) from: DVec3,
-    /// The unit vector from `from` to the tip.
+    pub(super) point_before_tip: DVec3,
+    /// The unit vector from `point_before_tip` to the tip.
     pub(super) direction: DVec3,
     /// The old triangles at the base on the two sides of the crease. The first side is beside the
     /// rim edge that ends at the base, the second beside the rim edge that begins there.
-    pub(super) sides: [Vec<u32>; 2],
+    pub(super) triangles_beside: [Vec<u32>; 2],
     /// The unit normals of the surface on these sides.
     pub(super) normals: [DVec3; 2],
 }
@@ -53,8 +53,8 @@ impl CreaseEnd {
 
     /// Returns the vertices of a rim of `count` vertices along which the crease runs, in rim order.
     pub(super) fn rim_vertices_along_crease(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
-        let first = if self.following < 0 { self.tip } else { self.base };
-        (0..=self.following.unsigned_abs()).map(move |k| (first + k) % count)
+        let first = if self.following_rim_edges < 0 { self.tip_vertex } else { self.base_vertex };
+        (0..=self.following_rim_edges.unsigned_abs()).map(move |k| (first + k) % count)
     }
 }
 
@@ -62,17 +62,17 @@ impl CreaseEnd {
 pub(super) struct CreaseAlongRim {
     /// The run starts at this vertex and has this number of edges; 0 if the crease only touches the
     /// rim.
-    pub(super) first: usize,
-    pub(super) edges: usize,
+    pub(super) first_vertex: usize,
+    pub(super) edge_count: usize,
     /// The old triangles on the hole's side of the crease, at the first and at the last vertex.
-    pub(super) sides: [Vec<u32>; 2],
+    pub(super) triangles_at_ends: [Vec<u32>; 2],
 }
 
 impl CreaseAlongRim {
     /// Returns the vertices of the run on a rim of `count` vertices, in rim order.
     pub(super) fn rim_vertices_along_crease(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
-        let first = self.first;
-        (0..=self.edges).map(move |k| (first + k) % count)
+        let first = self.first_vertex;
+        (0..=self.edge_count).map(move |k| (first + k) % count)
     }
 }
 
@@ -80,9 +80,10 @@ impl CreaseAlongRim {
 pub(super) type RimCorners = Buckets<(u32, u32, u32)>;
 
 pub(super) fn collect_rim_corners(rim: &PatchRim) -> Result<RimCorners> {
-    let given = rim.around.iter().zip(0..).flat_map(|(&[a, b, c], t)| [(b, (t, a, c)), (c, (t, b, a)), (a, (t, c, b))]);
-    let at_rim = given.filter(|&(v, _)| (v as usize) < rim.count).map(|(v, corner)| (v as usize, corner));
-    Buckets::new(rim.count, (0, 0, 0), at_rim)
+    let given =
+        rim.first_ring.iter().zip(0..).flat_map(|(&[a, b, c], t)| [(b, (t, a, c)), (c, (t, b, a)), (a, (t, c, b))]);
+    let at_rim = given.filter(|&(v, _)| (v as usize) < rim.rim_vertex_count).map(|(v, corner)| (v as usize, corner));
+    Buckets::new(rim.rim_vertex_count, (0, 0, 0), at_rim)
 }
 
 /// Finds the crease ends on a rim, ordered by their tips, and the creases along it. No two share a
@@ -90,7 +91,7 @@ pub(super) fn collect_rim_corners(rim: &PatchRim) -> Result<RimCorners> {
 pub(super) fn find_crease_ends(rim: &PatchRim, corners: &RimCorners) -> Result<(Vec<CreaseEnd>, Vec<CreaseAlongRim>)> {
     let mut bends = Vec::new();
     let mut sharpest = Vec::new();
-    for v in 0..rim.count {
+    for v in 0..rim.rim_vertex_count {
         let fan = triangle_fan(rim, corners, v)?;
         let start = bends.len();
         alloc::extend(&mut bends, fan.windows(2).map(|pair| fan_bend_angle(rim, pair)))?;
@@ -115,8 +116,8 @@ pub(super) fn find_crease_ends(rim: &PatchRim, corners: &RimCorners) -> Result<(
             _ => {}
         }
     }
-    let ends = extract_creases_along_rim(ends, &mut along_rim, rim.count)?;
-    drop_creases_with_shared_vertices(ends, along_rim, rim.count)
+    let ends = extract_creases_along_rim(ends, &mut along_rim, rim.rim_vertex_count)?;
+    drop_creases_with_shared_vertices(ends, along_rim, rim.rim_vertex_count)
 }
 
 /// Replaces each pair of ends between which the rim follows a crease by a crease along the rim.
@@ -131,15 +132,18 @@ fn extract_creases_along_rim(
     for i in 0..ends.len() {
         let j = (i + 1) % ends.len();
         let (a, b) = (&ends[i], &ends[j]);
-        let edges = (b.base + count - a.base) % count;
-        let reaches = a.following >= edges as isize || -b.following >= edges as isize;
+        let edges = (b.base_vertex + count - a.base_vertex) % count;
+        let reaches = a.following_rim_edges >= edges as isize || -b.following_rim_edges >= edges as isize;
         let fits = || {
             angle_between(a.normals[0], b.normals[1]) < MAX_SIDE_MISFIT_RADIANS && a.convexity() * b.convexity() > 0.0
         };
         if i != j && reaches && !used[i] && !used[j] && fits() {
             (used[i], used[j]) = (true, true);
-            let sides = [alloc::copied(&a.sides[0])?, alloc::copied(&b.sides[1])?];
-            alloc::push(along_rim, CreaseAlongRim { first: a.base, edges, sides })?;
+            let sides = [alloc::copied(&a.triangles_beside[0])?, alloc::copied(&b.triangles_beside[1])?];
+            alloc::push(
+                along_rim,
+                CreaseAlongRim { first_vertex: a.base_vertex, edge_count: edges, triangles_at_ends: sides },
+            )?;
         }
     }
     let mut used = used.into_iter();
@@ -161,7 +165,8 @@ fn median(values: &[f64]) -> Result<f64> {
 /// if the fan has too many triangles.
 fn triangle_fan(rim: &PatchRim, corners: &RimCorners, v: usize) -> Result<Vec<(u32, u32)>> {
     let own = corners.get(v);
-    let [before, after] = [(v + rim.count - 1) % rim.count, (v + 1) % rim.count].map(|v| v as u32);
+    let [before, after] =
+        [(v + rim.rim_vertex_count - 1) % rim.rim_vertex_count, (v + 1) % rim.rim_vertex_count].map(|v| v as u32);
     let mut fan = Vec::new();
     let mut side = after;
     while side != before {
@@ -176,7 +181,7 @@ fn triangle_fan(rim: &PatchRim, corners: &RimCorners, v: usize) -> Result<Vec<(u
 }
 
 fn double_area_vector(rim: &PatchRim, t: u32) -> DVec3 {
-    let [a, b, c] = rim.around[t as usize].map(|v| rim.points[v as usize]);
+    let [a, b, c] = rim.first_ring[t as usize].map(|v| rim.points[v as usize]);
     (b - a).cross(c - a)
 }
 
@@ -203,14 +208,25 @@ fn add_creases_at_corner(
     let [(before, n), (after, m)] = [side_of_fan(rim, fans[0])?, side_of_fan(rim, fans[1])?];
     let sides = [before, after];
     if angle_between(n, m) < MIN_CREASE_RADIANS {
-        return alloc::push(along_rim, CreaseAlongRim { first: base, edges: 0, sides });
+        return alloc::push(along_rim, CreaseAlongRim { first_vertex: base, edge_count: 0, triangles_at_ends: sides });
     }
     let corner = rim.points[base];
-    let centre = rim.points[..rim.count].iter().sum::<DVec3>() / rim.count as f64;
+    let centre = rim.points[..rim.rim_vertex_count].iter().sum::<DVec3>() / rim.rim_vertex_count as f64;
     let line = n.cross(m).normalize_or_zero();
     let direction = if line.dot(centre - corner) < 0.0 { -line } else { line };
-    let from = corner - direction * corner.distance(rim.points[(base + 1) % rim.count]);
-    alloc::push(ends, CreaseEnd { base, following: 0, tip: base, from, direction, sides, normals: [n, m] })
+    let from = corner - direction * corner.distance(rim.points[(base + 1) % rim.rim_vertex_count]);
+    alloc::push(
+        ends,
+        CreaseEnd {
+            base_vertex: base,
+            following_rim_edges: 0,
+            tip_vertex: base,
+            point_before_tip: from,
+            direction,
+            triangles_beside: sides,
+            normals: [n, m],
+        },
+    )
 }
 
 /// Returns where the crease between the triangles k and k + 1 of a fan meets the rim, and its
@@ -220,15 +236,23 @@ fn crease_end(rim: &PatchRim, base: usize, k: usize, fan: &[(u32, u32)]) -> Resu
     let [(before, n), (after, m)] = [side_of_fan(rim, before)?, side_of_fan(rim, after)?];
     let from = rim.points[fan[k].1 as usize];
     let (following, from) = follow_crease_along_rim(rim, base, from);
-    let tip = base.wrapping_add_signed(following + rim.count as isize) % rim.count;
+    let tip = base.wrapping_add_signed(following + rim.rim_vertex_count as isize) % rim.rim_vertex_count;
     let direction = (rim.points[tip] - from).normalize_or_zero();
-    Ok(CreaseEnd { base, following, tip, from, direction, sides: [before, after], normals: [n, m] })
+    Ok(CreaseEnd {
+        base_vertex: base,
+        following_rim_edges: following,
+        tip_vertex: tip,
+        point_before_tip: from,
+        direction,
+        triangles_beside: [before, after],
+        normals: [n, m],
+    })
 }
 
 /// Returns the number of rim edges that continue a crease from its base, signed by their direction,
 /// and the crease's vertex before the tip.
 fn follow_crease_along_rim(rim: &PatchRim, base: usize, from: DVec3) -> (isize, DVec3) {
-    let n = rim.count;
+    let n = rim.rim_vertex_count;
     let at = |by: isize| rim.points[base.wrapping_add_signed(by + n as isize) % n];
     let direction = |p: DVec3, q: DVec3| (q - p).normalize_or_zero();
     let turn = |way: isize| direction(from, at(0)).dot(direction(at(0), at(way)));
@@ -259,6 +283,6 @@ fn drop_creases_with_shared_vertices(
     along_rim.iter().flat_map(|crease| crease.rim_vertices_along_crease(count)).for_each(|v| uses[v] += 1);
     ends.retain(|end| end.rim_vertices_along_crease(count).all(|v| uses[v] == 1));
     along_rim.retain(|crease| crease.rim_vertices_along_crease(count).all(|v| uses[v] == 1));
-    sort::sort_stable(&mut ends, &|x, y| x.tip.cmp(&y.tip));
+    sort::sort_stable(&mut ends, &|x, y| x.tip_vertex.cmp(&y.tip_vertex));
     Ok((ends, along_rim))
 }

@@ -123,12 +123,12 @@ fn best_non_crossing_matching(ends: &[usize], cost: &impl Fn(usize, usize) -> f6
 
 /// Returns the unit end tangents of the curve between two ends, pointing inwards along the curve.
 pub(super) fn end_tangents(rim: &PatchRim, [i, j]: [&CreaseEnd; 2]) -> [DVec3; 2] {
-    let [p, q] = [i, j].map(|end| rim.points[end.tip]);
-    [tangent_of_circle(i.from, p, q), tangent_of_circle(j.from, q, p)]
+    let [p, q] = [i, j].map(|end| rim.points[end.tip_vertex]);
+    [tangent_of_circle(i.point_before_tip, p, q), tangent_of_circle(j.point_before_tip, q, p)]
 }
 
 fn cost_of_crease_pair(rim: &PatchRim, i: &CreaseEnd, j: &CreaseEnd) -> f64 {
-    let chord = (rim.points[j.tip] - rim.points[i.tip]).normalize_or_zero();
+    let chord = (rim.points[j.tip_vertex] - rim.points[i.tip_vertex]).normalize_or_zero();
     let [leaves, returns] = end_tangents(rim, [i, j]);
     let arrives = -returns;
     let turn = |direction: DVec3| {
@@ -158,9 +158,9 @@ fn rotate_by_shortest_rotation(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
 /// lines of three ends; the arms are all ends that point at it. Returns `None` if the three ends do
 /// not form a star.
 fn find_star(rim: &PatchRim, ends: &[CreaseEnd], three: [usize; 3]) -> Result<Option<(f64, DVec3, Vec<usize>)>> {
-    let size = Aabb::from_points(&rim.points[..rim.count]).diagonal();
+    let size = Aabb::from_points(&rim.points[..rim.rim_vertex_count]).diagonal();
     let misses = |centre: DVec3, end: &CreaseEnd| {
-        let way = centre - rim.points[end.tip];
+        let way = centre - rim.points[end.tip_vertex];
         if way.length() > size { f64::INFINITY } else { angle_between(way, end.direction) }
     };
     let Some(centre) = nearest_point_to_lines(rim, &three.iter().map(|&k| &ends[k])) else {
@@ -190,7 +190,7 @@ fn nearest_point_to_lines<'a>(rim: &PatchRim, ends: &(impl Iterator<Item = &'a C
     for _ in 0..MAX_REWEIGHTING_ROUNDS {
         let (mut matrix, mut right, mut sum) = (DMat3::ZERO, DVec3::ZERO, 0.0);
         for end in ends.clone() {
-            let (p, t) = (rim.points[end.tip], end.direction);
+            let (p, t) = (rim.points[end.tip_vertex], end.direction);
             let off = DMat3::IDENTITY - DMat3::from_cols(t * t.x, t * t.y, t * t.z);
             let weight = centre
                 .map_or(1.0, |c| 1.0 / ((off * (c - p)).length() + MIN_MISS_TO_TIP_DISTANCE_RATIO * c.distance(p)));

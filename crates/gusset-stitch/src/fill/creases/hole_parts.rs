@@ -53,7 +53,7 @@ impl PartOutlines<'_> {
     /// Returns `None` without parts, or if a part has only vertices on creases. `points` are the
     /// vertices of the curves. O(n) per part for n old vertices.
     pub(super) fn build_parts(&self, points: &[DVec3]) -> Result<Option<Vec<HolePart>>> {
-        let count = self.rim.count;
+        let count = self.rim.rim_vertex_count;
         // For each rim vertex, the end that has it as its tip or that follows the rim there.
         let mut end_at = alloc::filled(None, count)?;
         for (k, end) in self.ends.iter().enumerate().filter(|&(k, _)| self.bridges[k].is_some()) {
@@ -77,20 +77,20 @@ impl PartOutlines<'_> {
             while let (false, Some(leaving)) = (is_used[start], &self.bridges[start]) {
                 is_used[start] = true;
                 outline.enter_hole_rim(&self.ends[start], leaving.curve)?;
-                let mut v = (self.ends[start].tip + 1) % count;
+                let mut v = (self.ends[start].tip_vertex + 1) % count;
                 let (end, bridge) = loop {
                     match at(v) {
-                        Some((end, bridge)) if v == end.tip => break (end, bridge),
+                        Some((end, bridge)) if v == end.tip_vertex => break (end, bridge),
                         Some((end, bridge)) => outline.follow_crease(v, end, bridge.curve)?,
                         None => outline.follow_rim(v, crease_at[v])?,
                     }
                     v = (v + 1) % count;
                 };
                 outline.leave_hole_rim(end, bridge.curve)?;
-                outline.follow_bridge(&bridge.inner)?;
-                start = bridge.to;
+                outline.follow_bridge(&bridge.inner_vertices)?;
+                start = bridge.other_end;
             }
-            if !outline.names.is_empty() {
+            if !outline.hole_vertex_numbers.is_empty() {
                 alloc::push(&mut parts, outline)?;
             }
         }
@@ -106,24 +106,31 @@ struct PartOutline<'a> {
     rim: &'a PatchRim,
     corners: &'a RimCorners,
     along_rim: &'a [CreaseAlongRim],
-    names: Vec<u32>,
+    hole_vertex_numbers: Vec<u32>,
     curves_of_vertices: Vec<[u32; 2]>,
     /// The old triangles on this side of the creases.
-    around: Vec<u32>,
+    old_triangles: Vec<u32>,
 }
 
 impl<'a> PartOutline<'a> {
     fn new(&PartOutlines { rim, corners, along_rim, .. }: &PartOutlines<'a>) -> Self {
-        PartOutline { rim, corners, along_rim, names: Vec::new(), curves_of_vertices: Vec::new(), around: Vec::new() }
+        PartOutline {
+            rim,
+            corners,
+            along_rim,
+            hole_vertex_numbers: Vec::new(),
+            curves_of_vertices: Vec::new(),
+            old_triangles: Vec::new(),
+        }
     }
 
     fn push_vertex(&mut self, name: usize, curves: [u32; 2]) -> Result<()> {
-        alloc::push(&mut self.names, name as u32)?;
+        alloc::push(&mut self.hole_vertex_numbers, name as u32)?;
         alloc::push(&mut self.curves_of_vertices, curves)
     }
 
     fn push_faces_at(&mut self, v: usize) -> Result<()> {
-        alloc::extend(&mut self.around, self.corners.get(v).iter().map(|&(t, _, _)| t))
+        alloc::extend(&mut self.old_triangles, self.corners.get(v).iter().map(|&(t, _, _)| t))
     }
 
     /// Appends a vertex of the hole's rim, which may lie on a crease along the rim.
@@ -135,11 +142,11 @@ impl<'a> PartOutline<'a> {
         // Touches are numbered downwards, because curves are numbered from 0 upwards.
         self.push_vertex(v, [NONE - 1 - k as u32, NONE])?;
         let crease = &self.along_rim[k];
-        if v == crease.first {
-            alloc::append(&mut self.around, &crease.sides[0])?;
+        if v == crease.first_vertex {
+            alloc::append(&mut self.old_triangles, &crease.triangles_at_ends[0])?;
         }
-        if v == (crease.first + crease.edges) % self.rim.count {
-            alloc::append(&mut self.around, &crease.sides[1])?;
+        if v == (crease.first_vertex + crease.edge_count) % self.rim.rim_vertex_count {
+            alloc::append(&mut self.old_triangles, &crease.triangles_at_ends[1])?;
         }
         Ok(())
     }
@@ -147,20 +154,28 @@ impl<'a> PartOutline<'a> {
     /// Appends a vertex of the hole's rim at which the rim follows a crease.
     fn follow_crease(&mut self, v: usize, end: &CreaseEnd, curve: u32) -> Result<()> {
         self.push_vertex(v, [curve, NONE])?;
-        let side = usize::from(end.following < 0);
-        if v == end.base { alloc::append(&mut self.around, &end.sides[side]) } else { Ok(()) }
+        let side = usize::from(end.following_rim_edges < 0);
+        if v == end.base_vertex { alloc::append(&mut self.old_triangles, &end.triangles_beside[side]) } else { Ok(()) }
     }
 
     /// Appends the tip of the end at which the part's outline enters the hole's rim.
     fn enter_hole_rim(&mut self, end: &CreaseEnd, curve: u32) -> Result<()> {
-        self.push_vertex(end.tip, [curve, NONE])?;
-        if end.following > 0 { self.push_faces_at(end.tip) } else { alloc::append(&mut self.around, &end.sides[1]) }
+        self.push_vertex(end.tip_vertex, [curve, NONE])?;
+        if end.following_rim_edges > 0 {
+            self.push_faces_at(end.tip_vertex)
+        } else {
+            alloc::append(&mut self.old_triangles, &end.triangles_beside[1])
+        }
     }
 
     /// Appends the tip of the end at which the part's outline leaves the hole's rim.
     fn leave_hole_rim(&mut self, end: &CreaseEnd, curve: u32) -> Result<()> {
-        self.push_vertex(end.tip, [curve, NONE])?;
-        if end.following < 0 { self.push_faces_at(end.tip) } else { alloc::append(&mut self.around, &end.sides[0]) }
+        self.push_vertex(end.tip_vertex, [curve, NONE])?;
+        if end.following_rim_edges < 0 {
+            self.push_faces_at(end.tip_vertex)
+        } else {
+            alloc::append(&mut self.old_triangles, &end.triangles_beside[0])
+        }
     }
 
     /// Appends the inner vertices of a bridge.
@@ -170,10 +185,10 @@ impl<'a> PartOutline<'a> {
 
     /// Builds the part inside this outline. O(n) for n old vertices.
     fn build_part(mut self, points: &[DVec3]) -> Result<HolePart> {
-        let (rim, count, n) = (self.rim, self.rim.count, self.names.len());
+        let (rim, count, n) = (self.rim, self.rim.rim_vertex_count, self.hole_vertex_numbers.len());
         let mut numbers = alloc::filled(NONE, rim.points.len())?;
         let mut own = alloc::with_capacity(n + rim.points.len())?;
-        for (k, &name) in self.names.iter().enumerate() {
+        for (k, &name) in self.hole_vertex_numbers.iter().enumerate() {
             let name = name as usize;
             own.push(if name < count { rim.points[name] } else { points[name - count] });
             if name < count {
@@ -181,7 +196,7 @@ impl<'a> PartOutline<'a> {
             }
         }
         let is_own = |v: u32| (v as usize) < count && numbers[v as usize] != NONE;
-        let mut sides = alloc::gather(rim.sides.iter().copied().filter(|&(u, v)| is_own(u) || is_own(v)))?;
+        let mut sides = alloc::gather(rim.first_ring_sides.iter().copied().filter(|&(u, v)| is_own(u) || is_own(v)))?;
         let mut number = |v: u32| {
             let number = &mut numbers[v as usize];
             if *number == NONE {
@@ -190,27 +205,36 @@ impl<'a> PartOutline<'a> {
             }
             *number
         };
-        sort_distinct(&mut self.around);
-        let around = alloc::collect(self.around.iter().map(|&t| rim.around[t as usize].map(&mut number)))?;
+        sort_distinct(&mut self.old_triangles);
+        let around = alloc::collect(self.old_triangles.iter().map(|&t| rim.first_ring[t as usize].map(&mut number)))?;
         sides.iter_mut().for_each(|(u, v)| (*u, *v) = (number(*u), number(*v)));
         let mut is_near = alloc::filled(false, rim.points.len())?;
-        self.around.iter().for_each(|&t| rim.around[t as usize].iter().for_each(|&v| is_near[v as usize] = true));
-        let next_to = rim.beyond.iter().filter(|triangle| triangle.iter().any(|&v| is_near[v as usize]));
+        self.old_triangles
+            .iter()
+            .for_each(|&t| rim.first_ring[t as usize].iter().for_each(|&v| is_near[v as usize] = true));
+        let next_to = rim.second_ring_triangles.iter().filter(|triangle| triangle.iter().any(|&v| is_near[v as usize]));
         let beyond = alloc::gather(next_to.map(|triangle| triangle.map(&mut number)))?;
         let mut across = alloc::with_capacity(n)?;
-        for (k, &name) in self.names.iter().enumerate() {
+        for (k, &name) in self.hole_vertex_numbers.iter().enumerate() {
             let next = (k + 1) % n;
             let is_crease = self.curves_of_vertices[k]
                 .iter()
                 .any(|curve| *curve != NONE && self.curves_of_vertices[next].contains(curve));
-            across.push(if is_crease { DVec3::ZERO } else { rim.across[name as usize] });
+            across.push(if is_crease { DVec3::ZERO } else { rim.normals_across_edges[name as usize] });
             if is_crease {
                 alloc::push(&mut sides, (k as u32, next as u32))?;
             }
         }
-        let is_whole = |(&name, &curves): (&u32, &[u32; 2])| curves == NO_CURVES_OF_VERTEX && rim.whole[name as usize];
-        let whole = alloc::collect(self.names.iter().zip(&self.curves_of_vertices).map(is_whole))?;
-        let part = rim.rim_of_part(own, OldFaces { around, beyond, sides }, across, whole)?;
-        Ok(HolePart { rim: part, names: self.names, curves_of_vertices: self.curves_of_vertices, count })
+        let is_whole = |(&name, &curves): (&u32, &[u32; 2])| {
+            curves == NO_CURVES_OF_VERTEX && rim.has_complete_one_ring[name as usize]
+        };
+        let whole = alloc::collect(self.hole_vertex_numbers.iter().zip(&self.curves_of_vertices).map(is_whole))?;
+        let part = rim.rim_of_part(
+            own,
+            OldFaces { first_ring: around, second_ring_triangles: beyond, first_ring_sides: sides },
+            across,
+            whole,
+        )?;
+        Ok(HolePart { rim: part, names: self.hole_vertex_numbers, curves_of_vertices: self.curves_of_vertices, count })
     }
 }

@@ -58,7 +58,7 @@ pub(super) fn divide_along_creases(
     taken: &dyn Fn(u32, u32) -> bool,
     limit: Option<u32>,
 ) -> Result<Option<DividedHole>> {
-    if rim.lengths.len() > 1 {
+    if rim.loop_lengths.len() > 1 {
         return Ok(None);
     }
     let corners = crease_ends::collect_rim_corners(rim)?;

@@ -30,8 +30,14 @@ fn rim_of_height_field(mut height: impl FnMut(f64, f64) -> f64) -> PatchRim {
     let points: Vec<_> =
         order.iter().map(|&(x, y)| (f64::from(x), f64::from(y))).map(|(x, y)| DVec3::new(x, y, height(x, y))).collect();
     let sides = around.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
-    PatchRim::new(&points, vec![20], OldFaces { around, beyond: Vec::new(), sides }, vec![DVec3::Z; 20], vec![true; 20])
-        .unwrap()
+    PatchRim::new(
+        &points,
+        vec![20],
+        OldFaces { first_ring: around, second_ring_triangles: Vec::new(), first_ring_sides: sides },
+        vec![DVec3::Z; 20],
+        vec![true; 20],
+    )
+    .unwrap()
 }
 
 fn divide_without_taken_edges(rim: &PatchRim, limit: Option<u32>) -> Option<DividedHole> {
@@ -66,7 +72,7 @@ fn a_ridge_that_touches_the_rim_hides_what_is_beyond() {
     assert!(part.rim.normals.iter().all(|&own| own == DVec3::ZERO || own.distance(normal) < 1e-12));
     // Vertices 15 to 20 lie on the ridge.
     assert!(part.is_taken_edge(15, 18, &|_, _| false) && !part.is_taken_edge(3, 8, &|_, _| false));
-    assert_eq!(part.rim.across.iter().filter(|across| **across == DVec3::ZERO).count(), 5);
+    assert_eq!(part.rim.normals_across_edges.iter().filter(|across| **across == DVec3::ZERO).count(), 5);
 }
 
 #[test]

@@ -43,14 +43,15 @@ struct SortedBridges {
     /// The ends of each bridge, the smaller first.
     sorted: Vec<[u32; 2]>,
     /// The rank of the bridge (u, v) is at index u n + v, for n vertices.
-    rank: Vec<u32>,
+    rank_by_vertex_pair: Vec<u32>,
 }
 
 impl SortedBridges {
     fn new(task: &ClosingTask<'_>) -> Result<SortedBridges> {
         let n = task.rims.vertex_count() as u32;
         let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
-        let mut sorted = alloc::gather(pairs.filter(|&[u, v]| task.rims.joins_two_loops(u, v) && !(task.taken)(u, v)))?;
+        let mut sorted =
+            alloc::gather(pairs.filter(|&[u, v]| task.rims.joins_two_loops(u, v) && !(task.is_forbidden_edge)(u, v)))?;
         let squared = |[u, v]: [u32; 2]| task.rims.squared_distance(u, v);
         sort::sort_stable(&mut sorted, &|&x, &y| squared(x).total_cmp(&squared(y)).then(x.cmp(&y)));
         let mut rank = alloc::filled(0, (n * n) as usize)?;
@@ -58,11 +59,11 @@ impl SortedBridges {
             rank[(u * n + v) as usize] = at;
             rank[(v * n + u) as usize] = at;
         }
-        Ok(SortedBridges { sorted, rank })
+        Ok(SortedBridges { sorted, rank_by_vertex_pair: rank })
     }
 
     fn rank_of_bridge(&self, rims: &NumberedRims, u: u32, v: u32) -> u32 {
-        self.rank[u as usize * rims.vertex_count() + v as usize]
+        self.rank_by_vertex_pair[u as usize * rims.vertex_count() + v as usize]
     }
 }
 
@@ -72,15 +73,16 @@ struct PartialTree {
     is_joined: Vec<bool>,
     /// At index i k + j, for k loops: the least rank that a bridge between the loops i and j may
     /// have.
-    least: Vec<u32>,
+    least_rank_by_loop_pair: Vec<u32>,
 }
 
 impl PartialTree {
     /// Returns the branch extended by one loop, joined at `place` to its vertex `v` by the bridge
     /// of this rank.
     fn extended_by_loop(&self, rims: &NumberedRims, place: usize, v: u32, rank: u32) -> Result<PartialTree> {
-        let ring = rims.ring[v as usize] as usize;
-        let (mut is_joined, mut least) = (alloc::copied(&self.is_joined)?, alloc::copied(&self.least)?);
+        let ring = rims.loop_of_vertex[v as usize] as usize;
+        let (mut is_joined, mut least) =
+            (alloc::copied(&self.is_joined)?, alloc::copied(&self.least_rank_by_loop_pair)?);
         let k = is_joined.len();
         for (i, j) in (0..k).flat_map(|i| (0..k).map(move |j| (i, j))) {
             if is_joined[i] != is_joined[j] {
@@ -88,17 +90,21 @@ impl PartialTree {
             }
         }
         is_joined[ring] = true;
-        Ok(PartialTree { opened: self.opened.extended_by_loop(place, rims.loop_vertices(ring), v)?, is_joined, least })
+        Ok(PartialTree {
+            opened: self.opened.extended_by_loop(place, rims.loop_vertices(ring), v)?,
+            is_joined,
+            least_rank_by_loop_pair: least,
+        })
     }
 }
 
 struct BridgeTreeSearch<'a> {
     task: &'a ClosingTask<'a>,
     bridges: SortedBridges,
-    best: Option<OpenedLoopsTriangulation>,
+    best_triangulation: Option<OpenedLoopsTriangulation>,
     /// Triangulations that cost no less than this are skipped.
-    limit: Option<TriangulationCost>,
-    repeats: usize,
+    cost_limit: Option<TriangulationCost>,
+    repeated_searches_left: usize,
 }
 
 /// Returns the number of additional polygon searches, for repeated edges, that double the work.
@@ -106,9 +112,9 @@ pub(super) fn max_repeated_searches(rims: &NumberedRims) -> usize {
     (MAX_EXAMINED_TRIANGLES / estimate_polygon_work(rims.vertex_count() + 2 * rims.loop_count() - 2)) as usize
 }
 
-/// Returns the best triangulation that costs less than `limit`, over all trees of bridges.
+/// Returns the best triangulation that costs less than `cost_limit`, over all trees of bridges.
 ///
-/// By area it is optimal, unless edges repeat in more searches than `repeats`. Bends and bulges are
+/// By area it is optimal, unless edges repeat in more searches than `repeated_searches_left`. Bends and bulges are
 /// treated as in the search of a single loop. O(t n^3) for t trees.
 pub(super) fn best_triangulation_over_trees(
     task: &ClosingTask<'_>,
@@ -117,45 +123,55 @@ pub(super) fn best_triangulation_over_trees(
     job: &Job<'_>,
 ) -> Result<Option<OpenedLoopsTriangulation>> {
     let (rims, k) = (task.rims, task.rims.loop_count());
-    let mut search = BridgeTreeSearch { task, bridges: SortedBridges::new(task)?, best: None, limit, repeats };
+    let mut search = BridgeTreeSearch {
+        task,
+        bridges: SortedBridges::new(task)?,
+        best_triangulation: None,
+        cost_limit: limit,
+        repeated_searches_left: repeats,
+    };
     let count = search.bridges.sorted.len();
     for rank in 0..count {
         let [u, v] = search.bridges.sorted[rank];
-        let ring = rims.ring[u as usize] as usize;
+        let ring = rims.loop_of_vertex[u as usize] as usize;
         let range = rims.loop_vertices(ring);
         let place = (u - range.start) as usize;
         let mut is_joined = alloc::filled(false, k)?;
         is_joined[ring] = true;
         // The first bridge is the shortest in the tree.
         let least = alloc::filled(rank as u32, k * k)?;
-        let alone = PartialTree { opened: OpenedLoops::from_loop(range)?, is_joined, least };
-        search
-            .search_from_partial_tree(alone.extended_by_loop(rims, place, v, rank as u32)?, &job.share(rank, count))?;
+        let alone = PartialTree { opened: OpenedLoops::from_loop(range)?, is_joined, least_rank_by_loop_pair: least };
+        search.search_from_partial_tree(
+            alone.extended_by_loop(rims, place, v, rank as u32)?,
+            &job.sub_job_of_item(rank, count),
+        )?;
     }
-    Ok(search.best)
+    Ok(search.best_triangulation)
 }
 
 impl BridgeTreeSearch<'_> {
     fn search_from_partial_tree(&mut self, branch: PartialTree, job: &Job<'_>) -> Result<()> {
         let rims = self.task.rims;
-        let ring = |v: u32| rims.ring[v as usize] as usize;
+        let ring = |v: u32| rims.loop_of_vertex[v as usize] as usize;
         let k = rims.loop_count();
-        let least = |u: u32, v: u32| branch.least[ring(u) * k + ring(v)];
+        let least = |u: u32, v: u32| branch.least_rank_by_loop_pair[ring(u) * k + ring(v)];
         if branch.is_joined.iter().all(|&is_joined| is_joined) {
             let bridges = &self.bridges;
             let excluded =
                 |u: u32, v: u32| rims.joins_two_loops(u, v) && bridges.rank_of_bridge(rims, u, v) < least(u, v);
             let chords = AllChords(branch.opened.len());
-            let limit = self.best.as_ref().map(|best| &best.cost).or(self.limit.as_ref());
-            let repeats = RepeatedEdgeTreatment::Both(&mut self.repeats);
+            let limit = self.best_triangulation.as_ref().map(|best| &best.cost).or(self.cost_limit.as_ref());
+            let repeats = RepeatedEdgeTreatment::Both(&mut self.repeated_searches_left);
             let found = self.task.search_polygon(branch.opened, &chords, &excluded, limit, repeats, job)?;
-            self.best = found.or(self.best.take());
+            self.best_triangulation = found.or(self.best_triangulation.take());
             return Ok(());
         }
         let others = (0..rims.vertex_count() as u32).filter(|&v| !branch.is_joined[ring(v)]);
-        let places = branch.opened.order.iter().enumerate();
+        let places = branch.opened.vertex_at_place.iter().enumerate();
         let mut next = alloc::gather(others.flat_map(|v| places.clone().map(move |(place, &u)| (u, v, place))))?;
-        next.retain(|&(u, v, _)| !(self.task.taken)(u, v) && self.bridges.rank_of_bridge(rims, u, v) > least(u, v));
+        next.retain(|&(u, v, _)| {
+            !(self.task.is_forbidden_edge)(u, v) && self.bridges.rank_of_bridge(rims, u, v) > least(u, v)
+        });
         sort::sort_stable(&mut next, &|x, y| {
             let key = |&(u, v, place): &(u32, u32, usize)| (self.bridges.rank_of_bridge(rims, u, v), place);
             key(x).cmp(&key(y))

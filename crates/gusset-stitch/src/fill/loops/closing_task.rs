@@ -17,9 +17,9 @@ use gusset_base::sort::Buckets;
 pub(super) struct ClosingTask<'a> {
     pub(super) rims: &'a NumberedRims,
     pub(super) weight: Weight,
-    pub(super) measure: CostNormalisation,
+    pub(super) normalisation: CostNormalisation,
     /// Returns true if two vertices must not get an edge.
-    pub(super) taken: &'a dyn Fn(u32, u32) -> bool,
+    pub(super) is_forbidden_edge: &'a dyn Fn(u32, u32) -> bool,
     /// False for thinned loops: of their edges, only bridges are sure to stay edges.
     pub(super) is_finest: bool,
 }
@@ -70,14 +70,14 @@ pub(super) struct OpenedLoopsTriangulation {
 impl ClosingTask<'_> {
     /// Returns true if `a` is less than `b` by the measure of these loops.
     pub(super) fn is_cheaper_by_loop_measure(&self, a: &TriangulationCost, b: &TriangulationCost) -> bool {
-        CostEvaluator::for_opened_loops(&self.rims.all, self.weight, self.measure, &[]).is_cheaper(a, b)
+        CostEvaluator::for_opened_loops(&self.rims.all_vertices, self.weight, self.normalisation, &[]).is_cheaper(a, b)
     }
 
     /// Returns true if no chord may join the vertices.
     pub(super) fn forbids_chord(&self, u: u32, v: u32) -> bool {
         u == v
             || self.rims.is_rim_edge(u, v)
-            || (self.is_finest || self.rims.joins_two_loops(u, v)) && (self.taken)(u, v)
+            || (self.is_finest || self.rims.joins_two_loops(u, v)) && (self.is_forbidden_edge)(u, v)
     }
 
     /// Returns the best triangulation without repeated edges, and without chords between `excluded`
@@ -92,7 +92,7 @@ impl ClosingTask<'_> {
         job: &Job<'_>,
     ) -> Result<Option<OpenedLoopsTriangulation>> {
         let polygon = opened.build_polygon(self.rims)?;
-        let scale = CostEvaluator::for_opened_loops(&polygon, self.weight, self.measure, &opened.bridges);
+        let scale = CostEvaluator::for_opened_loops(&polygon, self.weight, self.normalisation, &opened.is_bridge);
         let tree = opened.bridge_tree()?;
         let mut is_copied = alloc::filled(false, self.rims.vertex_count())?;
         tree.iter().flat_map(|(ends, _)| ends).for_each(|&v| is_copied[v as usize] = true);
@@ -105,7 +105,7 @@ impl ClosingTask<'_> {
         let mut open = vec![Vec::<[u32; 2]>::new()];
         while let Some(without) = open.pop() {
             let forbidden = |i: usize, k: usize| {
-                let [u, v] = [i, k].map(|place| opened.order[place]);
+                let [u, v] = [i, k].map(|place| opened.vertex_at_place[place]);
                 let is_out = || without.binary_search(&[i as u32, k as u32]).is_ok();
                 self.forbids_chord(u, v) || is_bridge(u, v) || excluded(u, v) || is_out()
             };
@@ -129,7 +129,7 @@ impl ClosingTask<'_> {
     /// Returns the cost of any triangles that close the loops, over the vertices of all loops.
     pub(super) fn cost_of_closing(&self, triangles: &[[u32; 3]]) -> Result<TriangulationCost> {
         let rims = self.rims;
-        let scale = CostEvaluator::for_opened_loops(&rims.all, self.weight, self.measure, &[]);
+        let scale = CostEvaluator::for_opened_loops(&rims.all_vertices, self.weight, self.normalisation, &[]);
         let sides = |&[a, b, c]: &[u32; 3]| [[b, c], [c, a], [a, b]];
         let bulge = |[u, v]: [u32; 2]| {
             if rims.is_rim_edge(u, v) { 0.0 } else { scale.bulge_of_any_chord([u as usize, v as usize]) }
@@ -153,8 +153,11 @@ impl ClosingTask<'_> {
             for pair in sides.chunk_by(|a, b| a.0 == b.0) {
                 let (v, normal) = pair[0];
                 let from = if rims.next_vertex(u) == v { u } else { v };
-                let beyond =
-                    if rims.is_rim_edge(u, v) { rims.all.across[from as usize] } else { pair[pair.len() - 1].1 };
+                let beyond = if rims.is_rim_edge(u, v) {
+                    rims.all_vertices.normals_across_edges[from as usize]
+                } else {
+                    pair[pair.len() - 1].1
+                };
                 total = total.plus(scale.bend_cost([u as usize, v as usize], normal, beyond));
             }
         }

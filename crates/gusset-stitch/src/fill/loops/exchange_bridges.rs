@@ -29,7 +29,8 @@ pub(super) fn exchange_bridges(task: &ClosingTask<'_>, job: &Job<'_>) -> Result<
     let rims = task.rims;
     let n = rims.vertex_count() as u32;
     let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
-    let mut bridges = alloc::gather(pairs.filter(|&[u, v]| rims.joins_two_loops(u, v) && !(task.taken)(u, v)))?;
+    let mut bridges =
+        alloc::gather(pairs.filter(|&[u, v]| rims.joins_two_loops(u, v) && !(task.is_forbidden_edge)(u, v)))?;
     bridges.sort_unstable_by(|&x, &y| {
         rims.squared_distance(x[0], x[1]).total_cmp(&rims.squared_distance(y[0], y[1])).then(x.cmp(&y))
     });
@@ -48,7 +49,7 @@ pub(super) fn exchange_bridges(task: &ClosingTask<'_>, job: &Job<'_>) -> Result<
             NO_TAKEN_EDGE,
             limit,
             RepeatedEdgeTreatment::One(MAX_REPEATED_EDGE_SEARCHES),
-            &job.part(1.0 - left as f64 / allowed, 1.0),
+            &job.sub_job(1.0 - left as f64 / allowed, 1.0),
         )
     };
     let mut best = search(&tree, &None, left)?;
@@ -81,7 +82,7 @@ fn shortest_spanning_tree(rims: &NumberedRims, bridges: &[[u32; 2]]) -> Result<O
             if apart && tree.as_flattened().iter().any(|&end| end == u || end == v) {
                 continue;
             }
-            if joined.union(rims.ring[u as usize], rims.ring[v as usize]) {
+            if joined.union(rims.loop_of_vertex[u as usize], rims.loop_of_vertex[v as usize]) {
                 alloc::push(&mut tree, [u, v])?;
             }
             if tree.len() + 1 == rims.loop_count() {
@@ -100,7 +101,7 @@ fn replacement_bridges(
     removed: usize,
 ) -> Result<Vec<[u32; 2]>> {
     let mut joined = DisjointSets::new(rims.loop_count())?;
-    let ring = |v: u32| rims.ring[v as usize];
+    let ring = |v: u32| rims.loop_of_vertex[v as usize];
     for (_, &[u, v]) in tree.iter().enumerate().filter(|&(k, _)| k != removed) {
         joined.union(ring(u), ring(v));
     }
@@ -110,7 +111,7 @@ fn replacement_bridges(
 
 /// Returns the polygon along a tree of bridges. Several bridges at one vertex come in any order.
 fn open_loops_along_tree(rims: &NumberedRims, tree: &[[u32; 2]]) -> Result<OpenedLoops> {
-    let ring = |v: u32| rims.ring[v as usize] as usize;
+    let ring = |v: u32| rims.loop_of_vertex[v as usize] as usize;
     let mut opened = OpenedLoops::from_loop(rims.loop_vertices(ring(tree[0][0])))?;
     let mut is_joined = alloc::filled(false, rims.loop_count())?;
     is_joined[ring(tree[0][0])] = true;
@@ -120,7 +121,7 @@ fn open_loops_along_tree(rims: &NumberedRims, tree: &[[u32; 2]]) -> Result<Opene
             break;
         };
         let [u, v] = if is_joined[ring(u)] { [u, v] } else { [v, u] };
-        if let Some(place) = opened.order.iter().position(|&w| w == u) {
+        if let Some(place) = opened.vertex_at_place.iter().position(|&w| w == u) {
             opened = opened.extended_by_loop(place, rims.loop_vertices(ring(v)), v)?;
         }
         is_joined[ring(v)] = true;

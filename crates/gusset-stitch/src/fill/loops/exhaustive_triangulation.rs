@@ -21,22 +21,22 @@ pub(super) struct ExhaustiveTriangulation<'a> {
     weight: Weight,
     points: Vec<DVec3>,
     normals: Vec<DVec3>,
-    across: Vec<DVec3>,
-    next: Vec<usize>,
+    normals_across_edges: Vec<DVec3>,
+    next_vertex: Vec<usize>,
     unit: f64,
-    sides: Vec<SideState>,
+    side_states: Vec<SideState>,
     triangles: Vec<[u32; 3]>,
     /// The number of triangles of a complete triangulation.
-    count: usize,
-    taken: &'a dyn Fn(u32, u32) -> bool,
+    triangle_count: usize,
+    is_forbidden_edge: &'a dyn Fn(u32, u32) -> bool,
     /// The least cost of the complete triangulations.
-    best: f64,
+    best_cost: f64,
     /// Partial triangulations that cost at least this are skipped.
-    limit: f64,
+    cost_limit: f64,
 }
 
 impl<'a> ExhaustiveTriangulation<'a> {
-    /// Returns the least cost below `limit`; infinity if there is none.
+    /// Returns the least cost below `cost_limit`; infinity if there is none.
     pub(super) fn least_cost(
         loops: &[Polygon],
         weight: Weight,
@@ -44,9 +44,9 @@ impl<'a> ExhaustiveTriangulation<'a> {
         limit: f64,
     ) -> f64 {
         let mut search = ExhaustiveTriangulation::new(loops, weight, taken);
-        search.limit = limit;
+        search.cost_limit = limit;
         search.close_first_wanted_side(0.0);
-        search.best
+        search.best_cost
     }
 
     /// Returns the cost of the given triangles.
@@ -73,48 +73,50 @@ impl<'a> ExhaustiveTriangulation<'a> {
             sides[v * n + u] = SideState::Closed;
         }
         let unit = (0..n).map(|u| points[u].distance(points[next[u]])).sum::<f64>() / 140.0;
-        let (normals, across) = (all(|polygon| &polygon.normals), all(|polygon| &polygon.across));
+        let (normals, across) = (all(|polygon| &polygon.normals), all(|polygon| &polygon.normals_across_edges));
         let count = n + 2 * loops.len() - 4;
         let (triangles, best, limit) = (Vec::new(), f64::INFINITY, f64::INFINITY);
         ExhaustiveTriangulation {
             weight,
             points,
             normals,
-            across,
-            next,
+            normals_across_edges: across,
+            next_vertex: next,
             unit,
-            sides,
+            side_states: sides,
             triangles,
-            count,
-            taken,
-            best,
-            limit,
+            triangle_count: count,
+            is_forbidden_edge: taken,
+            best_cost: best,
+            cost_limit: limit,
         }
     }
 
     fn close_first_wanted_side(&mut self, cost: f64) {
-        if cost >= self.limit {
+        if cost >= self.cost_limit {
             return;
         }
         let n = self.points.len();
-        let Some(side) = self.sides.iter().position(|&side| side == SideState::Wanted) else {
-            if self.triangles.len() == self.count && is_connected_manifold(&self.triangles, n, &self.next) {
-                (self.best, self.limit) = (cost, cost);
+        let Some(side) = self.side_states.iter().position(|&side| side == SideState::Wanted) else {
+            if self.triangles.len() == self.triangle_count
+                && is_connected_manifold(&self.triangles, n, &self.next_vertex)
+            {
+                (self.best_cost, self.cost_limit) = (cost, cost);
             }
             return;
         };
-        if self.triangles.len() == self.count {
+        if self.triangles.len() == self.triangle_count {
             return;
         }
         let (u, v) = (side / n, side % n);
         for w in (0..n).filter(|&w| w != u && w != v) {
             let before =
-                [(u, v), (v, u), (v, w), (w, v), (w, u), (u, w)].map(|(a, b)| (a * n + b, self.sides[a * n + b]));
+                [(u, v), (v, u), (v, w), (w, v), (w, u), (u, w)].map(|(a, b)| (a * n + b, self.side_states[a * n + b]));
             if let Some(more) = self.place_triangle([u, v, w]) {
                 self.close_first_wanted_side(cost + more);
                 self.triangles.pop();
             }
-            before.iter().for_each(|&(at, side)| self.sides[at] = side);
+            before.iter().for_each(|&(at, side)| self.side_states[at] = side);
         }
     }
 
@@ -123,9 +125,9 @@ impl<'a> ExhaustiveTriangulation<'a> {
     fn place_triangle(&mut self, corners: [usize; 3]) -> Option<f64> {
         let n = self.points.len();
         let pairs = [0, 1, 2].map(|k| (corners[k], corners[(k + 1) % 3]));
-        let is_new = |&(u, v): &(usize, usize)| self.next[u] != v && self.next[v] != u;
-        let can = |&(u, v): &(usize, usize)| matches!(self.sides[u * n + v], SideState::Free | SideState::Wanted);
-        let is_taken = |&(u, v): &(usize, usize)| (self.taken)(u as u32, v as u32);
+        let is_new = |&(u, v): &(usize, usize)| self.next_vertex[u] != v && self.next_vertex[v] != u;
+        let can = |&(u, v): &(usize, usize)| matches!(self.side_states[u * n + v], SideState::Free | SideState::Wanted);
+        let is_taken = |&(u, v): &(usize, usize)| (self.is_forbidden_edge)(u as u32, v as u32);
         if !pairs.iter().all(|pair| can(pair) && !(is_new(pair) && is_taken(pair))) {
             return None;
         }
@@ -139,13 +141,13 @@ impl<'a> ExhaustiveTriangulation<'a> {
         };
         let [x, y, z] = [bulge(&pairs[0]), bulge(&pairs[1]), bulge(&pairs[2])];
         let mut cost = match self.weight {
-            Weight::Continuation => (x * x + y * y + z * z + x * y + x * z + y * z) / 6.0 / self.count as f64,
+            Weight::Continuation => (x * x + y * y + z * z + x * y + x * z + y * z) / 6.0 / self.triangle_count as f64,
             _ => cross.length() / 2.0,
         };
         for (u, v) in pairs {
-            let beyond = match self.sides[v * n + u] {
+            let beyond = match self.side_states[v * n + u] {
                 SideState::Run(beyond) => Some(beyond),
-                SideState::Closed => Some(self.across[u]).filter(|&across| across != DVec3::ZERO),
+                SideState::Closed => Some(self.normals_across_edges[u]).filter(|&across| across != DVec3::ZERO),
                 _ => None,
             };
             let cosine = beyond.map_or(1.0, |beyond| beyond.dot(normal).min(1.0));
@@ -155,9 +157,9 @@ impl<'a> ExhaustiveTriangulation<'a> {
                 Weight::AreaAndBend => (1.0 - cosine) * self.points[u].distance_squared(self.points[v]),
                 _ => 0.0,
             };
-            self.sides[u * n + v] = SideState::Run(normal);
-            if self.sides[v * n + u] == SideState::Free {
-                self.sides[v * n + u] = SideState::Wanted;
+            self.side_states[u * n + v] = SideState::Run(normal);
+            if self.side_states[v * n + u] == SideState::Free {
+                self.side_states[v * n + u] = SideState::Wanted;
             }
         }
         self.triangles.push(corners.map(|v| v as u32));

@@ -44,7 +44,7 @@ pub(super) fn improve_along_other_bridges(
         };
         alloc::append(&mut old, &tree)?;
         let limit = Some(&best.cost);
-        let job = job.share(round, rounds);
+        let job = job.sub_job_of_item(round, rounds);
         let found = if n <= MAX_EXACT_VERTICES {
             task.search_polygon(
                 opened,
@@ -123,7 +123,7 @@ fn spanning_tree(rims: &NumberedRims, bridges: impl Iterator<Item = [u32; 2]>) -
     let mut joined = DisjointSets::new(rims.loop_count())?;
     let mut tree = Vec::new();
     for [u, v] in bridges {
-        if joined.union(rims.ring[u as usize], rims.ring[v as usize]) {
+        if joined.union(rims.loop_of_vertex[u as usize], rims.loop_of_vertex[v as usize]) {
             alloc::push(&mut tree, [u, v])?;
             if tree.len() + 1 == rims.loop_count() {
                 break;

@@ -83,16 +83,22 @@ pub(super) fn triangulate_loops_together(
         return minimum_weight_triangulation(polygon, weight, &|i, k| taken(i as u32, k as u32), job);
     }
     let rims = NumberedRims::new(loops)?;
-    let task = ClosingTask { rims: &rims, weight, measure: rims.common_cost_normalisation(), taken, is_finest: true };
+    let task = ClosingTask {
+        rims: &rims,
+        weight,
+        normalisation: rims.common_cost_normalisation(),
+        is_forbidden_edge: taken,
+        is_finest: true,
+    };
     let plane = nested_loops::normal_of_common_plane(&rims);
     if let Some(normal) = plane
-        && let Some(triangles) = nested_loops::triangulate_nested_loops(&task, normal, &job.part(0.0, 0.2))?
+        && let Some(triangles) = nested_loops::triangulate_nested_loops(&task, normal, &job.sub_job(0.0, 0.2))?
     {
         return Ok(Some(triangles));
     }
     // On a plane, the surface beyond the rims does not matter.
     let weight = if plane.is_some() && weight == Weight::Continuation { Weight::Area } else { weight };
-    let found = close_loops_coarse_to_fine(loops, &ClosingTask { weight, ..task }, &job.part(0.2, 1.0))?;
+    let found = close_loops_coarse_to_fine(loops, &ClosingTask { weight, ..task }, &job.sub_job(0.2, 1.0))?;
     found.map(|found| found.opened.places_to_vertices(&found.triangles)).transpose()
 }
 
@@ -104,7 +110,8 @@ pub(super) fn triangulate_loops_together(
 pub(super) fn cost_of_closing(loops: &[Polygon], triangles: &[[u32; 3]], weight: Weight) -> Result<TriangulationCost> {
     let rims = NumberedRims::new(loops)?;
     let measure = CostNormalisation::new(rims.loop_points(), triangles.len());
-    ClosingTask { rims: &rims, weight, measure, taken: NO_TAKEN_EDGE, is_finest: true }.cost_of_closing(triangles)
+    ClosingTask { rims: &rims, weight, normalisation: measure, is_forbidden_edge: NO_TAKEN_EDGE, is_finest: true }
+        .cost_of_closing(triangles)
 }
 
 /// Returns false if two loops are unlikely to cost less together than apart. The prediction thins
@@ -130,8 +137,8 @@ pub(super) fn may_cost_less_together(loops: [&Polygon; 2], weight: Weight, job: 
     let task = ClosingTask {
         rims: &rims,
         weight,
-        measure: rims.common_cost_normalisation(),
-        taken: NO_TAKEN_EDGE,
+        normalisation: rims.common_cost_normalisation(),
+        is_forbidden_edge: NO_TAKEN_EDGE,
         is_finest: true,
     };
     Ok(bridge_trees::best_triangulation_over_trees(&task, Some(limit), MAX_REPEATED_EDGE_SEARCHES, job)?.is_some())
@@ -150,10 +157,10 @@ fn close_loops_coarse_to_fine(
             task,
             None,
             bridge_trees::max_repeated_searches(task.rims),
-            &job.part(0.0, 0.9),
+            &job.sub_job(0.0, 0.9),
         )?;
         return best
-            .map(|best| improve_along_bridges::improve_along_other_bridges(task, best, &job.part(0.9, 1.0)))
+            .map(|best| improve_along_bridges::improve_along_other_bridges(task, best, &job.sub_job(0.9, 1.0)))
             .transpose();
     }
     let is_small =
@@ -163,23 +170,29 @@ fn close_loops_coarse_to_fine(
         if n > MAX_DENSE_SEARCH_VERTICES {
             return Ok(None);
         }
-        let best = exchange_bridges::exchange_bridges(task, &job.part(0.0, 0.8))?;
+        let best = exchange_bridges::exchange_bridges(task, &job.sub_job(0.0, 0.8))?;
         return best
-            .map(|best| improve_along_bridges::improve_along_other_bridges(task, best, &job.part(0.8, 1.0)))
+            .map(|best| improve_along_bridges::improve_along_other_bridges(task, best, &job.sub_job(0.8, 1.0)))
             .transpose();
     };
     let rims = NumberedRims::new(&coarse)?;
-    let taken = |u: u32, v: u32| (task.taken)(kept[u as usize], kept[v as usize]);
-    let measure = rims.common_cost_normalisation().with_bulge_unit_of(task.measure);
-    let coarse_task = ClosingTask { rims: &rims, weight: task.weight, measure, taken: &taken, is_finest: false };
-    let Some(coarse) = close_loops_coarse_to_fine(&coarse, &coarse_task, &job.part(0.0, 0.4))? else {
+    let taken = |u: u32, v: u32| (task.is_forbidden_edge)(kept[u as usize], kept[v as usize]);
+    let measure = rims.common_cost_normalisation().with_bulge_unit_of(task.normalisation);
+    let coarse_task = ClosingTask {
+        rims: &rims,
+        weight: task.weight,
+        normalisation: measure,
+        is_forbidden_edge: &taken,
+        is_finest: false,
+    };
+    let Some(coarse) = close_loops_coarse_to_fine(&coarse, &coarse_task, &job.sub_job(0.0, 0.4))? else {
         return Ok(None);
     };
-    let Some(found) = refine_triangulation(task, &coarse, &kept, &job.part(0.4, 0.7))? else {
+    let Some(found) = refine_triangulation(task, &coarse, &kept, &job.sub_job(0.4, 0.7))? else {
         return Ok(None);
     };
-    let found = zip_loops::zip_loops(task, found, &job.part(0.7, 0.8))?;
-    improve_along_bridges::improve_along_other_bridges(task, found, &job.part(0.8, 1.0)).map(Some)
+    let found = zip_loops::zip_loops(task, found, &job.sub_job(0.7, 0.8))?;
+    improve_along_bridges::improve_along_other_bridges(task, found, &job.sub_job(0.8, 1.0)).map(Some)
 }
 
 /// Refines a triangulation of thinned loops, with chords near the coarse ones.
@@ -237,7 +250,7 @@ fn add_ears_at_finer_vertices(
     alloc::append(&mut triangles, &ears)?;
     let named = opened.places_to_vertices(&triangles)?;
     let mut sides = named.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    if sides.any(|[u, v]| !task.rims.is_rim_edge(u, v) && (task.taken)(u, v)) {
+    if sides.any(|[u, v]| !task.rims.is_rim_edge(u, v) && (task.is_forbidden_edge)(u, v)) {
         return Ok(None);
     }
     let cost = task.cost_of_closing(&named)?;

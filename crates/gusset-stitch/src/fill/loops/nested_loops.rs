@@ -23,9 +23,9 @@ const MAX_RELATIVE_AREA_EXCESS: f64 = 1e-9;
 /// Returns the normal of the plane of all loops. Returns `None` if they are not coplanar, or if
 /// their total area vector is 0.
 pub(super) fn normal_of_common_plane(rims: &NumberedRims) -> Option<DVec3> {
-    let first = *rims.all.points.first()?;
+    let first = *rims.all_vertices.points.first()?;
     let normal = rims.loop_points().map(|points| double_area_vector(points, first)).sum::<DVec3>().try_normalize()?;
-    is_planar(&rims.all.points, normal).then_some(normal)
+    is_planar(&rims.all_vertices.points, normal).then_some(normal)
 }
 
 /// Returns twice the area vector, by Newell's formula.
@@ -45,24 +45,24 @@ pub(super) fn triangulate_nested_loops(
 ) -> Result<Option<Vec<[u32; 3]>>> {
     let rims = task.rims;
     let x = normal.any_orthonormal_vector();
-    let (y, origin) = (normal.cross(x), rims.all.points[0]);
-    let flat = rims.all.points.iter().map(|&p| DVec2::new((p - origin).dot(x), (p - origin).dot(y)));
+    let (y, origin) = (normal.cross(x), rims.all_vertices.points[0]);
+    let flat = rims.all_vertices.points.iter().map(|&p| DVec2::new((p - origin).dot(x), (p - origin).dot(y)));
     let flat = alloc::collect(flat)?;
     let areas = alloc::gather(rims.loop_points().map(|points| double_area_vector(points, origin).dot(normal)))?;
     let mut outer = (0..rims.loop_count()).filter(|&ring| areas[ring] > 0.0);
     let (Some(outer), None) = (outer.next(), outer.next()) else {
         return Ok(None);
     };
-    let Some(opened) = join_nested_loops(task, &flat, outer, &job.part(0.0, 0.3))? else {
+    let Some(opened) = join_nested_loops(task, &flat, outer, &job.sub_job(0.0, 0.3))? else {
         return Ok(None);
     };
     let points = opened.build_polygon(rims)?.points;
     let tree = opened.bridge_tree()?;
     let taken = |i: u32, k: u32| {
-        let [u, v] = [i, k].map(|place| opened.order[place as usize]);
+        let [u, v] = [i, k].map(|place| opened.vertex_at_place[place as usize]);
         task.forbids_chord(u, v) || tree.binary_search_by_key(&[u.min(v), u.max(v)], |&(ends, _)| ends).is_ok()
     };
-    let Some(triangles) = clip_ears(&points, &taken, &job.part(0.3, 0.7))? else {
+    let Some(triangles) = clip_ears(&points, &taken, &job.sub_job(0.3, 0.7))? else {
         return Ok(None);
     };
     let triangles = opened.places_to_vertices(&triangles)?;
@@ -74,8 +74,8 @@ pub(super) fn triangulate_nested_loops(
     if triangles.iter().map(area).sum::<f64>() > exact * (1.0 + MAX_RELATIVE_AREA_EXCESS) {
         return Ok(None);
     }
-    let mut mesh = PatchMesh::new(alloc::copied(&rims.all.points)?, triangles)?;
-    mesh.flip_edges_to_delaunay(rims.vertex_count(), &|u, v| (task.taken)(u, v), &job.part(0.7, 1.0))?;
+    let mut mesh = PatchMesh::new(alloc::copied(&rims.all_vertices.points)?, triangles)?;
+    mesh.flip_edges_to_delaunay(rims.vertex_count(), &|u, v| (task.is_forbidden_edge)(u, v), &job.sub_job(0.7, 1.0))?;
     Ok(Some(mesh.triangles))
 }
 
@@ -99,7 +99,7 @@ fn join_nested_loops(
         let Some(place) = place_visible_from(&opened, flat, flat[v as usize]) else {
             return Ok(None);
         };
-        if (task.taken)(opened.order[place], v) {
+        if (task.is_forbidden_edge)(opened.vertex_at_place[place], v) {
             return Ok(None);
         }
         opened = opened.extended_by_loop(place, rims.loop_vertices(ring), v)?;
@@ -114,7 +114,7 @@ fn compare_points(p: DVec2, q: DVec2) -> std::cmp::Ordering {
 /// Returns a place of the polygon around `p` to which a bridge from `p` may lead.
 fn place_visible_from(opened: &OpenedLoops, flat: &[DVec2], p: DVec2) -> Option<usize> {
     let n = opened.len();
-    let at = |place: usize| flat[opened.order[place % n] as usize];
+    let at = |place: usize| flat[opened.vertex_at_place[place % n] as usize];
     // Edges with the inside on their right-hand side in x run downwards.
     let mut hit: Option<(f64, usize)> = None;
     for place in 0..n {

@@ -9,11 +9,11 @@ use std::ops::Range;
 /// Loops in sequence, with consecutive vertex numbers.
 pub(super) struct NumberedRims {
     /// The vertices of all loops.
-    pub(super) all: Polygon,
+    pub(super) all_vertices: Polygon,
     /// The first vertex of each loop, then the number of vertices.
-    start: Vec<u32>,
+    loop_starts: Vec<u32>,
     /// The loop of each vertex.
-    pub(super) ring: Vec<u32>,
+    pub(super) loop_of_vertex: Vec<u32>,
 }
 
 impl NumberedRims {
@@ -23,32 +23,32 @@ impl NumberedRims {
         let (mut start, mut ring) = (alloc::filled(0, 1)?, Vec::new());
         for (polygon, number) in loops.iter().zip(0..) {
             alloc::append(&mut all.points, &polygon.points)?;
-            alloc::append(&mut all.across, &polygon.across)?;
+            alloc::append(&mut all.normals_across_edges, &polygon.normals_across_edges)?;
             alloc::append(&mut all.normals, &polygon.normals)?;
             alloc::grow(&mut ring, all.points.len(), number)?;
             alloc::push(&mut start, all.points.len() as u32)?;
         }
-        Ok(NumberedRims { all, start, ring })
+        Ok(NumberedRims { all_vertices: all, loop_starts: start, loop_of_vertex: ring })
     }
 
     /// Returns the number of vertices.
     pub(super) fn vertex_count(&self) -> usize {
-        self.ring.len()
+        self.loop_of_vertex.len()
     }
 
     /// Returns the number of loops.
     pub(super) fn loop_count(&self) -> usize {
-        self.start.len() - 1
+        self.loop_starts.len() - 1
     }
 
     /// Returns the vertices of a loop.
     pub(super) fn loop_vertices(&self, ring: usize) -> Range<u32> {
-        self.start[ring]..self.start[ring + 1]
+        self.loop_starts[ring]..self.loop_starts[ring + 1]
     }
 
     /// Returns the next vertex on the loop.
     pub(super) fn next_vertex(&self, v: u32) -> u32 {
-        let range = self.loop_vertices(self.ring[v as usize] as usize);
+        let range = self.loop_vertices(self.loop_of_vertex[v as usize] as usize);
         if v + 1 < range.end { v + 1 } else { range.start }
     }
 
@@ -59,14 +59,14 @@ impl NumberedRims {
 
     /// Returns true if the vertices lie on different loops.
     pub(super) fn joins_two_loops(&self, u: u32, v: u32) -> bool {
-        self.ring[u as usize] != self.ring[v as usize]
+        self.loop_of_vertex[u as usize] != self.loop_of_vertex[v as usize]
     }
 
     /// Returns the points of each loop.
     pub(super) fn loop_points(&self) -> impl Iterator<Item = &[DVec3]> + Clone {
         (0..self.loop_count()).map(|ring| {
             let Range { start, end } = self.loop_vertices(ring);
-            &self.all.points[start as usize..end as usize]
+            &self.all_vertices.points[start as usize..end as usize]
         })
     }
 
@@ -77,7 +77,7 @@ impl NumberedRims {
 
     /// Returns the squared distance between two vertices.
     pub(super) fn squared_distance(&self, u: u32, v: u32) -> f64 {
-        self.all.points[u as usize].distance_squared(self.all.points[v as usize])
+        self.all_vertices.points[u as usize].distance_squared(self.all_vertices.points[v as usize])
     }
 }
 
@@ -100,7 +100,7 @@ pub(super) fn thin_loops(loops: &[Polygon]) -> Result<Option<(Vec<Polygon>, Vec<
             polygon.every_other_point()?
         } else {
             let [points, across, normals] =
-                [&polygon.points, &polygon.across, &polygon.normals].map(|of| alloc::copied(of));
+                [&polygon.points, &polygon.normals_across_edges, &polygon.normals].map(|of| alloc::copied(of));
             (Polygon::new(points?, across?, normals?), alloc::collect((0..n).map(|i| i as u32))?)
         };
         coarse.push(thin);

@@ -18,50 +18,51 @@ use std::ops::Range;
 /// A polygon through the vertices of several loops.
 pub(super) struct OpenedLoops {
     /// The vertex at each place.
-    pub(super) order: Vec<u32>,
+    pub(super) vertex_at_place: Vec<u32>,
     /// True for places whose edge to the next place is a bridge.
-    pub(super) bridges: Vec<bool>,
+    pub(super) is_bridge: Vec<bool>,
 }
 
 impl OpenedLoops {
     /// Creates the polygon of one loop with these vertices.
     pub(super) fn from_loop(range: Range<u32>) -> Result<OpenedLoops> {
         let bridges = alloc::filled(false, range.len())?;
-        Ok(OpenedLoops { order: alloc::collect(range)?, bridges })
+        Ok(OpenedLoops { vertex_at_place: alloc::collect(range)?, is_bridge: bridges })
     }
 
     /// Adds the loop with the vertices `range` by a bridge from a place to its vertex `v`. The
     /// bridge becomes the last edge.
     pub(super) fn extended_by_loop(&self, place: usize, range: Range<u32>, v: u32) -> Result<OpenedLoops> {
-        let n = self.order.len() + range.len() + 2;
+        let n = self.vertex_at_place.len() + range.len() + 2;
         let (mut order, mut bridges) = (alloc::with_capacity(n)?, alloc::with_capacity(n)?);
         order.extend((v..range.end).chain(range.start..=v));
         bridges.extend(range.map(|_| false).chain([true]));
-        order.extend(&self.order[place..]);
-        bridges.extend(&self.bridges[place..]);
-        order.extend(&self.order[..=place]);
-        bridges.extend(self.bridges[..place].iter().chain(&[true]));
-        Ok(OpenedLoops { order, bridges })
+        order.extend(&self.vertex_at_place[place..]);
+        bridges.extend(&self.is_bridge[place..]);
+        order.extend(&self.vertex_at_place[..=place]);
+        bridges.extend(self.is_bridge[..place].iter().chain(&[true]));
+        Ok(OpenedLoops { vertex_at_place: order, is_bridge: bridges })
     }
 
     pub(super) fn len(&self) -> usize {
-        self.order.len()
+        self.vertex_at_place.len()
     }
 
     pub(super) fn build_polygon(&self, rims: &NumberedRims) -> Result<Polygon> {
-        let at = |of: &[DVec3]| alloc::collect(self.order.iter().map(|&v| of[v as usize]));
+        let at = |of: &[DVec3]| alloc::collect(self.vertex_at_place.iter().map(|&v| of[v as usize]));
         // The surface across a bridge is not known yet.
-        let across = self.order.iter().zip(&self.bridges);
-        let across = across.map(|(&v, &bridge)| if bridge { DVec3::ZERO } else { rims.all.across[v as usize] });
-        Ok(Polygon::new(at(&rims.all.points)?, alloc::collect(across)?, at(&rims.all.normals)?))
+        let across = self.vertex_at_place.iter().zip(&self.is_bridge);
+        let across = across
+            .map(|(&v, &bridge)| if bridge { DVec3::ZERO } else { rims.all_vertices.normals_across_edges[v as usize] });
+        Ok(Polygon::new(at(&rims.all_vertices.points)?, alloc::collect(across)?, at(&rims.all_vertices.normals)?))
     }
 
     /// Returns the ends of each bridge, the smaller first, and the two places where the polygon
     /// passes it.
     pub(super) fn bridge_tree(&self) -> Result<Vec<([u32; 2], [usize; 2])>> {
         let n = self.len();
-        let passes = (0..n).filter(|&p| self.bridges[p]).map(|p| {
-            let (u, v) = (self.order[p], self.order[(p + 1) % n]);
+        let passes = (0..n).filter(|&p| self.is_bridge[p]).map(|p| {
+            let (u, v) = (self.vertex_at_place[p], self.vertex_at_place[(p + 1) % n]);
             ([u.min(v), u.max(v)], p)
         });
         let mut passes = alloc::gather(passes)?;
@@ -71,23 +72,23 @@ impl OpenedLoops {
 
     /// Converts triangles of places to triangles of vertices.
     pub(super) fn places_to_vertices(&self, triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>> {
-        alloc::collect(triangles.iter().map(|triangle| triangle.map(|place| self.order[place as usize])))
+        alloc::collect(triangles.iter().map(|triangle| triangle.map(|place| self.vertex_at_place[place as usize])))
     }
 
     /// Returns the polygon of finer loops with the same bridges, and the new place of each old
     /// place. `kept` lists the vertices of these loops in the finer loops.
     pub(super) fn refined_loops(&self, rims: &NumberedRims, kept: &[u32]) -> Result<(OpenedLoops, Vec<u32>)> {
-        let mut finer = OpenedLoops { order: Vec::new(), bridges: Vec::new() };
+        let mut finer = OpenedLoops { vertex_at_place: Vec::new(), is_bridge: Vec::new() };
         let mut places = alloc::with_capacity(self.len())?;
         for p in 0..self.len() {
-            let [v, end] = [p, (p + 1) % self.len()].map(|p| kept[self.order[p] as usize]);
+            let [v, end] = [p, (p + 1) % self.len()].map(|p| kept[self.vertex_at_place[p] as usize]);
             places.push(finer.len() as u32);
-            alloc::push(&mut finer.order, v)?;
-            alloc::push(&mut finer.bridges, self.bridges[p])?;
-            let mut between = if self.bridges[p] { end } else { rims.next_vertex(v) };
+            alloc::push(&mut finer.vertex_at_place, v)?;
+            alloc::push(&mut finer.is_bridge, self.is_bridge[p])?;
+            let mut between = if self.is_bridge[p] { end } else { rims.next_vertex(v) };
             while between != end {
-                alloc::push(&mut finer.order, between)?;
-                alloc::push(&mut finer.bridges, false)?;
+                alloc::push(&mut finer.vertex_at_place, between)?;
+                alloc::push(&mut finer.is_bridge, false)?;
                 between = rims.next_vertex(between);
             }
         }
@@ -98,7 +99,7 @@ impl OpenedLoops {
     /// triangles are (i, m, k) of places, i < m < k.
     pub(super) fn repeated_chords(&self, triangles: &[[u32; 3]], is_copied: &[bool]) -> Result<Vec<[[u32; 2]; 2]>> {
         let chords = triangles.iter().map(|&[i, _, k]| {
-            let [u, v] = [i, k].map(|place| self.order[place as usize]);
+            let [u, v] = [i, k].map(|place| self.vertex_at_place[place as usize]);
             ([u.min(v), u.max(v)], [i, k])
         });
         let mut chords = alloc::gather(chords.filter(|([u, v], _)| is_copied[*u as usize] || is_copied[*v as usize]))?;
@@ -152,5 +153,5 @@ pub(super) fn cut_open_along_tree(
         return Ok(None);
     }
     places.iter_mut().for_each(|triangle| triangle.sort_unstable());
-    Ok(Some((OpenedLoops { order, bridges }, places)))
+    Ok(Some((OpenedLoops { vertex_at_place: order, is_bridge: bridges }, places)))
 }

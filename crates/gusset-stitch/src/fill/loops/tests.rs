@@ -40,7 +40,7 @@ fn perturbed_circles(lengths: &[usize], noise: f64, random: &mut fastrand::Rng) 
         *polygon = circle_polygon(n, 1.0, centre, (-centre).normalize());
         polygon.points.iter_mut().for_each(|p| *p += random_point(random) * noise);
         let turned = |normal: &mut DVec3| *normal = (*normal + random_point(random) * 0.2).normalize();
-        polygon.normals.iter_mut().chain(&mut polygon.across).for_each(turned);
+        polygon.normals.iter_mut().chain(&mut polygon.normals_across_edges).for_each(turned);
     }
     loops
 }
@@ -185,8 +185,8 @@ fn an_annulus_of_two_circles_is_a_belt() {
         loops[1].points.reverse();
         loops[1].normals.reverse();
         // Each edge now starts at its former end.
-        loops[1].across[..n - 1].reverse();
-        let Polygon { points, across, normals, .. } = &mut loops[1];
+        loops[1].normals_across_edges[..n - 1].reverse();
+        let Polygon { points, normals_across_edges: across, normals, .. } = &mut loops[1];
         [points, across, normals].into_iter().for_each(|of| of.rotate_left(turn));
         let belt = 2.0 * (TAU / 2.0 / n as f64).sin() * height * n as f64;
         // The largest bend does not distinguish the belt from others.
@@ -370,8 +370,8 @@ fn polygons_cost_what_their_surfaces_do() {
             let task = |rims| ClosingTask {
                 rims,
                 weight,
-                measure: NumberedRims::common_cost_normalisation(rims),
-                taken: NO_TAKEN_EDGE,
+                normalisation: NumberedRims::common_cost_normalisation(rims),
+                is_forbidden_edge: NO_TAKEN_EDGE,
                 is_finest: true,
             };
             let (task, coarse_task) = (task(&rims), task(&coarse_rims));
@@ -416,7 +416,7 @@ fn a_long_thin_tunnel_is_found() {
         let rim = |sign: f64| {
             let mut polygon = circle_polygon(n, 0.34, DVec3::Z * 0.94 * sign, DVec3::Z * sign);
             polygon.normals = polygon.points.iter().map(|p| p.normalize()).collect();
-            polygon.across = polygon.normals.clone();
+            polygon.normals_across_edges = polygon.normals.clone();
             polygon
         };
         let loops = [rim(1.0), rim(-1.0)];

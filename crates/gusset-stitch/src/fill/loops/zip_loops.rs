@@ -28,7 +28,7 @@ pub(super) fn zip_loops(
     let rims = task.rims;
     let named = best.opened.places_to_vertices(&best.triangles)?;
     let sides = named.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let bridges = sides.filter(|&[u, v]| rims.ring[u as usize] < rims.ring[v as usize]);
+    let bridges = sides.filter(|&[u, v]| rims.loop_of_vertex[u as usize] < rims.loop_of_vertex[v as usize]);
     let length = |[u, v]: [u32; 2]| rims.squared_distance(u, v);
     let shortest = bridges.min_by(|&a, &b| length(a).total_cmp(&length(b)).then(a.cmp(&b)));
     let Some([mut u, mut v]) = shortest.filter(|_| rims.loop_count() == 2) else {
@@ -36,7 +36,7 @@ pub(super) fn zip_loops(
     };
     // Step to and fro, to a place where the loops are near each other.
     let nearest = |ring: usize, to: u32| {
-        let free = rims.loop_vertices(ring).filter(|&w| !(task.taken)(to, w));
+        let free = rims.loop_vertices(ring).filter(|&w| !(task.is_forbidden_edge)(to, w));
         free.min_by(|&a, &b| length([a, to]).total_cmp(&length([b, to]))).unwrap_or(to)
     };
     for _ in 0..MAX_BRIDGE_STEPS {
@@ -65,7 +65,7 @@ pub(super) fn zip_loops(
 
 /// Zips from the last edge of the polygon. `first` is the place of the other end of the bridge.
 fn zip_from_bridge(task: &ClosingTask<'_>, opened: &OpenedLoops, first: usize) -> Result<Vec<[u32; 3]>> {
-    let squared = |i: usize, k: usize| task.rims.squared_distance(opened.order[i], opened.order[k]);
+    let squared = |i: usize, k: usize| task.rims.squared_distance(opened.vertex_at_place[i], opened.vertex_at_place[k]);
     let (mut i, mut k) = (0, opened.len() - 1);
     let mut triangles = alloc::with_capacity(k - 1)?;
     while i < first || k > first + 1 {

@@ -44,7 +44,7 @@ pub(super) fn search_coarse_to_fine(
     job.step(0.0, STAGE)?;
     let points = |all: &[DVec3], kept: &[u32]| alloc::collect(kept.iter().map(|&i| all[i as usize]));
     let (a, b) = (points(rims.a, &kept_a)?, points(rims.b, &kept_b)?);
-    let sides = match rims.sides {
+    let sides = match rims.face_normals_along_rims {
         Some([side_a, side_b]) => {
             Some([mean_normals_of_thinned_edges(side_a, &kept_a)?, mean_normals_of_thinned_edges(side_b, &kept_b)?])
         }
@@ -52,8 +52,9 @@ pub(super) fn search_coarse_to_fine(
     };
     // Forbidden meridians do not matter on the coarse levels.
     let sides = sides.as_ref().map(|[side_a, side_b]| [side_a.as_slice(), side_b.as_slice()]);
-    let coarse = RimPair { a: &a, b: &b, closed: rims.closed, forbidden: &[], sides, penalties: &[] };
-    let Some(mut path) = search_coarse_to_fine(&coarse, search, &job.part(0.0, 0.4))? else {
+    let coarse =
+        RimPair { a: &a, b: &b, closed: rims.closed, forbidden: &[], face_normals_along_rims: sides, penalties: &[] };
+    let Some(mut path) = search_coarse_to_fine(&coarse, search, &job.sub_job(0.0, 0.4))? else {
         return Ok(None);
     };
     job.step(0.4, STAGE)?;
@@ -62,7 +63,7 @@ pub(super) fn search_coarse_to_fine(
     let (mut width, mut done) = (HALF_BAND_NODES, 0.4);
     loop {
         let until = (1.0 + done) / 2.0;
-        let found = search(rims, &band, &job.part(done, until))?;
+        let found = search(rims, &band, &job.sub_job(done, until))?;
         (width, done) = (4 * width, until);
         match found {
             // If the path runs along the border of the band, a better path may lie beyond it.

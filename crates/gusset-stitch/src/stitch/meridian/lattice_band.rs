@@ -8,13 +8,13 @@ use std::ops::{Range, RangeInclusive};
 
 /// A band of the lattice from (0, 0) to (N, M).
 pub(super) struct LatticeBand {
-    low: Vec<u32>,
-    high: Vec<u32>,
+    first_columns: Vec<u32>,
+    last_columns: Vec<u32>,
 }
 
 impl LatticeBand {
     pub(super) fn whole_lattice(n: usize, m: usize) -> Result<Self> {
-        Ok(LatticeBand { low: alloc::filled(0, n + 1)?, high: alloc::filled(m as u32, n + 1)? })
+        Ok(LatticeBand { first_columns: alloc::filled(0, n + 1)?, last_columns: alloc::filled(m as u32, n + 1)? })
     }
 
     /// Creates the band of nodes within `width` rows and columns of a path from (0, 0) to (n, m).
@@ -31,21 +31,23 @@ impl LatticeBand {
         // Both bounds are monotone: the least column within `width` rows belongs to the first of
         // these rows.
         Ok(LatticeBand {
-            low: alloc::collect((0..n + 1).map(|i| low[i.saturating_sub(width)].saturating_sub(width as u32)))?,
-            high: alloc::collect((0..n + 1).map(|i| (high[n.min(i + width)] as usize + width).min(m) as u32))?,
+            first_columns: alloc::collect(
+                (0..n + 1).map(|i| low[i.saturating_sub(width)].saturating_sub(width as u32)),
+            )?,
+            last_columns: alloc::collect((0..n + 1).map(|i| (high[n.min(i + width)] as usize + width).min(m) as u32))?,
         })
     }
 
     pub(super) fn last_row(&self) -> usize {
-        self.low.len() - 1
+        self.first_columns.len() - 1
     }
 
     pub(super) fn last_column(&self) -> usize {
-        self.high[self.last_row()] as usize
+        self.last_columns[self.last_row()] as usize
     }
 
     pub(super) fn columns_of_row(&self, i: usize) -> RangeInclusive<usize> {
-        self.low[i] as usize..=self.high[i] as usize
+        self.first_columns[i] as usize..=self.last_columns[i] as usize
     }
 
     /// Returns the path's nodes on the border of the band, except those on the border of the
@@ -54,8 +56,8 @@ impl LatticeBand {
         let (n, m) = (self.last_row(), self.last_column());
         let touching = |&[i, j]: &MeridianEnds| {
             let i = i as usize;
-            let below = j > 0 && j <= self.low[i] || i < n && j < self.low[i + 1];
-            let above = (j as usize) < m && j >= self.high[i] || i > 0 && j > self.high[i - 1];
+            let below = j > 0 && j <= self.first_columns[i] || i < n && j < self.first_columns[i + 1];
+            let above = (j as usize) < m && j >= self.last_columns[i] || i > 0 && j > self.last_columns[i - 1];
             below || above
         };
         alloc::gather(path.iter().filter(|node| touching(node)).copied())
@@ -66,22 +68,22 @@ impl LatticeBand {
         let (n, m, w) = (self.last_row(), self.last_column(), width as u32);
         for &[i, j] in nodes {
             let rows = (i as usize).saturating_sub(width)..=n.min(i as usize + width);
-            self.low[rows.clone()].iter_mut().for_each(|low| *low = (*low).min(j.saturating_sub(w)));
-            self.high[rows].iter_mut().for_each(|high| *high = (*high).max(j.saturating_add(w).min(m as u32)));
+            self.first_columns[rows.clone()].iter_mut().for_each(|low| *low = (*low).min(j.saturating_sub(w)));
+            self.last_columns[rows].iter_mut().for_each(|high| *high = (*high).max(j.saturating_add(w).min(m as u32)));
         }
         // Restore monotonicity: every row includes the low columns of later rows and the high
         // columns of earlier rows.
         for i in (0..n).rev() {
-            self.low[i] = self.low[i].min(self.low[i + 1]);
+            self.first_columns[i] = self.first_columns[i].min(self.first_columns[i + 1]);
         }
         for i in 1..=n {
-            self.high[i] = self.high[i].max(self.high[i - 1]);
+            self.last_columns[i] = self.last_columns[i].max(self.last_columns[i - 1]);
         }
     }
 
     /// Returns the number of nodes in row `i`.
     pub(super) fn row_width(&self, i: usize) -> usize {
-        (self.high[i] - self.low[i]) as usize + 1
+        (self.last_columns[i] - self.first_columns[i]) as usize + 1
     }
 
     /// Divides the rows 1..=N into blocks with at most `nodes` nodes, or with one row.

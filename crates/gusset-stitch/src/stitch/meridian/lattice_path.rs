@@ -44,19 +44,19 @@ pub(super) fn cheapest_path(
         rims,
         metric,
         band,
-        line: PointArrays::new(rims.b)?,
-        steps: StepCosts::zeros_for_nodes(m + 1)?,
-        cost: alloc::filled(f64::INFINITY, m + 1)?,
+        points_of_b: PointArrays::new(rims.b)?,
+        step_costs: StepCosts::zeros_for_nodes(m + 1)?,
+        least_costs_of_row: alloc::filled(f64::INFINITY, m + 1)?,
     };
 
     table.compute_first_row();
     let mut starts = alloc::with_capacity(blocks.len())?;
     for rows in &blocks {
-        starts.push(alloc::copied(&table.cost[band.columns_of_row(rows.start - 1)])?);
-        let part = job.part(0.5 * (rows.start - 1) as f64 / n as f64, 0.5 * (rows.end - 1) as f64 / n as f64);
+        starts.push(alloc::copied(&table.least_costs_of_row[band.columns_of_row(rows.start - 1)])?);
+        let part = job.sub_job(0.5 * (rows.start - 1) as f64 / n as f64, 0.5 * (rows.end - 1) as f64 / n as f64);
         table.compute_rows(rows.clone(), &mut arrivals, &part)?;
     }
-    if table.cost[m] == f64::INFINITY {
+    if table.least_costs_of_row[m] == f64::INFINITY {
         return Ok(None);
     }
 
@@ -65,11 +65,11 @@ pub(super) fn cheapest_path(
     for (rows, start) in blocks.iter().zip(&starts).rev() {
         // The arrivals of the last block are still stored.
         if rows.end <= n {
-            table.cost.fill(f64::INFINITY);
-            table.cost[band.columns_of_row(rows.start - 1)].copy_from_slice(start);
+            table.least_costs_of_row.fill(f64::INFINITY);
+            table.least_costs_of_row[band.columns_of_row(rows.start - 1)].copy_from_slice(start);
             // Progress grows from the last block to the first.
             let progress = |row: usize| 1.0 - 0.5 * row as f64 / n as f64;
-            let part = job.part(progress(rows.end - 1), progress(rows.start));
+            let part = job.sub_job(progress(rows.end - 1), progress(rows.start));
             table.compute_rows(rows.clone(), &mut arrivals, &part)?;
         }
         let mut row_start = band.node_count(rows.start..i);
@@ -92,19 +92,19 @@ struct CostTable<'a> {
     rims: &'a RimPair<'a>,
     metric: StepMetric,
     band: &'a LatticeBand,
-    line: PointArrays,
-    steps: StepCosts,
+    points_of_b: PointArrays,
+    step_costs: StepCosts,
     /// The least costs of the nodes in the last computed row; infinite outside the band.
-    cost: Vec<f64>,
+    least_costs_of_row: Vec<f64>,
 }
 
 impl CostTable<'_> {
     fn measure_row_steps(&mut self, i: usize) {
         let (low, high) = self.band.columns_of_row(i).into_inner();
-        self.metric.compute_step_costs(self.rims.a, &self.line, i, low..high + 1, &mut self.steps);
+        self.metric.compute_step_costs(self.rims.a, &self.points_of_b, i, low..high + 1, &mut self.step_costs);
         for &[_, j] in self.rims.forbidden_in_row(i) {
-            self.steps.a[j as usize] = f64::INFINITY;
-            self.steps.b[j as usize] = f64::INFINITY;
+            self.step_costs.costs_on_a[j as usize] = f64::INFINITY;
+            self.step_costs.costs_on_b[j as usize] = f64::INFINITY;
         }
     }
 
@@ -112,10 +112,10 @@ impl CostTable<'_> {
     fn compute_first_row(&mut self) {
         self.measure_row_steps(0);
         let mut left = if self.rims.is_forbidden([0, 0]) { f64::INFINITY } else { 0.0 };
-        self.cost[0] = left;
+        self.least_costs_of_row[0] = left;
         for j in 1..=*self.band.columns_of_row(0).end() {
-            left += self.steps.b[j];
-            self.cost[j] = left;
+            left += self.step_costs.costs_on_b[j];
+            self.least_costs_of_row[j] = left;
         }
     }
 
@@ -147,10 +147,12 @@ impl CostTable<'_> {
         // The cost left of the band belongs to an older row, unless the band starts farther right
         // than in row i - 1.
         let shifted = low > *self.band.columns_of_row(i - 1).start();
-        let mut before = if BOTH && shifted { self.cost[low - 1] } else { f64::INFINITY };
+        let mut before = if BOTH && shifted { self.least_costs_of_row[low - 1] } else { f64::INFINITY };
         let mut left = f64::INFINITY;
-        let steps = self.steps.a[columns.clone()].iter().zip(&self.steps.b[columns.clone()]);
-        for ((cost, (step_a, step_b)), arrival) in self.cost[columns].iter_mut().zip(steps).zip(arrivals) {
+        let steps =
+            self.step_costs.costs_on_a[columns.clone()].iter().zip(&self.step_costs.costs_on_b[columns.clone()]);
+        for ((cost, (step_a, step_b)), arrival) in self.least_costs_of_row[columns].iter_mut().zip(steps).zip(arrivals)
+        {
             let (by_a, by_b) = (*cost + step_a, left + step_b);
             let mut best = if by_b < by_a { by_b } else { by_a };
             *arrival = if by_b < by_a { STEP_ON_B } else { STEP_ON_A };

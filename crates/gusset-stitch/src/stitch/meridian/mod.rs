@@ -182,11 +182,11 @@ fn cheapest_meridians(
         rims,
         metric,
         band,
-        &job.part(0.0, 0.5),
+        &job.sub_job(0.0, 0.5),
     )? {
         // The best of all paths is usually proper, and is then the best proper path.
         Some(path) if !is_simple_path(rims, &path) => {
-            Ok(cheapest_path(rims, &PathCost::StepCosts(metric), band, true, None, &job.part(0.5, 1.0))?
+            Ok(cheapest_path(rims, &PathCost::StepCosts(metric), band, true, None, &job.sub_job(0.5, 1.0))?
                 .map(|(_, path)| path))
         }
         found => Ok(found),
@@ -227,8 +227,12 @@ fn meridians_of_best_continuation(
     search: MeridianSearch,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    let guide =
-        cheapest_meridians(rims, StepMetric::area_with_tie_break(rims.a, rims.b, paper), search, &job.part(0.0, 0.5))?;
+    let guide = cheapest_meridians(
+        rims,
+        StepMetric::area_with_tie_break(rims.a, rims.b, paper),
+        search,
+        &job.sub_job(0.0, 0.5),
+    )?;
     match guide {
         Some(guide) if rims.has_faces_along_rims() => {
             let first = (search != MeridianSearch::Exact).then_some(guide.pairs[1]);
@@ -239,7 +243,7 @@ fn meridians_of_best_continuation(
                 MeridianSearch::Exact => LatticeBand::whole_lattice(rims.a.len() - 1, rims.b.len() - 1)?,
             };
             let bends = StripBends::best_continuation(rims, weight_of_squared_lengths(rims, paper))?;
-            let found = least_bends_in_band(rims, &bends, &band, first, &job.part(0.5, 1.0))?;
+            let found = least_bends_in_band(rims, &bends, &band, first, &job.sub_job(0.5, 1.0))?;
             Ok(Some(found.unwrap_or(guide)))
         }
         guide => Ok(guide),
@@ -256,9 +260,9 @@ fn least_bends_in_band(
 ) -> Result<Option<MeridianChoice>> {
     let cost = PathCost::Bends(bends);
     // The best of all paths is usually proper, and is then the best proper path.
-    let found = match cheapest_path(rims, &cost, band, false, first, &job.part(0.0, 0.5))? {
+    let found = match cheapest_path(rims, &cost, band, false, first, &job.sub_job(0.0, 0.5))? {
         Some((_, path)) if !is_simple_path(rims, &path) => {
-            cheapest_path(rims, &cost, band, true, first, &job.part(0.5, 1.0))?
+            cheapest_path(rims, &cost, band, true, first, &job.sub_job(0.5, 1.0))?
         }
         found => found,
     };

@@ -21,25 +21,26 @@ pub(crate) struct RimPair<'a> {
     pub(crate) forbidden: &'a [MeridianEnds],
     /// For each edge of A and of B, the unit normal of the old face along it. The strip's triangles
     /// run A_i A_i-1 B_j seen from the side of this normal.
-    pub(crate) sides: Option<[&'a [DVec3]; 2]>,
+    pub(crate) face_normals_along_rims: Option<[&'a [DVec3]; 2]>,
     /// Additional costs of steps, in ascending order of the nodes that they lead to.
     pub(crate) penalties: &'a [StepPenalty],
 }
 
-/// An additional cost of the step that leads to node `to` on the path of meridians.
+/// An additional cost of the step that leads to node `end_node` on the path of meridians.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepPenalty {
     /// The node that the step leads to.
-    pub(crate) to: MeridianEnds,
+    pub(crate) end_node: MeridianEnds,
     /// True for a step on rim B.
     pub(crate) on_b: bool,
-    pub(crate) extra: f64,
+    pub(crate) additional_cost: f64,
 }
 
 impl RimPair<'_> {
     /// Returns true if faces along the rims are known.
     pub(super) fn has_faces_along_rims(&self) -> bool {
-        self.sides.is_some_and(|sides| sides.iter().any(|side| side.iter().any(|&normal| normal != DVec3::ZERO)))
+        self.face_normals_along_rims
+            .is_some_and(|sides| sides.iter().any(|side| side.iter().any(|&normal| normal != DVec3::ZERO)))
     }
 
     pub(super) fn forbidden_in_row(&self, i: usize) -> &[MeridianEnds] {
@@ -50,8 +51,8 @@ impl RimPair<'_> {
 
     /// Returns the additional costs of the steps into row i.
     pub(super) fn penalties_in_row(&self, i: usize) -> &[StepPenalty] {
-        let from = self.penalties.partition_point(|step| (step.to[0] as usize) < i);
-        let count = self.penalties[from..].partition_point(|step| step.to[0] as usize == i);
+        let from = self.penalties.partition_point(|step| (step.end_node[0] as usize) < i);
+        let count = self.penalties[from..].partition_point(|step| step.end_node[0] as usize == i);
         &self.penalties[from..from + count]
     }
 

@@ -103,14 +103,14 @@ struct StateSearch<'a, const STATES: usize> {
     rims: &'a RimPair<'a>,
     cost: &'a PathCost<'a>,
     band: &'a LatticeBand,
-    line: PointArrays,
+    points_of_b: PointArrays,
     /// The costs of the steps into the nodes of the current row. With [`PathCost::Bends`], entry 0
     /// holds after a step on A and entry 1 after a step on B. Otherwise entry 0 holds for both.
-    steps: [StepCosts; 2],
+    step_costs: [StepCosts; 2],
     /// Row i of the triangles is `triangles[i % 2]`.
     triangles: [StepRow; 2],
     /// The least costs of the nodes of one row.
-    row: Vec<[f64; STATES]>,
+    least_costs_of_row: Vec<[f64; STATES]>,
     /// For each node and state, the previous state plus 8 times the step (0 for A, 1 for B, 2 for
     /// both).
     arrivals: Vec<[u8; STATES]>,
@@ -126,10 +126,10 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
             rims,
             cost,
             band,
-            line: PointArrays::new(rims.b)?,
-            steps: [StepCosts::zeros_for_nodes(m + 1)?, StepCosts::zeros_for_nodes(m + 1)?],
+            points_of_b: PointArrays::new(rims.b)?,
+            step_costs: [StepCosts::zeros_for_nodes(m + 1)?, StepCosts::zeros_for_nodes(m + 1)?],
             triangles: [StepRow::new(bend_columns)?, StepRow::new(bend_columns)?],
-            row: alloc::filled(Self::UNREACHABLE, m + 1)?,
+            least_costs_of_row: alloc::filled(Self::UNREACHABLE, m + 1)?,
             arrivals: alloc::filled([0u8; STATES], band.node_count(0..n + 1))?,
         })
     }
@@ -149,9 +149,9 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
         let simple = HAS_STEP_INSIDE_A | HAS_STEP_INSIDE_B;
         let mut best: Option<(f64, Vec<MeridianEnds>)> = None;
         for (k, &first) in firsts.iter().enumerate() {
-            self.fill_table(first, &job.share(k, firsts.len()))?;
+            self.fill_table(first, &job.sub_job_of_item(k, firsts.len()))?;
             for state in (0..STATES).filter(|state| STATES == LAST_STEP_STATES || state & simple == simple) {
-                let mut total = self.row[self.band.last_column()][state];
+                let mut total = self.least_costs_of_row[self.band.last_column()][state];
                 if let (PathCost::Bends(bends), Some(first)) = (self.cost, first) {
                     total += bends.bend_across_seam(state & LAST_STEP_ON_B > 0, first == LatticeStep::B);
                 }
@@ -165,7 +165,7 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
 
     /// Fills the table. If given, `first` is the kind of the first step.
     fn fill_table(&mut self, first: Option<LatticeStep>, job: &Job<'_>) -> Result<()> {
-        self.row.fill(Self::UNREACHABLE);
+        self.least_costs_of_row.fill(Self::UNREACHABLE);
         let mut start = 0;
         let mut reported = 0;
         for i in 0..=self.band.last_row() {
@@ -190,21 +190,21 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
         let rows = if i.is_multiple_of(2) { [odd, even] } else { [even, odd] };
         match self.cost {
             PathCost::StepCosts(metric) => {
-                metric.compute_step_costs(self.rims.a, &self.line, i, columns, &mut self.steps[0]);
+                metric.compute_step_costs(self.rims.a, &self.points_of_b, i, columns, &mut self.step_costs[0]);
             }
-            PathCost::Bends(bends) => bends.compute_row_costs(i, columns, rows, &mut self.steps),
+            PathCost::Bends(bends) => bends.compute_row_costs(i, columns, rows, &mut self.step_costs),
         }
-        for steps in &mut self.steps {
+        for steps in &mut self.step_costs {
             for penalty in self.rims.penalties_in_row(i) {
-                let costs = if penalty.on_b { &mut steps.b } else { &mut steps.a };
-                costs[penalty.to[1] as usize] += penalty.extra;
+                let costs = if penalty.on_b { &mut steps.costs_on_b } else { &mut steps.costs_on_a };
+                costs[penalty.end_node[1] as usize] += penalty.additional_cost;
             }
             for &[_, j] in self.rims.forbidden_in_row(i) {
-                (steps.a[j as usize], steps.b[j as usize]) = (f64::INFINITY, f64::INFINITY);
+                (steps.costs_on_a[j as usize], steps.costs_on_b[j as usize]) = (f64::INFINITY, f64::INFINITY);
             }
             match first {
-                Some(LatticeStep::B) if i == 1 => steps.a[0] = f64::INFINITY,
-                Some(LatticeStep::A) if i == 0 && self.band.last_column() > 0 => steps.b[1] = f64::INFINITY,
+                Some(LatticeStep::B) if i == 1 => steps.costs_on_a[0] = f64::INFINITY,
+                Some(LatticeStep::A) if i == 0 && self.band.last_column() > 0 => steps.costs_on_b[1] = f64::INFINITY,
                 _ => {}
             }
         }
@@ -215,12 +215,12 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
         let both = matches!(self.cost, PathCost::StepCosts(metric) if metric.may_step_on_both());
         let low = columns.start;
         let shifted = i > 0 && low > *self.band.columns_of_row(i - 1).start();
-        let mut before = if shifted { self.row[low - 1] } else { Self::UNREACHABLE };
+        let mut before = if shifted { self.least_costs_of_row[low - 1] } else { Self::UNREACHABLE };
         let mut left = Self::UNREACHABLE;
-        let on_a = [0, 1].map(|k| &self.steps[k].a[columns.clone()]);
-        let on_b = [0, 1].map(|k| &self.steps[k].b[columns.clone()]);
+        let on_a = [0, 1].map(|k| &self.step_costs[k].costs_on_a[columns.clone()]);
+        let on_b = [0, 1].map(|k| &self.step_costs[k].costs_on_b[columns.clone()]);
         let arrivals = &mut self.arrivals[start..start + columns.len()];
-        let row = &mut self.row[columns];
+        let row = &mut self.least_costs_of_row[columns];
         for k in 0..row.len() {
             let j = low + k;
             let (mut here, mut how) = (Self::UNREACHABLE, [0u8; STATES]);

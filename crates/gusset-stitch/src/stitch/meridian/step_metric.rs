@@ -59,16 +59,20 @@ pub(super) fn point_of_slice([x, y, z]: [&[f64]; 3], k: usize) -> DVec3 {
 
 /// The costs of the steps into the nodes of one row: `a[j]` and `b[j]` belong to (i, j).
 pub(super) struct StepCosts {
-    pub(super) a: Vec<f64>,
-    pub(super) b: Vec<f64>,
+    pub(super) costs_on_a: Vec<f64>,
+    pub(super) costs_on_b: Vec<f64>,
     /// |A_i B_j|^2.
-    pub(super) squared: Vec<f64>,
+    pub(super) squared_meridian_lengths: Vec<f64>,
 }
 
 impl StepCosts {
     /// Creates costs of 0 for `len` nodes.
     pub(super) fn zeros_for_nodes(len: usize) -> Result<Self> {
-        Ok(StepCosts { a: alloc::filled(0.0, len)?, b: alloc::filled(0.0, len)?, squared: alloc::filled(0.0, len)? })
+        Ok(StepCosts {
+            costs_on_a: alloc::filled(0.0, len)?,
+            costs_on_b: alloc::filled(0.0, len)?,
+            squared_meridian_lengths: alloc::filled(0.0, len)?,
+        })
     }
 }
 
@@ -115,7 +119,9 @@ impl StepMetric {
         let here = a[i];
         let [x, y, z] = [&b.x[first..=last], &b.y[first..=last], &b.z[first..=last]];
         let n = x.len();
-        let [step_a, step_b, squared] = [&mut steps.a, &mut steps.b, &mut steps.squared].map(|s| &mut s[first..=last]);
+        let [step_a, step_b, squared] =
+            [&mut steps.costs_on_a, &mut steps.costs_on_b, &mut steps.squared_meridian_lengths]
+                .map(|s| &mut s[first..=last]);
         for j in 0..n {
             let (dx, dy, dz) = (x[j] - here.x, y[j] - here.y, z[j] - here.z);
             squared[j] = dx * dx + dy * dy + dz * dz;
@@ -146,7 +152,7 @@ impl StepMetric {
         let (n, before) = (last + 1 - from, from - 1);
         let [x, y, z] = [&b.x[from..=last], &b.y[from..=last], &b.z[from..=last]];
         let [px, py, pz] = [&b.x[before..last], &b.y[before..last], &b.z[before..last]];
-        let (step_b, squared) = (&mut steps.b[from..=last], &steps.squared[from..=last]);
+        let (step_b, squared) = (&mut steps.costs_on_b[from..=last], &steps.squared_meridian_lengths[from..=last]);
         for j in 0..n {
             let (ex, ey, ez) = (x[j] - px[j], y[j] - py[j], z[j] - pz[j]);
             let (dx, dy, dz) = (here.x - px[j], here.y - py[j], here.z - pz[j]);
@@ -169,7 +175,7 @@ impl StepMetric {
 }
 
 /// Returns twice the area of the strip over `pairs`. Quads are split by the diagonal from the
-/// earlier vertex of `a`.
+/// earlier vertex of `costs_on_a`.
 pub(super) fn strip_area(a: &[DVec3], b: &[DVec3], pairs: &[MeridianEnds]) -> f64 {
     let (a_at, b_at) = (|i: u32| a[i as usize], |j: u32| b[j as usize]);
     let mut area = 0.0;

@@ -40,7 +40,7 @@ pub(super) struct StripBends<'a> {
     b: PointArrays,
     /// The unit normals of the faces along the rims, 0 if unknown. The normal at `k` belongs to the
     /// edge that ends at place k.
-    sides: [PointArrays; 2],
+    face_normals_along_rims: [PointArrays; 2],
     /// Weight of the bends along the rims.
     rim_weight: f64,
     /// Weight of the sum of squared meridian lengths. It decides between strips of equal bend.
@@ -53,7 +53,7 @@ struct OldSurfaceNormals {
     /// The normals at the vertices of both rims.
     normals: [PointArrays; 2],
     /// The reciprocal of the mean edge of the rims.
-    per_edge: f64,
+    reciprocal_mean_edge: f64,
 }
 
 /// The quantities of the steps into the nodes (i, j) of one row, by j.
@@ -78,7 +78,7 @@ impl StepRow {
 impl<'a> StripBends<'a> {
     /// Minimises bends. For `tie_break_weight` see [`weight_of_squared_lengths`].
     pub(super) fn least_bends(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
-        let &RimPair { a, b, sides, .. } = rims;
+        let &RimPair { a, b, face_normals_along_rims: sides, .. } = rims;
         let ends = |points: &[DVec3], side: Option<&[DVec3]>| {
             let mut line = PointArrays::zeros(points.len())?;
             (1..points.len()).zip(side.into_iter().flatten()).for_each(|(k, &normal)| line.set(k, normal));
@@ -86,12 +86,19 @@ impl<'a> StripBends<'a> {
         };
         let rim_weight = if sides.is_some() { 1.0 } else { 0.0 };
         let sides = [ends(a, sides.map(|sides| sides[0]))?, ends(b, sides.map(|sides| sides[1]))?];
-        Ok(StripBends { a, b: PointArrays::new(b)?, sides, rim_weight, tie_break_weight, continuation: None })
+        Ok(StripBends {
+            a,
+            b: PointArrays::new(b)?,
+            face_normals_along_rims: sides,
+            rim_weight,
+            tie_break_weight,
+            continuation: None,
+        })
     }
 
     /// Maximises the continuation of both surfaces.
     pub(super) fn best_continuation(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
-        let &RimPair { a, b, sides, closed, .. } = rims;
+        let &RimPair { a, b, face_normals_along_rims: sides, closed, .. } = rims;
         let length = |line: &[DVec3]| line.windows(2).map(|edge| edge[0].distance(edge[1])).sum::<f64>();
         let mean = (length(a) + length(b)) / (a.len() + b.len() - 2).max(1) as f64;
         let per_edge = if mean > 0.0 { 1.0 / mean } else { 0.0 };
@@ -102,7 +109,11 @@ impl<'a> StripBends<'a> {
         let normals = [normals(a, sides.map(|sides| sides[0]))?, normals(b, sides.map(|sides| sides[1]))?];
         let least = StripBends::least_bends(rims, tie_break_weight * per_edge)?;
         let rim_weight = RIM_BEND_WEIGHT * least.rim_weight;
-        Ok(StripBends { rim_weight, continuation: Some(OldSurfaceNormals { normals, per_edge }), ..least })
+        Ok(StripBends {
+            rim_weight,
+            continuation: Some(OldSurfaceNormals { normals, reciprocal_mean_edge: per_edge }),
+            ..least
+        })
     }
 
     /// Computes the costs of the steps into the nodes (i, j) for j in `range`: `steps[0]` for those
@@ -115,7 +126,7 @@ impl<'a> StripBends<'a> {
         rows: [&mut StepRow; 2],
         steps: &mut [StepCosts; 2],
     ) {
-        self.compute_triangles(i, range.clone(), rows[1], &mut steps[0].squared);
+        self.compute_triangles(i, range.clone(), rows[1], &mut steps[0].squared_meridian_lengths);
         match &self.continuation {
             Some(tangents) => {
                 tangents.compute_squared_bulges(self.a[i], &self.b, i, range.clone(), rows[1]);
@@ -162,28 +173,31 @@ impl<'a> StripBends<'a> {
         [after_a, after_b]: &mut [StepCosts; 2],
     ) {
         let edge = self.a[i.saturating_sub(1)].distance(self.a[i]);
-        let side = self.sides[0].get(i);
+        let side = self.face_normals_along_rims[0].get(i);
         let steps = RimStepsOfRow {
             normals: now.normals[0].slice(range.clone()),
             areas: &now.areas[0][range.clone()],
             meridians: [&before.meridians[range.clone()], &now.meridians[range.clone()]],
-            before: [0, 1].map(|k| before.normals[k].slice(range.clone())),
-            squared: &after_a.squared[range.clone()],
+            normals_before: [0, 1].map(|k| before.normals[k].slice(range.clone())),
+            squared_meridian_lengths: &after_a.squared_meridian_lengths[range.clone()],
         };
-        let costs = [&mut after_a.a[range.clone()], &mut after_b.a[range.clone()]];
+        let costs = [&mut after_a.costs_on_a[range.clone()], &mut after_b.costs_on_a[range.clone()]];
         steps.compute_costs::<CONTINUES>(self, (i, range.start) == (1, 0), |_| (side, edge), costs);
 
         let (from, end) = (range.start.max(1), range.end);
-        let (sides, b, next) =
-            (self.sides[1].slice(from..end), self.b.slice(from - 1..end - 1), self.b.slice(from..end));
+        let (sides, b, next) = (
+            self.face_normals_along_rims[1].slice(from..end),
+            self.b.slice(from - 1..end - 1),
+            self.b.slice(from..end),
+        );
         let steps = RimStepsOfRow {
             normals: now.normals[1].slice(from..end),
             areas: &now.areas[1][from..end],
             meridians: [&now.meridians[from - 1..end - 1], &now.meridians[from..end]],
-            before: [0, 1].map(|k| now.normals[k].slice(from - 1..end - 1)),
-            squared: &after_a.squared[from..end],
+            normals_before: [0, 1].map(|k| now.normals[k].slice(from - 1..end - 1)),
+            squared_meridian_lengths: &after_a.squared_meridian_lengths[from..end],
         };
-        let costs = [&mut after_a.b[from..end], &mut after_b.b[from..end]];
+        let costs = [&mut after_a.costs_on_b[from..end], &mut after_b.costs_on_b[from..end]];
         let rim = |j: usize| (point_of_slice(sides, j), point_of_slice(b, j).distance(point_of_slice(next, j)));
         steps.compute_costs::<CONTINUES>(self, (i, from) == (0, 1), rim, costs);
     }
@@ -211,7 +225,7 @@ impl OldSurfaceNormals {
     /// Computes the squared bulges of the meridians in squared mean edges, and converts the areas
     /// to the same unit.
     fn compute_squared_bulges(&self, here: DVec3, b: &PointArrays, i: usize, range: Range<usize>, row: &mut StepRow) {
-        let square = self.per_edge * self.per_edge;
+        let square = self.reciprocal_mean_edge * self.reciprocal_mean_edge;
         let normal = self.normals[0].get(i);
         let (normals, b) = (self.normals[1].slice(range.clone()), b.slice(range.clone()));
         for (j, bulge) in row.meridians[range.clone()].iter_mut().enumerate() {
@@ -232,9 +246,9 @@ struct RimStepsOfRow<'a> {
     /// The quantities of the meridians before and after each step; see [`StepRow`].
     meridians: [&'a [f64]; 2],
     /// The normals of the preceding triangles, by steps on A and on B.
-    before: [[&'a [f64]; 3]; 2],
+    normals_before: [[&'a [f64]; 3]; 2],
     /// The squared lengths of the meridians.
-    squared: &'a [f64],
+    squared_meridian_lengths: &'a [f64],
 }
 
 impl RimStepsOfRow<'_> {
@@ -253,7 +267,7 @@ impl RimStepsOfRow<'_> {
         let [from, to] = self.meridians;
         let alone = |j: usize| {
             let (side, length) = rim(j);
-            let along = tie_break_weight * self.squared[j]
+            let along = tie_break_weight * self.squared_meridian_lengths[j]
                 + rim_weight * bend_between_normals::<CONTINUES>(point_of_slice(self.normals, j), side, length);
             if !CONTINUES {
                 return along;
@@ -262,8 +276,10 @@ impl RimStepsOfRow<'_> {
         };
         for j in 0..after_a.len() {
             let (normal, alone) = (point_of_slice(self.normals, j), alone(j));
-            after_a[j] = alone + bend_between_normals::<CONTINUES>(normal, point_of_slice(self.before[0], j), from[j]);
-            after_b[j] = alone + bend_between_normals::<CONTINUES>(normal, point_of_slice(self.before[1], j), from[j]);
+            after_a[j] =
+                alone + bend_between_normals::<CONTINUES>(normal, point_of_slice(self.normals_before[0], j), from[j]);
+            after_b[j] =
+                alone + bend_between_normals::<CONTINUES>(normal, point_of_slice(self.normals_before[1], j), from[j]);
         }
         if begins && let ([a, ..], [b, ..]) = (after_a, after_b) {
             (*a, *b) = (alone(0), alone(0));

@@ -55,7 +55,7 @@ fn total_bends(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
         let third = if i2 > i { a(i) } else { b(j) };
         let normal = (third - a(i2)).cross(b(j2) - a(i2)).normalize_or_zero();
-        if let Some([along_a, along_b]) = rims.sides {
+        if let Some([along_a, along_b]) = rims.face_normals_along_rims {
             let (edge, side) =
                 if i2 > i { (a(i2) - a(i), along_a[i as usize]) } else { (b(j2) - b(j), along_b[j as usize]) };
             sum += edge.length() * (1.0 - normal.dot(side));
@@ -76,7 +76,7 @@ fn total_bends(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
 fn continuation_measure(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
     let length = |line: &[DVec3]| line.windows(2).map(|edge| (edge[1] - edge[0]).length()).sum::<f64>();
     let mean = (length(rims.a) + length(rims.b)) / (rims.a.len() + rims.b.len() - 2) as f64;
-    let [along_a, along_b] = rims.sides.unwrap();
+    let [along_a, along_b] = rims.face_normals_along_rims.unwrap();
     let vertex = |sides: &[DVec3], k: u32| {
         let (k, n) = (k as usize, sides.len());
         let before = if k > 0 {
@@ -239,9 +239,9 @@ proptest! {
             let nodes = |closed| sorted_forbidden_nodes(few.iter().copied(), n, m, closed).unwrap();
             for sides in [None, Some(sides)] {
                 let (closed_a, closed_b) = (repeat_first_point(&a), repeat_first_point(&b));
-                let rims = RimPair { a: &closed_a, b: &closed_b, closed: true, forbidden: &nodes(true), sides, penalties: &[] };
+                let rims = RimPair { a: &closed_a, b: &closed_b, closed: true, forbidden: &nodes(true), face_normals_along_rims: sides, penalties: &[] };
                 check_all_choices(&rims);
-                check_all_choices(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides, penalties: &[] });
+                check_all_choices(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), face_normals_along_rims: sides, penalties: &[] });
             }
         }
     }
@@ -258,7 +258,7 @@ proptest! {
         let (n, m) = (a.len() - 1, b.len() - 1);
         let middle = path_with_steps(&path, n, m);
         let band = LatticeBand::around_path(&middle, n, m, width).unwrap();
-        let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, penalties: &[] };
+        let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], face_normals_along_rims: None, penalties: &[] };
         let within = |path: &[MeridianEnds]| path.iter().all(|&[i, j]| band.columns_of_row(i as usize).contains(&(j as usize)));
         for (metric, steps) in [(StepMetric::Diagonal, &[[1, 0], [0, 1]][..]), (StepMetric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
             let mut least = f64::INFINITY;
@@ -296,15 +296,15 @@ proptest! {
         let sides = Some([&normals[..n], &normals[6..6 + m]]);
         let penalties: Vec<StepPenalty> = penalties
             .into_iter()
-            .map(|((i, j, on_b), extra)| StepPenalty { to: [i, j], on_b, extra })
-            .filter(|penalty| penalty.to[0] as usize <= n && penalty.to[1] as usize <= m)
+            .map(|((i, j, on_b), extra)| StepPenalty { end_node: [i, j], on_b, additional_cost: extra })
+            .filter(|penalty| penalty.end_node[0] as usize <= n && penalty.end_node[1] as usize <= m)
             .collect();
-        let rims = RimPair { a: &a, b: &b, closed: closes, forbidden: &[], sides, penalties: &penalties };
+        let rims = RimPair { a: &a, b: &b, closed: closes, forbidden: &[], face_normals_along_rims: sides, penalties: &penalties };
         let within = |path: &[MeridianEnds]| path.iter().all(|&[i, j]| band.columns_of_row(i as usize).contains(&(j as usize)));
         let extra = |path: &[MeridianEnds]| {
             let of = |step: &[MeridianEnds]| {
-                let own = |p: &&StepPenalty| p.to == step[1] && p.on_b == (step[1][0] == step[0][0]);
-                penalties.iter().filter(own).map(|p| p.extra).sum::<f64>()
+                let own = |p: &&StepPenalty| p.end_node == step[1] && p.on_b == (step[1][0] == step[0][0]);
+                penalties.iter().filter(own).map(|p| p.additional_cost).sum::<f64>()
             };
             path.windows(2).map(of).sum::<f64>()
         };
@@ -346,7 +346,7 @@ proptest! {
         // Two points span no strip.
         prop_assume!(a.len() + b.len() > 2);
         let (a, b) = (polyline_of_integers(&a), polyline_of_integers(&b));
-        check_all_choices(&RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, penalties: &[] });
+        check_all_choices(&RimPair { a: &a, b: &b, closed: false, forbidden: &[], face_normals_along_rims: None, penalties: &[] });
     }
 }
 
@@ -406,7 +406,7 @@ proptest! {
 /// Returns the largest relative excess of the coarse-to-fine cost over the exact cost, over all
 /// step metrics.
 fn coarse_search_excess(a: &[DVec3], b: &[DVec3], forbidden: &[MeridianEnds]) -> f64 {
-    let rims = RimPair { a, b, closed: true, forbidden, sides: None, penalties: &[] };
+    let rims = RimPair { a, b, closed: true, forbidden, face_normals_along_rims: None, penalties: &[] };
     let paper = meridians_by_index_rule(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let mut most = 0.0f64;
     for metric in [StepMetric::area_with_tie_break(a, b, &paper), StepMetric::Diagonal, StepMetric::Quad] {
@@ -437,11 +437,11 @@ fn a_plane_ring_gets_short_meridians() {
         b: &repeat_first_point(&b),
         closed: true,
         forbidden: &[],
-        sides: None,
+        face_normals_along_rims: None,
         penalties: &[],
     };
     let up = [vec![DVec3::NEG_Z; 48], vec![DVec3::NEG_Z; 32]];
-    let known = RimPair { sides: Some([&up[0], &up[1]]), ..rims };
+    let known = RimPair { face_normals_along_rims: Some([&up[0], &up[1]]), ..rims };
     for (choice, rims) in [(Meridians::MinArea, &rims), (Meridians::Smooth, &rims), (Meridians::Continuation, &known)] {
         let chosen = choose_meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap().unwrap();
         let length = |&[i, j]: &MeridianEnds| a[i as usize % 48].distance(b[j as usize % 32]);

@@ -70,12 +70,12 @@ struct ScaledRationalSpline<'a> {
     /// The scale, a power of two.
     unit: f64,
     /// The centre of the bounding box of the control points, in this scale.
-    middle: DVec3,
+    box_centre: DVec3,
     /// Homogeneous coordinates w x, w y, w z and w of the control points.
     homogeneous: Vec<DVec4>,
-    fit: FitMatrices,
+    fit_matrices: FitMatrices,
     /// Largest permitted bound of a cell, in this scale.
-    target: f64,
+    max_cell_bound: f64,
     /// Rounding to add to the bounds.
     rounding: f64,
     /// The largest distance of a control point from the centre.
@@ -87,7 +87,7 @@ struct ScaledRationalSpline<'a> {
 struct FittedCell {
     patch: Patch<8>,
     /// Bound of the distance from the rational surface, without rounding.
-    bound: f64,
+    distance_bound: f64,
     /// Number of parts that the cell should be cut into in u and in v.
     parts: [u8; 2],
 }
@@ -111,7 +111,7 @@ pub(super) fn fit_patches(
         let counts = [intervals[0].len(), intervals[1].len()];
         Error::check_count("cells", counts[0] as u64 * counts[1] as u64, limit)?;
         // Progress increases monotonically for any number of passes.
-        let part = job.part(1.0 - 0.5_f64.powi(pass), 1.0 - 0.5_f64.powi(pass + 1));
+        let part = job.sub_job(1.0 - 0.5_f64.powi(pass), 1.0 - 0.5_f64.powi(pass + 1));
         let [u, v] = spline.bezier_pieces_by_direction(&intervals)?;
         let known = |i: usize, j: usize| -> Option<usize> {
             let (row, column) = (*kept[0].get(i)?, *kept[1].get(j)?);
@@ -155,9 +155,9 @@ pub(super) fn fit_patches(
     let mut patches = alloc::with_capacity(grid.len())?;
     let mut deviation = 0.0_f64;
     for (k, &cell) in grid.iter().enumerate() {
-        job.part(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), PROGRESS_STAGE)?;
+        job.sub_job(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), PROGRESS_STAGE)?;
         let cell = cell_by_index(&tasks, cell);
-        deviation = deviation.max(cell.bound);
+        deviation = deviation.max(cell.distance_bound);
         patches.push(cell.patch);
     }
     let origin = SplineOrigin {
@@ -182,14 +182,14 @@ fn cut_intervals(
     let count = parts.iter().map(|&parts| usize::from(parts)).sum();
     let (mut parts_of_intervals, mut kept) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
     for (k, (interval, &parts)) in intervals.iter().zip(parts).enumerate() {
-        let [from, to] = interval.ends;
+        let [from, to] = interval.end_parameters;
         let at = |part: u8| if part == parts { to } else { from + (to - from) * (f64::from(part) / f64::from(parts)) };
         for part in 0..parts {
             let ends = [at(part), at(part + 1)];
             if ends[0] >= ends[1] {
                 return Err(Error::BadKnot { direction, knot: interval.knot as u32, value: from });
             }
-            parts_of_intervals.push(SplineInterval { ends, ..*interval });
+            parts_of_intervals.push(SplineInterval { end_parameters: ends, ..*interval });
             kept.push((parts == 1).then_some(k));
         }
     }
@@ -231,10 +231,10 @@ impl<'a> ScaledRationalSpline<'a> {
         Ok(ScaledRationalSpline {
             spline,
             unit,
-            middle,
+            box_centre: middle,
             homogeneous,
-            fit: FitMatrices::new(degrees)?,
-            target,
+            fit_matrices: FitMatrices::new(degrees)?,
+            max_cell_bound: target,
             rounding,
             radius,
         })
@@ -243,23 +243,25 @@ impl<'a> ScaledRationalSpline<'a> {
     fn fit_cell(&self, rows: &SplinePiece, columns: &SplinePiece) -> FittedCell {
         let homogeneous: PieceNet<DVec4> = self.spline.piece_control_net(&self.homogeneous, rows, columns);
         let exact = self.exact_border_points(rows, columns);
-        let known = exact.map_points(|point| point / self.unit - self.middle);
-        let piece = self.fit.fit_piece(&homogeneous, &known);
+        let known = exact.map_points(|point| point / self.unit - self.box_centre);
+        let piece = self.fit_matrices.fit_piece(&homogeneous, &known);
         let degrees = [0, 1].map(|d| self.spline.axes[d].degree);
-        let bound = HomogeneousDifference::new(&piece.points, &homogeneous, degrees).distance_bound(self.target);
+        let bound =
+            HomogeneousDifference::new(&piece.points, &homogeneous, degrees).distance_bound(self.max_cell_bound);
         let mut parts = [1, 1];
-        if bound > self.target {
-            parts = self.parts_to_meet_tolerance(self.fit.max_errors_by_direction(&piece, &homogeneous));
+        if bound > self.max_cell_bound {
+            parts = self.parts_to_meet_tolerance(self.fit_matrices.max_errors_by_direction(&piece, &homogeneous));
         }
-        let mut patch = Patch { points: piece.points.map(|row| row.map(|point| (point + self.middle) * self.unit)) };
+        let mut patch =
+            Patch { points: piece.points.map(|row| row.map(|point| (point + self.box_centre) * self.unit)) };
         exact.overwrite_exact_points(&mut patch.points);
-        FittedCell { patch, bound, parts }
+        FittedCell { patch, distance_bound: bound, parts }
     }
 
     /// Number of parts to cut a cell with these errors in u and in v into, so that each error is at
     /// most 5/13 of the target. The bound is up to 1.3 times the sum of both errors.
     fn parts_to_meet_tolerance(&self, errors: [f64; 2]) -> [u8; 2] {
-        let parts = errors.map(|error| match 2.6 * error / self.target {
+        let parts = errors.map(|error| match 2.6 * error / self.max_cell_bound {
             // Errors this large do not yet decrease with the eighth power.
             _ if error >= 1e-3 * self.radius => 2,
             excess if excess <= 1.0 => 1,
@@ -290,7 +292,7 @@ impl<'a> ScaledRationalSpline<'a> {
         };
         let (us, vs) = ([Some(0), Some(p)], [Some(0), Some(q)]);
         ExactBorderPoints {
-            sides: [us.map(|u| one(u, None)), vs.map(|v| one(None, v))],
+            points_of_sides: [us.map(|u| one(u, None)), vs.map(|v| one(None, v))],
             corners: us.map(|u| vs.map(|v| one(u, v))),
         }
     }

@@ -44,7 +44,7 @@ type DataMatrix<const ROWS: usize> = [[f64; DATA_PER_DIRECTION]; ROWS];
 pub(super) struct ExactBorderPoints {
     /// The sides at u = 0 and u = 1, then at v = 0 and v = 1. Contains the point if the side is a
     /// single point.
-    pub(super) sides: [[Option<DVec3>; 2]; 2],
+    pub(super) points_of_sides: [[Option<DVec3>; 2]; 2],
     /// The corners, indexed by u and v.
     pub(super) corners: [[Option<DVec3>; 2]; 2],
 }
@@ -52,7 +52,7 @@ pub(super) struct ExactBorderPoints {
 impl ExactBorderPoints {
     pub(super) fn map_points(self, to: impl Fn(DVec3) -> DVec3) -> Self {
         let all = |points: [[Option<DVec3>; 2]; 2]| points.map(|pair| pair.map(|point| point.map(&to)));
-        ExactBorderPoints { sides: all(self.sides), corners: all(self.corners) }
+        ExactBorderPoints { points_of_sides: all(self.points_of_sides), corners: all(self.corners) }
     }
 
     /// Overwrites the control points that are known exactly.
@@ -61,10 +61,10 @@ impl ExactBorderPoints {
             for (other, l) in [(0, 0), (1, MAX_DEGREE)] {
                 points[k][l] = self.corners[end][other].unwrap_or(points[k][l]);
             }
-            if let Some(point) = self.sides[0][end] {
+            if let Some(point) = self.points_of_sides[0][end] {
                 points[k] = [point; DATA_PER_DIRECTION];
             }
-            if let Some(point) = self.sides[1][end] {
+            if let Some(point) = self.points_of_sides[1][end] {
                 points.iter_mut().for_each(|row| row[k] = point);
             }
         }
@@ -75,7 +75,7 @@ impl ExactBorderPoints {
 pub(super) struct FitMatrices {
     degrees: [usize; 2],
     /// Factors that compute the data from control points, in u and in v.
-    data: [DataMatrix<DATA_PER_DIRECTION>; 2],
+    data_from_controls: [DataMatrix<DATA_PER_DIRECTION>; 2],
     /// Factors that compute the values at [`PARAMETERS_OF_EXTREME_ERROR`].
     between: [DataMatrix<5>; 2],
     /// Factors that compute the control points of degree 7 from data.
@@ -116,7 +116,7 @@ impl FitMatrices {
         system.resize(DATA_PER_DIRECTION)?;
         data_from_controls(MAX_DEGREE).iter().enumerate().for_each(|(k, row)| system.row(k).copy_from_slice(row));
         // The determinant of the system is a nonzero constant.
-        system.factor();
+        system.factorise();
         let mut control = [[0.0; DATA_PER_DIRECTION]; DATA_PER_DIRECTION];
         for datum in 0..DATA_PER_DIRECTION {
             let mut column: [DVec3; DATA_PER_DIRECTION] =
@@ -131,7 +131,7 @@ impl FitMatrices {
                 row
             })
         });
-        Ok(FitMatrices { degrees, data: degrees.map(data_from_controls), between, control })
+        Ok(FitMatrices { degrees, data_from_controls: degrees.map(data_from_controls), between, control })
     }
 
     /// Fits a rational piece with the given homogeneous control points: w x, w y, w z and w.
@@ -147,8 +147,10 @@ impl FitMatrices {
 
     fn homogeneous_data(&self, net: &PieceNet<DVec4>) -> PieceNet<DVec4> {
         let [p, q] = self.degrees;
-        let along = net.map(|points| self.data[1].map(|row| weighted_sum_of_values(&row[..=q], |b| points[b])));
-        self.data[0].map(|row| std::array::from_fn(|l| weighted_sum_of_values(&row[..=p], |a| along[a][l])))
+        let along =
+            net.map(|points| self.data_from_controls[1].map(|row| weighted_sum_of_values(&row[..=q], |b| points[b])));
+        self.data_from_controls[0]
+            .map(|row| std::array::from_fn(|l| weighted_sum_of_values(&row[..=p], |a| along[a][l])))
     }
 
     /// Values and derivatives of S = P / w from values and derivatives of P and w. They follow from
@@ -163,17 +165,18 @@ impl FitMatrices {
             for (other, far) in [(0, 0), (1, DATA_PER_DIRECTION - 1)] {
                 out[at][far] = known.corners[end][other].unwrap_or(out[at][far]);
             }
-            known.sides[0][end]
+            known.points_of_sides[0][end]
                 .into_iter()
                 .for_each(|point| DATA_INDICES_OF_VALUES.into_iter().for_each(|l| out[at][l] = point));
-            known.sides[1][end]
+            known.points_of_sides[1][end]
                 .into_iter()
                 .for_each(|point| DATA_INDICES_OF_VALUES.into_iter().for_each(|k| out[k][at] = point));
         }
         let slopes = [1, DATA_PER_DIRECTION - 2];
         // Along a side that is a single point, the derivative is set to 0 exactly.
         let is_point = |d: usize, l: usize| {
-            (l == 0 && known.sides[d][0].is_some()) || (l == DATA_PER_DIRECTION - 1 && known.sides[d][1].is_some())
+            (l == 0 && known.points_of_sides[d][0].is_some())
+                || (l == DATA_PER_DIRECTION - 1 && known.points_of_sides[d][1].is_some())
         };
         for (k, l) in slopes.into_iter().flat_map(|k| DATA_INDICES_OF_VALUES.map(|l| (k, l))) {
             let at = VALUE_INDEX_OF_DATUM[k];
@@ -209,7 +212,7 @@ impl FitMatrices {
                 let curve = self.controls_from_data(&std::array::from_fn(|k| {
                     if d == 0 { piece.data[k][l] } else { piece.data[l][k] }
                 }));
-                let row = &self.data[1 - d][l][..=self.degrees[1 - d]];
+                let row = &self.data_from_controls[1 - d][l][..=self.degrees[1 - d]];
                 for (t, between) in PARAMETERS_OF_EXTREME_ERROR.into_iter().zip(&self.between[d]) {
                     let at = |k: usize| {
                         weighted_sum_of_values(row, |m| if d == 0 { homogeneous[k][m] } else { homogeneous[m][k] })

@@ -73,20 +73,20 @@ pub(super) const PROGRESS_STAGE: &str = "making curvatures continuous";
 
 /// Consecutive points that a step moves. In a closed subcurve they may continue with the first point.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct Window {
-    pub(super) first: usize,
-    pub(super) count: usize,
+pub(super) struct PointWindow {
+    pub(super) first_point: usize,
+    pub(super) point_count: usize,
 }
 
-impl Window {
+impl PointWindow {
     /// Returns the points of the window and some more on each side, at most the whole subcurve.
     pub(super) fn points_with_margin(self, sub: &Subcurve<'_>, margin: usize) -> impl Iterator<Item = usize> + use<> {
         let n = sub.len();
         let (first, count) = match sub.closed {
-            true => (self.first + n - margin.min(n), (self.count + 2 * margin).min(n)),
+            true => (self.first_point + n - margin.min(n), (self.point_count + 2 * margin).min(n)),
             false => {
-                let first = self.first.saturating_sub(margin);
-                (first, (self.first + self.count + margin).min(n) - first)
+                let first = self.first_point.saturating_sub(margin);
+                (first, (self.first_point + self.point_count + margin).min(n) - first)
             }
         };
         (first..first + count).map(move |i| i % n)
@@ -99,18 +99,18 @@ pub(super) struct LeastNormNewton {
     /// The step of each point.
     steps: Vec<[f64; UNKNOWNS_PER_POINT]>,
     /// The fraction of the step that each point takes.
-    parts: Vec<f64>,
+    step_fractions: Vec<f64>,
     previous: Vec<PointUnknowns>,
     /// The squared residuals of each point before the step.
-    squares: Vec<f64>,
+    squared_residuals: Vec<f64>,
     banded: BandedCholesky<BAND_WIDTH>,
 }
 
 impl LeastNormNewton {
     pub(super) fn reset_for_points(&mut self, count: usize) -> Result<()> {
         alloc::reset(&mut self.steps, count, [0.0; UNKNOWNS_PER_POINT])?;
-        alloc::reset(&mut self.parts, count, 1.0)?;
-        alloc::reset(&mut self.squares, count, 0.0)?;
+        alloc::reset(&mut self.step_fractions, count, 1.0)?;
+        alloc::reset(&mut self.squared_residuals, count, 0.0)?;
         alloc::reset(&mut self.previous, count, PointUnknowns::default())
     }
 
@@ -120,7 +120,7 @@ impl LeastNormNewton {
         sub: &Subcurve<'_>,
         known: &[FixedPointQuantities],
         nodes: &mut [PointUnknowns],
-        window: Window,
+        window: PointWindow,
         job: &Job<'_>,
     ) -> Result<f64> {
         self.solve_least_norm_step(sub, known, nodes, window, job)?;
@@ -131,16 +131,16 @@ impl LeastNormNewton {
         moved().for_each(|i| self.previous[i] = nodes[i]);
         for i in affected() {
             job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
-            self.squares[i] = sum_of_squares(&evaluate_equations(sub, known, nodes, i));
+            self.squared_residuals[i] = sum_of_squares(&evaluate_equations(sub, known, nodes, i));
         }
-        moved().for_each(|i| self.parts[i] = 1.0);
+        moved().for_each(|i| self.step_fractions[i] = 1.0);
         self.apply_fractional_steps(sub, nodes, window);
         for _ in 0..MAX_STEP_HALVINGS {
             let mut trouble = false;
             for i in affected() {
                 job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
                 let square = sum_of_squares(&evaluate_equations(sub, known, nodes, i));
-                let grows = square > MAX_RESIDUAL_GROWTH * self.squares[i] && square > SMALL_SQUARED_RESIDUAL;
+                let grows = square > MAX_RESIDUAL_GROWTH * self.squared_residuals[i] && square > SMALL_SQUARED_RESIDUAL;
                 if grows || square.is_nan() {
                     trouble = true;
                     self.mark_for_damping(sub, i);
@@ -150,8 +150,8 @@ impl LeastNormNewton {
                 break;
             }
             for i in moved() {
-                let part = self.parts[i];
-                self.parts[i] = if part < 0.0 { -0.5 * part } else { part };
+                let part = self.step_fractions[i];
+                self.step_fractions[i] = if part < 0.0 { -0.5 * part } else { part };
                 nodes[i] = self.previous[i];
             }
             self.apply_fractional_steps(sub, nodes, window);
@@ -162,23 +162,23 @@ impl LeastNormNewton {
 
     /// Marks a point and its neighbours by a negative fraction.
     fn mark_for_damping(&mut self, sub: &Subcurve<'_>, i: usize) {
-        let n = self.parts.len();
+        let n = self.step_fractions.len();
         let last = 2 * DAMPED_NEIGHBOURS_PER_SIDE.min((n - 1) / 2);
         for k in 0..=last {
             let j = i + n + k - last / 2;
             if sub.closed || (n..2 * n).contains(&j) {
-                self.parts[j % n] = -self.parts[j % n].abs();
+                self.step_fractions[j % n] = -self.step_fractions[j % n].abs();
             }
         }
     }
 
     /// Moves the unknowns of a window by the fractions of their steps.
-    fn apply_fractional_steps(&self, sub: &Subcurve<'_>, nodes: &mut [PointUnknowns], window: Window) {
+    fn apply_fractional_steps(&self, sub: &Subcurve<'_>, nodes: &mut [PointUnknowns], window: PointWindow) {
         let [low, high] = sub.section_parameter_range();
         let [low, high] = [low.min(MIN_SECTION_PARAMETER), high.max(1.0 - MIN_SECTION_PARAMETER)];
         for i in window.points_with_margin(sub, 0) {
             let node = &mut nodes[i];
-            let by = self.steps[i].map(|x| x * self.parts[i]);
+            let by = self.steps[i].map(|x| x * self.step_fractions[i]);
             node.control += glam::DVec3::new(by[0], by[1], by[2]);
             if by[3] != 0.0 {
                 node.t = (node.t + by[3]).clamp(low, high);
@@ -194,17 +194,18 @@ impl LeastNormNewton {
         sub: &Subcurve<'_>,
         known: &[FixedPointQuantities],
         nodes: &[PointUnknowns],
-        window: Window,
+        window: PointWindow,
         job: &Job<'_>,
     ) -> Result<()> {
         let n = nodes.len();
         // The points before and after the window.
         let [before, after] = match sub.closed {
             true => [MAX_STEP_REACH; 2],
-            false => [window.first, n - window.first - window.count].map(|others| others.min(MAX_STEP_REACH)),
+            false => [window.first_point, n - window.first_point - window.point_count]
+                .map(|others| others.min(MAX_STEP_REACH)),
         };
-        let (moved, count) = (before..before + window.count, before + window.count + after);
-        let at = |k: usize| (window.first + k + n * before.div_ceil(n) - before) % n;
+        let (moved, count) = (before..before + window.point_count, before + window.point_count + after);
+        let at = |k: usize| (window.first_point + k + n * before.div_ceil(n) - before) % n;
         // The equations of the unrolled point k, in units of the unknowns; empty for points beyond
         // the ends.
         let rows = |k: usize| {
@@ -272,9 +273,9 @@ impl LeastNormNewton {
 
 /// Returns the units of the unknowns of a point; 0 for fixed ones.
 fn unknown_step_units(known: &FixedPointQuantities, node: &PointUnknowns) -> [f64; UNKNOWNS_PER_POINT] {
-    let control = if known.fixed { 0.0 } else { CONTROL_POINT_STEP_UNIT * known.spacing };
+    let control = if known.is_control_point_given { 0.0 } else { CONTROL_POINT_STEP_UNIT * known.spacing };
     let t = if known.lock_equation == LockEquation::GivenParameter { 0.0 } else { 1.0 };
-    let [beta, lambda, mu] = known.free;
+    let [beta, lambda, mu] = known.is_unknown;
     let near_limit = (2.0 * node.beta - 1.0) * (MAX_BETA_ODDS + 1.0) / (MAX_BETA_ODDS - 1.0);
     let beta = if beta { (1.0 - near_limit * near_limit).max(1e-3) } else { 0.0 };
     let handle = |free: bool| if free { HANDLE_LOGIT_STEP_UNIT } else { 0.0 };

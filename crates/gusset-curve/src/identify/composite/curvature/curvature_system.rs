@@ -64,9 +64,9 @@ pub(super) struct FixedPointQuantities {
     /// Whether the joint behind its section has an equation, for curvatures other than 0.
     pub(super) curved: bool,
     /// Whether the control point is given, at an end of an open subcurve.
-    pub(super) fixed: bool,
+    pub(super) is_control_point_given: bool,
     /// Whether beta, lambda and mu are unknown.
-    pub(super) free: [bool; 3],
+    pub(super) is_unknown: [bool; 3],
 }
 
 /// Returns the legs before and after control point `i`. At the ends of an open subcurve they are
@@ -103,9 +103,9 @@ pub(super) fn evaluate_equations(
         values[3] = match known[i].lock_equation {
             LockEquation::GivenParameter => 0.0,
             LockEquation::TriangleParameter => {
-                nodes[i].t - self_consistent::parameter_and_gradients(sub.options, section.u, section.v).0
+                nodes[i].t - self_consistent::parameter_and_gradients(sub.options, section.start, section.end).0
             }
-            LockEquation::OnGuide(across) => across.dot(section.b) / known[i].spacing,
+            LockEquation::OnGuide(across) => across.dot(section.control_point) / known[i].spacing,
         };
     }
     if known[i].curved {
@@ -149,9 +149,9 @@ fn doubled_triangle_area(sub: &Subcurve<'_>, known: &[FixedPointQuantities], nod
 /// A section relative to its point.
 struct SectionRelativeToPoint {
     /// Its control point, and its ends.
-    b: DVec3,
-    u: DVec3,
-    v: DVec3,
+    control_point: DVec3,
+    start: DVec3,
+    end: DVec3,
     /// The legs that contain its ends.
     legs: [DVec3; 2],
     /// The parameters of its ends on the legs.
@@ -164,9 +164,9 @@ impl SectionRelativeToPoint {
         let [before, after] = legs_at_control_point(sub, nodes, i);
         let betas = [joint_parameter_before(sub, nodes, i), nodes[i].beta];
         SectionRelativeToPoint {
-            b,
-            u: b - before * (1.0 - betas[0]),
-            v: b + after * betas[1],
+            control_point: b,
+            start: b - before * (1.0 - betas[0]),
+            end: b + after * betas[1],
             legs: [before, after],
             betas,
         }
@@ -174,7 +174,7 @@ impl SectionRelativeToPoint {
 
     fn offset_from_point(&self, node: &PointUnknowns) -> DVec3 {
         let [first, middle, last] = control_equations::cubic_section_weights(node.t, node.handles);
-        self.u * first + self.b * middle + self.v * last
+        self.start * first + self.control_point * middle + self.end * last
     }
 }
 
@@ -216,7 +216,7 @@ fn differentiate_section_equations(
     let mut enter = |point: usize, unknown: usize, derivative: DVec3| {
         (0..3).for_each(|axis| rows[axis][point][unknown] = derivative[axis] * unit);
     };
-    let SectionRelativeToPoint { b, u, v, legs, betas } = section;
+    let SectionRelativeToPoint { control_point: b, start: u, end: v, legs, betas } = section;
     // w_0' + w_1' + w_2' = 0.
     let first = -3.0 * s * s + 3.0 * s * (s - 2.0 * t) * (1.0 - lambda);
     let last = 3.0 * t * t + 3.0 * t * (2.0 * s - t) * (1.0 - mu);

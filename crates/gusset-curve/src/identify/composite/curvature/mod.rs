@@ -37,7 +37,7 @@ use crate::identify::guide::subcurve_plane_normal;
 use crate::identify::identify_options::Lock;
 use crate::identify::report::{FitStatus, PointStatus};
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
-use curvature_newton::{LeastNormNewton, MAX_STEP_REACH, POINTS_PER_REPORT, PROGRESS_STAGE, Window};
+use curvature_newton::{LeastNormNewton, MAX_STEP_REACH, POINTS_PER_REPORT, PROGRESS_STAGE, PointWindow};
 use curvature_system::{
     EQUATIONS_PER_POINT, FixedPointQuantities, LockEquation, POINTS_PER_EQUATION, PointUnknowns, evaluate_equations,
     legs_at_control_point,
@@ -86,15 +86,15 @@ const MAX_PLANE_SINE: f64 = 1e-7;
 #[derive(Default)]
 pub(super) struct ContinuousCurvatureSolver {
     nodes: Vec<PointUnknowns>,
-    known: Vec<FixedPointQuantities>,
-    values: Vec<[f64; EQUATIONS_PER_POINT]>,
+    given_quantities: Vec<FixedPointQuantities>,
+    equation_values: Vec<[f64; EQUATIONS_PER_POINT]>,
     /// Joints with zero curvature, and those among them whose equations were given up.
-    flat: Vec<bool>,
-    given_up: Vec<bool>,
+    has_zero_curvature: Vec<bool>,
+    is_given_up_joint: Vec<bool>,
     /// Points whose equations are in trouble.
-    in_trouble: Vec<bool>,
+    has_unsolved_equations: Vec<bool>,
     /// The points that the next step moves.
-    windows: Vec<Window>,
+    windows_of_next_step: Vec<PointWindow>,
     newton: LeastNormNewton,
 }
 
@@ -144,8 +144,8 @@ impl ContinuousCurvatureSolver {
         let n = sub.len();
         alloc::reset(&mut solution.handles, n, HANDLE_FRACTIONS_OF_QUADRATIC)?;
         alloc::reset(&mut self.nodes, n, PointUnknowns::default())?;
-        alloc::reset(&mut self.values, n, [0.0; EQUATIONS_PER_POINT])?;
-        for list in [&mut self.flat, &mut self.given_up, &mut self.in_trouble] {
+        alloc::reset(&mut self.equation_values, n, [0.0; EQUATIONS_PER_POINT])?;
+        for list in [&mut self.has_zero_curvature, &mut self.is_given_up_joint, &mut self.has_unsolved_equations] {
             alloc::reset(list, n, false)?;
         }
         self.newton.reset_for_points(n)?;
@@ -153,31 +153,31 @@ impl ContinuousCurvatureSolver {
         let plane = if by_parameter { None } else { subcurve_plane_normal(sub) };
         let known = (0..n).map(|i| {
             let inner = sub.section_indices().contains(&i);
-            let fallen = by_parameter || !inner || solution.fell_back[i] || solution.missed_guide[i];
+            let fallen = by_parameter || !inner || solution.has_fallen_back[i] || solution.has_missed_guide[i];
             let lock_equation = match (sub.options.lock, plane) {
                 _ if fallen => LockEquation::GivenParameter,
                 (Lock::SelfConsistent, _) => LockEquation::TriangleParameter,
-                (Lock::DataGuide, Some(normal)) => LockEquation::OnGuide(normal.cross(solution.guides[i])),
+                (Lock::DataGuide, Some(normal)) => LockEquation::OnGuide(normal.cross(solution.guide_directions[i])),
                 _ => LockEquation::GivenParameter,
             };
             let [a, p, c] = sub.point_and_neighbours(i);
-            let spacing = if inner { 0.5 * (a.distance(p) + p.distance(c)) } else { sub.size };
+            let spacing = if inner { 0.5 * (a.distance(p) + p.distance(c)) } else { sub.outline_size };
             FixedPointQuantities {
                 lock_equation,
                 spacing,
                 normal: DVec3::ZERO,
                 curved: false,
-                fixed: !inner,
-                free: [false; 3],
+                is_control_point_given: !inner,
+                is_unknown: [false; 3],
             }
         });
-        self.known.clear();
-        alloc::extend(&mut self.known, known)?;
+        self.given_quantities.clear();
+        alloc::extend(&mut self.given_quantities, known)?;
         for (i, node) in self.nodes.iter_mut().enumerate() {
-            let beta = CompositeSolution::joint_parameter(sub, &solution.beta, i);
+            let beta = CompositeSolution::joint_parameter(sub, &solution.betas, i);
             *node = PointUnknowns {
                 control: solution.controls[i],
-                t: solution.t[i],
+                t: solution.point_parameters[i],
                 beta,
                 handles: HANDLE_FRACTIONS_OF_QUADRATIC,
             };
@@ -204,8 +204,8 @@ impl ContinuousCurvatureSolver {
         let mut any = false;
         for i in joints {
             let next = sub.next_index(i);
-            let turns = self.known[i].normal.dot(self.known[next].normal) > 0.0;
-            if !self.flat[i]
+            let turns = self.given_quantities[i].normal.dot(self.given_quantities[next].normal) > 0.0;
+            if !self.has_zero_curvature[i]
                 && (!turns || self.is_polygon_straight_at(sub, i) || self.is_polygon_straight_at(sub, next))
             {
                 self.set_curvature_to_zero(sub, i);
@@ -219,14 +219,14 @@ impl ContinuousCurvatureSolver {
     fn is_polygon_straight_at(&self, sub: &Subcurve<'_>, i: usize) -> bool {
         let [before, after] = legs_at_control_point(sub, &self.nodes, i);
         let lengths = before.length() * after.length() * (before + after).length();
-        let faint = 2.0 * before.cross(after).length() * sub.size < MIN_SIGNIFICANT_CURVATURE * lengths;
+        let faint = 2.0 * before.cross(after).length() * sub.outline_size < MIN_SIGNIFICANT_CURVATURE * lengths;
         let error = triangle_area_error(sub, &self.nodes, i);
         error.is_nan() || error > if faint { MAX_RELATIVE_AREA_ERROR_OF_STRAIGHT } else { MAX_RELATIVE_AREA_ERROR }
     }
 
     /// Sets the curvature at a joint to 0.
     fn set_curvature_to_zero(&mut self, sub: &Subcurve<'_>, joint: usize) {
-        self.flat[joint] = true;
+        self.has_zero_curvature[joint] = true;
         self.nodes[joint].handles[0] = 1.0;
         self.nodes[sub.next_index(joint)].handles[1] = 1.0;
     }
@@ -235,14 +235,14 @@ impl ContinuousCurvatureSolver {
     /// The equations of the control points are then diagonally dominant.
     fn set_all_curvatures_to_zero(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
         for i in 0..self.nodes.len() {
-            self.nodes[i].t = solution.data_t[i];
-            self.known[i].lock_equation = LockEquation::GivenParameter;
-            if self.known[i].free[0] {
+            self.nodes[i].t = solution.parameters_by_data_triangles[i];
+            self.given_quantities[i].lock_equation = LockEquation::GivenParameter;
+            if self.given_quantities[i].is_unknown[0] {
                 self.nodes[i].beta = 0.5;
             }
         }
         for i in inner_joints(sub) {
-            self.given_up[i] |= !self.flat[i];
+            self.is_given_up_joint[i] |= !self.has_zero_curvature[i];
             self.set_curvature_to_zero(sub, i);
         }
         self.choose_equations_and_unknowns(sub);
@@ -252,18 +252,18 @@ impl ContinuousCurvatureSolver {
     /// Computes the side to which the polygon turns at a point.
     fn find_turn_normal(&mut self, sub: &Subcurve<'_>, i: usize) {
         let [before, after] = legs_at_control_point(sub, &self.nodes, i);
-        self.known[i].normal = before.cross(after).normalize_or_zero();
+        self.given_quantities[i].normal = before.cross(after).normalize_or_zero();
     }
 
     /// Determines which joints have equations, and which unknowns they contain.
     fn choose_equations_and_unknowns(&mut self, sub: &Subcurve<'_>) {
         let joints = inner_joints(sub);
-        let curved = |joint: usize| joints.contains(&joint) && !self.flat[joint];
-        for (i, known) in self.known.iter_mut().enumerate() {
+        let curved = |joint: usize| joints.contains(&joint) && !self.has_zero_curvature[joint];
+        for (i, known) in self.given_quantities.iter_mut().enumerate() {
             let behind = curved(i);
             let beside = behind || ((sub.closed || i > 0) && curved(sub.previous_index(i)));
             let [lambda, mu] = self.nodes[i].handles.map(|handle| beside && handle < 1.0);
-            (known.curved, known.free) = (behind, [behind, lambda, mu]);
+            (known.curved, known.is_unknown) = (behind, [behind, lambda, mu]);
         }
     }
 
@@ -271,7 +271,7 @@ impl ContinuousCurvatureSolver {
     /// the equations are singular.
     fn solve_control_points_again(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) -> bool {
         for (i, node) in self.nodes.iter().enumerate() {
-            (solution.t[i], solution.beta[i], solution.handles[i]) = (node.t, node.beta, node.handles);
+            (solution.point_parameters[i], solution.betas[i], solution.handles[i]) = (node.t, node.beta, node.handles);
         }
         let regular = control_equations::solve_control_points(sub, solution);
         self.nodes.iter_mut().zip(&solution.controls).for_each(|(node, &control)| node.control = control);
@@ -283,9 +283,9 @@ impl ContinuousCurvatureSolver {
         sub.section_indices().all(|i| {
             let corners =
                 [solution.joint_point(sub, sub.previous_index(i)), solution.controls[i], solution.joint_point(sub, i)];
-            let shares = control_equations::cubic_section_weights(solution.t[i], solution.handles[i]);
+            let shares = control_equations::cubic_section_weights(solution.point_parameters[i], solution.handles[i]);
             let at: DVec3 = corners.iter().zip(shares).map(|(&corner, share)| (corner - sub.points[i]) * share).sum();
-            at.length() <= MAX_POINT_MISS_DISTANCE * sub.size
+            at.length() <= MAX_POINT_MISS_DISTANCE * sub.outline_size
         })
     }
 
@@ -310,11 +310,17 @@ impl ContinuousCurvatureSolver {
             in_round += 1;
             out.report.iterations += 1;
             let mut moved = 0.0_f64;
-            for &window in &self.windows {
+            for &window in &self.windows_of_next_step {
                 let newton = &mut self.newton;
-                moved = moved.max(newton.take_damped_step(sub, &self.known, &mut self.nodes, window, out.job)?);
+                moved = moved.max(newton.take_damped_step(
+                    sub,
+                    &self.given_quantities,
+                    &mut self.nodes,
+                    window,
+                    out.job,
+                )?);
             }
-            out.report.record_cycle(moved / sub.size)?;
+            out.report.record_cycle(moved / sub.outline_size)?;
             do_all_hold = self.evaluate_equations(sub, out.job)?;
         }
         Ok(())
@@ -323,7 +329,7 @@ impl ContinuousCurvatureSolver {
     /// Makes windows around the points whose equations do not hold.
     fn choose_windows(&mut self, sub: &Subcurve<'_>) -> Result<()> {
         let (n, closed) = (sub.len(), sub.closed);
-        let mut windows = std::mem::take(&mut self.windows);
+        let mut windows = std::mem::take(&mut self.windows_of_next_step);
         windows.clear();
         // Windows keep apart, so that the equations of one do not have unknowns of another.
         let are_near = |end: usize, next: usize| next <= end + 2 * MAX_STEP_REACH;
@@ -336,37 +342,42 @@ impl ContinuousCurvatureSolver {
                 false => [i.saturating_sub(MAX_STEP_REACH), (i + MAX_STEP_REACH + 1).min(n)],
             };
             match windows.last_mut() {
-                Some(last) if are_near(last.first + last.count, first) => last.count = end - last.first,
-                _ => alloc::push(&mut windows, Window { first, count: end - first })?,
+                Some(last) if are_near(last.first_point + last.point_count, first) => {
+                    last.point_count = end - last.first_point
+                }
+                _ => alloc::push(&mut windows, PointWindow { first_point: first, point_count: end - first })?,
             }
         }
         if let (true, [first, .., last]) = (closed, &mut windows[..])
-            && are_near(last.first + last.count, first.first + n)
+            && are_near(last.first_point + last.point_count, first.first_point + n)
         {
-            *first = Window { first: last.first, count: first.first + n + first.count - last.first };
+            *first = PointWindow {
+                first_point: last.first_point,
+                point_count: first.first_point + n + first.point_count - last.first_point,
+            };
             windows.pop();
         }
-        let solved = windows.iter().map(|window| window.count + 2 * MAX_STEP_REACH).sum::<usize>();
+        let solved = windows.iter().map(|window| window.point_count + 2 * MAX_STEP_REACH).sum::<usize>();
         if solved >= n / 4 * 3 {
             windows.clear();
-            alloc::push(&mut windows, Window { first: 0, count: n })?;
+            alloc::push(&mut windows, PointWindow { first_point: 0, point_count: n })?;
         }
-        windows.iter_mut().for_each(|window| window.first %= n);
-        self.windows = windows;
+        windows.iter_mut().for_each(|window| window.first_point %= n);
+        self.windows_of_next_step = windows;
         Ok(())
     }
 
     /// Evaluates all equations. Returns true if they hold.
     fn evaluate_all_equations(&mut self, sub: &Subcurve<'_>, job: &Job<'_>) -> Result<bool> {
-        self.windows.clear();
-        alloc::push(&mut self.windows, Window { first: 0, count: sub.len() })?;
+        self.windows_of_next_step.clear();
+        alloc::push(&mut self.windows_of_next_step, PointWindow { first_point: 0, point_count: sub.len() })?;
         self.evaluate_equations(sub, job)
     }
 
     /// Evaluates the equations that a step in the windows has changed. Returns true if they hold.
     fn evaluate_equations(&mut self, sub: &Subcurve<'_>, job: &Job<'_>) -> Result<bool> {
         let (mut all, mut any_flat, n) = (true, false, self.nodes.len());
-        let windows = std::mem::take(&mut self.windows);
+        let windows = std::mem::take(&mut self.windows_of_next_step);
         let joints = inner_joints(sub);
         let affected = || windows.iter().flat_map(|window| window.points_with_margin(sub, POINTS_PER_EQUATION));
         affected().for_each(|i| self.find_turn_normal(sub, i));
@@ -376,18 +387,18 @@ impl ContinuousCurvatureSolver {
         }
         for i in affected() {
             job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
-            self.values[i] = evaluate_equations(sub, &self.known, &self.nodes, i);
+            self.equation_values[i] = evaluate_equations(sub, &self.given_quantities, &self.nodes, i);
             all &= self.residuals_in_tolerances(sub, i).iter().all(|&rest| rest <= 1.0);
         }
-        self.windows = windows;
+        self.windows_of_next_step = windows;
         Ok(all)
     }
 
     /// Returns the residuals of the equations of point `i`, in tolerances: the point, the lock and
     /// the curvature.
     fn residuals_in_tolerances(&self, sub: &Subcurve<'_>, i: usize) -> [f64; 3] {
-        let (values, known) = (&self.values[i], &self.known[i]);
-        let rounding = 64.0 * f64::EPSILON * sub.size / known.spacing;
+        let (values, known) = (&self.equation_values[i], &self.given_quantities[i]);
+        let rounding = 64.0 * f64::EPSILON * sub.outline_size / known.spacing;
         let tolerance = sub.options.tolerance.max(rounding);
         let miss = DVec3::new(values[0], values[1], values[2]).length();
         let mut gap = 0.0;
@@ -416,23 +427,26 @@ impl ContinuousCurvatureSolver {
             let worst = |k: usize| self.residuals_in_tolerances(sub, k).into_iter().fold(0.0, f64::max);
             let own = worst(i);
             let mut near = (1..=GIVEN_UP_NEIGHBOURS_PER_SIDE.min(n - 1)).flat_map(|d| [(i + d) % n, (i + n - d) % n]);
-            self.in_trouble[i] = own > 1.0 && near.all(|k| worst(k) <= own);
+            self.has_unsolved_equations[i] = own > 1.0 && near.all(|k| worst(k) <= own);
         }
         for i in 0..n {
-            if !self.in_trouble[i] {
+            if !self.has_unsolved_equations[i] {
                 continue;
             }
             let [_, lock, gap] = self.residuals_in_tolerances(sub, i);
-            if self.known[i].lock_equation != LockEquation::GivenParameter && lock >= gap {
-                self.known[i].lock_equation = LockEquation::GivenParameter;
-                self.nodes[i].t = solution.data_t[i];
+            if self.given_quantities[i].lock_equation != LockEquation::GivenParameter && lock >= gap {
+                self.given_quantities[i].lock_equation = LockEquation::GivenParameter;
+                self.nodes[i].t = solution.parameters_by_data_triangles[i];
                 out.results[i].flag_status(PointStatus::FellBack);
                 continue;
             }
             for joint in [sub.previous_index(i), i] {
-                if self.known[joint].curved && !self.flat[joint] && (joint == i || !self.known[i].curved) {
+                if self.given_quantities[joint].curved
+                    && !self.has_zero_curvature[joint]
+                    && (joint == i || !self.given_quantities[i].curved)
+                {
                     self.set_curvature_to_zero(sub, joint);
-                    self.given_up[joint] = true;
+                    self.is_given_up_joint[joint] = true;
                 }
             }
         }
@@ -448,11 +462,11 @@ impl ContinuousCurvatureSolver {
                 out.report.status = FitStatus::NotConverged;
                 out.results[i].flag_status(PointStatus::NotConverged);
             }
-            let bent =
-                self.known[i].curved && self.known[i].normal.cross(self.known[next].normal).length() > MAX_PLANE_SINE;
+            let bent = self.given_quantities[i].curved
+                && self.given_quantities[i].normal.cross(self.given_quantities[next].normal).length() > MAX_PLANE_SINE;
             let status = if gap > MAX_RESIDUAL_IN_TOLERANCES {
                 PointStatus::NotConverged
-            } else if self.given_up[i] {
+            } else if self.is_given_up_joint[i] {
                 PointStatus::JointFellBack
             } else if bent {
                 PointStatus::OutOfPlane
@@ -468,5 +482,5 @@ impl ContinuousCurvatureSolver {
 /// rounding of the control points causes.
 fn triangle_area_error(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
     let [before, after] = legs_at_control_point(sub, nodes, i);
-    f64::EPSILON * sub.size * (before.length() + after.length()) / before.cross(after).length()
+    f64::EPSILON * sub.outline_size * (before.length() + after.length()) / before.cross(after).length()
 }
