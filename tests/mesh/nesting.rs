@@ -202,7 +202,7 @@ fn only_components_that_lie_apart_within_others_are_cavities() {
         )
     };
     let centres = [0, 0, 1, 1, 2, 2].map(|k| [0, 1, 2].map(|j| if j == k { 0.5 } else { 0.0 }));
-    let sign = |k: usize| if k % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
     let inscribed = octahedron([0, 1, 2, 3, 4, 5].map(|k| centres[k].map(|x| x * sign(k))));
     assert_eq!(two(&cube, &inscribed), [false, true]);
     assert_eq!(two(&cube, &inscribed.turned()), [false, false]);

@@ -56,7 +56,7 @@ impl NodeClasses {
                 sides.contracted_links(shape).for_each(|link| unite_ends(&mut sets, shape.ends_of_link(link)));
             }
             ContractedLinks::Matrix(matrix) => {
-                unite_link_ends(&mut sets, shape, matrix, &job.sub_job(0.3, 0.7), stage)?
+                unite_link_ends(&mut sets, shape, matrix, &job.sub_job(0.3, 0.7), stage)?;
             }
         }
         for seam in Seam::iter_with_reports(topology.seams(), &job.sub_job(0.7, 0.8), stage) {

@@ -100,7 +100,7 @@ impl<'a> AlignmentScene<'a> {
         let mut looks = self.list_searches_of_near_pieces(poses)?;
         // No pair is farther apart than the reach.
         looks.iter_mut().for_each(|look| {
-            look.max_distance = (max_spacings * self.coarser_spacing(look.pieces)).min(self.max_pair_distance)
+            look.max_distance = (max_spacings * self.coarser_spacing(look.pieces)).min(self.max_pair_distance);
         });
         self.run_searches(poses, &looks, 1, max_on_surface_spacings, job)
     }

@@ -85,7 +85,7 @@ pub fn unite_solids(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Repaired> 
         match unite_all_faces(&mut run.state, &job.sub_job(0.0, 0.6)) {
             // All edges have two faces, but some pass an edge in the same direction.
             Err(Error::MeshNotClosed { .. }) if pass == 0 => {
-                require_closed(pieces, |_, _| Ok(true), &job.sub_job(0.9, 1.0))?
+                require_closed(pieces, |_, _| Ok(true), &job.sub_job(0.9, 1.0))?;
             }
             Err(Error::MeshNotClosed { .. }) => break,
             done => done?,

@@ -54,7 +54,7 @@ fn find_inner_sign_changes<const M: usize>(c: &[f64; M], found: &mut impl FnMut(
             }),
             _ if to - from > MIN_HALVED_INTERVAL => return true,
             _ if counts_as_positive(c[0]) != rising => {
-                found(SideSignChange { side_parameter: 0.5 * (from + to), rising })
+                found(SideSignChange { side_parameter: 0.5 * (from + to), rising });
             }
             _ => {}
         }

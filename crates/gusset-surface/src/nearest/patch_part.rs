@@ -45,7 +45,7 @@ impl<const N: usize> PatchPart<N> {
     pub(super) fn split_part(&self, mut add: impl FnMut(PatchPart<N>)) {
         let half = 0.5 * self.parameter_lengths;
         let mut give = |patch, corner: DVec2, size| {
-            add(PatchPart { patch, low_parameters: self.low_parameters + corner, parameter_lengths: size, ..*self })
+            add(PatchPart { patch, low_parameters: self.low_parameters + corner, parameter_lengths: size, ..*self });
         };
         let [u, v] = self.patch.max_end_point_distances();
         if u > 2.0 * v {

@@ -343,7 +343,7 @@ impl ContinuousCurvatureSolver {
             };
             match windows.last_mut() {
                 Some(last) if are_near(last.first_point + last.point_count, first) => {
-                    last.point_count = end - last.first_point
+                    last.point_count = end - last.first_point;
                 }
                 _ => alloc::push(&mut windows, PointWindow { first_point: first, point_count: end - first })?,
             }
