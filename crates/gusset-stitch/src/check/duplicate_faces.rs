@@ -25,19 +25,19 @@ pub(super) fn find_duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job:
 /// `degenerate`. O(F log F) comparisons.
 pub(crate) fn duplicate_face_groups(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job<'_>) -> Result<Vec<(u32, u32)>> {
     job.step(0.0, "checking faces")?;
-    // Sort the faces by their cycles, and equal ones by index.
-    let mut order = alloc::collect((0..mesh.faces().len()).map(|f| f as u32))?;
-    order.retain(|f| degenerate.binary_search(f).is_err());
+    // Sort the faces by the first edges of their cycles. Few faces have the same one.
     let mut starts = alloc::with_capacity(mesh.faces().len())?;
     starts.extend((0..mesh.faces().len()).map(|f| CycleStart::find_smallest(mesh, f)));
-    let compare = |&f: &u32, &g: &u32| {
-        let (f, g) = (f as usize, g as usize);
-        starts[f].vertex_cycle(mesh, f).cmp(starts[g].vertex_cycle(mesh, g))
-    };
-    sort(&mut order, |f, g| compare(f, g).then(f.cmp(g)), &job.sub_job(0.2, 0.9), "checking faces")?;
+    let proper = (0..mesh.faces().len() as u32).filter(|f| degenerate.binary_search(f).is_err());
+    let mut order = alloc::gather(proper.map(|f| (starts[f as usize].first_edge(mesh, f as usize), f)))?;
+    sort(&mut order, Ord::cmp, &job.sub_job(0.2, 0.9), "checking faces")?;
+    let cycle = |f: u32| starts[f as usize].vertex_cycle(mesh, f as usize);
     let mut groups = Vec::new();
-    for group in order.chunk_by(|f, g| compare(f, g).is_eq()).filter(|group| group.len() > 1) {
-        alloc::extend(&mut groups, group.iter().map(|&f| (group[0], f)))?;
+    for faces in order.chunk_by_mut(|a, b| a.0 == b.0).filter(|faces| faces.len() > 1) {
+        sort(faces, |a, b| cycle(a.1).cmp(cycle(b.1)).then(a.1.cmp(&b.1)), &job.sub_job(0.9, 1.0), "checking faces")?;
+        for group in faces.chunk_by(|a, b| cycle(a.1).eq(cycle(b.1))).filter(|group| group.len() > 1) {
+            alloc::extend(&mut groups, group.iter().map(|&(_, f)| (group[0].1, f)))?;
+        }
     }
     Ok(groups)
 }
@@ -55,6 +55,12 @@ impl CycleStart {
         let corner = smallest.map_or(0, |(i, _)| i as u32);
         let [forwards, backwards] = [false, true].map(|backwards| CycleStart { corner, backwards });
         if backwards.vertex_cycle(mesh, f).lt(forwards.vertex_cycle(mesh, f)) { backwards } else { forwards }
+    }
+
+    /// Returns the first two vertices of the cycle; of an empty face, the largest number.
+    fn first_edge(&self, mesh: &MeshView<'_>, f: usize) -> u64 {
+        let mut cycle = self.vertex_cycle(mesh, f).map(u64::from);
+        cycle.next().zip(cycle.next()).map_or(u64::MAX, |(u, v)| u << 32 | v)
     }
 
     fn vertex_cycle<'m>(&self, mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = u32> + 'm {

@@ -55,6 +55,10 @@ impl EdgeFans {
         Ok(fans)
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.half_edges.is_empty()
+    }
+
     /// Returns the half-edges of each edge.
     pub(super) fn iter(&self) -> impl Iterator<Item = &[u32]> + Clone {
         let starts = std::iter::once(0).chain(self.fan_ends.iter().copied());

@@ -15,7 +15,8 @@
 //! 7. Closed components are turned outwards.
 //! 8. If faces of closed components intersect, these are replaced by their [union](crate::arrange).
 //!
-//! The stages run again until nothing changes, at most four times.
+//! The stages run again until nothing changes, at most four times. A stage is skipped if the mesh has not changed since
+//! its last run.
 //!
 //! [`unite_solids`] is the last stage alone, for several closed pieces.
 //!
@@ -25,6 +26,7 @@
 //! | [`repair_run`](self) | the stages in order |
 //! | [`corner_place`](self) | places on faces of the input |
 //! | [`repair_state`](self) | the mesh between stages, with origins |
+//! | [`settled_stages`](self) | stages that have nothing more to do |
 //! | [`sew_borders`](self) | sewing |
 //! | [`near_gaps`](self) | borders that nearly match |
 //! | [`flat_faces`](self) | faces without area |
@@ -41,7 +43,6 @@
 //! (2016), for the cells and their winding numbers; M. Attene, *A lightweight approach to repairing
 //! digitized polygon meshes* (2010), for the order of stages.
 
-mod solid_sides;
 mod corner_place;
 mod duplicate_removal;
 mod edge_fans;
@@ -52,7 +53,9 @@ mod repair_request;
 mod repair_run;
 mod repair_state;
 mod sew_borders;
+mod settled_stages;
 mod sheet_pairs;
+mod solid_sides;
 mod twin_edges;
 mod united_parts;
 mod vertex_contacts;

@@ -28,7 +28,9 @@ impl Patches {
         let half_edges = (0..faces.half_edge_count() as u32).filter(|&h| !topology.is_ignored(h));
         for (k, h) in half_edges.enumerate() {
             job.sub_job(0.0, 0.5).step_within_list(k, STAGE)?;
-            if let Opposite::Mate(mate) = topology.opposite(h) {
+            if let Opposite::Mate(mate) = topology.opposite(h)
+                && h < mate
+            {
                 sets.union(faces.face_of_half_edge(h), faces.face_of_half_edge(mate));
             }
         }

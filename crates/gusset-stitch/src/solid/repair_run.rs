@@ -8,6 +8,7 @@ use super::near_gaps::close_near_gaps;
 use super::patches::Patches;
 use super::repair_request::{DropReason, History, Options, Repaired};
 use super::repair_state::RepairState;
+use super::settled_stages::{SettledStages, Stage};
 use super::sew_borders::{SewCounts, sew_borders};
 use super::sheet_pairs::Sheets;
 use super::twin_edges::split_twin_edges;
@@ -130,6 +131,7 @@ struct RepairRun<'o> {
     /// The numbers of vertices, corners and faces of each piece.
     inputs: Vec<[usize; 3]>,
     state: RepairState,
+    settled: SettledStages,
     counts: SewCounts,
     split_vertices: u32,
     filled_holes: u32,
@@ -151,6 +153,7 @@ impl<'o> RepairRun<'o> {
             options,
             inputs: alloc::collect(pieces.iter().map(counts))?,
             state,
+            settled: SettledStages::default(),
             counts: SewCounts::default(),
             split_vertices: 0,
             filled_holes: 0,
@@ -226,33 +229,56 @@ impl<'o> RepairRun<'o> {
         Ok(())
     }
 
-    /// Runs all stages once.
+    /// Runs all stages once, except those that have nothing more to do.
     fn run_stages(&mut self, round: usize, job: &Job<'_>) -> Result<()> {
-        self.sew(round, &job.sub_job(0.0, 0.05))?;
-        self.drop_flat_faces(&job.sub_job(0.05, 0.1))?;
-        self.drop_duplicates(&job.sub_job(0.1, 0.2))?;
-        self.separate_contacts(&job.sub_job(0.2, 0.25))?;
-        self.fill_holes(&job.sub_job(0.25, 0.5))?;
-        if self.separate_sheets(&job.sub_job(0.5, 0.7))? {
-            self.fill_holes(&job.sub_job(0.7, 0.85))?;
+        let sewing = if round == 0 { Stage::FirstSewing } else { Stage::LaterSewing };
+        self.run_stage(sewing, &job.sub_job(0.0, 0.05), |run, job| run.sew(round, job))?;
+        self.run_stage(Stage::FlatFaces, &job.sub_job(0.05, 0.1), Self::drop_flat_faces)?;
+        self.run_stage(Stage::Duplicates, &job.sub_job(0.1, 0.2), Self::drop_duplicates)?;
+        self.run_stage(Stage::Contacts, &job.sub_job(0.2, 0.25), Self::separate_contacts)?;
+        self.run_stage(Stage::Holes, &job.sub_job(0.25, 0.5), Self::fill_holes)?;
+        let changes = self.state.changes;
+        self.run_stage(Stage::Sheets, &job.sub_job(0.5, 0.7), Self::separate_sheets)?;
+        if self.state.changes != changes {
+            self.run_stage(Stage::Holes, &job.sub_job(0.7, 0.85), Self::fill_holes)?;
         }
         self.drop_fins(&job.sub_job(0.85, 0.9))?;
-        self.turn_outwards(&job.sub_job(0.9, 0.92))?;
-        if !self.options.leave_intersections {
-            let job = job.sub_job(0.92, 1.0);
-            self.intersections = if self.is_rounding_unresolvable {
-                let view = self.state.mesh.view(&job.sub_job(0.0, 0.1))?;
-                Some(find_intersecting_faces(&view, &job.sub_job(0.1, 1.0))?)
-            } else {
-                match unite_parts(&mut self.state, &job)? {
-                    Uniting::Unchanged(pairs) => Some(pairs),
-                    Uniting::Changed { is_clean } => {
-                        self.is_rounding_unresolvable = !is_clean;
-                        None
-                    }
-                }
-            };
+        self.run_stage(Stage::Orientation, &job.sub_job(0.9, 0.92), Self::turn_outwards)?;
+        self.run_stage(Stage::Intersections, &job.sub_job(0.92, 1.0), Self::remove_intersections)
+    }
+
+    /// Runs a stage, unless it has nothing more to do.
+    fn run_stage(
+        &mut self,
+        stage: Stage,
+        job: &Job<'_>,
+        run: impl FnOnce(&mut Self, &Job<'_>) -> Result<()>,
+    ) -> Result<()> {
+        let before = self.state.revision();
+        if !self.settled.contains(stage, before) {
+            run(self, job)?;
+            self.settled.record(stage, before, self.state.revision());
         }
+        Ok(())
+    }
+
+    /// Unites the closed parts that intersect, or finds the faces that do.
+    fn remove_intersections(&mut self, job: &Job<'_>) -> Result<()> {
+        if self.options.leave_intersections {
+            return Ok(());
+        }
+        self.intersections = if self.is_rounding_unresolvable {
+            let view = self.state.mesh.view(&job.sub_job(0.0, 0.1))?;
+            Some(find_intersecting_faces(&view, &job.sub_job(0.1, 1.0))?)
+        } else {
+            match unite_parts(&mut self.state, job)? {
+                Uniting::Unchanged(pairs) => Some(pairs),
+                Uniting::Changed { is_clean } => {
+                    self.is_rounding_unresolvable = !is_clean;
+                    None
+                }
+            }
+        };
         Ok(())
     }
 
@@ -320,30 +346,30 @@ impl<'o> RepairRun<'o> {
         Ok(())
     }
 
-    /// Separates sheets that share edges or vertices. Returns true if something changed.
-    fn separate_sheets(&mut self, job: &Job<'_>) -> Result<bool> {
+    /// Separates sheets that share edges or vertices.
+    fn separate_sheets(&mut self, job: &Job<'_>) -> Result<()> {
         if self.options.leave_non_manifold {
-            return Ok(false);
+            return Ok(());
         }
-        let sheets = self.find_sheets(&job.sub_job(0.0, 0.4))?;
-        let dropped = sheets.reasons.iter().any(Option::is_some);
+        let (sheets, topology) = self.find_sheets(&job.sub_job(0.0, 0.4))?;
         let separated = sheets.pairs.len();
-        let (copies, attached) = sheets.separate(&mut self.state, &job.sub_job(0.4, 0.6))?;
+        let (copies, attached) = sheets.separate(&mut self.state, &topology, &job.sub_job(0.4, 0.6))?;
         attached.into_iter().try_for_each(|pair| self.list_attached([pair]))?;
         if separated > 0 {
-            let twins = self.find_sheets(&job.sub_job(0.6, 0.9))?;
+            let (twins, _) = self.find_sheets(&job.sub_job(0.6, 0.9))?;
             split_twin_edges(&mut self.state, &twins.pairs, &job.sub_job(0.9, 1.0))?;
         }
         self.split_vertices += copies;
-        Ok(dropped || copies > 0)
+        Ok(())
     }
 
-    fn find_sheets(&self, job: &Job<'_>) -> Result<Sheets> {
+    fn find_sheets(&self, job: &Job<'_>) -> Result<(Sheets, Topology)> {
         let view = self.state.mesh.view(&job.sub_job(0.0, 0.1))?;
         let topology = Topology::new(&view, &job.sub_job(0.1, 0.3))?;
         let fans = EdgeFans::find(&view, &topology, &job.sub_job(0.3, 0.5))?;
         let patches = Patches::find(&view, &topology, &fans, &job.sub_job(0.5, 0.6))?;
-        Sheets::find(&view, &topology, &fans, &patches, &job.sub_job(0.6, 1.0))
+        let sheets = Sheets::find(&view, &topology, &fans, &patches, &job.sub_job(0.6, 1.0))?;
+        Ok((sheets, topology))
     }
 
     /// Drops the open sheets that were attached to a sheet which is closed now and has a larger area, and

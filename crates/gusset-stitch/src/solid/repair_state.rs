@@ -26,9 +26,14 @@ pub(super) struct RepairState {
     pub(super) turned: Vec<bool>,
     /// The reason of each dropped face of the input, also of faces with remaining parts.
     pub(super) dropped: Vec<DroppedFace>,
-    /// The number of changes so far, of any kind.
+    /// The number of changes so far, of any kind but turned faces.
     pub(super) changes: u32,
+    /// The number of times that a face was turned over.
+    turns: u64,
 }
+
+/// A number that tells one state of the mesh from another: its changes and turned faces.
+pub(super) type Revision = (u32, u64);
 
 /// A new vertex, three vertices that precede it, and their weights.
 pub(super) type NewVertex = (u32, [u32; 3], [f64; 3]);
@@ -45,8 +50,14 @@ impl RepairState {
             new_vertices: Vec::new(),
             dropped: Vec::new(),
             changes: 0,
+            turns: 0,
             mesh,
         })
+    }
+
+    /// Returns the revision of the mesh.
+    pub(super) fn revision(&self) -> Revision {
+        (self.changes, self.turns)
     }
 
     /// Turns a face over. It keeps its first corner.
@@ -55,6 +66,7 @@ impl RepairState {
         self.mesh.face_corners[first + 1..end].reverse();
         self.corner_places[first + 1..end].reverse();
         self.turned[f] ^= true;
+        self.turns += 1;
     }
 
     /// Lists a dropped face.

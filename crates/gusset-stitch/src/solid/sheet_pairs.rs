@@ -151,12 +151,16 @@ impl Sheets {
 
     /// Gives each sheet its own vertices, turns faces over and drops faces. Returns the number of
     /// new vertices.
-    pub(super) fn separate(self, state: &mut RepairState, job: &Job<'_>) -> Result<(u32, Vec<[u32; 2]>)> {
+    pub(super) fn separate(
+        self,
+        state: &mut RepairState,
+        topology: &Topology,
+        job: &Job<'_>,
+    ) -> Result<(u32, Vec<[u32; 2]>)> {
         let Sheets { reasons, turned, pairs, mut attached } = self;
         let (corners, copies) = {
             let view = state.mesh.view(&job.sub_job(0.0, 0.1))?;
-            let topology = Topology::new(&view, &job.sub_job(0.1, 0.4))?;
-            split_vertices(&view, &topology, &pairs, &reasons, &job.sub_job(0.4, 0.8))?
+            split_vertices(&view, topology, &pairs, &reasons, &job.sub_job(0.1, 0.8))?
         };
         state.copy_vertices(&copies)?;
         state.mesh.face_corners = corners;

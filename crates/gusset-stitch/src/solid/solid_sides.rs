@@ -37,8 +37,11 @@ pub(super) fn find_solid_sides(
     patches: &Patches,
     job: &Job<'_>,
 ) -> Result<SolidSides> {
-    let components = edge_components(mesh, topology, &patches.closed_fans, &job.sub_job(0.0, 0.3))?;
     let count = mesh.faces().len();
+    if patches.closed_fans.is_empty() {
+        return alloc::filled(None, count);
+    }
+    let components = edge_components(mesh, topology, &patches.closed_fans, &job.sub_job(0.0, 0.3))?;
     let mut is_examined = alloc::filled(false, count)?;
     for &h in patches.closed_fans.iter().flatten() {
         is_examined[components[mesh.faces().face_of_half_edge(h) as usize] as usize] = true;
