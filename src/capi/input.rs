@@ -7,6 +7,7 @@ use super::status::gusset_status::{
     GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_MISALIGNED_ARGUMENT,
     GUSSET_ERROR_SIZE_OVERFLOW,
 };
+use crate::error::Error;
 use crate::job::Job;
 use std::ffi::c_void;
 use std::mem::MaybeUninit;
@@ -348,4 +349,11 @@ fn check_struct_size(min: usize, known_size: usize, size: usize, name: &'static 
         return Err(Failure { value: size as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) });
     }
     Ok(size)
+}
+
+/// Returns the product of two counts; `what` names the buffer in the error.
+pub(crate) fn checked_product(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
+    let product = count.checked_mul(each);
+    product
+        .ok_or_else(|| Failure::from(Error::SizeOverflow { what, count: (count as u64).saturating_mul(each as u64) }))
 }

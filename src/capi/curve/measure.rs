@@ -1,9 +1,7 @@
 //! Measures of curves: Derivatives, lengths, nearest points, bounds and moments.
 
 use crate::capi::context::{answer_into_struct, guard_call, gusset_context};
-use crate::capi::curve::{
-    checked_product, gusset_curve, gusset_place, read_places, read_points, view_of_curve, write_points,
-};
+use crate::capi::curve::{gusset_curve, gusset_place, read_places, read_points, view_of_curve, write_points};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
@@ -91,7 +89,7 @@ fn with_result_buffer<'a, T>(
     name: &'static str,
     made: T,
 ) -> Result<(T, &'a mut [f64]), Failure> {
-    Ok((made, input::result_buffer(out, checked_product(count, each, name)?, name)?))
+    Ok((made, input::result_buffer(out, input::checked_product(count, each, name)?, name)?))
 }
 
 /// Computes points, derivatives, tangents and curvatures at places.

@@ -18,7 +18,6 @@ use crate::capi::mesh::gusset_indices;
 use crate::capi::status::gusset_status::GUSSET_ERROR_BAD_OFFSETS;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::{Curve, CurveView, Place, Points};
-use crate::error::Error;
 use glam::DVec3;
 use gusset_base::alloc;
 use std::ffi::c_void;
@@ -173,11 +172,4 @@ pub unsafe extern "C" fn gusset_curve_get_view(
             reserved: 0,
         }
     })
-}
-
-/// Returns the product of two counts; `what` names the buffer in the error.
-pub(crate) fn checked_product(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
-    let product = count.checked_mul(each);
-    product
-        .ok_or_else(|| Failure::from(Error::SizeOverflow { what, count: (count as u64).saturating_mul(each as u64) }))
 }

@@ -3,8 +3,8 @@
 //! @source Nadopta.
 
 use crate::capi::context::{create_handle, guard_call, gusset_context, lend};
+use crate::capi::curve::gusset_curve;
 use crate::capi::curve::outline_options::{gusset_fit_status, gusset_outline_options};
-use crate::capi::curve::{checked_product, gusset_curve};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list, read_flag};
@@ -359,5 +359,5 @@ fn optional_result_buffer<'a, T: bytemuck::Pod>(
     (count, each): (usize, usize),
     name: &'static str,
 ) -> Result<&'a mut [T], Failure> {
-    input::result_buffer(out, if out.is_null() { 0 } else { checked_product(count, each, name)? }, name)
+    input::result_buffer(out, if out.is_null() { 0 } else { input::checked_product(count, each, name)? }, name)
 }

@@ -2,7 +2,6 @@
 
 use crate::attributes::Origins;
 use crate::capi::context::{create_handle, gusset_context, lend};
-use crate::capi::curve::checked_product;
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
 use crate::capi::input::{self, lend_list, read_choice, read_flag};
@@ -158,7 +157,7 @@ impl From<&SectionPath> for gusset_section_path {
 
 /// Copies packed vectors of the caller.
 fn read_vectors(vectors: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
-    let numbers = input::copy_input_items(vectors, checked_product(count, 3, name)?, name)?;
+    let numbers = input::copy_input_items(vectors, input::checked_product(count, 3, name)?, name)?;
     Ok(alloc::collect(numbers.chunks_exact(3).map(DVec3::from_slice))?)
 }
 

@@ -1,7 +1,6 @@
 //! Points: Points, normals and curvatures at places of a surface.
 
 use crate::capi::context::{guard_changing_call, gusset_context};
-use crate::capi::curve::checked_product;
 use crate::capi::glue::{c_enum, fixed};
 use crate::capi::input::{self, Choice};
 use crate::capi::status::{Failure, gusset_status};
@@ -142,7 +141,8 @@ pub unsafe extern "C" fn gusset_surface_locate(
     let places = input::cleared_result_buffer(places, count, "places");
     guard_changing_call(context, |job| {
         let (places, surface) = (places?, surface_of_handle(surface)?);
-        let bytes = input::input_bytes(parameters.cast(), checked_product(count, 2, "parameters")?, 8, "parameters")?;
+        let bytes =
+            input::input_bytes(parameters.cast(), input::checked_product(count, 2, "parameters")?, 8, "parameters")?;
         let mut found = alloc::with_capacity(count)?;
         for (k, pair) in bytes.chunks_exact(16).enumerate() {
             job.step_every(PLACES_PER_REPORT, k, count, "locating")?;

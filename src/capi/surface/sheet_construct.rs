@@ -3,7 +3,7 @@
 
 use crate::capi::context::{create_handle, create_handle_and_outputs, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
-use crate::capi::curve::{checked_product, gusset_curve, read_points};
+use crate::capi::curve::{gusset_curve, read_points};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, read_choice, read_flag};
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
             return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 }.into());
         }
         let each = (degrees[0] + 1) * (degrees[1] + 1);
-        let count = checked_product(checked_product(rows, columns, "patches")?, each, "control points")?;
+        let count = input::checked_product(input::checked_product(rows, columns, "patches")?, each, "control points")?;
         let points = self::read_points(points, count, 3)?;
         Ok(gusset_sheet(if degree_u.max(degree_v) <= 3 {
             Sheet::Cubic(Patches::new(&points, degrees, rows, columns)?)
@@ -185,7 +185,8 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
 ) -> gusset_status {
     create_handle(context, sheet, "sheet", |job| {
         let given = input::read_versioned_struct(spline, false, "spline")?;
-        let points = read_points(given.points, checked_product(given.count_u, given.count_v, "control points")?, 3)?;
+        let points =
+            read_points(given.points, input::checked_product(given.count_u, given.count_v, "control points")?, 3)?;
         let u = input::copy_input_items(given.knots_u, given.knot_count_u, "knots_u")?;
         let v = input::copy_input_items(given.knots_v, given.knot_count_v, "knots_v")?;
         let closed = [read_flag(given.closed_u, "closed_u")?, read_flag(given.closed_v, "closed_v")?];

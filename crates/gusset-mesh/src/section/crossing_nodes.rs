@@ -5,9 +5,9 @@
 //! paths touch but do not cross: the inside of a solid is to the left of its segments, and the two
 //! segments that bound one sector of the inside continue each other.
 
-use super::STAGE;
 use super::cut_stack::StackCut;
 use super::face_crossings::FaceCrossings;
+use super::section_request::STAGE;
 use crate::{MeshView, NONE};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;

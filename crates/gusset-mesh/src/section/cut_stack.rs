@@ -6,7 +6,7 @@
 //! smallest class and not above its largest.
 
 use super::exact_plane::{ExactPlane, MAX_COORDINATE};
-use super::{InPlane, STAGE};
+use super::section_request::{InPlane, STAGE};
 use crate::view::FaceVisitor;
 use crate::{MAX_ELEMENTS, MeshView};
 use glam::DVec3;

@@ -4,8 +4,8 @@
 //! from below to above. It then runs along the cross product of the plane's normal and the face's
 //! normal. Segment s has the ends 2 s and 2 s + 1.
 
-use super::STAGE;
 use super::cut_stack::StackCut;
+use super::section_request::STAGE;
 use crate::MeshView;
 use crate::topology::{half_edges, unordered};
 use glam::DVec3;

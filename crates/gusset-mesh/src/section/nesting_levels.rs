@@ -5,7 +5,8 @@
 //! area and an odd number of edges above the test point. Loops may therefore touch and share edges.
 //! The edges are sorted into slabs, so that a test sees the edges of one slab only.
 
-use super::{STAGE, Sections};
+use super::section_request::STAGE;
+use super::sections::Sections;
 use crate::NONE;
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;

@@ -6,7 +6,8 @@
 //! from the result than the tolerance, and no point of the result is farther from the given
 //! polyline.
 
-use super::{STAGE, Sections};
+use super::section_request::STAGE;
+use super::sections::Sections;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
