@@ -213,14 +213,15 @@ impl Builder {
             .arg(inputs("Files or folders to read; - is standard input", 1));
         let writes = filter.is_none_or(|filter| filter.output_kinds().iter().any(|&kind| kind != OutputKind::Text));
         if writes {
-            made = made.args(output_options(false));
-            if filter.is_some_and(|filter| filter.max_inputs() != Some(1)) {
-                // All inputs make one result.
+            // All inputs of some filters make one result.
+            let has_many_results = filter.is_none_or(|filter| filter.max_inputs() == Some(1));
+            let is_offered =
+                |option: &Arg| has_many_results || !["out-dir", "jobs"].contains(&option.get_id().as_str());
+            made = made.args(output_options(false).into_iter().filter(is_offered));
+            if !has_many_results {
                 made = made
                     .mut_arg("output", |output| output.help("File to write; - is standard output"))
-                    .mut_arg("to", |format| format.help("Format of standard output, such as ply"))
-                    .mut_arg("out-dir", |folder| folder.hide(true))
-                    .mut_arg("jobs", |jobs| jobs.hide(true));
+                    .mut_arg("to", |format| format.help("Format of standard output, such as ply"));
             }
         }
         if !command.smooth.is_empty() {

@@ -1,7 +1,11 @@
 //! Sections against independent truth: exact integers, volumes, analytic shapes, brute force.
 
+use super::exact_plane::ExactPlane;
 use super::*;
-use crate::{Faces, NONE, Positions, triangulate};
+use crate::{Faces, MeshView, NONE, Positions, triangulate};
+use glam::DVec3;
+use gusset_base::error::Error;
+use gusset_base::job::Job;
 use proptest::prelude::*;
 
 /// A mesh in arrays.
