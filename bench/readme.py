@@ -64,10 +64,10 @@ def table(entries):
 
 def write_readme(entries, path=Path("README.md")):
     text = path.read_text()
-    head = (f"The times are medians, measured on two cores on {time.strftime('%Y-%m-%d')}. The first column is our time. The others are the peer's\n"
-            "time divided by ours: above 1, gusset is faster. We time gusset and a peer in turn, in one process, on the same arrays. C++ and\n"
-            "Python peers run in separate processes. Each process times gusset again, and the ratio uses that time, not the first column. VTK's\n"
-            "strip does not close into a ring.\n")
+    head = (f"The times are medians, measured on two cores on {time.strftime('%Y-%m-%d')}. The first column gives gusset's\n"
+            "time. Each other column gives a peer's time divided by gusset's: above 1, gusset is faster. We time gusset and a peer in turn, in one\n"
+            "process, on the same arrays. C++ peers and Python peers run in separate processes. Each process times gusset again for its ratios. VTK's\n"
+            "strip does not close the ring.\n")
     begin, end = map(re.escape, MARKS)
     new, count = re.subn(f"(?<={begin}).*?(?={end})", lambda _: f"{head}\n{table(entries)}\n", text, flags=re.DOTALL)
     if count != 1:
