@@ -26,14 +26,14 @@ use gusset_mesh::Mesh;
 const MERIDIAN_MEASURES_TO_TRY: [Meridians; 4] =
     [Meridians::Continuation, Meridians::MinArea, Meridians::MinDiagonal, Meridians::Smooth];
 
-/// A strip without intersections whose bends are smaller is not contested. A bend is measured as the
-/// distance of the unit normals; this is 60 degrees.
-const MAX_UNCONTESTED_BEND: f64 = 1.0;
+/// A strip across a wide gap is compared with the strip of least bends if it intersects, or if the unit
+/// normals of two neighbouring triangles differ by more than this length. 1 is an angle of 60 degrees.
+const MAX_NORMAL_DISTANCE_WITHOUT_COMPARISON: f64 = 1.0;
 
-/// The largest bend of a strip that replaces another one with as many intersections: about 65 degrees,
-/// and this fraction of the largest bend of the other strip.
-const MAX_CONTESTANT_BEND: f64 = 1.08;
-const MAX_CONTESTANT_BEND_RATIO: f64 = 0.65;
+/// The largest distance between unit normals of neighbours in a strip that replaces another one with the same
+/// number of intersections. 1.08 is an angle of about 65 degrees. The ratio is relative to the replaced strip.
+const MAX_NORMAL_DISTANCE_OF_REPLACEMENT: f64 = 1.08;
+const MAX_NORMAL_DISTANCE_RATIO_OF_REPLACEMENT: f64 = 0.65;
 
 /// Number of strips to try for each measure.
 const MAX_STRIPS_PER_MEASURE: usize = 12;
@@ -58,8 +58,10 @@ pub(super) fn search_strip_without_intersections(
         StripNeighbourhood::new(whole, strip, unit, Vec::new())?.find_intersections(&old, job)
     };
     let mut best = test(strip, &job.sub_job(0.0, 0.1))?;
-    if strip.has_wide_gap() && (!best.pairs.is_empty() || largest_bend(strip) > MAX_UNCONTESTED_BEND) {
-        contest_by_least_bends(strip, &mut best, existing, options, &test, &job.sub_job(0.1, 0.1))?;
+    if strip.has_wide_gap()
+        && (!best.pairs.is_empty() || largest_normal_distance(strip) > MAX_NORMAL_DISTANCE_WITHOUT_COMPARISON)
+    {
+        replace_by_least_bends_if_better(strip, &mut best, existing, options, &test, &job.sub_job(0.1, 0.1))?;
     }
     if !best.pairs.is_empty() {
         start_far_from_intersections(strip, &best)?;
@@ -83,7 +85,7 @@ pub(super) fn search_strip_without_intersections(
 
 /// Replaces a strip by the strip of least bends if that has fewer intersections, or as many and a
 /// much smaller largest bend.
-fn contest_by_least_bends(
+fn replace_by_least_bends_if_better(
     strip: &mut Strip,
     best: &mut IntersectingTriangles,
     existing: &ExistingEdges,
@@ -95,13 +97,14 @@ fn contest_by_least_bends(
     let Some(smooth) = meridians_from_given_start(&strip.a, &strip.b, existing, &how, job)? else {
         return Ok(());
     };
-    let (bend, own) = (largest_bend(strip), alloc::copied(&strip.meridians)?);
+    let (bend, own) = (largest_normal_distance(strip), alloc::copied(&strip.meridians)?);
     match strip.set_meridians(smooth.pairs, 0, existing, options) {
         Err(Error::NoStrip { .. }) => {}
         other => {
             other?;
             let found = test(strip, job)?;
-            let is_smoother = largest_bend(strip) < MAX_CONTESTANT_BEND.min(MAX_CONTESTANT_BEND_RATIO * bend);
+            let is_smoother = largest_normal_distance(strip)
+                < MAX_NORMAL_DISTANCE_OF_REPLACEMENT.min(MAX_NORMAL_DISTANCE_RATIO_OF_REPLACEMENT * bend);
             if found.pairs.len() < best.pairs.len() || found.pairs.len() == best.pairs.len() && is_smoother {
                 *best = found;
                 return Ok(());
@@ -113,7 +116,7 @@ fn contest_by_least_bends(
 
 /// Returns the largest distance between the unit normals of neighbours: triangles of a strip without
 /// rows, and the faces along the rims. Degenerate triangles do not count.
-fn largest_bend(strip: &Strip) -> f64 {
+fn largest_normal_distance(strip: &Strip) -> f64 {
     let at = |k: u32| strip.grid.points[k as usize];
     let normal = |&[p, q, r]: &[u32; 3]| (at(q) - at(p)).cross(at(r) - at(p)).normalize_or_zero();
     let triangles = strip.faces.corners.as_chunks::<3>().0;

@@ -81,22 +81,22 @@ impl NumberedRims {
     }
 }
 
-/// Loops with fewer vertices are not thinned, because three must remain.
-const MIN_THINNED_VERTICES: usize = 5;
+/// A loop with fewer vertices is not thinned, because at least three vertices must remain.
+const MIN_VERTICES_OF_LOOP_TO_THIN: usize = 5;
 
 /// Removes about every other vertex of the long loops: those with more than half as many vertices
 /// as the longest. Returns the loops, and for each remaining vertex its old number; `None` if all
 /// loops are short.
 pub(super) fn thin_loops(loops: &[Polygon]) -> Result<Option<(Vec<Polygon>, Vec<u32>)>> {
     let longest = loops.iter().map(|polygon| polygon.points.len()).max().unwrap_or(0);
-    if longest < MIN_THINNED_VERTICES {
+    if longest < MIN_VERTICES_OF_LOOP_TO_THIN {
         return Ok(None);
     }
     let (mut coarse, mut kept) = (alloc::with_capacity(loops.len())?, Vec::new());
     let mut first = 0;
     for polygon in loops {
         let n = polygon.points.len();
-        let (thin, of_loop) = if n >= MIN_THINNED_VERTICES && 2 * n > longest {
+        let (thin, of_loop) = if n >= MIN_VERTICES_OF_LOOP_TO_THIN && 2 * n > longest {
             polygon.every_other_point()?
         } else {
             let [points, across, normals] =

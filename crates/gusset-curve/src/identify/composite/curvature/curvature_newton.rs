@@ -45,10 +45,10 @@ const HANDLE_LOGIT_STEP_UNIT: f64 = 0.7;
 /// The largest change of a logit in one step.
 const MAX_LOGIT_STEP: f64 = 1.5;
 
-/// The largest odds of beta, and of 1 - beta.
+/// The largest odds beta / (1 - beta), and their largest reciprocal.
 const MAX_BETA_ODDS: f64 = 15.0;
 
-/// The smallest and the largest odds of lambda and mu, which are 2 for a quadratic.
+/// The smallest and the largest odds lambda / (1 - lambda) and mu / (1 - mu). A quadratic has odds of 2.
 const HANDLE_ODDS_RANGE: [f64; 2] = [0.5, 1e4];
 
 /// Parameters stay between this and 1 minus this.

@@ -54,13 +54,14 @@ const HANDLE_FRACTIONS_OF_QUADRATIC: [f64; 2] = [2.0 / 3.0; 2];
 /// The number of iterations after which the worst equations are given up.
 const MAX_ITERATIONS_PER_ROUND: u32 = 12;
 
-/// The relative rounding error of E_i above which a section always counts as straight.
-const MAX_RELATIVE_AREA_ERROR: f64 = 1e-2;
+/// Limits the relative rounding error of the triangle area E_i at a bend of the control polygon.
+/// Beyond it, the polygon counts as straight there.
+const MAX_RELATIVE_AREA_ROUNDING_OF_BEND: f64 = 1e-2;
 
-/// The relative rounding error of E_i above which a section counts as straight if its curvature is
-/// below [`MIN_SIGNIFICANT_CURVATURE`]. Where points are dense all errors are large, so the error
-/// alone does not make a section straight.
-const MAX_RELATIVE_AREA_ERROR_OF_STRAIGHT: f64 = 1e-8;
+/// Limits the relative rounding error of E_i at a bend whose curvature is below
+/// [`MIN_SIGNIFICANT_CURVATURE`]. Dense points make all errors large, so errors between both limits
+/// do not make a sharper bend straight.
+const MAX_RELATIVE_AREA_ROUNDING_OF_FAINT_BEND: f64 = 1e-8;
 
 /// The smallest significant curvature, times the size of the outline.
 const MIN_SIGNIFICANT_CURVATURE: f64 = 1e-2;
@@ -220,8 +221,9 @@ impl ContinuousCurvatureSolver {
         let [before, after] = legs_at_control_point(sub, &self.nodes, i);
         let lengths = before.length() * after.length() * (before + after).length();
         let faint = 2.0 * before.cross(after).length() * sub.outline_size < MIN_SIGNIFICANT_CURVATURE * lengths;
-        let error = triangle_area_error(sub, &self.nodes, i);
-        error.is_nan() || error > if faint { MAX_RELATIVE_AREA_ERROR_OF_STRAIGHT } else { MAX_RELATIVE_AREA_ERROR }
+        let error = relative_triangle_area_rounding(sub, &self.nodes, i);
+        error.is_nan()
+            || error > if faint { MAX_RELATIVE_AREA_ROUNDING_OF_FAINT_BEND } else { MAX_RELATIVE_AREA_ROUNDING_OF_BEND }
     }
 
     /// Sets the curvature at a joint to 0.
@@ -404,7 +406,8 @@ impl ContinuousCurvatureSolver {
         let mut gap = 0.0;
         if known.curved {
             let next = sub.next_index(i);
-            let areas = triangle_area_error(sub, &self.nodes, i) + triangle_area_error(sub, &self.nodes, next);
+            let areas = relative_triangle_area_rounding(sub, &self.nodes, i)
+                + relative_triangle_area_rounding(sub, &self.nodes, next);
             let handles = 1.0 / (1.0 - self.nodes[i].handles[0]) + 1.0 / (1.0 - self.nodes[next].handles[1]);
             gap = values[4].abs() / sub.options.tolerance.max(32.0 * (areas + f64::EPSILON * handles));
         }
@@ -480,7 +483,7 @@ impl ContinuousCurvatureSolver {
 
 /// Returns the relative rounding error of the doubled triangle area E_i = |e_(i-1) x e_i| that the
 /// rounding of the control points causes.
-fn triangle_area_error(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
+fn relative_triangle_area_rounding(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
     let [before, after] = legs_at_control_point(sub, nodes, i);
     f64::EPSILON * sub.outline_size * (before.length() + after.length()) / before.cross(after).length()
 }
