@@ -153,12 +153,14 @@ pub(crate) unsafe extern "C" fn write(
             check_flags(flags, GUSSET_FILES_TEXT | GUSSET_FILES_LOSSY)?;
             let arrays = given_bytes(arrays, size).ok_or_else(|| Refusal::argument("arrays is NULL"))?;
             let document = unpack(given_text(document, "document")?, arrays)?;
-            write_document_parts(name, &document, &Folder::new(folder), flags)
+            encode_document(name, &document, &Folder::new(folder), flags)
         })
     }
 }
 
-fn write_document_parts(name: &str, document: &Document, folder: &Folder, flags: u32) -> Result<Parts, Refusal> {
+/// Encodes a document in memory, in the format that the name's extension tells. Returns the losses, the file, and the
+/// files beside it. `resources` provides the files that the document refers to.
+fn encode_document(name: &str, document: &Document, resources: &Folder, flags: u32) -> Result<Parts, Refusal> {
     let format = named_format(name)?;
     let options = WriteOptions {
         text: flags & GUSSET_FILES_TEXT != 0,
@@ -173,7 +175,7 @@ fn write_document_parts(name: &str, document: &Document, folder: &Folder, flags:
         Ok(())
     };
     let stem = name.rsplit('/').next().and_then(|name| name.rsplit_once('.')).map_or("mesh", |(stem, _)| stem);
-    let mut target = Target { main_file: &mut main, stem, beside: &mut add, resources: folder };
+    let mut target = Target { main_file: &mut main, stem, beside: &mut add, resources };
     let losses = gusset_io::write(document, format, &mut target, &options)?;
     let losses: Vec<String> = losses.into_iter().map(|Loss(what)| what).collect();
     let losses = serde_json::json!(losses).to_string().into_bytes();
