@@ -21,17 +21,17 @@ choices! {
         Some(CurveKind::CubicC2) => "Cubic spline", "Cubic segments with continuous curvature.";
 }
 
-/// The interpolation of polylines.
+/// Chooses the curve through the points of polylines.
 pub(super) const INTERPOLATION: TypedParam<Option<CurveKind>> =
     Param::choice("Between the points", "The curves through the given points.", CURVES_THROUGH);
 
-/// The fineness of curves.
+/// Limits the distance of chords from curves.
 pub(super) const CHORD_ERROR: TypedParam<f64> = Param::relative_error(
     "Chord error",
     "The largest distance of the resulting polylines from the curves, relative to the diagonal of the box of all curves.",
 );
 
-/// The plane of curves.
+/// Sets the plane of curves.
 pub(super) const PLANE: TypedParam<PlaneValue> = Param::plane(
     "Plane",
     "The plane of the curves, up to a millionth of their size. The plane in which they enclose the largest area is suggested.",

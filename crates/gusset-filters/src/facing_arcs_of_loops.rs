@@ -30,11 +30,12 @@ params! {
 const CURVE_NUMBER_RANGE: [f64; 2] = [0.0, MAX_COUNT];
 const CURVE_HELP: &str = "The number of the curve, from 0 on. The filter boundary_loops gives suitable curves.";
 
-/// The arc that is joined where several face the other loop.
+/// Chooses the arc to join where several face the other loop.
 pub(super) const FACING_ARC: TypedParam<Run> =
     Param::choice("Facing arc", "The arc that is taken if several arcs face the other loop.", Run::CHOICES);
 
-/// The distance from the plane through a loop's centre; `None` takes the bound on rounding.
+/// Sets the distance from its plane beyond which a vertex faces the other loop; `None` takes the
+/// bound on rounding.
 pub(super) const FACING_TOLERANCE: TypedParam<Option<f64>> = Param::real(
     "Facing tolerance",
     "The smallest distance from the plane through the centre of its own loop at which a point faces the other loop. -1 takes \

@@ -60,21 +60,21 @@ pub(super) const FILTER: Filter = Filter {
     ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
-/// The loops that stay open.
+/// Chooses the loops that stay open.
 pub(super) const KEEP_OPEN: TypedParam<Keep> =
     Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
 
-/// The largest number of edges of a loop that is filled.
+/// Limits the number of edges of the loops to fill.
 pub(super) const MAX_EDGES: TypedParam<Option<u32>> =
     Param::int("Most edges", "Loops of more edges stay open; 0 sets no limit.", [0.0, MAX_COUNT], &[0.0])
         .none_unless_positive();
 
-/// The largest length of a loop that is filled.
+/// Limits the perimeter of the loops to fill.
 pub(super) const MAX_LENGTH: TypedParam<Option<f64>> =
     Param::length("Greatest length", "Longer loops stay open; 0 sets no limit.", NON_NEGATIVE_RANGE, &[0.0])
         .none_unless_positive();
 
-/// The largest diameter of a loop that is filled.
+/// Limits the bounding-box diagonal of the loops to fill.
 pub(super) const MAX_DIAMETER: TypedParam<Option<f64>> = Param::length(
     "Greatest diameter",
     "Loops whose bounding box has a longer diagonal stay open; 0 sets no limit.",
@@ -83,7 +83,7 @@ pub(super) const MAX_DIAMETER: TypedParam<Option<f64>> = Param::length(
 )
 .none_unless_positive();
 
-/// The largest area of a loop that is filled.
+/// Limits the area of the loops to fill.
 pub(super) const MAX_AREA: TypedParam<Option<f64>> = Param::real(
     "Greatest area",
     "Loops with a larger area between them and their centre stay open; 0 sets no limit. The unit is the square of the \

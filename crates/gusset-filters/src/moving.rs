@@ -17,7 +17,7 @@ const VERTICES_PER_CHUNK: usize = 1024;
 /// Chunks between two progress reports.
 const CHUNKS_PER_REPORT: usize = 64;
 
-/// The part of a motion that is done.
+/// Sets the fraction of a motion that is carried out.
 pub(super) const STRENGTH: TypedParam<f64> = Param::real(
     "Strength",
     "The fraction of the motion: 0 leaves the vertices unchanged, 1 moves them all the way.",

@@ -34,15 +34,15 @@ params! {
     triangles: bool = TRIANGLES;
 }
 
-/// The direction from each grid to the next.
+/// Chooses the direction from each grid to the next.
 pub(super) const DIRECTION: TypedParam<Direction> =
     Param::choice("Direction", "The direction from each grid to the next.", DIRECTIONS);
 
-/// The enlargement of smaller grids; `None` refuses them.
+/// Chooses how smaller grids are enlarged; `None` refuses them.
 pub(super) const DIFFERENT_SIZES: TypedParam<Option<Replication>> =
     Param::choice("Different sizes", "The treatment of sides with different numbers of vertices.", REPLICATIONS);
 
-/// The rotation of closed sides.
+/// Rotates closed sides against each other.
 pub(super) const TWIST: TypedParam<u32> = Param::int(
     "Twist",
     "The number of vertices by which closed sides of all grids except the first are rotated before joining.",
@@ -50,7 +50,7 @@ pub(super) const TWIST: TypedParam<u32> = Param::int(
     &[0.0],
 );
 
-/// The treatment of grids of opposite orientation.
+/// Turns grids of opposite orientation.
 pub(super) const TURN: TypedParam<bool> = Param::flag(
     "Flip",
     "Flips grids of opposite orientation to the first along the side. Without it, the filter fails for such grids.",

@@ -16,18 +16,18 @@ use gusset_surface::{Closest, Grid, Nodes, Paths, Scheme, Sheet, Surface, Surfac
 pub(super) const CATEGORY: &str = "Smooth surfaces";
 pub(super) const REFERENCE: &str = "V. A. Leus, Carcasses on smooth surfaces, 1976";
 
-/// The interpolation of the surface.
+/// Chooses the interpolation of the surface.
 pub(super) const SCHEME: TypedParam<Scheme> = Param::choice(
     "Surface",
     "The interpolation of the vertices. The quads must form a grid of rows and columns.",
     Scheme::CHOICES,
 );
 
-/// The fineness of curves.
+/// Limits the distance of chords from curves.
 pub(super) const CHORD_ERROR: TypedParam<f64> = curve::CHORD_ERROR
     .with_help("The largest distance of the polylines from the curves, relative to the diagonal of the surface's box.");
 
-/// The fineness of meshes: their relative deviation from the surface.
+/// Limits the relative deviation of meshes from the surface.
 pub(super) const DEVIATION: TypedParam<f64> = Param::real(
     "Deviation",
     "The largest distance of faces from the surface, relative to the diagonal of its box.",
@@ -35,11 +35,11 @@ pub(super) const DEVIATION: TypedParam<f64> = Param::real(
     &[1e-3],
 );
 
-/// The fineness of meshes: the parts of a cell.
+/// Sets the least number of parts along each side of a cell.
 pub(super) const MIN_PARTS_PER_SIDE: TypedParam<u32> =
     Param::int("Parts", "The smallest number of parts of each side of a cell.", [1.0, 1000.0], &[1.0]);
 
-/// The faces of meshes.
+/// Makes triangles instead of quads.
 pub(super) const TRIANGLES: TypedParam<bool> = Param::flag("Triangles", "Makes triangles instead of quads.");
 
 /// The surface through a mesh. Its normals point to the side from which faces run

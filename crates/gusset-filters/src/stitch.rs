@@ -57,18 +57,18 @@ pub(super) const FILTER: Filter = Filter {
     ..Filter::new(ONE_MESH, TO_MESH_TEXT, &FilterBody(run))
 };
 
-/// The rule of the strip between two loops.
+/// Chooses the rule that places the meridians of a strip.
 pub(super) const MERIDIANS: TypedParam<Meridians> = Param::choice(
     "Meridians",
     "The rule that joins vertices of one loop to vertices of the other.",
     Meridians::CHOICES,
 );
 
-/// The shape of the rows of a strip.
+/// Chooses the shape of the rows of a strip.
 pub(super) const FAIRING: TypedParam<Fairing> =
     Param::choice("Shape of the rows", "The positions of the new vertices.", Fairing::CHOICES);
 
-/// The surface between two loops.
+/// Chooses the surface between two loops: a strip or a blend.
 pub(super) const FINISH: TypedParam<Finish> = Param::choice(
     "Finish",
     "The surface between the rims. A blend ignores the rows, their shape and the kind of face.",
@@ -92,15 +92,15 @@ choices! {
         Rows::Count => "Given number", "The number of rows below.";
 }
 
-/// The rule for the rows of a strip.
+/// Chooses the rule for the number of rows of a strip.
 pub(super) const ROWS: TypedParam<MakeRows> =
     Param::choice("Rows", "The rows of new vertices between the rims.", ROW_RULES);
 
-/// The number of rows of a strip, if it is given.
+/// Sets the number of rows of a strip, if the rule of rows asks for it.
 pub(super) const ROW_COUNT: TypedParam<u32> =
     Param::int("Number of rows", "The number of rows of new vertices, if it is given.", [0.0, 10_000.0], &[1.0]);
 
-/// The faces of a strip.
+/// Chooses the faces of a strip: triangles or quads.
 pub(super) const CELLS: TypedParam<Cells> = Param::choice("Faces", "The faces of the strip.", Cells::CHOICES);
 
 /// The number of a boundary loop; `None` takes the nearest pair of loops.

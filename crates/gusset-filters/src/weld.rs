@@ -36,7 +36,7 @@ pub(super) fn push_hint(near: &NearBorders, text: &mut String) {
     }
 }
 
-/// The distance up to which vertices coincide; `None` takes the rounding of the positions.
+/// Sets the distance up to which vertices coincide; `None` takes the rounding of the positions.
 pub(super) const TOLERANCE: TypedParam<Option<f64>> = Param::length(
     "Tolerance",
     "The largest distance at which vertices coincide, or a vertex and an edge if borders are sewn. 0 takes equal positions; \
@@ -46,7 +46,7 @@ pub(super) const TOLERANCE: TypedParam<Option<f64>> = Param::length(
 )
 .none_if_negative();
 
-/// True if vertices that no face uses are dropped.
+/// Drops vertices that no face uses.
 pub(super) const DROP_UNUSED_VERTICES: TypedParam<bool> =
     Param::choice("Unused vertices", "The treatment of vertices that no face uses.", UNUSED_VERTICES);
 
