@@ -21,14 +21,15 @@ pub(super) struct Resolved {
     pub(super) round_count: u32,
 }
 
-/// Applies `step` to a surface and its arrangement until nothing intersects, at most `max_rounds` times with
-/// the step that made the surface. Returns the result with the fewest intersections. `counts` tells whether a pair of
-/// triangles with common points counts as one.
+/// Repeats `step` until nothing intersects. Returns the result with the fewest intersections.
+///
+/// `step` makes a new surface from a surface and its arrangement. The step that made `solid` is the first of at most
+/// `max_rounds` rounds. `is_counted` tells whether two triangles with common points count as an intersection.
 pub(super) fn resolve_intersections(
     mut solid: Solid,
     scalar: Scalar,
     max_rounds: u32,
-    counts: &impl Fn([u32; 3], [u32; 3]) -> bool,
+    is_counted: &impl Fn([u32; 3], [u32; 3]) -> bool,
     step: &impl Fn(&Solid, &ExactArrangement, &Job<'_>) -> Result<Solid>,
     job: &Job<'_>,
 ) -> Result<Resolved> {
@@ -38,7 +39,7 @@ pub(super) fn resolve_intersections(
         let [start, end] = [round - 1, round].map(|round| f64::from(round) / f64::from(round + 1));
         let job = job.sub_job(start, end);
         let mut found = solid.find_pairs(&job.sub_job(0.0, 0.3))?;
-        let intersections = counted_pairs(&solid, &found, counts)?;
+        let intersections = counted_pairs(&solid, &found, is_counted)?;
         if intersections.is_empty() && !found.has_degenerate {
             return Ok(Resolved { solid, intersections, round_count: round });
         }
@@ -63,12 +64,12 @@ pub(super) fn resolve_intersections(
     Ok(best.unwrap_or(unsearched))
 }
 
-/// Returns the pairs that count.
+/// Returns the pairs of triangles that `is_counted` accepts as intersections.
 pub(super) fn counted_pairs(
     solid: &Solid,
     found: &GridTriangles,
-    counts: &impl Fn([u32; 3], [u32; 3]) -> bool,
+    is_counted: &impl Fn([u32; 3], [u32; 3]) -> bool,
 ) -> Result<Vec<[u32; 2]>> {
     let corners = |t: u32| solid.triangles[t as usize].map(|v| found.first_vertex_at_position[v as usize]);
-    alloc::gather(found.pairs.iter().copied().filter(|&[s, t]| counts(corners(s), corners(t))))
+    alloc::gather(found.pairs.iter().copied().filter(|&[s, t]| is_counted(corners(s), corners(t))))
 }

@@ -51,7 +51,7 @@ pub fn split_intersecting_faces(mesh: &MeshView<'_>, options: &Options, job: &Jo
         t.sort_unstable();
         t
     };
-    let counts = |s: [u32; 3], t: [u32; 3]| sorted(s) != sorted(t);
+    let is_counted = |s: [u32; 3], t: [u32; 3]| sorted(s) != sorted(t);
     let arrangement = found.arrange(&job.sub_job(0.3, 0.5))?;
     let split = solid.split(&arrangement, scalar)?;
     let is_unchanged = split.triangles == solid.triangles && split.points == solid.points;
@@ -62,7 +62,7 @@ pub fn split_intersecting_faces(mesh: &MeshView<'_>, options: &Options, job: &Jo
     let Resolved { solid, intersections, round_count } = if is_unchanged {
         Resolved { solid: split, intersections: Vec::new(), round_count: 0 }
     } else {
-        resolve_intersections(split, scalar, options.max_rounds, &counts, &step, &job.sub_job(0.5, 0.9))?
+        resolve_intersections(split, scalar, options.max_rounds, &is_counted, &step, &job.sub_job(0.5, 0.9))?
     };
     // Coincident triangles, by the positions of their vertices.
     let first_at =
