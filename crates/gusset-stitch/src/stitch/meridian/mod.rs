@@ -161,8 +161,8 @@ pub(crate) fn choose_meridians_near_path(
         _ => {
             let tie = weight_of_squared_lengths(rims, &paper);
             let bends = match choice {
-                Meridians::Smooth => StripBends::least_bends(rims, tie)?,
-                _ => StripBends::best_continuation(rims, tie)?,
+                Meridians::Smooth => StripBends::for_least_bends(rims, tie)?,
+                _ => StripBends::for_best_continuation(rims, tie)?,
             };
             return least_bends_in_band(rims, &bends, &band, None, job);
         }
@@ -205,7 +205,7 @@ fn smoothest_meridians(
     let cost = std::cell::Cell::new(f64::INFINITY);
     let tie = weight_of_squared_lengths(rims, paper);
     let find = |rims: &RimPair<'_>, band: &LatticeBand, job: &Job<'_>| {
-        let found = least_bends_in_band(rims, &StripBends::least_bends(rims, tie)?, band, None, job)?;
+        let found = least_bends_in_band(rims, &StripBends::for_least_bends(rims, tie)?, band, None, job)?;
         Ok(found.map(|found| {
             cost.set(found.cost);
             found.pairs
@@ -242,7 +242,7 @@ fn meridians_of_best_continuation(
                 }
                 MeridianSearch::Exact => LatticeBand::whole_lattice(rims.a.len() - 1, rims.b.len() - 1)?,
             };
-            let bends = StripBends::best_continuation(rims, weight_of_squared_lengths(rims, paper))?;
+            let bends = StripBends::for_best_continuation(rims, weight_of_squared_lengths(rims, paper))?;
             let found = least_bends_in_band(rims, &bends, &band, first, &job.sub_job(0.5, 1.0))?;
             Ok(Some(found.unwrap_or(guide)))
         }

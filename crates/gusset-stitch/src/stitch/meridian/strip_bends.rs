@@ -28,13 +28,14 @@ use gusset_base::error::Result;
 use std::ops::Range;
 
 /// The weight of bends along the rims relative to bends across meridians, for
-/// [`StripBends::best_continuation`].
+/// [`StripBends::for_best_continuation`].
 const RIM_BEND_WEIGHT: f64 = 4.0;
 /// The distance of the unit normals of two triangles that fold onto each other: 150 degrees.
 const MIN_FOLD_DISTANCE: f64 = 1.931_851_652_578_136_6;
 /// The cost of a fold for each unit of distance beyond [`MIN_FOLD_DISTANCE`].
 const FOLD_COST: f64 = 50.0;
 
+/// The cost of strips between two rims, as a sum over the steps of their meridians.
 pub(super) struct StripBends<'a> {
     a: &'a [DVec3],
     b: PointArrays,
@@ -76,8 +77,9 @@ impl StepRow {
 }
 
 impl<'a> StripBends<'a> {
-    /// Minimises bends. For `tie_break_weight` see [`weight_of_squared_lengths`].
-    pub(super) fn least_bends(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
+    /// Creates the cost of a strip that is to have the least bends. For `tie_break_weight` see
+    /// [`weight_of_squared_lengths`].
+    pub(super) fn for_least_bends(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
         let &RimPair { a, b, face_normals_along_rims: sides, .. } = rims;
         let ends = |points: &[DVec3], side: Option<&[DVec3]>| {
             let mut line = PointArrays::zeros(points.len())?;
@@ -96,8 +98,9 @@ impl<'a> StripBends<'a> {
         })
     }
 
-    /// Maximises the continuation of both surfaces.
-    pub(super) fn best_continuation(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
+    /// Creates the cost of a strip that is to continue both surfaces: the sum of its bends, plus its
+    /// mean square distance from the likely old surface.
+    pub(super) fn for_best_continuation(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
         let &RimPair { a, b, face_normals_along_rims: sides, closed, .. } = rims;
         let length = |line: &[DVec3]| line.windows(2).map(|edge| edge[0].distance(edge[1])).sum::<f64>();
         let mean = (length(a) + length(b)) / (a.len() + b.len() - 2).max(1) as f64;
@@ -107,7 +110,7 @@ impl<'a> StripBends<'a> {
             None => PointArrays::zeros(points.len()),
         };
         let normals = [normals(a, sides.map(|sides| sides[0]))?, normals(b, sides.map(|sides| sides[1]))?];
-        let least = StripBends::least_bends(rims, tie_break_weight * per_edge)?;
+        let least = StripBends::for_least_bends(rims, tie_break_weight * per_edge)?;
         let rim_weight = RIM_BEND_WEIGHT * least.rim_weight;
         Ok(StripBends {
             rim_weight,

@@ -310,8 +310,8 @@ proptest! {
         };
         type Measure<'a> = &'a dyn Fn(&[MeridianEnds]) -> f64;
         let cases: [(StripBends<'_>, Measure<'_>); 2] = [
-            (StripBends::least_bends(&rims, 0.0).unwrap(), &|path| total_bends(&rims, path)),
-            (StripBends::best_continuation(&rims, 0.0).unwrap(), &|path| continuation_measure(&rims, path)),
+            (StripBends::for_least_bends(&rims, 0.0).unwrap(), &|path| total_bends(&rims, path)),
+            (StripBends::for_best_continuation(&rims, 0.0).unwrap(), &|path| continuation_measure(&rims, path)),
         ];
         for (of, measure) in &cases {
             for simple in [false, true] {
