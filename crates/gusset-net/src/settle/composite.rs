@@ -24,7 +24,7 @@ pub(super) struct CompositeModel {
     pub(super) initial_points: Vec<DVec3>,
     /// The points of the model.
     pub(super) points: Vec<DVec3>,
-    pub(super) motions: Vec<RigidMotion>,
+    pub(super) motion_of_body: Vec<RigidMotion>,
     /// The units of energies and of forces, in the host's units.
     pub(super) energy_unit: [f64; 2],
     /// The numbers of bridges with and without a force.
@@ -148,7 +148,7 @@ pub(super) fn build_composite<'a>(
         model,
         points,
         initial_points: Vec::new(),
-        motions,
+        motion_of_body: motions,
         energy_unit,
         settled_bridges: 0,
         idle_bridges: 0,

@@ -43,7 +43,7 @@ pub(super) fn descend_to_equilibrium(
     let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
     while !descent.converged && descent.iterations < max_iterations {
         let job = job.sub_job(at(descent.iterations), at(descent.iterations + 1));
-        let (x, motions) = (&composite.points, &composite.motions);
+        let (x, motions) = (&composite.points, &composite.motion_of_body);
         let terms = model.energy_terms(x)?;
         let gradient = model.gradient(&terms, x)?;
         let step = model.minimising_step(&terms, &gradient, &job)?;
@@ -73,7 +73,7 @@ pub(super) fn descend_to_equilibrium(
                 }
             }
         }
-        (composite.points, composite.motions, energy) = next;
+        (composite.points, composite.motion_of_body, energy) = next;
     }
     let terms = model.energy_terms(&composite.points)?;
     let forces = model.gradient(&terms, &composite.points)?;
@@ -134,7 +134,7 @@ fn halve_until_lower(
     let mut part = 1.0;
     for _ in 0..MAX_STEP_HALVINGS {
         job.sub_job(1.0, 1.0).step(0.0, "settle")?;
-        let (x, motions) = composite.model.displace_points(&composite.points, &composite.motions, step, part)?;
+        let (x, motions) = composite.model.displace_points(&composite.points, &composite.motion_of_body, step, part)?;
         let after = composite.model.bridge_energies(&x).total_energy();
         if after <= energy * (1.0 + RELATIVE_ENERGY_ROUNDING) {
             return Ok(Some((x, motions, after)));

@@ -18,7 +18,7 @@ const RELATIVE_DAMPING: f64 = 1e-11;
 /// Everything that has forces, scaled by the unit. Points are the classes of nodes, followed by the
 /// targets of clamps, which move with the bodies.
 pub(super) struct EnergyModel {
-    /// For each point the index of its unknown, or its body above [`BODY_SLOT_FLAG`].
+    /// For each point the index of its unknown, or [`BODY_SLOT_FLAG`] plus the index of its body.
     pub(super) unknown_or_body_of_point: Vec<u32>,
     /// The unknown that is the translation of each body; [`NO_BODY`] for bodies that stay.
     pub(super) translation_unknown_of_body: Vec<u32>,

@@ -162,7 +162,7 @@ impl CompositeModel {
             if (BODY_SLOT_FLAG..NO_BODY).contains(&slot)
                 && self.model.translation_unknown_of_body[(slot - BODY_SLOT_FLAG) as usize] != NO_BODY
             {
-                *v = self.motions[(slot - BODY_SLOT_FLAG) as usize].apply(start);
+                *v = self.motion_of_body[(slot - BODY_SLOT_FLAG) as usize].apply(start);
             }
         }
         Ok(moved)

@@ -11,9 +11,9 @@ use std::ops::Range;
 
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
-/// Marks a vertex that does not belong to a bridge or a part.
+/// Marks a vertex that has neither a body nor an unknown, and a body without an unknown.
 pub(super) const NO_BODY: u32 = u32::MAX;
-/// For vertices of bodies, the body's index is stored above this.
+/// The slot of a vertex of a body is this plus the index of the body.
 pub(super) const BODY_SLOT_FLAG: u32 = 1 << 31;
 
 /// The parts and bridges of a composite net, along one direction.
@@ -93,8 +93,9 @@ impl CompositeParts {
         classes.representative(classes.shape().node(i, j))
     }
 
-    /// Unites parts that are glued or joined by rigid bridges into bodies. Returns for each class
-    /// of nodes its body above [`BODY_SLOT_FLAG`], or [`NO_BODY`] if only bridges contain it.
+    /// Unites parts that are glued or joined by rigid bridges into bodies. Returns a slot for each
+    /// class of nodes: [`BODY_SLOT_FLAG`] plus the index of its body, or [`NO_BODY`] if no part
+    /// contains it.
     pub(super) fn unite_into_bodies(
         &mut self,
         net: &Net<'_>,
