@@ -16,9 +16,9 @@ pub(super) const NEIGHBOUR_COUNT: usize = 7;
 pub(super) const WEIGHTS_PER_ERROR: usize = 3;
 pub(super) const WEIGHT_COUNT: usize = NEIGHBOUR_COUNT + 2 * WEIGHTS_PER_ERROR;
 
-/// Extrapolated entries before the first node of a row and after its last, for neighbours beyond
-/// the ends.
+/// Number of extrapolated nodes before the first node of a row, for neighbours beyond the ends.
 pub(super) const MARGIN_NODES_BEFORE: usize = 2;
+/// Number of extrapolated nodes after the last node of a row.
 pub(super) const MARGIN_NODES_AFTER: usize = 2;
 
 /// The largest magnitude of a weight.

@@ -28,12 +28,13 @@ pub struct LevelBox {
 /// Coordinates in the sample for the intrinsic step.
 const MAX_SAMPLED_COORDINATES: usize = 4096;
 
-/// Levels of `bits` bits for the existing nodes: one step for all axes, or one each.
+/// Chooses levels with indices of `bits` bits for the existing nodes. All axes have one step, or each axis
+/// its own if `per_axis`.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for coordinates whose differences could overflow,
 /// [`Error::OutOfMemory`].
-pub(super) fn quantisation_levels<T: CoordinateBits>(
+pub(super) fn choose_levels_for_nodes<T: CoordinateBits>(
     planes: &XyzMatrices<'_, T>,
     bits: u32,
     per_axis: bool,
@@ -65,12 +66,13 @@ fn step_of_extent(extent: f64, last: i64) -> f64 {
     if step > 0.0 { step.max(1e-290) } else { 1.0 }
 }
 
-/// Returns the levels of a given box, and their bits.
+/// Divides the caller's box into levels of the coordinates. Returns the levels, and the number of bits of
+/// a level's index.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a box that is empty or too large, or a step for which 24 bits do
-/// not suffice. [`Error::NodeOutsideBox`].
-pub(super) fn levels_of_box<T: CoordinateBits>(
+/// not suffice. [`Error::NodeOutsideBox`] for the first existing node outside the box.
+pub(super) fn divide_box_into_levels<T: CoordinateBits>(
     planes: &XyzMatrices<'_, T>,
     bits: u32,
     per_axis: bool,

@@ -82,8 +82,8 @@ fn encode_coordinates<T: CoordinateBits>(
     let blocks = match info.mode {
         StreamMode::Quantised { bits } => {
             let (levels, bits) = match &options.levels {
-                None => (quantise::quantisation_levels(planes, bits, options.per_axis)?, bits),
-                Some(given) => quantise::levels_of_box(planes, bits, options.per_axis, given)?,
+                None => (quantise::choose_levels_for_nodes(planes, bits, options.per_axis)?, bits),
+                Some(given) => quantise::divide_box_into_levels(planes, bits, options.per_axis, given)?,
             };
             info.mode = StreamMode::Quantised { bits };
             (info.stores_one_node_per_class, info.origin, info.step) = (true, levels.origin, levels.step);
