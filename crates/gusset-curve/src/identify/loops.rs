@@ -30,11 +30,12 @@ use std::ops::Range;
 
 /// Spans at most this many places apart are compared.
 const MAX_SPANS_APART: usize = 2;
-/// Spans that are checked together for a direction in which they advance, besides those that are compared
-/// with spans beyond them.
+/// Number of spans in a block. The search skips a block if its spans, and the spans after it that they are
+/// compared with, all advance along one direction.
 const SPANS_PER_BLOCK: usize = 4 * SPANS_PER_TEST;
-/// In space, a loop whose ends are farther apart than this fraction of its size is a turn of a screw.
-const MAX_RELATIVE_RISE: f64 = 0.05;
+/// Limits the distance of a loop's ends along the normal of its plane, as a fraction of its size. Beyond it,
+/// the loop is a turn of a screw in space.
+const MAX_LOOP_END_HEIGHT_TO_SIZE_RATIO: f64 = 0.05;
 /// Turns that differ from a half turn by less than this angle count as half turns.
 const HALF_TURN_TOLERANCE: f64 = 1e-9;
 /// A span of a higher degree than an arc has this many straight arcs.
@@ -59,19 +60,20 @@ impl LoopSearch {
     pub(super) fn flag_points(
         &mut self,
         done: &mut Fit,
-        first: usize,
-        (points, given): (&Points<'_>, usize),
+        first_point_in_fit: usize,
+        (points, first_given_point): (&Points<'_>, usize),
         placement: &NormalisationOfOutline,
     ) -> Result<()> {
         let LoopSearch { passed_points: stops, points_at_loops: found, arcs } = self;
         stops.clear();
         found.clear();
         let is_omitted = |status: &PointStatus| matches!(status, PointStatus::Merged | PointStatus::Missed);
-        let mut count = done.statuses.len() - first;
-        let omitted = done.statuses[first..].iter().map(|status| usize::from(is_omitted(status))).sum::<usize>();
+        let mut count = done.statuses.len() - first_point_in_fit;
+        let omitted =
+            done.statuses[first_point_in_fit..].iter().map(|status| usize::from(is_omitted(status))).sum::<usize>();
         if omitted > 0 {
             count -= omitted;
-            let passed = (first..done.statuses.len()).filter(|&i| !is_omitted(&done.statuses[i]));
+            let passed = (first_point_in_fit..done.statuses.len()).filter(|&i| !is_omitted(&done.statuses[i]));
             alloc::extend(stops, passed)?;
         }
         let curve = done.curve(done.starts.len() - 2);
@@ -83,8 +85,8 @@ impl LoopSearch {
             curve,
             fit: done,
             points,
-            first_point_in_fit: first,
-            first_given_point: given,
+            first_point_in_fit,
+            first_given_point,
             passed_points: stops,
             point_count: count,
             closed,
@@ -94,7 +96,7 @@ impl LoopSearch {
         spans.first_point_after_seam = spans.find_first_point_after_seam();
         spans.find_loops(&mut LoopFinds { points_at_loops: found, arc_count: count, arcs })?;
         for &place in &*found {
-            let own = &mut done.statuses[if stops.is_empty() { first + place } else { stops[place] }];
+            let own = &mut done.statuses[if stops.is_empty() { first_point_in_fit + place } else { stops[place] }];
             if matches!(own, PointStatus::Ok | PointStatus::ClampedParameter | PointStatus::Crowded) {
                 *own = PointStatus::Looped;
             }
@@ -464,10 +466,10 @@ impl Spans<'_> {
             self.normalise_point(segment::point_at(self.segment_of_span(segment + i), t))
         };
         let start = at(from);
-        let rise = (at(to) - start).dot(plane.axes[2]).abs();
+        let end_height = (at(to) - start).dot(plane.axes[2]).abs();
         let sample = |i: usize| at(from + (to - from) * (i as f64 / SAMPLES_PER_LOOP as f64));
         let size = (1..SAMPLES_PER_LOOP).map(|i| plane.project(sample(i) - start).length()).fold(0.0, f64::max);
-        rise <= MAX_RELATIVE_RISE * size
+        end_height <= MAX_LOOP_END_HEIGHT_TO_SIZE_RATIO * size
     }
 }
 
