@@ -88,9 +88,11 @@ fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     (to - t * along).length_squared()
 }
 
-/// Returns the kept lines of `count`, and the largest cost of the removed ones.
+/// Removes lines from `line_count` lines, one at a time, always the one of least cost. Stops before a
+/// line costs more than `max_cost`, or fewer than `min_lines` lines are left. Returns the kept lines,
+/// and the largest cost of a removed line.
 fn choose_kept_lines(
-    count: usize,
+    line_count: usize,
     min_lines: usize,
     max_cost: f64,
     job: &Job<'_>,
@@ -98,16 +100,18 @@ fn choose_kept_lines(
 ) -> Result<(Vec<usize>, f64)> {
     job.step(0.0, "decimate")?;
     // A doubly linked list of the kept lines.
-    let mut before = alloc::collect((0..count).map(|k| k.wrapping_sub(1)))?;
-    let mut after = alloc::collect(1..count + 1)?;
-    let mut queue: BinaryHeap<RemovalCandidate> = BinaryHeap::from(alloc::with_capacity(3 * count)?);
-    let costs =
-        par::map_cancellable(&job.sub_job(0.0, 0.5), "decimate", par::split_into_ranges(count - 2, 16), |lines| {
-            lines.map(|k| cost(k..k + 2)).collect::<Vec<_>>()
-        })?;
+    let mut before = alloc::collect((0..line_count).map(|k| k.wrapping_sub(1)))?;
+    let mut after = alloc::collect(1..line_count + 1)?;
+    let mut queue: BinaryHeap<RemovalCandidate> = BinaryHeap::from(alloc::with_capacity(3 * line_count)?);
+    let costs = par::map_cancellable(
+        &job.sub_job(0.0, 0.5),
+        "decimate",
+        par::split_into_ranges(line_count - 2, 16),
+        |lines| lines.map(|k| cost(k..k + 2)).collect::<Vec<_>>(),
+    )?;
     let job = job.sub_job(0.5, 1.0);
     queue.extend(costs.into_iter().flatten().enumerate().map(|(k, cost)| removal_candidate(cost, k..k + 2, k + 1)));
-    let (mut left, mut max) = (count, 0.0f64);
+    let (mut left, mut max) = (line_count, 0.0f64);
     while let Some(Reverse((bits, _, line, from, to))) = queue.pop() {
         if f64::from_bits(bits) > max_cost || bits == f64::INFINITY.to_bits() || left <= min_lines {
             break;
@@ -120,16 +124,17 @@ fn choose_kept_lines(
         (after[from], before[to]) = (to, from);
         after[line] = line;
         for neighbour in [from, to] {
-            if neighbour != 0 && neighbour != count - 1 {
+            if neighbour != 0 && neighbour != line_count - 1 {
                 let gap = before[neighbour]..after[neighbour];
                 queue.push(removal_candidate(cost(gap.clone()), gap, neighbour));
             }
         }
         if left % 16 == 0 {
-            job.step(1.0 - left as f64 / count as f64, "decimate")?;
+            job.step(1.0 - left as f64 / line_count as f64, "decimate")?;
         }
     }
-    let lines = alloc::gather(std::iter::successors(Some(0), |&line| Some(after[line]).filter(|&next| next < count)))?;
+    let lines =
+        alloc::gather(std::iter::successors(Some(0), |&line| Some(after[line]).filter(|&next| next < line_count)))?;
     Ok((lines, max))
 }
 
