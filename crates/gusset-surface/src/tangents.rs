@@ -23,7 +23,8 @@ fn weights_of_control_vectors(weights: &BezierWeights) -> SumWeights<3> {
     std::array::from_fn(|b| std::array::from_fn::<_, NODES_PER_CUBIC, _>(|k| 3.0 * (weights[b + 1][k] - weights[b][k])))
 }
 
-/// Boxes of control vectors: on a block's own lines, and on all lines that its cells depend on.
+/// Boxes of the control vectors on the grid lines of a block of cells. One box covers the lines that
+/// pass through the block. The second also covers the adjacent lines that its cells depend on.
 #[derive(Clone, Copy)]
 struct ControlVectorBoxes {
     box_of_own_lines: Aabb,

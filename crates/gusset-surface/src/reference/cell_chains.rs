@@ -80,7 +80,7 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
     let far = walk.reached_cells[count - 1];
     walk.find_chains(region, lattice.cell(far as usize), job, 0.0)?;
     let mut longest = walk.steps_to_farthest_cell();
-    let middle = walk.cell_at_steps(longest / 2);
+    let middle = walk.cell_after_steps(longest / 2);
     walk.find_chains(region, middle, job, 0.0)?;
     let (steps, order) = (std::mem::take(&mut walk.steps_to_cell), std::mem::take(&mut walk.reached_cells));
     walk = ShortestCellChains::new(lattice)?;
@@ -171,13 +171,14 @@ impl ShortestCellChains {
         self.reached_cells.last().map_or(0, |&cell| self.steps_to_cell[cell as usize])
     }
 
-    /// The cell `steps_to_cell` steps from the start, on a shortest chain to the farthest cell.
-    fn cell_at_steps(&self, steps: u32) -> [usize; 2] {
+    /// Returns the cell after `step_count` steps on a shortest chain from the start to the farthest
+    /// cell.
+    fn cell_after_steps(&self, step_count: u32) -> [usize; 2] {
         let mut at = self.reached_cells.last().map_or([0, 0], |&cell| self.lattice.cell(cell as usize));
         let of = |cell: [usize; 2]| self.steps_to_cell[self.lattice.index(cell)];
         let nearer = |at: [usize; 2]| {
             let mut around = self.lattice.neighbours(at);
-            around.find(|&next| of(at) > steps && of(next).wrapping_add(1) == of(at))
+            around.find(|&next| of(at) > step_count && of(next).wrapping_add(1) == of(at))
         };
         while let Some(next) = nearer(at) {
             at = next;

@@ -79,7 +79,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
         equation: &'a IntersectionEquation<N, M>,
         part: &ParameterBox<N, M>,
         chart: &'a SolutionGraphProof,
-        [resolution, shortest]: [f64; 2],
+        [resolution, max_lost_length]: [f64; 2],
         rounding_error: f64,
     ) -> Self {
         let (low, high) = (part.low, part.low + part.size);
@@ -92,7 +92,7 @@ impl<'a, const N: usize, const M: usize> ArcBoxSearch<'a, N, M> {
             low,
             high,
             graph_margin: GRAPH_MARGIN_FRACTION * part.size,
-            max_lost_length: shortest,
+            max_lost_length,
             rounding_error,
             close_distance: close,
         }

@@ -104,9 +104,11 @@ pub(super) struct ChainedArcs {
     pub(super) is_ball_explained: Vec<bool>,
 }
 
-/// Joins the arcs to chains. `critical` holds the points where the surfaces touch within
-/// `tolerance`. `resolution` is the accuracy of ends, and the length of arcs that may be lost
-/// between them.
+/// Joins the arcs to chains: at ends within [`MAX_JOINT_GAP_IN_RESOLUTIONS`] of each other, and across
+/// unresolved balls.
+///
+/// `critical` holds the points where the surfaces touch within `tolerance`. `resolution` is the
+/// accuracy of the arcs' ends. The search may miss arcs shorter than `resolution`.
 pub(super) fn chain_arcs(
     pieces: &FoundArcsAndBalls,
     critical: &CriticalPoints,

@@ -101,7 +101,7 @@ fn positive_or_default(option: &'static str, value: Option<f64>, default: f64) -
 }
 
 impl Surface<'_> {
-    /// Finds the curves in which two surfaces meet. `pair_places` are on this surface, `others` on the
+    /// Finds the curves in which two surfaces meet. `places` are on this surface, `others` on the
     /// other one. Curves run along N_A x N_B, and closed curves are marked as closed. Finds every
     /// branch that is not part of a contact and is longer than the tolerance (the smallest of the
     /// option and the surfaces' own).

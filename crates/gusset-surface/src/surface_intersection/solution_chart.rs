@@ -88,9 +88,12 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         self.low + 0.5 * self.size
     }
 
-    /// Tests the box. `frame` holds the derivatives in the middle, with respect to the parameters
-    /// of the cells. Lengths up to `rounding_error` may be rounding. Surfaces may touch if they are
-    /// parallel and within `tolerance` of each other.
+    /// Proves that the box has no solution, or that its solutions form a graph. Otherwise returns
+    /// `Undecided`.
+    ///
+    /// `frame` holds the derivatives in the middle of the box, with respect to the parameters of the
+    /// cells. Surfaces farther apart than `tolerance` have no solution. Where they are nowhere
+    /// parallel, a distance above `rounding_error` suffices.
     pub(super) fn prove_empty_or_graph(
         &self,
         frame: &DifferenceFrame,
