@@ -129,9 +129,10 @@ enum IntersectingStripTreatment {
     Refused,
 }
 
-/// Joins the remaining parts of the pieces. Also returns pairs of intersecting faces. They belong
-/// to the strips, before holes are filled. If `refuses` excludes intersecting strips, they belong
-/// to the patches.
+/// Joins the remaining parts of the pieces. Also returns pairs of intersecting faces.
+///
+/// If strips intersect, holes stay open, and the pairs have faces of strips. Otherwise fills the
+/// holes, and returns the pairs with faces of patches. `refuses` leaves out strips that intersect.
 fn join_trimmed_pieces(
     pieces: &[MeshView<'_>],
     trimmed: &KeptFacesOfPieces,

@@ -149,8 +149,8 @@ impl CombinedPieces {
         assembly
     }
 
-    /// Fills and turns, as the options request. Also returns the pairs of faces that patches
-    /// intersect.
+    /// Fills holes and turns components, as the options request. Also returns the pairs of
+    /// intersecting faces, at least one of which belongs to a patch.
     pub(super) fn fill_and_turn(self, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
         let mut assembly = self.into_joined();
         let mut cuts = Vec::new();

@@ -10,7 +10,8 @@ use gusset_mesh::{Mesh, NONE};
 const STAGE: &str = "writing the report";
 
 impl Assembly {
-    /// Adds the details to the report. O(size), and O(1) for each pair of intersecting triangles.
+    /// Computes the lengths of all cuts, and finds a vertex of a piece on each left loop. O(V) for V
+    /// vertices, and O(1) for each pair of intersecting triangles.
     pub(super) fn add_report_details(&mut self, job: &Job<'_>) -> Result<()> {
         for joint in &mut self.joints {
             joint.cut_length = cut_length(&self.mesh, joint.intersections.as_deref().unwrap_or_default(), job)?;

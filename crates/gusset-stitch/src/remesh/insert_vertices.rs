@@ -82,8 +82,8 @@ pub(crate) fn refine_by_insertion(
     mesh.flip_edges_to_delaunay(rim, taken, &job.sub_job(1.0, 1.0))
 }
 
-/// Returns the place of a new vertex that improves triangle `t`, and its smallest distance from
-/// others.
+/// Returns the place of a new vertex that improves triangle `t`, and the least distance that the new
+/// vertex must keep from other vertices.
 fn place_of_wanted_vertex(mesh: &PatchMesh, t: usize, sizing: &VertexSizes) -> Option<(NewVertexPlace, f64)> {
     let corners = mesh.corner_points(t);
     let side = |k: usize| corners[k].distance(corners[(k + 1) % 3]);

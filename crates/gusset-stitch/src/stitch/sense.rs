@@ -39,8 +39,9 @@ fn do_rims_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
 ///
 /// Comparing the curves works if the gap bends by less than a right angle, or if one rim lies
 /// inside the other. If both rims lead off their surfaces to the same side, like the ends of a
-/// U-bend, each rim is judged by itself. The criterion is whether its surface lies on the left,
-/// seen from the outward direction. All ends of an oriented surface give the same answer.
+/// U-bend, each rim is judged by itself. Its outward direction points off the surface, and the rim
+/// runs either clockwise or counter-clockwise around this direction. All ends of an oriented surface
+/// run the same way around.
 pub fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
     let leads = |rim: &Rim| rim.outward.length() > MIN_MEAN_DIRECTION_LENGTH;
     if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !are_rims_nested(&a.points, &b.points) {
