@@ -20,11 +20,12 @@ pub(super) struct ColourConverter {
 }
 
 impl ColourConverter {
+    /// Creates a converter that applies `convert` to each intensity.
     pub(super) fn new(convert: fn(f64) -> f64) -> Self {
         Self { last_colour: [f32::NAN; 4], converted: [0.0; 4], convert }
     }
 
-    /// Converts the first three parts. Opacity stays.
+    /// Applies the function to red, green and blue. Keeps the opacity.
     pub(super) fn convert(&mut self, colour: [f32; 4]) -> [f32; 4] {
         if self.last_colour.map(f32::to_bits) != colour.map(f32::to_bits) {
             self.last_colour = colour;

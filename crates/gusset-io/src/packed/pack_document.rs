@@ -289,8 +289,8 @@ impl Packer {
     }
 }
 
-/// Names of the types of properties.
-pub(super) const KIND_NAMES: [(NumberKind, &str); 8] = [
+/// The number types of properties, with their names in descriptions.
+pub(super) const NUMBER_KIND_NAMES: [(NumberKind, &str); 8] = [
     (NumberKind::I8, "i8"),
     (NumberKind::U8, "u8"),
     (NumberKind::I16, "i16"),
@@ -302,5 +302,5 @@ pub(super) const KIND_NAMES: [(NumberKind, &str); 8] = [
 ];
 
 fn kind_name(kind: NumberKind) -> &'static str {
-    KIND_NAMES.iter().find(|(one, _)| *one == kind).map_or("f64", |(_, name)| name)
+    NUMBER_KIND_NAMES.iter().find(|(one, _)| *one == kind).map_or("f64", |(_, name)| name)
 }

@@ -1,6 +1,6 @@
 //! Reads documents from the packed form, which a host has made.
 
-use super::pack_document::KIND_NAMES;
+use super::pack_document::NUMBER_KIND_NAMES;
 use crate::document::{Curves, Document, Placement, PointCloud};
 use crate::error::{Place, ReadError};
 use crate::json_tape::{OUT_OF_MEMORY, Tape, Value};
@@ -158,7 +158,7 @@ impl PackedArrays<'_> {
     }
 
     fn unpack_property(&self, value: Value<'_>) -> Result<Property, ReadError> {
-        let kind = value.get("kind").and_then(|own| KIND_NAMES.iter().find(|(_, name)| own.equals_text(name)));
+        let kind = value.get("kind").and_then(|own| NUMBER_KIND_NAMES.iter().find(|(_, name)| own.equals_text(name)));
         let domain = if is_true(value, "at_faces") { Domain::Faces } else { Domain::Vertices };
         Ok(Property {
             name: text(value.get("name"))?,

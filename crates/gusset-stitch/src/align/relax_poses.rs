@@ -33,7 +33,7 @@ impl AlignmentScene<'_> {
                     look.max_distance = match report.near_samples {
                         n if n < MIN_COUPLING_PAIRS => self.max_pair_distance,
                         _ => (MAX_DISTANCE_TO_PAIR_DISTANCE_RATIO
-                            * report.distance.max(self.coarser_spacing(look.pieces)))
+                            * report.rms_distance.max(self.coarser_spacing(look.pieces)))
                         .min(self.max_pair_distance),
                     };
                 }

@@ -51,7 +51,7 @@ pub(super) struct SamplePairReport {
     /// The mean of 1 minus the cosine between the normals: their noise.
     pub(super) mean_normal_deviation: f64,
     /// The root mean square distance of the near samples.
-    pub(super) distance: f64,
+    pub(super) rms_distance: f64,
 }
 
 /// A piece and its current pose.
@@ -155,7 +155,7 @@ impl SamplePairReport {
             mean_distance: 0.0,
             mean_squared_distance: 0.0,
             mean_normal_deviation: list.normal_deviation_sum / count,
-            distance: (list.squared_distance_sum / count).sqrt(),
+            rms_distance: (list.squared_distance_sum / count).sqrt(),
         };
         let centres = [a, b].map(|placed| placed.pose.transform_point(placed.sampled_piece.scan.mean_of_corners));
         let radii = [a, b].map(|placed| placed.sampled_piece.scan.radius);
