@@ -166,7 +166,7 @@ impl OutlinePen {
         self.line_to(control[N - 1])
     }
 
-    /// Draws an arc of the ellipse `centre + cos(angle) u + sin(angle) v` to the exact point `end_outline`. Begins at the last point.
+    /// Draws an arc of the ellipse `centre + cos(angle) u + sin(angle) v` to the exact point `end`. Begins at the last point.
     pub(crate) fn arc_to(&mut self, ellipse: [Vector; 3], angles: [f64; 2], end: Vector) -> Result<(), ReadError> {
         self.has_curved_parts = true;
         let [start, sweep] = angles;

@@ -140,11 +140,11 @@ impl<'a> Faces<'a> {
     ///
     /// # Errors
     /// [`Error::FaceTooSmall`], [`Error::TooLarge`].
-    pub fn corner_count(face_size: u32, count: usize) -> Result<usize> {
+    pub fn corner_count(face_size: u32, face_count: usize) -> Result<usize> {
         if face_size < 3 {
             return Err(Error::FaceTooSmall { face: 0, corners: face_size });
         }
-        let total = (count as u64).saturating_mul(u64::from(face_size));
+        let total = (face_count as u64).saturating_mul(u64::from(face_size));
         check_size(0, total)?;
         Ok(total as usize)
     }
@@ -154,9 +154,9 @@ impl<'a> Faces<'a> {
     /// # Errors
     /// [`Error::TooLarge`].
     #[inline]
-    pub fn offset_count(count: usize) -> Result<usize> {
-        Error::check_count("faces", count as u64, MAX_ELEMENTS)?;
-        Ok(count + 1)
+    pub fn offset_count(face_count: usize) -> Result<usize> {
+        Error::check_count("faces", face_count as u64, MAX_ELEMENTS)?;
+        Ok(face_count + 1)
     }
 
     /// Validates the offsets of `face_count` faces without the corners, and returns the required number
@@ -167,10 +167,10 @@ impl<'a> Faces<'a> {
     /// [`Error::TooLarge`], [`Error::ArrayTooShort`], [`Error::BadOffsets`],
     /// [`Error::FaceTooSmall`].
     #[inline]
-    pub fn check_offsets(offsets: &[u8], count: usize, job: &Job<'_>) -> Result<usize> {
-        let offsets = read_packed_indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
+    pub fn check_offsets(offsets: &[u8], face_count: usize, job: &Job<'_>) -> Result<usize> {
+        let offsets = read_packed_indices(offsets, Self::offset_count(face_count)? * 4, "face offsets")?;
         offsets.check_face_offsets(job)?;
-        let corners = offsets.get(count);
+        let corners = offsets.get(face_count);
         check_size(0, corners.into())?;
         Ok(corners as usize)
     }

@@ -54,11 +54,11 @@ impl GridAxis {
         if closed { 4 } else { 2 }
     }
 
-    /// `line_count` is at least [`GridAxis::min_line_count`]. In a closed direction the last line repeats
+    /// Creates an axis of at least [`GridAxis::min_line_count`] lines. In a closed direction the last line repeats
     /// the first one.
-    pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
+    pub(crate) fn new(line_count: usize, closed: bool, scheme: Scheme) -> Self {
         let mut axis = GridAxis {
-            line_count: lines,
+            line_count,
             closed,
             scheme,
             weights: Box::new([[[0.0; NODES_PER_CUBIC]; 4]; NODES_PER_CUBIC - 1]),
@@ -67,10 +67,10 @@ impl GridAxis {
         };
         if closed {
             // Every interval has the weights of an interval in the middle of a long row.
-            let slopes = if lines > 5 { 5 } else { 3 };
+            let slopes = if line_count > 5 { 5 } else { 3 };
             axis.weights[2] = interval_weights(2, NODES_PER_CUBIC, slopes, 4, scheme);
         } else {
-            let nodes = lines.min(NODES_PER_CUBIC);
+            let nodes = line_count.min(NODES_PER_CUBIC);
             for place in 0..nodes - 1 {
                 axis.weights[place] = interval_weights(place, nodes, nodes.min(5), nodes.min(4), scheme);
             }

@@ -338,17 +338,17 @@ fn longest_axis(points: &[DVec3], order: &[u32]) -> usize {
     Aabb::from_points(order.iter().map(|&i| points[i as usize])).size().max_position()
 }
 
-/// Returns the halves on either side of the middle of a range. Stores `split_axes` as the axis of the
-/// middle.
+/// Returns the halves on either side of the middle of a range. Stores `axis` as the splitting axis
+/// of the middle.
 fn halves_around_middle<'a>(
     order: &'a mut [u32],
-    axes: &'a mut [u8],
+    split_axes: &'a mut [u8],
     axis: usize,
 ) -> [(&'a mut [u32], &'a mut [u8]); 2] {
     let middle = order.len() / 2;
-    axes[middle] = axis as u8;
+    split_axes[middle] = axis as u8;
     let (left, right) = order.split_at_mut(middle);
-    let (left_axes, right_axes) = axes.split_at_mut(middle);
+    let (left_axes, right_axes) = split_axes.split_at_mut(middle);
     [(left, left_axes), (&mut right[1..], &mut right_axes[1..])]
 }
 

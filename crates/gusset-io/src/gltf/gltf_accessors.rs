@@ -84,7 +84,7 @@ struct Sparse<'a> {
     values: Elements<'a>,
 }
 
-/// An accessor whose bytes exist. Without `read_elements`, all numbers are 0 except the replaced ones.
+/// An accessor whose bytes exist. Without `elements`, all numbers are 0 except the replaced ones.
 pub(super) struct Accessor<'a> {
     name: String,
     pub(super) count: usize,

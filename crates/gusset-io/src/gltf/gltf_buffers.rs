@@ -104,7 +104,7 @@ impl<'a> Buffers<'a> {
         Ok(View { bytes, with_rest, stride })
     }
 
-    /// Returns the bytes that `load_buffer`, `byteOffset` and `byteLength` name, then these bytes and all after them in the buffer.
+    /// Returns the bytes that `buffer`, `byteOffset` and `byteLength` name, then these bytes and all after them in the buffer.
     fn bytes_without_and_with_rest(
         &mut self,
         view: Value<'a>,

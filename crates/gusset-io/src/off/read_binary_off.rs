@@ -35,8 +35,8 @@ impl Words<'_> {
 }
 
 /// Reads what follows the first line, which ends at byte `offset`.
-pub(super) fn read_binary_off(bytes: &[u8], place: usize, header: OffHeader) -> Result<Document, ReadError> {
-    let mut words = Words { bytes, offset: place };
+pub(super) fn read_binary_off(bytes: &[u8], offset: usize, header: OffHeader) -> Result<Document, ReadError> {
+    let mut words = Words { bytes, offset };
     let dimension = if header.has_dimension { words.read_integer(|| "dimension".into())? } else { 3 };
     if dimension != 3 {
         return Err(ReadError::unsupported(format!("points have {dimension} coordinates; only 3 are read")));

@@ -63,8 +63,8 @@ struct LinkOfVertex {
 }
 
 impl LinkOfVertex {
-    /// Returns the number of components of the link; the two ends of each open one are appended to
-    /// `points_with_one_face`.
+    /// Returns the number of components of the link. Appends the two ends of each open component to
+    /// `ends`.
     fn count_fans(&mut self, corners: &[FaceCorner], ends: &mut Vec<FanEnds>) -> Result<usize> {
         self.points.clear();
         alloc::extend(&mut self.points, corners.iter().flat_map(|&[_, before, after]| [before, after]))?;

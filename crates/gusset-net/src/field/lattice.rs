@@ -24,7 +24,7 @@ impl Lattice {
     /// are slow and hardly follow individual points.
     pub const MAX_POINTS: usize = 32;
 
-    /// Creates a box from `low_corner` to `high` with `counts` control points along x, y and z, 2 to 32
+    /// Creates a box from `low` to `high` with `counts` control points along x, y and z, 2 to 32
     /// each. `offsets` has the displacement of each control point from the uniform grid; x runs
     /// first, then y, then z.
     ///

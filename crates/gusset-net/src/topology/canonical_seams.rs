@@ -19,14 +19,17 @@ type GridStep = (i64, i64);
 
 /// Returns the seams that glue the components of each class. `representatives` has the representatives of the
 /// classes, `representatives_by_links` the representatives of the components under contracted links alone.
-pub(super) fn find_seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
-    let nodes = (0..).zip(table).zip(pieces).filter(|&((node, &class), &piece)| piece == node && class != node);
+pub(super) fn find_seams(shape: Shape, representatives: &[u32], representatives_by_links: &[u32]) -> Result<Vec<Seam>> {
+    let nodes = (0..)
+        .zip(representatives)
+        .zip(representatives_by_links)
+        .filter(|&((node, &class), &piece)| piece == node && class != node);
     let mut pairs = alloc::gather(nodes.map(|((node, &class), _)| [class, node]))?;
     pairs.sort_unstable();
     let mut runs = SeamRunSearch {
         shape,
-        representatives: table,
-        representatives_by_links: pieces,
+        representatives,
+        representatives_by_links,
         last_trial_of_pair: alloc::filled(0, pairs.len())?,
         pairs,
         trial: 0,
@@ -38,7 +41,7 @@ pub(super) fn find_seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<
         }
     }
     sort::sort_stable(&mut found, &|a, b| b.count.cmp(&a.count).then(a.cmp(b)));
-    let mut sets = DisjointSets::from_parents(alloc::copied(pieces)?);
+    let mut sets = DisjointSets::from_parents(alloc::copied(representatives_by_links)?);
     let mut seams = alloc::with_capacity(found.len())?;
     for seam in found {
         if seam.pairs(shape).fold(false, |merges, [a, b]| sets.union(a, b) | merges) {

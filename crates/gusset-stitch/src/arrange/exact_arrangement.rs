@@ -171,10 +171,10 @@ impl ExactArrangement {
     }
 
     /// Adds the points and parts of a cluster, whose own points begin at `first_number`.
-    fn add_cluster(&mut self, cluster: &SplitCluster, start: u32, parts: &mut Vec<TrianglePart>) -> Result<()> {
-        let shift = self.points.end() - start;
+    fn add_cluster(&mut self, cluster: &SplitCluster, first_number: u32, parts: &mut Vec<TrianglePart>) -> Result<()> {
+        let shift = self.points.end() - first_number;
         self.points.append(&cluster.points)?;
-        let rename = |p: u32| if p < start { p } else { p + shift };
+        let rename = |p: u32| if p < first_number { p } else { p + shift };
         alloc::extend(parts, cluster.parts.iter().map(|&(part, t)| (part.map(rename), t)))?;
         if !cluster.is_complete {
             alloc::extend(&mut self.unsplit, cluster.parts.iter().map(|&(_, t)| t))?;
@@ -206,13 +206,13 @@ impl ExactArrangement {
 
     /// Returns for each point from `first_number` on the first point that equals it, among these and the
     /// given ones.
-    fn unite_equal_points(&self, mut given: Vec<u32>, start: u32, job: &Job<'_>) -> Result<Vec<u32>> {
-        let mut names = alloc::collect((start as usize..self.points.end() as usize).map(|p| p as u32))?;
+    fn unite_equal_points(&self, mut given: Vec<u32>, first_number: u32, job: &Job<'_>) -> Result<Vec<u32>> {
+        let mut names = alloc::collect((first_number as usize..self.points.end() as usize).map(|p| p as u32))?;
         sort_distinct(&mut given);
         alloc::append(&mut given, &names)?;
         sort(&mut given, |&i, &j| self.points.compare(i, j).then(i.cmp(&j)), job, STAGE)?;
         for same in given.chunk_by(|&i, &j| self.points.compare(i, j).is_eq()) {
-            same.iter().filter(|&&p| p >= start).for_each(|&p| names[(p - start) as usize] = same[0]);
+            same.iter().filter(|&&p| p >= first_number).for_each(|&p| names[(p - first_number) as usize] = same[0]);
         }
         Ok(names)
     }
@@ -221,19 +221,19 @@ impl ExactArrangement {
     fn rename_equal_points(
         &self,
         crossings: &Crossings,
-        start: u32,
+        first_number: u32,
         parts: &mut [TrianglePart],
         job: &Job<'_>,
     ) -> Result<()> {
-        if self.points.end() == start {
+        if self.points.end() == first_number {
             return Ok(());
         }
         let corners = parts.iter().flat_map(|(part, _)| *part);
-        let old = alloc::gather(corners.filter(|p| (crossings.first_number..start).contains(p)))?;
-        let names = self.unite_equal_points(old, start, job)?;
+        let old = alloc::gather(corners.filter(|p| (crossings.first_number..first_number).contains(p)))?;
+        let names = self.unite_equal_points(old, first_number, job)?;
         for p in parts.iter_mut().flat_map(|(part, _)| part) {
-            if *p >= start {
-                *p = names[(*p - start) as usize];
+            if *p >= first_number {
+                *p = names[(*p - first_number) as usize];
             }
         }
         Ok(())

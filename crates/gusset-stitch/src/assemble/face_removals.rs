@@ -37,8 +37,8 @@ impl IntersectingPatch {
 struct IntersectingPatches(Vec<IntersectingPatch>);
 
 impl IntersectingPatches {
-    /// Collects the intersecting patches. `rim_vertices_beside_trimmed_faces` is the set of vertices beside trimmed faces.
-    /// `size` returns the number of faces of a vertex's part. O(size + c log c) for c
+    /// Collects the intersecting patches. `beside` is the set of vertices beside trimmed faces. `size`
+    /// returns the number of faces of a vertex's part. O(size + c log c) for c
     /// intersections.
     fn new(
         done: &Assembly,
@@ -102,15 +102,15 @@ pub(super) struct FaceRemovals {
 }
 
 impl FaceRemovals {
-    /// Selects the faces to remove. `has_intersections` are pairs of intersecting faces. Parts with fewer than
-    /// `least` faces are small. If `whole`, the faces at whole rims of intersecting patches are
+    /// Selects the faces to remove. `cuts` are pairs of intersecting faces. Parts with fewer than
+    /// `min_part_faces` faces are small. If `whole`, the faces at whole rims of intersecting patches are
     /// removed. An unjoined part is removed only if each of its faces is within `same` of a face of
     /// another part. O(size log size).
     pub(super) fn new(
         pieces: &[MeshView<'_>],
         done: &Assembly,
         cuts: &[[u32; 2]],
-        least: u32,
+        min_part_faces: u32,
         whole: bool,
         same: SameSurfaceLimits,
         job: &Job<'_>,
@@ -171,7 +171,7 @@ impl FaceRemovals {
         }
         for (f, face) in mesh.faces().take(old).enumerate() {
             let root = roots[face[0] as usize] as usize;
-            if sizes[root] < least.min(largest) && is_cut[root] {
+            if sizes[root] < min_part_faces.min(largest) && is_cut[root] {
                 parts_alone = true;
                 alone.insert(f as u32);
             }
@@ -215,15 +215,15 @@ impl FaceRemovals {
     }
 
     /// Removes the selected faces from the trimmed pieces, and faces of unjoined parts only if
-    /// `has_small_unjoined_parts`. Returns false if nothing was removed.
+    /// `removes_parts`. Returns false if nothing was removed.
     pub(super) fn remove_faces_from(
         &self,
         pieces: &[MeshView<'_>],
         trimmed: &mut KeptFacesOfPieces,
         done: &Assembly,
-        parts: bool,
+        removes_parts: bool,
     ) -> bool {
-        if !(self.has_intersections || self.are_some_parts_covered && parts) {
+        if !(self.has_intersections || self.are_some_parts_covered && removes_parts) {
             return false;
         }
         let mut less = false;
@@ -231,7 +231,7 @@ impl FaceRemovals {
             let before = kept.len();
             kept.retain(|&f| {
                 let name = map.faces[f as usize];
-                let is_dropped = parts && name != NONE && self.covered_faces.contains(name);
+                let is_dropped = removes_parts && name != NONE && self.covered_faces.contains(name);
                 let mut corners = piece.face(f as usize).map(|v| map.vertices[v as usize]);
                 !is_dropped && !corners.any(|v| v != NONE && self.vertices.contains(v))
             });

@@ -19,10 +19,10 @@ pub(super) struct LoopEdges {
 
 impl LoopEdges {
     /// Collects the edges of `mesh` between the vertices of `vertex_loop_pairs`, which are ascending.
-    pub(super) fn new(mesh: &Mesh, places: Vec<(u32, u32)>) -> Result<Self> {
+    pub(super) fn new(mesh: &Mesh, vertex_loop_pairs: Vec<(u32, u32)>) -> Result<Self> {
         let mut on_rim = alloc::filled(false, mesh.positions.len())?;
-        places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
-        let mut edges = LoopEdges { edges: Vec::new(), vertex_loop_pairs: places };
+        vertex_loop_pairs.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
+        let mut edges = LoopEdges { edges: Vec::new(), vertex_loop_pairs };
         for face in mesh.faces() {
             for (k, &u) in face.iter().enumerate() {
                 let v = face[(k + 1) % face.len()];

@@ -132,16 +132,16 @@ fn assemble_proxy_system(
     chart: &ChartMesh,
     system: &mut ChartSystem,
     distortion: Distortion,
-    x: &[DVec2],
+    positions: &[DVec2],
     job: &Job<'_>,
 ) -> Result<Vec<DVec2>> {
-    let mut gradient = alloc::filled(DVec2::ZERO, x.len())?;
+    let mut gradient = alloc::filled(DVec2::ZERO, positions.len())?;
     let whole = chart.total_area();
     let mut trace = 0.0;
     system.clear_equations(&job.sub_job(0.0, 0.0))?;
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
         job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
-        let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
+        let map = Jacobian::new(&shape.gradients, triangle.map(|v| positions[v as usize]));
         let share = shape.area / whole;
         let matrix = share * map.matrix_with_stretches(proxy_weights(distortion, map.stretch));
         // J - R is U diag(s - 1) U^T R.
@@ -155,11 +155,11 @@ fn assemble_proxy_system(
             trace += own.x_axis.x + own.y_axis.y;
             system.add_diagonal_block(triangle[i], own);
             let j = (i + 1) % 3;
-            system.add_block(triangle[i], triangle[j], g.dot(shape.gradients[j]) * matrix, x);
+            system.add_block(triangle[i], triangle[j], g.dot(shape.gradients[j]) * matrix, positions);
         }
     }
-    let hold = RELATIVE_HOLD_WEIGHT * trace / (2 * x.len()) as f64;
-    for (v, &p) in (0..).zip(x) {
+    let hold = RELATIVE_HOLD_WEIGHT * trace / (2 * positions.len()) as f64;
+    for (v, &p) in (0..).zip(positions) {
         system.add_diagonal_block(v, DMat2::from_diagonal(DVec2::splat(hold)));
         system.add_right_hand_side(v, hold * p);
     }

@@ -240,11 +240,11 @@ fn minimise_distortion(
     chart: &ChartMesh,
     system: &mut ChartSystem,
     distortion: Distortion,
-    x: Vec<DVec2>,
+    positions: Vec<DVec2>,
     limit: u32,
     job: &Job<'_>,
 ) -> Result<Descent> {
-    let (mut start, mut iterations) = (x, 0);
+    let (mut start, mut iterations) = (positions, 0);
     for job in [job.sub_job(0.0, 0.5), job.sub_job(0.5, 1.0)] {
         if chart.count_folded_triangles(&start) == 0 {
             let mut last = None;

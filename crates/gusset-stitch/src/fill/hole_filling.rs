@@ -146,7 +146,7 @@ impl<'a> HoleFilling<'a> {
 
     /// Looks for intersections, and tries other patches where there are any. `patch_boxes` are the
     /// patches' boxes.
-    fn replace_intersecting_patches(&mut self, rooms: &[Aabb], job: &Job<'_>) -> Result<()> {
+    fn replace_intersecting_patches(&mut self, patch_boxes: &[Aabb], job: &Job<'_>) -> Result<()> {
         let old =
             OldTriangles::new(self.finished_patches.vertices.mesh, &self.faces_near_holes, &job.sub_job(0.0, 0.1))?;
         let mut pairs = find_patch_intersections(
@@ -157,7 +157,7 @@ impl<'a> HoleFilling<'a> {
         )?;
         if !pairs.is_empty() && self.options.intersections == Intersections::Auto {
             let trials =
-                IntersectionCounter::new(&self.finished_patches.vertices, &old, rooms, &job.sub_job(0.3, 0.3))?;
+                IntersectionCounter::new(&self.finished_patches.vertices, &old, patch_boxes, &job.sub_job(0.3, 0.3))?;
             let cutting = intersecting_patches(&pairs, &self.finished_patches.patches)?;
             for (i, &k) in cutting.iter().enumerate() {
                 let job = job.sub_job(0.3, 0.8).sub_job_of_item(i, cutting.len());

@@ -120,7 +120,7 @@ impl<'a> IntersectionCounter<'a> {
     pub(super) fn new(
         vertices: &MeshAndPatchVertices<'_>,
         old: &'a OldTriangles,
-        rooms: &[Aabb],
+        patch_boxes: &[Aabb],
         job: &Job<'_>,
     ) -> Result<Self> {
         let boxes = old.0.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| vertices.position(v))));
@@ -128,7 +128,7 @@ impl<'a> IntersectionCounter<'a> {
         Ok(IntersectionCounter {
             old_triangles: old,
             patch_triangles: OrderedBoxTree::new(&boxes, &job.sub_job(0.0, 0.5))?,
-            patch_boxes: OrderedBoxTree::new(rooms, &job.sub_job(0.5, 1.0))?,
+            patch_boxes: OrderedBoxTree::new(patch_boxes, &job.sub_job(0.5, 1.0))?,
         })
     }
 

@@ -51,13 +51,19 @@ impl PatchRim {
         points: &[DVec3],
         lengths: Vec<usize>,
         faces: OldFaces,
-        across: Vec<DVec3>,
-        whole: Vec<bool>,
+        normals_across_edges: Vec<DVec3>,
+        has_complete_one_ring: Vec<bool>,
     ) -> Result<PatchRim> {
         let unit = common_unit(points);
         let origin = points[0] / unit;
         let points = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-        PatchRim::from_scaled_points((origin, unit), points, lengths, faces, (across, whole))
+        PatchRim::from_scaled_points(
+            (origin, unit),
+            points,
+            lengths,
+            faces,
+            (normals_across_edges, has_complete_one_ring),
+        )
     }
 
     /// Creates the rim of a part with one loop, from points in the unit and from the origin of this

@@ -66,8 +66,8 @@ impl VertexSizes {
 }
 
 /// Returns the factor of all sizes that keeps the number of new vertices below `max_vertices`.
-pub(crate) fn size_growth_for_limit(mesh: &PatchMesh, size: &[f64], limit: u32) -> f64 {
-    (estimate_new_vertices(mesh, size) / f64::from(limit)).sqrt().max(1.0)
+pub(crate) fn size_growth_for_limit(mesh: &PatchMesh, size: &[f64], max_vertices: u32) -> f64 {
+    (estimate_new_vertices(mesh, size) / f64::from(max_vertices)).sqrt().max(1.0)
 }
 
 /// Estimates the number of new vertices for these sizes: one for each two equilateral triangles.

@@ -210,7 +210,7 @@ impl<const N: usize> CurvePiece<N> {
     /// ends of the piece's segments, all of which are among the breaks.
     pub(super) fn append_refined_segments(
         &self,
-        ends: &[f64],
+        segment_ends: &[f64],
         breaks: &[f64],
         refined: &mut Vec<[DVec3; N]>,
     ) -> Result<()> {
@@ -218,15 +218,16 @@ impl<const N: usize> CurvePiece<N> {
         let (mut segment, mut from) = (0, 0.0);
         let mut start = self.segments[0][0];
         for &to in breaks {
-            let first = if segment == 0 { 0.0 } else { ends[segment - 1] };
-            let length = ends[segment] - first;
-            let [low, high] = [(from - first) / length, if to >= ends[segment] { 1.0 } else { (to - first) / length }];
+            let first = if segment == 0 { 0.0 } else { segment_ends[segment - 1] };
+            let length = segment_ends[segment] - first;
+            let [low, high] =
+                [(from - first) / length, if to >= segment_ends[segment] { 1.0 } else { (to - first) / length }];
             let mut points = restrict_segment(&self.segments[segment], [low, high]);
             // Neighbours share their ends exactly.
             points[0] = start;
             start = points[N - 1];
             refined.push(points);
-            if to >= ends[segment] && segment + 1 < ends.len() {
+            if to >= segment_ends[segment] && segment + 1 < segment_ends.len() {
                 segment += 1;
             }
             from = to;

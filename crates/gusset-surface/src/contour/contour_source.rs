@@ -153,7 +153,7 @@ pub(super) struct ScalarWindow {
 impl ScalarWindow {
     /// Creates the window of the nodes that a block of cells depends on. `scalar_at_node` returns the scalar
     /// at a node.
-    fn new(axes: [&GridAxis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
+    fn new(axes: [&GridAxis; 2], cells: &[Range<usize>; 2], scalar_at_node: impl Fn(usize, usize) -> f64) -> Self {
         let mut window = ScalarWindow {
             first_cell: [cells[0].start, cells[1].start],
             values: [[0.0; NODES_PER_WINDOW]; NODES_PER_WINDOW],
@@ -180,7 +180,7 @@ impl ScalarWindow {
         }
         for (values, &i) in window.values.iter_mut().zip(&lines[0][..counts[0]]) {
             for (at, &j) in values.iter_mut().zip(&lines[1][..counts[1]]) {
-                *at = value(i, j);
+                *at = scalar_at_node(i, j);
             }
         }
         // The last values repeat in place of missing ones.

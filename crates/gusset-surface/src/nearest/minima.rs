@@ -62,15 +62,15 @@ impl Surface<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the limit is negative or NaN, [`Error::NotFinite`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn local_minima(&self, query: DVec3, limit: f64, most: usize, job: &Job<'_>) -> Result<Minima> {
-        check_query_and_distance("limit", query, limit)?;
+    pub fn local_minima(&self, query: DVec3, max_distance: f64, max_minima: usize, job: &Job<'_>) -> Result<Minima> {
+        check_query_and_distance("limit", query, max_distance)?;
         job.step(0.0, PROGRESS_STAGE)?;
         let mut search = MinimaSearch {
             surface: self,
             query,
-            max_distance: limit,
+            max_distance,
             tolerance: self.distance_tolerance_for(query),
-            max_minima: most,
+            max_minima,
             proven_minima: Vec::new(),
             undecided: Vec::new(),
             frontier: Frontier::default(),
@@ -80,8 +80,8 @@ impl Surface<'_> {
         for sheet in 0..self.len() {
             search.push_block(sheet, BlockWithDistanceBound::whole_sheet(self.sheet_and_index(sheet).1))?;
         }
-        let bound = search.search_best_first()?.unwrap_or(limit);
-        search.into_minima(bound, self.closest(query, limit))
+        let bound = search.search_best_first()?.unwrap_or(max_distance);
+        search.into_minima(bound, self.closest(query, max_distance))
     }
 }
 

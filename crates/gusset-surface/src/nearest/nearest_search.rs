@@ -329,12 +329,12 @@ impl NearestPointSearch {
         });
     }
 
-    /// True if the search may end although some points may be as close as `squared_distance_bound`.
-    fn may_end_without_proof(&self, bound: f64) -> bool {
+    /// True if the search may end although some points may be as close as `distance_bound`.
+    fn may_end_without_proof(&self, distance_bound: f64) -> bool {
         let (distance, tolerance) = (self.incumbent.nearest_distance(), self.incumbent.tolerance);
         let is_stalled = self.evaluations >= MIN_EXAMINED_PARTS
             && self.evaluations - self.evaluations_at_last_gain >= MIN_EXAMINED_PARTS / 2;
-        let is_near = distance - bound <= (SMALL_RELATIVE_GAP * distance).max(tolerance);
+        let is_near = distance - distance_bound <= (SMALL_RELATIVE_GAP * distance).max(tolerance);
         self.evaluations >= MAX_EXAMINED_PARTS || (is_stalled && is_near)
     }
 

@@ -43,13 +43,13 @@ pub(super) fn nearest_on_patch<const N: usize>(
     patch: &Patch<N>,
     query: DVec3,
     start: DVec2,
-    limit: f64,
+    max_distance: f64,
     tolerance: f64,
     frontier: &mut PartFrontier<N>,
 ) -> Option<NearestPlaceOnPatch> {
     let best = descend_to_foot(patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
     let bound = best_distance_bound_of_patch(patch, query, &best, 0.0, tolerance);
-    if bound > limit {
+    if bound > max_distance {
         return None;
     }
     if bound >= best.distance - tolerance {
@@ -59,7 +59,7 @@ pub(super) fn nearest_on_patch<const N: usize>(
     PatchSearch {
         patch,
         query,
-        max_distance: limit,
+        max_distance,
         tolerance,
         nearest_foot: best,
         least_settled_bound: proven,

@@ -32,8 +32,8 @@ impl CyclicSpan {
 
     /// A span that begins at `first_interval`, which may exceed the number of intervals in a closed
     /// direction.
-    pub(crate) fn new(first: usize, len: usize, count: usize) -> CyclicSpan {
-        CyclicSpan { first_interval: first % count, len, interval_count_of_direction: count }
+    pub(crate) fn new(first_interval: usize, len: usize, count: usize) -> CyclicSpan {
+        CyclicSpan { first_interval: first_interval % count, len, interval_count_of_direction: count }
     }
 
     pub(crate) fn indices(self) -> impl Iterator<Item = usize> {

@@ -201,13 +201,13 @@ struct RootIsolation<'a> {
 impl RootIsolation<'_> {
     /// Finds the roots between two ends, from left to right; the polynomial has the coefficients
     /// `coefficients` there. Returns true if the halves must be searched instead.
-    fn isolate_roots(&mut self, c: &[f64], [low, high]: [f64; 2]) -> bool {
+    fn isolate_roots(&mut self, coefficients: &[f64], [low, high]: [f64; 2]) -> bool {
         let noise = self.noise;
-        if c.iter().all(|x| x.abs() <= noise) {
+        if coefficients.iter().all(|x| x.abs() <= noise) {
             self.add_root_interval(low, high);
             return false;
         }
-        let changes = |level: f64| sign_changes(c.iter().map(|&x| x > level));
+        let changes = |level: f64| sign_changes(coefficients.iter().map(|&x| x > level));
         if changes(noise).max(changes(-noise)) > 1 {
             let decides = high - low <= MIN_INTERVAL_WIDTH || self.halvings_left == 0;
             if decides {
@@ -218,13 +218,13 @@ impl RootIsolation<'_> {
             return !decides;
         }
         // The polynomial is within the noise on at most one interval, at a crossing or at an end.
-        let (first, last) = (c[0], c[c.len() - 1]);
+        let (first, last) = (coefficients[0], coefficients[coefficients.len() - 1]);
         if first.abs() <= noise {
             self.add_root_interval(low, low);
         } else if last.abs() <= noise {
             self.add_root_interval(high, high);
         } else if (first < 0.0) != (last < 0.0) {
-            let t = low + (high - low) * bracketed_root(0.0, 1.0, first, |t| value_and_slope(c, t));
+            let t = low + (high - low) * bracketed_root(0.0, 1.0, first, |t| value_and_slope(coefficients, t));
             self.add_root_interval(t, t);
         }
         false

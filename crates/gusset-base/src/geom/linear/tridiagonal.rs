@@ -93,20 +93,20 @@ impl EliminationFront {
 }
 
 /// Solves a cyclic system of n >= 3 unknowns. `row(i, before)` returns the coefficients of unknowns
-/// `before` (cyclically i - 1), i and i + 1, and `known(i)` the right side. `upper` and `last_coefficient`
-/// are workspace for n factors each. Returns false if the system is singular.
+/// `before` (cyclically i - 1), i and i + 1, and `known(i)` the right side. `next_coefficients` and
+/// `last_coefficients` are workspace for n factors each. Returns false if the system is singular.
 ///
 /// Eliminates from both ends at once, which keeps a processor busy while it divides. The rows next
 /// to the last unknown carry it along until its coefficient has faded.
 pub fn solve_cyclic(
     unknowns: &mut [DVec3],
-    upper: &mut [f64],
-    across: &mut [f64],
+    next_coefficients: &mut [f64],
+    last_coefficients: &mut [f64],
     row: impl Fn(usize, usize) -> [f64; 3],
     known: impl Fn(usize) -> DVec3,
 ) -> bool {
     let n = unknowns.len();
-    let (upper, across) = (&mut upper[..n], &mut across[..n]);
+    let (next_coefficients, last_coefficients) = (&mut next_coefficients[..n], &mut last_coefficients[..n]);
     let forth = |i: usize| row(i, if i == 0 { n - 1 } else { i - 1 });
     let back = |i: usize| {
         let [behind, diagonal, ahead] = row(i, i - 1);
@@ -122,7 +122,7 @@ pub fn solve_cyclic(
     let middle = pairs + alone;
     if alone == 1 {
         least = first_end.eliminate_row_with_last(forth(0), known(0), &mut last).abs();
-        (unknowns[0], upper[0], across[0]) =
+        (unknowns[0], next_coefficients[0], last_coefficients[0]) =
             (first_end.constant, first_end.next_coefficient, first_end.last_coefficient);
     }
     let mut carried = 0;
@@ -133,17 +133,18 @@ pub fn solve_cyclic(
             last_end.eliminate_row_with_last(back(j), known(j), &mut last),
         ];
         least = least.min(pivots[0].abs()).min(pivots[1].abs());
-        (unknowns[i], upper[i], across[i]) =
+        (unknowns[i], next_coefficients[i], last_coefficients[i]) =
             (first_end.constant, first_end.next_coefficient, first_end.last_coefficient);
-        (unknowns[j], upper[j], across[j]) = (last_end.constant, last_end.next_coefficient, last_end.last_coefficient);
+        (unknowns[j], next_coefficients[j], last_coefficients[j]) =
+            (last_end.constant, last_end.next_coefficient, last_end.last_coefficient);
         carried += 1;
     }
     for k in carried..pairs {
         let (i, j) = (alone + k, n - 2 - k);
         let [[p, _], [q, _]] = [first_end.eliminate_row(forth(i), known(i)), last_end.eliminate_row(back(j), known(j))];
         least = least.min(p.abs()).min(q.abs());
-        (unknowns[i], upper[i]) = (first_end.constant, first_end.next_coefficient);
-        (unknowns[j], upper[j]) = (last_end.constant, last_end.next_coefficient);
+        (unknowns[i], next_coefficients[i]) = (first_end.constant, first_end.next_coefficient);
+        (unknowns[j], next_coefficients[j]) = (last_end.constant, last_end.next_coefficient);
     }
     // The middle row and the last row form a system of two unknowns.
     let [lower, diagonal, above] = forth(middle);
@@ -159,16 +160,16 @@ pub fn solve_cyclic(
     let (mut after, mut before) = (centre, centre);
     for k in (0..pairs).rev() {
         let (i, j) = (alone + k, n - 2 - k);
-        after = unknowns[i] - after * upper[i];
-        before = unknowns[j] - before * upper[j];
+        after = unknowns[i] - after * next_coefficients[i];
+        before = unknowns[j] - before * next_coefficients[j];
         if k < carried {
-            after -= end * across[i];
-            before -= end * across[j];
+            after -= end * last_coefficients[i];
+            before -= end * last_coefficients[j];
         }
         (unknowns[i], unknowns[j]) = (after, before);
     }
     if alone == 1 {
-        unknowns[0] = unknowns[0] - after * upper[0] - end * across[0];
+        unknowns[0] = unknowns[0] - after * next_coefficients[0] - end * last_coefficients[0];
     }
     least.min(pivot.abs()).min(last_pivot.abs()) > MIN_PIVOT_MAGNITUDE
 }

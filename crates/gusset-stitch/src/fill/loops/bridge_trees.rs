@@ -114,12 +114,12 @@ pub(super) fn max_repeated_searches(rims: &NumberedRims) -> usize {
 
 /// Returns the best triangulation that costs less than `cost_limit`, over all trees of bridges.
 ///
-/// By area it is optimal, unless edges repeat in more searches than `repeated_searches_left`. Bends and bulges are
+/// By area it is optimal, unless edges repeat in more searches than `max_repeated_searches`. Bends and bulges are
 /// treated as in the search of a single loop. O(t n^3) for t trees.
 pub(super) fn best_triangulation_over_trees(
     task: &ClosingTask<'_>,
-    limit: Option<TriangulationCost>,
-    repeats: usize,
+    cost_limit: Option<TriangulationCost>,
+    max_repeated_searches: usize,
     job: &Job<'_>,
 ) -> Result<Option<OpenedLoopsTriangulation>> {
     let (rims, k) = (task.rims, task.rims.loop_count());
@@ -127,8 +127,8 @@ pub(super) fn best_triangulation_over_trees(
         task,
         bridges: SortedBridges::new(task)?,
         best_triangulation: None,
-        cost_limit: limit,
-        repeated_searches_left: repeats,
+        cost_limit,
+        repeated_searches_left: max_repeated_searches,
     };
     let count = search.bridges.sorted.len();
     for rank in 0..count {

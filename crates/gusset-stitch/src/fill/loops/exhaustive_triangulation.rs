@@ -20,7 +20,7 @@ enum SideState {
 pub(super) struct ExhaustiveTriangulation<'a> {
     weight: Weight,
     points: Vec<DVec3>,
-    normals: Vec<DVec3>,
+    vertex_normals: Vec<DVec3>,
     normals_across_edges: Vec<DVec3>,
     next_vertex: Vec<usize>,
     unit: f64,
@@ -41,10 +41,10 @@ impl<'a> ExhaustiveTriangulation<'a> {
         loops: &[Polygon],
         weight: Weight,
         taken: &'a dyn Fn(u32, u32) -> bool,
-        limit: f64,
+        cost_limit: f64,
     ) -> f64 {
         let mut search = ExhaustiveTriangulation::new(loops, weight, taken);
-        search.cost_limit = limit;
+        search.cost_limit = cost_limit;
         search.close_first_wanted_side(0.0);
         search.best_cost
     }
@@ -79,7 +79,7 @@ impl<'a> ExhaustiveTriangulation<'a> {
         ExhaustiveTriangulation {
             weight,
             points,
-            normals,
+            vertex_normals: normals,
             normals_across_edges: across,
             next_vertex: next,
             unit,
@@ -136,7 +136,7 @@ impl<'a> ExhaustiveTriangulation<'a> {
         let normal = cross / cross.length();
         let bulge = |pair: &(usize, usize)| {
             let chord = (self.points[pair.1] - self.points[pair.0]) / self.unit;
-            let [h, k] = [pair.0, pair.1].map(|v| chord.dot(self.normals[v]));
+            let [h, k] = [pair.0, pair.1].map(|v| chord.dot(self.vertex_normals[v]));
             if is_new(pair) { ((h * h + k * k) / 32.0).sqrt() } else { 0.0 }
         };
         let [x, y, z] = [bulge(&pairs[0]), bulge(&pairs[1]), bulge(&pairs[2])];

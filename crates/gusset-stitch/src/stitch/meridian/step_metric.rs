@@ -175,7 +175,7 @@ impl StepMetric {
 }
 
 /// Returns twice the area of the strip over `pairs`. Quads are split by the diagonal from the
-/// earlier vertex of `costs_on_a`.
+/// earlier vertex of `a`.
 pub(super) fn strip_area(a: &[DVec3], b: &[DVec3], pairs: &[MeridianEnds]) -> f64 {
     let (a_at, b_at) = (|i: u32| a[i as usize], |j: u32| b[j as usize]);
     let mut area = 0.0;
