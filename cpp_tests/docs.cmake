@@ -3,7 +3,7 @@
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 # Once for all who run them: here as they are, in cpp_tests/threads in many threads at once.
-set(reference_names meshes stitching scans attributes developments curves nets nets_joined surfaces)
+set(reference_names meshes stitching scans attributes developments sections curves nets nets_joined surfaces)
 foreach(name IN LISTS reference_names)
   list(APPEND reference_sources ${root}/examples/reference/${name}.c)
   add_test(NAME reference/${name} COMMAND reference ${name})

@@ -94,5 +94,7 @@ void surfaces(Case &);
 void curves(Case &);
 void gluings(Case &);
 void overlaps(Case &);
+void sections(Case &);
+void real_sections(Case &);
 
 } // namespace campaign

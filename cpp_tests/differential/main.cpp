@@ -17,7 +17,8 @@ constexpr Family families[] = {
     {"loops", campaign::loops, 400},       {"validity", campaign::validity, 60},
     {"intersections", campaign::intersections, 60}, {"surfaces", campaign::surfaces, 3},
     {"curves", campaign::curves, 60},      {"gluings", campaign::gluings, 150},
-    {"overlaps", campaign::overlaps, 6},
+    {"overlaps", campaign::overlaps, 6},    {"sections", campaign::sections, 40},
+    {"real_sections", campaign::real_sections, 6},
 };
 
 struct Row {

@@ -30,7 +30,7 @@ INPUTS = {
     "trim": (shapes.cap(), shapes.cap()), "fill": (shapes.tube(),), "develop": (shapes.tube(),),
     "smooth_intersect": (SHEET, STEEP), "net_join": (SHEET, BESIDE), "net_analyse": (SHEET, BESIDE), "smooth_distance": (SHEET, BESIDE),
     "net_settle": (SHEET, BESIDE), "morph": (SHEET, BESIDE), "unite": (BOX, (BOX[0] + 1, BOX[1])), "lattice": (SHEET, BOX, (BOX[0] * [1, 1, 2], BOX[1])),
-    "facing_arcs": (ASIDE,), "strip": (PAIR,), "curve_meet": (CROSSING,), "curve_nearest": (RINGS, LINES), "loft": (RINGS,),
+    "section": (BOX,), "facing_arcs": (ASIDE,), "strip": (PAIR,), "curve_meet": (CROSSING,), "curve_nearest": (RINGS, LINES), "loft": (RINGS,),
     "smooth_net": (ACROSS, LINES), "smooth_curve": (SHEET, CROSSING), "smooth_nearest": (SHEET, CROSSING), "net_lathe": (gm.Curves([LINES[0]]),), "curve_offset": (gm.Curves([RINGS[0]], closed=True),), "curve_svg": (gm.Curves([RINGS[0]], closed=True),),
 }
 GENERAL = {gm.filters._plugin.MESH: SHEET, gm.filters._plugin.CURVES: RINGS}

@@ -213,6 +213,7 @@ pub fn given(filter: &Filter, size: u32) -> Vec<Given> {
         (_, [InputKind::Mesh, InputKind::Mesh, ..], _) => vec![mesh(1.0, 0.0), mesh(1.1, 0.3)],
         (_, [InputKind::Mesh, InputKind::Curves], _) => vec![mesh(1.0, 0.0), curves(&[(wave(0.1), false)])],
         (_, [InputKind::Curves, InputKind::Curves], _) => vec![curves(&[(wave(0.5), false)]), curves(&both)],
+        ("section", ..) => vec![mesh(1.0, 0.0)],
         (_, [InputKind::Mesh], "Quad grids" | "Smooth surfaces") => vec![mesh(1.0, 0.0)],
         (_, [InputKind::Mesh], _) => pieces(size).into_iter().take(filter.max_inputs).map(Given::Mesh).collect(),
         _ => vec![curves(&both)],

@@ -13,5 +13,6 @@ mod net;
 mod origins;
 mod overlaps;
 mod page;
+mod section;
 mod surface;
 mod table;

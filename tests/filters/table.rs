@@ -59,6 +59,7 @@ const IDS: &[&str] = &[
     "lattice",
     "repair",
     "unite",
+    "section",
 ];
 
 /// Choices that need other inputs or values: nets that are welded lie on each other, and so on.

@@ -65,6 +65,8 @@ const MORE = [
   ["smooth_silhouette", [sheet(9, 11, (u, v) => 0.5 * Math.sin(6 * u) * Math.cos(5 * v))], { direction: [1, 0.2, 0.1] }],
   ["smooth_line", [SHEET], { point: [0.4, 0.3, 2], direction: [0.1, 0.05, -1] }],
   ["net_measures", [sheet(20, 30)]],
+  ["section", [cap(1, 12, 40, { ripple: 0.1 })], { direction: [0.1, 0.2, 1], number: 30 }],
+  ["section", [sheet(40, 50)], { cut: "faces", placement: "about_an_axis", tolerance: 0.002 }],
   ["weld", [new Mesh([0, 0, 0, 1, 0, 0, NaN, 1, 0], [0, 1, 2])]],
   ["weld", [new Mesh([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 7])]],
   ["weld", [SHEET], { tolerance: -3 }],

@@ -50,6 +50,8 @@ mod project;
 mod quads;
 mod repair;
 pub mod report;
+mod section;
+mod section_planes;
 mod sew;
 mod signatures;
 mod smooth;
@@ -120,6 +122,7 @@ pub static FILTERS: &[Filter] = &[
     lattice::FILTER,
     repair::FILTER,
     unite::FILTER,
+    section::FILTER,
 ];
 
 impl Filter {

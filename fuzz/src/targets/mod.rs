@@ -27,6 +27,7 @@ mod read_stl;
 mod read_svg;
 mod repair;
 mod scene;
+mod sections;
 mod sew;
 mod stitch;
 mod stream_decode;
@@ -67,6 +68,7 @@ pub const TARGETS: &[Target] = &[
     ("read_svg", read_svg::run),
     ("repair", repair::run),
     ("scene", scene::run),
+    ("sections", sections::run),
     ("sew", sew::run),
     ("stitch", stitch::run),
     ("stream_decode", stream_decode::run),

@@ -111,8 +111,8 @@ pub(crate) const FILTER_COMMANDS: &[FilterCommand] = &[
     FilterCommand {
         name: "section",
         filters: &["section", "smooth_sections"],
-        about: "Cuts the smooth surface through a grid of quads by planes",
-        example: "gusset section hull.obj --number 20 -o sections.obj",
+        about: "Cuts a mesh, or the smooth surface through a grid of quads, by planes",
+        example: "gusset section foot.ply --number 20 -o sections.obj",
         smooth: &[],
         certifies: false,
     },

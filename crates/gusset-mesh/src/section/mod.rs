@@ -8,8 +8,8 @@
 //! - `face_crossings`: the segments of a plane in its faces. `crossing_nodes`: the points where
 //!   segments meet, and the pairs of segments that continue each other. `section_tracer`: the
 //!   segments linked to polylines.
-//! - `nesting_levels`: the loops around a loop. `simplify_polyline`: fewer points within a
-//!   tolerance.
+//! - `nesting_levels`: the loops around a loop. `open_loops`: the set in which they are counted.
+//!   `simplify_polyline`: fewer points within a tolerance.
 //!
 //! **The rule for vertices in a plane.** A vertex in the plane counts as above it, or as below it
 //! if the caller says so ([`InPlane`]). Every edge thus crosses the plane or does not, and every
@@ -28,6 +28,7 @@ mod cutting_planes;
 mod exact_plane;
 mod face_crossings;
 mod nesting_levels;
+mod open_loops;
 mod section_request;
 mod section_tracer;
 mod sections;

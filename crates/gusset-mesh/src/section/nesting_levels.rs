@@ -1,10 +1,12 @@
 //! The nesting of the closed paths of one plane: which loops are around a loop.
 //!
-//! Each loop gets a test point inside: the middle of the widest gap between its crossings with a
-//! line through the middle of its box. A loop is inside another one if the other one has the larger
-//! area and an odd number of edges above the test point. Loops may therefore touch and share edges.
-//! The edges are sorted into slabs, so that a test sees the edges of one slab only.
+//! Vertical lines pierce all loops, as few as a greedy choice finds. On its line each loop gets a test
+//! point: the middle of the widest gap between its own crossings. A loop is inside another one if the
+//! other one has the larger area and an odd number of edges below the test point. Loops may therefore
+//! touch and share edges. A walk up each line toggles the loops that it crosses, ranked by area, and
+//! asks at each test point which of the larger loops are open.
 
+use super::open_loops::OpenLoops;
 use super::section_request::STAGE;
 use super::sections::Sections;
 use crate::NONE;
@@ -12,30 +14,26 @@ use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_base::sort::{Buckets, sort};
+use gusset_base::sort::sort;
 
-/// Slabs are halved in number while the edges have more than this many entries each.
-const MAX_ENTRIES_PER_EDGE: usize = 4;
-
-/// An edge of a loop.
+/// An edge of a loop, from left to right.
 #[derive(Clone, Copy, Default)]
 struct LoopEdge {
-    start_point: DVec2,
-    end_point: DVec2,
+    left: DVec2,
+    right: DVec2,
     /// The index of the loop among the closed paths.
-    path: u32,
+    loop_index: u32,
 }
 
 impl LoopEdge {
-    /// Returns the second coordinate of the edge at the first coordinate `x`, if the edge has a
-    /// point there. If two edges meet at x, one counts.
-    fn height_at(&self, x: f64) -> Option<f64> {
-        let [low, high] = if self.start_point.x < self.end_point.x {
-            [self.start_point, self.end_point]
-        } else {
-            [self.end_point, self.start_point]
-        };
-        (low.x <= x && x < high.x).then(|| low.y + (high.y - low.y) * ((x - low.x) / (high.x - low.x)))
+    fn new(start: DVec2, end: DVec2, loop_index: u32) -> Self {
+        let [left, right] = if start.x < end.x { [start, end] } else { [end, start] };
+        LoopEdge { left, right, loop_index }
+    }
+
+    /// Returns the height of the edge on the vertical line at `x`, which is between its ends.
+    fn height_at(&self, x: f64) -> f64 {
+        self.left.y + (self.right.y - self.left.y) * ((x - self.left.x) / (self.right.x - self.left.x))
     }
 }
 
@@ -51,124 +49,193 @@ pub(super) fn nest_loops(sections: &mut Sections, first_path: usize, normal: DVe
     let flat = |p: DVec3| DVec2::new((p - origin).dot(u), (p - origin).dot(v));
     let count = closed.iter().map(|&k| sections.range(k).len()).sum();
     let mut edges: Vec<LoopEdge> = alloc::with_capacity(count)?;
-    let mut starts: Vec<usize> = alloc::with_capacity(closed.len() + 1)?;
-    for (path, &k) in (0..).zip(&closed) {
+    let mut loops: Vec<LoopOnLine> = alloc::with_capacity(closed.len())?;
+    for (loop_index, &k) in (0..).zip(&closed) {
         job.step_within_list(edges.len(), STAGE)?;
         let points = &sections.points[sections.range(k)];
-        starts.push(edges.len());
-        edges.extend((0..points.len()).map(|i| LoopEdge {
-            start_point: flat(points[i]),
-            end_point: flat(points[(i + 1) % points.len()]),
-            path,
-        }));
-        sections.paths[k].area = measure_area(&edges[starts[path as usize]..]);
+        let first = flat(points[0]);
+        let mut double_area = 0.0;
+        let mut own = LoopOnLine::new(first);
+        for i in 0..points.len() {
+            let [start, end] = [i, (i + 1) % points.len()].map(|i| flat(points[i]));
+            double_area += (start - first).perp_dot(end - first);
+            own.low = own.low.min(start.x);
+            own.high = own.high.max(start.x);
+            // A line never crosses a vertical edge.
+            if start.x != end.x {
+                edges.push(LoopEdge::new(start, end, loop_index));
+            }
+        }
+        sections.paths[k].area = double_area / 2.0;
+        loops.push(own);
     }
-    starts.push(edges.len());
     if closed.len() == 1 {
         return Ok(());
     }
-    let slabs = Slabs::new(&edges, job)?;
-    let mut above: Vec<u32> = Vec::new();
-    let mut crossings = Vec::new();
-    for (path, &k) in closed.iter().enumerate() {
-        job.step_within_heavy_list(64, path, STAGE)?;
-        let inside = find_inner_point(&edges[starts[path]..starts[path + 1]], &mut crossings, job)?;
-        slabs.find_edges_above(&edges, inside, &mut above, job)?;
-        sort(&mut above, Ord::cmp, job, STAGE)?;
-        let own = (sections.paths[k].area.abs(), std::cmp::Reverse(k));
-        // The area, then the path: the smaller of two loops is inside.
-        let mut parent: Option<(f64, std::cmp::Reverse<usize>)> = None;
-        let mut depth = 0;
-        for run in above.chunk_by(|a, b| a == b).filter(|run| run.len() % 2 == 1) {
-            let other = closed[run[0] as usize];
-            let size = (sections.paths[other].area.abs(), std::cmp::Reverse(other));
-            if size > own {
-                depth += 1;
-                parent = if parent.is_none_or(|parent| size < parent) { Some(size) } else { parent };
-            }
-        }
-        sections.paths[k].depth = depth;
-        sections.paths[k].parent = parent.map_or(NONE, |(_, std::cmp::Reverse(other))| other as u32);
+    let ranks = rank_by_area(&closed, sections, job)?;
+    for (loop_index, found) in find_open_loops(edges, loops, &ranks, job)? {
+        let path = &mut sections.paths[closed[loop_index as usize]];
+        path.depth = found.count;
+        path.parent = if found.nearest == NONE {
+            NONE
+        } else {
+            closed[ranks.loop_of_rank[found.nearest as usize] as usize] as u32
+        };
     }
     Ok(())
 }
 
-/// Returns the signed area of a loop.
-fn measure_area(edges: &[LoopEdge]) -> f64 {
-    let origin = edges[0].start_point;
-    edges.iter().map(|edge| (edge.start_point - origin).perp_dot(edge.end_point - origin)).sum::<f64>() / 2.0
+/// The loops from the smallest area to the largest. Of equal loops the first is the larger.
+struct AreaRanks {
+    loop_of_rank: Vec<u32>,
+    rank_of_loop: Vec<u32>,
 }
 
-/// Returns a point inside a loop, as far as possible from its edges on one line.
-fn find_inner_point(edges: &[LoopEdge], crossings: &mut Vec<f64>, job: &Job<'_>) -> Result<DVec2> {
-    let (low, high) = edges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), edge| {
-        (low.min(edge.start_point.x), high.max(edge.start_point.x))
-    });
-    let x = f64::midpoint(low, high);
-    crossings.clear();
-    alloc::extend(crossings, edges.iter().filter_map(|edge| edge.height_at(x)))?;
-    sort(crossings, f64::total_cmp, job, STAGE)?;
-    let gaps = crossings.chunks_exact(2);
-    let widest = gaps.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
-    let y = widest.map_or(edges[0].start_point.y, |gap| f64::midpoint(gap[0], gap[1]));
-    Ok(DVec2::new(x, y))
+fn rank_by_area(closed: &[usize], sections: &Sections, job: &Job<'_>) -> Result<AreaRanks> {
+    let area = |k: u32| sections.paths[closed[k as usize]].area.abs();
+    let mut loop_of_rank = alloc::collect(0..closed.len() as u32)?;
+    sort(&mut loop_of_rank, |&a, &b| area(a).total_cmp(&area(b)).then(b.cmp(&a)), job, STAGE)?;
+    let mut rank_of_loop = alloc::filled(0, closed.len())?;
+    (0..).zip(&loop_of_rank).for_each(|(rank, &k)| rank_of_loop[k as usize] = rank);
+    Ok(AreaRanks { loop_of_rank, rank_of_loop })
 }
 
-/// The edges in slabs of equal width along the first coordinate.
-struct Slabs {
-    low_coordinate: f64,
-    /// The number of slabs in a unit of length.
-    slabs_per_unit: f64,
-    slab_count: usize,
-    edges_of_slab: Buckets<u32>,
+/// A loop and its crossings with its line.
+#[derive(Clone, Copy)]
+struct LoopOnLine {
+    /// The range of its first coordinates.
+    low: f64,
+    high: f64,
+    /// The index of its line.
+    line: u32,
+    /// The number of its crossings so far, and the height of the last one.
+    crossing_count: u32,
+    last_height: f64,
+    /// The widest gap so far, and the height of its middle.
+    widest_gap: f64,
+    middle: f64,
 }
 
-impl Slabs {
-    fn new(edges: &[LoopEdge], job: &Job<'_>) -> Result<Slabs> {
-        let (low, high) = edges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), edge| {
-            (low.min(edge.start_point.x), high.max(edge.start_point.x))
-        });
-        let mut slabs = Slabs {
-            low_coordinate: low,
-            slabs_per_unit: 0.0,
-            slab_count: edges.len(),
-            edges_of_slab: Buckets::default(),
-        };
-        loop {
-            job.step_within_list(edges.len(), STAGE)?;
-            let density = slabs.slab_count as f64 / (high - low);
-            slabs.slabs_per_unit = if density.is_finite() { density } else { 0.0 };
-            let entries: usize = edges.iter().map(|edge| slabs.range_of_edge(edge).count()).sum();
-            if entries <= MAX_ENTRIES_PER_EDGE * edges.len() {
-                break;
-            }
-            slabs.slab_count /= 2;
+impl LoopOnLine {
+    fn new(first_point: DVec2) -> Self {
+        LoopOnLine {
+            low: f64::INFINITY,
+            high: f64::NEG_INFINITY,
+            line: NONE,
+            crossing_count: 0,
+            last_height: 0.0,
+            widest_gap: -1.0,
+            middle: first_point.y,
         }
-        let by_slab = (0..).zip(edges).flat_map(|(k, edge)| slabs.range_of_edge(edge).map(move |slab| (slab, k)));
-        slabs.edges_of_slab = Buckets::new_cancellable(slabs.slab_count, 0, by_slab, job, STAGE)?;
-        Ok(slabs)
     }
 
-    fn slab_at(&self, x: f64) -> usize {
-        // The conversion saturates.
-        (((x - self.low_coordinate) * self.slabs_per_unit) as usize).min(self.slab_count - 1)
+    /// Returns the range in which a line may pierce the loop: the middle half of its width.
+    fn middle_half(&self) -> [f64; 2] {
+        [0.75 * self.low + 0.25 * self.high, 0.25 * self.low + 0.75 * self.high]
     }
 
-    fn range_of_edge(&self, edge: &LoopEdge) -> std::ops::RangeInclusive<usize> {
-        let [a, b] = [edge.start_point.x, edge.end_point.x].map(|x| self.slab_at(x));
-        a.min(b)..=a.max(b)
+    fn add_crossing(&mut self, height: f64) {
+        self.crossing_count += 1;
+        if self.crossing_count.is_multiple_of(2) && height - self.last_height > self.widest_gap {
+            self.widest_gap = height - self.last_height;
+            self.middle = f64::midpoint(self.last_height, height);
+        }
+        self.last_height = height;
     }
+}
 
-    /// Collects the loop of each edge above a point.
-    fn find_edges_above(&self, edges: &[LoopEdge], p: DVec2, above: &mut Vec<u32>, job: &Job<'_>) -> Result<()> {
-        above.clear();
-        for (k, &edge) in self.edges_of_slab.get(self.slab_at(p.x)).iter().enumerate() {
-            job.step_within_list(k, STAGE)?;
-            let edge = &edges[edge as usize];
-            if edge.height_at(p.x).is_some_and(|height| height > p.y) {
-                alloc::push(above, edge.path)?;
+/// A vertical line, and the loops that have their test points on it: a range of the loops sorted by
+/// line.
+struct PiercingLine {
+    x: f64,
+    loops: std::ops::Range<usize>,
+}
+
+/// Assigns each loop a vertical line through the middle half of its width. Returns the lines from left
+/// to right, and the loops line by line.
+fn pierce_loops(loops: &mut [LoopOnLine], job: &Job<'_>) -> Result<(Vec<PiercingLine>, Vec<u32>)> {
+    let mut by_end = alloc::collect(0..loops.len() as u32)?;
+    let end = |k: u32| loops[k as usize].middle_half()[1];
+    sort(&mut by_end, |&a, &b| end(a).total_cmp(&end(b)).then(a.cmp(&b)), job, STAGE)?;
+    let mut lines: Vec<PiercingLine> = Vec::new();
+    let mut start = 0;
+    while start < by_end.len() {
+        // All middle halves of a group contain the first end.
+        let first_end = loops[by_end[start] as usize].middle_half()[1];
+        let mut latest_start = f64::NEG_INFINITY;
+        let mut end = start;
+        while let Some(&k) = by_end.get(end)
+            && let [low, _] = loops[k as usize].middle_half()
+            && low <= first_end
+        {
+            job.step_within_list(end, STAGE)?;
+            latest_start = latest_start.max(low);
+            loops[k as usize].line = lines.len() as u32;
+            end += 1;
+        }
+        alloc::push(&mut lines, PiercingLine { x: f64::midpoint(latest_start, first_end), loops: start..end })?;
+        start = end;
+    }
+    Ok((lines, by_end))
+}
+
+/// The larger loops around a loop.
+struct LoopsAround {
+    count: u32,
+    /// The rank of the smallest one, or [`NONE`].
+    nearest: u32,
+}
+
+/// Finds the larger loops around each loop. Takes O(m log m + c log c) for m edges and c crossings of
+/// lines and edges.
+fn find_open_loops(
+    mut edges: Vec<LoopEdge>,
+    mut loops: Vec<LoopOnLine>,
+    ranks: &AreaRanks,
+    job: &Job<'_>,
+) -> Result<Vec<(u32, LoopsAround)>> {
+    sort(&mut edges, |a, b| a.left.x.total_cmp(&b.left.x), job, STAGE)?;
+    let (lines, loops_by_line) = pierce_loops(&mut loops, job)?;
+    let mut found = alloc::with_capacity(loops.len())?;
+    let mut open = OpenLoops::new(loops.len())?;
+    let (mut next, mut active): (usize, Vec<u32>) = (0, Vec::new());
+    let (mut crossings, mut tests): (Vec<(f64, u32)>, Vec<(f64, u32)>) = (Vec::new(), Vec::new());
+    for (line, PiercingLine { x, loops: range }) in (0..).zip(lines) {
+        job.step_within_heavy_list(64, line as usize, STAGE)?;
+        while next < edges.len() && edges[next].left.x <= x {
+            alloc::push(&mut active, next as u32)?;
+            next += 1;
+        }
+        // If two edges meet at x, one counts.
+        active.retain(|&edge| x < edges[edge as usize].right.x);
+        crossings.clear();
+        alloc::extend(
+            &mut crossings,
+            active.iter().map(|&edge| {
+                let edge = &edges[edge as usize];
+                (edge.height_at(x), edge.loop_index)
+            }),
+        )?;
+        let in_order = |a: &(f64, u32), b: &(f64, u32)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
+        sort(&mut crossings, in_order, job, STAGE)?;
+        for &(height, k) in &crossings {
+            let crossed = &mut loops[k as usize];
+            if crossed.line == line {
+                crossed.add_crossing(height);
             }
         }
-        Ok(())
+        tests.clear();
+        alloc::extend(&mut tests, loops_by_line[range].iter().map(|&k| (loops[k as usize].middle, k)))?;
+        sort(&mut tests, in_order, job, STAGE)?;
+        let mut walked = crossings.iter().peekable();
+        for &(height, k) in &tests {
+            while let Some((_, crossed)) = walked.next_if(|(crossing, _)| *crossing < height) {
+                open.toggle(ranks.rank_of_loop[*crossed as usize]);
+            }
+            let own = ranks.rank_of_loop[k as usize];
+            found.push((k, LoopsAround { count: open.count_above(own), nearest: open.find_above(own) }));
+        }
+        walked.for_each(|(_, crossed)| open.toggle(ranks.rank_of_loop[*crossed as usize]));
     }
+    Ok(found)
 }

@@ -329,6 +329,44 @@ fn nesting_counts_the_loops_around() {
     assert!((paths[0].area / ring - 1.0).abs() < 0.02);
 }
 
+/// Boxes in boxes: those inside a box share its width unevenly. Each has its depth and its parent.
+fn add_boxes(all: &mut Vec<([f64; 2], [f64; 2], usize, u32)>, parent: usize, shares: &mut impl Iterator<Item = u8>) {
+    let (low, high, _, depth) = all[parent];
+    let count = shares.next().unwrap_or(0) % 4;
+    let is_across = shares.next().unwrap_or(0) % 2 == 0;
+    for k in 0..count {
+        let axis = usize::from(is_across);
+        let place = |share: f64| low[axis] + (high[axis] - low[axis]) * (f64::from(k) + share) / f64::from(count);
+        let (mut own_low, mut own_high) = (low, high);
+        (own_low[axis], own_high[axis]) = (place(0.1), place(0.7 + 0.1 * f64::from(k % 3)));
+        let margin = 0.1 * (high[1 - axis] - low[1 - axis]);
+        (own_low[1 - axis], own_high[1 - axis]) = (low[1 - axis] + margin, high[1 - axis] - margin);
+        all.push((own_low, own_high, parent, depth + 1));
+    }
+    for child in all.len() - usize::from(count)..all.len() {
+        add_boxes(all, child, shares);
+    }
+}
+
+proptest! {
+    #[test]
+    fn boxes_in_boxes_have_their_parents(shares in prop::collection::vec(any::<u8>(), 2..60), turn in 0.0f64..7.0) {
+        let mut boxes = vec![([0.0; 2], [1.0; 2], usize::MAX, 0)];
+        add_boxes(&mut boxes, 0, &mut shares.into_iter());
+        let cuboids = boxes.iter().map(|(low, high, ..)| cuboid([low[0], low[1], -1.0], [high[0], high[1], 1.0]));
+        let mut mesh = cuboids.reduce(|all, one| all.beside(&one)).unwrap();
+        let (sine, cosine) = turn.sin_cos();
+        mesh.points.iter_mut().for_each(|p| *p = [cosine * p[0] - sine * p[1], sine * p[0] + cosine * p[1], p[2]]);
+        let sections = mesh.cut(level(0.25), InPlane::Above);
+        prop_assert_eq!(sections.paths().len(), boxes.len());
+        // Paths are in the order of their faces.
+        for (path, &(.., parent, depth)) in sections.paths().iter().zip(&boxes) {
+            let parent = if parent == usize::MAX { NONE } else { parent as u32 };
+            prop_assert_eq!((path.depth, path.parent), (depth, parent));
+        }
+    }
+}
+
 #[test]
 fn polygons_that_are_not_convex_are_cut_inside() {
     // A prism over a comb, lying on its side: the plane crosses its two large faces many times.

@@ -5,6 +5,10 @@
 //! left are points of the given polyline, so they keep their sources. No given point is farther
 //! from the result than the tolerance, and no point of the result is farther from the given
 //! polyline.
+//!
+//! Splits near an end of a span would make the method quadratic. A span that many splits led to is
+//! therefore split in its middle, which keeps the bounds, and bounds the work by O(n log n). Parts of
+//! the result may cross each other, because each span is judged alone.
 
 use super::section_request::STAGE;
 use super::sections::Sections;
@@ -13,12 +17,23 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
+/// Points that are judged between two progress reports.
+const POINTS_PER_REPORT: usize = 1 << 16;
+
 /// Simplifies paths. The memory serves path after path.
 pub(super) struct PolylineSimplifier {
     tolerance: f64,
     is_kept: Vec<bool>,
-    /// Pairs of kept points, between which points are to be judged.
-    spans: Vec<[usize; 2]>,
+    spans: Vec<Span>,
+}
+
+/// Two kept points, between which points are to be judged.
+#[derive(Clone, Copy)]
+struct Span {
+    from: usize,
+    to: usize,
+    /// The number of splits that led to the span.
+    depth: u32,
 }
 
 impl PolylineSimplifier {
@@ -64,31 +79,37 @@ impl PolylineSimplifier {
             let mut corners = [0, opposite, third];
             corners.sort_unstable();
             for [from, to] in [[corners[0], corners[1]], [corners[1], corners[2]], [corners[2], count]] {
-                self.keep_span(from, to)?;
+                self.keep_span(Span { from, to, depth: 0 })?;
             }
         } else {
             self.is_kept[count - 1] = true;
-            self.keep_span(0, count - 1)?;
+            self.keep_span(Span { from: 0, to: count - 1, depth: 0 })?;
         }
+        // Balanced splits lead to spans of one segment after ilog2(count) splits.
+        let max_depth = 2 * count.ilog2() + 8;
         let mut judged = 0;
-        while let Some([from, to]) = self.spans.pop() {
-            job.step_within_list(judged, STAGE)?;
-            judged += 1;
+        while let Some(Span { from, to, depth }) = self.spans.pop() {
+            judged += to - from;
+            if judged > POINTS_PER_REPORT {
+                job.step(0.0, STAGE)?;
+                judged = 0;
+            }
             let chord = [points[from], points[to % count]];
             let (farthest, distance) = find_farthest(from + 1..to, |k| squared_distance_from_segment(points[k], chord));
             if distance > self.tolerance * self.tolerance {
-                self.keep_span(from, farthest)?;
-                self.keep_span(farthest, to)?;
+                let split = if depth < max_depth { farthest } else { usize::midpoint(from, to) };
+                self.keep_span(Span { from, to: split, depth: depth + 1 })?;
+                self.keep_span(Span { from: split, to, depth: depth + 1 })?;
             }
         }
         Ok(())
     }
 
     /// Keeps the first point of a span, and plans to judge the points inside.
-    fn keep_span(&mut self, from: usize, to: usize) -> Result<()> {
-        if from < to {
-            self.is_kept[from] = true;
-            alloc::push(&mut self.spans, [from, to])?;
+    fn keep_span(&mut self, span: Span) -> Result<()> {
+        if span.from < span.to {
+            self.is_kept[span.from] = true;
+            alloc::push(&mut self.spans, span)?;
         }
         Ok(())
     }
@@ -107,4 +128,26 @@ fn squared_distance_from_segment(p: DVec3, [a, b]: [DVec3; 2]) -> f64 {
     let length_squared = along.length_squared();
     let share = if length_squared > 0.0 { ((p - a).dot(along) / length_squared).clamp(0.0, 1.0) } else { 0.0 };
     p.distance_squared(a + along * share)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The farthest point from each chord is next to its end, so that splits there would be as many
+    /// as points.
+    #[test]
+    fn points_are_near_where_splits_are_uneven() {
+        let points: Vec<DVec3> = (0..300).map(|k| DVec3::new(f64::from(k), f64::from(k).exp2().recip(), 0.0)).collect();
+        for (tolerance, is_closed) in [1e-3, 1e-30, 1e-60].into_iter().flat_map(|t| [(t, false), (t, true)]) {
+            let mut simplifier = PolylineSimplifier::new(tolerance);
+            simplifier.choose_points(&points, is_closed, &Job::default()).unwrap();
+            let kept: Vec<DVec3> = (0..300).filter(|&k| simplifier.is_kept[k]).map(|k| points[k]).collect();
+            assert!(kept.len() < 300 && simplifier.is_kept[0]);
+            for &p in &points {
+                let distances = kept.windows(2).map(|pair| squared_distance_from_segment(p, [pair[0], pair[1]]));
+                assert!(distances.fold(f64::INFINITY, f64::min).sqrt() <= tolerance * (1.0 + 1e-9), "{p}");
+            }
+        }
+    }
 }
