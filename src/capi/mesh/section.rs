@@ -72,7 +72,7 @@ pub struct gusset_mesh_section_options {
     /// sizeof(gusset_mesh_section_options).
     pub struct_size: usize,
     /// Leaves out points while no left-out point is farther than this from the polyline; finite. 0:
-    /// keeps all points.
+    /// keeps all points. Polylines with points left out may cross each other or themselves.
     pub tolerance: f64,
     /// The side of a plane to which vertices in the plane belong.
     pub in_plane: gusset_in_plane,
@@ -181,7 +181,8 @@ fn read_vectors(vectors: *const f64, count: usize, name: &'static str) -> Result
 ///     EMPTY_CURVE (polyline without length),
 ///     TOO_LARGE, as gusset_mesh_view
 /// @complexity O(V log n + H + s log s) for n planes of a stack and s crossed faces, parallel; else
-///     O(n (V + H) + s log s). Loops with many loops around them take O(points) each.
+///     O(n (V + H) + s log s). Nesting takes O(c log c) for c crossings of loops and lines: few lines
+///     pierce all loops, but many long loops beside many small ones make c quadratic.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_mesh_sections_create(

@@ -199,7 +199,9 @@ fn find_open_loops(
     let mut found = alloc::with_capacity(loops.len())?;
     let mut open = OpenLoops::new(loops.len())?;
     let (mut next, mut active): (usize, Vec<u32>) = (0, Vec::new());
-    let (mut crossings, mut tests): (Vec<(f64, u32)>, Vec<(f64, u32)>) = (Vec::new(), Vec::new());
+    // Heights and loops.
+    let mut crossings: Vec<(f64, u32)> = Vec::new();
+    let mut tests: Vec<(f64, u32)> = Vec::new();
     for (line, PiercingLine { x, loops: range }) in (0..).zip(lines) {
         job.step_within_heavy_list(64, line as usize, STAGE)?;
         while next < edges.len() && edges[next].left.x <= x {

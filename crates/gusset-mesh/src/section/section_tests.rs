@@ -333,7 +333,7 @@ fn nesting_counts_the_loops_around() {
 fn add_boxes(all: &mut Vec<([f64; 2], [f64; 2], usize, u32)>, parent: usize, shares: &mut impl Iterator<Item = u8>) {
     let (low, high, _, depth) = all[parent];
     let count = shares.next().unwrap_or(0) % 4;
-    let is_across = shares.next().unwrap_or(0) % 2 == 0;
+    let is_across = shares.next().unwrap_or(0).is_multiple_of(2);
     for k in 0..count {
         let axis = usize::from(is_across);
         let place = |share: f64| low[axis] + (high[axis] - low[axis]) * (f64::from(k) + share) / f64::from(count);
