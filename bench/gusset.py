@@ -44,6 +44,19 @@ class BoundaryParts(Structure):
         ("struct_size", c_size_t), ("loop_count", c_size_t), ("walk_count", c_size_t), ("defects", c_void_p), ("defect_count", c_size_t)]
 
 
+class CuttingPlanes(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("kind", c_uint32), ("closed", c_uint32), ("point", c_double * 3), ("direction", c_double * 3),
+        ("reference", c_double * 3), ("values", c_void_p), ("value_count", c_size_t), ("points", c_void_p), ("normals", c_void_p),
+        ("point_count", c_size_t)]
+
+
+class SectionsView(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("plane_count", c_size_t), ("path_count", c_size_t), ("point_count", c_size_t), ("paths", c_void_p),
+        ("starts", Indices), ("points", c_void_p), ("edges", c_void_p), ("parameters", c_void_p), ("faces", Indices)]
+
+
 class StitchOptions(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("meridians", c_uint32), ("orientation", c_uint32), ("twist", c_int64),
@@ -219,7 +232,7 @@ class Library:
     def __init__(self, prefix):
         self.c = ctypes.CDLL(str(Path(prefix) / "lib" / "libgusset.so"))
         self.c.gusset_version.restype = self.c.gusset_status_text.restype = ctypes.c_char_p
-        for name in ("alignment", "boundary", "result", "outline", "context", "net", "stream"):
+        for name in ("alignment", "boundary", "mesh_sections", "result", "outline", "context", "net", "stream"):
             getattr(self.c, f"gusset_{name}_destroy").argtypes = [c_void_p]
         self.one_thread, self.automatic = self._context(1), self._context(0)
         self.version = self.c.gusset_version().decode()
@@ -266,6 +279,19 @@ class Library:
         parts = sized(BoundaryParts)
         self._check(self.c.gusset_boundary_get_view(boundary.address, byref(parts)))
         return parts.loop_count
+
+    def sections(self, mesh, heights):
+        """Polylines in planes across z."""
+        planes, address = sized(CuttingPlanes), c_void_p()
+        planes.direction[2], planes.values, planes.value_count = 1.0, heights.ctypes.data, len(heights)
+        self._check(self.c.gusset_mesh_sections_create(None, byref(self._view(mesh)), byref(planes), None, byref(address)))
+        return Handle(self.c, "gusset_mesh_sections_destroy", address)
+
+    def section_counts(self, sections):
+        """The numbers of polylines and of points."""
+        view = sized(SectionsView)
+        self._check(self.c.gusset_mesh_sections_get_view(sections.address, byref(view)))
+        return view.path_count, view.point_count
 
     def stitch(self, pieces, options):
         """Two meshes joined, from arrays to arrays: loops found, chosen and stitched."""

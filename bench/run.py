@@ -15,6 +15,7 @@ import meshes
 import outlines
 import repairs
 import scans
+import sections
 import truth
 import unions
 from cases import BOUNDARIES, OUTLINES, Cases
@@ -38,6 +39,13 @@ def in_cpp(report, tools, folder, only, slow):
         out = folder / "cpp.json"
         sys.stdout.flush()
         subprocess.run([tools / "bench", *wanted, "--only", only, "--runs", "5", "--out", out], check=True)
+        report.merge(out)
+    if any(only in row for row in sections.ROWS if row.endswith("cgal")):
+        path, out = folder / "sections.mesh", folder / "sections.json"
+        if not path.exists():
+            meshes.write(sections.solid(), path)
+        sys.stdout.flush()
+        subprocess.run([tools / "bench", "--sections", path, "--only", only, "--runs", "5", "--out", out], check=True)
         report.merge(out)
     if any(only in f"outline/{name}" for name in ("section", *OUTLINES)):
         path, out = folder / "all.outlines", folder / "outlines.json"
@@ -83,6 +91,8 @@ def main():
         fills.run(library, report, options.tools, folder, options.only)
     if repairs.wanted(options.only):
         repairs.run(options.prefix, report, options.tools, folder, options.only)
+    if sections.wanted(options.only):
+        sections.run(library, report, options.only)
     if unions.wanted(options.only):
         unions.run(library, report)
     if files.wanted(options.only):

@@ -112,7 +112,7 @@ foreach(time first second)
   add_test(NAME pictures/${time} COMMAND drawings gallery ${CMAKE_BINARY_DIR}/pictures/${time})
   set_tests_properties(pictures/${time} PROPERTIES FIXTURES_SETUP pictures)
 endforeach()
-foreach(name stitch pieces fill meet)
+foreach(name stitch pieces fill sections meet)
   add_test(NAME pictures/${name} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_BINARY_DIR}/pictures/first/${name}.svg
            ${CMAKE_BINARY_DIR}/pictures/second/${name}.svg)
   set_tests_properties(pictures/${name} PROPERTIES FIXTURES_REQUIRED pictures)

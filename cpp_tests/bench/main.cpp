@@ -4,7 +4,9 @@
 
 #include <gusset.hpp>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_slicer.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CLI/CLI.hpp>
@@ -82,13 +84,14 @@ Found by_openmesh(const Triangles &mesh) {
 
 std::size_t edges_by_openmesh(const Triangles &mesh) { return openmesh(mesh).n_edges(); }
 
+template <class CgalMesh>
 CgalMesh cgal(const Triangles &mesh) {
     CgalMesh built;
     built.reserve(mesh.points.size(), mesh.points.size() + mesh.face_count(), mesh.face_count());
     for (const auto &p : mesh.points) {
         built.add_vertex({p[0], p[1], p[2]});
     }
-    const auto v = [&](std::size_t c) { return CgalMesh::Vertex_index(mesh.corners[c]); };
+    const auto v = [&](std::size_t c) { return typename CgalMesh::Vertex_index(mesh.corners[c]); };
     for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
         built.add_face(v(c), v(c + 1), v(c + 2));
     }
@@ -96,7 +99,7 @@ CgalMesh cgal(const Triangles &mesh) {
 }
 
 Found by_cgal(const Triangles &mesh) {
-    const CgalMesh built = cgal(mesh);
+    const CgalMesh built = cgal<CgalMesh>(mesh);
     std::vector<CgalMesh::Halfedge_index> cycles;
     CGAL::Polygon_mesh_processing::extract_boundary_cycles(built, std::back_inserter(cycles));
     Found found{cycles.size(), 0};
@@ -107,7 +110,7 @@ Found by_cgal(const Triangles &mesh) {
     return found;
 }
 
-std::size_t edges_by_cgal(const Triangles &mesh) { return cgal(mesh).number_of_edges(); }
+std::size_t edges_by_cgal(const Triangles &mesh) { return cgal<CgalMesh>(mesh).number_of_edges(); }
 
 /// One pass over the index: the hardware's limit.
 uint32_t pure_read(const Triangles &mesh) {
@@ -195,6 +198,52 @@ void boundary(Bench &bench, const std::string &name, const std::string &file) {
     }
 }
 
+/// The heights of planes; as in bench/sections.py.
+std::vector<double> section_heights(std::size_t count) {
+    std::vector<double> heights;
+    for (std::size_t k = 0; k < count; ++k) {
+        heights.push_back(-0.8 + 1.6 * (static_cast<double>(k) + 0.5) / static_cast<double>(count) + 1e-5 * std::sqrt(2.0));
+    }
+    return heights;
+}
+
+/// Ours from the arrays, the peer from its mesh, with its tree. Points are counted as edges.
+void sections(Bench &bench, const std::string &file) {
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    using Sliced = CGAL::Surface_mesh<Kernel::Point_3>;
+    const Triangles mesh = read_triangles(file);
+    const Sliced built = cgal<Sliced>(mesh);
+    for (const std::size_t count : {std::size_t{1}, std::size_t{100}}) {
+        const std::string id = "section/" + std::to_string(count) + "-1M";
+        if (!bench.wants(id + "/cgal")) {
+            continue;
+        }
+        const std::vector<double> heights = section_heights(count);
+        const auto ours = [&] {
+            Found found;
+            for (const gusset::SectionPath &path : gusset::MeshSections(view(mesh), gusset::CuttingPlanes::stack({0, 0, 0}, {0, 0, 1}, heights))) {
+                found.edges += path.size();
+                ++found.loops;
+            }
+            return found;
+        };
+        const auto theirs = [&] {
+            const CGAL::Polygon_mesh_slicer<Sliced, Kernel> slicer(built);
+            Found found;
+            for (const double height : heights) {
+                std::vector<std::vector<Kernel::Point_3>> polylines;
+                slicer(Kernel::Plane_3(0, 0, 1, -height), std::back_inserter(polylines));
+                for (const auto &polyline : polylines) {
+                    found.edges += polyline.size() - 1;
+                    ++found.loops;
+                }
+            }
+            return found;
+        };
+        bench.compare<Found>(id, std::to_string(mesh.face_count()) + " triangles, polylines of " + std::to_string(count) + " planes", ours, {{"cgal", theirs}});
+    }
+}
+
 /// A grid of n x n quads.
 struct Grid {
     std::vector<std::array<float, 3>> points;
@@ -268,9 +317,10 @@ void attributes(Bench &bench) {
 int main(int argc, char **argv) {
     CLI::App app("Benchmarks against OpenMesh and CGAL; ratio = peer / ours");
     std::vector<std::string> meshes;
-    std::string only, out = "report.json";
+    std::string only, out = "report.json", sliced;
     int runs = 7;
     app.add_option("--mesh", meshes, "name=file: the cases boundary/name, boundary-full/name and winged/name");
+    app.add_option("--sections", sliced, "file: the cases section/1-1M and section/100-1M");
     app.add_option("--only", only, "cases whose names contain this");
     app.add_option("--runs", runs, "runs of each; medians are reported")->check(CLI::Range(1, 1000));
     app.add_option("--out", out, "the report");
@@ -307,6 +357,9 @@ int main(int argc, char **argv) {
         }
         if (bench.wants("attributes/apply/limit")) {
             attributes(bench);
+        }
+        if (!sliced.empty()) {
+            sections(bench, sliced);
         }
         for (const std::string &given : meshes) {
             const std::size_t equals = given.find('=');

@@ -147,6 +147,12 @@ std::vector<Row> mesh_rows() {
         options.continuity = gusset::FillContinuity::c2;
         return gusset::Fill(mesh, options, context);
     };
+    // A plane along the z axis, which meets all plates, in a basis that is not along their sides.
+    const auto section = [](const MeshView &mesh, const Context &context) {
+        gusset::MeshSectionOptions options;
+        options.tolerance = 1e-3;
+        return gusset::MeshSections(mesh, gusset::CuttingPlanes::plane({0, 0.1, 0}, {0.3, 1, 0}), options, context);
+    };
     const auto winged = [](const MeshView &mesh, const Context &context) {
         return gusset::Winged(mesh, gusset::WingedOptions(), context);
     };
@@ -184,6 +190,8 @@ std::vector<Row> mesh_rows() {
         {"boundary_create", "triangles at a vertex", 250, 4000000, 1, 1, 0, on_mesh(bundle, boundary)},
         {"boundary_create", "equal copies", 250, 4000000, 1, 1, 0, on_mesh(copies, boundary)},
         {"boundary_create", "square", 250, 4000000, 1, 1, 0, on_mesh(flat, boundary)},
+        {"mesh_sections_create", "plates", 250, 300000, 1, 1, 0, on_mesh(plates, section)},
+        {"mesh_sections_create", "rough square", 250, 4000000, 1, 1, 0, on_mesh(rough, section)},
         {"check_create", "fan", 250, 4000000, 1, 1, 0, on_mesh(open_fan, check)},
         {"check_create", "triangles at a vertex", 250, 4000000, 1, 1, 0, on_mesh(bundle, check)},
         {"winged_create", "fan", 250, 4000000, 1, 1, 0, on_mesh(closed_fan, winged)},

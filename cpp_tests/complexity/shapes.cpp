@@ -42,6 +42,22 @@ Mesh bundle(std::size_t n) {
     return made;
 }
 
+Mesh plates(std::size_t n) {
+    constexpr uint32_t quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    Mesh made;
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto first = static_cast<uint32_t>(made.points.size());
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            made.points.push_back({corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, double(k) + (corner & 4 ? 0.5 : 0.0)});
+        }
+        for (const auto &quad : quads) {
+            made.triangle(first + quad[0], first + quad[1], first + quad[2]);
+            made.triangle(first + quad[0], first + quad[2], first + quad[3]);
+        }
+    }
+    return made;
+}
+
 Mesh scattered(std::size_t n, bool in_one_point) {
     Mesh made;
     const std::size_t side = side_of(n);

@@ -31,6 +31,8 @@ Mesh fan(std::size_t n, bool closed);
 Mesh bundle(std::size_t n);
 /// n triangles without anything in common: n loops; or n whose corners all lie in one point.
 Mesh scattered(std::size_t n, bool in_one_point);
+/// n thin closed plates of 12 triangles, one above the other.
+Mesh plates(std::size_t n);
 /// n times the same triangle, on vertices of its own each time.
 Mesh copies(std::size_t n);
 /// A square of about n faces, flat or with heights by chance.

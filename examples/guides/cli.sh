@@ -1,5 +1,5 @@
 #!/bin/sh
-# The commands of docs/guides/cli.md and plugin.md, where left.obj and right.obj are and gusset is on the path; the results go where it is run.
+# The commands of docs/guides/cli.md, sections.md and plugin.md, where left.obj and right.obj are and gusset is on the path; the results go where it is run.
 set -eu
 
 #! [first]
@@ -36,11 +36,16 @@ gusset certify left.obj right.obj joined.obj -o joined.json
 gusset join left.obj right.obj --align --overlaps trim --holes fill -o model.ply
 #! [scans]
 
+#! [section]
+gusset section left.obj --direction 0,0,1 --number 5 -o outlines.obj
+#! [section]
+
 #! [json]
 gusset check joined.obj --json
 #! [json]
 grep -q '^f ' joined.obj
 grep -q '^f ' smooth.obj
 grep -q '^l ' rim.obj
+grep -q '^l ' outlines.obj
 test -s whole.glb
 grep -q '"kept_faces"' full.json joined.json

@@ -1,5 +1,5 @@
-// Draws the pictures of docs/pictures.md that no other example draws: stitch.svg, texture.svg, pieces.svg, fill.svg
-// and meet.svg.
+// Draws the pictures of docs/pictures.md that no other example draws: stitch.svg, texture.svg, pieces.svg, fill.svg,
+// sections.svg and meet.svg.
 //   gallery FOLDER
 #include "shapes.hpp"
 #include "views.hpp"
@@ -156,6 +156,46 @@ bool filled(const std::string &file) {
     return drawing.write(file);
 }
 
+/// A ring around the z axis with bumps.
+Mesh bumpy_ring(uint32_t around, uint32_t across) {
+    const double turn = 6.283185307179586;
+    Mesh mesh;
+    for (uint32_t i = 0; i < around; ++i) {
+        for (uint32_t j = 0; j < across; ++j) {
+            const double s = turn * i / around, t = turn * j / across, tube = 0.36 + 0.05 * std::sin(5 * s);
+            const double radius = 0.72 + tube * std::cos(t);
+            const uint32_t a = across * i, b = across * ((i + 1) % around), k = (j + 1) % across;
+            mesh.points.push_back({radius * std::cos(s), radius * std::sin(s), tube * std::sin(t)});
+            mesh.corners.insert(mesh.corners.end(), {a + j, b + j, b + k, a + j, b + k, a + k});
+        }
+    }
+    return mesh;
+}
+
+/// A ring; its outlines in parallel planes; its outlines in planes about its axis.
+bool sectioned(const std::string &file) {
+    const Mesh ring = bumpy_ring(80, 32);
+    Drawing drawing(960, 300, {0.4, -1, 0.75}, 135);
+    drawing.place(165, 140);
+    drawing.mesh(ring.view(), [](std::size_t) { return grey; });
+    drawing.caption(165, 288, "a mesh");
+    std::vector<double> heights, angles;
+    for (int k = 0; k < 10; ++k) {
+        heights.push_back(-0.36 + 0.08 * k + 1e-3);
+        angles.push_back(0.3141592653589793 * k + 0.1);
+    }
+    const auto draw = [&](double x, const gusset::CuttingPlanes &planes, const char *what) {
+        drawing.place(x, 140);
+        for (const gusset::SectionPath &path : gusset::MeshSections(ring.view(), planes)) {
+            drawing.curve(std::vector<Point3>(path.points.begin(), path.points.end()), path.is_closed(), path.path.area > 0 ? blue : red, 2, 0.0);
+        }
+        drawing.caption(x, 288, what);
+    };
+    draw(480, gusset::CuttingPlanes::stack({0, 0, 0}, {0, 0, 1}, heights), "parallel planes");
+    draw(795, gusset::CuttingPlanes::about_axis({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, angles), "planes about an axis");
+    return drawing.write(file);
+}
+
 /// A tube through a wavy surface: where they meet, sections, and nearest points.
 bool met(const std::string &file) {
     const gusset::Sheet pipe = tube(), sea = waves();
@@ -189,8 +229,8 @@ int main(int argc, char **argv) {
     }
     const std::string folder = std::string(argv[1]) + "/";
     try {
-        if (stitched(folder + "stitch.svg") && textured(folder + "texture.svg") && assembled(folder + "pieces.svg") && scanned(folder + "scans.svg") && filled(folder + "fill.svg") && met(folder + "meet.svg")) {
-            std::cout << "stitch.svg texture.svg pieces.svg scans.svg fill.svg meet.svg\n";
+        if (stitched(folder + "stitch.svg") && textured(folder + "texture.svg") && assembled(folder + "pieces.svg") && scanned(folder + "scans.svg") && filled(folder + "fill.svg") && sectioned(folder + "sections.svg") && met(folder + "meet.svg")) {
+            std::cout << "stitch.svg texture.svg pieces.svg scans.svg fill.svg sections.svg meet.svg\n";
             return 0;
         }
         std::cerr << "cannot write into " << folder << '\n';

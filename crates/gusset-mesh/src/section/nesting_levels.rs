@@ -85,7 +85,7 @@ pub(super) fn nest_loops(sections: &mut Sections, first_path: usize, normal: DVe
     Ok(())
 }
 
-/// The loops from the smallest area to the largest. Of equal loops the first is the larger.
+/// The loops from the smallest area to the largest. If two areas are equal, the first loop ranks higher.
 struct AreaRanks {
     loop_of_rank: Vec<u32>,
     rank_of_loop: Vec<u32>,

@@ -18,7 +18,7 @@ impl OpenLoops {
         Ok(OpenLoops { is_open: alloc::filled(false, bound)?, counts: alloc::filled(0, bound + 1)?, open_count: 0 })
     }
 
-    /// Adds a number that is no member, or removes a member.
+    /// Adds a number, or removes it if it is a member.
     pub(super) fn toggle(&mut self, number: u32) {
         let is_open = &mut self.is_open[number as usize];
         *is_open = !*is_open;
