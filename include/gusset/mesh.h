@@ -2000,6 +2000,7 @@ typedef struct gusset_cutting_planes {
 typedef struct gusset_mesh_section_options {
     size_t struct_size;
     /// Leaves out points while no left-out point is farther than this from the polyline; finite. 0: keeps all points.
+    /// Polylines with points left out may cross each other or themselves.
     double tolerance;
     gusset_in_plane in_plane;
     uint32_t reserved;
@@ -2060,7 +2061,8 @@ typedef struct gusset_mesh_sections_view {
 /// @errors OUT_OF_RANGE (vectors, values, tolerance, coordinates beyond 1e150), NOT_FINITE (point), EMPTY_CURVE
 ///     (polyline without length), TOO_LARGE, as gusset_mesh_view
 /// @complexity O(V log n + H + s log s) for n planes of a stack and s crossed faces, parallel; else O(n (V + H) + s log
-///     s). Loops with many loops around them take O(points) each.
+///     s). Nesting takes O(c log c) for c crossings of loops and lines: few lines pierce all loops, but many long loops
+///     beside many small ones make c quadratic.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_mesh_sections_create(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_cutting_planes *planes,
     const struct gusset_mesh_section_options *options, struct gusset_mesh_sections **sections);

@@ -276,6 +276,7 @@ struct FacingOptions {
 /// Options of gusset_mesh_sections_create. See ::gusset_mesh_section_options.
 struct MeshSectionOptions {
     /// Leaves out points while no left-out point is farther than this from the polyline; finite. 0: keeps all points.
+    /// Polylines with points left out may cross each other or themselves.
     double tolerance = 0.0;
     /// The side of a plane to which vertices in the plane belong.
     InPlane in_plane = InPlane::above;
