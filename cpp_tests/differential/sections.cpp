@@ -201,8 +201,8 @@ void collect_segments(const gusset::MeshSections &sections, std::map<std::pair<E
         for (std::size_t k = 0; k + (path.is_closed() ? 0 : 1) < count; ++k) {
             const std::size_t next = (k + 1) % count;
             const auto key = [&](std::size_t i) { return edge_key(path.edges[2 * i], path.edges[2 * i + 1]); };
-            const auto ends = std::minmax(key(k), key(next));
-            segments[{ends.first, ends.second}] = distance(path.points[k], path.points[next]);
+            const EdgeKey from = key(k), to = key(next);
+            segments[{std::min(from, to), std::max(from, to)}] = distance(path.points[k], path.points[next]);
         }
     }
 }
