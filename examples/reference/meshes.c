@@ -1,4 +1,4 @@
-/* Meshes: the version, contexts, loops, tables, checks, welding, sewing, orientation, sections. */
+/* Meshes: the version, contexts, loops, tables, checks, welding, sewing, orientation. */
 #include "example.h"
 
 /* An open pyramid: apex 0, rim 1 2 3 4, faces counter-clockwise from outside. */
@@ -295,33 +295,6 @@ static void a_u_in_triangles(void) {
 }
 //! [triangulate]
 
-//! [sections]
-static void a_pyramid_cut_by_planes(void) {
-    const double heights[2] = {0.25, 0.75};
-    const gusset_cutting_planes stack = {.struct_size = sizeof stack, .kind = GUSSET_CUTTING_STACK, .point = {0, 0, 1},
-                                         .direction = {0, 0, 1}, .values = heights, .value_count = 2};
-    gusset_mesh_sections_view cut = {.struct_size = sizeof cut};
-    gusset_origins_view sources = {.struct_size = sizeof sources};
-    gusset_mesh_sections *sections = NULL;
-    gusset_origins *origins = NULL;
-
-    MUST(gusset_mesh_sections_create(NULL, &pyramid, &stack, NULL, &sections));
-    MUST(gusset_mesh_sections_get_view(sections, &cut));
-    /* One square for each plane, counter-clockwise seen from above. */
-    HOLDS(cut.path_count == 2 && cut.paths[0].closed && cut.paths[1].plane == 1);
-    HOLDS(about(cut.paths[0].area, 2 * 0.75 * 0.75) && about(cut.paths[1].area, 2 * 0.25 * 0.25));
-    HOLDS(cut.point_count == 8 && cut.points[2] == 1.25);
-
-    /* Each point lies on an edge: its sources are the ends of the edge. */
-    MUST(gusset_mesh_sections_origins_create(NULL, sections, &origins));
-    MUST(gusset_origins_get_view(origins, GUSSET_DOMAIN_VERTICES, &sources));
-    HOLDS(sources.sources.count == 16);
-    HOLDS(about(sources.weights[0] + sources.weights[1], 1));
-    gusset_origins_destroy(origins);
-    gusset_mesh_sections_destroy(sections);
-}
-//! [sections]
-
 int main(void) {
     what_is_loaded();
     a_context();
@@ -336,6 +309,5 @@ int main(void) {
     one_solid_of_two();
     a_face_turned_over();
     a_u_in_triangles();
-    a_pyramid_cut_by_planes();
     return 0;
 }
